@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands.h"
+#include "app/cli/progress.h"
+#include "app/cli/sceneoptions.h"
+#include "app/cli/suggestion.h"
+#include "core/check/casecheck.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+const QString allArithmeticsWord = QStringLiteral("all");
+
+/// Every method, arithmetic and rule that the options leave: all methods, all their rules, and
+/// exact arithmetic unless others are asked for.
+Result<std::vector<Candidate>> candidatesFor(const CommandLine &line)
+{
+    const Result<const Method *> method = chosenMethod(line, methods().front().id);
+    if (!method)
+        return method.error();
+    const bool everyArithmetic = line.value(QStringLiteral("arithmetic")) == allArithmeticsWord;
+    const Result<Arithmetic> arithmetic = everyArithmetic
+        ? Result<Arithmetic>(Arithmetic::Exact)
+        : chosenArithmetic(line, Arithmetic::Exact);
+    if (!arithmetic)
+        return arithmetic.error();
+    const Result<FillRule> fillRule = chosenFillRule(line, FillRule::Closed);
+    if (!fillRule)
+        return fillRule.error();
+
+    std::vector<Candidate> candidates;
+    for (const Method &each : methods()) {
+        if (line.isSet(QStringLiteral("method")) && &each != *method)
+            continue;
+        for (const Arithmetic number : each.arithmetics) {
+            if (!everyArithmetic && number != *arithmetic)
+                continue;
+            for (const FillRule rule : each.fillRules) {
+                if (!line.isSet(QStringLiteral("fill-rule")) || rule == *fillRule)
+                    candidates.push_back({&each, {number, rule, ByteRounding::Nearest}});
+            }
+        }
+    }
+    if (candidates.empty())
+        return InputError{
+            {}, QStringLiteral("no method draws in this arithmetic under this rule"), {}};
+    return candidates;
+}
+
+void printReport(const CaseReport &report)
+{
+    QString text = QStringLiteral("%1  %2").arg(nameOf(report.summary()), report.id);
+    if (!report.verdicts.empty()) {
+        const auto done = qsizetype(report.verdicts.size()) - report.count(CaseOutcome::Skipped);
+        text += QStringLiteral("  %1 of %2").arg(report.count(CaseOutcome::Passed)).arg(done);
+    }
+    if (!report.remarks.isEmpty())
+        text += QStringLiteral("  ") + report.remarks.join(QStringLiteral("; "));
+    printLine(text);
+    for (const CandidateVerdict &verdict : report.verdicts) {
+        if (verdict.outcome == CaseOutcome::FellShort) {
+            printLine(
+                QStringLiteral("      %1: %2")
+                    .arg(verdict.candidate.name(), verdict.remarks.join(QStringLiteral("; "))));
+        }
+    }
+}
+
+QJsonObject jsonOf(const CaseReport &report)
+{
+    const auto text = [](std::string_view name) {
+        return QString::fromUtf8(name.data(), qsizetype(name.size()));
+    };
+    QJsonArray verdicts;
+    for (const CandidateVerdict &verdict : report.verdicts) {
+        const Candidate &candidate = verdict.candidate;
+        verdicts.append(
+            QJsonObject{{QStringLiteral("method"), candidate.method->id},
+                        {QStringLiteral("arithmetic"), text(nameOf(candidate.settings.arithmetic))},
+                        {QStringLiteral("fillRule"), text(nameOf(candidate.settings.fillRule))},
+                        {QStringLiteral("outcome"), nameOf(verdict.outcome).toLower()},
+                        {QStringLiteral("remarks"), QJsonArray::fromStringList(verdict.remarks)}});
+    }
+    return {{QStringLiteral("id"), report.id},
+            {QStringLiteral("outcome"), nameOf(report.summary()).toLower()},
+            {QStringLiteral("remarks"), QJsonArray::fromStringList(report.remarks)},
+            {QStringLiteral("verdicts"), verdicts}};
+}
+
+/// How many cases came to each end.
+struct Tally {
+    int passed = 0;
+    int fellShort = 0;
+    int skipped = 0;
+
+    void add(CaseOutcome outcome)
+    {
+        passed += outcome == CaseOutcome::Passed ? 1 : 0;
+        fellShort += outcome == CaseOutcome::FellShort ? 1 : 0;
+        skipped += outcome == CaseOutcome::Skipped ? 1 : 0;
+    }
+    int total() const { return passed + fellShort + skipped; }
+};
+
+} // namespace
+
+ExitCode check(const Command &command, const QStringList &arguments)
+{
+    const QString jsonOption = QStringLiteral("json");
+    const QString name = QStringLiteral("name");
+    CommandLine line(command,
+                     {{QStringLiteral("CASES"),
+                       QStringLiteral("a file of hard cases (JSON), or - for standard input")}});
+    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    line.addOption({QStringLiteral("method"), QStringLiteral("Check this method alone."), name});
+    line.addOption({QStringLiteral("arithmetic"),
+                    QStringLiteral("Check in this arithmetic, or in all; exact if left out."),
+                    name});
+    line.addOption(
+        {QStringLiteral("fill-rule"), QStringLiteral("Check under this rule alone."), name});
+    if (const auto ended = line.parse(arguments))
+        return *ended;
+
+    const Result<std::vector<Candidate>> candidates = candidatesFor(line);
+    if (!candidates)
+        return line.refuse(candidates.error());
+    const Result<QByteArray> text = readInput(line.argument(0));
+    if (!text)
+        return line.refuse(text.error());
+    const Result<std::vector<HardCase>> cases = readHardCases(*text);
+    if (!cases)
+        return line.refuse(line.argument(0) + QStringLiteral(", ") + cases.error().message());
+
+    Progress progress;
+    Tally tally;
+    QJsonArray reports;
+    for (const HardCase &hardCase : *cases) {
+        progress.show(QStringLiteral("case %1 of %2: %3")
+                          .arg(tally.total() + 1)
+                          .arg(cases->size())
+                          .arg(hardCase.id));
+        const CaseReport report = checkCase(hardCase, *candidates);
+        tally.add(report.summary());
+        if (line.isSet(jsonOption))
+            reports.append(jsonOf(report));
+        else
+            printReport(report);
+    }
+    if (line.isSet(jsonOption)) {
+        const QJsonObject all{{QStringLiteral("cases"), reports},
+                              {QStringLiteral("passed"), tally.passed},
+                              {QStringLiteral("fellShort"), tally.fellShort},
+                              {QStringLiteral("skipped"), tally.skipped}};
+        printLine(QString::fromUtf8(QJsonDocument(all).toJson().chopped(1)));
+    } else {
+        printLine(QStringLiteral("%1 cases: %2 passed, %3 fell short, %4 skipped")
+                      .arg(tally.total())
+                      .arg(tally.passed)
+                      .arg(tally.fellShort)
+                      .arg(tally.skipped));
+    }
+    return tally.fellShort > 0 ? ExitCode::FallsShort : ExitCode::Done;
+}
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commandline.h"
+
+#include "app/cli/suggestion.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+constexpr QChar minusSign(0x2212);
+
+/// QCommandLineParser takes "-3" for an option: it gets to see a minus sign (U+2212) instead.
+QStringList withProtectedNumbers(const QStringList &arguments)
+{
+    static const QRegularExpression negativeNumber(QStringLiteral("^-(?=[0-9.])"));
+    QStringList words = arguments;
+    return words.replaceInStrings(negativeNumber, QString(minusSign));
+}
+
+} // namespace
+
+CommandLine::CommandLine(const Command &command, std::vector<Positional> positionals)
+    : m_name(command.name)
+    , m_summary(command.summary)
+    , m_positionals(std::move(positionals))
+{
+    m_parser.setApplicationDescription(m_summary);
+    for (const Positional &positional : m_positionals)
+        m_parser.addPositionalArgument(positional.name, positional.meaning);
+    addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this help.")});
+}
+
+void CommandLine::addOption(const QCommandLineOption &option)
+{
+    m_optionNames += option.names();
+    m_parser.addOption(option);
+}
+
+std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
+{
+    const bool parsed = m_parser.parse(QStringList{QCoreApplication::applicationName()}
+                                       + withProtectedNumbers(arguments));
+    if (m_parser.isSet(QStringLiteral("help"))) {
+        printHelp();
+        return ExitCode::Done;
+    }
+    if (!parsed) {
+        return refuse(m_parser.unknownOptionNames().isEmpty() ? m_parser.errorText()
+                                                              : unknownOption());
+    }
+    const QStringList positionals = m_parser.positionalArguments();
+    const auto expected = qsizetype(m_positionals.size());
+    if (positionals.size() < expected) {
+        const Positional &missing = m_positionals[std::size_t(positionals.size())];
+        return refuse(QStringLiteral("%1 is missing: %2").arg(missing.name, missing.meaning));
+    }
+    if (positionals.size() > expected)
+        return refuse(QStringLiteral("unexpected argument “%1”").arg(argument(expected)));
+    return std::nullopt;
+}
+
+QString CommandLine::argument(qsizetype index) const
+{
+    QString word = m_parser.positionalArguments().value(index);
+    if (word.startsWith(minusSign))
+        word[0] = u'-';
+    return word;
+}
+
+QString CommandLine::unknownOption() const
+{
+    const auto dashed
+        = [](const QString &option) { return QString(option.size() == 1 ? 1 : 2, u'-') + option; };
+    const QString name = m_parser.unknownOptionNames().constFirst();
+    const QString closest = closestTo(name, m_optionNames);
+    const QString text = QStringLiteral("unknown option %1").arg(dashed(name));
+    return closest.isEmpty() ? text
+                             : text + QStringLiteral("; did you mean %1?").arg(dashed(closest));
+}
+
+ExitCode CommandLine::refuse(const QString &what) const
+{
+    const QString program = QCoreApplication::applicationName() + u' ' + m_name;
+    sayLine(QStringLiteral("%1: %2").arg(program, what));
+    return ExitCode::Usage;
+}
+
+void CommandLine::printHelp() const
+{
+    QStringList words = {QCoreApplication::applicationName(), m_name, QStringLiteral("[options]")};
+    for (const Positional &positional : m_positionals)
+        words.append(positional.name);
+    // The parser begins its help with the path by which the program was called; ours says the
+    // command.
+    const QString help = m_parser.helpText();
+    const QString usage = QStringLiteral("Usage: ") + words.join(u' ');
+    printLine((usage + help.sliced(help.indexOf(u'\n'))).trimmed());
+}
+
+} // namespace pixelplumb::cli

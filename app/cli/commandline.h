@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/console.h"
+#include "core/scene/result.h"
+
+#include <QCommandLineParser>
+
+#include <optional>
+#include <vector>
+
+namespace pixelplumb::cli {
+
+/// A row of the table of commands.
+struct Command {
+    QString name; ///< "render"
+    QString summary; ///< one line
+    ExitCode (*run)(const Command &command, const QStringList &arguments);
+};
+
+/// A word that must follow the command.
+struct Positional {
+    QString name; ///< "SCENE"
+    QString meaning;
+};
+
+/// The words after a command: options, and exactly the positional arguments that the command names.
+/// Whatever is wrong with them is said on stderr with the word in question.
+class CommandLine {
+public:
+    CommandLine(const Command &command, std::vector<Positional> positionals);
+
+    void addOption(const QCommandLineOption &option);
+    /// An exit code when there is nothing left to do: help was asked for, or the words are wrong.
+    std::optional<ExitCode> parse(const QStringList &arguments);
+
+    bool isSet(const QString &option) const { return m_parser.isSet(option); }
+    QString value(const QString &option) const { return m_parser.value(option); }
+    /// The positional argument at a place; negative numbers are arguments, not options.
+    QString argument(qsizetype index) const;
+
+    /// Says what is wrong with the command line or its input.
+    ExitCode refuse(const QString &what) const;
+    ExitCode refuse(const InputError &error) const { return refuse(error.message()); }
+
+private:
+    QString unknownOption() const;
+    void printHelp() const;
+
+    QString m_name;
+    QString m_summary;
+    std::vector<Positional> m_positionals;
+    QStringList m_optionNames;
+    QCommandLineParser m_parser;
+};
+
+/// Every command, in the order in which help lists them.
+const std::vector<Command> &commands();
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/commandline.h"
+
+namespace pixelplumb::cli {
+
+// One function a command; each has a file of its own.
+ExitCode render(const Command &command, const QStringList &arguments);
+ExitCode trace(const Command &command, const QStringList &arguments);
+ExitCode pixel(const Command &command, const QStringList &arguments);
+ExitCode listMethods(const Command &command, const QStringList &arguments);
+ExitCode check(const Command &command, const QStringList &arguments);
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/console.h"
+
+#include <cstdio>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+void writeLine(std::FILE *stream, const QString &line)
+{
+    const QByteArray bytes = line.toUtf8() + '\n';
+    std::fwrite(bytes.constData(), 1, std::size_t(bytes.size()), stream);
+}
+
+} // namespace
+
+void printLine(const QString &line) { writeLine(stdout, line); }
+
+void sayLine(const QString &line) { writeLine(stderr, line); }
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands.h"
+#include "app/cli/suggestion.h"
+
+#include <QCoreApplication>
+
+#include <cstdio>
+#include <exception>
+
+namespace pixelplumb::cli {
+
+const std::vector<Command> &commands()
+{
+    static const std::vector<Command> table = {
+        {QStringLiteral("render"), QStringLiteral("Draw a scene to a picture or as text."), render},
+        {QStringLiteral("trace"), QStringLiteral("Print the numbers that the drawing used."),
+         trace},
+        {QStringLiteral("pixel"), QStringLiteral("Tell who wrote a pixel, or what refuses it."),
+         pixel},
+        {QStringLiteral("methods"), QStringLiteral("List the methods of scan conversion."),
+         listMethods},
+        {QStringLiteral("check"), QStringLiteral("Run a file of hard cases."), check},
+    };
+    return table;
+}
+
+namespace {
+
+QString helpText()
+{
+    const QString program = QCoreApplication::applicationName();
+    QString text = QStringLiteral("Usage: %1 COMMAND [options] ARGUMENTS\n"
+                                  "Draw, trace and measure triangle scan conversion.\n\n"
+                                  "Commands:\n")
+                       .arg(program);
+    for (const Command &command : commands())
+        text += QStringLiteral("  %1  %2\n").arg(command.name, -8).arg(command.summary);
+    text += QStringLiteral(
+        "\nOptions:\n"
+        "  -h, --help     Show this help; after a command, the command's.\n"
+        "  -v, --version  Show the version.\n\n"
+        "Exit status: 0 done or same, 1 differs or falls short, 2 usage or unreadable "
+        "input,\n3 sizes differ, 70 internal error.");
+    return text;
+}
+
+ExitCode refuse(const QString &what)
+{
+    const QString program = QCoreApplication::applicationName();
+    sayLine(QStringLiteral("%1: %2").arg(program, what));
+    sayLine(QStringLiteral("Try “%1 --help”.").arg(program));
+    return ExitCode::Usage;
+}
+
+ExitCode run(const QStringList &arguments)
+{
+    if (arguments.isEmpty())
+        return refuse(QStringLiteral("a command is missing"));
+    const QString &word = arguments.front();
+    if (word == QStringLiteral("--help") || word == QStringLiteral("-h")) {
+        printLine(helpText());
+        return ExitCode::Done;
+    }
+    if (word == QStringLiteral("--version") || word == QStringLiteral("-v")) {
+        printLine(QCoreApplication::applicationName() + u' '
+                  + QCoreApplication::applicationVersion());
+        return ExitCode::Done;
+    }
+    QStringList names;
+    for (const Command &command : commands()) {
+        if (command.name == word)
+            return command.run(command, arguments.sliced(1));
+        names.append(command.name);
+    }
+    if (word.startsWith(u'-')) {
+        const QStringList options = {QStringLiteral("--help"), QStringLiteral("--version")};
+        return refuse(QStringLiteral("unknown option %1").arg(word) + suggestion(word, options));
+    }
+    return refuse(QStringLiteral("unknown command “%1”").arg(word) + suggestion(word, names));
+}
+
+} // namespace
+
+} // namespace pixelplumb::cli
+
+int main(int argc, char *argv[])
+{
+    using pixelplumb::cli::ExitCode;
+    using pixelplumb::cli::sayLine;
+
+    QCoreApplication application(argc, argv);
+    QCoreApplication::setApplicationName(QStringLiteral("pixelplumb-cli"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(PIXELPLUMB_VERSION));
+    try {
+        ExitCode code = pixelplumb::cli::run(QCoreApplication::arguments().sliced(1));
+        // A full disk behind stdout shows only now.
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+            sayLine(QStringLiteral("pixelplumb-cli: standard output cannot be written"));
+            code = ExitCode::Usage;
+        }
+        return int(code);
+    } catch (const std::exception &exception) {
+        sayLine(QStringLiteral("pixelplumb-cli: internal error: %1")
+                    .arg(QString::fromLocal8Bit(exception.what())));
+    } catch (...) {
+        sayLine(QStringLiteral("pixelplumb-cli: internal error"));
+    }
+    return int(ExitCode::Internal);
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands.h"
+#include "core/methods/method.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+template <class Choice>
+QStringList namesOf(const std::vector<Choice> &choices)
+{
+    QStringList names;
+    for (const Choice choice : choices) {
+        const std::string_view name = nameOf(choice);
+        names.append(QString::fromUtf8(name.data(), qsizetype(name.size())));
+    }
+    return names;
+}
+
+QJsonObject jsonOf(const Method &method)
+{
+    return {
+        {QStringLiteral("id"), method.id},
+        {QStringLiteral("title"), method.title},
+        {QStringLiteral("summary"), method.summary},
+        {QStringLiteral("source"), method.source},
+        {QStringLiteral("arithmetics"), QJsonArray::fromStringList(namesOf(method.arithmetics))},
+        {QStringLiteral("fillRules"), QJsonArray::fromStringList(namesOf(method.fillRules))},
+        {QStringLiteral("effects"), QJsonArray::fromStringList(method.effects)}};
+}
+
+void printMethod(const Method &method)
+{
+    const QString separator = QStringLiteral(", ");
+    printLine(QStringLiteral("%1: %2").arg(method.id, method.title));
+    printLine(QStringLiteral("  %1").arg(method.summary));
+    printLine(QStringLiteral("  source       %1").arg(method.source));
+    printLine(QStringLiteral("  arithmetics  %1").arg(namesOf(method.arithmetics).join(separator)));
+    printLine(QStringLiteral("  fill rules   %1").arg(namesOf(method.fillRules).join(separator)));
+    printLine(QStringLiteral("  effects      %1").arg(method.effects.join(separator)));
+}
+
+} // namespace
+
+ExitCode listMethods(const Command &command, const QStringList &arguments)
+{
+    const QString jsonOption = QStringLiteral("json");
+    CommandLine line(command, {});
+    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    if (const auto ended = line.parse(arguments))
+        return *ended;
+    QJsonArray list;
+    for (const Method &method : methods()) {
+        if (line.isSet(jsonOption))
+            list.append(jsonOf(method));
+        else
+            printMethod(method);
+    }
+    if (line.isSet(jsonOption))
+        printLine(QString::fromUtf8(QJsonDocument(list).toJson().chopped(1)));
+    return ExitCode::Done;
+}
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/result.h"
+
+#include <QFileDevice>
+
+#include <memory>
+#include <optional>
+
+namespace pixelplumb::cli {
+
+/// Where a result is written as it is made: standard output for "-", else a file that appears whole
+/// or not at all.
+class Output {
+public:
+    explicit Output(QString path);
+    ~Output();
+    Q_DISABLE_COPY_MOVE(Output)
+
+    /// An error when the place cannot be written to.
+    std::optional<InputError> open();
+    QIODevice &device() { return *m_file; }
+    /// Makes it permanent; without it a file is left as it was.
+    std::optional<InputError> finish();
+
+private:
+    InputError error() const;
+
+    QString m_path;
+    std::unique_ptr<QFileDevice> m_file;
+};
+
+} // namespace pixelplumb::cli

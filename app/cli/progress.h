@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QString>
+
+namespace pixelplumb::cli {
+
+/// Tells on stderr how far a long job is: only on a terminal, only after a second, and without a
+/// trace once the job is done.
+class Progress {
+public:
+    Progress();
+    ~Progress();
+    Q_DISABLE_COPY_MOVE(Progress)
+
+    void show(const QString &state);
+
+private:
+    bool m_onTerminal = false;
+    bool m_shown = false;
+    QElapsedTimer m_sinceStart;
+    qint64 m_nextShow = 1000; ///< ms since the start
+};
+
+} // namespace pixelplumb::cli

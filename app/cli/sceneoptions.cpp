@@ -1,0 +1,167 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/sceneoptions.h"
+
+#include "app/cli/suggestion.h"
+#include "core/scene/fileaccess.h"
+#include "core/scene/scenefile.h"
+
+#include <QFile>
+
+#include <algorithm>
+#include <array>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+constexpr QLatin1String methodOption("method");
+constexpr QLatin1String arithmeticOption("arithmetic");
+constexpr QLatin1String fillRuleOption("fill-rule");
+constexpr QLatin1String roundingOption("rounding");
+
+InputError unknownChoice(const QString &option, const QString &word, const QStringList &names)
+{
+    return {QStringLiteral("--") + option,
+            QStringLiteral("unknown name “%1”").arg(word) + suggestion(word, names),
+            QStringLiteral("one of ") + names.join(QStringLiteral(", "))};
+}
+
+template <class Choice, std::size_t Count>
+QStringList namesOf(const std::array<Choice, Count> &choices)
+{
+    QStringList names;
+    for (const Choice choice : choices) {
+        const std::string_view name = nameOf(choice);
+        names.append(QString::fromUtf8(name.data(), qsizetype(name.size())));
+    }
+    return names;
+}
+
+template <class Choice, std::size_t Count>
+Result<Choice> chosen(const CommandLine &line, const QString &option,
+                      const std::array<Choice, Count> &choices, Choice unset)
+{
+    if (!line.isSet(option))
+        return unset;
+    const QStringList names = namesOf(choices);
+    const qsizetype index = names.indexOf(line.value(option));
+    if (index < 0)
+        return unknownChoice(option, line.value(option), names);
+    return choices[std::size_t(index)];
+}
+
+/// The first error of several results.
+template <class... Results>
+std::optional<InputError> firstError(const Results &...results)
+{
+    std::optional<InputError> error;
+    const auto look = [&](const auto &result) {
+        if (!error && !result)
+            error = result.error();
+    };
+    (look(results), ...);
+    return error;
+}
+
+/// The first snapped coordinates one by one, the others by their number.
+void reportSnaps(const QString &path, const std::vector<SnapReport> &snaps)
+{
+    constexpr std::size_t mostReported = 5;
+    const std::size_t reported = std::min(snaps.size(), mostReported);
+    for (std::size_t index = 0; index < reported; ++index)
+        sayLine(path + QStringLiteral(": ") + snaps[index].message());
+    if (snaps.size() > reported)
+        sayLine(
+            QStringLiteral("%1: %2 more coordinates are off the lattice of 1/256 px and are drawn "
+                           "at its nearest points")
+                .arg(path)
+                .arg(snaps.size() - reported));
+}
+
+} // namespace
+
+Positional scenePositional()
+{
+    return {QStringLiteral("SCENE"),
+            QStringLiteral("a scene file (JSON), or - for standard input")};
+}
+
+void addSettingOptions(CommandLine &line)
+{
+    const QString name = QStringLiteral("name");
+    line.addOption(
+        {methodOption, QStringLiteral("How to scan-convert; see the command methods."), name});
+    line.addOption({arithmeticOption,
+                    QStringLiteral("What to compute in: ")
+                        + namesOf(allArithmetics).join(QStringLiteral(", ")) + u'.',
+                    name});
+    line.addOption({fillRuleOption,
+                    QStringLiteral("Who owns a sample on an edge: ")
+                        + namesOf(allFillRules).join(QStringLiteral(", ")) + u'.',
+                    name});
+    line.addOption({roundingOption,
+                    QStringLiteral("How a level becomes a byte: ")
+                        + namesOf(allByteRoundings).join(QStringLiteral(", ")) + u'.',
+                    name});
+}
+
+Result<QByteArray> readInput(const QString &path)
+{
+    if (path != QStringLiteral("-"))
+        return readFile(path);
+    QFile input;
+    if (!input.open(stdin, QIODevice::ReadOnly))
+        return InputError{QStringLiteral("standard input"), input.errorString(), {}};
+    return input.readAll();
+}
+
+Result<const Method *> chosenMethod(const CommandLine &line, const QString &unset)
+{
+    const QString id = line.isSet(methodOption) ? line.value(methodOption) : unset;
+    if (const Method *method = methodNamed(id))
+        return method;
+    QStringList ids;
+    for (const Method &method : methods())
+        ids.append(method.id);
+    return unknownChoice(methodOption, id, ids);
+}
+
+Result<Arithmetic> chosenArithmetic(const CommandLine &line, Arithmetic unset)
+{
+    return chosen(line, arithmeticOption, allArithmetics, unset);
+}
+
+Result<FillRule> chosenFillRule(const CommandLine &line, FillRule unset)
+{
+    return chosen(line, fillRuleOption, allFillRules, unset);
+}
+
+Result<Scene> readScene(const CommandLine &line)
+{
+    const QString path = line.argument(0);
+    const Result<QByteArray> text = readInput(path);
+    if (!text)
+        return text.error();
+    const Result<SceneReading> reading = pixelplumb::readScene(*text);
+    if (!reading) {
+        InputError error = reading.error();
+        error.place.prepend(error.place.isEmpty() ? path : path + QStringLiteral(", "));
+        return error;
+    }
+    reportSnaps(path, reading->snaps);
+
+    Scene scene = reading->scene;
+    const auto method = chosenMethod(line, QString::fromStdString(scene.method));
+    const auto arithmetic = chosenArithmetic(line, scene.settings.arithmetic);
+    const auto fillRule = chosenFillRule(line, scene.settings.fillRule);
+    const auto rounding = chosen(line, roundingOption, allByteRoundings, scene.settings.rounding);
+    if (const auto error = firstError(method, arithmetic, fillRule, rounding))
+        return *error;
+    scene.method = (*method)->id.toStdString();
+    scene.settings = {*arithmetic, *fillRule, *rounding};
+    if (const QString refusal = (*method)->refusal(scene.settings); !refusal.isEmpty())
+        return InputError{path, refusal, {}};
+    return scene;
+}
+
+} // namespace pixelplumb::cli

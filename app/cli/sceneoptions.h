@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/commandline.h"
+#include "core/methods/method.h"
+#include "core/scene/scene.h"
+
+namespace pixelplumb::cli {
+
+/// The positional argument that names a scene.
+Positional scenePositional();
+
+/// --method, --arithmetic, --fill-rule and --rounding, which take the place of what the scene says.
+void addSettingOptions(CommandLine &line);
+
+/// The scene that the first positional argument names ("-" is stdin), under the options' settings.
+/// Vertices that had to be snapped are reported on stderr.
+Result<Scene> readScene(const CommandLine &line);
+
+/// The content of a file, or of stdin for "-".
+Result<QByteArray> readInput(const QString &path);
+
+/// What an option chooses, or an error that lists the choices; unset keeps the default.
+Result<const Method *> chosenMethod(const CommandLine &line, const QString &unset);
+Result<Arithmetic> chosenArithmetic(const CommandLine &line, Arithmetic unset);
+Result<FillRule> chosenFillRule(const CommandLine &line, FillRule unset);
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/suggestion.h"
+
+#include <algorithm>
+#include <vector>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+/// How many letters have to be inserted, deleted, replaced or swapped with their neighbour to turn
+/// one word into the other (Damerau 1964, restricted: no letter is touched twice).
+int editDistance(const QString &a, const QString &b)
+{
+    const auto width = std::size_t(b.size()) + 1;
+    std::vector<std::vector<int>> distance(std::size_t(a.size()) + 1, std::vector<int>(width));
+    for (std::size_t i = 0; i < distance.size(); ++i) {
+        for (std::size_t j = 0; j < width; ++j) {
+            if (i == 0 || j == 0) {
+                distance[i][j] = int(i + j);
+                continue;
+            }
+            const QChar last = a[qsizetype(i) - 1];
+            const QChar otherLast = b[qsizetype(j) - 1];
+            distance[i][j] = std::min({distance[i - 1][j] + 1, distance[i][j - 1] + 1,
+                                       distance[i - 1][j - 1] + (last == otherLast ? 0 : 1)});
+            if (i > 1 && j > 1 && last == b[qsizetype(j) - 2] && otherLast == a[qsizetype(i) - 2])
+                distance[i][j] = std::min(distance[i][j], distance[i - 2][j - 2] + 1);
+        }
+    }
+    return distance.back().back();
+}
+
+} // namespace
+
+QString closestTo(const QString &word, const QStringList &candidates)
+{
+    constexpr qsizetype longestWord = 60;
+    if (word.size() > longestWord)
+        return {};
+    QString closest;
+    int smallest = 1 + std::max(1, int(word.size()) / 3);
+    for (const QString &candidate : candidates) {
+        const bool isBeginning = word.size() >= 3 && candidate.startsWith(word);
+        const int distance = isBeginning ? 1 : editDistance(word.toLower(), candidate.toLower());
+        if (distance < smallest) {
+            smallest = distance;
+            closest = candidate;
+        }
+    }
+    return closest;
+}
+
+QString suggestion(const QString &word, const QStringList &candidates)
+{
+    const QString closest = closestTo(word, candidates);
+    return closest.isEmpty() ? QString() : QStringLiteral("; did you mean %1?").arg(closest);
+}
+
+} // namespace pixelplumb::cli

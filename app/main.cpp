@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/method.h"
+#include "widgets/mainwindow.h"
+#include "widgets/messagebar.h"
+#include "widgets/paletteswitch.h"
+#include "widgets/scenedocument.h"
+
+#include <QApplication>
+#include <QCommandLineParser>
+#include <QIcon>
+
+#include <cstdio>
+#include <cstdlib>
+
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
+using namespace pixelplumb;
+
+namespace {
+
+constexpr int usageError = 2;
+
+struct Options {
+    QCommandLineOption palette{
+        QStringLiteral("palette"),
+        QCoreApplication::translate("main", "Colours: light, dark or system."),
+        QStringLiteral("name")};
+    QCommandLineOption position{
+        QStringLiteral("position"),
+        QCoreApplication::translate("main", "Start with the first <steps> steps done."),
+        QStringLiteral("steps")};
+    QCommandLineOption column{
+        QStringLiteral("column"),
+        QCoreApplication::translate("main", "Start as column <x> is entered."),
+        QStringLiteral("x")};
+    QCommandLineOption method{QStringLiteral("method"),
+                              QCoreApplication::translate("main", "Draw by this method."),
+                              QStringLiteral("name")};
+    QCommandLineOption arithmetic{
+        QStringLiteral("arithmetic"),
+        QCoreApplication::translate(
+            "main", "exact, float32, float64, fixed16.16 or fixed32.32, instead of the scene's."),
+        QStringLiteral("name")};
+    QCommandLineOption fillRule{
+        QStringLiteral("fill-rule"),
+        QCoreApplication::translate("main",
+                                    "closed, half-open-column, top-left or off-screen-point, "
+                                    "instead of the scene's."),
+        QStringLiteral("name")};
+};
+
+/// Ends the program when something given cannot be meant.
+[[noreturn]] void refuse(const QString &option, const QString &value, const QString &expected)
+{
+    std::fprintf(stderr, "pixelplumb: --%s %s: expected %s\n", qPrintable(option),
+                 qPrintable(value), qPrintable(expected));
+    std::exit(usageError);
+}
+
+qlonglong numberOf(const QCommandLineParser &parser, const QCommandLineOption &option)
+{
+    bool isNumber = false;
+    const qlonglong number = parser.value(option).toLongLong(&isNumber);
+    if (!isNumber)
+        refuse(option.names().constFirst(), parser.value(option), QStringLiteral("an integer"));
+    return number;
+}
+
+/// Lays the command line's settings over the scene's; they do not count as a change to be saved.
+void overrideSettings(MainWindow &window, const QCommandLineParser &parser, const Options &options)
+{
+    Scene scene = window.parts().document->scene();
+    if (parser.isSet(options.method)) {
+        if (!methodNamed(parser.value(options.method)))
+            refuse(QStringLiteral("method"), parser.value(options.method),
+                   QStringLiteral("a method that pixelplumb-cli methods lists"));
+        scene.method = parser.value(options.method).toStdString();
+    }
+    if (parser.isSet(options.arithmetic)) {
+        const auto arithmetic = arithmeticNamed(parser.value(options.arithmetic).toStdString());
+        if (!arithmetic)
+            refuse(QStringLiteral("arithmetic"), parser.value(options.arithmetic),
+                   QStringLiteral("exact, float32, float64, fixed16.16 or fixed32.32"));
+        scene.settings.arithmetic = *arithmetic;
+    }
+    if (parser.isSet(options.fillRule)) {
+        const auto rule = fillRuleNamed(parser.value(options.fillRule).toStdString());
+        if (!rule)
+            refuse(QStringLiteral("fill-rule"), parser.value(options.fillRule),
+                   QStringLiteral("closed, half-open-column, top-left or off-screen-point"));
+        scene.settings.fillRule = *rule;
+    }
+    if (scene != window.parts().document->scene())
+        window.parts().document->reset(scene);
+}
+
+void open(MainWindow &window, const QCommandLineParser &parser, const Options &options)
+{
+    const QStringList paths = parser.positionalArguments();
+    const bool opened = !paths.isEmpty() && window.openScene(paths.constFirst());
+    if (!opened) {
+        const QString complaint = window.parts().messageBar->text();
+        window.openDefaultScene();
+        if (!paths.isEmpty())
+            window.parts().messageBar->complain(complaint);
+    }
+    overrideSettings(window, parser, options);
+    if (parser.isSet(options.position))
+        window.setOpeningPlace(
+            std::size_t(std::max(qlonglong(0), numberOf(parser, options.position))));
+    else if (parser.isSet(options.column))
+        window.setOpeningPlace(OpeningColumn{numberOf(parser, options.column)});
+    else
+        window.setOpeningPlace(opened ? OpeningMoment::Finished : OpeningMoment::HalfDrawn);
+}
+
+} // namespace
+
+int main(int argc, char *argv[])
+{
+#if defined(__GLIBC__)
+    // The blocks of a recorded run (64 KiB each) go back to the system as soon as the run is
+    // dropped, instead of piling up in the workers' heaps.
+    mallopt(M_MMAP_THRESHOLD, 1 << 16);
+#endif
+    QApplication application(argc, argv);
+    QApplication::setOrganizationName(QStringLiteral("Pixelplumb"));
+    QApplication::setApplicationName(QStringLiteral("pixelplumb"));
+    QApplication::setApplicationVersion(QStringLiteral(PIXELPLUMB_VERSION));
+    QApplication::setDesktopFileName(QStringLiteral("org.pixelplumb.Pixelplumb"));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/pixelplumb.svg")));
+
+    const Options options;
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QCoreApplication::translate("main", "See and step through triangle scan conversion."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(QStringLiteral("scene"),
+                                 QCoreApplication::translate("main", "A scene file to open."),
+                                 QStringLiteral("[scene]"));
+    parser.addOptions({options.palette, options.position, options.column, options.method,
+                       options.arithmetic, options.fillRule});
+    parser.process(application);
+    const auto palette = paletteNamed(parser.value(options.palette));
+    if (parser.isSet(options.palette) && !palette)
+        refuse(QStringLiteral("palette"), parser.value(options.palette),
+               QStringLiteral("light, dark or system"));
+
+    MainWindow window;
+    if (palette)
+        window.palettes()->setForThisRun(*palette);
+    open(window, parser, options);
+    window.show();
+    return QApplication::exec();
+}

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/check/casepicture.h"
+#include "core/check/hardcase.h"
+#include "core/methods/method.h"
+
+#include <QStringList>
+
+namespace pixelplumb {
+
+enum class CaseOutcome { Passed, FellShort, Skipped };
+
+/// What falls short of a case's facts, one sentence each; empty when all is right. The rule of
+/// `settings` must be one that the case has facts for.
+QStringList shortfallsOf(const HardCase &hardCase, const ScanSettings &settings,
+                         const Drawing &drawing);
+
+/// A way to draw that is put to the test.
+struct Candidate {
+    const Method *method = nullptr;
+    ScanSettings settings;
+
+    /// "column-scan exact closed"
+    QString name() const;
+};
+
+/// How one candidate did at a case.
+struct CandidateVerdict {
+    Candidate candidate;
+    CaseOutcome outcome = CaseOutcome::Passed;
+    QStringList remarks; ///< what falls short, or why it was skipped
+};
+
+/// How all candidates did at a case.
+struct CaseReport {
+    QString id;
+    /// Of the case itself: skipped for a kind that no method draws; passed or not for invalid
+    /// input, which is refused before any method sees it.
+    CaseOutcome outcome = CaseOutcome::Passed;
+    QStringList remarks;
+    std::vector<CandidateVerdict> verdicts;
+
+    std::int64_t count(CaseOutcome of) const;
+    /// The worst of the case's own outcome and its verdicts; skipped when nothing else was done.
+    CaseOutcome summary() const;
+};
+
+CaseReport checkCase(const HardCase &hardCase, const std::vector<Candidate> &candidates);
+
+/// "pass", "FAIL" or "skip"
+QString nameOf(CaseOutcome outcome);
+
+} // namespace pixelplumb

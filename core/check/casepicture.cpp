@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/check/casepicture.h"
+
+#include "core/oracle/oracle.h"
+
+#include <QCryptographicHash>
+#include <QStringList>
+
+namespace pixelplumb {
+
+namespace {
+
+FrameSpec mirrored(FrameSpec canvas)
+{
+    canvas.firstRow = -(canvas.firstRow + canvas.height - 1);
+    return canvas;
+}
+
+} // namespace
+
+void drawTruly(std::span<const Triangle> triangles, const ScanSettings &settings, FrameView frame)
+{
+    FrameSpec spec;
+    spec.width = frame.width;
+    spec.height = frame.height;
+    spec.firstColumn = frame.firstColumn;
+    spec.firstRow = frame.firstRow;
+    CoverageMask coverage(spec);
+    for (const Triangle &triangle : triangles)
+        oracle::draw(triangle, settings.fillRule, settings.rounding, frame, coverage);
+}
+
+CasePicture::CasePicture(const FrameSpec &canvas, FillRule rule)
+    : m_canvas(canvas)
+    , m_sign(rule == FillRule::TopLeft ? -1 : 1)
+    , m_frame(rule == FillRule::TopLeft ? mirrored(canvas) : canvas)
+{
+}
+
+void CasePicture::draw(const Triangle &triangle, const ScanSettings &settings,
+                       const Drawing &drawing)
+{
+    Triangle drawn = triangle;
+    for (Vertex &vertex : drawn.vertices)
+        vertex.position.y *= m_sign;
+    drawing(std::span(&drawn, 1), settings, m_frame.view());
+}
+
+std::int64_t CasePicture::pixelCount() const
+{
+    std::int64_t count = 0;
+    forEachWritten([&](std::int64_t, std::int64_t) { ++count; });
+    return count;
+}
+
+std::array<std::int64_t, 3> CasePicture::channelSums() const
+{
+    std::array<std::int64_t, 3> sums = {};
+    forEachWritten([&](std::int64_t x, std::int64_t y) {
+        const Colour colour = colourAt(x, y);
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            sums[channel] += colour.channels[channel];
+    });
+    return sums;
+}
+
+QByteArray CasePicture::spanHash() const
+{
+    struct Span {
+        std::int64_t x = 0, lowest = 0, highest = 0;
+    };
+    std::vector<Span> spans;
+    forEachWritten([&](std::int64_t x, std::int64_t y) {
+        if (spans.empty() || spans.back().x != x)
+            spans.push_back({x, y, y});
+        spans.back().highest = y;
+    });
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    for (const Span &span : spans) {
+        hash.addData(QByteArray::number(qint64(span.x)) + ' '
+                     + QByteArray::number(qint64(span.lowest)) + ' '
+                     + QByteArray::number(qint64(span.highest)) + '\n');
+    }
+    return hash.result().toHex().first(16);
+}
+
+QString PictureDifference::message() const
+{
+    QStringList parts;
+    const auto add = [&](std::int64_t count, const char *what) {
+        const char *noun = count == 1 ? "pixel" : "pixels";
+        if (count > 0)
+            parts.append(QStringLiteral("%1 %2 %3")
+                             .arg(count)
+                             .arg(QLatin1String(noun), QLatin1String(what)));
+    };
+    add(missing, "missing");
+    add(extra, "extra");
+    add(otherColour, "in another colour");
+    return parts.join(QStringLiteral(", "));
+}
+
+PictureDifference differenceBetween(const CasePicture &drawn, const CasePicture &truth)
+{
+    PictureDifference difference;
+    drawn.forEachWritten([&](std::int64_t x, std::int64_t y) {
+        if (!truth.isWritten(x, y))
+            ++difference.extra;
+        else if (drawn.colourAt(x, y) != truth.colourAt(x, y))
+            ++difference.otherColour;
+    });
+    truth.forEachWritten([&](std::int64_t x, std::int64_t y) {
+        difference.missing += drawn.isWritten(x, y) ? 0 : 1;
+    });
+    return difference;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/frame/writtenframe.h"
+#include "core/geometry/triangle.h"
+#include "core/scan/scansettings.h"
+
+#include <QByteArray>
+#include <QString>
+
+#include <functional>
+#include <span>
+
+namespace pixelplumb {
+
+/// Something that draws triangles in sample coordinates: a method, or the truth.
+using Drawing = std::function<void(std::span<const Triangle> triangles,
+                                   const ScanSettings &settings, FrameView frame)>;
+
+/// The oracle as a drawing, under any rule.
+void drawTruly(std::span<const Triangle> triangles, const ScanSettings &settings, FrameView frame);
+
+/// The canvas of a case, drawn on. Its pixels are those of the case's own coordinates: under the
+/// top-left rule these point down, the kernels' frame points up, so that the triangle is drawn
+/// mirrored and read back mirrored.
+class CasePicture {
+public:
+    CasePicture(const FrameSpec &canvas, FillRule rule);
+
+    const FrameSpec &canvas() const { return m_canvas; }
+    void draw(const Triangle &triangle, const ScanSettings &settings, const Drawing &drawing);
+
+    bool contains(std::int64_t x, std::int64_t y) const
+    {
+        return m_frame.view().contains(x, m_sign * y);
+    }
+    bool isWritten(std::int64_t x, std::int64_t y) const
+    {
+        return m_frame.isWritten(x, m_sign * y);
+    }
+    Colour colourAt(std::int64_t x, std::int64_t y) const
+    {
+        return m_frame.colourAt(x, m_sign * y);
+    }
+
+    /// Calls a function with the x and y of every written pixel, by columns, each from its lowest
+    /// y.
+    template <class Function>
+    void forEachWritten(const Function &function) const
+    {
+        for (std::int64_t x = m_canvas.firstColumn; x < m_frame.view().endColumn(); ++x) {
+            for (std::int64_t row = 0; row < m_canvas.height; ++row) {
+                if (isWritten(x, m_canvas.firstRow + row))
+                    function(x, m_canvas.firstRow + row);
+            }
+        }
+    }
+
+    std::int64_t pixelCount() const;
+    std::array<std::int64_t, 3> channelSums() const;
+    /// The first 16 hexadecimal digits of the SHA-256 of "x lowest highest\n" for each column with
+    /// pixels.
+    QByteArray spanHash() const;
+
+private:
+    FrameSpec m_canvas; ///< in the case's coordinates
+    std::int64_t m_sign = 1; ///< −1 where the case's y points down
+    WrittenFrame m_frame;
+};
+
+/// How a picture differs from another of the same canvas.
+struct PictureDifference {
+    std::int64_t missing = 0;
+    std::int64_t extra = 0;
+    std::int64_t otherColour = 0;
+
+    bool isNone() const { return missing == 0 && extra == 0 && otherColour == 0; }
+    /// "3 pixels missing, 1 pixel in another colour"
+    QString message() const;
+};
+
+PictureDifference differenceBetween(const CasePicture &drawn, const CasePicture &truth);
+
+} // namespace pixelplumb

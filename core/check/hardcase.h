@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/frame/framespec.h"
+#include "core/geometry/triangle.h"
+#include "core/scan/scansettings.h"
+#include "core/scene/result.h"
+
+#include <QByteArray>
+#include <QStringList>
+
+#include <map>
+#include <optional>
+#include <vector>
+
+namespace pixelplumb {
+
+/// What a hard case asks for.
+enum class HardCaseKind {
+    Triangle, ///< which pixels, which colours
+    Mesh, ///< how often each pixel is covered by triangles that share edges
+    Sequence, ///< how many pixels come and go while a triangle slides
+    Translation, ///< whether a move by whole pixels moves the picture and nothing else
+    Invalid, ///< that its coordinates are refused
+    Line, ///< a line instead of a triangle
+};
+
+/// What is known of a case under one fill rule; none where the case does not say.
+struct ExpectedFacts {
+    std::optional<std::int64_t> pixelCount; ///< of a triangle or of each translated picture
+    QByteArray spanHash; ///< 16 hexadecimal digits, see spanHashOf
+    std::optional<std::array<std::int64_t, 3>> channelSums; ///< of the bytes of all pixels
+    std::map<int, std::int64_t> histogram; ///< mesh: pixels by how often they are covered, from 1
+    std::vector<std::int64_t> frameCounts; ///< sequence: pixels of each frame
+    std::optional<std::int64_t> toggles; ///< sequence: pixels that change between frames
+    std::optional<std::int64_t> distinctPictures; ///< translation
+};
+
+/// What is known of one sample.
+struct ExpectedPoint {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+    std::map<FillRule, bool> covered;
+    std::array<QString, 3> exactColour; ///< "85/42", levels; inside and outside
+    std::array<std::int64_t, 3> roundedColour = {}; ///< of exactColour, not clamped
+};
+
+/// A case of a file of hard cases. Pixels are sampled at integers; the canvas begins at
+/// `canvas.firstColumn` and `firstRow`. Facts under the top-left rule take y as pointing down, all
+/// others as pointing up.
+struct HardCase {
+    QString id;
+    HardCaseKind kind = HardCaseKind::Triangle;
+    QString stresses; ///< one sentence: what is hard about it
+    FrameSpec canvas;
+    std::vector<Triangle> triangles; ///< one, those of the mesh, or one a frame of the sequence
+    std::vector<std::array<std::int64_t, 2>> offsets; ///< translation, px
+    std::map<FillRule, ExpectedFacts> facts;
+    std::vector<ExpectedPoint> points;
+    /// The coordinates that had to be snapped, each with its displacement. The facts then hold for
+    /// other vertices than the ones that are drawn, and the snapped triangle is compared with the
+    /// truth.
+    QStringList displacements;
+    /// Of an invalid case: why its coordinates were refused; empty when they were accepted.
+    QString refusal;
+};
+
+/// Reads a file of hard cases (JSON, format version 1).
+Result<std::vector<HardCase>> readHardCases(const QByteArray &text);
+
+} // namespace pixelplumb

@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/check/hardcase.h"
+#include "core/scene/coordinatetext.h"
+#include "core/scene/jsonreader.h"
+
+#include <QJsonObject>
+
+#include <limits>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr qint64 largestFact = std::numeric_limits<qint64>::max();
+
+constexpr std::array<std::pair<const char *, HardCaseKind>, 6> kindNames
+    = {{{"triangle", HardCaseKind::Triangle},
+        {"mesh", HardCaseKind::Mesh},
+        {"sequence", HardCaseKind::Sequence},
+        {"translation", HardCaseKind::Translation},
+        {"invalid", HardCaseKind::Invalid},
+        {"line", HardCaseKind::Line}}};
+
+constexpr std::array<std::pair<const char *, FillRule>, 3> ruleNames
+    = {{{"closed", FillRule::Closed},
+        {"half_open_column", FillRule::HalfOpenColumn},
+        {"top_left", FillRule::TopLeft}}};
+
+/// The colours of a triangle whose case gives none.
+constexpr std::array<Colour, 3> defaultColours
+    = {Colour{{255, 0, 0}}, Colour{{0, 255, 0}}, Colour{{0, 0, 255}}};
+
+JsonNode member(const JsonNode &node, const char *key) { return node[QString::fromLatin1(key)]; }
+
+/// Reads one case; errors stay with the JsonReader. Keys that no check needs are left alone.
+class HardCaseReader {
+public:
+    explicit HardCaseReader(JsonReader &json)
+        : m_json(json)
+    {
+    }
+
+    HardCase read(const JsonNode &node)
+    {
+        m_case.id = m_json.string(member(node, "id"));
+        m_case.kind = kind(member(node, "kind"));
+        m_case.stresses = member(node, "stresses").value.toString();
+        switch (m_case.kind) {
+        case HardCaseKind::Triangle:
+        case HardCaseKind::Translation:
+            readCanvas(node);
+            m_case.triangles = {triangle(member(node, "vertices"), node)};
+            readOffsets(node);
+            readFacts(member(node, "expected"));
+            readPoints(node);
+            break;
+        case HardCaseKind::Mesh:
+            readCanvas(node);
+            readMesh(node);
+            readFacts(member(node, "expected"));
+            break;
+        case HardCaseKind::Sequence:
+            readCanvas(node);
+            for (const JsonNode &frame : m_json.array(member(node, "frames")))
+                m_case.triangles.push_back(triangle(frame, node));
+            readFacts(member(node, "expected"));
+            break;
+        case HardCaseKind::Invalid:
+            readInvalidVertices(member(node, "vertices_text"));
+            break;
+        case HardCaseKind::Line:
+            break;
+        }
+        return std::move(m_case);
+    }
+
+private:
+    HardCaseKind kind(const JsonNode &node)
+    {
+        QStringList names;
+        for (const auto &[name, kind] : kindNames) {
+            names.append(QString::fromLatin1(name));
+            if (node.value.toString() == names.back())
+                return kind;
+        }
+        m_json.fail(node, describe(node),
+                    QStringLiteral("one of ") + names.join(QStringLiteral(", ")));
+        return HardCaseKind::Line;
+    }
+
+    void readCanvas(const JsonNode &node)
+    {
+        const std::vector<JsonNode> size = m_json.array(member(node, "canvas"), 2);
+        m_case.canvas.width = std::int32_t(m_json.integer(size[0], 1, largestFrameSide));
+        m_case.canvas.height = std::int32_t(m_json.integer(
+            size[1], 1, qMin<qint64>(largestFrameSide, largestFrameArea / m_case.canvas.width)));
+        const std::vector<JsonNode> origin = m_json.array(member(node, "origin"), 2);
+        m_case.canvas.firstColumn
+            = std::int32_t(m_json.integer(origin[0], -largestPixel, largestPixel));
+        m_case.canvas.firstRow
+            = std::int32_t(m_json.integer(origin[1], -largestPixel, largestPixel));
+        m_scale = member(node, "scale");
+        if (!m_scale.value.isDouble() || m_scale.value.toDouble() < 1)
+            m_json.fail(m_scale, describe(m_scale),
+                        QStringLiteral("the units in a pixel, 1 or more"));
+    }
+
+    /// An integer in units of 1/scale px: any size, exactly.
+    Lattice coordinate(const JsonNode &node)
+    {
+        const QString written
+            = QStringLiteral("%1/%2").arg(numberText(node.value), numberText(m_scale.value));
+        const Result<SnappedCoordinate> snapped = parseCoordinate(written);
+        if (!node.value.isDouble() || !snapped) {
+            m_json.fail(node, describe(node),
+                        QStringLiteral("an integer in units of 1/scale px, within ±%1 px")
+                            .arg(largestPixel));
+            return 0;
+        }
+        if (snapped->isDisplaced()) {
+            m_case.displacements.append(QStringLiteral("%1 by %2 px")
+                                            .arg(node.path.mid(node.path.lastIndexOf(u'.') + 1),
+                                                 toText(snapped->displacement)));
+        }
+        return snapped->units;
+    }
+
+    LatticePoint position(const JsonNode &node)
+    {
+        const std::vector<JsonNode> coordinates = m_json.array(node, 2);
+        return {coordinate(coordinates[0]), coordinate(coordinates[1])};
+    }
+
+    /// With the colours of the case, if it has any.
+    Triangle triangle(const JsonNode &vertices, const JsonNode &node)
+    {
+        Triangle triangle;
+        const JsonNode colours = member(node, "colours");
+        const std::vector<JsonNode> corners = m_json.array(vertices, 3);
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            Vertex &vertex = triangle.vertices[corner];
+            vertex.position = position(corners[corner]);
+            vertex.colour = defaultColours[corner];
+            if (colours.isMissing())
+                continue;
+            const std::vector<JsonNode> channels = m_json.array(colours[qsizetype(corner)], 3);
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                vertex.colour.channels[channel]
+                    = std::uint8_t(m_json.integer(channels[channel], 0, 255));
+        }
+        return triangle;
+    }
+
+    void readMesh(const JsonNode &node)
+    {
+        std::vector<LatticePoint> positions;
+        for (const JsonNode &vertex : m_json.array(member(node, "vertices")))
+            positions.push_back(position(vertex));
+        for (const JsonNode &corners : m_json.array(member(node, "triangles"))) {
+            Triangle triangle;
+            const std::vector<JsonNode> indices = m_json.array(corners, 3);
+            for (std::size_t corner = 0; corner < 3; ++corner) {
+                const qint64 index
+                    = m_json.integer(indices[corner], 0, qint64(positions.size()) - 1);
+                if (m_json.hasFailed())
+                    return;
+                triangle.vertices[corner] = {positions[std::size_t(index)], defaultColours[corner]};
+            }
+            m_case.triangles.push_back(triangle);
+        }
+    }
+
+    void readOffsets(const JsonNode &node)
+    {
+        if (m_case.kind != HardCaseKind::Translation)
+            return;
+        for (const JsonNode &offset : m_json.array(member(node, "offsets_px"))) {
+            const std::vector<JsonNode> px = m_json.array(offset, 2);
+            const qint64 right = m_json.integer(px[0], -largestPixel, largestPixel);
+            const qint64 up = m_json.integer(px[1], -largestPixel, largestPixel);
+            if (!staysWithinRange(right, up)) {
+                m_json.fail(offset, QStringLiteral("the case leaves ±%1 px").arg(largestPixel),
+                            QStringLiteral("a smaller offset"));
+            }
+            m_case.offsets.push_back({right, up});
+        }
+    }
+
+    bool staysWithinRange(qint64 right, qint64 up) const
+    {
+        const LatticePoint corner
+            = latticePixel(m_case.canvas.firstColumn + right, m_case.canvas.firstRow + up);
+        bool within = isWithinRange(corner);
+        for (const Vertex &vertex : m_case.triangles.front().vertices) {
+            const LatticePoint moved = {vertex.position.x + right * unitsPerPixel,
+                                        vertex.position.y + up * unitsPerPixel};
+            within = within && isWithinRange(moved);
+        }
+        return within;
+    }
+
+    std::optional<std::int64_t> count(const JsonNode &node)
+    {
+        if (node.isMissing())
+            return std::nullopt;
+        return m_json.integer(node, 0, largestFact);
+    }
+
+    void readFacts(const JsonNode &expected)
+    {
+        for (const auto &[name, rule] : ruleNames) {
+            const JsonNode node = member(expected, name);
+            if (node.isMissing())
+                continue;
+            ExpectedFacts &facts = m_case.facts[rule];
+            facts.pixelCount = count(member(node, "count"));
+            facts.spanHash = member(node, "span_sha").value.toString().toLatin1();
+            facts.toggles = count(member(node, "toggles"));
+            facts.distinctPictures = count(member(node, "distinct_pictures"));
+            if (const JsonNode sums = member(node, "sum8"); !sums.isMissing())
+                facts.channelSums = integers(sums);
+            if (const JsonNode counts = member(node, "counts"); !counts.isMissing()) {
+                for (const JsonNode &frame : m_json.array(counts))
+                    facts.frameCounts.push_back(m_json.integer(frame, 0, largestFact));
+            }
+            const JsonNode histogram = member(node, "histogram");
+            const QStringList times = histogram.value.toObject().keys();
+            for (const QString &key : times)
+                facts.histogram[key.toInt()] = m_json.integer(histogram[key], 0, largestFact);
+        }
+    }
+
+    std::array<std::int64_t, 3> integers(const JsonNode &node)
+    {
+        const std::vector<JsonNode> elements = m_json.array(node, 3);
+        std::array<std::int64_t, 3> values = {};
+        for (std::size_t index = 0; index < 3; ++index)
+            values[index] = m_json.integer(elements[index], -largestFact, largestFact);
+        return values;
+    }
+
+    void readPoints(const JsonNode &node)
+    {
+        const JsonNode points = member(node, "points");
+        if (points.isMissing())
+            return;
+        for (const JsonNode &each : m_json.array(points)) {
+            ExpectedPoint point;
+            point.x = m_json.integer(member(each, "x"), -largestPixel, largestPixel);
+            point.y = m_json.integer(member(each, "y"), -largestPixel, largestPixel);
+            for (const auto &[name, rule] : ruleNames) {
+                const JsonNode covered = member(member(each, "in"), name);
+                if (!covered.isMissing())
+                    point.covered[rule] = covered.value.toBool();
+            }
+            const std::vector<JsonNode> exact = m_json.array(member(each, "rgb"), 3);
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                point.exactColour[channel] = m_json.string(exact[channel]);
+            point.roundedColour = integers(member(each, "rgb8"));
+            m_case.points.push_back(point);
+        }
+    }
+
+    void readInvalidVertices(const JsonNode &vertices)
+    {
+        for (const JsonNode &vertex : m_json.array(vertices, 3)) {
+            for (const JsonNode &text : m_json.array(vertex, 2)) {
+                const Result<SnappedCoordinate> snapped = parseCoordinate(m_json.string(text));
+                if (!snapped && m_case.refusal.isEmpty())
+                    m_case.refusal = snapped.error().found;
+            }
+        }
+    }
+
+    JsonReader &m_json;
+    JsonNode m_scale;
+    HardCase m_case;
+};
+
+} // namespace
+
+Result<std::vector<HardCase>> readHardCases(const QByteArray &text)
+{
+    JsonReader json(text);
+    std::vector<HardCase> cases;
+    if (!json.hasFailed())
+        json.integer(member(json.root(), "version"), 1, 1);
+    if (!json.hasFailed()) {
+        for (const JsonNode &node : json.array(member(json.root(), "cases"))) {
+            cases.push_back(HardCaseReader(json).read(node));
+            if (json.hasFailed())
+                break;
+        }
+    }
+    if (json.hasFailed())
+        return json.error();
+    return cases;
+}
+
+} // namespace pixelplumb

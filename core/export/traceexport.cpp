@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/traceexport.h"
+
+#include "core/export/tracerows.h"
+
+namespace pixelplumb {
+
+namespace {
+
+QByteArray jsonName(std::string_view name)
+{
+    return jsonString(QString::fromUtf8(name.data(), qsizetype(name.size())));
+}
+
+/// What a reader has to know about the table: how it was drawn, and what the columns mean.
+std::vector<PreambleMember> preambleOf(const TracedScene &traced, TraceLevel level)
+{
+    const ScanSettings &settings = traced.trace->settings();
+    std::vector<PreambleMember> members
+        = {{QStringLiteral("pixelplumbTrace"), "1"},
+           {QStringLiteral("level"), level == TraceLevel::Column ? "\"column\"" : "\"pixel\""},
+           {QStringLiteral("method"), jsonString(traced.method->id)},
+           {QStringLiteral("arithmetic"), jsonName(nameOf(settings.arithmetic))},
+           {QStringLiteral("fillRule"), jsonName(nameOf(settings.fillRule))},
+           {QStringLiteral("rounding"), jsonName(nameOf(settings.rounding))},
+           {QStringLiteral("cut"), traced.trace->isCut() ? "true" : "false"}};
+    if (level == TraceLevel::Pixel)
+        return members;
+    QByteArray columns = "[";
+    for (const TraceColumn &column : traced.method->traceColumns) {
+        columns += columns.size() == 1 ? "\n" : ",\n";
+        columns += "    {\"id\": " + jsonString(column.id) + ", \"unit\": "
+            + jsonString(column.unit) + ", \"formula\": " + jsonString(column.formula)
+            + ", \"meaning\": " + jsonString(column.toolTip) + '}';
+    }
+    members.push_back({QStringLiteral("columns"), columns + "\n  ]"});
+    return members;
+}
+
+} // namespace
+
+bool exportTrace(const TracedScene &traced, const TraceExportOptions &options, QIODevice &device)
+{
+    const auto writer = makeRowWriter(options.format, device, preambleOf(traced, options.level));
+    const bool byPixel = options.level == TraceLevel::Pixel;
+    writer->begin(byPixel ? pixelFields() : columnFields(*traced.method));
+    const std::size_t columnCount = traced.trace->columnCount();
+    for (std::size_t column = 0; column < columnCount; ++column) {
+        if (options.progress && !options.progress(double(column) / double(columnCount)))
+            return false;
+        if (byPixel) {
+            forEachPixelRow(traced, column,
+                            [&](const QStringList &cells) { writer->writeRow(cells); });
+        } else {
+            writer->writeRow(columnCells(traced, column));
+        }
+        if (!writer->isOk())
+            return false;
+    }
+    writer->end();
+    return writer->isOk();
+}
+
+} // namespace pixelplumb

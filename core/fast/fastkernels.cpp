@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/fast/fastkernels.h"
+
+#include "core/fast/routechoice.h"
+
+// Sets that no processor of today is best served by, and vectors without a size at compile time.
+#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)
+#define HWY_WANT_AVX3_DL
+
+// This file and those that it includes are compiled once for each target, which foreach_target.h
+// does: it has to come first.
+#undef HWY_TARGET_INCLUDE
+#define HWY_TARGET_INCLUDE "core/fast/fastkernels.cpp"
+// clang-format off
+#include <hwy/foreach_target.h>
+
+#include "core/fast/batchscan-inl.h"
+// clang-format on
+
+#if HWY_ONCE
+
+namespace pixelplumb {
+
+namespace {
+
+HWY_EXPORT(drawBatch);
+HWY_EXPORT(drawFloatStrip);
+
+struct TargetName {
+    InstructionSet set;
+    std::int64_t target;
+};
+
+constexpr std::array targetNames = {
+    TargetName{InstructionSet::Scalar, HWY_STATIC_TARGET},
+    TargetName{InstructionSet::Neon, HWY_NEON},
+    TargetName{InstructionSet::Sse4, HWY_SSE4},
+    TargetName{InstructionSet::Avx2, HWY_AVX2},
+    TargetName{InstructionSet::Avx512, HWY_AVX3},
+    TargetName{InstructionSet::Avx512Vbmi, HWY_AVX3_DL},
+};
+
+std::vector<InstructionSet> detectedSets()
+{
+    const std::int64_t targets = hwy::SupportedTargets() & HWY_TARGETS;
+    std::vector<InstructionSet> sets;
+    for (const TargetName &name : targetNames) {
+        if (name.set == InstructionSet::Scalar || (targets & name.target) != 0)
+            sets.push_back(name.set);
+    }
+    return sets;
+}
+
+} // namespace
+
+const std::vector<InstructionSet> &supportedInstructionSets()
+{
+    // Asked for once: on a virtual machine each question to the processor takes microseconds.
+    static const std::vector<InstructionSet> sets = detectedSets();
+    return sets;
+}
+FastKernels fastKernelsFor(InstructionSet set)
+{
+    hwy::ChosenTarget chosen;
+    for (const TargetName &name : targetNames) {
+        if (name.set == set)
+            chosen.Update(name.target);
+    }
+    // A table of one entry where the compiler has one target.
+    const std::size_t entries = std::size(HWY_DISPATCH_TABLE(drawBatch));
+    const std::size_t index = entries == 1 ? 0 : chosen.GetIndex();
+    return {HWY_DISPATCH_TABLE(drawBatch)[index], HWY_DISPATCH_TABLE(drawFloatStrip)[index]};
+}
+
+} // namespace pixelplumb
+
+#endif

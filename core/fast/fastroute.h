@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+namespace pixelplumb {
+
+/// How a triangle was drawn by the fast path.
+enum class FastKernel {
+    None, ///< nothing to draw: culled before any work on columns
+    Block8, ///< at most 8 columns: each row one store, coverage by edge functions
+    Block16, ///< at most 16 columns, the same
+    Strip16, ///< strips of 16 columns, one cache line wide
+    Strip32, ///< strips of 32 columns
+    RowSpans, ///< spans of rows
+    FloatStrip16, ///< the assignment's float32 increments in strips of 16 columns
+    Plain, ///< the plain kernel, column by column
+};
+
+/// Why it was drawn so. The order of the values is the order in which the reasons are looked for.
+enum class FastReason {
+    OutsideFrame, ///< no sample of the frame in its bounding box
+    ZeroAreaPaintsNothing,
+    NoFastArithmetic,
+    SmallFrame,
+    FarAway,
+    ZeroAreaSegment,
+    BeyondExactWords,
+    SmallBox,
+    NarrowBox,
+    WideBox,
+    TallBox,
+    LargeFlat,
+    FloatIncrements,
+};
+
+/// What the colours of a triangle were kept in (colourplane.h).
+enum class ColourWord {
+    Flat, ///< the three vertices have one colour
+    Steps32, ///< 8.24, stepped from row to row
+    Table32, ///< 8.24, a sum of a column's and a row's part
+    Steps64, ///< 8.56, stepped
+    Other, ///< the plain kernel's or the assignment's numbers
+};
+
+inline constexpr std::size_t fastKernelCount = 8;
+inline constexpr std::size_t fastReasonCount = 13;
+inline constexpr std::size_t colourWordCount = 5;
+
+std::string_view nameOf(FastKernel kernel);
+std::string_view nameOf(ColourWord word);
+/// One sentence for the person who asks why.
+std::string_view textOf(FastReason reason);
+
+/// Counts triangles by the way they went. Plain counters: each thread has its own.
+class RouteTally {
+public:
+    void count(FastKernel kernel, ColourWord word, FastReason reason)
+    {
+        ++m_counts[(std::size_t(kernel) * colourWordCount + std::size_t(word)) * fastReasonCount
+                   + std::size_t(reason)];
+    }
+    std::uint64_t of(FastKernel kernel, ColourWord word, FastReason reason) const
+    {
+        return m_counts[(std::size_t(kernel) * colourWordCount + std::size_t(word))
+                            * fastReasonCount
+                        + std::size_t(reason)];
+    }
+    void add(const RouteTally &other)
+    {
+        for (std::size_t i = 0; i < m_counts.size(); ++i)
+            m_counts[i] += other.m_counts[i];
+    }
+
+private:
+    std::array<std::uint64_t, fastKernelCount *colourWordCount *fastReasonCount> m_counts = {};
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/fast/fastscan.h"
+
+#include "core/fast/fastkernels.h"
+#include "core/fast/floatcolumns.h"
+#include "core/fast/framebands.h"
+#include "core/methods/columnscan.h"
+
+#include <QThread>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr std::int32_t narrowestWindow = 16; ///< the kernels' widest vector, in pixels
+
+/// Below this, threads cost more than they bring. A start takes some 10 to 50 µs.
+constexpr double worthThreads = 200'000; // ns
+
+/// A rough cost on one thread, in ns: enough to tell a microsecond from a millisecond. Stops
+/// counting when the answer is known.
+double estimatedCost(std::span<const Triangle> triangles, FrameView frame)
+{
+    constexpr double perTriangle = 15;
+    constexpr double perPixel = 0.1;
+    double cost = 0;
+    for (const Triangle &triangle : triangles) {
+        const auto &v = triangle.vertices;
+        const auto [left, right] = std::minmax({v[0].position.x, v[1].position.x, v[2].position.x});
+        const auto [low, high] = std::minmax({v[0].position.y, v[1].position.y, v[2].position.y});
+        const auto columns = std::min(floorPixel(right) + 1, frame.endColumn())
+            - std::max<std::int64_t>(ceilPixel(left), frame.firstColumn);
+        const auto rows = std::min(floorPixel(high) + 1, frame.endRow())
+            - std::max<std::int64_t>(ceilPixel(low), frame.firstRow);
+        if (columns > 0 && rows > 0)
+            cost += perTriangle + perPixel * double(columns) * double(rows) / 2;
+        if (cost >= worthThreads)
+            break;
+    }
+    return cost;
+}
+
+/// Draws one window's triangles, fed one after another, by one instruction set.
+class WindowDrawing {
+public:
+    WindowDrawing(const FastKernels &kernels, const ScanSettings &settings, FrameView window,
+                  RouteTally &tally)
+        : m_kernels(kernels)
+        , m_settings(settings)
+        , m_tally(tally)
+        , m_isNarrow(window.width < narrowestWindow)
+        , m_batch(window)
+    {
+        m_task.window = window;
+        m_task.rounding = settings.rounding;
+        m_task.rule = settings.fillRule;
+        m_task.drawPlain = drawPlain;
+        m_task.tally = &tally;
+    }
+
+    void draw(const Triangle &triangle)
+    {
+        if (m_isNarrow)
+            drawByPlainKernel(triangle, FastReason::SmallFrame);
+        else if (m_settings.arithmetic == Arithmetic::Exact)
+            append(triangle);
+        else if (m_settings.arithmetic == Arithmetic::Float32)
+            drawFloats(triangle);
+        else
+            drawByPlainKernel(triangle, FastReason::NoFastArithmetic);
+    }
+
+    /// Draws what waits in the batch.
+    void finish()
+    {
+        if (m_batch.size > 0)
+            m_kernels.drawBatch(m_batch, m_task);
+        m_batch.size = 0;
+    }
+
+private:
+    static void drawPlain(const Triangle &triangle, const BatchTask &task)
+    {
+        drawColumns(std::span(&triangle, 1), {Arithmetic::Exact, task.rule, task.rounding},
+                    task.window);
+    }
+
+    void append(const Triangle &triangle)
+    {
+        m_batch.append(triangle);
+        if (m_batch.size == TriangleBatch::capacity)
+            finish();
+    }
+
+    void drawFloats(const Triangle &triangle)
+    {
+        m_tally.count(FastKernel::FloatStrip16, ColourWord::Other, FastReason::FloatIncrements);
+        if (m_settings.fillRule == FillRule::HalfOpenColumn)
+            drawFloatTriangle<FillRule::HalfOpenColumn>(triangle, m_settings.rounding,
+                                                        m_task.window, m_kernels);
+        else
+            drawFloatTriangle<FillRule::Closed>(triangle, m_settings.rounding, m_task.window,
+                                                m_kernels);
+    }
+
+    void drawByPlainKernel(const Triangle &triangle, FastReason reason)
+    {
+        m_tally.count(FastKernel::Plain, ColourWord::Other, reason);
+        drawColumns(std::span(&triangle, 1), m_settings, m_task.window);
+    }
+
+    const FastKernels &m_kernels;
+    const ScanSettings &m_settings;
+    RouteTally &m_tally;
+    bool m_isNarrow;
+    BatchTask m_task;
+    TriangleBatch m_batch;
+};
+
+std::vector<FastRouteUse> usesOf(const RouteTally &tally)
+{
+    std::vector<FastRouteUse> uses;
+    for (std::size_t kernel = 0; kernel < fastKernelCount; ++kernel) {
+        for (std::size_t word = 0; word < colourWordCount; ++word) {
+            for (std::size_t reason = 0; reason < fastReasonCount; ++reason) {
+                FastRouteUse use{FastKernel(kernel), ColourWord(word), FastReason(reason), 0};
+                use.triangles = tally.of(use.kernel, use.word, use.reason);
+                if (use.triangles > 0)
+                    uses.push_back(use);
+            }
+        }
+    }
+    return uses;
+}
+
+/// Several bands a thread, so that none waits long for the last one.
+constexpr int bandsPerThread = 4;
+
+RouteTally drawInBands(std::span<const Triangle> triangles, const ScanSettings &settings,
+                       const FrameBands &bands, const FastKernels &kernels, int threads)
+{
+    BandBins bins(triangles, bands);
+    doInParallel(bins.pieceCount(), threads, [&](int piece) { bins.gather(piece); });
+    std::vector<RouteTally> tallies(std::size_t(bands.count()));
+    doInParallel(bands.count(), threads, [&](int band) {
+        WindowDrawing drawing(kernels, settings, bands.band(band), tallies[std::size_t(band)]);
+        bins.forEach(band, [&](const Triangle &triangle) { drawing.draw(triangle); });
+        drawing.finish();
+    });
+    RouteTally sum;
+    for (const RouteTally &tally : tallies)
+        sum.add(tally);
+    return sum;
+}
+
+} // namespace
+
+FastReport drawFast(std::span<const Triangle> triangles, const ScanSettings &settings,
+                    FrameView frame, const FastOptions &options)
+{
+    FastReport report;
+    report.instructionSet = options.instructionSet.value_or(supportedInstructionSets().back());
+    const FastKernels kernels = fastKernelsFor(report.instructionSet);
+    const int threads = options.threads > 0 ? options.threads : QThread::idealThreadCount();
+    if (threads > 1 && frame.height > 1 && estimatedCost(triangles, frame) >= worthThreads) {
+        const FrameBands bands(frame, std::min(threads * bandsPerThread, int(frame.height)));
+        report.threads = threads;
+        report.bands = bands.count();
+        report.uses = usesOf(drawInBands(triangles, settings, bands, kernels, threads));
+        return report;
+    }
+    RouteTally tally;
+    WindowDrawing drawing(kernels, settings, frame, tally);
+    for (const Triangle &triangle : triangles)
+        drawing.draw(triangle);
+    drawing.finish();
+    report.uses = usesOf(tally);
+    return report;
+}
+
+} // namespace pixelplumb

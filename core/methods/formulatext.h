@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/lattice.h"
+#include "core/number/quantity.h"
+
+namespace pixelplumb {
+
+/// A number inside a formula: exact text while it is short, else decimals.
+QString term(const Quantity &quantity);
+
+/// A term that may be negative or a mixed number, as a factor or after an operator.
+QString operand(const Quantity &quantity);
+
+/// Lattice units as pixels.
+Quantity pixels(Lattice units);
+
+/// "(26 1/2, 44)", px.
+QString pointText(const LatticePoint &point);
+
+} // namespace pixelplumb

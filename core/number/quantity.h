@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/number/fixedpoint.h"
+#include "core/number/mixednumber.h"
+
+#include <QString>
+
+#include <optional>
+
+namespace pixelplumb {
+
+/// A number as a kernel held it, in one shape for tables, formulas and files: a rational (exact and
+/// fixed-point arithmetic) or a binary floating-point value. Nothing is lost on the way in.
+class Quantity {
+public:
+    enum class Kind { None, Rational, Float32, Float64 };
+
+    Quantity() = default;
+    static Quantity integer(Int128 value) { return rational(value, 1); }
+    /// numerator / denominator, brought to lowest terms; denominator > 0.
+    static Quantity rational(Int128 numerator, Int128 denominator);
+    static Quantity of(float value);
+    static Quantity of(double value);
+    template <class Integer>
+    static Quantity of(const MixedNumber<Integer> &number)
+    {
+        return rational(Int128(number.whole) * number.denominator + number.remainder,
+                        number.denominator);
+    }
+    template <class Raw, class Product, int FractionBits>
+    static Quantity of(FixedPoint<Raw, Product, FractionBits> number)
+    {
+        return rational(number.raw(), Int128(1) << FractionBits);
+    }
+
+    Kind kind() const { return m_kind; }
+    bool isNone() const { return m_kind == Kind::None; }
+    bool isRational() const { return m_kind == Kind::Rational; }
+    bool isFinite() const;
+    Int128 numerator() const { return m_numerator; } ///< of a rational
+    Int128 denominator() const { return m_denominator; } ///< of a rational, > 0
+
+    /// Nearest double; for drawing and for plots, never for a decision.
+    double toDouble() const;
+    /// An integer in the exact sense: 17, but not 17.0000001.
+    bool isInteger() const;
+
+    /// used − exact, for an exact rational: correctly signed, relative error below 1e-15 of it.
+    friend double errorOf(const Quantity &used, const Quantity &exact);
+    friend bool operator==(const Quantity &, const Quantity &) = default;
+
+private:
+    Kind m_kind = Kind::None;
+    Int128 m_numerator = 0;
+    Int128 m_denominator = 1;
+    double m_binary = 0;
+};
+
+double errorOf(const Quantity &used, const Quantity &exact);
+
+/// The one spelling of a quantity in tables, files and on the command line: rationals as "17 3/8",
+/// floating point as the shortest decimal that reads back as the same value, none as "".
+QString toText(const Quantity &quantity);
+
+/// The same in decimals with a fixed number of digits after the point ("17.375000"), for columns of
+/// figures; C locale.
+QString toDecimal(const Quantity &quantity, int digits);
+
+/// A 128-bit integer in decimal.
+QString toText(Int128 value);
+
+} // namespace pixelplumb

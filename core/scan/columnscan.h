@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/frame/frameview.h"
+#include "core/scan/exactarithmetic.h"
+#include "core/scan/roundedarithmetic.h"
+#include "core/scan/scanobserver.h"
+
+#include <algorithm>
+
+/// Column-wise scan conversion of a smoothly shaded triangle (seed 004). Walk the columns from left
+/// to right; on each, the triangle is the interval from y_B to y_T between two edges; colour its
+/// samples. Everything that changes from column to column or from row to row changes by adding an
+/// increment.
+namespace pixelplumb {
+
+/// One edge under way: y and the colour where it meets the current column.
+template <class A>
+struct EdgeWalker {
+    typename A::Number y;
+    typename A::Number slope; ///< px per column
+    std::array<typename A::Number, 3> colour; ///< levels
+    std::array<typename A::Number, 3> colourRate; ///< levels per column
+
+    /// The edge from a to b where it meets a column: at a itself, or after a pre-step when a lies
+    /// between columns or outside the frame. A jump costs what a step costs.
+    EdgeWalker(const Vertex &a, const Vertex &b, std::int64_t column)
+        : y(A::edgeOrdinate(a, b, column))
+        , slope(A::edgeSlope(a, b))
+    {
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            colour[channel] = A::edgeColour(a, b, channel, column);
+            colourRate[channel] = A::edgeColourRate(a, b, channel);
+        }
+    }
+
+    void stepToNextColumn()
+    {
+        A::advance(y, slope);
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            A::advance(colour[channel], colourRate[channel]);
+    }
+};
+
+/// Colours the rows of one column, bottom to top. The column's state is all it reads, so that a
+/// column can be drawn again, alone, with the same numbers.
+template <class A, ScanObserver<A> Observer>
+void fillColumn(const ColumnState<A> &column, ByteRounding rounding, FrameView frame,
+                Observer observer)
+{
+    if (column.firstDrawnRow >= column.endDrawnRow)
+        return;
+    Fragment<A> fragment;
+    fragment.colour = column.firstColour;
+    QRgb *pixel = frame.at(column.x, column.firstDrawnRow);
+    for (std::int64_t row = column.firstDrawnRow; row < column.endDrawnRow; ++row) {
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            fragment.level[channel] = A::level(fragment.colour[channel], rounding);
+        const auto byte = [&](std::size_t channel) {
+            return int(std::clamp<std::int64_t>(fragment.level[channel], 0, 255));
+        };
+        const QRgb after = qRgb(byte(0), byte(1), byte(2));
+        observer.pixelWritten(column.x, row, *pixel, after, fragment);
+        *pixel = after;
+        pixel += frame.stride;
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            A::advance(fragment.colour[channel], column.colourRate[channel]);
+    }
+}
+
+/// The scan of one triangle into one frame under one rule.
+template <class A, FillRule Rule, ScanObserver<A> Observer>
+class ColumnScan {
+    static_assert(Rule == FillRule::Closed || Rule == FillRule::HalfOpenColumn);
+
+public:
+    ColumnScan(const Triangle &triangle, ByteRounding rounding, FrameView frame, Observer observer)
+        : m_setUp(setUpFor(triangle))
+        , m_p0(triangle.vertices[std::size_t(m_setUp.order[0])])
+        , m_p1(triangle.vertices[std::size_t(m_setUp.order[1])])
+        , m_p2(triangle.vertices[std::size_t(m_setUp.order[2])])
+        , m_ramp(m_p0, m_p1, m_p2)
+        , m_rounding(rounding)
+        , m_frame(frame)
+        , m_observer(observer)
+    {
+    }
+
+    void run()
+    {
+        if (!isRepresentable()) {
+            m_observer.triangleBegun(m_setUp);
+            m_observer.triangleRejected(TriangleRejection::NotRepresentable);
+            return;
+        }
+        computeRates();
+        m_observer.triangleBegun(m_setUp);
+        if (m_setUp.zeroArea && Rule != FillRule::Closed) {
+            m_observer.triangleRejected(TriangleRejection::ZeroArea);
+            return;
+        }
+        const std::int64_t first = std::max<std::int64_t>(m_setUp.firstColumn, m_frame.firstColumn);
+        const std::int64_t end = std::min(m_setUp.endColumn, m_frame.endColumn());
+        if (first >= end || isAboveOrBelowFrame()) {
+            m_observer.triangleRejected(TriangleRejection::OutsideFrame);
+            return;
+        }
+        if (m_setUp.zeroArea) {
+            scanSegment(first, end);
+            return;
+        }
+        const std::int64_t middle = std::clamp(m_setUp.middleColumn, first, end);
+        EdgeWalker<A> longEdge(m_p0, m_p2, first);
+        scanHalf(ColumnHalf::First, first, middle, EdgeWalker<A>(m_p0, m_p1, first), longEdge);
+        scanHalf(ColumnHalf::Second, middle, end, EdgeWalker<A>(m_p1, m_p2, middle), longEdge);
+    }
+
+private:
+    static ColumnSetUp<A> setUpFor(const Triangle &triangle)
+    {
+        ColumnSetUp<A> setUp;
+        setUp.order = sortedByColumn(triangle);
+        const auto position = [&](std::size_t corner) {
+            return triangle.vertices[std::size_t(setUp.order[corner])].position;
+        };
+        const Int128 area = doubledArea(position(0), position(1), position(2));
+        setUp.zeroArea = area == 0;
+        setUp.longEdge = area >= 0 ? LongEdge::Above : LongEdge::Below;
+        setUp.firstColumn = ceilPixel(position(0).x);
+        setUp.middleColumn = ceilPixel(position(1).x);
+        setUp.endColumn
+            = Rule == FillRule::Closed ? floorPixel(position(2).x) + 1 : ceilPixel(position(2).x);
+        return setUp;
+    }
+
+    bool isRepresentable() const
+    {
+        return A::represents(m_p0.position) && A::represents(m_p1.position)
+            && A::represents(m_p2.position);
+    }
+
+    void computeRates()
+    {
+        const std::array<std::array<const Vertex *, 2>, 3> edges
+            = {{{&m_p0, &m_p1}, {&m_p1, &m_p2}, {&m_p0, &m_p2}}};
+        for (std::size_t edge = 0; edge < 3; ++edge) {
+            const Vertex &a = *edges[edge][0];
+            const Vertex &b = *edges[edge][1];
+            m_setUp.slope[edge] = A::edgeSlope(a, b);
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                m_setUp.colourRate[edge][channel] = A::edgeColourRate(a, b, channel);
+        }
+    }
+
+    bool isAboveOrBelowFrame() const
+    {
+        const auto [lowest, highest]
+            = std::minmax({m_p0.position.y, m_p1.position.y, m_p2.position.y});
+        return ceilPixel(lowest) >= m_frame.endRow() || floorPixel(highest) < m_frame.firstRow;
+    }
+
+    /// Zero area, closed rule: both bounds of every column are L₀₂; a vertical segment, where every
+    /// edge stays at its first vertex, is the one column from P0 to P2.
+    void scanSegment(std::int64_t first, std::int64_t end)
+    {
+        const Vertex &upper = m_p0.position.x == m_p2.position.x ? m_p2 : m_p0;
+        EdgeWalker<A> longEdge(upper, m_p2, first);
+        scanHalf(ColumnHalf::First, first, end, EdgeWalker<A>(m_p0, m_p2, first), longEdge);
+    }
+
+    /// The columns [first, end) between L₀₂ and the short edge of this half. L₀₂ is not started
+    /// again at x₁: it goes on adding its slope.
+    void scanHalf(ColumnHalf half, std::int64_t first, std::int64_t end, EdgeWalker<A> shortEdge,
+                  EdgeWalker<A> &longEdge)
+    {
+        const bool longAbove = m_setUp.longEdge == LongEdge::Above;
+        for (std::int64_t x = first; x < end; ++x) {
+            scanColumn(half, x, longAbove ? shortEdge : longEdge, longAbove ? longEdge : shortEdge);
+            shortEdge.stepToNextColumn();
+            longEdge.stepToNextColumn();
+        }
+    }
+
+    void scanColumn(ColumnHalf half, std::int64_t x, const EdgeWalker<A> &bottom,
+                    const EdgeWalker<A> &top)
+    {
+        ColumnState<A> column;
+        column.x = x;
+        column.half = half;
+        column.yBottom = bottom.y;
+        column.yTop = top.y;
+        column.colourBottom = bottom.colour;
+        column.colourTop = top.colour;
+        column.firstRow = A::ceil(bottom.y);
+        column.endRow = Rule == FillRule::Closed ? A::floor(top.y) + 1 : A::ceil(top.y);
+        column.firstDrawnRow = std::max<std::int64_t>(column.firstRow, m_frame.firstRow);
+        column.endDrawnRow = std::min(column.endRow, m_frame.endRow());
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            column.colourRate[channel] = m_ramp.rate(column, channel);
+            column.firstColour[channel] = m_ramp.start(column, channel, column.firstDrawnRow);
+        }
+        m_observer.columnEntered(column);
+        fillColumn(column, m_rounding, m_frame, m_observer);
+    }
+
+    ColumnSetUp<A> m_setUp;
+    const Vertex &m_p0;
+    const Vertex &m_p1;
+    const Vertex &m_p2;
+    typename A::ColourRamp m_ramp;
+    ByteRounding m_rounding;
+    FrameView m_frame;
+    Observer m_observer;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,137 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/triangle.h"
+#include "core/number/mixednumber.h"
+#include "core/scan/scansettings.h"
+
+namespace pixelplumb {
+
+/// The column scan's numbers as integer quotients and remainders: the assignment's increments
+/// without rounding. Integer is std::int64_t up to 2^15 px and Int128 beyond (numerics.md, 3.1
+/// and 3.3).
+template <class Integer>
+struct ExactArithmetic {
+    using Number = MixedNumber<Integer>;
+    static constexpr Arithmetic arithmetic = Arithmetic::Exact;
+
+    /// Every lattice point is an integer; which width holds the products is chosen by the caller.
+    static constexpr bool represents(const LatticePoint &) { return true; }
+
+    /// The edge's y at a column: (Ya·ΔX + (x·S − Xa)·ΔY) / (ΔX·S) px; a vertical edge stays at a.
+    static constexpr Number edgeOrdinate(const Vertex &a, const Vertex &b, std::int64_t column)
+    {
+        const Integer width = Integer(b.position.x) - a.position.x;
+        if (width == 0)
+            return Number::fromFraction(a.position.y, unitsPerPixel);
+        const Integer height = Integer(b.position.y) - a.position.y;
+        const Integer run = Integer(column) * unitsPerPixel - a.position.x;
+        return Number::fromFraction(a.position.y * width + run * height, width * unitsPerPixel);
+    }
+    static constexpr Number edgeSlope(const Vertex &a, const Vertex &b)
+    {
+        const Integer width = Integer(b.position.x) - a.position.x;
+        const Integer height = Integer(b.position.y) - a.position.y;
+        if (width == 0)
+            return {0, 0, unitsPerPixel};
+        return Number::fromFraction(height * unitsPerPixel, width * unitsPerPixel);
+    }
+    /// The edge's colour level at a column: (ca·ΔX + (x·S − Xa)·(cb − ca)) / ΔX.
+    static constexpr Number edgeColour(const Vertex &a, const Vertex &b, std::size_t channel,
+                                       std::int64_t column)
+    {
+        const Integer width = Integer(b.position.x) - a.position.x;
+        const Integer from = a.colour.channels[channel];
+        if (width == 0)
+            return Number::fromFraction(from, 1);
+        const Integer rise = Integer(b.colour.channels[channel]) - from;
+        const Integer run = Integer(column) * unitsPerPixel - a.position.x;
+        return Number::fromFraction(from * width + run * rise, width);
+    }
+    static constexpr Number edgeColourRate(const Vertex &a, const Vertex &b, std::size_t channel)
+    {
+        const Integer width = Integer(b.position.x) - a.position.x;
+        if (width == 0)
+            return Number::fromFraction(0, 1);
+        const Integer rise = Integer(b.colour.channels[channel]) - a.colour.channels[channel];
+        return Number::fromFraction(rise * unitsPerPixel, width);
+    }
+
+    static constexpr std::int64_t floor(const Number &number) { return number.floor(); }
+    static constexpr std::int64_t ceil(const Number &number) { return number.ceil(); }
+    static constexpr void advance(Number &number, const Number &rate) { number.advance(rate); }
+
+    static constexpr std::int64_t level(const Number &number, ByteRounding rounding)
+    {
+        const bool up = rounding == ByteRounding::Nearest
+            && number.remainder >= number.denominator - number.remainder;
+        return number.whole + std::int64_t(up);
+    }
+
+    /// The three vertices' colour plane R(x, y) = (c0·A + GX·(x·S − X0) + GY·(y·S − Y0)) / A.
+    /// ΔR = (R_T − R_B)/(y_T − y_B) is GY·S/A in every column, and R_B + (⌈y_B⌉ − y_B)·ΔR is the
+    /// plane's value there: the same numbers as the assignment's, each one division from integers.
+    class ColourRamp {
+    public:
+        ColourRamp(const Vertex &p0, const Vertex &p1, const Vertex &p2)
+            : m_p0(&p0)
+            , m_p2(&p2)
+        {
+            const Integer x1 = p1.position.x - p0.position.x;
+            const Integer y1 = p1.position.y - p0.position.y;
+            const Integer x2 = p2.position.x - p0.position.x;
+            const Integer y2 = p2.position.y - p0.position.y;
+            const Integer signedArea = x1 * y2 - x2 * y1;
+            const Integer sign = signedArea < 0 ? -1 : 1;
+            m_area = signedArea * sign;
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                const Integer c0 = p0.colour.channels[channel];
+                const Integer c1 = p1.colour.channels[channel] - c0;
+                const Integer c2 = p2.colour.channels[channel] - c0;
+                m_perColumn[channel] = sign * (c1 * y2 - c2 * y1);
+                m_perRow[channel] = sign * (c2 * x1 - c1 * x2);
+            }
+        }
+
+        /// ΔR of a column.
+        template <class ColumnState>
+        Number rate(const ColumnState &column, std::size_t channel) const
+        {
+            if (m_area != 0)
+                return Number::fromFraction(m_perRow[channel] * unitsPerPixel, m_area);
+            const Integer height = m_p2->position.y - m_p0->position.y;
+            if (m_p0->position.x != m_p2->position.x || height == 0)
+                return Number::fromFraction(0, column.colourBottom[channel].denominator);
+            const Integer rise
+                = Integer(m_p2->colour.channels[channel]) - m_p0->colour.channels[channel];
+            return Number::fromFraction(rise * unitsPerPixel, height);
+        }
+
+        /// R at a row of the column.
+        template <class ColumnState>
+        Number start(const ColumnState &column, std::size_t channel, std::int64_t row) const
+        {
+            const Integer c0 = m_p0->colour.channels[channel];
+            const Integer up = Integer(row) * unitsPerPixel - m_p0->position.y;
+            if (m_area != 0) {
+                const Integer along = Integer(column.x) * unitsPerPixel - m_p0->position.x;
+                return Number::fromFraction(
+                    c0 * m_area + m_perColumn[channel] * along + m_perRow[channel] * up, m_area);
+            }
+            const Integer height = m_p2->position.y - m_p0->position.y;
+            if (m_p0->position.x != m_p2->position.x || height == 0)
+                return column.colourBottom[channel];
+            const Integer rise = Integer(m_p2->colour.channels[channel]) - c0;
+            return Number::fromFraction(c0 * height + rise * up, height);
+        }
+
+    private:
+        const Vertex *m_p0;
+        const Vertex *m_p2;
+        Integer m_area = 0; ///< doubled, without sign, in square lattice units
+        std::array<Integer, 3> m_perColumn = {}; ///< GX: change of the numerator per unit of x
+        std::array<Integer, 3> m_perRow = {}; ///< GY: change of the numerator per unit of y
+    };
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/triangle.h"
+#include "core/number/fixedpoint.h"
+#include "core/scan/scansettings.h"
+
+#include <cmath>
+#include <concepts>
+
+namespace pixelplumb {
+
+/// How each rounding number is made from the lattice's integers and read back.
+template <class Value>
+struct NumberTraits;
+
+template <std::floating_point Float>
+struct NumberTraits<Float> {
+    static constexpr Arithmetic arithmetic
+        = sizeof(Float) == sizeof(float) ? Arithmetic::Float32 : Arithmetic::Float64;
+    /// Beyond every frame and every coordinate, and safe to convert.
+    static constexpr Float limit = Float(std::int64_t(1) << 40);
+
+    static bool represents(Lattice) { return true; }
+    static Float fromInteger(std::int64_t integer) { return Float(integer); }
+    static Float fromLattice(Lattice units) { return Float(units) / Float(unitsPerPixel); }
+    static std::int64_t floor(Float value) { return toInteger(std::floor(value)); }
+    static std::int64_t ceil(Float value) { return toInteger(std::ceil(value)); }
+
+private:
+    static std::int64_t toInteger(Float value)
+    {
+        if (!(value > -limit)) // NaN too
+            return -(std::int64_t(1) << 40);
+        return value < limit ? std::int64_t(value) : std::int64_t(1) << 40;
+    }
+};
+
+template <class Raw, class Product, int FractionBits>
+struct NumberTraits<FixedPoint<Raw, Product, FractionBits>> {
+    using Fixed = FixedPoint<Raw, Product, FractionBits>;
+    static constexpr Arithmetic arithmetic
+        = FractionBits == 16 ? Arithmetic::Fixed16 : Arithmetic::Fixed32;
+
+    /// The coordinate itself must fit; what is computed from it may still wrap.
+    static bool represents(Lattice units)
+    {
+        constexpr int integerBits = int(8 * sizeof(Raw)) - 1 - FractionBits;
+        return absolute(units) < (Lattice(1) << integerBits) * unitsPerPixel;
+    }
+    static Fixed fromInteger(std::int64_t integer) { return Fixed::fromInteger(integer); }
+    static Fixed fromLattice(Lattice units)
+    {
+        return Fixed::fromBinaryFraction(units, unitsPerPixel);
+    }
+    static std::int64_t floor(Fixed value) { return value.floor(); }
+    static std::int64_t ceil(Fixed value) { return value.ceil(); }
+};
+
+/// The assignment's increments to the letter in a number that rounds: slope and colour rates are
+/// precomputed quotients, each column adds them, ΔR = (R_T − R_B)/(y_T − y_B), and R starts at
+/// R_B + (⌈y_B⌉ − y_B)·ΔR (seed 004).
+template <class Value>
+struct RoundedArithmetic {
+    using Number = Value;
+    using Traits = NumberTraits<Value>;
+    static constexpr Arithmetic arithmetic = Traits::arithmetic;
+
+    static bool represents(const LatticePoint &point)
+    {
+        return Traits::represents(point.x) && Traits::represents(point.y);
+    }
+
+    static Number edgeSlope(const Vertex &a, const Vertex &b)
+    {
+        if (a.position.x == b.position.x)
+            return Traits::fromInteger(0);
+        return (Traits::fromLattice(b.position.y) - Traits::fromLattice(a.position.y))
+            / (Traits::fromLattice(b.position.x) - Traits::fromLattice(a.position.x));
+    }
+    /// y at the edge's first column: the vertex plus the pre-step to the column.
+    static Number edgeOrdinate(const Vertex &a, const Vertex &b, std::int64_t column)
+    {
+        return Traits::fromLattice(a.position.y) + preStep(a, column) * edgeSlope(a, b);
+    }
+    static Number edgeColourRate(const Vertex &a, const Vertex &b, std::size_t channel)
+    {
+        if (a.position.x == b.position.x)
+            return Traits::fromInteger(0);
+        return Traits::fromInteger(b.colour.channels[channel] - a.colour.channels[channel])
+            / (Traits::fromLattice(b.position.x) - Traits::fromLattice(a.position.x));
+    }
+    static Number edgeColour(const Vertex &a, const Vertex &b, std::size_t channel,
+                             std::int64_t column)
+    {
+        return Traits::fromInteger(a.colour.channels[channel])
+            + preStep(a, column) * edgeColourRate(a, b, channel);
+    }
+
+    static std::int64_t floor(Number number) { return Traits::floor(number); }
+    static std::int64_t ceil(Number number) { return Traits::ceil(number); }
+    static void advance(Number &number, Number rate) { number = number + rate; }
+
+    static std::int64_t level(Number number, ByteRounding rounding)
+    {
+        if (rounding == ByteRounding::Truncate)
+            return Traits::floor(number);
+        return Traits::floor(number + Traits::fromInteger(1) / Traits::fromInteger(2));
+    }
+
+    class ColourRamp {
+    public:
+        ColourRamp(const Vertex &, const Vertex &, const Vertex &) { }
+
+        /// 0 where y_B = y_T: such a column has one sample at most and nothing to share out.
+        template <class ColumnState>
+        Number rate(const ColumnState &column, std::size_t channel) const
+        {
+            if (column.yTop == column.yBottom)
+                return Traits::fromInteger(0);
+            return (column.colourTop[channel] - column.colourBottom[channel])
+                / (column.yTop - column.yBottom);
+        }
+        template <class ColumnState>
+        Number start(const ColumnState &column, std::size_t channel, std::int64_t row) const
+        {
+            return column.colourBottom[channel]
+                + (Traits::fromInteger(row) - column.yBottom) * column.colourRate[channel];
+        }
+    };
+
+private:
+    static Number preStep(const Vertex &a, std::int64_t column)
+    {
+        return Traits::fromInteger(column) - Traits::fromLattice(a.position.x);
+    }
+};
+
+} // namespace pixelplumb

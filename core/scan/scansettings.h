@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string_view>
+
+namespace pixelplumb {
+
+/// Who owns a sample that lies exactly on an edge. Each rule but the closed one takes the sample as
+/// if it were displaced by an infinitely small vector, so every sample of a mesh has exactly one
+/// owner.
+enum class FillRule {
+    Closed, ///< not displaced: the boundary belongs to the triangle (the assignment, seed 004)
+    HalfOpenColumn, ///< (+ε², +ε): rows ⌈y_B⌉ … ⌈y_T⌉−1, columns ⌈x₀⌉ … ⌈x₂⌉−1
+    TopLeft, ///< (+ε, −ε²) in a y-upward frame: Direct3D; seed 003, "left or top edge"
+    OffScreenPoint, ///< towards a chosen off-screen point (seed 001, shared triangle edges)
+};
+
+/// What the increments are computed in.
+enum class Arithmetic {
+    Exact, ///< integer quotient and remainder; no rounding before the byte
+    Float32,
+    Float64,
+    Fixed16, ///< 16.16, 32 bits, rounded to nearest, wraps
+    Fixed32, ///< 32.32, 64 bits, rounded to nearest, wraps
+};
+
+/// How a colour level becomes a byte: ⌊v + 1/2⌋, or ⌊v⌋ to show what truncation does. Then clamped.
+enum class ByteRounding { Nearest, Truncate };
+
+inline constexpr std::array allFillRules
+    = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::TopLeft, FillRule::OffScreenPoint};
+inline constexpr std::array allArithmetics
+    = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64, Arithmetic::Fixed16,
+       Arithmetic::Fixed32};
+inline constexpr std::array allByteRoundings = {ByteRounding::Nearest, ByteRounding::Truncate};
+
+/// The names in files, on the command line and in the window: "closed", "half-open-column", …
+std::string_view nameOf(FillRule rule);
+std::string_view nameOf(Arithmetic arithmetic);
+std::string_view nameOf(ByteRounding rounding);
+std::optional<FillRule> fillRuleNamed(std::string_view name);
+std::optional<Arithmetic> arithmeticNamed(std::string_view name);
+std::optional<ByteRounding> byteRoundingNamed(std::string_view name);
+
+/// The choices under which one method draws.
+struct ScanSettings {
+    Arithmetic arithmetic = Arithmetic::Exact;
+    FillRule fillRule = FillRule::Closed;
+    ByteRounding rounding = ByteRounding::Nearest;
+
+    friend bool operator==(const ScanSettings &, const ScanSettings &) = default;
+};
+
+} // namespace pixelplumb

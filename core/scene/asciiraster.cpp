@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/asciiraster.h"
+
+#include "core/frame/writtenframe.h"
+#include "core/methods/method.h"
+
+#include <QStringList>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr QChar covered = u'#';
+constexpr QChar uncovered = u'.';
+
+/// Whether a pixel is covered, by its place in the picture: column from the left, line from the
+/// top.
+bool isCovered(const CoverageMask &coverage, int column, int line)
+{
+    const FrameSpec &spec = coverage.spec();
+    return coverage.covers(std::int64_t(spec.firstColumn) + column, rowOfPictureLine(spec, line));
+}
+
+QList<QStringView> linesOf(QStringView text)
+{
+    QList<QStringView> lines = text.split(u'\n');
+    if (lines.back().isEmpty())
+        lines.removeLast();
+    for (QStringView &line : lines) {
+        if (line.endsWith(u'\r'))
+            line.chop(1);
+    }
+    return lines;
+}
+
+InputError unexpected(qsizetype line, const QString &found, const QString &expected)
+{
+    return {QStringLiteral("line %1").arg(line + 1), found, expected};
+}
+
+} // namespace
+
+QString asciiRaster(const CoverageMask &coverage)
+{
+    const FrameSpec &spec = coverage.spec();
+    QString text;
+    text.reserve((qsizetype(spec.width) + 1) * spec.height);
+    for (int line = 0; line < spec.height; ++line) {
+        for (int column = 0; column < spec.width; ++column)
+            text += isCovered(coverage, column, line) ? covered : uncovered;
+        text += u'\n';
+    }
+    return text;
+}
+
+CoverageMask coverageOf(const Scene &scene)
+{
+    const WrittenFrame frame(scene.frame);
+    const Method *method = methodNamed(QString::fromStdString(scene.method));
+    Q_ASSERT(method);
+    method->draw(trianglesOnSamples(scene), scene.settings, frame.view());
+    return frame.coverage();
+}
+
+Result<CoverageMask> parseAsciiRaster(QStringView text)
+{
+    const QList<QStringView> lines = linesOf(text);
+    if (lines.isEmpty() || lines.front().isEmpty())
+        return unexpected(0, QStringLiteral("nothing"), QStringLiteral("a line of # and ."));
+    const qsizetype width = lines.front().size();
+    if (width > largestFrameSide || lines.size() > largestFrameSide
+        || width * lines.size() > largestFrameArea) {
+        return InputError{{},
+                          QStringLiteral("a raster of %1 × %2").arg(width).arg(lines.size()),
+                          QStringLiteral("at most %1 on a side and %2 pixels")
+                              .arg(largestFrameSide)
+                              .arg(largestFrameArea)};
+    }
+    FrameSpec spec;
+    spec.width = std::int32_t(width);
+    spec.height = std::int32_t(lines.size());
+    CoverageMask coverage(spec);
+    for (qsizetype line = 0; line < lines.size(); ++line) {
+        if (lines[line].size() != width)
+            return unexpected(line, QStringLiteral("%1 characters").arg(lines[line].size()),
+                              QStringLiteral("%1 as in the first line").arg(width));
+        for (qsizetype column = 0; column < width; ++column) {
+            const QChar character = lines[line][column];
+            if (character == covered)
+                coverage.cover(column, rowOfPictureLine(spec, int(line)));
+            else if (character != uncovered)
+                return InputError{
+                    QStringLiteral("line %1, column %2").arg(line + 1).arg(column + 1),
+                    QStringLiteral("“%1”").arg(character), QStringLiteral("# or .")};
+        }
+    }
+    return coverage;
+}
+
+Result<RasterComparison> compareRasters(const CoverageMask &drawn, const CoverageMask &expected)
+{
+    const FrameSpec &drawnSpec = drawn.spec();
+    const FrameSpec &expectedSpec = expected.spec();
+    if (drawnSpec.width != expectedSpec.width || drawnSpec.height != expectedSpec.height) {
+        return InputError{
+            {},
+            QStringLiteral("a picture of %1 × %2").arg(drawnSpec.width).arg(drawnSpec.height),
+            QStringLiteral("%1 × %2").arg(expectedSpec.width).arg(expectedSpec.height)};
+    }
+    RasterComparison comparison;
+    for (int line = 0; line < drawnSpec.height; ++line) {
+        for (int column = 0; column < drawnSpec.width; ++column) {
+            const bool isDrawn = isCovered(drawn, column, line);
+            const bool isExpected = isCovered(expected, column, line);
+            comparison.matched += isDrawn && isExpected ? 1 : 0;
+            comparison.extra += isDrawn && !isExpected ? 1 : 0;
+            comparison.missing += !isDrawn && isExpected ? 1 : 0;
+            comparison.raster += isDrawn ? (isExpected ? covered : QChar(u'!'))
+                                         : (isExpected ? QChar(u'?') : uncovered);
+        }
+        comparison.raster += u'\n';
+    }
+    return comparison;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/frame/coveragemask.h"
+#include "core/scene/result.h"
+#include "core/scene/scene.h"
+
+#include <QStringView>
+
+namespace pixelplumb {
+
+/// A picture as text, the top line first: `#` covered, `.` not. It travels by clipboard and stands
+/// in tests and in mails; every line ends with a line feed.
+QString asciiRaster(const CoverageMask &coverage);
+
+/// The pixels that the scene's method writes, whatever their colours.
+CoverageMask coverageOf(const Scene &scene);
+
+/// Reads a raster; its frame begins at (0, 0) in the lower left. The last line feed may be missing
+/// and lines may end as on Windows. Ragged lines and other characters are errors.
+Result<CoverageMask> parseAsciiRaster(QStringView text);
+
+/// Two pictures of the same size, laid over each other.
+struct RasterComparison {
+    QString
+        raster; ///< `#` in both, `!` in the drawn alone, `?` in the expected alone, `.` in neither
+    std::int64_t matched = 0;
+    std::int64_t extra = 0; ///< `!`
+    std::int64_t missing = 0; ///< `?`
+
+    bool isSame() const { return extra == 0 && missing == 0; }
+};
+
+/// An error when the sizes differ.
+Result<RasterComparison> compareRasters(const CoverageMask &drawn, const CoverageMask &expected);
+
+} // namespace pixelplumb

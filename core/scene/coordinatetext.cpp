@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/coordinatetext.h"
+
+#include "core/scene/natural.h"
+
+#include <cmath>
+#include <limits>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr qsizetype longestText = 400;
+/// Beyond it a written exponent says nothing: such a number is zero, or far outside.
+constexpr int largestExponent = 999;
+
+/// A written value: sign, numerator, denominator > 0.
+struct WrittenValue {
+    bool negative = false;
+    Natural numerator;
+    Natural denominator = Natural(1);
+};
+
+QStringView takeSign(QStringView text, bool &negative)
+{
+    constexpr QChar minusSign(0x2212);
+    negative = text.startsWith(u'-') || text.startsWith(minusSign);
+    return negative || text.startsWith(u'+') ? text.sliced(1) : text;
+}
+
+/// "53/2"
+std::optional<WrittenValue> parseFraction(QStringView text)
+{
+    const qsizetype slash = text.indexOf(u'/');
+    if (slash < 0)
+        return std::nullopt;
+    const auto numerator = Natural::fromDigits(text.first(slash));
+    const auto denominator = Natural::fromDigits(text.sliced(slash + 1));
+    if (!numerator || !denominator)
+        return std::nullopt;
+    return WrittenValue{false, *numerator, *denominator};
+}
+
+/// "26 1/2", the spaces of any kind
+std::optional<WrittenValue> parseMixed(QStringView text)
+{
+    qsizetype wholeLength = 0;
+    while (wholeLength < text.size() && !text[wholeLength].isSpace())
+        ++wholeLength;
+    const auto whole = Natural::fromDigits(text.first(wholeLength));
+    auto fraction = parseFraction(text.sliced(wholeLength).trimmed());
+    if (!whole || !fraction)
+        return std::nullopt;
+    fraction->numerator = fraction->numerator + *whole * fraction->denominator;
+    return fraction;
+}
+
+/// "2.65e1": digits with a point somewhere or nowhere, then an exponent or none
+std::optional<WrittenValue> parseDecimal(QStringView text)
+{
+    int exponent = 0;
+    const qsizetype mark = qMax(text.indexOf(u'e'), text.indexOf(u'E'));
+    if (mark >= 0) {
+        bool negative = false;
+        const auto power = Natural::fromDigits(takeSign(text.sliced(mark + 1), negative));
+        if (!power)
+            return std::nullopt;
+        const std::uint64_t magnitude = power->toUint64().value_or(largestExponent);
+        exponent = int(qMin(magnitude, std::uint64_t(largestExponent))) * (negative ? -1 : 1);
+        text = text.first(mark);
+    }
+    QString digits = text.toString();
+    const qsizetype point = digits.indexOf(u'.');
+    if (point >= 0) {
+        exponent -= int(digits.size() - point - 1);
+        digits.remove(point, 1);
+    }
+    const auto significand = Natural::fromDigits(digits);
+    if (!significand)
+        return std::nullopt;
+    WrittenValue value;
+    value.numerator = exponent > 0 ? *significand * Natural::powerOfTen(exponent) : *significand;
+    value.denominator = Natural::powerOfTen(qMax(0, -exponent));
+    return value;
+}
+
+std::optional<WrittenValue> parseValue(QStringView text)
+{
+    bool negative = false;
+    text = takeSign(text, negative);
+    std::optional<WrittenValue> value;
+    if (!text.contains(u'/'))
+        value = parseDecimal(text);
+    else if (value = parseFraction(text); !value)
+        value = parseMixed(text);
+    if (value)
+        value->negative = negative;
+    return value;
+}
+
+/// The value as a rational if 64 bits hold its parts, else the nearest double.
+Quantity quantityOf(const WrittenValue &value)
+{
+    const auto numerator = value.numerator.toUint64();
+    const auto denominator = value.denominator.toUint64();
+    if (numerator && denominator) {
+        const Int128 magnitude = *numerator;
+        return Quantity::rational(value.negative ? -magnitude : magnitude, *denominator);
+    }
+    int numeratorExponent = 0;
+    int denominatorExponent = 0;
+    const long double ratio = value.numerator.toFraction(numeratorExponent)
+        / value.denominator.toFraction(denominatorExponent);
+    // Never 0: a displacement too small for a double is still one.
+    const auto rounded = double(std::ldexp(ratio, numeratorExponent - denominatorExponent));
+    const double magnitude = qMax(rounded, std::numeric_limits<double>::denorm_min());
+    return Quantity::of(value.negative ? -magnitude : magnitude);
+}
+
+InputError refusal(QStringView text, const QString &why)
+{
+    constexpr qsizetype longestQuote = 60;
+    const QString quote = text.size() <= longestQuote
+        ? text.toString()
+        : text.first(longestQuote).toString() + QChar(0x2026);
+    return {{}, why.arg(quote), coordinateExpectation()};
+}
+
+static_assert(largestPixel == 1073741824, "the message of parseCoordinate names it");
+
+bool isOutside(const WrittenValue &value)
+{
+    return Natural(std::uint64_t(largestPixel)) * value.denominator < value.numerator;
+}
+
+/// units / 256 − value: both over 256 * denominator.
+Quantity displacementOf(Lattice units, const WrittenValue &value)
+{
+    const Natural lattice = Natural(std::uint64_t(absolute(units))) * value.denominator;
+    const Natural written = value.numerator * Natural(std::uint64_t(unitsPerPixel));
+    if (lattice == written)
+        return Quantity::integer(0);
+    // Away from zero means up for a positive value and down for a negative one.
+    const bool awayFromZero = written < lattice;
+    return quantityOf({awayFromZero == value.negative,
+                       awayFromZero ? lattice - written : written - lattice,
+                       value.denominator * Natural(std::uint64_t(unitsPerPixel))});
+}
+
+} // namespace
+
+QString coordinateExpectation()
+{
+    return QStringLiteral("a coordinate such as 26, 26.5 or 53/2 within ±%1 px").arg(largestPixel);
+}
+
+Result<SnappedCoordinate> parseCoordinate(QStringView text)
+{
+    if (text.size() > longestText)
+        return refusal(text, QStringLiteral("“%1” is longer than 400 characters"));
+    const QStringView trimmed = text.trimmed();
+    const auto value = parseValue(trimmed);
+    if (!value)
+        return refusal(trimmed, QStringLiteral("“%1” is no coordinate"));
+    if (value->denominator.isZero())
+        return refusal(trimmed, QStringLiteral("%1 divides by zero"));
+    if (isOutside(*value))
+        return refusal(trimmed, QStringLiteral("%1 is outside ±1073741824 px"));
+
+    // Nearest lattice point of |value|: ⌊256·|v| + 1/2⌋, and halves down for a negative value,
+    // which is up on the number line.
+    const Natural doubled = value->numerator * Natural(std::uint64_t(2 * unitsPerPixel));
+    const Natural numerator = doubled + value->denominator;
+    const auto division = divide(numerator, value->denominator + value->denominator);
+    Q_ASSERT(division); // at most 2^38 after the range check
+    auto magnitude = Lattice(division->quotient);
+    if (value->negative && division->remainder.isZero() && magnitude > 0)
+        --magnitude;
+    SnappedCoordinate snapped;
+    snapped.units = value->negative ? -magnitude : magnitude;
+    snapped.displacement = displacementOf(snapped.units, *value);
+    return snapped;
+}
+
+QString coordinateText(Lattice units)
+{
+    const Int128 divisor = greatestCommonDivisor(units, unitsPerPixel);
+    const Lattice numerator = units / Lattice(divisor);
+    const Lattice denominator = unitsPerPixel / Lattice(divisor);
+    const QString text = QString::number(numerator);
+    return denominator == 1 ? text : text + u'/' + QString::number(denominator);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/result.h"
+
+#include <QByteArray>
+
+#include <optional>
+
+namespace pixelplumb {
+
+/// The content of a file of up to 256 MiB.
+Result<QByteArray> readFile(const QString &path);
+
+/// Replaces a file in one step (QSaveFile): after an error the old content stands. What is no
+/// regular file (a device, a pipe) is written to as it is.
+std::optional<InputError> writeFile(const QString &path, const QByteArray &content);
+
+} // namespace pixelplumb

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/frame/framespec.h"
+#include "core/geometry/triangle.h"
+#include "core/scan/scansettings.h"
+
+#include <string>
+#include <vector>
+
+namespace pixelplumb {
+
+/// What a person made: a frame and triangles, drawn in order, and the method to draw them with.
+/// Coordinates are the scene's own: y upward or downward as the frame's origin says; with
+/// PixelCentre::Half they are where the person put them, and trianglesOnSamples() shifts them so
+/// that kernels always sample at integers.
+struct Scene {
+    FrameSpec frame;
+    ScanSettings settings;
+    std::string method = "column-scan"; ///< id of a row of the table of methods
+    std::vector<Triangle> triangles;
+
+    friend bool operator==(const Scene &, const Scene &) = default;
+};
+
+/// The scene's triangles in sample coordinates: pixel (x, y) is the sample at (x, y).
+std::vector<Triangle> trianglesOnSamples(const Scene &scene);
+
+/// What to add to a sample coordinate to get the scene's: 0, or 128 units (1/2 px) for half
+/// centres.
+Lattice sampleOffset(const FrameSpec &spec);
+
+} // namespace pixelplumb

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/coordinatetext.h"
+#include "core/scene/scene.h"
+
+#include <vector>
+
+namespace pixelplumb {
+
+/// The format that this program writes, and the newest that it reads.
+inline constexpr int sceneFormat = 1;
+
+enum class Axis { X, Y };
+
+/// A coordinate of a file that was not on the lattice. Its displacement is an error of the input,
+/// never of a method.
+struct SnapReport {
+    std::size_t primitive = 0;
+    std::size_t vertex = 0; ///< 0 … 2
+    Axis axis = Axis::X;
+    QString written; ///< as the file says it
+    SnappedCoordinate snapped;
+
+    /// "primitives[0].triangle[1][0]: 12.1 is drawn at 1549/128, displaced by 1/640 px"
+    QString message() const;
+};
+
+/// A scene file as it was read.
+struct SceneReading {
+    Scene scene;
+    std::vector<SnapReport> snaps;
+};
+
+/// Reads a scene in JSON: "pixelplumb", "frame" with "width" and "height", and "primitives" must be
+/// there; everything else has a default. Unknown and repeated keys are errors.
+Result<SceneReading> readScene(const QByteArray &text);
+Result<SceneReading> readSceneFile(const QString &path);
+
+/// The same scene gives the same bytes, whatever the locale.
+QByteArray writeScene(const Scene &scene);
+std::optional<InputError> writeSceneFile(const QString &path, const Scene &scene);
+
+} // namespace pixelplumb

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QRgb>
+
+#include <cstddef>
+#include <cstdint>
+#include <memory>
+#include <vector>
+
+namespace pixelplumb {
+
+/// One pixel of the frame before and after a step: enough to go either way (16 bytes).
+struct PixelChange {
+    std::int32_t x = 0;
+    std::int32_t y = 0;
+    QRgb before = 0;
+    QRgb after = 0;
+
+    friend bool operator==(const PixelChange &, const PixelChange &) = default;
+};
+
+/// The changes of a run in order. Grows by blocks, so that millions are never copied.
+class PixelChanges {
+public:
+    std::size_t size() const { return m_size; }
+    const PixelChange &operator[](std::size_t index) const
+    {
+        return m_blocks[index / blockSize][index % blockSize];
+    }
+    void append(const PixelChange &change)
+    {
+        if (m_size % blockSize == 0)
+            m_blocks.push_back(std::make_unique<PixelChange[]>(blockSize));
+        m_blocks.back()[m_size % blockSize] = change;
+        ++m_size;
+    }
+
+private:
+    static constexpr std::size_t blockSize = std::size_t(1) << 12;
+
+    std::vector<std::unique_ptr<PixelChange[]>> m_blocks;
+    std::size_t m_size = 0;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "report.h"
+#include "scaling.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+#include <QFileInfo>
+#include <QRegularExpression>
+#include <QSaveFile>
+
+#include <unistd.h>
+
+#include <cstdio>
+
+using namespace pixelplumb::bench;
+
+namespace {
+
+enum ExitCode { Done = 0, WrongPicture = 1, Usage = 2 };
+
+struct Options {
+    Extent extent = Extent::Full;
+    QRegularExpression filter;
+    QString jsonFile;
+    int rounds = 0;
+    bool scaling = false;
+    bool list = false;
+
+    RaceOptions race() const
+    {
+        RaceOptions options;
+        options.rounds = rounds;
+        if (extent == Extent::Quick) {
+            options.sampleNanoseconds = 1e6;
+            options.longestDraw = 20e6;
+        }
+        return options;
+    }
+};
+
+/// A line on stderr that the next one overwrites; nothing where stderr is no terminal.
+void showProgress(const QString &text)
+{
+    if (isatty(STDERR_FILENO) != 0)
+        std::fprintf(stderr, "\r\033[K%s", qPrintable(text));
+}
+
+[[noreturn]] void refuse(const QString &message)
+{
+    std::fprintf(stderr, "bench: %s\n", qPrintable(message));
+    std::exit(Usage);
+}
+
+Options parse(const QCoreApplication &application)
+{
+    QCommandLineParser parser;
+    parser.setApplicationDescription(
+        QStringLiteral("Times triangles drawn by our kernels, by other renderers, and by memset."));
+    const QCommandLineOption quick(QStringLiteral("quick"),
+                                   QStringLiteral("Short workloads, 3 rounds."));
+    const QCommandLineOption filter(
+        QStringLiteral("filter"),
+        QStringLiteral("Only what <expression> matches in WORKLOAD/CONTENDER, such as W4/sdl2. "
+                       "The reference and memset always run."),
+        QStringLiteral("expression"));
+    const QCommandLineOption jsonFile(QStringLiteral("json"),
+                                      QStringLiteral("Write all samples to <file>."),
+                                      QStringLiteral("file"));
+    const QCommandLineOption rounds(QStringLiteral("rounds"),
+                                    QStringLiteral("Samples of everyone (11; 3 when quick)."),
+                                    QStringLiteral("count"));
+    const QCommandLineOption scaling(
+        QStringLiteral("scaling"),
+        QStringLiteral("Our kernels over growing numbers of triangles and growing frames."));
+    const QCommandLineOption list(QStringLiteral("list"),
+                                  QStringLiteral("Name workloads and contenders."));
+    parser.addOptions({quick, filter, jsonFile, rounds, scaling, list});
+    parser.addHelpOption();
+    parser.process(application);
+
+    Options options;
+    options.extent = parser.isSet(quick) ? Extent::Quick : Extent::Full;
+    options.filter.setPattern(parser.value(filter));
+    options.jsonFile = parser.value(jsonFile);
+    options.rounds = options.extent == Extent::Quick ? 3 : 11;
+    options.scaling = parser.isSet(scaling);
+    options.list = parser.isSet(list);
+    if (!options.filter.isValid()) {
+        refuse(QStringLiteral("--filter %1: %2")
+                   .arg(options.filter.pattern(), options.filter.errorString()));
+    }
+    if (parser.isSet(rounds)) {
+        options.rounds = parser.value(rounds).toInt();
+        if (options.rounds < 1) {
+            refuse(QStringLiteral("--rounds %1: expected a whole number from 1")
+                       .arg(parser.value(rounds)));
+        }
+    }
+    if (!options.jsonFile.isEmpty()
+        && !QFileInfo(QFileInfo(options.jsonFile).absolutePath()).isWritable()) {
+        refuse(QStringLiteral("--json %1: its folder is missing or not to be written to")
+                   .arg(options.jsonFile));
+    }
+    if (!parser.positionalArguments().isEmpty())
+        refuse(QStringLiteral("unexpected argument %1").arg(parser.positionalArguments().first()));
+    return options;
+}
+
+/// Who takes part in a workload: what the filter lets through, and what ratios are taken to.
+std::vector<Contender *> contendersFor(const QString &workloadId, const Lineup &lineup,
+                                       const Options &options)
+{
+    std::vector<Contender *> chosen;
+    bool any = false;
+    for (const std::unique_ptr<Contender> &contender : lineup.contenders) {
+        const ContenderInfo &info = contender->info();
+        const bool matches
+            = options.filter.match(workloadId + QLatin1Char('/') + info.id).hasMatch();
+        any = any || matches;
+        if (matches || info.id == lineup.referenceId || info.role == Role::Limit)
+            chosen.push_back(contender.get());
+    }
+    if (!any)
+        chosen.clear();
+    return chosen;
+}
+
+/// Asks the oracle about every contender's picture, in their order; nothing for a limit.
+std::vector<std::optional<PictureDifference>> lookAtPictures(
+    const Workload &workload, const std::vector<Contender *> &contenders, Extent extent)
+{
+    PictureCheck check(workload, extent);
+    std::vector<std::optional<PictureDifference>> differences;
+    for (Contender *contender : contenders) {
+        showProgress(QStringLiteral("%1: looking at %2").arg(workload.id, contender->info().name));
+        differences.emplace_back();
+        if (contender->hasPicture())
+            differences.back() = check.check(*contender);
+    }
+    return differences;
+}
+
+WorkloadReport reportOn(const Workload &workload, const std::vector<Contender *> &contenders,
+                        const Options &options)
+{
+    WorkloadReport report;
+    report.id = workload.id;
+    report.title = workload.title;
+    report.size = workload.size;
+    report.triangles = workload.triangles.size();
+    report.pixelsPerTriangle
+        = double(coveredSamples(workload.triangles)) / double(workload.triangles.size());
+
+    const std::vector<std::optional<PictureDifference>> pictures
+        = lookAtPictures(workload, contenders, options.extent);
+    Forms forms(workload);
+    std::vector<Result> results = race(workload, forms, contenders, options.race(), showProgress);
+    for (std::size_t i = 0; i < results.size(); ++i) {
+        const ContenderInfo &info = contenders[i]->info();
+        std::optional<double> differsFromPlain;
+        if (info.sameAsPlain) {
+            showProgress(QStringLiteral("%1: looking at all of %2").arg(workload.id, info.name));
+            const Scene scene = forms.scene(info.shading, results[i].triangles);
+            differsFromPlain
+                = differingShare(contenders[i]->picture(), plainPicture(scene, *info.sameAsPlain));
+        }
+        report.rows.push_back({std::move(results[i]), pictures[i], differsFromPlain});
+    }
+    return report;
+}
+
+void write(const QByteArray &content, const QString &name)
+{
+    QSaveFile file(name);
+    if (!file.open(QIODevice::WriteOnly) || file.write(content) != content.size() || !file.commit())
+        refuse(QStringLiteral("%1 cannot be written: %2").arg(name, file.errorString()));
+}
+
+/// Prints the Markdown, and writes the JSON where it was asked for.
+void publish(const QString &text, const QByteArray &content, const Options &options)
+{
+    showProgress({});
+    std::fputs(qUtf8Printable(text), stdout);
+    if (options.jsonFile.isEmpty())
+        return;
+    write(content, options.jsonFile);
+    std::fprintf(stderr, "The samples are in %s\n", qPrintable(options.jsonFile));
+}
+
+void list(const Lineup &lineup, const Options &options)
+{
+    for (const Workload &workload : standardWorkloads(options.extent))
+        std::printf("%-10s %s\n", qPrintable(workload.id), qPrintable(workload.title));
+    for (const std::unique_ptr<Contender> &contender : lineup.contenders) {
+        std::printf("%-24s %s\n", qPrintable(contender->info().id),
+                    qPrintable(contender->info().name));
+    }
+    for (const Absence &absence : lineup.absent)
+        std::printf("absent: %s: %s\n", qPrintable(absence.name), qPrintable(absence.reason));
+}
+
+int measureScalings(const Lineup &lineup, const Options &options)
+{
+    // Without a filter: what ratios are taken to, and the plain kernel beside it.
+    std::vector<Contender *> contenders;
+    for (const std::unique_ptr<Contender> &contender : lineup.contenders) {
+        const ContenderInfo &info = contender->info();
+        const bool wanted = options.filter.pattern().isEmpty()
+            ? info.id == QLatin1String("plain-half-open")
+            : options.filter.match(QLatin1Char('/') + info.id).hasMatch();
+        if (wanted || info.id == lineup.referenceId || info.role == Role::Limit)
+            contenders.push_back(contender.get());
+    }
+    const Machine machine = thisMachine();
+    std::vector<ScalingResult> series;
+    for (const ScalingPoint &point : scalingPoints(options.extent)) {
+        series.push_back(
+            measureScaling(point, contenders, lineup.referenceId, options.race(), showProgress));
+    }
+    publish(markdown(machine, series), json(machine, series), options);
+    return Done;
+}
+
+int measureWorkloads(const Lineup &lineup, const Options &options)
+{
+    Report report;
+    report.machine = thisMachine();
+    report.rounds = options.rounds;
+    report.extent = options.extent;
+    report.referenceId = lineup.referenceId;
+    report.absent = lineup.absent;
+    for (const Workload &workload : standardWorkloads(options.extent)) {
+        const std::vector<Contender *> contenders = contendersFor(workload.id, lineup, options);
+        if (!contenders.empty())
+            report.workloads.push_back(reportOn(workload, contenders, options));
+    }
+    if (report.workloads.empty())
+        refuse(QStringLiteral("--filter %1 matches nothing; --list names what there is")
+                   .arg(options.filter.pattern()));
+    report.loadAtEnd = loadNow();
+    publish(markdown(report), json(report), options);
+    return report.brokenPromises().isEmpty() ? Done : WrongPicture;
+}
+
+} // namespace
+
+int main(int argc, char **argv)
+{
+    const QCoreApplication application(argc, argv);
+    const Options options = parse(application);
+    const Lineup lineup = makeLineup();
+    if (options.list) {
+        list(lineup, options);
+        return Done;
+    }
+    if (options.scaling)
+        return measureScalings(lineup, options);
+    return measureWorkloads(lineup, options);
+}

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <array>
+
+namespace pixelplumb::search {
+
+/// The files of hard cases in tests/data whose shortfalls are recorded.
+inline const std::array<QString, 2> caseFiles
+    = {QStringLiteral("hard_cases.json"), QStringLiteral("more_cases.json")};
+
+inline const QString recordFile = QStringLiteral("expected_shortfalls.json");
+
+} // namespace pixelplumb::search

@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/search/search.h"
+
+namespace pixelplumb::search {
+
+/// The finds as a file of hard cases, in the format of hard_cases.json, version 1. The same finds
+/// give the same bytes.
+QByteArray casesText(std::span<const Find> finds);
+
+} // namespace pixelplumb::search

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/check/hardcase.h"
+#include "core/scan/scansettings.h"
+
+/// How wrong the column scan is on a hard case, in numbers that a search can climb and a record can
+/// keep. The oracle is the truth throughout.
+namespace pixelplumb::search {
+
+/// Zero throughout where the arithmetic is right.
+struct Shortfall {
+    std::int64_t missing = 0; ///< pixels, summed over triangles, frames or places
+    std::int64_t extra = 0;
+    std::int64_t wrongBytes = 0; ///< pixels that both cover, in another colour
+    std::int64_t clamped = 0; ///< written pixels whose levels left 0 … 255
+    std::int64_t gaps = 0; ///< mesh: pixels that only the truth covers with any triangle
+    std::int64_t overdraw = 0; ///< mesh: times a pixel is covered more often than in truth
+    std::int64_t extraToggles = 0; ///< sequence: flicker, changed pixels beyond the true changes
+    std::int64_t extraPictures = 0; ///< translation: different pictures beyond one
+
+    bool isNone() const { return *this == Shortfall{}; }
+    friend bool operator==(const Shortfall &, const Shortfall &) = default;
+};
+
+/// Draws a case of any kind that has triangles; the rule is Closed or HalfOpenColumn.
+Shortfall measure(const HardCase &hardCase, const ScanSettings &settings);
+
+/// Fills in what is true of the case under the closed, half-open-column and top-left rules, by the
+/// oracle.
+void deriveFacts(HardCase &hardCase);
+
+/// A mesh is one that can be covered once: its triangles turn the same way and the half-open rule
+/// covers no pixel of its canvas twice.
+bool isProperMesh(const HardCase &hardCase);
+
+} // namespace pixelplumb::search

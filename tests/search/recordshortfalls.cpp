@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/fileaccess.h"
+#include "tests/search/casefiles.h"
+#include "tests/search/shortfallrecord.h"
+
+#include <QDir>
+
+#include <cstdio>
+
+/// recordshortfalls FOLDER: measures every case of the folder's files and writes the record anew.
+/// To be run, and its difference read, when a kernel or a case was changed on purpose.
+int main(int argc, char *argv[])
+{
+    using namespace pixelplumb;
+    if (argc != 2) {
+        std::fprintf(stderr, "usage: recordshortfalls FOLDER\n");
+        return 2;
+    }
+    const QDir folder(QString::fromLocal8Bit(argv[1]));
+    std::vector<search::RecordedFile> files;
+    for (const QString &name : search::caseFiles) {
+        const Result<QByteArray> content = readFile(folder.filePath(name));
+        const Result<std::vector<HardCase>> cases
+            = content ? readHardCases(*content) : content.error();
+        if (!cases) {
+            std::fprintf(stderr, "%s: %s\n", qPrintable(name), qPrintable(cases.error().message()));
+            return 2;
+        }
+        search::RecordedFile file{name, {}};
+        for (const HardCase &hardCase : *cases)
+            file.lines += search::recordLines(hardCase);
+        files.push_back(file);
+    }
+    if (const auto error
+        = writeFile(folder.filePath(search::recordFile), search::recordText(files))) {
+        std::fprintf(stderr, "%s\n", qPrintable(error->message()));
+        return 1;
+    }
+    return 0;
+}

@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/check/casecheck.h"
+#include "core/scene/fileaccess.h"
+#include "tests/search/casefiles.h"
+#include "tests/search/shortfallrecord.h"
+
+#include <QTest>
+
+using namespace pixelplumb;
+
+/// Every hard case in every arithmetic: the exact one is right, and what the rounding ones get
+/// wrong is exactly what was recorded. A record that no longer holds, for better or for worse, is
+/// a change to look at.
+class TestShortfalls : public QObject {
+    Q_OBJECT
+
+private slots:
+    void isRightInExactArithmeticUnderBothRules_data() { addFiles(); }
+    void isRightInExactArithmeticUnderBothRules()
+    {
+        QFETCH(QString, name);
+        std::vector<Candidate> candidates;
+        for (const FillRule rule : {FillRule::Closed, FillRule::HalfOpenColumn})
+            candidates.push_back({methodNamed(u"column-scan"), {Arithmetic::Exact, rule}});
+        QStringList shortfalls;
+        for (const HardCase &hardCase : casesOf(name)) {
+            const CaseReport report = checkCase(hardCase, candidates);
+            for (const CandidateVerdict &verdict : report.verdicts) {
+                if (verdict.outcome == CaseOutcome::FellShort)
+                    shortfalls.append(hardCase.id + QStringLiteral(": ")
+                                      + verdict.remarks.join(QStringLiteral("; ")));
+            }
+        }
+        QVERIFY2(shortfalls.isEmpty(), qPrintable(shortfalls.join(u'\n')));
+    }
+
+    void isWrongInTheRoundingArithmeticsAsRecorded_data() { addFiles(); }
+    void isWrongInTheRoundingArithmeticsAsRecorded()
+    {
+        QFETCH(QString, name);
+        const Result<QByteArray> record = readFile(path(search::recordFile));
+        QVERIFY2(record.isOk(), "tests/data has no record");
+        QStringList lines;
+        for (const HardCase &hardCase : casesOf(name))
+            lines += search::recordLines(hardCase);
+        const QStringList recorded = search::linesOf(*record, name);
+        QStringList changes;
+        for (const QString &line : lines) {
+            if (!recorded.contains(line))
+                changes.append(QStringLiteral("+ ") + line);
+        }
+        for (const QString &line : recorded) {
+            if (!lines.contains(line))
+                changes.append(QStringLiteral("- ") + line);
+        }
+        QVERIFY2(changes.isEmpty(),
+                 qPrintable(QStringLiteral("%1 lines; recordshortfalls tests/data writes the "
+                                           "record anew:\n%2")
+                                .arg(changes.size())
+                                .arg(changes.mid(0, 20).join(u'\n'))));
+        QVERIFY(!lines.isEmpty());
+    }
+
+    void everyFoundCaseFailsInSomeArithmetic()
+    {
+        const std::vector<HardCase> cases = casesOf(QStringLiteral("more_cases.json"));
+        QVERIFY(cases.size() >= 60);
+        QStringList easy;
+        for (const HardCase &hardCase : cases) {
+            if (search::recordLines(hardCase).isEmpty())
+                easy.append(hardCase.id);
+        }
+        QVERIFY2(easy.isEmpty(), qPrintable(easy.join(u' ')));
+    }
+
+    void measuresTheKnownFiguresOfTieTenths()
+    {
+        // The figures of tie_tenths: float64 loses more than float32.
+        for (const HardCase &hardCase : casesOf(QStringLiteral("hard_cases.json"))) {
+            if (hardCase.id != QStringLiteral("tie_tenths"))
+                continue;
+            const auto missingIn = [&](Arithmetic arithmetic) {
+                return search::measure(hardCase, {arithmetic, FillRule::Closed}).missing;
+            };
+            QCOMPARE(missingIn(Arithmetic::Float32), std::int64_t(64));
+            QCOMPARE(missingIn(Arithmetic::Float64), std::int64_t(127));
+            QCOMPARE(missingIn(Arithmetic::Exact), std::int64_t(0));
+            return;
+        }
+        QFAIL("no tie_tenths");
+    }
+
+private:
+    static QString path(const QString &name)
+    {
+        return QStringLiteral(PIXELPLUMB_TEST_DATA "/") + name;
+    }
+    static void addFiles()
+    {
+        QTest::addColumn<QString>("name");
+        for (const QString &name : search::caseFiles)
+            QTest::newRow(qPrintable(name)) << name;
+    }
+    static std::vector<HardCase> casesOf(const QString &name)
+    {
+        const Result<QByteArray> content = readFile(path(name));
+        const Result<std::vector<HardCase>> cases
+            = content ? readHardCases(*content) : content.error();
+        if (!cases)
+            qFatal("%s: %s", qPrintable(name), qPrintable(cases.error().message()));
+        return *cases;
+    }
+};
+
+QTEST_GUILESS_MAIN(TestShortfalls)
+#include "tst_shortfalls.moc"

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QCoreApplication>
+#include <QSettings>
+#include <QStandardPaths>
+#include <QTemporaryDir>
+
+namespace pixelplumb {
+
+/// Settings of a test's own, empty at first and gone after it: the person's are never touched.
+class IsolatedSettings {
+public:
+    IsolatedSettings()
+    {
+        QStandardPaths::setTestModeEnabled(true);
+        QCoreApplication::setOrganizationName(QStringLiteral("PixelplumbTest"));
+        QCoreApplication::setApplicationName(QStringLiteral("pixelplumb-test"));
+        for (const QSettings::Format format : {QSettings::NativeFormat, QSettings::IniFormat})
+            QSettings::setPath(format, QSettings::UserScope, m_folder.path());
+    }
+
+    QString folder() const { return m_folder.path(); }
+    void clear() { QSettings().clear(); }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+} // namespace pixelplumb

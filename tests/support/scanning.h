@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/frame/framebuffer.h"
+#include "core/methods/method.h"
+#include "core/oracle/oracle.h"
+#include "core/scene/scene.h"
+
+#include <ostream>
+
+/// What the tests of the kernels share: triangles in short, frames as text.
+namespace pixelplumb {
+
+inline constexpr Colour red = {{255, 0, 0}};
+inline constexpr Colour green = {{0, 255, 0}};
+inline constexpr Colour blue = {{0, 0, 255}};
+
+/// Whole-pixel coordinates, red, green and blue.
+inline Triangle triangleAt(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1,
+                           std::int64_t x2, std::int64_t y2)
+{
+    return {{{{latticePixel(x0, y0), red},
+              {latticePixel(x1, y1), green},
+              {latticePixel(x2, y2), blue}}}};
+}
+
+/// Coordinates in units of 1/256 px.
+inline Triangle triangleAtUnits(LatticePoint a, LatticePoint b, LatticePoint c)
+{
+    return {{{{a, red}, {b, green}, {c, blue}}}};
+}
+
+inline FrameSpec frameOf(std::int32_t width, std::int32_t height, std::int32_t firstColumn = 0,
+                         std::int32_t firstRow = 0)
+{
+    FrameSpec spec;
+    spec.width = width;
+    spec.height = height;
+    spec.firstColumn = firstColumn;
+    spec.firstRow = firstRow;
+    return spec;
+}
+
+inline const Method &columnScan() { return *methodNamed(u"column-scan"); }
+
+/// A picture drawn on a background that no kernel writes (alpha 0), so that coverage shows.
+class Drawing {
+public:
+    explicit Drawing(const FrameSpec &spec)
+        : m_frame(spec)
+        , m_coverage(spec)
+    {
+        clear();
+    }
+
+    void clear()
+    {
+        const FrameView view = m_frame.view();
+        for (std::int64_t y = view.firstRow; y < view.endRow(); ++y) {
+            for (std::int64_t x = view.firstColumn; x < view.endColumn(); ++x)
+                *view.at(x, y) = 0;
+        }
+    }
+    void drawByMethod(const Triangle &triangle, const ScanSettings &settings)
+    {
+        columnScan().draw(std::span(&triangle, 1), settings, m_frame.view());
+    }
+    void drawByOracle(const Triangle &triangle, const ScanSettings &settings)
+    {
+        oracle::draw(triangle, settings.fillRule, settings.rounding, m_frame.view(), m_coverage);
+    }
+    QRgb at(std::int64_t x, std::int64_t y) const { return *m_frame.view().at(x, y); }
+    const FrameSpec &spec() const { return m_frame.spec(); }
+
+    /// `#` covered, `.` not; the highest row first.
+    QString text() const
+    {
+        QString text;
+        const FrameView view = m_frame.view();
+        for (std::int64_t y = view.endRow() - 1; y >= view.firstRow; --y) {
+            for (std::int64_t x = view.firstColumn; x < view.endColumn(); ++x)
+                text += at(x, y) != 0 ? u'#' : u'.';
+            text += u'\n';
+        }
+        return text;
+    }
+    std::int64_t count() const { return text().count(u'#'); }
+
+    friend bool operator==(const Drawing &a, const Drawing &b)
+    {
+        const FrameView view = a.m_frame.view();
+        for (std::int64_t y = view.firstRow; y < view.endRow(); ++y) {
+            for (std::int64_t x = view.firstColumn; x < view.endColumn(); ++x) {
+                if (a.at(x, y) != b.at(x, y))
+                    return false;
+            }
+        }
+        return true;
+    }
+
+private:
+    FrameBuffer m_frame;
+    CoverageMask m_coverage;
+};
+
+inline QString coverageText(const Triangle &triangle, const FrameSpec &spec,
+                            const ScanSettings &settings = {})
+{
+    Drawing drawing(spec);
+    drawing.drawByMethod(triangle, settings);
+    return drawing.text();
+}
+
+/// How RapidCheck and failure messages print a triangle: lattice units and colours.
+inline std::ostream &operator<<(std::ostream &stream, const Triangle &triangle)
+{
+    stream << "units of 1/256 px:";
+    for (const Vertex &vertex : triangle.vertices)
+        stream << " (" << vertex.position.x << ", " << vertex.position.y << ") #" << std::hex
+               << (packed(vertex.colour) & 0xffffffU) << std::dec;
+    return stream;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/columnscan.h"
+#include "core/trace/tracedscene.h"
+#include "tests/support/scanning.h"
+
+#include <QTest>
+
+using namespace pixelplumb;
+
+/// Each rule of the assignment (seed 004), and what it leaves open.
+class TestColumnScan : public QObject {
+    Q_OBJECT
+
+private slots:
+    void coversExactlyTheExpectedPixels_data()
+    {
+        QTest::addColumn<Triangle>("triangle");
+        QTest::addColumn<QString>("closed");
+        QTest::addColumn<QString>("halfOpen");
+
+        QTest::newRow("long edge above, x0 < x1 < x2")
+            << triangleAt(0, 3, 2, 0, 4, 4) << "....#\n####.\n.###.\n..#..\n..#..\n"
+            << ".....\n.###.\n.###.\n..#..\n..#..\n";
+        QTest::newRow("long edge below")
+            << triangleAt(0, 1, 2, 4, 4, 0) << "..#..\n..#..\n.###.\n####.\n....#\n"
+            << ".....\n..#..\n.##..\n.###.\n.....\n";
+        QTest::newRow("x0 = x1: the first half is skipped")
+            << triangleAt(0, 0, 0, 4, 4, 0) << "#....\n##...\n###..\n####.\n#####\n"
+            << ".....\n#....\n##...\n###..\n####.\n";
+        QTest::newRow("x1 = x2: the second half is one column")
+            << triangleAt(0, 0, 4, 0, 4, 4) << "....#\n...##\n..###\n.####\n#####\n"
+            << ".....\n.....\n...#.\n..##.\n.###.\n";
+        QTest::newRow("all columns equal: a vertical segment")
+            << triangleAt(2, 1, 2, 3, 2, 2) << ".....\n..#..\n..#..\n..#..\n.....\n"
+            << ".....\n.....\n.....\n.....\n.....\n";
+        QTest::newRow("collinear vertices: the samples on the segment")
+            << triangleAt(0, 0, 4, 2, 2, 1) << ".....\n.....\n....#\n..#..\n#....\n"
+            << ".....\n.....\n.....\n.....\n.....\n";
+        QTest::newRow("coincident vertices: one sample")
+            << triangleAt(3, 1, 3, 1, 3, 1) << ".....\n.....\n.....\n...#.\n.....\n"
+            << ".....\n.....\n.....\n.....\n.....\n";
+        QTest::newRow("between the samples: nothing")
+            << triangleAtUnits({300, 300}, {400, 310}, {350, 400})
+            << ".....\n.....\n.....\n.....\n.....\n"
+            << ".....\n.....\n.....\n.....\n.....\n";
+        QTest::newRow("fractional vertices: columns from the next sample on")
+            << triangleAtUnits({128, 128}, {896, 128}, {128, 896})
+            << ".....\n.#...\n.##..\n.###.\n.....\n"
+            << ".....\n.....\n.#...\n.##..\n.....\n";
+    }
+    void coversExactlyTheExpectedPixels()
+    {
+        QFETCH(Triangle, triangle);
+        QFETCH(QString, closed);
+        QFETCH(QString, halfOpen);
+        for (const Arithmetic arithmetic : {Arithmetic::Exact, Arithmetic::Float64}) {
+            ScanSettings settings{arithmetic, FillRule::Closed, ByteRounding::Nearest};
+            QCOMPARE(coverageText(triangle, frameOf(5, 5), settings), closed);
+            settings.fillRule = FillRule::HalfOpenColumn;
+            QCOMPARE(coverageText(triangle, frameOf(5, 5), settings), halfOpen);
+        }
+    }
+
+    void drawsTheSamePictureForEveryOrderOfTheVertices()
+    {
+        const Triangle triangle = triangleAt(2, 1, 29, 11, 13, 27);
+        Drawing expected(frameOf(32, 32));
+        expected.drawByMethod(triangle, {});
+        std::array<std::size_t, 3> order = {0, 1, 2};
+        do {
+            const Triangle permuted = {{triangle.vertices[order[0]], triangle.vertices[order[1]],
+                                        triangle.vertices[order[2]]}};
+            Drawing drawing(frameOf(32, 32));
+            drawing.drawByMethod(permuted, {});
+            QVERIFY(drawing == expected);
+        } while (std::ranges::next_permutation(order).found);
+    }
+
+    void leavesTheCallersTriangleAsItIs()
+    {
+        const Triangle before = triangleAt(9, 1, 2, 3, 5, 8);
+        const Triangle triangle = before;
+        coverageText(triangle, frameOf(16, 16));
+        QCOMPARE(triangle, before);
+    }
+
+    void takesTheVertexColoursAtTheVertices()
+    {
+        for (const Arithmetic arithmetic : allArithmetics) {
+            Drawing drawing(frameOf(32, 32));
+            drawing.drawByMethod(triangleAt(2, 1, 29, 11, 13, 27),
+                                 {arithmetic, FillRule::Closed, ByteRounding::Nearest});
+            QCOMPARE(drawing.at(2, 1), packed(red));
+            if (arithmetic == Arithmetic::Exact) {
+                QCOMPARE(drawing.at(29, 11), packed(green));
+                QCOMPARE(drawing.at(13, 27), packed(blue));
+            }
+        }
+    }
+
+    void startsOutsideTheFrameByAJumpWithTheSameNumbers()
+    {
+        // The same triangle in a frame that shows all of it and in a window far inside.
+        const Triangle triangle = triangleAtUnits({-5000, 311}, {39000, 7001}, {9111, 27777});
+        Drawing whole(frameOf(200, 128, -32, -8));
+        whole.drawByMethod(triangle, {});
+        Drawing window(frameOf(17, 13, 40, 30));
+        window.drawByMethod(triangle, {});
+        for (std::int64_t y = 30; y < 43; ++y) {
+            for (std::int64_t x = 40; x < 57; ++x)
+                QCOMPARE(window.at(x, y), whole.at(x, y));
+        }
+    }
+
+    void entersOnlyTheFramesColumnsHoweverFarTheTriangleReaches()
+    {
+        Scene scene;
+        scene.frame = frameOf(16, 16);
+        for (const Arithmetic arithmetic : allArithmetics) {
+            if (arithmetic == Arithmetic::Fixed16)
+                continue; // cannot hold the vertices
+            scene.settings.arithmetic = arithmetic;
+            scene.triangles
+                = {triangleAt(-largestPixel, -largestPixel, largestPixel, -7, 0, largestPixel)};
+            const auto traced = traceScene(scene);
+            QCOMPARE(traced->trace->columnCount(), std::size_t(16));
+        }
+    }
+
+    void refusesInFixed16WhatDoesNotFitAndSaysSo()
+    {
+        Scene scene;
+        scene.settings.arithmetic = Arithmetic::Fixed16;
+        scene.triangles = {triangleAt(-40000, 0, 40, 3, 3, 40)};
+        const auto traced = traceScene(scene);
+        QCOMPARE(traced->trace->setUp(0).rejection, TriangleRejection::NotRepresentable);
+        QVERIFY(traced->method->explain(*traced, 0).sentence.contains(u"does not fit"));
+    }
+
+    void chooses128BitsOnlyBeyondTheProvedDomain()
+    {
+        QCOMPARE(integerWidthFor(triangleAt(-32768, 32768, 0, 0, 5, 5)), IntegerWidth::Bits64);
+        QCOMPARE(integerWidthFor(triangleAt(-32769, 0, 0, 0, 5, 5)), IntegerWidth::Bits128);
+    }
+
+    void truncationLosesALevelWhereRoundingDoesNot()
+    {
+        Triangle triangle = triangleAt(0, 0, 3, 0, 0, 3);
+        for (Vertex &vertex : triangle.vertices)
+            vertex.colour = {{0, 0, 0}};
+        triangle.vertices[1].colour = {{2, 0, 0}}; // 2/3 level a column
+        Drawing nearest(frameOf(4, 4));
+        nearest.drawByMethod(triangle, {});
+        Drawing truncated(frameOf(4, 4));
+        truncated.drawByMethod(triangle,
+                               {Arithmetic::Exact, FillRule::Closed, ByteRounding::Truncate});
+        QCOMPARE(qRed(nearest.at(1, 0)), 1);
+        QCOMPARE(qRed(truncated.at(1, 0)), 0);
+    }
+
+    void exactStartOfRedIsTheAssignmentsFormula()
+    {
+        // R_B + (⌈y_B⌉ − y_B)·Δ_R, computed here in doubles from the exact parts, is what the scan
+        // used.
+        Scene scene;
+        scene.triangles = {triangleAtUnits({1024, 1280}, {14848, 3072}, {6784, 11264})};
+        const auto traced = traceScene(scene);
+        for (std::size_t i = 0; i < traced->trace->columnCount(); ++i) {
+            const ColumnRecord column = traced->trace->column(i);
+            if (column.drawnPixels() == 0)
+                continue;
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                const double expected = column.colourBottom[channel].toDouble()
+                    + (double(column.firstRow) - column.yBottom.toDouble())
+                        * column.colourRate[channel].toDouble();
+                QVERIFY(qAbs(column.firstColour[channel].toDouble() - expected) < 1e-9);
+            }
+        }
+    }
+
+    void writesTheSameBytesThroughANegativeAndAPositiveStride()
+    {
+        const Triangle triangle = triangleAt(2, 1, 29, 11, 13, 27);
+        FrameSpec upward = frameOf(31, 29);
+        FrameSpec downward = upward;
+        downward.origin = FrameOrigin::TopLeft;
+        FrameBuffer a(upward);
+        FrameBuffer b(downward);
+        QVERIFY(a.view().stride < 0);
+        QVERIFY(b.view().stride > 0);
+        columnScan().draw(std::span(&triangle, 1), {}, a.view());
+        columnScan().draw(std::span(&triangle, 1), {}, b.view());
+        QCOMPARE(a.copy().mirrored(), b.copy());
+    }
+};
+
+QTEST_GUILESS_MAIN(TestColumnScan)
+#include "tst_columnscan.moc"

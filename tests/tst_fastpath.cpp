@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/fast/fastscan.h"
+#include "core/methods/columnscan.h"
+#include "tests/support/guardedframe.h"
+#include "tests/support/scanning.h"
+
+#include <QTest>
+
+#include <rapidcheck.h>
+
+using namespace pixelplumb;
+
+namespace {
+
+/// A class of sizes: how far corners lie from each other, and on which lattice.
+struct Family {
+    Lattice width; ///< corners within ± this of a common point, lattice units
+    Lattice height;
+    Lattice grid; ///< all coordinates are multiples of this
+    std::int32_t largestSide; ///< of the window, px
+};
+
+Triangle withColours(const std::array<Lattice, 8> &c, const std::array<std::uint32_t, 3> &colours,
+                     bool flat)
+{
+    Triangle triangle = triangleAtUnits({c[0] + c[2], c[1] + c[3]}, {c[0] + c[4], c[1] + c[5]},
+                                        {c[0] + c[6], c[1] + c[7]});
+    for (std::size_t i = 0; i < 3; ++i)
+        triangle.vertices[i].colour = unpacked(colours[flat ? 0 : i]);
+    return triangle;
+}
+
+rc::Gen<Lattice> coordinatesWithin(Lattice extent, Lattice grid)
+{
+    return rc::gen::map(rc::gen::inRange<Lattice>(-extent / grid, extent / grid + 1),
+                        [grid](Lattice n) { return n * grid; });
+}
+
+/// Levels are the extremes more often than chance has them: there clamping and wrapping would show.
+rc::Gen<std::uint32_t> colours()
+{
+    const auto level = rc::gen::weightedOneOf<std::uint32_t>(
+        {{2, rc::gen::element(0u, 255u)}, {3, rc::gen::inRange(0u, 256u)}});
+    return rc::gen::apply(
+        [](std::uint32_t r, std::uint32_t g, std::uint32_t b) { return r << 16 | g << 8 | b; },
+        level, level, level);
+}
+
+rc::Gen<Triangle> triangles(const Family &family, const WindowSpec &window)
+{
+    // The common point: in the window or a little outside, or anywhere that lets a large triangle's
+    // boundary cross the window.
+    const auto around = [&](Lattice first, Lattice side, Lattice extent) {
+        const Lattice middle = (first + side / 2) * unitsPerPixel / family.grid * family.grid;
+        const Lattice reach = std::max(side * unitsPerPixel * 3 / 4, extent * 7 / 8);
+        return rc::gen::map(coordinatesWithin(reach, family.grid),
+                            [middle](Lattice offset) { return middle + offset; });
+    };
+    const auto x = coordinatesWithin(family.width, family.grid);
+    const auto y = coordinatesWithin(family.height, family.grid);
+    const auto coordinates = rc::gen::apply(
+        [](Lattice a, Lattice b, Lattice c, Lattice d, Lattice e, Lattice f, Lattice g, Lattice h) {
+            return std::array<Lattice, 8>{a, b, c, d, e, f, g, h};
+        },
+        around(window.firstColumn, window.width, family.width),
+        around(window.firstRow, window.height, family.height), x, y, x, y, x, y);
+    return rc::gen::apply(withColours, coordinates,
+                          rc::gen::container<std::array<std::uint32_t, 3>>(colours()),
+                          rc::gen::weightedElement<bool>({{3, false}, {1, true}}));
+}
+
+rc::Gen<WindowSpec> windows(std::int32_t largestSide)
+{
+    return rc::gen::build<WindowSpec>(
+        rc::gen::set(&WindowSpec::width, rc::gen::inRange(1, largestSide + 1)),
+        rc::gen::set(&WindowSpec::height, rc::gen::inRange(1, largestSide + 1)),
+        rc::gen::set(&WindowSpec::firstColumn, rc::gen::inRange(-3000, 3000)),
+        rc::gen::set(&WindowSpec::firstRow, rc::gen::inRange(-3000, 3000)),
+        rc::gen::set(&WindowSpec::padding, rc::gen::inRange(0, 20)),
+        rc::gen::set(&WindowSpec::order,
+                     rc::gen::element(RowOrder::Ascending, RowOrder::Descending)));
+}
+
+rc::Gen<ScanSettings> settingsIn(Arithmetic arithmetic)
+{
+    return rc::gen::build<ScanSettings>(
+        rc::gen::set(&ScanSettings::arithmetic, rc::gen::just(arithmetic)),
+        rc::gen::set(&ScanSettings::fillRule,
+                     rc::gen::element(FillRule::Closed, FillRule::HalfOpenColumn)),
+        rc::gen::set(&ScanSettings::rounding,
+                     rc::gen::element(ByteRounding::Nearest, ByteRounding::Truncate)));
+}
+
+/// Both pictures of a scene, the second by every instruction set of the machine in turn.
+void expectSamePicture(const std::vector<Triangle> &scene, const ScanSettings &settings,
+                       const WindowSpec &window, int threads = 1)
+{
+    GuardedFrame plain(window);
+    drawColumns(scene, settings, plain.view());
+    for (const InstructionSet set : supportedInstructionSets()) {
+        GuardedFrame fast(window);
+        drawFast(scene, settings, fast.view(), {threads, set});
+        if (!(fast == plain)) {
+            std::ostringstream what;
+            for (const Triangle &triangle : scene)
+                what << triangle << '\n';
+            RC_LOG() << what.str() << window << "\nrule " << nameOf(settings.fillRule)
+                     << ", rounding " << nameOf(settings.rounding) << ", " << nameOf(set)
+                     << ": first different pixel " << firstDifference(fast, plain) << '\n';
+            RC_FAIL("the pictures differ");
+        }
+    }
+}
+
+constexpr Lattice px = unitsPerPixel;
+
+void addFamilies()
+{
+    QTest::addColumn<Lattice>("width");
+    QTest::addColumn<Lattice>("height");
+    QTest::addColumn<Lattice>("grid");
+    QTest::addColumn<int>("largestSide");
+    const auto add = [](const char *name, Lattice width, Lattice height, Lattice grid, int side) {
+        QTest::newRow(name) << width << height << grid << side;
+    };
+    add("points and segments", px, px, px, 40);
+    add("below a pixel", px / 2, px / 2, 1, 40);
+    add("4 px, whole pixels", 2 * px, 2 * px, px, 70);
+    add("4 px, 1/256 px", 2 * px, 2 * px, 1, 70);
+    add("50 px, whole pixels", 7 * px, 7 * px, px, 90);
+    add("50 px, 1/256 px", 7 * px, 7 * px, 1, 90);
+    add("1000 px, whole pixels", 35 * px, 35 * px, px, 150);
+    add("1000 px, 1/16 px", 35 * px, 35 * px, 16, 150);
+    add("1000 px, 1/256 px", 35 * px, 35 * px, 1, 150);
+    add("tall slivers, whole pixels", 3 * px, 300 * px, px, 200);
+    add("tall slivers, 1/256 px", 3 * px, 300 * px, 1, 200);
+    add("wide slivers, whole pixels", 300 * px, 2 * px, px, 200);
+    add("wide slivers, 1/256 px", 300 * px, 2 * px, 1, 200);
+    add("half the frame, whole pixels", 900 * px, 900 * px, px, 700);
+    add("half the frame, 1/256 px", 900 * px, 900 * px, 1, 700);
+    add("3000 px, whole pixels", 3000 * px, 3000 * px, px, 300);
+    add("10000 px, 1/256 px", 10000 * px, 10000 * px, 1, 100);
+    add("2^15 px", 20000 * px, 20000 * px, 1, 60);
+    add("beyond 2^15 px", 200000 * px, 200000 * px, 1, 40);
+}
+
+/// Small triangles all over a frame: enough work for threads to be started.
+std::vector<Triangle> crowd(std::size_t count, std::int32_t side, unsigned seed)
+{
+    std::vector<Triangle> scene;
+    unsigned state = seed;
+    const auto random = [&](unsigned below) {
+        state = state * 1664525u + 1013904223u;
+        return std::int64_t(state >> 8) % std::int64_t(below);
+    };
+    for (std::size_t i = 0; i < count; ++i) {
+        const std::int64_t x = random(unsigned(side));
+        const std::int64_t y = random(unsigned(side));
+        const unsigned size = i % 64 == 0 ? unsigned(side) : 12;
+        Triangle triangle
+            = triangleAt(x, y, x + random(size), y + random(size), x - random(size), y + 3);
+        for (Vertex &vertex : triangle.vertices)
+            vertex.colour = unpacked(QRgb(random(1u << 24)));
+        scene.push_back(triangle);
+    }
+    return scene;
+}
+
+} // namespace
+
+/// The fast path against the plain kernel: the same bytes, and none changed outside the window.
+class TestFastPath : public QObject {
+    Q_OBJECT
+
+private slots:
+    void drawsThePlainKernelsPicture_data() { addFamilies(); }
+    void drawsThePlainKernelsPicture()
+    {
+        QFETCH(Lattice, width);
+        QFETCH(Lattice, height);
+        QFETCH(Lattice, grid);
+        QFETCH(int, largestSide);
+        const Family family{width, height, grid, largestSide};
+        const bool same = rc::check(QTest::currentDataTag(), [&] {
+            const WindowSpec window = *windows(family.largestSide);
+            const ScanSettings settings = *settingsIn(Arithmetic::Exact);
+            expectSamePicture(*rc::gen::container<std::vector<Triangle>>(
+                                  *rc::gen::inRange<std::size_t>(1, 5), triangles(family, window)),
+                              settings, window);
+        });
+        QVERIFY(same);
+    }
+
+    void drawsThePlainKernelsFloat32Picture_data() { addFamilies(); }
+    void drawsThePlainKernelsFloat32Picture()
+    {
+        QFETCH(Lattice, width);
+        QFETCH(Lattice, height);
+        QFETCH(Lattice, grid);
+        QFETCH(int, largestSide);
+        const Family family{width, height, grid, largestSide};
+        const bool same = rc::check(QTest::currentDataTag(), [&] {
+            const WindowSpec window = *windows(family.largestSide);
+            const ScanSettings settings = *settingsIn(Arithmetic::Float32);
+            expectSamePicture({*triangles(family, window)}, settings, window);
+        });
+        QVERIFY(same);
+    }
+
+    void fallsBackOnThePlainKernelForOtherArithmetics()
+    {
+        const bool same = rc::check("fixed point and float64", [] {
+            const WindowSpec window = *windows(60);
+            const ScanSettings settings = *settingsIn(
+                *rc::gen::element(Arithmetic::Float64, Arithmetic::Fixed16, Arithmetic::Fixed32));
+            expectSamePicture({*triangles({20 * px, 20 * px, 16, 60}, window)}, settings, window);
+        });
+        QVERIFY(same);
+    }
+
+    void drawsManyTrianglesInTheirOrder()
+    {
+        const bool same = rc::check("several batches over each other", [] {
+            const WindowSpec window = *windows(60);
+            const ScanSettings settings = *settingsIn(Arithmetic::Exact);
+            const auto mixed = rc::gen::oneOf(triangles({2 * px, 2 * px, px, 60}, window),
+                                              triangles({20 * px, 20 * px, px, 60}, window),
+                                              triangles({60 * px, 60 * px, 1, 60}, window));
+            expectSamePicture(*rc::gen::container<std::vector<Triangle>>(100, mixed), settings,
+                              window);
+        });
+        QVERIFY(same);
+    }
+
+    void doesNotDependOnTheNumberOfThreads_data()
+    {
+        QTest::addColumn<int>("threads");
+        for (int threads = 1; threads <= 8; ++threads)
+            QTest::addRow("%d threads", threads) << threads;
+    }
+    void doesNotDependOnTheNumberOfThreads()
+    {
+        QFETCH(int, threads);
+        const std::vector<Triangle> scene = crowd(20'000, 301, 7);
+        for (const RowOrder order : {RowOrder::Ascending, RowOrder::Descending}) {
+            const WindowSpec window{297, 283, 3, 5, 7, order};
+            GuardedFrame plain(window);
+            drawColumns(scene, {}, plain.view());
+            GuardedFrame fast(window);
+            const FastReport report = drawFast(scene, {}, fast.view(), {threads, std::nullopt});
+            QCOMPARE(report.threads, threads);
+            QVERIFY(fast == plain);
+        }
+    }
+
+    void startsNoThreadForATriangle()
+    {
+        GuardedFrame frame({64, 48, 0, 0, 0, RowOrder::Ascending});
+        const std::vector<Triangle> scene = {triangleAt(1, 2, 30, 40, 60, 10)};
+        QCOMPARE(drawFast(scene, {}, frame.view(), {8, std::nullopt}).threads, 1);
+    }
+
+    void saysWhichKernelTookATriangleAndWhy()
+    {
+        GuardedFrame frame({640, 480, 0, 0, 0, RowOrder::Ascending});
+        Triangle small = triangleAt(1, 2, 5, 3, 2, 9);
+        small.vertices[0].colour = {{255, 0, 0}};
+        const std::vector<Triangle> scene = {small, triangleAt(-9, 2, -5, 3, -2, 9)};
+        const FastReport report = drawFast(scene, {}, frame.view(), {1, std::nullopt});
+        const std::vector<FastRouteUse> expected
+            = {{FastKernel::None, ColourWord::Other, FastReason::OutsideFrame, 1},
+               {FastKernel::Block8, ColourWord::Steps32, FastReason::SmallBox, 1}};
+        QVERIFY(report.uses == expected);
+    }
+
+    void usesEveryKernelThatItHas()
+    {
+        const auto kernelFor = [](const Triangle &triangle) {
+            GuardedFrame frame({1920, 1080, 0, 0, 0, RowOrder::Ascending});
+            const FastReport report
+                = drawFast(std::span(&triangle, 1), {}, frame.view(), {1, std::nullopt});
+            return std::pair(report.uses.at(0).kernel, report.uses.at(0).word);
+        };
+        const auto flat = [](Triangle triangle) {
+            for (Vertex &vertex : triangle.vertices)
+                vertex.colour = red;
+            return triangle;
+        };
+        using Kernel = std::pair<FastKernel, ColourWord>;
+        QVERIFY(kernelFor(flat(triangleAt(0, 0, 4, 0, 0, 4)))
+                == Kernel(FastKernel::Block8, ColourWord::Flat));
+        QVERIFY(kernelFor(triangleAt(0, 0, 12, 0, 0, 12))
+                == Kernel(FastKernel::Block16, ColourWord::Steps32));
+        QVERIFY(kernelFor(triangleAt(0, 0, 9, 0, 0, 90))
+                == Kernel(FastKernel::Strip16, ColourWord::Steps32));
+        QVERIFY(kernelFor(triangleAt(0, 0, 900, 0, 0, 90))
+                == Kernel(FastKernel::RowSpans, ColourWord::Table32));
+        QVERIFY(kernelFor(triangleAt(0, 0, 1900, 0, 0, 1070)).second == ColourWord::Table32);
+        QVERIFY(kernelFor(triangleAtUnits({1, 1}, {400000, 2}, {3, 200000})).second
+                == ColourWord::Steps64);
+        QVERIFY(kernelFor(triangleAt(0, 0, 100000, 0, 0, 9))
+                == Kernel(FastKernel::Plain, ColourWord::Other));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestFastPath)
+#include "tst_fastpath.moc"

@@ -1,0 +1,451 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/traceexport.h"
+#include "core/scene/scenefile.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/scanning.h"
+#include "widgets/canvas.h"
+#include "widgets/columntable.h"
+#include "widgets/columntablemodel.h"
+#include "widgets/displayoptions.h"
+#include "widgets/mainwindow.h"
+#include "widgets/messagebar.h"
+#include "widgets/playhead.h"
+#include "widgets/scenedocument.h"
+#include "widgets/scenefiles.h"
+#include "widgets/scenetracer.h"
+
+#include <QApplication>
+#include <QBuffer>
+#include <QClipboard>
+#include <QComboBox>
+#include <QDialog>
+#include <QDockWidget>
+#include <QLabel>
+#include <QSignalSpy>
+#include <QTest>
+
+#include <random>
+
+using namespace pixelplumb;
+
+namespace {
+
+/// The window as a person sees it first, or with nothing drawn.
+std::unique_ptr<MainWindow> openedWindow()
+{
+    auto window = std::make_unique<MainWindow>();
+    window->openDefaultScene();
+    window->show();
+    window->activateWindow();
+    if (!QTest::qWaitForWindowActive(window.get()))
+        QTest::qFail("the window does not become active", __FILE__, __LINE__);
+    window->parts().canvas->setFocus();
+    return window;
+}
+
+std::unique_ptr<MainWindow> emptyWindow()
+{
+    auto window = openedWindow();
+    window->parts().document->reset(Scene());
+    return window;
+}
+
+template <class Widget>
+Widget *named(const MainWindow &window, const char *name)
+{
+    return window.findChild<Widget *>(QLatin1String(name));
+}
+
+QAction *action(const MainWindow &window, const char *name) { return named<QAction>(window, name); }
+
+void clickPixel(const MainWindow &window, const QPoint &pixel)
+{
+    Canvas *canvas = window.parts().canvas;
+    QTest::mouseClick(canvas, Qt::LeftButton, {}, canvas->positionOf(pixel).toPoint());
+}
+
+QString writtenFile(const IsolatedSettings &settings, const QString &name, const QByteArray &text)
+{
+    const QString path = settings.folder() + QLatin1Char('/') + name;
+    QFile file(path);
+    if (file.open(QIODevice::WriteOnly))
+        file.write(text);
+    return path;
+}
+
+} // namespace
+
+class TestMainWindow : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_settings.clear(); }
+
+    void opensHalfDrawnInTheFirstColumnPastTheMiddleVertex()
+    {
+        const auto window = openedWindow();
+        const Playhead &playhead = *window->parts().playhead;
+
+        QCOMPARE(playhead.columnXInHand(), std::optional<std::int64_t>(27));
+        QCOMPARE(playhead.pixelInHand(), std::optional(QPoint(27, 19)));
+        QCOMPARE(playhead.pickedPixel(), playhead.pixelInHand());
+        QVERIFY(!playhead.isPlaying());
+        QVERIFY(named<QLabel>(*window, "statusPixel")->text().startsWith("pixel (27, 19) #"));
+        QCOMPARE(named<QLabel>(*window, "statusColumn")->text(), "column 27, second half");
+    }
+
+    void threeClicksOnTheCanvasDrawTheTriangle()
+    {
+        const auto window = emptyWindow();
+        clickPixel(*window, {4, 5});
+        clickPixel(*window, {58, 12});
+        clickPixel(*window, {26, 44});
+
+        Scene expected;
+        expected.triangles = {triangleAt(4, 5, 58, 12, 26, 44)};
+        FrameBuffer frame(expected.frame);
+        drawScene(expected, frame);
+        QCOMPARE(window->parts().document->scene().triangles, expected.triangles);
+        QCOMPARE(window->parts().playhead->position(), window->parts().playhead->end());
+        QVERIFY(window->parts().playhead->frame()->copy() == frame.copy());
+    }
+
+    void theTableAgreesWithTheExportToTheLastDigit_data()
+    {
+        QTest::addColumn<Arithmetic>("arithmetic");
+        for (const Arithmetic arithmetic : allArithmetics)
+            QTest::newRow(std::string(nameOf(arithmetic)).c_str()) << arithmetic;
+    }
+    void theTableAgreesWithTheExportToTheLastDigit()
+    {
+        QFETCH(Arithmetic, arithmetic);
+        const auto window = openedWindow();
+        ScanSettings settings = window->parts().document->scene().settings;
+        settings.arithmetic = arithmetic;
+        window->parts().document->setSettings(settings);
+        QBuffer buffer;
+        QVERIFY(buffer.open(QIODevice::WriteOnly));
+        QVERIFY(exportTrace(*window->parts().playhead->traced(), {}, buffer));
+
+        const auto lines = QString::fromUtf8(buffer.data()).split('\n', Qt::SkipEmptyParts);
+        const QStringList names = lines.first().trimmed().split(',');
+        const auto *table = named<ColumnTable>(*window, "columnTable");
+        const auto *model = qobject_cast<ColumnTableModel *>(table->model());
+        QCOMPARE(model->rowCount(), int(lines.size() - 1));
+        QStringList wrong;
+        for (int row = 0; row < model->rowCount(); ++row) {
+            const QStringList cells = lines[row + 1].trimmed().split(',');
+            for (int column = 0; column < model->columnCount(); ++column) {
+                const auto field = names.indexOf(model->fileName(column));
+                const QString shown = model->index(row, column)
+                                          .data(ColumnTableModel::CanonicalTextRole)
+                                          .toString();
+                if (field < 0 || cells[field] != shown)
+                    wrong += model->fileName(column) + QLatin1Char(' ') + shown;
+            }
+        }
+
+        QCOMPARE(wrong, QStringList());
+    }
+
+    void theFunctionKeysMoveTimeAndUndoEachOther()
+    {
+        const auto window = openedWindow();
+        const Playhead &playhead = *window->parts().playhead;
+        const std::size_t start = playhead.position();
+        for (const int key : {Qt::Key_F10, Qt::Key_F11}) {
+            QTest::keyClick(window.get(), Qt::Key(key));
+            QVERIFY(playhead.position() > start);
+            QTest::keyClick(window.get(), Qt::Key(key), Qt::ShiftModifier);
+            QCOMPARE(playhead.position(), start);
+        }
+        QTest::keyClick(window.get(), Qt::Key_F5);
+        QCOMPARE(playhead.position(), playhead.end());
+        QTest::keyClick(window.get(), Qt::Key_F5, Qt::ShiftModifier);
+        QCOMPARE(playhead.position(), std::size_t(0));
+    }
+
+    void f9StopsTheRunAtTheColumnInHand()
+    {
+        const auto window = openedWindow();
+        const Playhead &playhead = *window->parts().playhead;
+        QTest::keyClick(window.get(), Qt::Key_F9);
+        window->parts().playhead->seek(0);
+        QTest::keyClick(window.get(), Qt::Key_F5);
+
+        QCOMPARE(playhead.columnXInHand(), std::optional<std::int64_t>(27));
+        QVERIFY(!playhead.pixelInHand());
+    }
+
+    void letterKeysActOnlyInTheCanvas()
+    {
+        const auto window = openedWindow();
+        const DisplayOptions &options = *window->parts().options;
+        const bool shown = options.isGridShown();
+        QTest::keyClick(window->parts().canvas, Qt::Key_G);
+        QCOMPARE(options.isGridShown(), !shown);
+
+        QWidget *table = named<QWidget>(*window, "columnTable");
+        table->setFocus();
+        QTest::keyClick(table, Qt::Key_G);
+        QCOMPARE(options.isGridShown(), !shown);
+    }
+
+    void undoTakesBackEverything()
+    {
+        const auto window = openedWindow();
+        SceneDocument &document = *window->parts().document;
+        const Scene start = document.scene();
+        const unsigned seed = 20201;
+        std::mt19937 random(seed);
+        const auto coordinate = [&] {
+            return LatticePoint{Lattice(random() % 16384), Lattice(random() % 12288)};
+        };
+        for (int change = 0; change < 60; ++change) {
+            const VertexRef ref{
+                int(random() % std::max<std::size_t>(1, document.scene().triangles.size())),
+                int(random() % 3)};
+            switch (random() % 7) {
+            case 0:
+            case 1:
+                document.placeVertex(coordinate());
+                break;
+            case 2:
+                if (document.vertexAt(ref))
+                    document.moveVertex(ref, coordinate(), change);
+                break;
+            case 3:
+                if (document.vertexAt(ref))
+                    document.setVertexColour(ref, {{std::uint8_t(random()), 7, 9}});
+                break;
+            case 4:
+                if (change % 5 == 0)
+                    document.deleteTriangle(0);
+                break;
+            case 5: {
+                FrameSpec frame = document.scene().frame;
+                frame.width = 20 + std::int32_t(random() % 80);
+                document.setFrame(frame);
+                break;
+            }
+            default: {
+                ScanSettings settings = document.scene().settings;
+                settings.arithmetic = allArithmetics[random() % allArithmetics.size()];
+                document.setSettings(settings);
+            }
+            }
+        }
+        const Scene changed = document.scene();
+        QVERIFY(changed != start);
+
+        while (document.undoStack()->canUndo())
+            action(*window, "undo")->trigger();
+        QVERIFY2(document.scene() == start, qPrintable(QString("seed %1").arg(seed)));
+        QVERIFY(document.pendingVertices().empty());
+        QVERIFY(!window->isWindowModified());
+        while (document.undoStack()->canRedo())
+            action(*window, "redo")->trigger();
+        QVERIFY(document.scene() == changed);
+    }
+
+    void unsavedChangesAskBeforeTheWindowCloses()
+    {
+        const auto window = openedWindow();
+        clickPixel(*window, {10, 40});
+        int questions = 0;
+        auto answer = UnsavedChanges::Cancel;
+        window->parts().files->askAboutChanges = [&] {
+            ++questions;
+            return answer;
+        };
+
+        QVERIFY(!window->close());
+        QVERIFY(window->isVisible());
+        answer = UnsavedChanges::Discard;
+        QVERIFY(window->close());
+        QCOMPARE(questions, 2);
+    }
+
+    void anUnchangedWindowClosesWithoutAQuestion()
+    {
+        const auto window = openedWindow();
+        window->parts().files->askAboutChanges = [] {
+            QTest::qFail("asked", __FILE__, __LINE__);
+            return UnsavedChanges::Cancel;
+        };
+        QVERIFY(window->close());
+    }
+
+    void savesAndOpensTheSameScene()
+    {
+        const auto window = openedWindow();
+        window->parts().document->addTriangle(triangleAt(1, 1, 9, 2, 5, 20));
+        const Scene saved = window->parts().document->scene();
+        const QString path = m_settings.folder() + "/two.json";
+        QVERIFY(window->parts().files->saveTo(path));
+        QCOMPARE(window->windowTitle(), "two.json[*] — Pixelplumb");
+        QVERIFY(!window->isWindowModified());
+
+        const auto other = openedWindow();
+        QVERIFY(other->openScene(path));
+        QVERIFY(other->parts().document->scene() == saved);
+        QVERIFY(action(*other, "revertScene")->isEnabled());
+    }
+
+    void aFileThatCannotBeReadIsToldInTheMessageBar()
+    {
+        const auto window = openedWindow();
+        const Scene before = window->parts().document->scene();
+        const QString path = writtenFile(m_settings, "cut.json", "{ \"pixelplumb\": 1, \"frame\"");
+
+        QVERIFY(!window->openScene(path));
+
+        const auto *bar = named<MessageBar>(*window, "messageBar");
+        QVERIFY(bar->isVisible());
+        QVERIFY2(bar->text().contains("cut.json"), qPrintable(bar->text()));
+        QVERIFY(window->parts().document->scene() == before);
+        QVERIFY(!window->openScene(m_settings.folder() + "/missing.json"));
+        QVERIFY(bar->text().contains("missing.json"));
+    }
+
+    void tellsWhatSnappingDisplaced()
+    {
+        const auto window = openedWindow();
+        Scene scene;
+        scene.triangles = {triangleAt(1, 1, 9, 2, 5, 12)};
+        QByteArray text = writeScene(scene);
+        QVERIFY(text.contains("[1, 1]"));
+        const QString path
+            = writtenFile(m_settings, "snap.json", text.replace("[1, 1]", "[1.1, 1]"));
+        const auto *bar = named<MessageBar>(*window, "messageBar");
+        QVERIFY2(window->openScene(path), qPrintable(bar->text()));
+
+        QVERIFY(bar->isVisible());
+        QVERIFY2(bar->text().contains("1.1"), qPrintable(bar->text()));
+    }
+
+    void theBoxesChangeTheSceneAndFollowIt()
+    {
+        const auto window = openedWindow();
+        auto *arithmetic = named<QComboBox>(*window, "arithmeticBox");
+        QTest::keyClick(arithmetic, Qt::Key_Down);
+        QCOMPARE(window->parts().document->scene().settings.arithmetic, Arithmetic::Float32);
+        QCOMPARE(window->parts().playhead->traced()->trace->settings().arithmetic,
+                 Arithmetic::Float32);
+
+        action(*window, "undo")->trigger();
+        QCOMPARE(arithmetic->currentText(), "exact");
+    }
+
+    void whatTheMethodRefusesCannotBeChosenAndSaysWhy()
+    {
+        const auto window = openedWindow();
+        const auto *rule = named<QComboBox>(*window, "fillRuleBox");
+        const int topLeft = rule->findText("top-left");
+        QVERIFY(
+            !rule->model()->flags(rule->model()->index(topLeft, 0)).testFlag(Qt::ItemIsEnabled));
+        QVERIFY(!rule->itemData(topLeft, Qt::ToolTipRole).toString().isEmpty());
+    }
+
+    void aPastedRasterIsLaidOverThePicture()
+    {
+        const auto window = openedWindow();
+        action(*window, "copyRaster")->trigger();
+        QString raster = QApplication::clipboard()->text();
+        QVERIFY(raster.count('#') > 900);
+        raster[int(raster.indexOf('#'))] = '.';
+        raster[0] = '#';
+        QApplication::clipboard()->setText(raster);
+
+        action(*window, "compareRaster")->trigger();
+
+        const auto *dialog = named<QDialog>(*window, "rasterDialog");
+        QVERIFY(dialog);
+        const QString summary = dialog->findChild<QLabel *>("rasterSummary")->text();
+        QVERIFY2(summary.contains("1 extra") && summary.contains("1 missing"), qPrintable(summary));
+    }
+
+    void theLayoutLastsAndCanBeReset()
+    {
+        {
+            const auto window = openedWindow();
+            named<QDockWidget>(*window, "formulaDock")->hide();
+            window->parts().playhead->setStepsPerSecond(250);
+            QVERIFY(window->close());
+        }
+        const auto window = openedWindow();
+        QVERIFY(!named<QDockWidget>(*window, "formulaDock")->isVisible());
+        QCOMPARE(window->parts().playhead->stepsPerSecond(), 250.0);
+
+        action(*window, "resetLayout")->trigger();
+        QVERIFY(named<QDockWidget>(*window, "formulaDock")->isVisible());
+    }
+
+    void theStatusFieldsKeepTheirPlacesWhileStepping()
+    {
+        const auto window = openedWindow();
+        QCoreApplication::processEvents();
+        const auto places = [&] {
+            QList<int> lefts;
+            for (const char *name : {"statusColumn", "statusStep", "statusSettings"})
+                lefts += named<QLabel>(*window, name)->x();
+            return lefts;
+        };
+        const QList<int> before = places();
+        for (const std::size_t position : {std::size_t(3), std::size_t(99), std::size_t(1039)}) {
+            window->parts().playhead->seek(position);
+            QCoreApplication::processEvents();
+            QCOMPARE(places(), before);
+        }
+    }
+
+    void aLargeSceneIsTracedBesideTheWindow()
+    {
+        const auto window = emptyWindow();
+        QSignalSpy started(window->parts().tracer, &SceneTracer::started);
+        QSignalSpy traced(window->parts().tracer, &SceneTracer::traced);
+        Scene scene;
+        scene.frame.width = 1500;
+        scene.frame.height = 1500;
+        scene.triangles = {triangleAt(0, 0, 1499, 0, 700, 1499)};
+        window->parts().document->reset(scene);
+
+        QCOMPARE(started.size(), 1);
+        QVERIFY(named<QWidget>(*window, "traceProgress")->isVisible());
+        QVERIFY(traced.wait(60'000));
+        QVERIFY(!named<QWidget>(*window, "traceProgress")->isVisible());
+        QVERIFY(window->parts().playhead->traced()->scene == scene);
+    }
+
+    void tracingCanBeCancelledAndTheNewestRequestWins()
+    {
+        const auto window = emptyWindow();
+        SceneTracer &tracer = *window->parts().tracer;
+        QSignalSpy cancelled(&tracer, &SceneTracer::cancelled);
+        QSignalSpy traced(&tracer, &SceneTracer::traced);
+        Scene scene;
+        scene.frame.width = 1500;
+        scene.frame.height = 1500;
+        scene.triangles = {triangleAt(0, 0, 1499, 0, 700, 1499)};
+        window->parts().document->reset(scene);
+        QTest::mouseClick(named<QWidget>(*window, "cancelTrace"), Qt::LeftButton);
+        QVERIFY(cancelled.wait(60'000));
+        QCOMPARE(traced.size(), 0);
+
+        tracer.trace(scene);
+        Scene newer = scene;
+        newer.settings.arithmetic = Arithmetic::Float64;
+        tracer.trace(newer);
+        QVERIFY(traced.wait(60'000));
+        QVERIFY(!tracer.isRunning());
+        QCOMPARE(traced.size(), 1);
+        QCOMPARE(window->parts().playhead->traced()->scene.settings.arithmetic,
+                 Arithmetic::Float64);
+    }
+
+private:
+    IsolatedSettings m_settings;
+};
+
+QTEST_MAIN(TestMainWindow)
+#include "tst_mainwindow.moc"

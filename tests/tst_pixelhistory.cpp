@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/defaultscene.h"
+#include "widgets/numberformat.h"
+#include "widgets/pixelhistorymodel.h"
+#include "widgets/pixelhistorypanel.h"
+#include "widgets/playhead.h"
+
+#include <QAbstractItemModelTester>
+#include <QLabel>
+#include <QTest>
+#include <QToolButton>
+
+using namespace pixelplumb;
+
+class TestPixelHistory : public QObject {
+    Q_OBJECT
+
+private slots:
+    void historyKeepsTheModelContract();
+    void historyOfAWrittenPixelListsChannels();
+    void historyOfARefusedPixelListsEdges();
+    void historyCountsTheRefusalsThatItDoesNotList();
+    void historyRunsToTheWritesOfThePickedPixel();
+    void historyNamesPixelColourAndTruth();
+};
+
+void TestPixelHistory::historyKeepsTheModelContract()
+{
+    const std::shared_ptr<const TracedScene> traced
+        = traceScene(defaultSceneIn(Arithmetic::Float32, 2));
+    PixelHistoryModel model;
+    const QAbstractItemModelTester tester(&model,
+                                          QAbstractItemModelTester::FailureReportingMode::QtTest);
+    QCOMPARE(model.rowCount(), 0);
+
+    model.setPixel(traced, QPoint(27, 19));
+    model.setPosition(traced->trace->stepCount());
+    model.setPixel(traced, QPoint(0, 0));
+    model.setPixel(nullptr, std::nullopt);
+
+    QCOMPARE(model.rowCount(), 0);
+}
+
+void TestPixelHistory::historyOfAWrittenPixelListsChannels()
+{
+    const std::shared_ptr<const TracedScene> traced = traceScene(defaultSceneIn(Arithmetic::Exact));
+    PixelHistoryModel model;
+
+    model.setPixel(traced, QPoint(27, 19));
+    model.setPosition(traced->trace->stepCount());
+
+    const PixelAttempt attempt = pixelHistory(*traced, 27, 19).front();
+    const QModelIndex written = model.decisiveRow();
+    QVERIFY(attempt.written);
+    QCOMPARE(written.data().toString(), QStringLiteral("△ 0 wrote it"));
+    QCOMPARE(written.data(PixelHistoryModel::StepRole).toULongLong(), qulonglong(attempt.step));
+    QCOMPARE(model.rowCount(written), 3);
+    QCOMPARE(model.index(0, PixelHistoryModel::UsedColumn, written).data().toString(),
+             displayText(attempt.fragment.colour[0]));
+    QCOMPARE(model.index(0, PixelHistoryModel::ByteColumn, written).data().toString(),
+             QStringLiteral("→ %1").arg(attempt.fragment.level[0]));
+
+    model.setPosition(0);
+    QCOMPARE(model.decisiveRow().data().toString(), QStringLiteral("△ 0 will write it"));
+}
+
+void TestPixelHistory::historyOfARefusedPixelListsEdges()
+{
+    const std::shared_ptr<const TracedScene> traced = traceScene(defaultSceneIn(Arithmetic::Exact));
+    PixelHistoryModel model;
+
+    model.setPixel(traced, QPoint(4, 4)); // one row below P0
+
+    const QModelIndex refused = model.decisiveRow();
+    QCOMPARE(refused.data().toString(), QStringLiteral("△ 0 refuses it"));
+    QVERIFY(!refused.data(PixelHistoryModel::ReasonRole).toString().isEmpty());
+    QVERIFY(!refused.data(PixelHistoryModel::StepRole).isValid());
+    QCOMPARE(model.rowCount(refused), 3);
+    QCOMPARE(model.index(0, PixelHistoryModel::UsedColumn, refused).data().toString(),
+             QStringLiteral("−1 px along column"));
+}
+
+void TestPixelHistory::historyCountsTheRefusalsThatItDoesNotList()
+{
+    const std::shared_ptr<const TracedScene> traced
+        = traceScene(defaultSceneIn(Arithmetic::Exact, PixelHistoryModel::listedRefusals + 5));
+    PixelHistoryModel model;
+
+    model.setPixel(traced, QPoint(0, 47));
+
+    QCOMPARE(model.rowCount(), PixelHistoryModel::listedRefusals + 1);
+    QCOMPARE(model.index(model.rowCount() - 1, 0).data().toString(),
+             QStringLiteral("and 5 more that refuse it"));
+}
+
+void TestPixelHistory::historyRunsToTheWritesOfThePickedPixel()
+{
+    Playhead playhead;
+    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
+    PixelHistoryPanel panel(&playhead);
+    panel.show();
+    playhead.pick(QPoint(27, 19));
+
+    QTest::mouseClick(panel.findChild<QToolButton *>(QStringLiteral("runToNextWrite")),
+                      Qt::LeftButton);
+    QCOMPARE(playhead.pixelInHand(), QPoint(27, 19));
+
+    playhead.seek(playhead.end());
+    playhead.pick(QPoint(27, 19));
+    QTest::mouseClick(panel.findChild<QToolButton *>(QStringLiteral("runToPreviousWrite")),
+                      Qt::LeftButton);
+    QCOMPARE(playhead.pixelInHand(), QPoint(27, 19));
+}
+
+void TestPixelHistory::historyNamesPixelColourAndTruth()
+{
+    Playhead playhead;
+    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
+    PixelHistoryPanel panel(&playhead);
+    panel.show();
+    playhead.pick(QPoint(27, 19));
+    const auto *heading = panel.findChild<QLabel *>(QStringLiteral("pixelHistoryHeading"));
+    const QString truth = QColor::fromRgb(*playhead.traced()->truth.view().at(27, 19)).name();
+
+    QVERIFY(heading->text().contains(QStringLiteral("(27, 19)")));
+    QVERIFY(heading->text().contains(QStringLiteral("#000000")));
+    QVERIFY(heading->text().contains(truth));
+
+    playhead.seek(playhead.end());
+    playhead.pick(QPoint(27, 19));
+    QVERIFY(!heading->text().contains(QStringLiteral("#000000")));
+}
+
+QTEST_MAIN(TestPixelHistory)
+#include "tst_pixelhistory.moc"

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/scanning.h"
+#include "widgets/scrubber.h"
+
+#include <QAccessible>
+#include <QSignalSpy>
+#include <QTest>
+
+using namespace pixelplumb;
+
+namespace {
+
+std::shared_ptr<const TracedScene> traced()
+{
+    Scene scene;
+    scene.triangles = {triangleAt(4, 5, 58, 12, 26, 44)};
+    return traceScene(scene);
+}
+
+/// A scrubber on a traced scene.
+struct Stage {
+    Playhead playhead;
+    Scrubber scrubber{&playhead};
+
+    Stage()
+    {
+        playhead.setTraced(traced());
+        scrubber.resize(800, scrubber.sizeHint().height());
+        scrubber.show();
+    }
+    QPoint at(std::size_t position) const
+    {
+        return {int(std::lround(scrubber.scale().xOf(position))), scrubber.height() / 2};
+    }
+};
+
+} // namespace
+
+class TestScrubber : public QObject {
+    Q_OBJECT
+
+private slots:
+    void itsScaleGoesThereAndBack_data()
+    {
+        QTest::addColumn<qulonglong>("end");
+        QTest::newRow("one step") << 1ULL;
+        QTest::newRow("a small triangle") << 1320ULL;
+        QTest::newRow("eight million steps") << 8'400'000ULL;
+    }
+    void itsScaleGoesThereAndBack()
+    {
+        QFETCH(qulonglong, end);
+        const ScrubberScale scale{72, 700, std::size_t(end)};
+        for (const std::size_t position : {std::size_t(0), std::size_t(end / 3), std::size_t(end)})
+            QCOMPARE(scale.positionAt(scale.xOf(position)), position);
+        QCOMPARE(scale.positionAt(-50), std::size_t(0));
+        QCOMPARE(scale.positionAt(5000), std::size_t(end));
+    }
+
+    void anEmptyRunIsAllStart()
+    {
+        const ScrubberScale scale{72, 700, 0};
+        QCOMPARE(scale.positionAt(400), std::size_t(0));
+        QCOMPARE(scale.xOf(0), 72.0);
+    }
+
+    void aDragSeeksLive()
+    {
+        Stage stage;
+        QTest::mousePress(&stage.scrubber, Qt::LeftButton, {}, stage.at(200));
+        const std::size_t pressed = stage.playhead.position();
+        const QPoint target = stage.at(900);
+        QTest::mouseMove(&stage.scrubber, target);
+        const std::size_t expected = stage.scrubber.scale().positionAt(target.x());
+
+        QTRY_COMPARE(stage.playhead.position(), expected);
+        QVERIFY(pressed < expected);
+        QTest::mouseRelease(&stage.scrubber, Qt::LeftButton, {}, target);
+        QCOMPARE(stage.playhead.position(), expected);
+    }
+
+    void manyMovesWithinAFrameAreOneSeek()
+    {
+        Stage stage;
+        QTest::mousePress(&stage.scrubber, Qt::LeftButton, {}, stage.at(0));
+        const QSignalSpy moves(&stage.playhead, &Playhead::positionChanged);
+        for (std::size_t position = 10; position <= 1000; position += 10) {
+            const QPoint point = stage.at(position);
+            QMouseEvent move(QEvent::MouseMove, point, stage.scrubber.mapToGlobal(point),
+                             Qt::NoButton, Qt::LeftButton, {});
+            QCoreApplication::sendEvent(&stage.scrubber, &move);
+        }
+        QTest::mouseRelease(&stage.scrubber, Qt::LeftButton, {}, stage.at(1000));
+
+        QCOMPARE(moves.size(), 1);
+    }
+
+    void aClickNearAMarkGoesToTheMark()
+    {
+        Stage stage;
+        const std::vector<TraceMark> &marks = stage.playhead.traced()->marks;
+        const auto mark = std::ranges::find_if(
+            marks, [](const TraceMark &each) { return each.step > 200 && each.step < 1000; });
+        QVERIFY(mark != marks.end());
+
+        QTest::mouseClick(&stage.scrubber, Qt::LeftButton, {},
+                          stage.at(mark->step + 1) + QPoint(2, 0));
+
+        QVERIFY(std::ranges::any_of(marks, [&](const TraceMark &each) {
+            return each.step + 1 == stage.playhead.position();
+        }));
+    }
+
+    void controlAndArrowsGoFromMarkToMark()
+    {
+        Stage stage;
+        stage.playhead.seek(0);
+        std::set<std::size_t> expected;
+        for (const TraceMark &mark : stage.playhead.traced()->marks)
+            expected.insert(mark.step + 1);
+        std::set<std::size_t> visited;
+        for (std::size_t i = 0; i < expected.size(); ++i) {
+            QTest::keyClick(&stage.scrubber, Qt::Key_Right, Qt::ControlModifier);
+            visited.insert(stage.playhead.position());
+        }
+        QCOMPARE(visited, expected);
+
+        QTest::keyClick(&stage.scrubber, Qt::Key_Left, Qt::ControlModifier);
+        QCOMPARE(stage.playhead.position(), *std::next(expected.rbegin()));
+    }
+
+    void theArrowsStepByTheChosenUnit()
+    {
+        Stage stage;
+        stage.playhead.setUnit(StepUnit::Pixel);
+        stage.playhead.seek(10);
+        QTest::keyClick(&stage.scrubber, Qt::Key_Right);
+        QCOMPARE(stage.playhead.position(), std::size_t(11));
+        QTest::keyClick(&stage.scrubber, Qt::Key_Home);
+        QCOMPARE(stage.playhead.position(), std::size_t(0));
+        QTest::keyClick(&stage.scrubber, Qt::Key_End);
+        QCOMPARE(stage.playhead.position(), stage.playhead.end());
+    }
+
+    void assistiveTechnologyReadsAndSetsThePosition()
+    {
+        Stage stage;
+        QAccessibleInterface *accessible = QAccessible::queryAccessibleInterface(&stage.scrubber);
+        QVERIFY(accessible);
+        QAccessibleValueInterface *value = accessible->valueInterface();
+        QVERIFY(value);
+        QCOMPARE(value->maximumValue().toULongLong(), qulonglong(stage.playhead.end()));
+
+        value->setCurrentValue(77);
+
+        QCOMPARE(stage.playhead.position(), std::size_t(77));
+        stage.playhead.seek(5);
+        QCOMPARE(value->currentValue().toULongLong(), 5ULL);
+        QVERIFY(!accessible->text(QAccessible::Description).isEmpty());
+    }
+};
+
+QTEST_MAIN(TestScrubber)
+#include "tst_scrubber.moc"

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/traceexport.h"
+#include "core/scene/scenefile.h"
+
+#include <QBuffer>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QtTest>
+
+using namespace pixelplumb;
+
+namespace {
+
+Scene defaultScene(Arithmetic arithmetic = Arithmetic::Exact)
+{
+    Scene scene = readSceneFile(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/default.json"))->scene;
+    scene.settings.arithmetic = arithmetic;
+    return scene;
+}
+
+QByteArray exported(const Scene &scene, TraceLevel level, TableFormat format)
+{
+    QByteArray bytes;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::WriteOnly);
+    if (!exportTrace(*traceScene(scene), {level, format, {}}, buffer))
+        return {};
+    return bytes;
+}
+
+/// The lines of a CSV, without their line ends.
+QList<QByteArray> linesOf(const QByteArray &csv)
+{
+    QList<QByteArray> lines = QByteArray(csv).replace("\r\n", "\n").split('\n');
+    lines.removeLast();
+    return lines;
+}
+
+/// A device that is full after some bytes.
+class FullDevice final : public QIODevice {
+public:
+    explicit FullDevice(qint64 room)
+        : m_room(room)
+    {
+    }
+
+protected:
+    qint64 readData(char *, qint64) override { return -1; }
+    qint64 writeData(const char *, qint64 size) override
+    {
+        m_room -= size;
+        return m_room < 0 ? -1 : size;
+    }
+
+private:
+    qint64 m_room;
+};
+
+} // namespace
+
+class tst_TraceExport : public QObject {
+    Q_OBJECT
+
+private slots:
+    void writesARowForEachColumn()
+    {
+        const auto traced = traceScene(defaultScene());
+
+        const QList<QByteArray> lines
+            = linesOf(exported(defaultScene(), TraceLevel::Column, TableFormat::Csv));
+
+        QCOMPARE(std::size_t(lines.size()), traced->trace->columnCount() + 1);
+        QVERIFY(lines[0].startsWith("step,triangle,x,half,y_B,y_B_exact,y_B_error,y_T,"));
+        // The edge (4, 5)–(58, 12) rises by 7/54 a column, (4, 5)–(53/2, 44) by 26/15.
+        QVERIFY2(lines[2].startsWith("4,0,5,1,5 7/54,5 7/54,0,6 11/15,6 11/15,0,6,6,0,6,6,0,1,"),
+                 lines[2].constData());
+    }
+
+    void writesARowForEachPixel()
+    {
+        const auto traced = traceScene(defaultScene());
+
+        const QList<QByteArray> lines
+            = linesOf(exported(defaultScene(), TraceLevel::Pixel, TableFormat::Csv));
+
+        QCOMPARE(std::size_t(lines.size()), traced->trace->pixelCount() + 1);
+        QCOMPARE(lines[0],
+                 QByteArray(
+                     "step,triangle,x,y,R,R_exact,R_error,R_level,R_byte,G,G_exact,G_error,G_level,"
+                     "G_byte,B,B_exact,B_error,B_level,B_byte,clamped,before,after"));
+        QCOMPARE(lines[1],
+                 QByteArray("3,0,4,5,255,255,0,255,255,0,0,0,0,0,0,0,0,0,0,false,#000000,#ff0000"));
+    }
+
+    void givesEveryRowAsManyFieldsAsTheHeader_data()
+    {
+        QTest::addColumn<Arithmetic>("arithmetic");
+        QTest::addColumn<TraceLevel>("level");
+        for (const Arithmetic arithmetic : allArithmetics) {
+            QTest::addRow("%s, columns", nameOf(arithmetic).data())
+                << arithmetic << TraceLevel::Column;
+            QTest::addRow("%s, pixels", nameOf(arithmetic).data())
+                << arithmetic << TraceLevel::Pixel;
+        }
+    }
+    void givesEveryRowAsManyFieldsAsTheHeader()
+    {
+        QFETCH(Arithmetic, arithmetic);
+        QFETCH(TraceLevel, level);
+
+        const QList<QByteArray> lines
+            = linesOf(exported(defaultScene(arithmetic), level, TableFormat::Csv));
+
+        QVERIFY(lines.size() > 1);
+        const auto commas = lines[0].count(',');
+        for (const QByteArray &line : lines)
+            QCOMPARE(line.count(','), commas);
+    }
+
+    void holdsNoErrorInExactArithmetic()
+    {
+        const QJsonDocument document = QJsonDocument::fromJson(
+            exported(defaultScene(), TraceLevel::Pixel, TableFormat::Json));
+
+        const QJsonArray rows = document[QStringLiteral("rows")].toArray();
+        QVERIFY(!rows.isEmpty());
+        for (const QJsonValue &row : rows) {
+            QCOMPARE(row[QStringLiteral("R")], row[QStringLiteral("R_exact")]);
+            QCOMPARE(row[QStringLiteral("R_error")].toDouble(-1), 0.0);
+        }
+    }
+
+    void tellsTheErrorOfRoundedNumbers()
+    {
+        const QJsonDocument document = QJsonDocument::fromJson(
+            exported(defaultScene(Arithmetic::Float32), TraceLevel::Column, TableFormat::Json));
+
+        const QJsonValue row = document[QStringLiteral("rows")][1];
+        QCOMPARE(row[QStringLiteral("y_B_exact")].toString(), QStringLiteral("5 7/54"));
+        const float used = 5 + 7 / 54.0F;
+        QCOMPARE(row[QStringLiteral("y_B")].toString().toFloat(), used);
+        const double error = double(used) - (5 + 7 / 54.0);
+        QVERIFY(qAbs(row[QStringLiteral("y_B_error")].toDouble() - error) < 1e-14);
+    }
+
+    void saysInJsonHowTheTableWasMade()
+    {
+        const QJsonDocument document = QJsonDocument::fromJson(
+            exported(defaultScene(Arithmetic::Fixed16), TraceLevel::Column, TableFormat::Json));
+
+        QCOMPARE(document[QStringLiteral("pixelplumbTrace")].toInt(), 1);
+        QCOMPARE(document[QStringLiteral("level")].toString(), QStringLiteral("column"));
+        QCOMPARE(document[QStringLiteral("method")].toString(), QStringLiteral("column-scan"));
+        QCOMPARE(document[QStringLiteral("arithmetic")].toString(), QStringLiteral("fixed16.16"));
+        QCOMPARE(document[QStringLiteral("fillRule")].toString(), QStringLiteral("closed"));
+        QCOMPARE(document[QStringLiteral("rounding")].toString(), QStringLiteral("nearest"));
+        QCOMPARE(document[QStringLiteral("cut")].toBool(true), false);
+        QCOMPARE(document[QStringLiteral("columns")].toArray().size(),
+                 qsizetype(methodNamed(u"column-scan")->traceColumns.size()));
+    }
+
+    void givesAColumnOneJsonTypeInAllRows()
+    {
+        const QJsonDocument document = QJsonDocument::fromJson(
+            exported(defaultScene(), TraceLevel::Column, TableFormat::Json));
+
+        const QJsonArray rows = document[QStringLiteral("rows")].toArray();
+        for (const QJsonValue &row : rows) {
+            QVERIFY(row[QStringLiteral("x")].isDouble());
+            QVERIFY(row[QStringLiteral("pixels")].isDouble());
+            QVERIFY(row[QStringLiteral("y_B")].isString());
+            QVERIFY(row[QStringLiteral("y_B_error")].isDouble());
+        }
+    }
+
+    void writesAnEmptySceneAsATableWithoutRows()
+    {
+        Scene scene;
+
+        QCOMPARE(linesOf(exported(scene, TraceLevel::Column, TableFormat::Csv)).size(),
+                 qsizetype(1));
+        const QJsonDocument document
+            = QJsonDocument::fromJson(exported(scene, TraceLevel::Pixel, TableFormat::Json));
+        QVERIFY(document[QStringLiteral("rows")].isArray());
+        QVERIFY(document[QStringLiteral("rows")].toArray().isEmpty());
+    }
+
+    void writesTheSameBytesEachTime()
+    {
+        const Scene scene = defaultScene(Arithmetic::Float64);
+
+        QCOMPARE(exported(scene, TraceLevel::Pixel, TableFormat::Json),
+                 exported(scene, TraceLevel::Pixel, TableFormat::Json));
+    }
+
+    void quotesCellsAfterRfc4180()
+    {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        const auto writer = makeRowWriter(TableFormat::Csv, buffer, {});
+
+        writer->begin(
+            {{QStringLiteral("a"), Field::Kind::Text}, {QStringLiteral("b"), Field::Kind::Text}});
+        writer->writeRow({QStringLiteral("1, 2"), QStringLiteral("say \"yes\"\nor no")});
+        writer->writeRow({QString(), QStringLiteral("ÄΔ")});
+        writer->end();
+
+        QCOMPARE(bytes, QByteArray("a,b\r\n\"1, 2\",\"say \"\"yes\"\"\nor no\"\r\n,ÄΔ\r\n"));
+    }
+
+    void writesWhatJsonCannotHoldAsText()
+    {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        const auto writer = makeRowWriter(TableFormat::Json, buffer, {});
+
+        writer->begin({{QStringLiteral("error"), Field::Kind::Real},
+                       {QStringLiteral("name"), Field::Kind::Text},
+                       {QStringLiteral("count"), Field::Kind::Integer}});
+        writer->writeRow({realText(std::numeric_limits<double>::quiet_NaN()),
+                          QStringLiteral("a\"b"), QString()});
+        writer->writeRow(
+            {realText(-std::numeric_limits<double>::infinity()), QString(), QStringLiteral("7")});
+        writer->end();
+
+        const QJsonDocument document = QJsonDocument::fromJson(bytes);
+        QCOMPARE(document[QStringLiteral("rows")][0][QStringLiteral("error")].toString(),
+                 QStringLiteral("nan"));
+        QCOMPARE(document[QStringLiteral("rows")][0][QStringLiteral("name")].toString(),
+                 QStringLiteral("a\"b"));
+        QVERIFY(document[QStringLiteral("rows")][0][QStringLiteral("count")].isNull());
+        QCOMPARE(document[QStringLiteral("rows")][1][QStringLiteral("error")].toString(),
+                 QStringLiteral("-inf"));
+        QCOMPARE(document[QStringLiteral("rows")][1][QStringLiteral("count")].toInt(), 7);
+    }
+
+    void saysWhenTheDeviceIsFull()
+    {
+        const auto traced = traceScene(defaultScene());
+        FullDevice device(2000);
+        device.open(QIODevice::WriteOnly);
+
+        QVERIFY(!exportTrace(*traced, {}, device));
+    }
+
+    void endsWhenProgressSaysSo()
+    {
+        const auto traced = traceScene(defaultScene());
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        int calls = 0;
+        TraceExportOptions options;
+        options.progress = [&](double) { return ++calls < 3; };
+
+        QVERIFY(!exportTrace(*traced, options, buffer));
+        QCOMPARE(calls, 3);
+        QCOMPARE(linesOf(bytes).size(), qsizetype(3));
+    }
+};
+
+QTEST_GUILESS_MAIN(tst_TraceExport)
+#include "tst_traceexport.moc"

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFont>
+#include <QPalette>
+#include <QString>
+
+#include <optional>
+
+namespace pixelplumb {
+
+enum class PaletteChoice { System, Light, Dark };
+
+/// "light", "dark", "system": on the command line and in the settings.
+QString nameOf(PaletteChoice choice);
+std::optional<PaletteChoice> paletteNamed(QStringView name);
+
+/// Both keep at least 4.5:1 between text and what is behind it, 3:1 for disabled text.
+QPalette lightPalette();
+QPalette darkPalette();
+
+/// The contrast of two opaque colours after WCAG 2.1, 1 … 21.
+double contrastRatio(const QColor &a, const QColor &b);
+
+/// The font itself when its ten figures are equally wide, else the nearest one whose figures are.
+QFont withTabularFigures(const QFont &font);
+
+/// Gives the whole program the Fusion style, the chosen palette and a font with tabular figures.
+/// PaletteChoice::System is light or dark as the desktop was when the program started.
+void applyAppearance(PaletteChoice choice);
+
+} // namespace pixelplumb

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trace/tracedscene.h"
+#include "widgets/viewmapping.h"
+
+#include <QImage>
+#include <QPalette>
+
+#include <array>
+#include <vector>
+
+class QPainter;
+
+namespace pixelplumb {
+
+/// The pixels in view that differ from the truth, marked in the picture on the screen: by a glyph
+/// where the cell has room for it, else by a coloured frame, else by the colour alone. Below 1:1 a
+/// device pixel is marked when any of its frame pixels differs.
+class CanvasDifferences {
+public:
+    /// Looks up what is in view; cheap when neither the run nor the view has changed.
+    void lookUp(const std::shared_ptr<const TracedScene> &traced, const ViewMapping &mapping,
+                const QRect &device);
+    /// Marks those that are decided at a position in the cells themselves, where cells are too
+    /// small for glyphs; `shown` shows the device rectangle of lookUp().
+    void markCells(QImage &shown, std::size_t position, const QPalette &palette);
+    /// Draws the glyphs of those that are decided at a position, where cells have room for them.
+    /// Over the outlines, because missing and extra pixels lie along edges.
+    void drawGlyphs(QPainter &painter, std::size_t position, const QPalette &palette);
+
+private:
+    struct Mark {
+        QPoint device; ///< the cell's upper left, from the rectangle's
+        Difference kind = Difference::None;
+        std::size_t decidedAt = 0;
+    };
+
+    void lookUpCells(const QRect &cells);
+    void lookUpBlocks();
+    Difference firstDifferenceIn(const QRect &picture, std::size_t &decidedAt) const;
+    bool hasGlyphs() const;
+    void makeStamps(const QPalette &palette);
+
+    std::shared_ptr<const TracedScene> m_traced;
+    ViewMapping m_mapping;
+    QRect m_device;
+    std::vector<Mark> m_marks;
+    std::array<QImage, 4> m_stamps; ///< by Difference
+    qint64 m_stampsPalette = 0;
+    int m_stampsZoom = 0;
+    double m_stampsRatio = 0;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,274 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/columntablemodel.h"
+
+#include "core/export/rowwriter.h"
+#include "widgets/numberformat.h"
+#include "widgets/playhead.h"
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr int cachedRows = 256; // several screens
+constexpr int comparedPlaces = 20; // more than a double has
+
+QString symbolWithoutMarkup(QString symbol) { return symbol.remove(u'_'); }
+
+} // namespace
+
+ColumnTableModel::ColumnTableModel(Playhead *playhead, QObject *parent)
+    : QAbstractTableModel(parent)
+    , m_playhead(playhead)
+    , m_cache(cachedRows)
+{
+    connect(playhead, &Playhead::tracedChanged, this, &ColumnTableModel::takeTrace);
+    connect(playhead, &Playhead::positionChanged, this, &ColumnTableModel::followPosition);
+    takeTrace();
+}
+
+ColumnTableModel::~ColumnTableModel() = default;
+
+void ColumnTableModel::takeTrace()
+{
+    beginResetModel();
+    m_traced = m_playhead->sharedTraced();
+    m_position = m_playhead->position();
+    m_cache.clear();
+    m_entries.clear();
+    if (m_traced) {
+        const std::vector<TraceColumn> &columns = m_traced->method->traceColumns;
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            m_entries.push_back({i, NumberFace::Used});
+            if (columns[i].exact && isRounding()) {
+                m_entries.push_back({i, NumberFace::Exact});
+                m_entries.push_back({i, NumberFace::Error});
+            }
+        }
+    }
+    endResetModel();
+}
+
+void ColumnTableModel::followPosition()
+{
+    m_position = m_playhead->position();
+    if (rowCount() > 0)
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1),
+                         {IsAheadRole, IsInHandRole});
+}
+
+bool ColumnTableModel::isRounding() const
+{
+    return m_traced && m_traced->scene.settings.arithmetic != Arithmetic::Exact;
+}
+
+bool ColumnTableModel::hasSeveralTriangles() const
+{
+    return m_traced && m_traced->trace->triangleCount() > 1;
+}
+
+int ColumnTableModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() || !m_traced ? 0 : int(m_traced->trace->columnCount());
+}
+
+int ColumnTableModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : int(m_entries.size());
+}
+
+const TraceColumn &ColumnTableModel::traceColumn(int column) const
+{
+    return m_traced->method->traceColumns[m_entries[std::size_t(column)].traceColumn];
+}
+
+QString ColumnTableModel::fileName(int column) const
+{
+    switch (face(column)) {
+    case NumberFace::Used:
+        break;
+    case NumberFace::Exact:
+        return traceColumn(column).id + QStringLiteral("_exact");
+    case NumberFace::Error:
+        return traceColumn(column).id + QStringLiteral("_error");
+    }
+    return traceColumn(column).id;
+}
+
+const ColumnTableModel::RowNumbers &ColumnTableModel::numbersOf(int row) const
+{
+    if (const RowNumbers *known = m_cache.object(row))
+        return *known;
+    const ScanTrace &trace = *m_traced->trace;
+    auto *numbers = new RowNumbers{trace.column(std::size_t(row)), std::nullopt, std::nullopt};
+    const std::size_t triangle = trace.triangleOf(std::size_t(row));
+    if (isRounding())
+        numbers->exact = oracle::columnAt(m_traced->triangles[triangle],
+                                          m_traced->scene.settings.fillRule, numbers->used.x);
+    if (std::size_t(row) > trace.firstColumnOf(triangle))
+        numbers->previous = trace.column(std::size_t(row) - 1);
+    m_cache.insert(row, numbers); // the cache owns it
+    return *numbers;
+}
+
+Quantity ColumnTableModel::usedNumber(const RowNumbers &numbers, const Entry &entry) const
+{
+    return m_traced->method->traceColumns[entry.traceColumn].used(numbers.used);
+}
+
+Quantity ColumnTableModel::exactNumber(const RowNumbers &numbers, const Entry &entry) const
+{
+    const TraceColumn &column = m_traced->method->traceColumns[entry.traceColumn];
+    return column.exact && numbers.exact ? column.exact(*numbers.exact) : Quantity();
+}
+
+QString ColumnTableModel::usedText(const Quantity &used) const
+{
+    return displayText(used, m_traced->scene.settings.arithmetic);
+}
+
+QString ColumnTableModel::faceText(const Quantity &used, const Quantity &exact,
+                                   NumberFace face) const
+{
+    switch (face) {
+    case NumberFace::Used:
+        break;
+    case NumberFace::Exact:
+        return displayText(exact);
+    case NumberFace::Error:
+        return displayError(used, exact);
+    }
+    return usedText(used);
+}
+
+QString ColumnTableModel::canonicalText(const Quantity &used, const Quantity &exact,
+                                        NumberFace face) const
+{
+    switch (face) {
+    case NumberFace::Used:
+        break;
+    case NumberFace::Exact:
+        return toText(exact);
+    case NumberFace::Error:
+        return used.isNone() || exact.isNone() ? QString() : realText(errorOf(used, exact));
+    }
+    return toText(used);
+}
+
+QString ColumnTableModel::toolTip(const Quantity &used, const Quantity &exact,
+                                  const TraceColumn &column) const
+{
+    QStringList lines(symbolWithoutMarkup(column.title) + QStringLiteral(" = ") + usedText(used)
+                      + (column.unit.isEmpty() ? QString() : u' ' + column.unit));
+    if (used.isRational() && !used.isInteger())
+        lines.append(QStringLiteral("≈ ") + displayDecimal(used));
+    if (!exact.isNone()) {
+        lines.append(tr("exact %1").arg(displayText(exact)));
+        if (!exact.isInteger())
+            lines.append(QStringLiteral("≈ ") + displayDecimal(exact));
+        lines.append(tr("error %1").arg(displayError(used, exact)));
+    }
+    return lines.join(u'\n');
+}
+
+QVariant ColumnTableModel::numberData(const RowNumbers &numbers, const Entry &entry, int role) const
+{
+    const Quantity used = usedNumber(numbers, entry);
+    const auto exact = [&] { return exactNumber(numbers, entry); };
+    switch (role) {
+    case Qt::DisplayRole:
+        return entry.face == NumberFace::Used ? usedText(used)
+                                              : faceText(used, exact(), entry.face);
+    case UsedTextRole:
+        return usedText(used);
+    case ExactTextRole:
+        return displayText(exact());
+    case ErrorTextRole:
+        return displayError(used, exact());
+    case CanonicalTextRole:
+        return canonicalText(used, exact(), entry.face);
+    case ChangedRole:
+        return entry.face == NumberFace::Used && numbers.previous
+            && used != m_traced->method->traceColumns[entry.traceColumn].used(*numbers.previous);
+    case MarkedDigitRole:
+        if (entry.face != NumberFace::Used || exact().isNone())
+            return -1;
+        return firstDifferingDigit(usedText(used), displayDecimal(exact(), comparedPlaces));
+    case Qt::ToolTipRole:
+        return toolTip(used, exact(), m_traced->method->traceColumns[entry.traceColumn]);
+    default:
+        return {};
+    }
+}
+
+RowMark ColumnTableModel::markOf(int row) const
+{
+    const RowNumbers &numbers = numbersOf(row);
+    if (!numbers.previous)
+        return RowMark::TriangleBegins;
+    return numbers.previous->half != numbers.used.half ? RowMark::SecondHalfBegins : RowMark::None;
+}
+
+QVariant ColumnTableModel::data(const QModelIndex &index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const auto row = std::size_t(index.row());
+    switch (role) {
+    case Qt::TextAlignmentRole:
+        return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
+    case IsAheadRole:
+        return m_traced->trace->indexOfColumn(row) >= m_position;
+    case IsInHandRole:
+        return m_playhead->columnInHand() == row;
+    case TriangleRole:
+        return int(m_traced->trace->triangleOf(row));
+    case RowMarkRole:
+        return int(markOf(index.row()));
+    default:
+        return numberData(numbersOf(index.row()), m_entries[std::size_t(index.column())], role);
+    }
+}
+
+QVariant ColumnTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation == Qt::Vertical) {
+        if (role != Qt::DisplayRole || section >= rowCount())
+            return {};
+        switch (markOf(section)) {
+        case RowMark::None:
+            break;
+        case RowMark::TriangleBegins:
+            return QStringLiteral("△ %1").arg(m_traced->trace->triangleOf(std::size_t(section)));
+        case RowMark::SecondHalfBegins:
+            return QStringLiteral("L₁₂");
+        }
+        return QString();
+    }
+    if (section >= columnCount())
+        return {};
+    const TraceColumn &column = traceColumn(section);
+    if (role == Qt::DisplayRole) {
+        switch (face(section)) {
+        case NumberFace::Used:
+            break;
+        case NumberFace::Exact:
+            return tr("%1 exact").arg(column.title);
+        case NumberFace::Error:
+            return tr("%1 error").arg(column.title);
+        }
+        return column.title;
+    }
+    if (role == Qt::ToolTipRole) {
+        QStringList lines(column.toolTip);
+        if (!column.formula.isEmpty())
+            lines.append(symbolWithoutMarkup(column.formula));
+        if (!column.unit.isEmpty())
+            lines.append(tr("unit: %1").arg(column.unit));
+        return lines.join(u'\n');
+    }
+    if (role == Qt::AccessibleTextRole)
+        return symbolWithoutMarkup(headerData(section, orientation, Qt::DisplayRole).toString());
+    return {};
+}
+
+} // namespace pixelplumb

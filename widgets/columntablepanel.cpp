@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/columntablepanel.h"
+
+#include "widgets/columntable.h"
+#include "widgets/playhead.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+
+namespace pixelplumb {
+
+ColumnTablePanel::ColumnTablePanel(Playhead *playhead, QWidget *parent)
+    : QWidget(parent)
+    , m_playhead(playhead)
+    , m_table(new ColumnTable(playhead, this))
+    , m_summary(new QLabel(this))
+{
+    setObjectName(QStringLiteral("columnTablePanel"));
+    auto *switches = new QHBoxLayout;
+    switches->setContentsMargins(8, 0, 8, 0);
+    switches->setSpacing(4);
+    for (QAction *action : m_table->columnActions()) {
+        auto *button = new QToolButton(this);
+        button->setDefaultAction(action);
+        button->setAutoRaise(true);
+        button->setToolButtonStyle(Qt::ToolButtonTextOnly);
+        button->setObjectName(action->objectName() + QStringLiteral("Button"));
+        button->setAccessibleName(action->toolTip());
+        if (action->objectName() == QLatin1String("showExact"))
+            switches->addSpacing(16);
+        switches->addWidget(button);
+    }
+    switches->addStretch();
+    m_summary->setObjectName(QStringLiteral("columnTableSummary"));
+    switches->addWidget(m_summary);
+
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(2);
+    layout->addLayout(switches);
+    layout->addWidget(m_table);
+    setFocusProxy(m_table);
+
+    connect(playhead, &Playhead::tracedChanged, this, &ColumnTablePanel::describe);
+    describe();
+}
+
+void ColumnTablePanel::describe()
+{
+    const TracedScene *traced = m_playhead->traced();
+    if (!traced) {
+        m_summary->clear();
+        return;
+    }
+    const ScanTrace &trace = *traced->trace;
+    QString text
+        = trace.columnCount() == 1 ? tr("1 column") : tr("%1 columns").arg(trace.columnCount());
+    if (trace.triangleCount() > 1)
+        text += QStringLiteral(" · ") + tr("%1 triangles").arg(trace.triangleCount());
+    if (trace.isCut())
+        text += QStringLiteral(" · ") + tr("recording ended at its limit");
+    m_summary->setText(text);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+
+namespace pixelplumb {
+
+/// What the views draw over the frame. Shared by the canvas, the pixel grid and the menus.
+class DisplayOptions : public QObject {
+    Q_OBJECT
+    Q_PROPERTY(bool gridShown READ isGridShown WRITE setGridShown NOTIFY changed)
+    Q_PROPERTY(
+        bool differencesShown READ areDifferencesShown WRITE setDifferencesShown NOTIFY changed)
+    Q_PROPERTY(bool truthShown READ isTruthShown WRITE setTruthShown NOTIFY changed)
+
+public:
+    using QObject::QObject;
+
+    bool isGridShown() const { return m_grid; }
+    bool areDifferencesShown() const { return m_differences; }
+    /// The oracle's finished picture instead of the frame at the position.
+    bool isTruthShown() const { return m_truth; }
+
+public slots:
+    void setGridShown(bool shown) { change(m_grid, shown); }
+    void setDifferencesShown(bool shown) { change(m_differences, shown); }
+    void setTruthShown(bool shown) { change(m_truth, shown); }
+
+signals:
+    void changed();
+
+private:
+    void change(bool &option, bool value)
+    {
+        if (option == value)
+            return;
+        option = value;
+        emit changed();
+    }
+
+    bool m_grid = true;
+    bool m_differences = true;
+    bool m_truth = false;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trace/tracedscene.h"
+#include "widgets/signs.h"
+#include "widgets/viewmapping.h"
+
+#include <QRectF>
+
+#include <optional>
+
+class QPainter;
+
+namespace pixelplumb {
+
+/// What an edge of a triangle is to the column scan.
+enum class EdgeRole { Plain, Lower, Upper };
+
+/// The roles of the edges 0–1, 1–2, 2–0 of the caller's triangle.
+using EdgeRoles = std::array<EdgeRole, 3>;
+EdgeRoles rolesOf(const SetUpRecord &setUp);
+
+enum class HandleState { Idle, Hovered, Selected };
+
+/// Where a note stands from its anchor.
+enum class NoteSide { Right, Above, Below, AboveRight, BelowRight };
+
+/// Draws what is known of a frame over its cells, on the screen or into a figure. Thin lines have a
+/// casing of the opposite lightness, so that they can be read on every colour that a frame may
+/// hold. Positions are in sample coordinates.
+class FramePainter {
+public:
+    /// view: the part of the paint device that shows the frame; lines are clipped to it.
+    FramePainter(QPainter &painter, const ViewMapping &mapping, const QPalette &palette,
+                 const QRectF &view);
+
+    void drawFrameEdge();
+    /// Lines between the cells, for figures; blendGrid() does the same for the screen.
+    void drawGrid();
+    void drawOutline(const std::array<LatticePoint, 3> &corners, const EdgeRoles &roles);
+    /// A line to a vertex that is not placed yet.
+    void drawRubberLine(const LatticePoint &from, const LatticePoint &to);
+    void drawHandle(const LatticePoint &point, const Colour &colour, HandleState state);
+    /// A vertex that a click would place.
+    void drawCandidate(const LatticePoint &point, const Colour &colour);
+    /// P0, P1 or P2 beside a vertex, on the side that is turned away from `inside`.
+    void drawVertexName(const QString &name, const LatticePoint &point, const QPointF &inside);
+    void drawPlumbLine(std::int64_t x);
+    /// y_B and y_T where they meet the plumb line.
+    void drawEdgeTicks(const ColumnRecord &column);
+    void drawPickedPixel(const QPoint &pixel);
+    void drawPixelBreakpoint(const QPoint &pixel);
+    void drawNote(const QString &text, const QPointF &anchor, NoteSide side);
+
+private:
+    static constexpr double handleRadius = 5; ///< logical pixels
+
+    QColor casing() const;
+    void drawCased(const QLineF &line, const QColor &colour, double width,
+                   Qt::PenStyle style = Qt::SolidLine);
+    void fillDevice(const QRect &device, const QColor &colour);
+    void drawEdgeTick(const QPointF &at, Sign sign);
+    void drawEdgeName(const QPointF &at, Sign sign, NoteSide side);
+    QRectF drawPlate(const QSizeF &text, const QPointF &anchor, NoteSide side);
+    bool isNearView(const QPointF &position) const;
+
+    QPainter &m_painter;
+    const ViewMapping &m_mapping;
+    const QPalette &m_palette;
+    QRectF m_view;
+};
+
+/// The colour of the lines between cells; they fade in as the cells grow, and are transparent where
+/// cells are too small for them.
+QColor gridColour(const ViewMapping &mapping);
+
+/// The smallest cell that has room for a difference's glyph, in logical pixels.
+inline constexpr double leastGlyphCell = 9;
+
+/// Marks a cell: the difference's glyph where it has room, else a frame, else the colour alone.
+void paintDifference(QPainter &painter, const QRectF &cell, Difference kind,
+                     const QPalette &palette);
+
+/// The part of a line that lies in a rectangle; painters lose precision far outside.
+std::optional<QLineF> clipped(const QLineF &line, const QRectF &rect);
+
+} // namespace pixelplumb

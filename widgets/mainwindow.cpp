@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/mainwindow.h"
+
+#include "widgets/canvas.h"
+#include "widgets/colourbutton.h"
+#include "widgets/displayoptions.h"
+#include "widgets/editmenu.h"
+#include "widgets/filemenu.h"
+#include "widgets/helpmenu.h"
+#include "widgets/messagebar.h"
+#include "widgets/methodbar.h"
+#include "widgets/methodmenu.h"
+#include "widgets/paletteswitch.h"
+#include "widgets/playhead.h"
+#include "widgets/recentfiles.h"
+#include "widgets/scenedocument.h"
+#include "widgets/sceneexports.h"
+#include "widgets/scenefiles.h"
+#include "widgets/scenetracer.h"
+#include "widgets/scrubber.h"
+#include "widgets/statusfields.h"
+#include "widgets/stepactions.h"
+#include "widgets/stepmenu.h"
+#include "widgets/stepperbar.h"
+#include "widgets/viewmenu.h"
+#include "widgets/windowdocks.h"
+#include "widgets/windowsettings.h"
+
+#include <QBoxLayout>
+#include <QCloseEvent>
+#include <QLabel>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QStatusBar>
+#include <QToolBar>
+
+#include <chrono>
+
+namespace pixelplumb {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto statusMessageTime = 5s;
+
+/// The one local file of what is dragged over the window; empty for anything else.
+QString draggedFile(const QMimeData *data)
+{
+    const QList<QUrl> urls = data->urls();
+    return urls.size() == 1 ? urls.constFirst().toLocalFile() : QString();
+}
+
+} // namespace
+
+MainWindow::MainWindow(QWidget *parent)
+    : QMainWindow(parent)
+{
+    setObjectName(QStringLiteral("mainWindow"));
+    setAcceptDrops(true);
+    m_palettes = new PaletteSwitch(this);
+    makeParts();
+    makeCentre();
+    m_docks = new WindowDocks(m_parts.playhead, m_parts.options, this);
+    makeMenus();
+    makeToolBars();
+    makeStatusBar();
+    connectParts();
+    m_settings = std::make_unique<WindowSettings>(m_parts, this);
+    if (!m_settings->restore())
+        m_docks->reset();
+    updateTitle();
+    m_parts.canvas->setFocus();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::openDefaultScene()
+{
+    m_openingPlace = OpeningMoment::HalfDrawn;
+    m_parts.files->loadDefault();
+}
+
+bool MainWindow::openScene(const QString &path) { return m_parts.files->load(path); }
+
+void MainWindow::setOpeningPlace(const OpeningPlace &place)
+{
+    m_openingPlace = place;
+    if (!m_parts.tracer->isRunning() && m_parts.playhead->traced())
+        goToOpeningPlace();
+}
+
+void MainWindow::makeParts()
+{
+    m_parts.document = new SceneDocument(this);
+    m_parts.playhead = new Playhead(this);
+    m_parts.options = new DisplayOptions(this);
+    m_parts.tracer = new SceneTracer(this);
+    m_parts.recent = new RecentFiles(this);
+    m_parts.files = new SceneFiles(m_parts.document, m_parts.recent, this);
+    m_parts.exports = new SceneExports(m_parts.playhead, m_parts.options, this);
+    m_parts.steps = new StepActions(m_parts.playhead, this);
+}
+
+void MainWindow::makeCentre()
+{
+    auto *centre = new QWidget(this);
+    m_parts.messageBar = new MessageBar(centre);
+    m_parts.canvas = new Canvas(m_parts.document, m_parts.playhead, m_parts.options, centre);
+    m_parts.scrubber = new Scrubber(m_parts.playhead, centre);
+    auto *column = new QVBoxLayout(centre);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(m_parts.messageBar);
+    column->addWidget(m_parts.canvas, 1);
+    column->addWidget(m_parts.scrubber);
+    setCentralWidget(centre);
+}
+
+void MainWindow::makeMenus()
+{
+    menuBar()->addMenu(new FileMenu(m_parts, this));
+    menuBar()->addMenu(new EditMenu(m_parts, this));
+    m_viewMenu = new ViewMenu(m_parts, m_docks, m_palettes, this);
+    menuBar()->addMenu(m_viewMenu);
+    menuBar()->addMenu(new StepMenu(m_parts, this));
+    menuBar()->addMenu(new MethodMenu(m_parts, this));
+    menuBar()->addMenu(new HelpMenu(menuBar()));
+    connect(m_viewMenu, &ViewMenu::layoutResetRequested, this, [this] {
+        for (QToolBar *bar : findChildren<QToolBar *>())
+            bar->show();
+        m_docks->reset();
+    });
+}
+
+void MainWindow::makeToolBars()
+{
+    const auto addBar = [this](const char *name, const QString &title) {
+        QToolBar *bar = addToolBar(title);
+        bar->setObjectName(QLatin1String(name));
+        bar->setMovable(false);
+        return bar;
+    };
+    QToolBar *methods = addBar("methodToolBar", tr("Method"));
+    methods->addWidget(new MethodBar(m_parts.document));
+
+    QToolBar *view = addBar("viewToolBar", tr("View"));
+    view->addActions({m_viewMenu->grid(), m_viewMenu->truth(), m_viewMenu->differences()});
+    view->addSeparator();
+    auto *label = new QLabel(tr("Next vertex"));
+    label->setContentsMargins(8, 0, 8, 0);
+    view->addWidget(label);
+    m_nextColour = new ColourButton(tr("Colour of the next vertex"));
+    m_nextColour->setObjectName(QStringLiteral("nextColourButton"));
+    view->addWidget(m_nextColour);
+
+    addToolBarBreak();
+    QToolBar *steps = addBar("stepperToolBar", tr("Stepper"));
+    steps->addWidget(new StepperBar(m_parts.playhead, *m_parts.steps));
+}
+
+void MainWindow::makeStatusBar()
+{
+    auto *fields = new StatusFields(m_parts.playhead);
+    statusBar()->addWidget(fields, 1);
+    statusBar()->addPermanentWidget(new TraceProgress(m_parts.tracer));
+    connect(m_parts.canvas, &Canvas::hovered, fields,
+            [this, fields](const std::optional<LatticePoint> &point) {
+                if (!point)
+                    return fields->setHovered(std::nullopt);
+                const Lattice offset = sampleOffset(m_parts.document->scene().frame);
+                const auto pixel = [offset](Lattice coordinate) {
+                    return int(floorPixel(coordinate - offset + unitsPerPixel / 2));
+                };
+                fields->setHovered(QPoint(pixel(point->x), pixel(point->y)));
+            });
+    connect(m_parts.playhead, &Playhead::message, this, [this](const QString &text) {
+        statusBar()->showMessage(text, int(std::chrono::milliseconds(statusMessageTime).count()));
+    });
+}
+
+void MainWindow::connectParts()
+{
+    SceneDocument *document = m_parts.document;
+    connect(document, &SceneDocument::sceneChanged, this,
+            [this, document] { m_parts.tracer->trace(document->scene()); });
+    connect(document, &SceneDocument::modifiedChanged, this, &QWidget::setWindowModified);
+    connect(document, &SceneDocument::refused, m_parts.messageBar, &MessageBar::complain);
+    connect(m_parts.tracer, &SceneTracer::traced, this, &MainWindow::takeTrace);
+    connect(m_parts.tracer, &SceneTracer::failed, m_parts.messageBar, &MessageBar::complain);
+    connect(m_parts.tracer, &SceneTracer::cancelled, m_parts.messageBar, [this] {
+        m_parts.messageBar->tell(
+            tr("Tracing was cancelled: the panels show the run before. Undo the "
+               "change, or change the scene again to trace it."));
+    });
+    connect(m_parts.files, &SceneFiles::pathChanged, this, &MainWindow::updateTitle);
+    connect(m_parts.files, &SceneFiles::loaded, this, [this] {
+        m_parts.messageBar->hide();
+        // Another scene's run would only stand in memory beside the large one that is being traced.
+        if (m_parts.tracer->isRunning())
+            m_parts.playhead->setTraced(nullptr);
+    });
+    connect(m_parts.files, &SceneFiles::complaint, m_parts.messageBar, &MessageBar::complain);
+    connect(m_parts.files, &SceneFiles::notice, m_parts.messageBar, &MessageBar::tell);
+    connect(m_parts.exports, &SceneExports::complaint, m_parts.messageBar, &MessageBar::complain);
+    connect(m_parts.exports, &SceneExports::notice, this, [this](const QString &text) {
+        statusBar()->showMessage(text, int(std::chrono::milliseconds(statusMessageTime).count()));
+    });
+    const auto updateColour = [this, document] { m_nextColour->setColour(document->nextColour()); };
+    connect(document, &SceneDocument::nextColourChanged, m_nextColour, updateColour);
+    connect(m_nextColour, &ColourButton::colourChosen, document, &SceneDocument::setNextColour);
+    updateColour();
+    connect(m_parts.canvas, &Canvas::colourRequested, this, [this](const VertexRef &ref) {
+        const std::optional<Vertex> vertex = m_parts.document->vertexAt(ref);
+        if (!vertex)
+            return;
+        if (const auto colour = askForColour(vertex->colour, tr("Colour of the Vertex"), this))
+            m_parts.document->setVertexColour(ref, *colour);
+    });
+}
+
+void MainWindow::takeTrace(const std::shared_ptr<const TracedScene> &traced)
+{
+    m_parts.playhead->setTraced(traced);
+    goToOpeningPlace();
+    if (traced->trace->isCut())
+        m_parts.messageBar->tell(
+            tr("The recording ended at its limit of %1 pixels: the run and the "
+               "differences are cut there.")
+                .arg(traced->trace->pixelCount()));
+}
+
+void MainWindow::goToOpeningPlace()
+{
+    if (!m_openingPlace)
+        return;
+    m_parts.playhead->seek(positionOf(*m_openingPlace, *m_parts.playhead->traced()->trace));
+    m_openingPlace.reset();
+}
+
+void MainWindow::updateTitle()
+{
+    m_parts.exports->setBaseName(
+        QString(m_parts.files->displayName()).remove(QStringLiteral(".json")));
+    setWindowTitle(tr("%1[*] — Pixelplumb").arg(m_parts.files->displayName()));
+    setWindowModified(m_parts.document->isModified());
+}
+
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    if (!m_parts.files->mayReplace()) {
+        event->ignore();
+        return;
+    }
+    m_settings->store();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (!draggedFile(event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent *event)
+{
+    const QString path = draggedFile(event->mimeData());
+    if (!path.isEmpty())
+        m_parts.files->openFile(path);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAction>
+#include <QKeySequence>
+#include <QMenu>
+
+namespace pixelplumb {
+
+/// Appends a named action to a menu and calls `trigger` in the context of the menu.
+template <class Trigger>
+QAction *addMenuAction(QMenu *menu, const char *name, const QString &text, const QKeySequence &key,
+                       Trigger trigger)
+{
+    QAction *action = menu->addAction(text);
+    action->setObjectName(QLatin1String(name));
+    action->setShortcut(key);
+    QObject::connect(action, &QAction::triggered, menu, trigger);
+    return action;
+}
+
+/// Lets the action's key act only while the widget has the focus: for keys that are letters, digits
+/// or Space, which belong to whatever is typed elsewhere.
+void confineKeyTo(QWidget *widget, QAction *action);
+
+} // namespace pixelplumb

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/methodbar.h"
+
+#include "widgets/scenedocument.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QLabel>
+#include <QStandardItemModel>
+
+namespace pixelplumb {
+
+namespace {
+
+QString textOf(std::string_view name)
+{
+    return QString::fromUtf8(name.data(), qsizetype(name.size()));
+}
+
+/// Grey, with the reason, when there is one.
+void setRefusal(QComboBox *box, int row, const QString &refusal, const QString &meaning)
+{
+    auto *model = qobject_cast<QStandardItemModel *>(box->model());
+    QStandardItem *item = model->item(row);
+    item->setEnabled(refusal.isEmpty());
+    item->setToolTip(refusal.isEmpty() ? meaning : refusal);
+}
+
+QString meaningOf(Arithmetic arithmetic)
+{
+    switch (arithmetic) {
+    case Arithmetic::Exact:
+        return MethodBar::tr("Integer quotient and remainder: nothing is rounded before the byte");
+    case Arithmetic::Float32:
+        return MethodBar::tr("Binary floating point, 24 bits of precision");
+    case Arithmetic::Float64:
+        return MethodBar::tr("Binary floating point, 53 bits of precision");
+    case Arithmetic::Fixed16:
+        return MethodBar::tr("Fixed point in 32 bits, 16 after the point");
+    case Arithmetic::Fixed32:
+        return MethodBar::tr("Fixed point in 64 bits, 32 after the point");
+    }
+    return {};
+}
+
+QString meaningOf(FillRule rule)
+{
+    switch (rule) {
+    case FillRule::Closed:
+        return MethodBar::tr("A sample on an edge belongs to the triangle: ⌈y_B⌉ … ⌊y_T⌋");
+    case FillRule::HalfOpenColumn:
+        return MethodBar::tr("Watertight: ⌈y_B⌉ … ⌈y_T⌉−1, columns ⌈x₀⌉ … ⌈x₂⌉−1");
+    case FillRule::TopLeft:
+        return MethodBar::tr("A sample on a top or left edge belongs to the triangle (Direct3D)");
+    case FillRule::OffScreenPoint:
+        return MethodBar::tr("A sample on an edge belongs to the side of an off-screen point");
+    }
+    return {};
+}
+
+QString meaningOf(ByteRounding rounding)
+{
+    switch (rounding) {
+    case ByteRounding::Nearest:
+        return MethodBar::tr("The byte of a colour level v is ⌊v + ½⌋");
+    case ByteRounding::Truncate:
+        return MethodBar::tr("The byte of a colour level v is ⌊v⌋");
+    }
+    return {};
+}
+
+/// Fills a box with all values of a setting and says which ones the method refuses.
+template <class Choices, class Choice>
+void showChoices(QComboBox *box, const Choices &choices, const Method *method,
+                 const ScanSettings &settings, Choice ScanSettings::*member)
+{
+    for (int row = 0; row < int(choices.size()); ++row) {
+        ScanSettings chosen = settings;
+        chosen.*member = choices[std::size_t(row)];
+        setRefusal(box, row, method ? method->refusal(chosen) : QString(),
+                   meaningOf(choices[std::size_t(row)]));
+        if (choices[std::size_t(row)] == settings.*member)
+            box->setCurrentIndex(row);
+    }
+}
+
+} // namespace
+
+MethodBar::MethodBar(SceneDocument *document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_layout(new QHBoxLayout(this))
+{
+    setObjectName(QStringLiteral("methodBar"));
+    m_layout->setContentsMargins(8, 0, 0, 0);
+    m_layout->setSpacing(8);
+    m_method = addBox(QStringLiteral("methodBox"), tr("Method"), tr("How triangles become pixels"));
+    m_arithmetic = addBox(QStringLiteral("arithmeticBox"), tr("Arithmetic"),
+                          tr("What the increments are computed in"));
+    m_fillRule = addBox(QStringLiteral("fillRuleBox"), tr("Fill rule"),
+                        tr("Who owns a sample that lies exactly on an edge"));
+    m_rounding = addBox(QStringLiteral("roundingBox"), tr("Rounding"),
+                        tr("How a colour level becomes a byte"));
+    addMethods();
+    addSettings();
+    connect(document, &SceneDocument::sceneChanged, this, &MethodBar::followScene);
+    followScene();
+}
+
+QComboBox *MethodBar::addBox(const QString &name, const QString &label, const QString &toolTip)
+{
+    auto *box = new QComboBox(this);
+    box->setObjectName(name);
+    box->setAccessibleName(label);
+    box->setToolTip(toolTip);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    auto *text = new QLabel(label, this);
+    text->setBuddy(box);
+    m_layout->addWidget(text);
+    m_layout->addWidget(box);
+    m_layout->addSpacing(8);
+    return box;
+}
+
+void MethodBar::addMethods()
+{
+    for (const Method &method : methods())
+        m_method->addItem(method.title);
+    connect(m_method, &QComboBox::activated, this, [this](int row) {
+        m_document->setMethod(methods()[std::size_t(row)].id.toStdString());
+    });
+}
+
+void MethodBar::addSettings()
+{
+    const auto fill = [this](QComboBox *box, const auto &choices, auto member) {
+        for (const auto choice : choices)
+            box->addItem(textOf(nameOf(choice)));
+        connect(box, &QComboBox::activated, this, [this, choices, member](int row) {
+            ScanSettings settings = m_document->scene().settings;
+            settings.*member = choices[std::size_t(row)];
+            m_document->setSettings(settings);
+        });
+    };
+    fill(m_arithmetic, allArithmetics, &ScanSettings::arithmetic);
+    fill(m_fillRule, allFillRules, &ScanSettings::fillRule);
+    fill(m_rounding, allByteRoundings, &ScanSettings::rounding);
+}
+
+void MethodBar::followScene()
+{
+    const Scene &scene = m_document->scene();
+    const Method *chosen = methodNamed(QString::fromStdString(scene.method));
+    for (int row = 0; row < m_method->count(); ++row) {
+        const Method &method = methods()[std::size_t(row)];
+        setRefusal(m_method, row, method.refusal(scene.settings),
+                   method.summary + QLatin1Char('\n') + method.source);
+        if (&method == chosen)
+            m_method->setCurrentIndex(row);
+    }
+    showChoices(m_arithmetic, allArithmetics, chosen, scene.settings, &ScanSettings::arithmetic);
+    showChoices(m_fillRule, allFillRules, chosen, scene.settings, &ScanSettings::fillRule);
+    showChoices(m_rounding, allByteRoundings, chosen, scene.settings, &ScanSettings::rounding);
+}
+
+} // namespace pixelplumb

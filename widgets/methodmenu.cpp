@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/methodmenu.h"
+
+#include "core/methods/method.h"
+#include "widgets/canvas.h"
+#include "widgets/menuaction.h"
+#include "widgets/scenedocument.h"
+
+#include <QActionGroup>
+
+namespace pixelplumb {
+
+namespace {
+
+void setRefusal(QAction *action, const QString &refusal)
+{
+    action->setEnabled(refusal.isEmpty());
+    action->setToolTip(refusal.isEmpty() ? action->text() : refusal);
+}
+
+} // namespace
+
+MethodMenu::MethodMenu(const WindowParts &parts, QWidget *window)
+    : QMenu(tr("&Method"), window)
+    , m_document(parts.document)
+{
+    setObjectName(QStringLiteral("methodMenu"));
+    setToolTipsVisible(true);
+    addMethods(parts.canvas);
+    addSeparator();
+    addSettings("arithmeticMenu", tr("&Arithmetic"), allArithmetics, &ScanSettings::arithmetic);
+    addSettings("fillRuleMenu", tr("&Fill rule"), allFillRules, &ScanSettings::fillRule);
+    addSettings("roundingMenu", tr("&Rounding"), allByteRoundings, &ScanSettings::rounding);
+}
+
+void MethodMenu::addMethods(Canvas *canvas)
+{
+    auto *group = new QActionGroup(this);
+    int digit = 0;
+    for (const Method &method : methods()) {
+        const std::string id = method.id.toStdString();
+        const QKeySequence key = ++digit <= 9 ? QKeySequence(Qt::Key_0 + digit) : QKeySequence();
+        QAction *action
+            = addMenuAction(this, "", method.title, key, [this, id] { m_document->setMethod(id); });
+        action->setObjectName(QStringLiteral("method-") + method.id);
+        action->setCheckable(true);
+        group->addAction(action);
+        confineKeyTo(canvas, action);
+        const auto update = [this, action, id, each = &method] {
+            const Scene &scene = m_document->scene();
+            action->setChecked(scene.method == id);
+            setRefusal(action, each->refusal(scene.settings));
+        };
+        connect(m_document, &SceneDocument::sceneChanged, action, update);
+        update();
+    }
+}
+
+template <class Choices, class Member>
+void MethodMenu::addSettings(const char *name, const QString &title, const Choices &choices,
+                             Member member)
+{
+    QMenu *menu = addMenu(title);
+    menu->setObjectName(QLatin1String(name));
+    menu->setToolTipsVisible(true);
+    auto *group = new QActionGroup(menu);
+    for (const auto choice : choices) {
+        const std::string_view text = nameOf(choice);
+        QAction *action
+            = addMenuAction(menu, "", QString::fromUtf8(text.data(), qsizetype(text.size())), {},
+                            [this, choice, member] {
+                                ScanSettings settings = m_document->scene().settings;
+                                settings.*member = choice;
+                                m_document->setSettings(settings);
+                            });
+        action->setObjectName(menu->objectName() + QLatin1Char('-') + action->text());
+        action->setCheckable(true);
+        group->addAction(action);
+        const auto update = [this, action, choice, member] {
+            const Scene &scene = m_document->scene();
+            ScanSettings settings = scene.settings;
+            action->setChecked(settings.*member == choice);
+            settings.*member = choice;
+            const Method *method = methodNamed(QString::fromStdString(scene.method));
+            setRefusal(action, method ? method->refusal(settings) : QString());
+        };
+        connect(m_document, &SceneDocument::sceneChanged, action, update);
+        update();
+    }
+}
+
+} // namespace pixelplumb

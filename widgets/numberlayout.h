@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QFont>
+#include <QRectF>
+#include <QString>
+
+class QPainter;
+
+namespace pixelplumb {
+
+/// A display text taken apart where a column of figures aligns it: 17 | 3 / 8 or 17 | .375.
+struct NumberParts {
+    QString whole; ///< with its sign
+    QString numerator, denominator; ///< of a mixed number; then decimals is empty
+    QString decimals; ///< from the point on
+
+    friend bool operator==(const NumberParts &, const NumberParts &) = default;
+};
+
+NumberParts partsOf(const QString &displayText);
+
+/// The widths that a column of figures reserves, so that points, slashes and units stand below each
+/// other and nothing moves when a value changes. Fractions are set smaller, so that 7 11/54 is not
+/// read as 711/54.
+class NumberLayout {
+public:
+    /// Makes room for a text. A numerator gets the room of its denominator, which it cannot exceed.
+    void include(const QString &displayText, const QFont &font);
+    double width() const { return m_whole + tailWidth(); }
+
+    /// Draws the text into the rectangle, the column's right side at the rectangle's. Characters
+    /// from `marked` on (−1: none) are underlined. Text that is not a number is right-aligned.
+    void draw(QPainter &painter, const QRectF &rect, const QString &displayText, int marked) const;
+
+private:
+    double fractionWidth() const { return m_gap + m_numerator + m_slash + m_denominator; }
+    double tailWidth() const;
+
+    double m_whole = 0;
+    double m_gap = 0; ///< between whole and numerator
+    double m_numerator = 0;
+    double m_slash = 0;
+    double m_denominator = 0;
+    double m_decimals = 0;
+};
+
+/// The font itself when all its digits have one width, else the system's fixed font at that size.
+QFont tabularFont(const QFont &font);
+
+} // namespace pixelplumb

@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/pixelgridscene.h"
+
+#include "widgets/displayoptions.h"
+#include "widgets/playhead.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+QPointF inPixels(const LatticePoint &point)
+{
+    return {double(point.x) / double(unitsPerPixel), double(point.y) / double(unitsPerPixel)};
+}
+
+/// L₀₂ against L₀₁ and L₁₂; the set-up says which of them is above.
+std::vector<GridEdge> edgesOf(const Triangle &triangle, const SetUpRecord &setUp)
+{
+    const auto corner = [&](std::size_t index) {
+        return inPixels(triangle.vertices[std::size_t(setUp.order[index])].position);
+    };
+    const bool longAbove = setUp.longEdge == LongEdge::Above;
+    const Sign longSign = longAbove ? Sign::UpperEdge : Sign::LowerEdge;
+    const Sign shortSign = longAbove ? Sign::LowerEdge : Sign::UpperEdge;
+    return {{QLineF(corner(0), corner(1)), shortSign},
+            {QLineF(corner(1), corner(2)), shortSign},
+            {QLineF(corner(0), corner(2)), longSign}};
+}
+
+bool isTie(const Triangle &triangle, FillRule rule, const QPoint &pixel)
+{
+    const oracle::SampleVerdict verdict = oracle::judge(triangle, rule, pixel.x(), pixel.y());
+    if (verdict.zeroArea)
+        return verdict.covered;
+    const auto isInside = [](const oracle::EdgeVerdict &edge) { return edge.edgeFunction >= 0; };
+    const auto isOn = [](const oracle::EdgeVerdict &edge) { return edge.edgeFunction == 0; };
+    return std::ranges::all_of(verdict.edges, isInside) && std::ranges::any_of(verdict.edges, isOn);
+}
+
+/// The change by which a triangle writes a pixel, as an index into the trace's changes.
+std::optional<std::size_t> writeOf(const ScanTrace &trace, std::size_t triangle,
+                                   const QPoint &pixel)
+{
+    const std::size_t first = trace.firstColumnOf(triangle);
+    const std::size_t end = trace.endColumnOf(triangle);
+    if (first == end)
+        return std::nullopt;
+    const std::int64_t offset = pixel.x() - trace.xOf(first);
+    if (offset < 0 || offset >= std::int64_t(end - first))
+        return std::nullopt;
+    const std::size_t column = first + std::size_t(offset);
+    const std::size_t firstPixel = trace.firstPixelOf(column);
+    const std::size_t endPixel = trace.endPixelOf(column);
+    if (firstPixel == endPixel)
+        return std::nullopt;
+    const std::int64_t row = std::int64_t(pixel.y()) - trace.changes()[firstPixel].y;
+    if (row < 0 || row >= std::int64_t(endPixel - firstPixel))
+        return std::nullopt;
+    return firstPixel + std::size_t(row);
+}
+
+std::optional<Sign> differenceSign(Difference difference)
+{
+    switch (difference) {
+    case Difference::None:
+        break;
+    case Difference::Missing:
+        return Sign::Missing;
+    case Difference::Extra:
+        return Sign::Extra;
+    case Difference::Colour:
+        return Sign::ColourDiffers;
+    }
+    return std::nullopt;
+}
+
+class CellMaker {
+public:
+    CellMaker(const Playhead &playhead, const DisplayOptions &options)
+        : m_traced(*playhead.traced())
+        , m_position(playhead.position())
+        , m_pixelsDone(m_traced.trace->pixelsDoneAt(m_position))
+        , m_triangle(triangleInHand(playhead))
+        , m_shown(options.isTruthShown() ? m_traced.truth.view() : playhead.frame()->view())
+        , m_differences(options.areDifferencesShown())
+    {
+    }
+
+    GridCell cellAt(const QPoint &pixel, bool columnHasTie) const
+    {
+        GridCell cell;
+        cell.pixel = pixel;
+        cell.isInFrame = m_shown.contains(pixel.x(), pixel.y());
+        if (!cell.isInFrame)
+            return cell;
+        cell.colour = *m_shown.at(pixel.x(), pixel.y());
+        cell.isBackground = (cell.colour | 0xff000000U) == packed(m_traced.scene.frame.background);
+        const std::optional<Sign> difference
+            = differenceSign(m_traced.differences.at(pixel.x(), pixel.y()));
+        if (m_differences && difference && m_traced.decidedAt(pixel.x()) <= m_position)
+            cell.signs.push_back(*difference);
+        if (!m_triangle)
+            return cell;
+        if (columnHasTie
+            && isTie(m_traced.triangles[*m_triangle], m_traced.scene.settings.fillRule, pixel))
+            cell.signs.push_back(Sign::Tie);
+        if (isClamped(pixel))
+            cell.signs.push_back(Sign::Clamp);
+        return cell;
+    }
+
+    bool hasTie(int x) const
+    {
+        return m_triangle && oracle::hasTie(m_traced.triangles[*m_triangle], x);
+    }
+
+private:
+    bool isClamped(const QPoint &pixel) const
+    {
+        const std::vector<std::size_t> &clamped = m_traced.trace->clampedPixels();
+        if (clamped.empty() || *m_triangle >= m_traced.trace->triangleCount())
+            return false;
+        const std::optional<std::size_t> write = writeOf(*m_traced.trace, *m_triangle, pixel);
+        return write && *write < m_pixelsDone && std::ranges::binary_search(clamped, *write);
+    }
+
+    const TracedScene &m_traced;
+    std::size_t m_position;
+    std::size_t m_pixelsDone;
+    std::optional<std::size_t> m_triangle;
+    FrameView m_shown;
+    bool m_differences;
+};
+
+} // namespace
+
+std::optional<std::size_t> triangleInHand(const Playhead &playhead)
+{
+    if (const std::optional<TraceStep> step = playhead.stepInHand())
+        return step->triangle;
+    if (!playhead.traced() || playhead.traced()->triangles.empty())
+        return std::nullopt;
+    return 0;
+}
+
+PixelGridScene pixelGridScene(const Playhead &playhead, const DisplayOptions &options,
+                              const PixelGridMapping &mapping)
+{
+    const TracedScene &traced = *playhead.traced();
+    const ScanTrace &trace = *traced.trace;
+    PixelGridScene scene;
+    scene.origin = traced.scene.frame.origin;
+    scene.arithmetic = traced.scene.settings.arithmetic;
+    scene.fillRule = traced.scene.settings.fillRule;
+    scene.picked = playhead.pickedPixel();
+    scene.pixelInHand = playhead.pixelInHand();
+    if (const std::optional<std::size_t> column = playhead.columnInHand()) {
+        scene.column = trace.column(*column);
+        const std::size_t written
+            = trace.pixelsDoneAt(playhead.position()) - trace.firstPixelOf(*column);
+        scene.firstCandidate = scene.column->firstDrawnRow + std::int64_t(written);
+        scene.endCandidate = scene.column->endDrawnRow;
+    }
+    const std::optional<std::size_t> triangle = triangleInHand(playhead);
+    if (triangle && *triangle < trace.triangleCount())
+        scene.edges = edgesOf(traced.triangles[*triangle], trace.setUp(*triangle));
+
+    const CellMaker maker(playhead, options);
+    scene.cells.reserve(std::size_t(mapping.count()) * std::size_t(mapping.count()));
+    for (int x = mapping.firstColumn(); x < mapping.endColumn(); ++x) {
+        const bool columnHasTie = maker.hasTie(x);
+        for (int y = mapping.firstRow(); y < mapping.endRow(); ++y)
+            scene.cells.push_back(maker.cellAt(QPoint(x, y), columnHasTie));
+    }
+    return scene;
+}
+
+} // namespace pixelplumb

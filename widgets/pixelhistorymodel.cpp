@@ -1,0 +1,217 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/pixelhistorymodel.h"
+
+#include "widgets/numberformat.h"
+
+#include <QColor>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr quintptr topLevel = 0; // internal ids: 0 for attempts, 1 + row of the attempt for details
+constexpr int detailCount = 3; // channels or edges
+
+QColor opaque(QRgb colour) { return QColor::fromRgb(colour); }
+
+/// Why the triangle keeps the sample out: the edge that is farthest from accepting it.
+const oracle::EdgeVerdict &refusingEdge(const oracle::SampleVerdict &verdict)
+{
+    return *std::ranges::min_element(
+        verdict.edges, [](const oracle::EdgeVerdict &a, const oracle::EdgeVerdict &b) {
+            return std::pair(a.accepts, a.distance) < std::pair(b.accepts, b.distance);
+        });
+}
+
+} // namespace
+
+void PixelHistoryModel::setPixel(std::shared_ptr<const TracedScene> traced,
+                                 const std::optional<QPoint> &pixel)
+{
+    beginResetModel();
+    m_traced = std::move(traced);
+    m_attempts.clear();
+    m_unlisted = 0;
+    if (m_traced && pixel) {
+        int refusals = 0;
+        for (PixelAttempt &attempt :
+             pixelHistory(*m_traced, pixel->x(), pixel->y(), std::size_t(listedRefusals))) {
+            const bool isRefusal = !attempt.written && !attempt.verdict.covered;
+            if (isRefusal && ++refusals > listedRefusals)
+                ++m_unlisted;
+            else
+                m_attempts.push_back(std::move(attempt));
+        }
+    }
+    endResetModel();
+}
+
+void PixelHistoryModel::setPosition(std::size_t position)
+{
+    if (m_position == position)
+        return;
+    m_position = position;
+    if (!m_attempts.empty())
+        emit dataChanged(index(0, 0), index(int(m_attempts.size()) - 1, columnTotal - 1));
+}
+
+QModelIndex PixelHistoryModel::decisiveRow() const
+{
+    if (m_attempts.empty())
+        return {};
+    int decisive = -1;
+    for (int row = 0; row < int(m_attempts.size()); ++row) {
+        const PixelAttempt &attempt = m_attempts[std::size_t(row)];
+        if (!attempt.written)
+            continue;
+        if (attempt.step < m_position || decisive < 0)
+            decisive = row;
+    }
+    return index(std::max(0, decisive), 0);
+}
+
+bool PixelHistoryModel::isCountRow(const QModelIndex &index) const
+{
+    return index.internalId() == topLevel && index.row() == int(m_attempts.size());
+}
+
+QModelIndex PixelHistoryModel::index(int row, int column, const QModelIndex &parent) const
+{
+    if (!hasIndex(row, column, parent))
+        return {};
+    return createIndex(row, column, parent.isValid() ? quintptr(parent.row()) + 1 : topLevel);
+}
+
+QModelIndex PixelHistoryModel::parent(const QModelIndex &child) const
+{
+    if (!child.isValid() || child.internalId() == topLevel)
+        return {};
+    return createIndex(int(child.internalId() - 1), 0, topLevel);
+}
+
+int PixelHistoryModel::rowCount(const QModelIndex &parent) const
+{
+    if (!parent.isValid())
+        return int(m_attempts.size()) + int(m_unlisted > 0);
+    const bool hasDetails
+        = parent.internalId() == topLevel && parent.column() == 0 && !isCountRow(parent);
+    if (!hasDetails)
+        return 0;
+    const PixelAttempt &attempt = m_attempts[std::size_t(parent.row())];
+    return attempt.written || !attempt.verdict.zeroArea ? detailCount : 0;
+}
+
+int PixelHistoryModel::columnCount(const QModelIndex &) const { return columnTotal; }
+
+QString PixelHistoryModel::attemptText(const PixelAttempt &attempt, int column) const
+{
+    switch (column) {
+    case WhatColumn:
+        if (attempt.written)
+            return attempt.step < m_position ? tr("△ %1 wrote it").arg(attempt.triangle)
+                                             : tr("△ %1 will write it").arg(attempt.triangle);
+        return attempt.verdict.covered ? tr("△ %1 missed it").arg(attempt.triangle)
+                                       : tr("△ %1 refuses it").arg(attempt.triangle);
+    case UsedColumn:
+        if (attempt.written)
+            return tr("%1 → %2").arg(opaque(attempt.change.before).name(),
+                                     opaque(attempt.change.after).name());
+        if (attempt.verdict.covered || attempt.verdict.zeroArea)
+            return {};
+        return edgeText(refusingEdge(attempt.verdict), UsedColumn);
+    case ByteColumn:
+        return attempt.written ? tr("step %1").arg(attempt.step + 1) : QString();
+    default:
+        break;
+    }
+    if (!attempt.written || attempt.verdict.covered)
+        return {};
+    return tr("not covered");
+}
+
+QString PixelHistoryModel::channelText(const PixelAttempt &attempt, std::size_t channel,
+                                       int column) const
+{
+    const Quantity &used = attempt.fragment.colour[channel];
+    const Quantity &exact = attempt.exactColour[channel];
+    const Arithmetic arithmetic = m_traced->scene.settings.arithmetic;
+    const std::int64_t level = attempt.fragment.level[channel];
+    switch (column) {
+    case WhatColumn:
+        return QStringLiteral("RGB").at(qsizetype(channel));
+    case UsedColumn:
+        return displayText(used, arithmetic);
+    case ByteColumn: {
+        const std::int64_t byte = std::clamp<std::int64_t>(level, 0, 255);
+        return byte == level ? tr("→ %1").arg(byte) : tr("→ %1 clamped to %2").arg(level).arg(byte);
+    }
+    default:
+        break;
+    }
+    if (arithmetic == Arithmetic::Exact)
+        return QStringLiteral("≈ ") + displayDecimal(exact);
+    return tr("exact %1, error %2").arg(displayText(exact), displayError(used, exact));
+}
+
+QString PixelHistoryModel::edgeText(const oracle::EdgeVerdict &edge, int column) const
+{
+    switch (column) {
+    case WhatColumn:
+        return tr("edge %1–%2").arg(edge.from).arg(edge.to);
+    case UsedColumn:
+        if (!edge.distanceAlongColumn.isNone())
+            return tr("%1 px along column").arg(displayText(edge.distanceAlongColumn));
+        if (!edge.distanceAlongRow.isNone())
+            return tr("%1 px along row").arg(displayText(edge.distanceAlongRow));
+        return {};
+    case ByteColumn:
+        if (edge.edgeFunction == 0)
+            return edge.accepts ? tr("on it: accepts") : tr("on it: refuses");
+        return edge.accepts ? tr("accepts") : tr("refuses");
+    default:
+        break;
+    }
+    return tr("%1 px square to it").arg(QString::number(edge.distance, 'g', 4).replace(u'-', u'−'));
+}
+
+QVariant PixelHistoryModel::data(const QModelIndex &index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    if (isCountRow(index)) {
+        if (role != Qt::DisplayRole || index.column() != WhatColumn)
+            return {};
+        return m_unlisted == 1 ? tr("and 1 more that refuses it")
+                               : tr("and %1 more that refuse it").arg(m_unlisted);
+    }
+    const bool isDetail = index.internalId() != topLevel;
+    const std::size_t row
+        = isDetail ? std::size_t(index.internalId() - 1) : std::size_t(index.row());
+    const PixelAttempt &attempt = m_attempts[row];
+    const bool isSwatch = !isDetail && attempt.written && index.column() == UsedColumn;
+    switch (role) {
+    case Qt::DisplayRole:
+        if (!isDetail)
+            return attemptText(attempt, index.column());
+        return attempt.written
+            ? channelText(attempt, std::size_t(index.row()), index.column())
+            : edgeText(attempt.verdict.edges[std::size_t(index.row())], index.column());
+    case Qt::ToolTipRole:
+    case ReasonRole:
+        return attempt.reason;
+    case StepRole:
+        return attempt.written ? QVariant(qulonglong(attempt.step)) : QVariant();
+    case IsAheadRole:
+        return attempt.written && attempt.step >= m_position;
+    case BeforeColourRole:
+        return isSwatch ? QVariant(opaque(attempt.change.before)) : QVariant();
+    case AfterColourRole:
+        return isSwatch ? QVariant(opaque(attempt.change.after)) : QVariant();
+    default:
+        return {};
+    }
+}
+
+} // namespace pixelplumb

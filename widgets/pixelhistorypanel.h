@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QModelIndex;
+class QToolButton;
+class QTreeView;
+
+namespace pixelplumb {
+
+class PixelHistoryModel;
+class Playhead;
+
+/// How the picked pixel got its colour: every triangle's attempt, and the way to the steps that
+/// wrote it (objectName "pixelHistory").
+class PixelHistoryPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PixelHistoryPanel(Playhead *playhead, QWidget *parent = nullptr);
+
+    QSize sizeHint() const override;
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    void scheduleUpdate();
+    void takePixel();
+    void followPosition();
+    void describePixel();
+    void showReason(const QModelIndex &index);
+    void goToWrite(const QModelIndex &index);
+
+    Playhead *m_playhead;
+    PixelHistoryModel *m_model;
+    QLabel *m_heading;
+    QLabel *m_reason;
+    QTreeView *m_attempts;
+    bool m_isStale = true;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scenetracer.h"
+
+#include <QtConcurrent>
+
+#include <atomic>
+#include <chrono>
+#include <new>
+#include <utility>
+
+namespace pixelplumb {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr std::int64_t rowsOfATruthBand = 64; // traceScene asks for progress at each
+
+TraceOutcome outcomeOf(const Scene &scene, const TraceOptions &options)
+{
+    try {
+        return {traceScene(scene, options), {}};
+    } catch (const std::bad_alloc &) {
+        return {
+            nullptr,
+            SceneTracer::tr("The scene does not fit into memory: a frame of %1 × %2 pixels with "
+                            "%3 triangles. Make the frame or the triangles smaller.")
+                .arg(scene.frame.width)
+                .arg(scene.frame.height)
+                .arg(scene.triangles.size())};
+    }
+}
+
+QString refusalOf(const Scene &scene)
+{
+    const QString id = QString::fromStdString(scene.method);
+    const Method *method = methodNamed(id);
+    return method ? method->refusal(scene.settings)
+                  : SceneTracer::tr("There is no method named “%1”.").arg(id);
+}
+
+} // namespace
+
+TraceCost traceCostOf(const Scene &scene)
+{
+    TraceCost cost;
+    const FrameSpec &frame = scene.frame;
+    for (const Triangle &triangle : trianglesOnSamples(scene)) {
+        const auto &[a, b, c] = triangle.vertices;
+        const auto [left, right] = std::minmax({a.position.x, b.position.x, c.position.x});
+        const auto [low, high] = std::minmax({a.position.y, b.position.y, c.position.y});
+        const auto samples
+            = [](Lattice first, Lattice last, std::int64_t frameFirst, std::int64_t frameSize) {
+                  const std::int64_t begin = std::max(ceilPixel(first), frameFirst);
+                  const std::int64_t end = std::min(floorPixel(last) + 1, frameFirst + frameSize);
+                  return std::max<std::int64_t>(0, end - begin);
+              };
+        const std::int64_t columns = samples(left, right, frame.firstColumn, frame.width);
+        ++cost.triangles;
+        cost.columns += columns;
+        cost.pixels += columns * samples(low, high, frame.firstRow, frame.height);
+    }
+    return cost;
+}
+
+/// What the worker tells and is told while it works.
+struct SceneTracer::Progress {
+    std::atomic<bool> cancelled = false;
+    std::atomic<std::int64_t> columnsEntered = 0;
+    std::atomic<std::int64_t> bandsOfTruth = 0;
+    std::int64_t expectedColumns = 1;
+    std::int64_t expectedBands = 1;
+
+    /// Heard in the worker's thread.
+    bool goesOn(std::size_t entered)
+    {
+        // While columns are recorded, each call comes with one more; then the truth's bands follow.
+        if (std::int64_t(entered) > columnsEntered)
+            columnsEntered = std::int64_t(entered);
+        else
+            ++bandsOfTruth;
+        return !cancelled;
+    }
+    int percent() const
+    {
+        const auto half = [](std::int64_t done, std::int64_t expected) {
+            return int(std::min<std::int64_t>(50, 50 * done / std::max<std::int64_t>(1, expected)));
+        };
+        return half(columnsEntered, expectedColumns) + half(bandsOfTruth, expectedBands);
+    }
+};
+
+SceneTracer::SceneTracer(QObject *parent)
+    : QObject(parent)
+{
+    m_progressTimer.setInterval(50ms);
+    connect(&m_progressTimer, &QTimer::timeout, this, &SceneTracer::tellProgress);
+    connect(&m_watcher, &QFutureWatcherBase::finished, this, &SceneTracer::finish);
+}
+
+SceneTracer::~SceneTracer()
+{
+    if (!m_progress)
+        return;
+    m_progress->cancelled = true;
+    m_watcher.waitForFinished();
+}
+
+bool SceneTracer::isRunning() const { return m_progress != nullptr; }
+
+void SceneTracer::trace(const Scene &scene)
+{
+    if (m_progress) {
+        m_progress->cancelled = true;
+        m_next = scene;
+        return;
+    }
+    start(scene);
+}
+
+void SceneTracer::cancel()
+{
+    if (!m_progress)
+        return;
+    m_next.reset();
+    m_progress->cancelled = true;
+}
+
+void SceneTracer::start(const Scene &scene)
+{
+    if (const QString refusal = refusalOf(scene); !refusal.isEmpty()) {
+        emit failed(refusal);
+        return;
+    }
+    const TraceCost cost = traceCostOf(scene);
+    if (cost.isSmall()) {
+        const TraceOutcome outcome = outcomeOf(scene, {});
+        if (outcome.traced)
+            emit traced(outcome.traced);
+        else
+            emit failed(outcome.failure);
+        return;
+    }
+    m_progress = std::make_unique<Progress>();
+    m_progress->expectedColumns = cost.columns;
+    m_progress->expectedBands = scene.frame.height / rowsOfATruthBand + 1;
+    m_watcher.setFuture(QtConcurrent::run([scene, progress = m_progress.get()] {
+        TraceOptions options;
+        options.progress = [progress](std::size_t entered) { return progress->goesOn(entered); };
+        return outcomeOf(scene, options);
+    }));
+    m_progressTimer.start();
+    emit started();
+}
+
+void SceneTracer::finish()
+{
+    m_progressTimer.stop();
+    // Taken, so that the watcher does not keep a large run alive beside the one that is shown.
+    const TraceOutcome outcome = m_watcher.future().takeResult();
+    const bool wasCancelled = m_progress->cancelled;
+    m_progress.reset();
+    if (m_next) {
+        start(*std::exchange(m_next, std::nullopt));
+        return;
+    }
+    if (wasCancelled)
+        emit cancelled();
+    else if (outcome.traced)
+        emit traced(outcome.traced);
+    else
+        emit failed(outcome.failure);
+}
+
+void SceneTracer::tellProgress()
+{
+    if (m_progress)
+        emit progressChanged(m_progress->percent());
+}
+
+} // namespace pixelplumb

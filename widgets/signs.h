@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QColor>
+#include <QPalette>
+#include <QString>
+
+namespace pixelplumb {
+
+/// The things that have one colour and one glyph everywhere in the window.
+enum class Sign {
+    LowerEdge, ///< y_B
+    UpperEdge, ///< y_T
+    ColumnInHand, ///< the plumb line
+    PickedPixel,
+    Missing, ///< ?
+    Extra, ///< !
+    ColourDiffers, ///< c
+    Tie, ///< =
+    Clamp, ///< ^
+    FirstDifference, ///< ≠, on the scrubber
+    VertexMark, ///< a vertex and its column on the scrubber
+    Breakpoint,
+    Changed, ///< a number that differs from the last column's
+};
+
+/// From the Okabe–Ito set, darkened or lightened so that text in it keeps 4.5:1 on the palette's
+/// base.
+QColor signColour(Sign sign, const QPalette &palette);
+/// The second sign beside the colour; empty where position is the second sign.
+QString signGlyph(Sign sign);
+bool isDark(const QPalette &palette);
+
+} // namespace pixelplumb

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPoint>
+#include <QWidget>
+
+#include <optional>
+
+class QBoxLayout;
+class QLabel;
+
+namespace pixelplumb {
+
+class Playhead;
+class SceneTracer;
+
+/// The status bar's fields: the pixel under the mouse or picked, the column and the step in hand,
+/// under which rules. Each is as wide as the widest text that it will show, so that nothing moves
+/// in stepping.
+class StatusFields : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit StatusFields(Playhead *playhead, QWidget *parent = nullptr);
+
+public slots:
+    /// The pixel under the mouse; without one the picked pixel is shown.
+    void setHovered(std::optional<QPoint> pixel);
+
+private:
+    QLabel *addField(const QString &name);
+    void takeTrace();
+    void refresh();
+    QString pixelText() const;
+
+    Playhead *m_playhead;
+    QBoxLayout *m_row;
+    QLabel *m_pixel;
+    QLabel *m_column;
+    QLabel *m_step;
+    QLabel *m_settings;
+    std::optional<QPoint> m_hovered;
+};
+
+/// How far the tracing beside the window is, and a button that ends it; hidden when nothing is
+/// traced.
+class TraceProgress : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit TraceProgress(SceneTracer *tracer, QWidget *parent = nullptr);
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/frame/framespec.h"
+#include "core/geometry/lattice.h"
+
+#include <QPointF>
+#include <QRect>
+
+#include <optional>
+
+namespace pixelplumb {
+
+/// How large a frame pixel is on the screen: devicePixels : framePixels, one of which is 1, so that
+/// every cell of the picture has the same whole number of device pixels.
+struct ViewZoom {
+    static constexpr int largest = 64; ///< in either direction
+
+    int devicePixels = 1;
+    int framePixels = 1;
+
+    /// One number for both directions: 8 is 8 device pixels a frame pixel, −4 is 4 frame pixels a
+    /// device pixel. 0 and −1 are 1:1; others are clamped to ±largest.
+    static ViewZoom fromNumber(int number);
+    int number() const { return framePixels > 1 ? -framePixels : devicePixels; }
+    double factor() const { return double(devicePixels) / framePixels; }
+
+    ViewZoom nextLarger() const;
+    ViewZoom nextSmaller() const;
+
+    friend bool operator==(const ViewZoom &, const ViewZoom &) = default;
+};
+
+/// Where the frame stands in a widget. Three kinds of coordinates meet here:
+///
+/// - sample coordinates, in lattice units: pixel (x, y) is the sample at (x, y), and its cell
+/// reaches
+///   half a pixel to each side of it;
+/// - device pixels of the window's grid, whole numbers: cell edges lie on them;
+/// - logical positions in the widget, as events and painters use them.
+///
+/// The widget's own corner may lie between device pixels at a fractional device pixel ratio; the
+/// mapping takes that fraction into account, so that what is drawn and what is hit stay the same.
+class ViewMapping {
+public:
+    ViewMapping() = default;
+    /// origin: the device pixel at the upper left corner of the picture.
+    /// fraction: where the widget's corner lies in its device pixel, 0 ≤ each < 1.
+    ViewMapping(const FrameSpec &frame, const ViewZoom &zoom, const QPoint &origin,
+                double devicePixelRatio = 1, const QPointF &fraction = {});
+
+    /// The whole frame in the middle of a view, as large as fits.
+    static ViewMapping fitted(const FrameSpec &frame, const QRectF &view, double devicePixelRatio,
+                              const QPointF &fraction = {});
+
+    const FrameSpec &frame() const { return m_frame; }
+    const ViewZoom &zoom() const { return m_zoom; }
+    QPoint origin() const { return m_origin; }
+    double devicePixelRatio() const { return m_devicePixelRatio; }
+    QPointF fraction() const { return m_fraction; }
+
+    /// The same place under an anchor, at another zoom.
+    ViewMapping zoomedAt(const QPointF &anchor, const ViewZoom &zoom) const;
+    ViewMapping movedBy(const QPoint &devicePixels) const;
+    /// Moved as little as keeps a part of the frame inside the view.
+    ViewMapping keptInside(const QRectF &view) const;
+
+    QPoint deviceAt(const QPointF &position) const;
+    QPointF positionOfDevice(const QPointF &device) const;
+    /// The device pixels that a rectangle of the widget touches.
+    QRect deviceRect(const QRectF &rect) const;
+
+    /// The pixel drawn under a position; none outside the frame.
+    std::optional<QPoint> pixelAt(const QPointF &position) const;
+    /// The column or row drawn under a position, inside the frame or not.
+    std::int64_t columnAt(const QPointF &position) const;
+    std::int64_t rowAt(const QPointF &position) const;
+    /// The sample point under a position, inside the frame or not.
+    LatticePoint latticeAt(const QPointF &position) const;
+
+    /// The middle device pixel of a cell, as an event there would report it.
+    QPointF positionOf(const QPoint &pixel) const;
+    /// Where a sample point is, in px of sample coordinates.
+    QPointF positionOf(double x, double y) const;
+    QPointF positionOf(const LatticePoint &point) const;
+    /// A pixel's cell.
+    QRect deviceCellOf(const QPoint &pixel) const;
+    QRectF cellOf(const QPoint &pixel) const;
+
+    /// The picture's place, and its part [columns, lines) that a device rectangle shows: a
+    /// rectangle in lines and columns of the picture, 0 at its upper left.
+    QRect devicePicture() const;
+    QRect pictureIn(const QRect &device) const;
+    /// The column or line of the picture that is drawn at a device pixel.
+    int pictureColumnAt(int deviceX) const;
+    int pictureLineAt(int deviceY) const;
+
+    friend bool operator==(const ViewMapping &, const ViewMapping &) = default;
+
+private:
+    FrameSpec m_frame;
+    ViewZoom m_zoom;
+    QPoint m_origin;
+    double m_devicePixelRatio = 1;
+    QPointF m_fraction;
+};
+
+} // namespace pixelplumb

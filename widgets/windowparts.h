@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace pixelplumb {
+
+class Canvas;
+class DisplayOptions;
+class MessageBar;
+class Playhead;
+class RecentFiles;
+class SceneDocument;
+class SceneExports;
+class SceneFiles;
+class SceneTracer;
+class Scrubber;
+class StepActions;
+
+/// The window's parts, for those who connect menus to them. The window owns them all.
+struct WindowParts {
+    SceneDocument *document = nullptr;
+    Playhead *playhead = nullptr;
+    DisplayOptions *options = nullptr;
+    SceneTracer *tracer = nullptr;
+    RecentFiles *recent = nullptr;
+    SceneFiles *files = nullptr;
+    SceneExports *exports = nullptr;
+    StepActions *steps = nullptr;
+    Canvas *canvas = nullptr;
+    Scrubber *scrubber = nullptr;
+    MessageBar *messageBar = nullptr;
+};
+
+} // namespace pixelplumb
