@@ -617,7 +617,7 @@ void CanvasTest::differencesAppearOnlyWhenDecided()
         }
     }
     QVERIFY(!pixel.isNull());
-    const std::size_t decided = bench.playhead.traced()->decidedAt(pixel.x());
+    const std::size_t decided = bench.playhead.traced()->decidedAt(pixel.x(), pixel.y());
     const auto cellIsPlain = [&] {
         const QImage grabbed = bench.canvas.grab().toImage();
         const QRect cell = bench.canvas.mapping().deviceCellOf(pixel).adjusted(2, 2, -2, -2);
@@ -636,7 +636,7 @@ void CanvasTest::differencesAppearOnlyWhenDecided()
     bench.options.setDifferencesShown(false);
     QVERIFY(cellIsPlain());
     bench.options.setDifferencesShown(true);
-    moveFarOn(bench.playhead.traced()->decidedAt(pixel.x() - 3));
+    moveFarOn(bench.playhead.traced()->decidedAt(pixel.x() - 3, pixel.y()));
     QVERIFY(decided > bench.playhead.position());
     QVERIFY(cellIsPlain());
 }
@@ -660,7 +660,7 @@ void CanvasTest::followsTheFrameOfTheDocument()
 void CanvasTest::figureHoldsCellsNamesAndColumn()
 {
     Bench bench(firstScene());
-    bench.playhead.seekToColumn(20);
+    bench.playhead.seekToSpan(20);
     const QByteArray figure = svgFigure(bench.playhead, bench.options);
 
     QXmlStreamReader reader(figure);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/columnrecord.h"
 #include "core/methods/columnscan.h"
+#include "core/methods/formulaexplanation.h"
 #include "core/trace/tracedscene.h"
 #include "tests/support/scanning.h"
 
@@ -123,7 +125,7 @@ private slots:
             scene.triangles
                 = {triangleAt(-largestPixel, -largestPixel, largestPixel, -7, 0, largestPixel)};
             const auto traced = traceScene(scene);
-            QCOMPARE(traced->trace->columnCount(), std::size_t(16));
+            QCOMPARE(traced->trace->spanCount(), std::size_t(16));
         }
     }
 
@@ -133,8 +135,8 @@ private slots:
         scene.settings.arithmetic = Arithmetic::Fixed16;
         scene.triangles = {triangleAt(-40000, 0, 40, 3, 3, 40)};
         const auto traced = traceScene(scene);
-        QCOMPARE(traced->trace->setUp(0).rejection, TriangleRejection::NotRepresentable);
-        QVERIFY(traced->method->explain(*traced, 0).sentence.contains(u"does not fit"));
+        QCOMPARE(traced->trace->setUp(0).rejection, PrimitiveRejection::NotRepresentable);
+        QVERIFY(explainStep(*traced, 0).sentence.contains(u"does not fit"));
     }
 
     void chooses128BitsOnlyBeyondTheProvedDomain()
@@ -165,15 +167,15 @@ private slots:
         Scene scene;
         scene.triangles = {triangleAtUnits({1024, 1280}, {14848, 3072}, {6784, 11264})};
         const auto traced = traceScene(scene);
-        for (std::size_t i = 0; i < traced->trace->columnCount(); ++i) {
-            const ColumnRecord column = traced->trace->column(i);
-            if (column.drawnPixels() == 0)
+        for (std::size_t i = 0; i < traced->trace->spanCount(); ++i) {
+            const ColumnRecord column(traced->trace->span(i));
+            if (column.span().drawnSamples() == 0)
                 continue;
             for (std::size_t channel = 0; channel < 3; ++channel) {
-                const double expected = column.colourBottom[channel].toDouble()
-                    + (double(column.firstRow) - column.yBottom.toDouble())
-                        * column.colourRate[channel].toDouble();
-                QVERIFY(qAbs(column.firstColour[channel].toDouble() - expected) < 1e-9);
+                const double expected = column.colourBottom(channel).toDouble()
+                    + (double(column.span().firstSample) - column.yBottom().toDouble())
+                        * column.colourRate(channel).toDouble();
+                QVERIFY(qAbs(column.firstColour(channel).toDouble() - expected) < 1e-9);
             }
         }
     }
@@ -188,8 +190,8 @@ private slots:
         FrameBuffer b(downward);
         QVERIFY(a.view().stride < 0);
         QVERIFY(b.view().stride > 0);
-        columnScan().draw(std::span(&triangle, 1), {}, a.view());
-        columnScan().draw(std::span(&triangle, 1), {}, b.view());
+        columnScan().draw(Primitives{{triangle}, {}}, {}, a.view());
+        columnScan().draw(Primitives{{triangle}, {}}, {}, b.view());
         QCOMPARE(a.copy().mirrored(), b.copy());
     }
 };

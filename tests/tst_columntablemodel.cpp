@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/columnrecord.h"
+#include "core/oracle/oracle.h"
 #include "tests/support/defaultscene.h"
 #include "widgets/columntablemodel.h"
 #include "widgets/numberformat.h"
@@ -66,8 +68,8 @@ void TestColumnTableModel::hasARowForEachColumnOfAllTriangles()
     playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact, 2)));
 
     QCOMPARE(model.rowCount(), 2 * 55); // 4 … 58, twice
-    QVERIFY(model.hasSeveralTriangles());
-    QCOMPARE(model.index(55, 0).data(ColumnTableModel::TriangleRole).toInt(), 1);
+    QVERIFY(model.hasSeveralPrimitives());
+    QCOMPARE(model.index(55, 0).data(ColumnTableModel::PrimitiveRole).toInt(), 1);
 }
 
 void TestColumnTableModel::showsTheNumbersOfTheTrace()
@@ -109,19 +111,19 @@ void TestColumnTableModel::roundedNumbersStandBesideExactOnesAndErrors()
     const int row = 30;
     const QModelIndex used = model.index(row, columnNamed(model, "y_B"));
 
-    const ColumnRecord record = playhead.traced()->trace->column(row);
-    const auto exact
-        = oracle::columnAt(playhead.traced()->triangles[0], FillRule::Closed, record.x);
+    const ColumnRecord record(playhead.traced()->trace->span(row));
+    const auto exact = oracle::columnAt(playhead.traced()->primitives.triangles[0],
+                                        FillRule::Closed, record.x());
 
     QVERIFY(model.isRounding());
-    QCOMPARE(used.data(ColumnTableModel::UsedTextRole).toString(), displayText(record.yBottom));
+    QCOMPARE(used.data(ColumnTableModel::UsedTextRole).toString(), displayText(record.yBottom()));
     QCOMPARE(used.data(ColumnTableModel::ExactTextRole).toString(), displayText(exact->yBottom));
     QCOMPARE(used.data(ColumnTableModel::ErrorTextRole).toString(),
-             displayError(record.yBottom, exact->yBottom));
+             displayError(record.yBottom(), exact->yBottom));
     QCOMPARE(model.index(row, columnNamed(model, "y_B_exact")).data().toString(),
              displayText(exact->yBottom));
     QCOMPARE(model.index(row, columnNamed(model, "y_B_error")).data().toString(),
-             displayError(record.yBottom, exact->yBottom));
+             displayError(record.yBottom(), exact->yBottom));
     QVERIFY(used.data(ColumnTableModel::MarkedDigitRole).toInt() > 0);
     QVERIFY(used.data(Qt::ToolTipRole).toString().contains(displayText(exact->yBottom)));
 }
@@ -133,11 +135,11 @@ void TestColumnTableModel::canonicalTextIsThatOfTheTrace()
     for (const Arithmetic arithmetic : allArithmetics) {
         playhead.setTraced(traceScene(defaultSceneIn(arithmetic)));
         for (int row = 0; row < model.rowCount(); ++row) {
-            const ColumnRecord record = playhead.traced()->trace->column(std::size_t(row));
+            const ColumnRecord record(playhead.traced()->trace->span(std::size_t(row)));
             QCOMPARE(model.index(row, columnNamed(model, "y_T"))
                          .data(ColumnTableModel::CanonicalTextRole)
                          .toString(),
-                     toText(record.yTop));
+                     toText(record.yTop()));
         }
     }
 }
@@ -169,10 +171,10 @@ void TestColumnTableModel::marksWhereTrianglesAndHalvesBegin()
         return RowMark(model.index(row, 0).data(ColumnTableModel::RowMarkRole).toInt());
     };
 
-    QVERIFY(mark(0) == RowMark::TriangleBegins);
+    QVERIFY(mark(0) == RowMark::PrimitiveBegins);
     QVERIFY(mark(22) == RowMark::None);
-    QVERIFY(mark(23) == RowMark::SecondHalfBegins);
-    QVERIFY(mark(55) == RowMark::TriangleBegins);
+    QVERIFY(mark(23) == RowMark::PartBegins);
+    QVERIFY(mark(55) == RowMark::PrimitiveBegins);
     QCOMPARE(model.headerData(55, Qt::Vertical).toString(), QStringLiteral("△ 1"));
 }
 
@@ -183,7 +185,7 @@ void TestColumnTableModel::knowsTheRowInHandAndTheRowsAhead()
     playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
     QSignalSpy changes(&model, &QAbstractItemModel::dataChanged);
 
-    playhead.seekToColumn(10);
+    playhead.seekToSpan(10);
 
     QVERIFY(changes.count() > 0);
     QVERIFY(model.index(10, 0).data(ColumnTableModel::IsInHandRole).toBool());

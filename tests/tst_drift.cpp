@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/columnrecord.h"
 #include "core/trace/tracedscene.h"
 #include "tests/support/scanning.h"
 
@@ -71,16 +72,16 @@ private slots:
         scene.triangles = {triangle};
         const auto truncated = traceScene(scene);
         const ScanTrace &trace = *truncated->trace;
-        QVERIFY(!trace.clampedPixels().empty());
-        const std::size_t pixel = trace.clampedPixels().front();
-        const std::size_t column = trace.columnOf(pixel);
-        const FragmentRecord fragment = trace.fragments(column)[pixel - trace.firstPixelOf(column)];
+        QVERIFY(!trace.clampedSamples().empty());
+        const std::size_t pixel = trace.clampedSamples().front();
+        const std::size_t column = trace.spanOf(pixel);
+        const SampleRecord fragment = trace.samples(column)[pixel - trace.firstSampleOf(column)];
         QVERIFY(fragment.clamped);
         QCOMPARE(fragment.level[0], std::int64_t(-1));
         QCOMPARE(qRed(trace.changes()[pixel].after), 0);
         scene.settings.rounding = ByteRounding::Nearest;
         const auto nearest = traceScene(scene);
-        QVERIFY(nearest->trace->clampedPixels().empty());
+        QVERIFY(nearest->trace->clampedSamples().empty());
     }
 
     void noArithmeticDividesZeroByZeroAtATip()
@@ -90,10 +91,10 @@ private slots:
             scene.settings.arithmetic = arithmetic;
             scene.triangles = {triangleAt(2, 5, 12, 1, 12, 11)};
             const auto traced = traceScene(scene);
-            const ColumnRecord tip = traced->trace->column(0);
-            QCOMPARE(tip.yBottom, tip.yTop);
-            for (const Quantity &level : tip.firstColour)
-                QVERIFY(level.isFinite());
+            const ColumnRecord tip(traced->trace->span(0));
+            QCOMPARE(tip.yBottom(), tip.yTop());
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                QVERIFY(tip.firstColour(channel).isFinite());
             QCOMPARE(traced->trace->changes()[0].after, packed(red));
         }
     }

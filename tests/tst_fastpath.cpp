@@ -129,6 +129,7 @@ void addFamilies()
     add("4 px, 1/256 px", 2 * px, 2 * px, 1, 70);
     add("50 px, whole pixels", 7 * px, 7 * px, px, 90);
     add("50 px, 1/256 px", 7 * px, 7 * px, 1, 90);
+    add("blocks of 63 rows, 1/256 px", 4 * px, 31 * px, 1, 90);
     add("1000 px, whole pixels", 35 * px, 35 * px, px, 150);
     add("1000 px, 1/16 px", 35 * px, 35 * px, 16, 150);
     add("1000 px, 1/256 px", 35 * px, 35 * px, 1, 150);
@@ -251,55 +252,6 @@ private slots:
             QCOMPARE(report.threads, threads);
             QVERIFY(fast == plain);
         }
-    }
-
-    void startsNoThreadForATriangle()
-    {
-        GuardedFrame frame({64, 48, 0, 0, 0, RowOrder::Ascending});
-        const std::vector<Triangle> scene = {triangleAt(1, 2, 30, 40, 60, 10)};
-        QCOMPARE(drawFast(scene, {}, frame.view(), {8, std::nullopt}).threads, 1);
-    }
-
-    void saysWhichKernelTookATriangleAndWhy()
-    {
-        GuardedFrame frame({640, 480, 0, 0, 0, RowOrder::Ascending});
-        Triangle small = triangleAt(1, 2, 5, 3, 2, 9);
-        small.vertices[0].colour = {{255, 0, 0}};
-        const std::vector<Triangle> scene = {small, triangleAt(-9, 2, -5, 3, -2, 9)};
-        const FastReport report = drawFast(scene, {}, frame.view(), {1, std::nullopt});
-        const std::vector<FastRouteUse> expected
-            = {{FastKernel::None, ColourWord::Other, FastReason::OutsideFrame, 1},
-               {FastKernel::Block8, ColourWord::Steps32, FastReason::SmallBox, 1}};
-        QVERIFY(report.uses == expected);
-    }
-
-    void usesEveryKernelThatItHas()
-    {
-        const auto kernelFor = [](const Triangle &triangle) {
-            GuardedFrame frame({1920, 1080, 0, 0, 0, RowOrder::Ascending});
-            const FastReport report
-                = drawFast(std::span(&triangle, 1), {}, frame.view(), {1, std::nullopt});
-            return std::pair(report.uses.at(0).kernel, report.uses.at(0).word);
-        };
-        const auto flat = [](Triangle triangle) {
-            for (Vertex &vertex : triangle.vertices)
-                vertex.colour = red;
-            return triangle;
-        };
-        using Kernel = std::pair<FastKernel, ColourWord>;
-        QVERIFY(kernelFor(flat(triangleAt(0, 0, 4, 0, 0, 4)))
-                == Kernel(FastKernel::Block8, ColourWord::Flat));
-        QVERIFY(kernelFor(triangleAt(0, 0, 12, 0, 0, 12))
-                == Kernel(FastKernel::Block16, ColourWord::Steps32));
-        QVERIFY(kernelFor(triangleAt(0, 0, 9, 0, 0, 90))
-                == Kernel(FastKernel::Strip16, ColourWord::Steps32));
-        QVERIFY(kernelFor(triangleAt(0, 0, 900, 0, 0, 90))
-                == Kernel(FastKernel::RowSpans, ColourWord::Table32));
-        QVERIFY(kernelFor(triangleAt(0, 0, 1900, 0, 0, 1070)).second == ColourWord::Table32);
-        QVERIFY(kernelFor(triangleAtUnits({1, 1}, {400000, 2}, {3, 200000})).second
-                == ColourWord::Steps64);
-        QVERIFY(kernelFor(triangleAt(0, 0, 100000, 0, 0, 9))
-                == Kernel(FastKernel::Plain, ColourWord::Other));
     }
 };
 

@@ -134,11 +134,11 @@ private slots:
     // Faults planted in a drawing that is right otherwise.
     void aDrawingThatLosesOnePixelFallsShort()
     {
-        const Drawing lossy = [](std::span<const Triangle> triangles, const ScanSettings &settings,
-                                 FrameView frame) {
-            drawTruly(triangles, settings, frame);
-            *frame.at(5, 7) = 0;
-        };
+        const Drawing lossy
+            = [](const Primitives &primitives, const ScanSettings &settings, FrameView frame) {
+                  drawTruly(primitives, settings, frame);
+                  *frame.at(5, 7) = 0;
+              };
 
         const QStringList shortfalls
             = shortfallsOf(caseNamed(QStringLiteral("vertical_left")),
@@ -151,9 +151,9 @@ private slots:
     void aDrawingThatTruncatesFallsShortInColour()
     {
         const Drawing truncating
-            = [](std::span<const Triangle> triangles, ScanSettings settings, FrameView frame) {
+            = [](const Primitives &primitives, ScanSettings settings, FrameView frame) {
                   settings.rounding = ByteRounding::Truncate;
-                  drawTruly(triangles, settings, frame);
+                  drawTruly(primitives, settings, frame);
               };
 
         const QStringList shortfalls = shortfallsOf(
@@ -165,12 +165,12 @@ private slots:
 
     void aDrawingThatChangesWhenMovedFallsShort()
     {
-        const Drawing local = [](std::span<const Triangle> triangles, const ScanSettings &settings,
-                                 FrameView frame) {
-            drawTruly(triangles, settings, frame);
-            if (frame.firstColumn == 5000)
-                *frame.at(5000 + 100, frame.firstRow + 60) = qRgb(1, 2, 3);
-        };
+        const Drawing local
+            = [](const Primitives &primitives, const ScanSettings &settings, FrameView frame) {
+                  drawTruly(primitives, settings, frame);
+                  if (frame.firstColumn == 5000)
+                      *frame.at(5000 + 100, frame.firstRow + 60) = qRgb(1, 2, 3);
+              };
 
         const QStringList shortfalls
             = shortfallsOf(caseNamed(QStringLiteral("translation_invariance")),
@@ -182,9 +182,9 @@ private slots:
     void aDrawingThatOverdrawsASharedEdgeFallsShort()
     {
         const Drawing closed
-            = [](std::span<const Triangle> triangles, ScanSettings settings, FrameView frame) {
+            = [](const Primitives &primitives, ScanSettings settings, FrameView frame) {
                   settings.fillRule = FillRule::Closed;
-                  drawTruly(triangles, settings, frame);
+                  drawTruly(primitives, settings, frame);
               };
 
         const QStringList shortfalls = shortfallsOf(
@@ -197,10 +197,10 @@ private slots:
 
     void aDrawingThatFlickersFallsShort()
     {
-        const Drawing flickering = [](std::span<const Triangle> triangles,
-                                      const ScanSettings &settings, FrameView frame) {
-            drawTruly(triangles, settings, frame);
-            const bool odd = triangles.front().vertices[1].position.y / 16 % 2 != 0;
+        const Drawing flickering = [](const Primitives &primitives, const ScanSettings &settings,
+                                      FrameView frame) {
+            drawTruly(primitives, settings, frame);
+            const bool odd = primitives.triangles.front().vertices[1].position.y / 16 % 2 != 0;
             if (odd)
                 *frame.at(250, 2) = qRgb(0, 0, 0);
         };

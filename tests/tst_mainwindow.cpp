@@ -220,7 +220,7 @@ private slots:
                 break;
             case 4:
                 if (change % 5 == 0)
-                    document.deleteTriangle(0);
+                    document.deletePrimitive(0);
                 break;
             case 5: {
                 FrameSpec frame = document.scene().frame;

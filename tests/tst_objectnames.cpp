@@ -22,12 +22,14 @@ namespace {
 
 /// The parts of the window that design and README promise to programs.
 const QStringList promisedNames{
-    "canvas",      "columnTable",     "pixelGrid",   "formulaPanel",  "pixelHistory",
-    "stepperBar",  "scrubber",        "methodBox",   "arithmeticBox", "fillRuleBox",
-    "roundingBox", "unitBox",         "speedSlider", "speedBox",      "positionLabel",
-    "messageBar",  "traceProgress",   "cancelTrace", "statusPixel",   "statusColumn",
-    "statusStep",  "statusSettings",  "formulaDock", "pixelGridDock", "pixelHistoryDock",
-    "columnsDock", "nextColourButton"};
+    "canvas",        "columnTable",      "pixelGrid",     "formulaPanel",   "pixelHistory",
+    "stepperBar",    "scrubber",         "methodBox",     "arithmeticBox",  "fillRuleBox",
+    "roundingBox",   "unitBox",          "speedSlider",   "speedBox",       "positionLabel",
+    "messageBar",    "traceProgress",    "cancelTrace",   "statusPixel",    "statusColumn",
+    "statusStep",    "statusSettings",   "formulaDock",   "pixelGridDock",  "pixelHistoryDock",
+    "columnsDock",   "nextColourButton", "compare",       "compareDock",    "agreementMap",
+    "compareReason", "hardCases",        "hardCasesDock", "precision",      "precisionDock",
+    "precisionPlot", "overdrawMap",      "performance",   "performanceDock"};
 
 /// Keys that act in the same scope, by scope: window-wide, or in one widget.
 QString scopeOf(const QAction &action)
@@ -120,7 +122,10 @@ private slots:
                 || qobject_cast<QComboBox *>(widget->parentWidget())
                 || (widget->parentWidget()
                     && widget->parentWidget()->inherits("QComboBoxPrivateContainer"))
-                || widget->inherits("QMenu") || widget->inherits("QMenuBar");
+                || widget->inherits("QMenu")
+                || widget->inherits("QMenuBar")
+                // A bar of tabs is named by its current tab, which a spare one does not have.
+                || (widget->inherits("QTabBar") && !widget->isVisible());
             if (isInner || widget->focusPolicy() == Qt::NoFocus)
                 continue;
             QAccessibleInterface *accessible = QAccessible::queryAccessibleInterface(widget);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/tracerows.h"
+#include "core/methods/formulaexplanation.h"
 #include "tests/support/defaultscene.h"
 #include "widgets/columntable.h"
 #include "widgets/columntablemodel.h"
@@ -66,13 +67,13 @@ void TestPanels::steppingMovesTheCurrentRow()
     Playhead playhead;
     playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
     ColumnTable table(&playhead);
-    playhead.seekToColumn(std::size_t(rowOf(30)));
+    playhead.seekToSpan(std::size_t(rowOf(30)));
 
-    playhead.step(StepUnit::Pixel, StepDirection::Forward);
+    playhead.step(StepUnit::Sample, StepDirection::Forward);
     QCOMPARE(table.currentIndex().row(), rowOf(30));
     QVERIFY(playhead.pixelInHand()); // the table did not pull the position back
 
-    playhead.step(StepUnit::Column, StepDirection::Forward);
+    playhead.step(StepUnit::Span, StepDirection::Forward);
     QCOMPARE(table.currentIndex().row(), rowOf(31));
     QCOMPARE(table.selectionModel()->selectedRows().size(), 1);
 
@@ -118,8 +119,8 @@ void TestPanels::copiedRowsAgreeWithTheExportedTrace()
     const QStringList names = lines[0].split(u'\t');
     const QStringList copied = lines[1].split(u'\t');
     QCOMPARE(copied.size(), names.size());
-    const std::vector<Field> fields = columnFields(*playhead.traced()->method);
-    const QStringList exported = columnCells(*playhead.traced(), std::size_t(rowOf(33)));
+    const std::vector<Field> fields = spanFields(*playhead.traced()->method);
+    const QStringList exported = spanCells(*playhead.traced(), std::size_t(rowOf(33)));
     int compared = 0;
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const qsizetype place = names.indexOf(fields[i].name);
@@ -170,7 +171,7 @@ void TestPanels::widthsStayWhileStepping()
     const QList<int> before = widths();
 
     for (int step = 0; step < 55; ++step)
-        playhead.step(StepUnit::Column, StepDirection::Forward);
+        playhead.step(StepUnit::Span, StepDirection::Forward);
 
     QCOMPARE(widths(), before);
 }
@@ -181,10 +182,9 @@ void TestPanels::formulasNameTheNumbersOfTheStep()
     playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Float32)));
     FormulaPanel panel(&playhead);
 
-    playhead.seekToColumn(std::size_t(rowOf(33)));
+    playhead.seekToSpan(std::size_t(rowOf(33)));
 
-    const Explanation explanation
-        = playhead.traced()->method->explain(*playhead.traced(), playhead.position() - 1);
+    const Explanation explanation = explainStep(*playhead.traced(), playhead.position() - 1);
     const QString text = panel.findChild<QTextBrowser *>()->toPlainText();
     QVERIFY(!explanation.lines.empty());
     for (const FormulaLine &line : explanation.lines) {
@@ -202,10 +202,10 @@ void TestPanels::theChangeOfHalfIsAnEvent()
     FormulaPanel panel(&playhead);
     auto *heading = panel.findChild<QLabel *>(QStringLiteral("formulaHeading"));
 
-    playhead.seekToColumn(std::size_t(rowOf(26)));
+    playhead.seekToSpan(std::size_t(rowOf(26)));
     QVERIFY(!heading->text().contains(QStringLiteral("⚑")));
 
-    playhead.seekToColumn(std::size_t(rowOf(27)));
+    playhead.seekToSpan(std::size_t(rowOf(27)));
     QVERIFY(heading->text().contains(QStringLiteral("⚑")));
     QVERIFY(heading->text().contains(QStringLiteral("L₁₂")));
 }
@@ -229,12 +229,12 @@ void TestPanels::formulasKeepTheirPlaceWhileStepping()
     FormulaPanel panel(&playhead);
     panel.resize(440, 240);
     panel.show();
-    playhead.seekToColumn(std::size_t(rowOf(30)));
+    playhead.seekToSpan(std::size_t(rowOf(30)));
     auto *formulas = panel.findChild<QTextBrowser *>();
     formulas->verticalScrollBar()->setValue(60);
     const QRect place = formulas->geometry();
 
-    playhead.step(StepUnit::Column, StepDirection::Forward);
+    playhead.step(StepUnit::Span, StepDirection::Forward);
 
     QCOMPARE(formulas->geometry(), place);
     QCOMPARE(formulas->verticalScrollBar()->value(), 60);

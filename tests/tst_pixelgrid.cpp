@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/columnrecord.h"
 #include "tests/support/defaultscene.h"
 #include "widgets/displayoptions.h"
 #include "widgets/pixelgrid.h"
@@ -203,18 +204,18 @@ void TestPixelGrid::candidatesAreTheRowsThatAreNotWrittenYet()
     DisplayOptions options;
     playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
     const PixelGridMapping mapping(QSize(90, 90), {}, 9, QPoint(33, 10), FrameOrigin::BottomLeft);
-    playhead.seekToColumn(std::size_t(rowOf(33)));
-    const ColumnRecord column = playhead.traced()->trace->column(std::size_t(rowOf(33)));
+    playhead.seekToSpan(std::size_t(rowOf(33)));
+    const ColumnRecord column(playhead.traced()->trace->span(std::size_t(rowOf(33))));
 
     const PixelGridScene entered = pixelGridScene(playhead, options, mapping);
-    QCOMPARE(entered.firstCandidate, column.firstDrawnRow);
-    QCOMPARE(entered.endCandidate, column.endDrawnRow);
+    QCOMPARE(entered.firstCandidate, column.span().firstDrawn);
+    QCOMPARE(entered.endCandidate, column.span().endDrawn);
     QVERIFY(!entered.pixelInHand);
 
-    playhead.step(StepUnit::Pixel, StepDirection::Forward);
+    playhead.step(StepUnit::Sample, StepDirection::Forward);
     const PixelGridScene stepped = pixelGridScene(playhead, options, mapping);
-    QCOMPARE(stepped.firstCandidate, column.firstDrawnRow + 1);
-    QCOMPARE(stepped.pixelInHand, QPoint(33, int(column.firstDrawnRow)));
+    QCOMPARE(stepped.firstCandidate, column.span().firstDrawn + 1);
+    QCOMPARE(stepped.pixelInHand, QPoint(33, int(column.span().firstDrawn)));
 }
 
 void TestPixelGrid::differencesAreShownOnceTheyAreDecided()
@@ -246,9 +247,9 @@ void TestPixelGrid::differencesAreShownOnceTheyAreDecided()
         return std::size_t(0);
     };
 
-    playhead.seek(playhead.traced()->decidedAt(wrong->x()) - 1);
+    playhead.seek(playhead.traced()->decidedAt(wrong->x(), wrong->y()) - 1);
     QCOMPARE(signsThere(), std::size_t(0));
-    playhead.seek(playhead.traced()->decidedAt(wrong->x()));
+    playhead.seek(playhead.traced()->decidedAt(wrong->x(), wrong->y()));
     QCOMPARE(signsThere(), std::size_t(1));
     options.setDifferencesShown(false);
     QCOMPARE(signsThere(), std::size_t(0));

@@ -56,9 +56,9 @@ void TestPixelHistory::historyOfAWrittenPixelListsChannels()
     QCOMPARE(written.data(PixelHistoryModel::StepRole).toULongLong(), qulonglong(attempt.step));
     QCOMPARE(model.rowCount(written), 3);
     QCOMPARE(model.index(0, PixelHistoryModel::UsedColumn, written).data().toString(),
-             displayText(attempt.fragment.colour[0]));
+             displayText(attempt.sample->colour[0]));
     QCOMPARE(model.index(0, PixelHistoryModel::ByteColumn, written).data().toString(),
-             QStringLiteral("→ %1").arg(attempt.fragment.level[0]));
+             QStringLiteral("→ %1").arg(attempt.sample->level[0]));
 
     model.setPosition(0);
     QCOMPARE(model.decisiveRow().data().toString(), QStringLiteral("△ 0 will write it"));

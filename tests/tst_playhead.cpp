@@ -89,15 +89,15 @@ private slots:
         playhead.setTraced(traced());
         const ScanTrace &trace = *playhead.traced()->trace;
         std::vector<std::size_t> expected;
-        for (std::size_t column = 0; column < trace.columnCount(); ++column)
-            expected.push_back(trace.indexOfColumn(column) + 1);
+        for (std::size_t column = 0; column < trace.spanCount(); ++column)
+            expected.push_back(trace.indexOfSpan(column) + 1);
         expected.push_back(trace.indexOfSetUp(1) + 1); // refused: it has no column to stop at
         expected.push_back(trace.stepCount());
         std::ranges::sort(expected);
 
         std::vector<std::size_t> stops;
         while (playhead.position() < playhead.end()) {
-            playhead.step(StepUnit::Column, forward);
+            playhead.step(StepUnit::Span, forward);
             stops.push_back(playhead.position());
         }
 
@@ -126,7 +126,7 @@ private slots:
         playhead.setTraced(traced());
         const QSignalSpy moves(&playhead, &Playhead::positionChanged);
 
-        playhead.step(StepUnit::Column, forward);
+        playhead.step(StepUnit::Span, forward);
         playhead.seek(playhead.position());
         playhead.run(forward);
         playhead.seek(playhead.end() + 100);
@@ -140,7 +140,7 @@ private slots:
         Playhead playhead;
         playhead.setTraced(traced());
         while (!playhead.pixelInHand())
-            playhead.step(StepUnit::Pixel, forward);
+            playhead.step(StepUnit::Sample, forward);
         QCOMPARE(playhead.pickedPixel(), playhead.pixelInHand());
         const std::size_t position = playhead.position();
 
@@ -154,7 +154,7 @@ private slots:
     {
         Playhead playhead;
         playhead.setTraced(traced());
-        playhead.toggleColumnBreakpoint(6);
+        playhead.toggleSpanBreakpoint({SpanAxis::Column, 6, 0});
         playhead.togglePixelBreakpoint({4, 5});
         std::vector<std::size_t> stops;
         do {
@@ -195,7 +195,7 @@ private slots:
         QCOMPARE(messages.size(), 1);
         playhead.runToPickedPixel(backward);
         QCOMPARE(playhead.position(), first);
-        QCOMPARE(playhead.stepInHand()->triangle, std::size_t(0));
+        QCOMPARE(playhead.stepInHand()->primitive, std::size_t(0));
     }
 
     void keepsColumnAndPixelWhenASceneIsTracedAnew()
@@ -208,7 +208,7 @@ private slots:
         playhead.setTraced(traced(FillRule::Closed));
 
         QCOMPARE(playhead.pixelInHand(), std::optional(QPoint(5, 3)));
-        QCOMPARE(playhead.stepInHand()->triangle, std::size_t(0));
+        QCOMPARE(playhead.stepInHand()->primitive, std::size_t(0));
     }
 
     void anAddedTriangleIsShownFinished()
@@ -228,7 +228,7 @@ private slots:
     {
         Playhead playhead;
         playhead.setTraced(traced());
-        playhead.toggleColumnBreakpoint(6);
+        playhead.toggleSpanBreakpoint({SpanAxis::Column, 6, 0});
         playhead.setStepsPerSecond(Playhead::fastest);
         playhead.setPlaying(true);
         QTRY_VERIFY(!playhead.isPlaying());
@@ -243,12 +243,12 @@ private slots:
     void standsStillWithoutARun()
     {
         Playhead playhead;
-        playhead.step(StepUnit::Column, forward);
+        playhead.step(StepUnit::Span, forward);
         playhead.run(backward);
         playhead.runToPickedPixel(forward);
         playhead.nudgePick(1, 1);
         playhead.setPlaying(true);
-        playhead.seekToColumn(3);
+        playhead.seekToSpan(3);
 
         QCOMPARE(playhead.position(), std::size_t(0));
         QVERIFY(!playhead.isPlaying());
@@ -260,8 +260,8 @@ private:
     {
         QTest::addColumn<StepUnit>("unit");
         QTest::newRow("set-up") << StepUnit::SetUp;
-        QTest::newRow("column") << StepUnit::Column;
-        QTest::newRow("pixel") << StepUnit::Pixel;
+        QTest::newRow("column") << StepUnit::Span;
+        QTest::newRow("pixel") << StepUnit::Sample;
     }
 };
 

@@ -150,7 +150,7 @@ void SceneDocumentTest::everyChangeCanBeUndoneAndRedone_data()
         d.setVertexColour({VertexRef::pending, 0}, yellow);
     });
     row("add triangle", [](SceneDocument &d) { d.addTriangle(triangle(20)); });
-    row("delete first triangle", [](SceneDocument &d) { d.deleteTriangle(0); });
+    row("delete first triangle", [](SceneDocument &d) { d.deletePrimitive(0); });
     row("delete the triangle of a vertex", [](SceneDocument &d) { d.deleteVertex({1, 1}); });
     row("delete a pending vertex", [](SceneDocument &d) {
         d.deleteVertex({VertexRef::pending, 0});
@@ -237,7 +237,7 @@ void SceneDocumentTest::drivesNoCommandWhenNothingChanges()
     document.setFrame(document.scene().frame);
     document.setSettings(document.scene().settings);
     document.setMethod(document.scene().method);
-    document.deleteTriangle(7);
+    document.deletePrimitive(7);
     document.deleteVertex({VertexRef::pending, 0});
     document.discardPending();
 
@@ -318,7 +318,7 @@ void SceneDocumentTest::selectionFollowsItsVertex()
     document.addTriangle(triangle(10));
     document.selectVertex(VertexRef{1, 2});
 
-    document.deleteTriangle(0);
+    document.deletePrimitive(0);
     QCOMPARE(document.selectedVertex(), std::optional(VertexRef{0, 2}));
     document.undoStack()->undo();
     QCOMPARE(document.selectedVertex(), std::optional(VertexRef{1, 2}));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/method.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/scenefile.h"
 
@@ -269,7 +270,7 @@ private slots:
 
         QVERIFY2(reading.isOk(), reading ? "" : qPrintable(reading.error().message()));
         QVERIFY(reading->snaps.empty());
-        QVERIFY(!reading->scene.triangles.empty());
+        QVERIFY(!reading->scene.triangles.empty() || !reading->scene.shapes.empty());
     }
 
     void namesTheFaultAndItsPlace_data()
@@ -339,13 +340,12 @@ private slots:
             "line 1, column 70, frame.background: “#f0203080” is not opaque, and blending is not "
             "available; "
             "expected alpha ff, or #rrggbb without alpha");
-        row("method", sceneWith(R"("method": "raytracer", "primitives": [])"),
-            "line 4, column 11, method: “raytracer”; expected column-scan");
         row("rule that the method does not keep",
             sceneWith(R"("fillRule": "off-screen-point", "primitives": [])"),
             "line 4, column 13, fillRule: method “column-scan” cannot keep the fill rule "
-            "“off-screen-point”; "
-            "it keeps closed, half-open-column");
+            "“off-screen-point”: "
+            "a column ends at its two bounds whatever edge they belong to; it keeps closed, "
+            "half-open-column");
         row("coordinate too large", triangleAt("3e9"),
             "line 5, column 21, primitives[0].triangle[0][0]: 3000000000 is outside ±1073741824 "
             "px; expected "
@@ -376,6 +376,17 @@ private slots:
         QFETCH(QString, message);
 
         QCOMPARE(errorOf(text), message);
+    }
+
+    void namesAllMethodsWhereThereIsNoSuchOne()
+    {
+        QStringList ids;
+        for (const Method &method : methods())
+            ids.append(method.id);
+
+        QCOMPARE(errorOf(sceneWith(R"("method": "raytracer", "primitives": [])")),
+                 QStringLiteral("line 4, column 11, method: “raytracer”; expected one of ")
+                     + ids.join(QStringLiteral(", ")));
     }
 
     void tellsLineAndColumnOfASyntaxError()

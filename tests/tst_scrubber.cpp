@@ -132,7 +132,7 @@ private slots:
     void theArrowsStepByTheChosenUnit()
     {
         Stage stage;
-        stage.playhead.setUnit(StepUnit::Pixel);
+        stage.playhead.setUnit(StepUnit::Sample);
         stage.playhead.seek(10);
         QTest::keyClick(&stage.scrubber, Qt::Key_Right);
         QCOMPARE(stage.playhead.position(), std::size_t(11));

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/formulaexplanation.h"
 #include "core/trace/pixelhistory.h"
 #include "tests/support/scanning.h"
 
@@ -59,9 +60,9 @@ private slots:
         const Scene scene = threeTriangles(settings);
         FrameBuffer traced(scene.frame);
         const auto trace
-            = columnScan().trace(trianglesOnSamples(scene), settings, traced.view(), {});
+            = columnScan().trace(primitivesOnSamples(scene), settings, traced.view(), {});
         QCOMPARE(traced.copy(), drawnPicture(scene));
-        QVERIFY(trace->pixelCount() > 500);
+        QVERIFY(trace->sampleCount() > 500);
     }
 
     void replayToTheEndGivesTheFrame_data() { addSettingsRows(); }
@@ -108,25 +109,25 @@ private slots:
         const ScanTrace &trace = *traced->trace;
         std::size_t pixels = 0;
         for (std::size_t index = 0; index < trace.stepCount(); ++index) {
-            QCOMPARE(trace.pixelsDoneAt(index), pixels);
+            QCOMPARE(trace.samplesDoneAt(index), pixels);
             const TraceStep step = trace.stepAt(index);
             switch (step.kind) {
             case StepKind::SetUp:
-                QCOMPARE(trace.indexOfSetUp(step.triangle), index);
+                QCOMPARE(trace.indexOfSetUp(step.primitive), index);
                 break;
-            case StepKind::Column:
-                QCOMPARE(trace.indexOfColumn(step.column), index);
-                QCOMPARE(trace.triangleOf(step.column), step.triangle);
+            case StepKind::Span:
+                QCOMPARE(trace.indexOfSpan(step.span), index);
+                QCOMPARE(trace.primitiveOf(step.span), step.primitive);
                 break;
-            case StepKind::Pixel:
-                QCOMPARE(trace.indexOfPixel(step.pixel), index);
-                QCOMPARE(trace.columnOf(step.pixel), step.column);
-                QCOMPARE(step.pixel, pixels);
+            case StepKind::Sample:
+                QCOMPARE(trace.indexOfSample(step.sample), index);
+                QCOMPARE(trace.spanOf(step.sample), step.span);
+                QCOMPARE(step.sample, pixels);
                 ++pixels;
                 break;
             }
         }
-        QCOMPARE(pixels, trace.pixelCount());
+        QCOMPARE(pixels, trace.sampleCount());
     }
 
     void fragmentsAreTheNumbersThatWroteTheBytes_data() { addSettingsRows(); }
@@ -135,11 +136,11 @@ private slots:
         QFETCH(ScanSettings, settings);
         const auto traced = traceScene(threeTriangles(settings));
         const ScanTrace &trace = *traced->trace;
-        for (std::size_t column = 0; column < trace.columnCount(); ++column) {
-            const std::vector<FragmentRecord> fragments = trace.fragments(column);
-            QCOMPARE(fragments.size(), trace.endPixelOf(column) - trace.firstPixelOf(column));
+        for (std::size_t column = 0; column < trace.spanCount(); ++column) {
+            const std::vector<SampleRecord> fragments = trace.samples(column);
+            QCOMPARE(fragments.size(), trace.endSampleOf(column) - trace.firstSampleOf(column));
             for (std::size_t i = 0; i < fragments.size(); ++i) {
-                const PixelChange &change = trace.changes()[trace.firstPixelOf(column) + i];
+                const PixelChange &change = trace.changes()[trace.firstSampleOf(column) + i];
                 QCOMPARE(fragments[i].y, std::int64_t(change.y));
                 QCOMPARE(std::clamp<std::int64_t>(fragments[i].level[0], 0, 255),
                          std::int64_t(qRed(change.after)));
@@ -172,17 +173,17 @@ private slots:
             = std::ranges::find(traced->marks, MarkKind::FirstDifference, &TraceMark::kind);
         QVERIFY(mark != traced->marks.end());
         const TraceStep step = traced->trace->stepAt(mark->step);
-        QCOMPARE(traced->trace->xOf(step.column), std::int64_t(58));
+        QCOMPARE(traced->trace->placeOf(step.span).coordinate, std::int64_t(58));
         QCOMPARE(traced->differences.at(58, 12), Difference::Missing);
     }
 
     void aRecordingAtItsLimitKeepsItsFirstStepsAndSaysSo()
     {
         TraceOptions options;
-        options.pixelLimit = 100;
+        options.sampleLimit = 100;
         const auto traced = traceScene(threeTriangles(), options);
         QVERIFY(traced->trace->isCut());
-        QCOMPARE(traced->trace->pixelCount(), std::size_t(100));
+        QCOMPARE(traced->trace->sampleCount(), std::size_t(100));
         QCOMPARE(traced->differences.total(), std::int64_t(0));
         TraceCursor cursor(*traced->trace, traced->scene.frame);
         cursor.seek(traced->trace->stepCount());
@@ -209,7 +210,7 @@ private slots:
         QVERIFY(history[3].written);
         QCOMPARE(history[3].change.before,
                  history[1].written ? history[1].change.after : history[0].change.after);
-        QCOMPARE(traced->trace->stepAt(history[3].step).kind, StepKind::Pixel);
+        QCOMPARE(traced->trace->stepAt(history[3].step).kind, StepKind::Sample);
         const std::vector<PixelAttempt> outside = pixelHistory(*traced, 4, 6);
         QVERIFY(outside[0].reason.contains(
             QStringLiteral("Refused by the edge from vertex 2 to vertex 0")));
@@ -230,12 +231,12 @@ private slots:
             threeTriangles({Arithmetic::Float32, FillRule::Closed, ByteRounding::Nearest}));
         const ScanTrace &trace = *traced->trace;
         for (std::size_t index = 0; index < trace.stepCount(); ++index) {
-            const Explanation explanation = traced->method->explain(*traced, index);
+            const Explanation explanation = explainStep(*traced, index);
             QVERIFY(!explanation.heading.isEmpty());
             QVERIFY(!explanation.sentence.isEmpty());
             const TraceStep step = trace.stepAt(index);
-            if (step.kind == StepKind::Column)
-                QCOMPARE(explanation.lines.front().used, trace.column(step.column).yBottom);
+            if (step.kind == StepKind::Span)
+                QCOMPARE(explanation.lines.front().used, trace.span(step.span).lower);
         }
     }
 };

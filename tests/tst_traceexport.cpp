@@ -70,7 +70,7 @@ private slots:
         const QList<QByteArray> lines
             = linesOf(exported(defaultScene(), TraceLevel::Column, TableFormat::Csv));
 
-        QCOMPARE(std::size_t(lines.size()), traced->trace->columnCount() + 1);
+        QCOMPARE(std::size_t(lines.size()), traced->trace->spanCount() + 1);
         QVERIFY(lines[0].startsWith("step,triangle,x,half,y_B,y_B_exact,y_B_error,y_T,"));
         // The edge (4, 5)–(58, 12) rises by 7/54 a column, (4, 5)–(53/2, 44) by 26/15.
         QVERIFY2(lines[2].startsWith("4,0,5,1,5 7/54,5 7/54,0,6 11/15,6 11/15,0,6,6,0,6,6,0,1,"),
@@ -84,13 +84,16 @@ private slots:
         const QList<QByteArray> lines
             = linesOf(exported(defaultScene(), TraceLevel::Pixel, TableFormat::Csv));
 
-        QCOMPARE(std::size_t(lines.size()), traced->trace->pixelCount() + 1);
-        QCOMPARE(lines[0],
-                 QByteArray(
-                     "step,triangle,x,y,R,R_exact,R_error,R_level,R_byte,G,G_exact,G_error,G_level,"
-                     "G_byte,B,B_exact,B_error,B_level,B_byte,clamped,before,after"));
-        QCOMPARE(lines[1],
-                 QByteArray("3,0,4,5,255,255,0,255,255,0,0,0,0,0,0,0,0,0,0,false,#000000,#ff0000"));
+        QCOMPARE(std::size_t(lines.size()), traced->trace->sampleCount() + 1);
+        QCOMPARE(
+            lines[0],
+            QByteArray(
+                "step,primitive,x,y,R,R_exact,R_error,R_level,R_byte,G,G_exact,G_error,G_level,"
+                "G_byte,B,B_exact,B_error,B_level,B_byte,clamped,before,after,fate"));
+        QCOMPARE(
+            lines[1],
+            QByteArray(
+                "3,0,4,5,255,255,0,255,255,0,0,0,0,0,0,0,0,0,0,false,#000000,#ff0000,written"));
     }
 
     void givesEveryRowAsManyFieldsAsTheHeader_data()
@@ -157,7 +160,7 @@ private slots:
         QCOMPARE(document[QStringLiteral("rounding")].toString(), QStringLiteral("nearest"));
         QCOMPARE(document[QStringLiteral("cut")].toBool(true), false);
         QCOMPARE(document[QStringLiteral("columns")].toArray().size(),
-                 qsizetype(methodNamed(u"column-scan")->traceColumns.size()));
+                 qsizetype(methodNamed(u"column-scan")->spanColumns.size()));
     }
 
     void givesAColumnOneJsonTypeInAllRows()

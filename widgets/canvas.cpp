@@ -154,10 +154,11 @@ QString Canvas::spokenState() const
         const Vertex vertex = *m_document->vertexAt(*ref);
         const QString x = displayText(Quantity::rational(vertex.position.x, unitsPerPixel));
         const QString y = displayText(Quantity::rational(vertex.position.y, unitsPerPixel));
-        if (ref->triangle == VertexRef::pending)
+        if (ref->primitive == VertexRef::pending)
             return tr("waiting vertex %1 at (%2, %3)").arg(QString::number(ref->vertex), x, y);
-        return tr("vertex %1 of triangle %2 at (%3, %4)")
-            .arg(QString::number(ref->vertex), QString::number(ref->triangle), x, y);
+        return tr("vertex %1 of %2 %3 at (%4, %5)")
+            .arg(QString::number(ref->vertex), nameOf(m_document->kindOf(ref->primitive)),
+                 QString::number(ref->primitive), x, y);
     }
     if (const std::optional<QPoint> pixel = m_playhead->pickedPixel())
         return tr("pixel (%1, %2)").arg(pixel->x()).arg(pixel->y());

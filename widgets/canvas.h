@@ -109,13 +109,16 @@ private:
     // canvaspainting.cpp
     void paintCells(QPainter &painter);
     void paintTriangles(FramePainter &frame);
+    void paintShapes(FramePainter &frame);
+    void paintNamesOf(int primitive, FramePainter &frame);
+    void paintRubber(FramePainter &frame, const LatticePoint &tip);
     void paintVertexNames(FramePainter &frame);
     void paintSigns(FramePainter &frame);
     void paintPending(FramePainter &frame);
     void paintNotes(FramePainter &frame);
     void paintRulers(QPainter &painter);
     std::optional<SetUpRecord> setUpOf(int triangle) const;
-    std::optional<int> namedTriangle() const;
+    std::optional<int> namedPrimitive() const;
     std::optional<LatticePoint> candidate() const;
     QString hint() const;
     LatticePoint onSamples(const LatticePoint &scenePoint) const;

@@ -35,7 +35,7 @@ void CanvasDifferences::lookUpCells(const QRect &cells)
             if (kind == Difference::None)
                 continue;
             const QPoint device = m_mapping.deviceCellOf({x, int(y)}).topLeft();
-            m_marks.push_back({device - m_device.topLeft(), kind, m_traced->decidedAt(x)});
+            m_marks.push_back({device - m_device.topLeft(), kind, m_traced->decidedAt(x, y)});
         }
     }
 }
@@ -64,7 +64,7 @@ Difference CanvasDifferences::firstDifferenceIn(const QRect &picture, std::size_
             const std::int64_t x = std::int64_t(frame.firstColumn) + column;
             const Difference kind = m_traced->differences.at(x, y);
             if (kind != Difference::None) {
-                decidedAt = m_traced->decidedAt(x);
+                decidedAt = m_traced->decidedAt(x, y);
                 return kind;
             }
         }

@@ -17,6 +17,9 @@ public:
 signals:
     void colourRequested(const pixelplumb::VertexRef &ref);
     void coordinatesRequested(const pixelplumb::VertexRef &ref);
+
+private:
+    void askForText(SceneDocument *document, const VertexRef &ref);
 };
 
 } // namespace pixelplumb

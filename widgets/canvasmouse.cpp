@@ -15,24 +15,24 @@ namespace {
 
 constexpr int eighthsPerNotch = 120; // of a degree; QWheelEvent::angleDelta
 
-/// The trace's column that stands at x, of the preferred triangle, else of the one with the
+/// The trace's column that stands at x, of the preferred primitive, else of the one with the
 /// nearest.
 std::optional<std::size_t> columnNear(const ScanTrace &trace, std::size_t preferred, std::int64_t x)
 {
     std::optional<std::size_t> nearest;
     std::int64_t leastDistance = 0;
-    for (std::size_t i = 0; i < trace.triangleCount(); ++i) {
-        const std::size_t triangle = (preferred + i) % trace.triangleCount();
-        const std::size_t first = trace.firstColumnOf(triangle);
-        const std::size_t end = trace.endColumnOf(triangle);
-        if (first == end)
-            continue;
-        const std::int64_t firstX = trace.xOf(first);
-        const std::int64_t nearX = std::clamp(x, firstX, firstX + std::int64_t(end - first) - 1);
-        const std::int64_t distance = std::abs(nearX - x);
-        if (!nearest || distance < leastDistance) {
-            nearest = first + std::size_t(nearX - firstX);
-            leastDistance = distance;
+    for (std::size_t i = 0; i < trace.primitiveCount(); ++i) {
+        const std::size_t primitive = (preferred + i) % trace.primitiveCount();
+        for (std::size_t span = trace.firstSpanOf(primitive); span < trace.endSpanOf(primitive);
+             ++span) {
+            const SpanPlace &place = trace.placeOf(span);
+            if (place.axis != SpanAxis::Column)
+                continue;
+            const std::int64_t distance = std::abs(place.coordinate - x);
+            if (!nearest || distance < leastDistance) {
+                nearest = span;
+                leastDistance = distance;
+            }
         }
     }
     return nearest;
@@ -47,9 +47,9 @@ void Canvas::seekToColumnAt(const QPointF &position)
         return;
     const std::optional<TraceStep> step = m_playhead->stepInHand();
     const std::optional<std::size_t> column
-        = columnNear(*traced->trace, step ? step->triangle : 0, m_mapping.columnAt(position));
+        = columnNear(*traced->trace, step ? step->primitive : 0, m_mapping.columnAt(position));
     if (column)
-        m_playhead->seekToColumn(*column);
+        m_playhead->seekToSpan(*column);
 }
 
 void Canvas::mousePressEvent(QMouseEvent *event)
@@ -77,6 +77,9 @@ void Canvas::beginGesture(QMouseEvent *event)
     } else if (left && columnRuler().contains(position)) {
         m_gesture = std::make_unique<SeekColumnGesture>(*this);
         m_gesture->moveTo(position);
+    } else if (left && m_pressedVertex == VertexRef{VertexRef::pending, 0}
+               && m_document->canClosePending()) {
+        m_document->closePending();
     } else if (left && m_pressedVertex) {
         m_gesture
             = std::make_unique<MoveVertexGesture>(*this, *m_document, *m_pressedVertex, position);
@@ -157,7 +160,7 @@ void Canvas::contextMenuEvent(QContextMenuEvent *event)
 
 void Canvas::toggleBreakpointAt(const QPointF &position)
 {
-    m_playhead->toggleColumnBreakpoint(m_mapping.columnAt(position));
+    m_playhead->toggleSpanBreakpoint({SpanAxis::Column, m_mapping.columnAt(position), 0});
 }
 
 void Canvas::wheelEvent(QWheelEvent *event)

@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/shapeediting.h"
 #include "widgets/canvas.h"
 #include "widgets/canvaspicture.h"
 #include "widgets/displayoptions.h"
 #include "widgets/framepainter.h"
 #include "widgets/numberformat.h"
+#include "widgets/placinghint.h"
 #include "widgets/playhead.h"
 #include "widgets/ruler.h"
 
 #include <QPainter>
 
+#include <algorithm>
+#include <numeric>
+
 namespace pixelplumb {
 
 namespace {
+
+constexpr std::size_t mostNames = 12; // more would hide what they name
 
 std::array<LatticePoint, 3> cornersOf(const Triangle &triangle)
 {
@@ -41,6 +48,7 @@ void Canvas::paintEvent(QPaintEvent *)
     FramePainter frame(painter, m_mapping, palette(), frameView);
     frame.drawFrameEdge();
     paintTriangles(frame);
+    paintShapes(frame);
     if (tracedOfFrame() && m_options->areDifferencesShown() && !isTruthVisible())
         m_differences.drawGlyphs(painter, m_playhead->position(), palette());
     paintSigns(frame);
@@ -94,23 +102,24 @@ std::optional<SetUpRecord> Canvas::setUpOf(int triangle) const
     const TracedScene *traced = tracedOfFrame();
     const auto index = std::size_t(triangle);
     // A drag may be ahead of the trace: numbers of a triangle that was there before are not shown.
-    if (!traced || index >= traced->trace->triangleCount()
+    if (!traced || index >= traced->trace->primitiveCount()
         || traced->scene.triangles[index] != m_document->scene().triangles[index])
         return std::nullopt;
     return traced->trace->setUp(index);
 }
 
-/// The triangle whose vertices have names: of the selected vertex, else the one in hand.
-std::optional<int> Canvas::namedTriangle() const
+/// The primitive whose vertices have names: of the selected vertex, else the one in hand.
+std::optional<int> Canvas::namedPrimitive() const
 {
-    const std::size_t count = m_document->scene().triangles.size();
+    const int count = m_document->primitiveCount();
     if (const std::optional<VertexRef> ref = m_document->selectedVertex();
-        ref && ref->triangle != VertexRef::pending)
-        return ref->triangle;
+        ref && ref->primitive != VertexRef::pending)
+        return ref->primitive;
     if (count == 1)
         return 0;
     const std::optional<TraceStep> step = m_playhead->stepInHand();
-    return step && step->triangle < count ? std::optional(int(step->triangle)) : std::nullopt;
+    return step && int(step->primitive) < count ? std::optional(int(step->primitive))
+                                                : std::nullopt;
 }
 
 void Canvas::paintTriangles(FramePainter &frame)
@@ -121,9 +130,18 @@ void Canvas::paintTriangles(FramePainter &frame)
         std::array<LatticePoint, 3> corners = cornersOf(triangles[std::size_t(index)]);
         for (LatticePoint &corner : corners)
             corner = onSamples(corner);
-        const bool isInHand = step && step->triangle == std::size_t(index);
+        const bool isInHand = step && step->primitive == std::size_t(index);
         const std::optional<SetUpRecord> setUp = isInHand ? setUpOf(index) : std::nullopt;
         frame.drawOutline(corners, setUp ? rolesOf(*setUp) : EdgeRoles{});
+    }
+}
+
+void Canvas::paintShapes(FramePainter &frame)
+{
+    for (Shape shape : m_document->scene().shapes) {
+        for (Vertex &vertex : shape.vertices)
+            vertex.position = onSamples(vertex.position);
+        frame.drawShapeOutline(shape);
     }
 }
 
@@ -133,11 +151,11 @@ void Canvas::paintSigns(FramePainter &frame)
         frame.drawPixelBreakpoint({x, y});
     if (const std::optional<QPoint> pixel = m_playhead->pickedPixel())
         frame.drawPickedPixel(*pixel);
-    const std::optional<std::size_t> column = m_playhead->columnInHand();
-    if (!column || !tracedOfFrame())
+    const std::optional<std::size_t> span = m_playhead->spanInHand();
+    if (!span || !tracedOfFrame())
         return;
-    const ColumnRecord record = m_playhead->traced()->trace->column(*column);
-    frame.drawPlumbLine(record.x);
+    const SpanRecord record = m_playhead->traced()->trace->span(*span);
+    frame.drawPlumbLine(record.place);
     frame.drawEdgeTicks(record);
 }
 
@@ -155,19 +173,29 @@ void Canvas::paintVertexNames(FramePainter &frame)
         frame.drawHandle(onSamples(vertex.position), vertex.colour, state);
     }
 
-    const std::optional<int> named = namedTriangle();
-    if (!named)
-        return;
-    const Triangle &triangle = m_document->scene().triangles[std::size_t(*named)];
-    const std::optional<SetUpRecord> setUp = setUpOf(*named);
-    const std::array<int, 3> order = setUp ? setUp->order : sortedByColumn(triangle);
-    QPointF inside;
-    for (const Vertex &vertex : triangle.vertices)
-        inside += positionOf(vertex.position) / 3;
-    for (std::size_t rank = 0; rank < order.size(); ++rank) {
-        const Vertex &vertex = triangle.vertices[std::size_t(order[rank])];
-        frame.drawVertexName(QStringLiteral("P%1").arg(rank), onSamples(vertex.position), inside);
+    if (const std::optional<int> named = namedPrimitive())
+        paintNamesOf(*named, frame);
+}
+
+/// P0, P1, P2 of a triangle in the order in which the method sorts them, of a shape as they stand.
+void Canvas::paintNamesOf(int primitive, FramePainter &frame)
+{
+    const std::vector<Vertex> vertices = m_document->verticesOf(primitive);
+    std::vector<std::size_t> order(vertices.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    if (m_document->kindOf(primitive) == PrimitiveKind::Triangle) {
+        const std::optional<SetUpRecord> setUp = setUpOf(primitive);
+        const std::array<int, 3> sorted = setUp
+            ? setUp->order
+            : sortedByColumn(m_document->scene().triangles[std::size_t(primitive)]);
+        std::ranges::copy(sorted, order.begin());
     }
+    QPointF inside;
+    for (const Vertex &vertex : vertices)
+        inside += positionOf(vertex.position) / double(vertices.size());
+    for (std::size_t rank = 0; rank < std::min(order.size(), mostNames); ++rank)
+        frame.drawVertexName(QStringLiteral("P%1").arg(rank),
+                             onSamples(vertices[order[rank]].position), inside);
 }
 
 /// The vertex that a click or Enter would place now, in the scene's coordinates.
@@ -184,6 +212,29 @@ std::optional<LatticePoint> Canvas::candidate() const
     return LatticePoint{sample.x + offset, sample.y + offset};
 }
 
+/// What the pending vertices and the tip would make.
+void Canvas::paintRubber(FramePainter &frame, const LatticePoint &tip)
+{
+    const PrimitiveKind kind = m_document->placedKind();
+    std::vector<Vertex> vertices;
+    std::vector<LatticePoint> path;
+    for (const Vertex &vertex : m_document->pendingVertices()) {
+        vertices.push_back({onSamples(vertex.position), vertex.colour});
+        path.push_back(vertices.back().position);
+    }
+    if (vertices.empty())
+        return;
+    vertices.push_back({tip, m_document->nextColour()});
+    path.push_back(tip);
+    const bool closes = kind == PrimitiveKind::Triangle || kind == PrimitiveKind::Polygon;
+    if (closes && path.size() > 2)
+        path.push_back(path.front());
+    if (!closes && placedVertexCount(kind) == vertices.size())
+        frame.drawShapeOutline(shapeFrom(kind, vertices));
+    else
+        frame.drawRubberPath(path);
+}
+
 void Canvas::paintPending(FramePainter &frame)
 {
     const std::optional<LatticePoint> next = candidate();
@@ -191,15 +242,7 @@ void Canvas::paintPending(FramePainter &frame)
         return;
     const std::vector<Vertex> &pending = m_document->pendingVertices();
     const LatticePoint tip = onSamples(*next);
-    if (pending.size() == 2) {
-        const LatticePoint first = onSamples(pending[0].position);
-        const LatticePoint second = onSamples(pending[1].position);
-        frame.drawRubberLine(first, second);
-        frame.drawRubberLine(second, tip);
-        frame.drawRubberLine(tip, first);
-    } else if (pending.size() == 1) {
-        frame.drawRubberLine(onSamples(pending[0].position), tip);
-    }
+    paintRubber(frame, tip);
     for (const Vertex &vertex : pending)
         frame.drawHandle(onSamples(vertex.position), vertex.colour, HandleState::Idle);
     frame.drawCandidate(tip, m_document->nextColour());
@@ -211,16 +254,9 @@ QString Canvas::hint() const
 {
     if (isTruthVisible())
         return tr("Truth: the exact picture");
-    switch (m_document->pendingVertices().size()) {
-    case 2:
-        return tr("Click the third point");
-    case 1:
-        return tr("Click the second point");
-    default:
-        break;
-    }
-    return m_document->scene().triangles.empty() ? tr("Click three points to draw a triangle")
-                                                 : QString();
+    return placingHint(m_document->placedKind(), m_document->pendingVertices().size(),
+                       m_document->primitiveCount() == 0 ? FrameContent::Empty
+                                                         : FrameContent::Drawn);
 }
 
 void Canvas::paintNotes(FramePainter &frame)
@@ -245,8 +281,13 @@ void Canvas::paintRulers(QPainter &painter)
         columnMarks.push_back({double(pixel->x()), Sign::PickedPixel});
         rowMarks.push_back({double(pixel->y()), Sign::PickedPixel});
     }
-    if (const std::optional<std::int64_t> x = m_playhead->columnXInHand())
-        columnMarks.push_back({double(*x), Sign::ColumnInHand});
+    for (const std::int64_t y : m_playhead->rowBreakpoints())
+        rowMarks.push_back({double(y), Sign::Breakpoint});
+    const std::optional<SpanPlace> place = m_playhead->placeInHand();
+    if (place && place->axis == SpanAxis::Column)
+        columnMarks.push_back({double(place->coordinate), Sign::ColumnInHand});
+    if (place && place->axis == SpanAxis::Row)
+        rowMarks.push_back({double(place->coordinate), Sign::ColumnInHand});
     Ruler(Qt::Horizontal, columnRuler(), m_mapping).paint(painter, palette(), columnMarks);
     Ruler(Qt::Vertical, rowRuler(), m_mapping).paint(painter, palette(), rowMarks);
     const QRectF corner(0, columnRuler().top(), rowRuler().width(), columnRuler().height());

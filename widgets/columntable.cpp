@@ -76,58 +76,13 @@ ColumnTable::ColumnTable(Playhead *playhead, QWidget *parent)
 
 ColumnTable::~ColumnTable() = default;
 
-void ColumnTable::createActions()
-{
-    const auto addToggle = [this](const char *name, const QString &text, const QString &toolTip) {
-        auto *action = new QAction(text, this);
-        action->setObjectName(QString::fromLatin1(name));
-        action->setToolTip(toolTip);
-        action->setCheckable(true);
-        m_columnActions.append(action);
-        return action;
-    };
-    // In the order of TraceColumnGroup.
-    m_groupActions = {
-        addToggle("showPosition", tr("Position"), tr("Show the column and its half")),
-        addToggle("showSpan", tr("Span"), tr("Show where the edges meet the column, and its rows")),
-        addToggle("showEdgeColours", tr("Edge colours"), tr("Show the levels at both edges")),
-        addToggle("showColourRates", tr("ΔR ΔG ΔB"), tr("Show the change for each upward move")),
-        addToggle("showFirstColour", tr("First R G B"), tr("Show the levels at the first pixel")),
-    };
-    for (QAction *action : std::as_const(m_groupActions))
-        action->setChecked(true);
-    m_exactAction = addToggle("showExact", tr("Exact"), tr("Show the exact number beside each"));
-    m_errorAction = addToggle("showError", tr("Error"), tr("Show used minus exact beside each"));
-    for (QAction *action : std::as_const(m_columnActions))
-        connect(action, &QAction::toggled, this, &ColumnTable::showChosenColumns);
-    m_copyAction = new QAction(tr("Copy rows"), this);
-    m_copyAction->setObjectName(QStringLiteral("copyRows"));
-    connect(m_copyAction, &QAction::triggered, this, &ColumnTable::copySelection);
-}
-
-bool ColumnTable::isChosen(int column) const
-{
-    const TraceColumn &description = m_model->traceColumn(column);
-    if (description.id == QLatin1String("triangle") && !m_model->hasSeveralTriangles())
-        return false;
-    if (!m_groupActions[int(description.group)]->isChecked())
-        return false;
-    switch (m_model->face(column)) {
-    case NumberFace::Used:
-        break;
-    case NumberFace::Exact:
-        return m_exactAction->isChecked();
-    case NumberFace::Error:
-        return m_errorAction->isChecked();
-    }
-    return true;
-}
-
 void ColumnTable::takeColumns()
 {
     verticalHeader()->setDefaultSectionSize(fontMetrics().height() + rowPadding);
     m_exactAction->setEnabled(m_model->isRounding());
     m_errorAction->setEnabled(m_model->isRounding());
+    for (int group = 0; group < int(m_groupActions.size()); ++group)
+        m_groupActions[group]->setVisible(hasGroup(TraceColumnGroup(group)));
     m_delegate->measure(*m_model, sampledRows(m_model->rowCount()), font());
     for (int column = 0; column < m_model->columnCount(); ++column)
         setColumnWidth(column,
@@ -136,16 +91,10 @@ void ColumnTable::takeColumns()
     followPlayhead();
 }
 
-void ColumnTable::showChosenColumns()
-{
-    for (int column = 0; column < m_model->columnCount(); ++column)
-        setColumnHidden(column, !isChosen(column));
-}
-
 void ColumnTable::followPlayhead()
 {
     const QScopedValueRollback following(m_following, true);
-    const std::optional<std::size_t> column = m_playhead->columnInHand();
+    const std::optional<std::size_t> column = m_playhead->spanInHand();
     if (!column || int(*column) >= m_model->rowCount()) {
         selectionModel()->clear();
         bringIntoView(firstRowAhead());
@@ -167,7 +116,7 @@ void ColumnTable::followPlayhead()
 int ColumnTable::firstRowAhead() const
 {
     const std::optional<TraceStep> step = m_playhead->stepInHand();
-    return step ? int(m_playhead->traced()->trace->firstColumnOf(step->triangle)) : 0;
+    return step ? int(m_playhead->traced()->trace->firstSpanOf(step->primitive)) : 0;
 }
 
 void ColumnTable::bringIntoView(int row)
@@ -189,7 +138,7 @@ void ColumnTable::bringIntoView(int row)
 void ColumnTable::resizeEvent(QResizeEvent *event)
 {
     QTableView::resizeEvent(event);
-    if (const std::optional<std::size_t> column = m_playhead->columnInHand())
+    if (const std::optional<std::size_t> column = m_playhead->spanInHand())
         bringIntoView(int(*column));
 }
 
@@ -197,7 +146,7 @@ void ColumnTable::currentChanged(const QModelIndex &current, const QModelIndex &
 {
     QTableView::currentChanged(current, previous);
     if (!m_following && current.isValid() && current.row() != previous.row())
-        m_playhead->seekToColumn(std::size_t(current.row()));
+        m_playhead->seekToSpan(std::size_t(current.row()));
 }
 
 QString ColumnTable::selectionAsTsv() const
@@ -227,19 +176,6 @@ void ColumnTable::copySelection() const
 {
     if (selectionModel()->hasSelection())
         QGuiApplication::clipboard()->setText(selectionAsTsv());
-}
-
-void ColumnTable::showColumnMenu(const QPoint &position)
-{
-    QMenu menu(this);
-    menu.addSection(tr("Columns"));
-    menu.addActions(m_groupActions);
-    menu.addSection(tr("Beside each number"));
-    menu.addAction(m_exactAction);
-    menu.addAction(m_errorAction);
-    menu.addSeparator();
-    menu.addAction(m_copyAction);
-    menu.exec(position);
 }
 
 bool ColumnTable::event(QEvent *event)

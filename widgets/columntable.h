@@ -50,6 +50,7 @@ private:
     int firstRowAhead() const;
     void bringIntoView(int row);
     bool isChosen(int column) const;
+    bool hasGroup(TraceColumnGroup group) const;
     void showColumnMenu(const QPoint &position);
 
     Playhead *m_playhead;

@@ -33,8 +33,8 @@ void drawRowMark(QPainter &painter, const QStyleOptionViewItem &option, RowMark 
 {
     if (mark == RowMark::None)
         return;
-    const QColor line = mark == RowMark::TriangleBegins ? option.palette.color(QPalette::Text)
-                                                        : option.palette.color(QPalette::Mid);
+    const QColor line = mark == RowMark::PrimitiveBegins ? option.palette.color(QPalette::Text)
+                                                         : option.palette.color(QPalette::Mid);
     painter.fillRect(QRect(option.rect.topLeft(), QSize(option.rect.width(), 1)), line);
 }
 

@@ -14,6 +14,25 @@ constexpr int comparedPlaces = 20; // more than a double has
 
 QString symbolWithoutMarkup(QString symbol) { return symbol.remove(u'_'); }
 
+/// "△ 2", "line 0": where a primitive's rows begin.
+QString markText(const TracedScene &traced, std::size_t span)
+{
+    const std::size_t primitive = traced.trace->primitiveOf(span);
+    const QString kind = traced.primitives.isTriangle(primitive)
+        ? QStringLiteral("△")
+        : nameOf(traced.primitives.kindOf(primitive));
+    return QStringLiteral("%1 %2").arg(kind).arg(primitive);
+}
+
+/// The edge that is switched in where a sorted triangle's second part begins, else the part's
+/// number.
+QString partText(const TracedScene &traced, std::size_t span)
+{
+    if (traced.primitives.isTriangle(traced.trace->primitiveOf(span)))
+        return QStringLiteral("L₁₂");
+    return ColumnTableModel::tr("part %1").arg(traced.trace->placeOf(span).part + 1);
+}
+
 } // namespace
 
 ColumnTableModel::ColumnTableModel(Playhead *playhead, QObject *parent)
@@ -36,10 +55,10 @@ void ColumnTableModel::takeTrace()
     m_cache.clear();
     m_entries.clear();
     if (m_traced) {
-        const std::vector<TraceColumn> &columns = m_traced->method->traceColumns;
+        const std::vector<TraceColumn> &columns = m_traced->method->spanColumns;
         for (std::size_t i = 0; i < columns.size(); ++i) {
             m_entries.push_back({i, NumberFace::Used});
-            if (columns[i].exact && isRounding()) {
+            if (columns[i].comparison == Comparison::WithExact && isRounding()) {
                 m_entries.push_back({i, NumberFace::Exact});
                 m_entries.push_back({i, NumberFace::Error});
             }
@@ -61,14 +80,14 @@ bool ColumnTableModel::isRounding() const
     return m_traced && m_traced->scene.settings.arithmetic != Arithmetic::Exact;
 }
 
-bool ColumnTableModel::hasSeveralTriangles() const
+bool ColumnTableModel::hasSeveralPrimitives() const
 {
-    return m_traced && m_traced->trace->triangleCount() > 1;
+    return m_traced && m_traced->trace->primitiveCount() > 1;
 }
 
 int ColumnTableModel::rowCount(const QModelIndex &parent) const
 {
-    return parent.isValid() || !m_traced ? 0 : int(m_traced->trace->columnCount());
+    return parent.isValid() || !m_traced ? 0 : int(m_traced->trace->spanCount());
 }
 
 int ColumnTableModel::columnCount(const QModelIndex &parent) const
@@ -78,7 +97,7 @@ int ColumnTableModel::columnCount(const QModelIndex &parent) const
 
 const TraceColumn &ColumnTableModel::traceColumn(int column) const
 {
-    return m_traced->method->traceColumns[m_entries[std::size_t(column)].traceColumn];
+    return m_traced->method->spanColumns[m_entries[std::size_t(column)].traceColumn];
 }
 
 QString ColumnTableModel::fileName(int column) const
@@ -99,26 +118,24 @@ const ColumnTableModel::RowNumbers &ColumnTableModel::numbersOf(int row) const
     if (const RowNumbers *known = m_cache.object(row))
         return *known;
     const ScanTrace &trace = *m_traced->trace;
-    auto *numbers = new RowNumbers{trace.column(std::size_t(row)), std::nullopt, std::nullopt};
-    const std::size_t triangle = trace.triangleOf(std::size_t(row));
+    auto *numbers = new RowNumbers{trace.span(std::size_t(row)), {}, std::nullopt};
+    const std::size_t primitive = trace.primitiveOf(std::size_t(row));
     if (isRounding())
-        numbers->exact = oracle::columnAt(m_traced->triangles[triangle],
-                                          m_traced->scene.settings.fillRule, numbers->used.x);
-    if (std::size_t(row) > trace.firstColumnOf(triangle))
-        numbers->previous = trace.column(std::size_t(row) - 1);
+        numbers->exact = exactSpanCells(*m_traced, std::size_t(row));
+    if (std::size_t(row) > trace.firstSpanOf(primitive))
+        numbers->previous = trace.span(std::size_t(row) - 1);
     m_cache.insert(row, numbers); // the cache owns it
     return *numbers;
 }
 
 Quantity ColumnTableModel::usedNumber(const RowNumbers &numbers, const Entry &entry) const
 {
-    return m_traced->method->traceColumns[entry.traceColumn].used(numbers.used);
+    return numbers.used.cells[entry.traceColumn];
 }
 
 Quantity ColumnTableModel::exactNumber(const RowNumbers &numbers, const Entry &entry) const
 {
-    const TraceColumn &column = m_traced->method->traceColumns[entry.traceColumn];
-    return column.exact && numbers.exact ? column.exact(*numbers.exact) : Quantity();
+    return entry.traceColumn < numbers.exact.size() ? numbers.exact[entry.traceColumn] : Quantity();
 }
 
 QString ColumnTableModel::usedText(const Quantity &used) const
@@ -188,13 +205,13 @@ QVariant ColumnTableModel::numberData(const RowNumbers &numbers, const Entry &en
         return canonicalText(used, exact(), entry.face);
     case ChangedRole:
         return entry.face == NumberFace::Used && numbers.previous
-            && used != m_traced->method->traceColumns[entry.traceColumn].used(*numbers.previous);
+            && used != numbers.previous->cells[entry.traceColumn];
     case MarkedDigitRole:
         if (entry.face != NumberFace::Used || exact().isNone())
             return -1;
         return firstDifferingDigit(usedText(used), displayDecimal(exact(), comparedPlaces));
     case Qt::ToolTipRole:
-        return toolTip(used, exact(), m_traced->method->traceColumns[entry.traceColumn]);
+        return toolTip(used, exact(), m_traced->method->spanColumns[entry.traceColumn]);
     default:
         return {};
     }
@@ -204,8 +221,9 @@ RowMark ColumnTableModel::markOf(int row) const
 {
     const RowNumbers &numbers = numbersOf(row);
     if (!numbers.previous)
-        return RowMark::TriangleBegins;
-    return numbers.previous->half != numbers.used.half ? RowMark::SecondHalfBegins : RowMark::None;
+        return RowMark::PrimitiveBegins;
+    return numbers.previous->place.part != numbers.used.place.part ? RowMark::PartBegins
+                                                                   : RowMark::None;
 }
 
 QVariant ColumnTableModel::data(const QModelIndex &index, int role) const
@@ -217,11 +235,11 @@ QVariant ColumnTableModel::data(const QModelIndex &index, int role) const
     case Qt::TextAlignmentRole:
         return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
     case IsAheadRole:
-        return m_traced->trace->indexOfColumn(row) >= m_position;
+        return m_traced->trace->indexOfSpan(row) >= m_position;
     case IsInHandRole:
-        return m_playhead->columnInHand() == row;
-    case TriangleRole:
-        return int(m_traced->trace->triangleOf(row));
+        return m_playhead->spanInHand() == row;
+    case PrimitiveRole:
+        return int(m_traced->trace->primitiveOf(row));
     case RowMarkRole:
         return int(markOf(index.row()));
     default:
@@ -237,10 +255,10 @@ QVariant ColumnTableModel::headerData(int section, Qt::Orientation orientation, 
         switch (markOf(section)) {
         case RowMark::None:
             break;
-        case RowMark::TriangleBegins:
-            return QStringLiteral("△ %1").arg(m_traced->trace->triangleOf(std::size_t(section)));
-        case RowMark::SecondHalfBegins:
-            return QStringLiteral("L₁₂");
+        case RowMark::PrimitiveBegins:
+            return markText(*m_traced, std::size_t(section));
+        case RowMark::PartBegins:
+            return partText(*m_traced, std::size_t(section));
         }
         return QString();
     }

@@ -18,9 +18,9 @@ class Playhead;
 enum class NumberFace { Used, Exact, Error };
 
 /// Where a row begins something.
-enum class RowMark { None, TriangleBegins, SecondHalfBegins };
+enum class RowMark { None, PrimitiveBegins, PartBegins };
 
-/// The trace's columns as rows, in drawing order over all triangles. Nothing is computed at a
+/// The trace's spans as rows, in drawing order over all primitives. Nothing is computed at a
 /// reset: the numbers of a row are taken from the trace when a view asks for them, and kept for the
 /// last few rows.
 class ColumnTableModel : public QAbstractTableModel {
@@ -32,13 +32,13 @@ public:
         ExactTextRole,
         ErrorTextRole,
         CanonicalTextRole, ///< of the cell's own face, as `pixelplumb-cli trace` writes it
-        ChangedRole, ///< bool: differs from the triangle's column before
+        ChangedRole, ///< bool: differs from the primitive's span before
         MarkedDigitRole, ///< int: first character of DisplayRole that the exact number does not
                          ///< have, or −1
-        IsAheadRole, ///< bool: the position is before this column
+        IsAheadRole, ///< bool: the position is before this span
         IsInHandRole, ///< bool
         RowMarkRole, ///< int of RowMark
-        TriangleRole, ///< int
+        PrimitiveRole, ///< int
     };
 
     explicit ColumnTableModel(Playhead *playhead, QObject *parent = nullptr);
@@ -58,7 +58,7 @@ public:
 
     /// True where numbers are rounded, so that exact and error say something.
     bool isRounding() const;
-    bool hasSeveralTriangles() const;
+    bool hasSeveralPrimitives() const;
 
 private:
     struct Entry {
@@ -66,9 +66,9 @@ private:
         NumberFace face = NumberFace::Used;
     };
     struct RowNumbers {
-        ColumnRecord used;
-        std::optional<oracle::ExactColumn> exact;
-        std::optional<ColumnRecord> previous; ///< of the same triangle
+        SpanRecord used;
+        std::vector<Quantity> exact; ///< empty where nothing is rounded
+        std::optional<SpanRecord> previous; ///< of the same primitive
     };
 
     void takeTrace();

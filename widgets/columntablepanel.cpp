@@ -28,6 +28,8 @@ ColumnTablePanel::ColumnTablePanel(Playhead *playhead, QWidget *parent)
         button->setToolButtonStyle(Qt::ToolButtonTextOnly);
         button->setObjectName(action->objectName() + QStringLiteral("Button"));
         button->setAccessibleName(action->toolTip());
+        connect(action, &QAction::visibleChanged, button, // a group that the method has not
+                [button, action] { button->setVisible(action->isVisible()); });
         if (action->objectName() == QLatin1String("showExact"))
             switches->addSpacing(16);
         switches->addWidget(button);
@@ -47,6 +49,36 @@ ColumnTablePanel::ColumnTablePanel(Playhead *playhead, QWidget *parent)
     describe();
 }
 
+namespace {
+
+QString oneSpan(SpanAxis axis)
+{
+    switch (axis) {
+    case SpanAxis::Column:
+        return ColumnTablePanel::tr("1 column");
+    case SpanAxis::Row:
+        return ColumnTablePanel::tr("1 row");
+    case SpanAxis::Free:
+        break;
+    }
+    return ColumnTablePanel::tr("1 step");
+}
+
+QString severalSpans(SpanAxis axis)
+{
+    switch (axis) {
+    case SpanAxis::Column:
+        return ColumnTablePanel::tr("%1 columns");
+    case SpanAxis::Row:
+        return ColumnTablePanel::tr("%1 rows");
+    case SpanAxis::Free:
+        break;
+    }
+    return ColumnTablePanel::tr("%1 steps");
+}
+
+} // namespace
+
 void ColumnTablePanel::describe()
 {
     const TracedScene *traced = m_playhead->traced();
@@ -55,10 +87,10 @@ void ColumnTablePanel::describe()
         return;
     }
     const ScanTrace &trace = *traced->trace;
-    QString text
-        = trace.columnCount() == 1 ? tr("1 column") : tr("%1 columns").arg(trace.columnCount());
-    if (trace.triangleCount() > 1)
-        text += QStringLiteral(" · ") + tr("%1 triangles").arg(trace.triangleCount());
+    QString text = trace.spanCount() == 1 ? oneSpan(m_playhead->axis())
+                                          : severalSpans(m_playhead->axis()).arg(trace.spanCount());
+    if (trace.primitiveCount() > 1)
+        text += QStringLiteral(" · ") + tr("%1 primitives").arg(trace.primitiveCount());
     if (trace.isCut())
         text += QStringLiteral(" · ") + tr("recording ended at its limit");
     m_summary->setText(text);

@@ -62,11 +62,17 @@ void EditMenu::addVertices(QWidget *window)
                       if (dialog.exec() == QDialog::Accepted)
                           document->addTriangle(*dialog.triangle());
                   });
+    QAction *close
+        = addMenuAction(this, "closePolygon", tr("Close the &polygon"), Qt::CTRL | Qt::Key_Return,
+                        [document] { document->closePending(); });
+    const auto updateClose = [document, close] { close->setEnabled(document->canClosePending()); };
+    connect(document, &SceneDocument::pendingChanged, this, updateClose);
+    updateClose();
     addMenuAction(this, "nextVertexColour", tr("Colour of the &next vertex…"), {},
                   [this, window] { chooseNextColour(window); });
     QAction *colour = addMenuAction(this, "vertexColour", tr("Colour of the &selected vertex…"), {},
                                     [this, window] { chooseColourOfSelected(window); });
-    QAction *remove = addMenuAction(this, "deleteSelected", tr("&Delete the selected triangle"),
+    QAction *remove = addMenuAction(this, "deleteSelected", tr("&Delete the selected primitive"),
                                     QKeySequence::Delete, [this] { deleteSelected(); });
     confineKeyTo(m_parts.canvas, remove);
     const auto updateSelected = [document, colour, remove] {
@@ -76,7 +82,7 @@ void EditMenu::addVertices(QWidget *window)
     };
     connect(document, &SceneDocument::selectionChanged, this, updateSelected);
     updateSelected();
-    addMenuAction(this, "clearScene", tr("C&lear all triangles"), {},
+    addMenuAction(this, "clearScene", tr("C&lear all primitives"), {},
                   [document] { document->clear(); });
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/formulapanel.h"
 
+#include "core/methods/formulaexplanation.h"
 #include "widgets/blend.h"
 #include "widgets/formulahtml.h"
 #include "widgets/numberlayout.h"
@@ -24,7 +25,7 @@ constexpr float bannerTint = 0.18F;
 Explanation invitation(const Playhead &playhead)
 {
     Explanation explanation;
-    if (!playhead.traced() || playhead.traced()->triangles.empty()) {
+    if (!playhead.traced() || playhead.traced()->primitives.size() == 0) {
         explanation.heading = FormulaPanel::tr("No triangle yet");
         explanation.sentence = FormulaPanel::tr(
             "Click three points on the canvas. The triangle is drawn column by column, and every "
@@ -92,7 +93,7 @@ void FormulaPanel::explainStep()
         return;
     }
     const TracedScene &traced = *m_playhead->traced();
-    present(traced.method->explain(traced, m_playhead->position() - 1));
+    present(pixelplumb::explainStep(traced, m_playhead->position() - 1));
 }
 
 void FormulaPanel::present(const Explanation &explanation)

@@ -35,7 +35,7 @@ QColor gridColour(const ViewMapping &mapping)
 
 EdgeRoles rolesOf(const SetUpRecord &setUp)
 {
-    if (setUp.zeroArea || setUp.rejection)
+    if (setUp.zeroArea || setUp.rejection || !setUp.longEdge)
         return {};
     EdgeRoles roles;
     for (int from = 0; from < 3; ++from) {
@@ -163,21 +163,31 @@ void FramePainter::drawCandidate(const LatticePoint &point, const Colour &colour
     m_painter.drawEllipse(centre, candidateRadius, candidateRadius);
 }
 
-void FramePainter::drawPlumbLine(std::int64_t x)
+void FramePainter::drawPlumbLine(const SpanPlace &place)
 {
     const FrameSpec &frame = m_mapping.frame();
-    if (x < frame.firstColumn || x - frame.firstColumn >= frame.width)
+    const bool isColumn = place.axis == SpanAxis::Column;
+    const std::int64_t first = isColumn ? frame.firstColumn : frame.firstRow;
+    const std::int64_t count = isColumn ? frame.width : frame.height;
+    if (place.axis == SpanAxis::Free || place.coordinate < first
+        || place.coordinate - first >= count)
         return;
-    const QRect cell = m_mapping.deviceCellOf({int(x), frame.firstRow});
+    const int at = int(place.coordinate);
+    const QRect cell = m_mapping.deviceCellOf(isColumn ? QPoint(at, frame.firstRow)
+                                                       : QPoint(frame.firstColumn, at));
     const QRect view = m_mapping.deviceRect(m_view);
     // An even cell has no middle device pixel, so its line is two wide: it stands exactly on the
     // samples.
-    const int width = cell.width() % 2 == 0 ? 2 : 1;
-    const int left = cell.left() + (cell.width() - width) / 2;
+    const int extent = isColumn ? cell.width() : cell.height();
+    const int width = extent % 2 == 0 ? 2 : 1;
+    const int start = (isColumn ? cell.left() : cell.top()) + (extent - width) / 2;
     const int side = std::max(1, int(m_mapping.devicePixelRatio()));
-    fillDevice({left - side, view.top(), width + 2 * side, view.height()},
-               withOpacity(casing(), 0.55));
-    fillDevice({left, view.top(), width, view.height()}, signColour(Sign::ColumnInHand, m_palette));
+    const auto line = [&](int from, int thickness) {
+        return isColumn ? QRect(from, view.top(), thickness, view.height())
+                        : QRect(view.left(), from, view.width(), thickness);
+    };
+    fillDevice(line(start - side, width + 2 * side), withOpacity(casing(), 0.55));
+    fillDevice(line(start, width), signColour(Sign::ColumnInHand, m_palette));
 }
 
 void FramePainter::drawPickedPixel(const QPoint &pixel)

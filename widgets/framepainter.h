@@ -39,15 +39,19 @@ public:
     void drawGrid();
     void drawOutline(const std::array<LatticePoint, 3> &corners, const EdgeRoles &roles);
     /// A line to a vertex that is not placed yet.
+    /// The curve that a shape stands for, and a Bézier curve's control polygon.
+    void drawShapeOutline(const Shape &shape);
+    void drawRubberPath(const std::vector<LatticePoint> &points);
     void drawRubberLine(const LatticePoint &from, const LatticePoint &to);
     void drawHandle(const LatticePoint &point, const Colour &colour, HandleState state);
     /// A vertex that a click would place.
     void drawCandidate(const LatticePoint &point, const Colour &colour);
     /// P0, P1 or P2 beside a vertex, on the side that is turned away from `inside`.
     void drawVertexName(const QString &name, const LatticePoint &point, const QPointF &inside);
-    void drawPlumbLine(std::int64_t x);
+    /// Through all samples of a column or a row.
+    void drawPlumbLine(const SpanPlace &place);
     /// y_B and y_T where they meet the plumb line.
-    void drawEdgeTicks(const ColumnRecord &column);
+    void drawEdgeTicks(const SpanRecord &span);
     void drawPickedPixel(const QPoint &pixel);
     void drawPixelBreakpoint(const QPoint &pixel);
     void drawNote(const QString &text, const QPointF &anchor, NoteSide side);
@@ -59,8 +63,13 @@ private:
     void drawCased(const QLineF &line, const QColor &colour, double width,
                    Qt::PenStyle style = Qt::SolidLine);
     void fillDevice(const QRect &device, const QColor &colour);
-    void drawEdgeTick(const QPointF &at, Sign sign);
-    void drawEdgeName(const QPointF &at, Sign sign, NoteSide side);
+    /// A bound's symbol with its subscript: y_B, x_L.
+    struct EdgeName {
+        const char *symbol;
+        const char *subscript;
+    };
+    void drawEdgeTick(const QPointF &at, Sign sign, Qt::Orientation along);
+    void drawEdgeName(const QPointF &at, const EdgeName &name, Sign sign, NoteSide side);
     QRectF drawPlate(const QSizeF &text, const QPointF &anchor, NoteSide side);
     bool isNearView(const QPointF &position) const;
 

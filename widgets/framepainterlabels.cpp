@@ -66,37 +66,53 @@ void FramePainter::drawVertexName(const QString &name, const LatticePoint &point
     m_painter.drawText(text, Qt::AlignCenter, name);
 }
 
-void FramePainter::drawEdgeTicks(const ColumnRecord &column)
+void FramePainter::drawEdgeTicks(const SpanRecord &span)
 {
-    const QPointF bottom = m_mapping.positionOf(double(column.x), column.yBottom.toDouble());
-    const QPointF top = m_mapping.positionOf(double(column.x), column.yTop.toDouble());
+    if (span.lower.isNone() || span.upper.isNone() || span.place.axis == SpanAxis::Free)
+        return;
+    const double at = double(span.place.coordinate);
+    const double lower = span.lower.toDouble();
+    const double upper = span.upper.toDouble();
+    if (span.place.axis == SpanAxis::Row) {
+        const QPointF left = m_mapping.positionOf(lower, at);
+        const QPointF right = m_mapping.positionOf(upper, at);
+        drawEdgeTick(left, Sign::LowerEdge, Qt::Vertical);
+        drawEdgeTick(right, Sign::UpperEdge, Qt::Vertical);
+        const double parting = right.x() - left.x() < nearTicks ? nameParting : 0;
+        drawEdgeName(left - QPointF(parting, 0), {"x", "L"}, Sign::LowerEdge, NoteSide::Below);
+        drawEdgeName(right + QPointF(parting, 0), {"x", "R"}, Sign::UpperEdge, NoteSide::Above);
+        return;
+    }
+    const QPointF bottom = m_mapping.positionOf(at, lower);
+    const QPointF top = m_mapping.positionOf(at, upper);
     const bool upward = m_mapping.frame().origin == FrameOrigin::BottomLeft;
     // Where the edges meet, the names part so that the vertex's own name fits between them.
     const double parting = std::abs(top.y() - bottom.y()) < nearTicks ? nameParting : 0;
     const QPointF away(0, upward ? -parting : parting);
-    drawEdgeTick(bottom, Sign::LowerEdge);
-    drawEdgeTick(top, Sign::UpperEdge);
-    drawEdgeName(bottom - away, Sign::LowerEdge,
+    drawEdgeTick(bottom, Sign::LowerEdge, Qt::Horizontal);
+    drawEdgeTick(top, Sign::UpperEdge, Qt::Horizontal);
+    drawEdgeName(bottom - away, {"y", "B"}, Sign::LowerEdge,
                  upward ? NoteSide::BelowRight : NoteSide::AboveRight);
-    drawEdgeName(top + away, Sign::UpperEdge, upward ? NoteSide::AboveRight : NoteSide::BelowRight);
+    drawEdgeName(top + away, {"y", "T"}, Sign::UpperEdge,
+                 upward ? NoteSide::AboveRight : NoteSide::BelowRight);
 }
 
-void FramePainter::drawEdgeTick(const QPointF &at, Sign sign)
+void FramePainter::drawEdgeTick(const QPointF &at, Sign sign, Qt::Orientation along)
 {
-    drawCased({at - QPointF(tickHalfLength, 0), at + QPointF(tickHalfLength, 0)},
-              signColour(sign, m_palette), 2);
+    const QPointF arm
+        = along == Qt::Horizontal ? QPointF(tickHalfLength, 0) : QPointF(0, tickHalfLength);
+    drawCased({at - arm, at + arm}, signColour(sign, m_palette), 2);
 }
 
-/// y with its subscript, B or T.
-void FramePainter::drawEdgeName(const QPointF &at, Sign sign, NoteSide side)
+void FramePainter::drawEdgeName(const QPointF &at, const EdgeName &name, Sign sign, NoteSide side)
 {
     if (!isNearView(at))
         return;
-    const QString subscript = sign == Sign::LowerEdge ? QStringLiteral("B") : QStringLiteral("T");
+    const QString symbol = QLatin1String(name.symbol);
+    const QString subscript = QLatin1String(name.subscript);
     const QFont font = m_painter.font();
     QFont small = font;
     small.setPixelSize(qRound(QFontInfo(font).pixelSize() * subscriptSize));
-    const QString symbol = QStringLiteral("y");
     const QFontMetricsF metrics(font);
     const double symbolWidth = metrics.horizontalAdvance(symbol);
     const QSizeF size(symbolWidth + QFontMetricsF(small).horizontalAdvance(subscript) + 1,

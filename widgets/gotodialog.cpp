@@ -72,10 +72,10 @@ std::optional<std::size_t> GoToDialog::columnAt(std::int64_t x) const
     // Columns of the triangle in hand come before those of the others.
     const auto step = m_playhead->stepInHand();
     const std::size_t start
-        = step && trace.triangleCount() > 0 ? trace.firstColumnOf(step->triangle) : 0;
-    for (std::size_t i = 0; i < trace.columnCount(); ++i) {
-        const std::size_t column = (start + i) % trace.columnCount();
-        if (trace.xOf(column) == x)
+        = step && trace.primitiveCount() > 0 ? trace.firstSpanOf(step->primitive) : 0;
+    for (std::size_t i = 0; i < trace.spanCount(); ++i) {
+        const std::size_t column = (start + i) % trace.spanCount();
+        if (trace.placeOf(column).coordinate == x)
             return column;
     }
     return std::nullopt;
@@ -133,7 +133,7 @@ void GoToDialog::go()
     if (const auto *pixel = std::get_if<QPoint>(&*target))
         m_playhead->pick(*pixel);
     else if (const auto *column = std::get_if<GoToColumn>(&*target))
-        m_playhead->seekToColumn(*columnAt(column->x));
+        m_playhead->seekToSpan(*columnAt(column->x));
     else
         m_playhead->seek(std::get<GoToStep>(*target).position);
     accept();

@@ -3,15 +3,20 @@
 
 #include "widgets/canvas.h"
 #include "widgets/colourbutton.h"
+#include "widgets/comparepanel.h"
 #include "widgets/displayoptions.h"
 #include "widgets/editmenu.h"
 #include "widgets/filemenu.h"
+#include "widgets/hardcasesopening.h"
+#include "widgets/hardcasespanel.h"
 #include "widgets/helpmenu.h"
 #include "widgets/messagebar.h"
 #include "widgets/methodbar.h"
 #include "widgets/methodmenu.h"
+#include "widgets/overdrawoverlay.h"
 #include "widgets/paletteswitch.h"
 #include "widgets/playhead.h"
+#include "widgets/precisionpanel.h"
 #include "widgets/recentfiles.h"
 #include "widgets/scenedocument.h"
 #include "widgets/sceneexports.h"
@@ -66,6 +71,7 @@ MainWindow::MainWindow(QWidget *parent)
     makeToolBars();
     makeStatusBar();
     connectParts();
+    connectStudies();
     m_settings = std::make_unique<WindowSettings>(m_parts, this);
     if (!m_settings->restore())
         m_docks->reset();
@@ -107,6 +113,7 @@ void MainWindow::makeCentre()
     auto *centre = new QWidget(this);
     m_parts.messageBar = new MessageBar(centre);
     m_parts.canvas = new Canvas(m_parts.document, m_parts.playhead, m_parts.options, centre);
+    m_parts.overdraw = new OverdrawOverlay(m_parts.canvas, m_parts.playhead);
     m_parts.scrubber = new Scrubber(m_parts.playhead, centre);
     auto *column = new QVBoxLayout(centre);
     column->setContentsMargins(0, 0, 0, 0);
@@ -186,6 +193,7 @@ void MainWindow::connectParts()
             [this, document] { m_parts.tracer->trace(document->scene()); });
     connect(document, &SceneDocument::modifiedChanged, this, &QWidget::setWindowModified);
     connect(document, &SceneDocument::refused, m_parts.messageBar, &MessageBar::complain);
+    connect(document, &SceneDocument::notice, m_parts.messageBar, &MessageBar::complain);
     connect(m_parts.tracer, &SceneTracer::traced, this, &MainWindow::takeTrace);
     connect(m_parts.tracer, &SceneTracer::failed, m_parts.messageBar, &MessageBar::complain);
     connect(m_parts.tracer, &SceneTracer::cancelled, m_parts.messageBar, [this] {
@@ -219,6 +227,20 @@ void MainWindow::connectParts()
     });
 }
 
+void MainWindow::connectStudies()
+{
+    auto *opening = new HardCasesOpening(m_parts.files, m_parts.playhead, this);
+    HardCasesPanel *cases = m_docks->hardCases();
+    connect(cases, &HardCasesPanel::openRequested, opening, &HardCasesOpening::open);
+    connect(cases, &HardCasesPanel::compareRequested, this,
+            [this](const std::vector<Contender> &contenders) {
+                m_docks->raise(m_docks->compare());
+                m_docks->compare()->setContenders(contenders);
+            });
+    connect(cases, &HardCasesPanel::precisionRequested, this,
+            [this] { m_docks->raise(m_docks->precision()); });
+}
+
 void MainWindow::takeTrace(const std::shared_ptr<const TracedScene> &traced)
 {
     m_parts.playhead->setTraced(traced);
@@ -227,7 +249,7 @@ void MainWindow::takeTrace(const std::shared_ptr<const TracedScene> &traced)
         m_parts.messageBar->tell(
             tr("The recording ended at its limit of %1 pixels: the run and the "
                "differences are cut there.")
-                .arg(traced->trace->pixelCount()));
+                .arg(traced->trace->sampleCount()));
 }
 
 void MainWindow::goToOpeningPlace()

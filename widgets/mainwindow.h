@@ -47,6 +47,7 @@ private:
     void makeMenus();
     void makeStatusBar();
     void connectParts();
+    void connectStudies();
     void takeTrace(const std::shared_ptr<const TracedScene> &traced);
     void goToOpeningPlace();
     void updateTitle();

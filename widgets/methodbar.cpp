@@ -94,7 +94,8 @@ MethodBar::MethodBar(SceneDocument *document, QWidget *parent)
     setObjectName(QStringLiteral("methodBar"));
     m_layout->setContentsMargins(8, 0, 0, 0);
     m_layout->setSpacing(8);
-    m_method = addBox(QStringLiteral("methodBox"), tr("Method"), tr("How triangles become pixels"));
+    m_method
+        = addBox(QStringLiteral("methodBox"), tr("Method"), tr("How primitives become pixels"));
     m_arithmetic = addBox(QStringLiteral("arithmeticBox"), tr("Arithmetic"),
                           tr("What the increments are computed in"));
     m_fillRule = addBox(QStringLiteral("fillRuleBox"), tr("Fill rule"),
@@ -124,10 +125,20 @@ QComboBox *MethodBar::addBox(const QString &name, const QString &label, const QS
 
 void MethodBar::addMethods()
 {
-    for (const Method &method : methods())
-        m_method->addItem(method.title);
+    std::optional<MethodFamily> family;
+    for (const Method &method : methods()) {
+        if (family && family != method.family)
+            m_method->insertSeparator(m_method->count());
+        family = method.family;
+        m_method->addItem(method.title, method.id);
+        m_method->setItemData(m_method->count() - 1,
+                              titleOf(method.family) + u'\n' + method.summary + u'\n'
+                                  + method.source,
+                              Qt::ToolTipRole);
+    }
+    m_method->setMaxVisibleItems(40);
     connect(m_method, &QComboBox::activated, this, [this](int row) {
-        m_document->setMethod(methods()[std::size_t(row)].id.toStdString());
+        m_document->setMethod(m_method->itemData(row).toString().toStdString());
     });
 }
 
@@ -151,13 +162,7 @@ void MethodBar::followScene()
 {
     const Scene &scene = m_document->scene();
     const Method *chosen = methodNamed(QString::fromStdString(scene.method));
-    for (int row = 0; row < m_method->count(); ++row) {
-        const Method &method = methods()[std::size_t(row)];
-        setRefusal(m_method, row, method.refusal(scene.settings),
-                   method.summary + QLatin1Char('\n') + method.source);
-        if (&method == chosen)
-            m_method->setCurrentIndex(row);
-    }
+    m_method->setCurrentIndex(m_method->findData(QString::fromStdString(scene.method)));
     showChoices(m_arithmetic, allArithmetics, chosen, scene.settings, &ScanSettings::arithmetic);
     showChoices(m_fillRule, allFillRules, chosen, scene.settings, &ScanSettings::fillRule);
     showChoices(m_rounding, allByteRoundings, chosen, scene.settings, &ScanSettings::rounding);

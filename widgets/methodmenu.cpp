@@ -37,7 +37,11 @@ void MethodMenu::addMethods(Canvas *canvas)
 {
     auto *group = new QActionGroup(this);
     int digit = 0;
+    std::optional<MethodFamily> family;
     for (const Method &method : methods()) {
+        if (family != method.family)
+            addSection(titleOf(method.family));
+        family = method.family;
         const std::string id = method.id.toStdString();
         const QKeySequence key = ++digit <= 9 ? QKeySequence(Qt::Key_0 + digit) : QKeySequence();
         QAction *action
@@ -46,11 +50,11 @@ void MethodMenu::addMethods(Canvas *canvas)
         action->setCheckable(true);
         group->addAction(action);
         confineKeyTo(canvas, action);
-        const auto update = [this, action, id, each = &method] {
+        const auto update = [this, action, id] {
             const Scene &scene = m_document->scene();
             action->setChecked(scene.method == id);
-            setRefusal(action, each->refusal(scene.settings));
         };
+        action->setToolTip(method.summary);
         connect(m_document, &SceneDocument::sceneChanged, action, update);
         update();
     }

@@ -5,21 +5,23 @@ namespace pixelplumb {
 
 namespace {
 
+/// A third into the first span of the second part, else the middle of the run.
 std::size_t halfDrawn(const ScanTrace &trace)
 {
-    for (std::size_t column = 0; column < trace.columnCount(); ++column) {
-        const std::size_t pixels = trace.endPixelOf(column) - trace.firstPixelOf(column);
-        if (trace.halfOf(column) == ColumnHalf::Second && pixels > 0)
-            return trace.indexOfColumn(column) + 1 + pixels / 3;
+    for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+        const std::size_t samples = trace.endSampleOf(span) - trace.firstSampleOf(span);
+        if (trace.placeOf(span).part == 1 && samples > 0)
+            return trace.indexOfSpan(span) + 1 + samples / 3;
     }
-    return trace.stepCount();
+    return trace.stepCount() / 2;
 }
 
 std::size_t justEntered(std::int64_t x, const ScanTrace &trace)
 {
-    for (std::size_t column = 0; column < trace.columnCount(); ++column) {
-        if (trace.xOf(column) == x)
-            return trace.indexOfColumn(column) + 1;
+    for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+        const SpanPlace &place = trace.placeOf(span);
+        if (place.axis == SpanAxis::Column && place.coordinate == x)
+            return trace.indexOfSpan(span) + 1;
     }
     return trace.stepCount();
 }

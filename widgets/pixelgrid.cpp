@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/pixelgrid.h"
 
+#include "core/oracle/oracle.h"
 #include "widgets/displayoptions.h"
 #include "widgets/numberformat.h"
 #include "widgets/numberlayout.h"
@@ -211,7 +212,7 @@ QString PixelGrid::describe(const QPoint &pixel) const
     const std::optional<std::size_t> triangle = triangleInHand(*m_playhead);
     if (!triangle)
         return lines.join(u'\n');
-    const Triangle &geometry = traced.triangles[*triangle];
+    const Triangle &geometry = traced.primitives.triangles[*triangle];
     if (!oracle::covers(geometry, traced.scene.settings.fillRule, pixel.x(), pixel.y())) {
         lines.append(tr("not covered by triangle %1").arg(*triangle));
         return lines.join(u'\n');

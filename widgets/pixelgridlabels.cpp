@@ -68,43 +68,58 @@ QMargins pixelGridMargins(const PixelGridStyle &style, const QSize &area, int la
             int(std::ceil(bottom))};
 }
 
-void PixelGridPainter::paintTick(double y, Sign sign)
+void PixelGridPainter::paintTick(double bound, Sign sign)
 {
-    const QPointF middle = m_mapping.position(double(m_scene.column->x), y);
+    const double at = double(m_scene.span->place.coordinate);
+    const bool isRow = m_scene.span->place.axis == SpanAxis::Row;
+    const QPointF middle = isRow ? m_mapping.position(bound, at) : m_mapping.position(at, bound);
     const double half = m_mapping.cellSize() * 0.5;
-    drawHaloed(QLineF(middle.x() - half, middle.y(), middle.x() + half, middle.y()), colour(sign),
-               2);
+    const QPointF arm = isRow ? QPointF(0, half) : QPointF(half, 0);
+    drawHaloed(QLineF(middle - arm, middle + arm), colour(sign), 2);
 }
 
-/// ⌈ and ⌊ lie on their side: the bracket closes the covered rows off from outside.
-void PixelGridPainter::paintBracket(std::int64_t row, Sign sign)
+/// ⌈ and ⌊: the bracket closes the covered samples off from outside.
+void PixelGridPainter::paintBracket(std::int64_t along, Sign sign)
 {
-    if (row < m_mapping.firstRow() || row >= m_mapping.endRow())
+    const QPoint pixel = m_scene.onSpan(along);
+    if (!m_mapping.contains(pixel))
         return;
-    const QRectF cell = m_mapping.cell(QPoint(int(m_scene.column->x), int(row)));
-    const bool upwardFrame = m_scene.origin == FrameOrigin::BottomLeft;
-    const bool closesBelow = (sign == Sign::LowerEdge) == upwardFrame;
-    const double arm = cell.height() * 0.3;
+    const QRectF cell = m_mapping.cell(pixel);
     const double inset = px(0.5);
+    const double arm = cell.height() * 0.3;
+    const QColor bracket = colour(sign);
+    const bool isLower = sign == Sign::LowerEdge;
+    if (m_scene.span->place.axis == SpanAxis::Row) {
+        const double base = isLower ? cell.left() + inset : cell.right() - inset;
+        const double end = isLower ? base + arm : base - arm;
+        const double top = cell.top() + inset;
+        const double bottom = cell.bottom() - inset;
+        drawHaloed(QLineF(base, top, base, bottom), bracket, 2);
+        drawHaloed(QLineF(base, top, end, top), bracket, 2);
+        drawHaloed(QLineF(base, bottom, end, bottom), bracket, 2);
+        return;
+    }
+    const bool closesBelow = isLower == (m_scene.origin == FrameOrigin::BottomLeft);
     const double base = closesBelow ? cell.bottom() - inset : cell.top() + inset;
     const double end = closesBelow ? base - arm : base + arm;
-    const QColor bracket = colour(sign);
-    drawHaloed(QLineF(cell.left() + inset, base, cell.right() - inset, base), bracket, 2);
-    drawHaloed(QLineF(cell.left() + inset, base, cell.left() + inset, end), bracket, 2);
-    drawHaloed(QLineF(cell.right() - inset, base, cell.right() - inset, end), bracket, 2);
+    const double left = cell.left() + inset;
+    const double right = cell.right() - inset;
+    drawHaloed(QLineF(left, base, right, base), bracket, 2);
+    drawHaloed(QLineF(left, base, left, end), bracket, 2);
+    drawHaloed(QLineF(right, base, right, end), bracket, 2);
 }
 
 void PixelGridPainter::paintSpan()
 {
-    if (!m_scene.column)
+    if (!m_scene.hasLine() || m_scene.span->lower.isNone())
         return;
-    const ColumnRecord &column = *m_scene.column;
-    if (column.endRow > column.firstRow) {
-        paintBracket(column.firstRow, Sign::LowerEdge);
-        paintBracket(column.endRow - 1, Sign::UpperEdge);
+    const SpanRecord &span = *m_scene.span;
+    if (span.endSample > span.firstSample) {
+        paintBracket(span.firstSample, Sign::LowerEdge);
+        paintBracket(span.endSample - 1, Sign::UpperEdge);
     }
-    paintTick(column.yBottom.toDouble(), Sign::LowerEdge);
-    paintTick(column.yTop.toDouble(), Sign::UpperEdge);
+    paintTick(span.lower.toDouble(), Sign::LowerEdge);
+    paintTick(span.upper.toDouble(), Sign::UpperEdge);
 }
 
 void PixelGridPainter::paintAxes()
@@ -119,6 +134,10 @@ void PixelGridPainter::paintAxes()
         m_painter.setFont(inHand ? bold : font);
         m_painter.setPen(inHand ? colour(sign) : m_style.palette.color(QPalette::WindowText));
     };
+    const auto isInHand = [this](SpanAxis axis, int at) {
+        return m_scene.hasLine() && m_scene.span->place.axis == axis
+            && m_scene.span->place.coordinate == at;
+    };
     const auto stepFor = [size](double room) { return std::max(1, int(std::ceil(room / size))); };
 
     const double widest
@@ -128,7 +147,7 @@ void PixelGridPainter::paintAxes()
     const double baseline = grid.top() + grid.height() + px(2) + metrics.ascent();
     const int middle = m_mapping.firstColumn() + m_mapping.count() / 2;
     for (int x = m_mapping.firstColumn(); x < m_mapping.endColumn(); ++x) {
-        const bool inHand = m_scene.column && m_scene.column->x == x;
+        const bool inHand = isInHand(SpanAxis::Column, x);
         if ((x - middle) % columnStep != 0)
             continue;
         setPenFor(inHand, Sign::ColumnInHand);
@@ -141,7 +160,10 @@ void PixelGridPainter::paintAxes()
     for (int y = m_mapping.firstRow(); y < m_mapping.endRow(); ++y) {
         if ((y - middleRow) % rowStep != 0)
             continue;
-        setPenFor(m_scene.picked && m_scene.picked->y() == y, Sign::PickedPixel);
+        if (isInHand(SpanAxis::Row, y))
+            setPenFor(true, Sign::ColumnInHand);
+        else
+            setPenFor(m_scene.picked && m_scene.picked->y() == y, Sign::PickedPixel);
         const QString text = coordinateText(y);
         const double width = QFontMetricsF(m_painter.font()).horizontalAdvance(text);
         m_painter.drawText(QPointF(grid.left() - px(gap) - width,
@@ -155,15 +177,18 @@ void PixelGridPainter::paintSpanLabels()
     const QRect grid = m_mapping.grid();
     const double left = grid.left() + grid.width();
     const double room = m_painter.viewport().width() - left - px(gap);
-    if (!m_scene.column || room < px(labelColumn) - px(2 * gap))
+    if (!m_scene.hasLine() || m_scene.span->lower.isNone() || room < px(labelColumn) - px(2 * gap))
         return;
-    const ColumnRecord &column = *m_scene.column;
+    const SpanRecord &span = *m_scene.span;
+    const bool isRow = span.place.axis == SpanAxis::Row;
     const QFontMetricsF metrics(m_style.font);
     const double top = grid.top() + metrics.height() / 2;
     const double bottom = grid.top() + grid.height() - metrics.height() / 2;
 
     std::vector<SpanLabel> labels;
-    const auto add = [&](const QString &symbol, const QString &value, double y, Sign sign) {
+    const auto add = [&](const QString &symbol, const QString &value, double along, Sign sign) {
+        // A row's labels all stand at the row.
+        const double y = isRow ? double(span.place.coordinate) : along;
         SpanLabel label{symbol + QStringLiteral(" = "), value, m_mapping.position(0, y).y(), 0,
                         sign};
         if (label.wish < grid.top())
@@ -179,14 +204,16 @@ void PixelGridPainter::paintSpanLabels()
         const double width = metrics.horizontalAdvance(text + QStringLiteral(" y_T = ↑"));
         return width <= room - px(14) ? text : displayDecimal(quantity, 4);
     };
-    const QString lastRow = m_scene.fillRule == FillRule::Closed ? QStringLiteral("⌊y_T⌋")
-                                                                 : QStringLiteral("⌈y_T⌉−1");
-    add(QStringLiteral("y_B"), numberText(column.yBottom), column.yBottom.toDouble(),
+    const QString lower = isRow ? QStringLiteral("x_L") : QStringLiteral("y_B");
+    const QString upper = isRow ? QStringLiteral("x_R") : QStringLiteral("y_T");
+    const QString last = m_scene.fillRule == FillRule::Closed
+        ? u'⌊' + upper + u'⌋'
+        : u'⌈' + upper + QStringLiteral("⌉−1");
+    add(lower, numberText(span.lower), span.lower.toDouble(), Sign::LowerEdge);
+    add(upper, numberText(span.upper), span.upper.toDouble(), Sign::UpperEdge);
+    add(u'⌈' + lower + u'⌉', QString::number(span.firstSample), double(span.firstSample),
         Sign::LowerEdge);
-    add(QStringLiteral("y_T"), numberText(column.yTop), column.yTop.toDouble(), Sign::UpperEdge);
-    add(QStringLiteral("⌈y_B⌉"), QString::number(column.firstRow), double(column.firstRow),
-        Sign::LowerEdge);
-    add(lastRow, QString::number(column.endRow - 1), double(column.endRow - 1), Sign::UpperEdge);
+    add(last, QString::number(span.endSample - 1), double(span.endSample - 1), Sign::UpperEdge);
     spread(labels, metrics.height() * 1.1, top, bottom);
 
     m_painter.save();

@@ -198,26 +198,34 @@ void PixelGridPainter::paintEdges()
 
 void PixelGridPainter::paintPlumbLine()
 {
-    if (!m_scene.column)
+    if (!m_scene.hasLine())
         return;
-    const double x = m_mapping.position(double(m_scene.column->x), 0).x();
+    const double at = double(m_scene.span->place.coordinate);
     const QRect grid = m_mapping.grid();
-    drawHaloed(QLineF(x, grid.top(), x, grid.top() + grid.height()), colour(Sign::ColumnInHand), 1);
+    const double x = m_mapping.position(at, 0).x();
+    const double y = m_mapping.position(0, at).y();
+    const QLineF line = m_scene.span->place.axis == SpanAxis::Row
+        ? QLineF(grid.left(), y, grid.left() + grid.width(), y)
+        : QLineF(x, grid.top(), x, grid.top() + grid.height());
+    drawHaloed(line, colour(Sign::ColumnInHand), 1);
 }
 
 void PixelGridPainter::paintCandidates()
 {
-    if (!m_scene.column)
+    if (!m_scene.hasLine())
         return;
-    const std::int64_t first = std::max<std::int64_t>(m_scene.firstCandidate, m_mapping.firstRow());
-    const std::int64_t end = std::min<std::int64_t>(m_scene.endCandidate, m_mapping.endRow());
+    const bool isRow = m_scene.span->place.axis == SpanAxis::Row;
+    const std::int64_t firstShown = isRow ? m_mapping.firstColumn() : m_mapping.firstRow();
+    const std::int64_t endShown = isRow ? m_mapping.endColumn() : m_mapping.endRow();
+    const std::int64_t first = std::max(m_scene.firstCandidate, firstShown);
+    const std::int64_t end = std::min(m_scene.endCandidate, endShown);
     const double inset = px(3);
     QPen pen(colour(Sign::ColumnInHand), px(1.5));
     pen.setDashPattern({3, 2});
     QPen halo(m_style.palette.color(QPalette::Base), px(1.5));
-    for (std::int64_t row = first; row < end; ++row) {
-        const QRectF rect = QRectF(m_mapping.cell(QPoint(int(m_scene.column->x), int(row))))
-                                .adjusted(inset, inset, -inset, -inset);
+    for (std::int64_t along = first; along < end; ++along) {
+        const QRectF rect
+            = QRectF(m_mapping.cell(m_scene.onSpan(along))).adjusted(inset, inset, -inset, -inset);
         m_painter.setPen(halo);
         m_painter.drawRect(rect);
         m_painter.setPen(pen);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/pixelgridscene.h"
 
+#include "core/oracle/oracle.h"
 #include "widgets/displayoptions.h"
 #include "widgets/playhead.h"
 
@@ -15,12 +16,18 @@ QPointF inPixels(const LatticePoint &point)
     return {double(point.x) / double(unitsPerPixel), double(point.y) / double(unitsPerPixel)};
 }
 
-/// L₀₂ against L₀₁ and L₁₂; the set-up says which of them is above.
+/// L₀₂ against L₀₁ and L₁₂; the set-up says which of them is above, if any is.
 std::vector<GridEdge> edgesOf(const Triangle &triangle, const SetUpRecord &setUp)
 {
     const auto corner = [&](std::size_t index) {
         return inPixels(triangle.vertices[std::size_t(setUp.order[index])].position);
     };
+    if (!setUp.longEdge) {
+        std::vector<GridEdge> plain;
+        for (std::size_t from = 0; from < 3; ++from)
+            plain.push_back({QLineF(corner(from), corner((from + 1) % 3)), Sign::VertexMark});
+        return plain;
+    }
     const bool longAbove = setUp.longEdge == LongEdge::Above;
     const Sign longSign = longAbove ? Sign::UpperEdge : Sign::LowerEdge;
     const Sign shortSign = longAbove ? Sign::LowerEdge : Sign::UpperEdge;
@@ -37,28 +44,6 @@ bool isTie(const Triangle &triangle, FillRule rule, const QPoint &pixel)
     const auto isInside = [](const oracle::EdgeVerdict &edge) { return edge.edgeFunction >= 0; };
     const auto isOn = [](const oracle::EdgeVerdict &edge) { return edge.edgeFunction == 0; };
     return std::ranges::all_of(verdict.edges, isInside) && std::ranges::any_of(verdict.edges, isOn);
-}
-
-/// The change by which a triangle writes a pixel, as an index into the trace's changes.
-std::optional<std::size_t> writeOf(const ScanTrace &trace, std::size_t triangle,
-                                   const QPoint &pixel)
-{
-    const std::size_t first = trace.firstColumnOf(triangle);
-    const std::size_t end = trace.endColumnOf(triangle);
-    if (first == end)
-        return std::nullopt;
-    const std::int64_t offset = pixel.x() - trace.xOf(first);
-    if (offset < 0 || offset >= std::int64_t(end - first))
-        return std::nullopt;
-    const std::size_t column = first + std::size_t(offset);
-    const std::size_t firstPixel = trace.firstPixelOf(column);
-    const std::size_t endPixel = trace.endPixelOf(column);
-    if (firstPixel == endPixel)
-        return std::nullopt;
-    const std::int64_t row = std::int64_t(pixel.y()) - trace.changes()[firstPixel].y;
-    if (row < 0 || row >= std::int64_t(endPixel - firstPixel))
-        return std::nullopt;
-    return firstPixel + std::size_t(row);
 }
 
 std::optional<Sign> differenceSign(Difference difference)
@@ -81,7 +66,7 @@ public:
     CellMaker(const Playhead &playhead, const DisplayOptions &options)
         : m_traced(*playhead.traced())
         , m_position(playhead.position())
-        , m_pixelsDone(m_traced.trace->pixelsDoneAt(m_position))
+        , m_samplesDone(m_traced.trace->samplesDoneAt(m_position))
         , m_triangle(triangleInHand(playhead))
         , m_shown(options.isTruthShown() ? m_traced.truth.view() : playhead.frame()->view())
         , m_differences(options.areDifferencesShown())
@@ -99,12 +84,13 @@ public:
         cell.isBackground = (cell.colour | 0xff000000U) == packed(m_traced.scene.frame.background);
         const std::optional<Sign> difference
             = differenceSign(m_traced.differences.at(pixel.x(), pixel.y()));
-        if (m_differences && difference && m_traced.decidedAt(pixel.x()) <= m_position)
+        if (m_differences && difference && m_traced.decidedAt(pixel.x(), pixel.y()) <= m_position)
             cell.signs.push_back(*difference);
         if (!m_triangle)
             return cell;
         if (columnHasTie
-            && isTie(m_traced.triangles[*m_triangle], m_traced.scene.settings.fillRule, pixel))
+            && isTie(m_traced.primitives.triangles[*m_triangle], m_traced.scene.settings.fillRule,
+                     pixel))
             cell.signs.push_back(Sign::Tie);
         if (isClamped(pixel))
             cell.signs.push_back(Sign::Clamp);
@@ -113,22 +99,23 @@ public:
 
     bool hasTie(int x) const
     {
-        return m_triangle && oracle::hasTie(m_traced.triangles[*m_triangle], x);
+        return m_triangle && oracle::hasTie(m_traced.primitives.triangles[*m_triangle], x);
     }
 
 private:
     bool isClamped(const QPoint &pixel) const
     {
-        const std::vector<std::size_t> &clamped = m_traced.trace->clampedPixels();
-        if (clamped.empty() || *m_triangle >= m_traced.trace->triangleCount())
+        const std::vector<std::size_t> &clamped = m_traced.trace->clampedSamples();
+        if (clamped.empty() || *m_triangle >= m_traced.trace->primitiveCount())
             return false;
-        const std::optional<std::size_t> write = writeOf(*m_traced.trace, *m_triangle, pixel);
-        return write && *write < m_pixelsDone && std::ranges::binary_search(clamped, *write);
+        const std::optional<std::size_t> visit
+            = m_traced.trace->visitOf(*m_triangle, pixel.x(), pixel.y());
+        return visit && *visit < m_samplesDone && std::ranges::binary_search(clamped, *visit);
     }
 
     const TracedScene &m_traced;
     std::size_t m_position;
-    std::size_t m_pixelsDone;
+    std::size_t m_samplesDone;
     std::optional<std::size_t> m_triangle;
     FrameView m_shown;
     bool m_differences;
@@ -139,8 +126,10 @@ private:
 std::optional<std::size_t> triangleInHand(const Playhead &playhead)
 {
     if (const std::optional<TraceStep> step = playhead.stepInHand())
-        return step->triangle;
-    if (!playhead.traced() || playhead.traced()->triangles.empty())
+        return playhead.traced()->primitives.isTriangle(step->primitive)
+            ? std::optional(step->primitive)
+            : std::nullopt;
+    if (!playhead.traced() || playhead.traced()->primitives.triangles.empty())
         return std::nullopt;
     return 0;
 }
@@ -156,16 +145,16 @@ PixelGridScene pixelGridScene(const Playhead &playhead, const DisplayOptions &op
     scene.fillRule = traced.scene.settings.fillRule;
     scene.picked = playhead.pickedPixel();
     scene.pixelInHand = playhead.pixelInHand();
-    if (const std::optional<std::size_t> column = playhead.columnInHand()) {
-        scene.column = trace.column(*column);
-        const std::size_t written
-            = trace.pixelsDoneAt(playhead.position()) - trace.firstPixelOf(*column);
-        scene.firstCandidate = scene.column->firstDrawnRow + std::int64_t(written);
-        scene.endCandidate = scene.column->endDrawnRow;
+    if (const std::optional<std::size_t> span = playhead.spanInHand()) {
+        scene.span = trace.span(*span);
+        const std::size_t decided
+            = trace.samplesDoneAt(playhead.position()) - trace.firstSampleOf(*span);
+        scene.firstCandidate = scene.span->firstDrawn + std::int64_t(decided);
+        scene.endCandidate = scene.span->endDrawn;
     }
     const std::optional<std::size_t> triangle = triangleInHand(playhead);
-    if (triangle && *triangle < trace.triangleCount())
-        scene.edges = edgesOf(traced.triangles[*triangle], trace.setUp(*triangle));
+    if (triangle && *triangle < trace.primitiveCount())
+        scene.edges = edgesOf(traced.primitives.triangles[*triangle], trace.setUp(*triangle));
 
     const CellMaker maker(playhead, options);
     scene.cells.reserve(std::size_t(mapping.count()) * std::size_t(mapping.count()));

@@ -37,22 +37,30 @@ struct GridEdge {
 struct PixelGridScene {
     std::vector<GridCell> cells;
     std::vector<GridEdge> edges;
-    std::optional<ColumnRecord> column; ///< in hand
+    std::optional<SpanRecord> span; ///< in hand
     std::optional<QPoint> pixelInHand;
     std::optional<QPoint> picked;
-    std::int64_t firstCandidate = 0; ///< rows of the column in hand that are not written yet
+    std::int64_t firstCandidate = 0; ///< samples along the span in hand that are not decided yet
     std::int64_t endCandidate = 0;
     FrameOrigin origin = FrameOrigin::BottomLeft;
     Arithmetic arithmetic = Arithmetic::Exact;
     FillRule fillRule = FillRule::Closed;
+
+    /// The pixel on the span in hand, a column or a row, at a place along it.
+    QPoint onSpan(std::int64_t along) const
+    {
+        const auto at = int(span->place.coordinate);
+        return span->place.axis == SpanAxis::Row ? QPoint(int(along), at) : QPoint(at, int(along));
+    }
+    bool hasLine() const { return span && span->place.axis != SpanAxis::Free; }
 };
 
 /// The scene of the cells that a mapping shows. The playhead must hold a run.
 PixelGridScene pixelGridScene(const Playhead &playhead, const DisplayOptions &options,
                               const PixelGridMapping &mapping);
 
-/// The triangle that the step in hand works on; the first one before the first step; none in an
-/// empty scene.
+/// The triangle that the step in hand works on; the first one before the first step; none where
+/// the scene has none or the step works on a shape.
 std::optional<std::size_t> triangleInHand(const Playhead &playhead);
 
 } // namespace pixelplumb

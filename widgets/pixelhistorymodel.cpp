@@ -14,6 +14,14 @@ namespace {
 constexpr quintptr topLevel = 0; // internal ids: 0 for attempts, 1 + row of the attempt for details
 constexpr int detailCount = 3; // channels or edges
 
+/// "△ 2", "line 0".
+QString nameText(const PixelAttempt &attempt)
+{
+    const QString kind
+        = attempt.kind == PrimitiveKind::Triangle ? QStringLiteral("△") : nameOf(attempt.kind);
+    return QStringLiteral("%1 %2").arg(kind).arg(attempt.primitive);
+}
+
 QColor opaque(QRgb colour) { return QColor::fromRgb(colour); }
 
 /// Why the triangle keeps the sample out: the edge that is farthest from accepting it.
@@ -100,7 +108,7 @@ int PixelHistoryModel::rowCount(const QModelIndex &parent) const
     if (!hasDetails)
         return 0;
     const PixelAttempt &attempt = m_attempts[std::size_t(parent.row())];
-    return attempt.written || !attempt.verdict.zeroArea ? detailCount : 0;
+    return attempt.written || attempt.hasEdges() ? detailCount : 0;
 }
 
 int PixelHistoryModel::columnCount(const QModelIndex &) const { return columnTotal; }
@@ -110,15 +118,15 @@ QString PixelHistoryModel::attemptText(const PixelAttempt &attempt, int column) 
     switch (column) {
     case WhatColumn:
         if (attempt.written)
-            return attempt.step < m_position ? tr("△ %1 wrote it").arg(attempt.triangle)
-                                             : tr("△ %1 will write it").arg(attempt.triangle);
-        return attempt.verdict.covered ? tr("△ %1 missed it").arg(attempt.triangle)
-                                       : tr("△ %1 refuses it").arg(attempt.triangle);
+            return (attempt.step < m_position ? tr("%1 wrote it") : tr("%1 will write it"))
+                .arg(nameText(attempt));
+        return (attempt.verdict.covered ? tr("%1 missed it") : tr("%1 refuses it"))
+            .arg(nameText(attempt));
     case UsedColumn:
         if (attempt.written)
             return tr("%1 → %2").arg(opaque(attempt.change.before).name(),
                                      opaque(attempt.change.after).name());
-        if (attempt.verdict.covered || attempt.verdict.zeroArea)
+        if (attempt.verdict.covered || !attempt.hasEdges())
             return {};
         return edgeText(refusingEdge(attempt.verdict), UsedColumn);
     case ByteColumn:
@@ -134,10 +142,10 @@ QString PixelHistoryModel::attemptText(const PixelAttempt &attempt, int column) 
 QString PixelHistoryModel::channelText(const PixelAttempt &attempt, std::size_t channel,
                                        int column) const
 {
-    const Quantity &used = attempt.fragment.colour[channel];
+    const Quantity &used = attempt.sample->colour[channel];
     const Quantity &exact = attempt.exactColour[channel];
     const Arithmetic arithmetic = m_traced->scene.settings.arithmetic;
-    const std::int64_t level = attempt.fragment.level[channel];
+    const std::int64_t level = attempt.sample->level[channel];
     switch (column) {
     case WhatColumn:
         return QStringLiteral("RGB").at(qsizetype(channel));
@@ -150,6 +158,8 @@ QString PixelHistoryModel::channelText(const PixelAttempt &attempt, std::size_t 
     default:
         break;
     }
+    if (exact.isNone())
+        return {}; // the truth of a shape is its pixels
     if (arithmetic == Arithmetic::Exact)
         return QStringLiteral("≈ ") + displayDecimal(exact);
     return tr("exact %1, error %2").arg(displayText(exact), displayError(used, exact));

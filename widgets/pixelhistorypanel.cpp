@@ -181,7 +181,7 @@ void PixelHistoryPanel::describePixel()
                        .arg(pixel->y())
                        .arg(swatchHtml(*frame.at(pixel->x(), pixel->y())));
     const Difference difference = traced->differences.at(pixel->x(), pixel->y());
-    const bool isDecided = traced->decidedAt(pixel->x()) <= m_playhead->position();
+    const bool isDecided = traced->decidedAt(pixel->x(), pixel->y()) <= m_playhead->position();
     text += tr("truth %1").arg(swatchHtml(truth));
     if (isDecided && difference != Difference::None) {
         const Sign sign = signOf(difference);

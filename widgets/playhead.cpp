@@ -2,19 +2,8 @@
 #include "widgets/playhead.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
 
 namespace pixelplumb {
-
-namespace {
-
-using namespace std::chrono_literals;
-
-constexpr auto frameTime = 16ms; // faster ticks would not be seen at 60 Hz
-constexpr double longestTick = 0.25; // seconds; a dialog or a sleep does not make playing leap
-
-} // namespace
 
 Playhead::Playhead(QObject *parent)
     : QObject(parent)
@@ -44,7 +33,7 @@ void Playhead::setTraced(std::shared_ptr<const TracedScene> traced)
     m_cursor = std::make_unique<TraceCursor>(*m_traced->trace, m_traced->scene.frame);
     std::size_t position = 0;
     if (previous) {
-        position = m_traced->triangles.size() > previous->triangles.size()
+        position = m_traced->primitives.size() > previous->primitives.size()
             ? m_traced->trace->stepCount()
             : navigation().positionLike(*previous->trace, oldPosition);
     }
@@ -72,26 +61,40 @@ std::optional<TraceStep> Playhead::stepInHand() const
     return m_traced->trace->stepAt(position() - 1);
 }
 
-std::optional<std::size_t> Playhead::columnInHand() const
+std::optional<std::size_t> Playhead::spanInHand() const
 {
     const std::optional<TraceStep> step = stepInHand();
     if (!step || step->kind == StepKind::SetUp)
         return std::nullopt;
-    return step->column;
+    return step->span;
+}
+
+std::optional<SpanPlace> Playhead::placeInHand() const
+{
+    const std::optional<std::size_t> span = spanInHand();
+    return span ? std::optional(m_traced->trace->placeOf(*span)) : std::nullopt;
 }
 
 std::optional<std::int64_t> Playhead::columnXInHand() const
 {
-    const std::optional<std::size_t> column = columnInHand();
-    if (!column)
+    const std::optional<SpanPlace> place = placeInHand();
+    if (!place || place->axis != SpanAxis::Column)
         return std::nullopt;
-    return m_traced->trace->xOf(*column);
+    return place->coordinate;
+}
+
+SpanAxis Playhead::axis() const
+{
+    if (const std::optional<SpanPlace> place = placeInHand())
+        return place->axis;
+    const bool hasSpans = m_traced && m_traced->trace->spanCount() > 0;
+    return hasSpans ? m_traced->trace->placeOf(0).axis : SpanAxis::Column;
 }
 
 std::optional<QPoint> Playhead::pixelInHand() const
 {
     const std::optional<TraceStep> step = stepInHand();
-    if (!step || step->kind != StepKind::Pixel)
+    if (!step || step->kind != StepKind::Sample)
         return std::nullopt;
     return navigation().pixelOf(position() - 1);
 }
@@ -102,10 +105,10 @@ void Playhead::seek(std::size_t position)
     moveTo(position);
 }
 
-void Playhead::seekToColumn(std::size_t column)
+void Playhead::seekToSpan(std::size_t span)
 {
-    if (m_traced && column < m_traced->trace->columnCount())
-        seek(m_traced->trace->indexOfColumn(column) + 1);
+    if (m_traced && span < m_traced->trace->spanCount())
+        seek(m_traced->trace->indexOfSpan(span) + 1);
 }
 
 void Playhead::seekToPixelStep(std::size_t stepIndex)
@@ -182,10 +185,14 @@ void Playhead::nudgePick(int dx, int dy)
     pick(m_picked ? from + QPoint(dx, dy) : from);
 }
 
-void Playhead::toggleColumnBreakpoint(std::int64_t x)
+void Playhead::toggleSpanBreakpoint(const SpanPlace &place)
 {
-    if (!m_breakpoints.columns.insert(x).second)
-        m_breakpoints.columns.erase(x);
+    if (place.axis == SpanAxis::Free)
+        return;
+    std::set<std::int64_t> &places
+        = place.axis == SpanAxis::Column ? m_breakpoints.columns : m_breakpoints.rows;
+    if (!places.insert(place.coordinate).second)
+        places.erase(place.coordinate);
     emit breakpointsChanged();
 }
 
@@ -203,31 +210,6 @@ void Playhead::clearBreakpoints()
         return;
     m_breakpoints = {};
     emit breakpointsChanged();
-}
-
-void Playhead::setPlaying(bool playing)
-{
-    if (playing == isPlaying() || (playing && end() == 0))
-        return;
-    if (playing) {
-        if (position() == end())
-            seek(0);
-        m_stepsDue = 0;
-        m_sinceLastTick.start();
-        m_timer.start(frameTime);
-    } else {
-        m_timer.stop();
-    }
-    emit playingChanged(playing);
-}
-
-void Playhead::setStepsPerSecond(double stepsPerSecond)
-{
-    const double bounded = std::clamp(stepsPerSecond, slowest, fastest);
-    if (bounded == m_stepsPerSecond)
-        return;
-    m_stepsPerSecond = bounded;
-    emit stepsPerSecondChanged(bounded);
 }
 
 void Playhead::moveTo(std::size_t position)
@@ -264,23 +246,6 @@ QPoint Playhead::clampedToFrame(const QPoint &pixel) const
     const FrameSpec &frame = m_traced->scene.frame;
     return {std::clamp(pixel.x(), frame.firstColumn, frame.firstColumn + frame.width - 1),
             std::clamp(pixel.y(), frame.firstRow, frame.firstRow + frame.height - 1)};
-}
-
-void Playhead::playDueSteps()
-{
-    const double seconds = double(m_sinceLastTick.nsecsElapsed()) * 1e-9;
-    m_sinceLastTick.start();
-    m_stepsDue += std::min(seconds, longestTick) * m_stepsPerSecond;
-    std::size_t target = position();
-    for (; m_stepsDue >= 1; m_stepsDue -= 1)
-        target = navigation().landingFrom(target, m_unit, StepDirection::Forward);
-    if (target == position())
-        return;
-    const auto pause
-        = navigation().breakpointFrom(position(), target, m_breakpoints, StepDirection::Forward);
-    seek(pause.value_or(target));
-    if (pause || position() == end())
-        setPlaying(false);
 }
 
 } // namespace pixelplumb

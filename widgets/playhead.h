@@ -20,7 +20,7 @@ namespace pixelplumb {
 /// another.
 ///
 /// A position p means that the first p steps are done; the step in hand is step p − 1. Moving to a
-/// column or pixel step picks its pixel; picking a pixel by hand does not move time.
+/// span or sample step picks its pixel; picking a pixel by hand does not move time.
 class Playhead : public QObject {
     Q_OBJECT
 
@@ -32,8 +32,8 @@ public:
     ~Playhead() override;
 
     /// Takes a new run. The position is kept on the same column and pixel where the new trace has
-    /// them, else the nearest earlier step of the same triangle. A run with more triangles than the
-    /// last one is shown finished: someone added a triangle and wants to see it.
+    /// them, else the nearest earlier step of the same primitive. A run with more primitives than
+    /// the last one is shown finished: someone added one and wants to see it.
     void setTraced(std::shared_ptr<const TracedScene> traced);
     /// Null until the first run is there.
     const TracedScene *traced() const { return m_traced.get(); }
@@ -44,11 +44,15 @@ public:
     /// The frame as it stands at the position; null without a run.
     const FrameBuffer *frame() const;
     std::optional<TraceStep> stepInHand() const;
-    /// The trace's index of the column in hand: the step's, or none at a set-up step.
-    std::optional<std::size_t> columnInHand() const;
-    /// Its x.
+    /// The trace's index of the span in hand: the step's, or none at a set-up step.
+    std::optional<std::size_t> spanInHand() const;
+    /// Where it lies.
+    std::optional<SpanPlace> placeInHand() const;
+    /// Its x, where it is a column.
     std::optional<std::int64_t> columnXInHand() const;
-    /// The pixel (x, y) that the step in hand wrote, if it wrote one.
+    /// What most spans of the run are; Column without a run.
+    SpanAxis axis() const;
+    /// The pixel (x, y) that the step in hand wrote or refused, if it came to one.
     std::optional<QPoint> pixelInHand() const;
 
     StepUnit unit() const { return m_unit; }
@@ -57,12 +61,14 @@ public:
 
     std::optional<QPoint> pickedPixel() const { return m_picked; }
 
+    const Breakpoints &breakpoints() const { return m_breakpoints; }
     const std::set<std::int64_t> &columnBreakpoints() const { return m_breakpoints.columns; }
+    const std::set<std::int64_t> &rowBreakpoints() const { return m_breakpoints.rows; }
     const std::set<std::pair<int, int>> &pixelBreakpoints() const { return m_breakpoints.pixels; }
 
 public slots:
     void seek(std::size_t position);
-    void seekToColumn(std::size_t column); ///< just after the column was entered
+    void seekToSpan(std::size_t span); ///< just after the span was entered
     void seekToPixelStep(std::size_t stepIndex); ///< just after that step
     void setUnit(pixelplumb::StepUnit unit);
     /// Forward and backward undo each other at every position but the ends: the landings of the
@@ -76,7 +82,8 @@ public slots:
     void runToPickedPixel(pixelplumb::StepDirection direction);
     void pick(const QPoint &pixel); ///< clamped to the frame
     void nudgePick(int dx, int dy);
-    void toggleColumnBreakpoint(std::int64_t x);
+    /// Of a column or a row; a free span has no place at which to pause again.
+    void toggleSpanBreakpoint(const pixelplumb::SpanPlace &place);
     void togglePixelBreakpoint(const QPoint &pixel);
     void clearBreakpoints();
     void setPlaying(bool playing); ///< at the end, playing starts again from the start
@@ -103,7 +110,7 @@ private:
 
     std::shared_ptr<const TracedScene> m_traced;
     std::unique_ptr<TraceCursor> m_cursor;
-    StepUnit m_unit = StepUnit::Column;
+    StepUnit m_unit = StepUnit::Span;
     std::optional<QPoint> m_picked;
     Breakpoints m_breakpoints;
     /// The position between landings from which stepping set out; forgotten by any other move.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scenecommands.h"
 
+#include "core/geometry/shapeediting.h"
+
 #include <algorithm>
 
 namespace pixelplumb {
@@ -15,46 +17,25 @@ void SceneCommand::tellPendingChanged()
 
 void SceneCommand::tellSelectionChanged() { emit m_document->selectionChanged(); }
 
-PlaceVertexCommand::PlaceVertexCommand(SceneDocument &document, const Vertex &vertex)
-    : SceneCommand(document, tr("place vertex"))
-    , m_vertex(vertex)
-    , m_chosenColour(chosenColour())
+void SceneCommand::shiftSelection(int index, int by)
+{
+    if (selected() && selected()->primitive >= index) {
+        selected()->primitive += by;
+        tellSelectionChanged();
+    }
+}
+
+SetTextCommand::SetTextCommand(SceneDocument &document, int primitive, const std::string &text)
+    : SceneCommand(document, tr("change text"))
+    , m_primitive(primitive)
+    , m_text(text)
 {
 }
 
-void PlaceVertexCommand::redo()
+void SetTextCommand::exchange()
 {
-    chosenColour().reset();
-    pending().push_back(m_vertex);
-    if (pending().size() < 3) {
-        tellPendingChanged();
-        return;
-    }
-    scene().triangles.push_back({{pending()[0], pending()[1], pending()[2]}});
-    pending().clear();
-    if (selected() && selected()->triangle == VertexRef::pending)
-        selected()->triangle = int(scene().triangles.size()) - 1;
-    tellPendingChanged();
+    std::swap(shape(m_primitive)->text, m_text);
     tellSceneChanged();
-}
-
-void PlaceVertexCommand::undo()
-{
-    chosenColour() = m_chosenColour;
-    const bool completedTriangle = pending().empty();
-    if (completedTriangle) {
-        const int triangle = int(scene().triangles.size()) - 1;
-        const auto &vertices = scene().triangles.back().vertices;
-        pending().assign(vertices.begin(), vertices.end());
-        scene().triangles.pop_back();
-        if (selected() && selected()->triangle == triangle)
-            selected()->triangle = VertexRef::pending;
-    }
-    pending().pop_back();
-    dropStaleSelection();
-    tellPendingChanged();
-    if (completedTriangle)
-        tellSceneChanged();
 }
 
 MoveVertexCommand::MoveVertexCommand(SceneDocument &document, const VertexRef &ref,
@@ -65,6 +46,8 @@ MoveVertexCommand::MoveVertexCommand(SceneDocument &document, const VertexRef &r
     , m_after(position)
     , m_drag(drag)
 {
+    if (const Shape *moved = ref.primitive == VertexRef::pending ? nullptr : shape(ref.primitive))
+        m_shapeBefore = *moved;
 }
 
 bool MoveVertexCommand::mergeWith(const QUndoCommand *other)
@@ -77,10 +60,27 @@ bool MoveVertexCommand::mergeWith(const QUndoCommand *other)
     return true;
 }
 
-void MoveVertexCommand::moveTo(const LatticePoint &position)
+void MoveVertexCommand::redo()
 {
-    vertex(m_ref).position = position;
-    if (m_ref.triangle == VertexRef::pending)
+    if (m_shapeBefore)
+        moveVertex(*shape(m_ref.primitive), std::size_t(m_ref.vertex), m_after);
+    else
+        vertex(m_ref).position = m_after;
+    tell();
+}
+
+void MoveVertexCommand::undo()
+{
+    if (m_shapeBefore)
+        *shape(m_ref.primitive) = *m_shapeBefore;
+    else
+        vertex(m_ref).position = m_before;
+    tell();
+}
+
+void MoveVertexCommand::tell()
+{
+    if (m_ref.primitive == VertexRef::pending)
         tellPendingChanged();
     else
         tellSceneChanged();
@@ -97,74 +97,27 @@ SetVertexColourCommand::SetVertexColourCommand(SceneDocument &document, const Ve
 void SetVertexColourCommand::exchange()
 {
     std::swap(vertex(m_ref).colour, m_colour);
-    if (m_ref.triangle == VertexRef::pending)
+    if (m_ref.primitive == VertexRef::pending)
         tellPendingChanged();
     else
         tellSceneChanged();
 }
 
-InsertTriangleCommand::InsertTriangleCommand(SceneDocument &document, const Triangle &triangle)
-    : SceneCommand(document, tr("add triangle"))
-    , m_triangle(triangle)
-{
-}
-
-void InsertTriangleCommand::redo()
-{
-    scene().triangles.push_back(m_triangle);
-    tellSceneChanged();
-}
-
-void InsertTriangleCommand::undo()
-{
-    scene().triangles.pop_back();
-    dropStaleSelection();
-    tellSceneChanged();
-}
-
-DeleteTriangleCommand::DeleteTriangleCommand(SceneDocument &document, int triangle)
-    : SceneCommand(document, tr("delete triangle"))
-    , m_index(triangle)
-    , m_triangle(scene().triangles[std::size_t(triangle)])
-{
-}
-
-void DeleteTriangleCommand::redo()
-{
-    scene().triangles.erase(scene().triangles.begin() + m_index);
-    if (selected() && selected()->triangle == m_index) {
-        selected().reset();
-        tellSelectionChanged();
-    } else if (selected() && selected()->triangle > m_index) {
-        --selected()->triangle; // the same vertex has a new name
-        tellSelectionChanged();
-    }
-    tellSceneChanged();
-}
-
-void DeleteTriangleCommand::undo()
-{
-    scene().triangles.insert(scene().triangles.begin() + m_index, m_triangle);
-    if (selected() && selected()->triangle >= m_index) {
-        ++selected()->triangle;
-        tellSelectionChanged();
-    }
-    tellSceneChanged();
-}
-
 ReplaceVerticesCommand::ReplaceVerticesCommand(SceneDocument &document, const QString &text,
-                                               std::vector<Triangle> triangles,
-                                               std::vector<Vertex> pending)
+                                               Primitives primitives, std::vector<Vertex> pending)
     : SceneCommand(document, text)
-    , m_triangles(std::move(triangles))
+    , m_primitives(std::move(primitives))
     , m_pending(std::move(pending))
 {
 }
 
 void ReplaceVerticesCommand::exchange()
 {
-    const bool changesScene = m_triangles != scene().triangles;
-    std::swap(scene().triangles, m_triangles);
+    const bool changesScene
+        = m_primitives.triangles != scene().triangles || m_primitives.shapes != scene().shapes;
+    std::swap(scene().triangles, m_primitives.triangles);
+    std::swap(scene().shapes, m_primitives.shapes);
+    std::swap(scene().attributes, m_primitives.attributes);
     std::swap(pending(), m_pending);
     dropStaleSelection();
     tellPendingChanged();

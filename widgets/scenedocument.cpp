@@ -25,12 +25,6 @@ Lattice nearestMultiple(Lattice coordinate, Lattice step)
     return floorDivide(coordinate + step / 2, step) * step;
 }
 
-bool isWithinRange(const FrameSpec &frame)
-{
-    return std::abs(std::int64_t(frame.firstColumn)) <= largestPixel
-        && std::abs(std::int64_t(frame.firstRow)) <= largestPixel;
-}
-
 } // namespace
 
 Lattice stepOf(Snap snap)
@@ -62,7 +56,7 @@ SceneDocument::~SceneDocument()
 
 Colour SceneDocument::nextColour() const
 {
-    return m_chosenColour.value_or(defaultColours[m_pending.size()]);
+    return m_chosenColour.value_or(defaultColours[m_pending.size() % defaultColours.size()]);
 }
 
 std::optional<Vertex> SceneDocument::vertexAt(const VertexRef &ref) const
@@ -70,19 +64,56 @@ std::optional<Vertex> SceneDocument::vertexAt(const VertexRef &ref) const
     if (ref.vertex < 0)
         return std::nullopt;
     const auto vertex = std::size_t(ref.vertex);
-    if (ref.triangle == VertexRef::pending)
+    if (ref.primitive == VertexRef::pending)
         return vertex < m_pending.size() ? std::optional(m_pending[vertex]) : std::nullopt;
-    if (ref.triangle < 0 || std::size_t(ref.triangle) >= m_scene.triangles.size() || vertex >= 3)
+    if (ref.primitive < 0 || ref.primitive >= primitiveCount())
         return std::nullopt;
-    return m_scene.triangles[std::size_t(ref.triangle)].vertices[vertex];
+    const auto primitive = std::size_t(ref.primitive);
+    if (primitive < m_scene.triangles.size())
+        return vertex < 3 ? std::optional(m_scene.triangles[primitive].vertices[vertex])
+                          : std::nullopt;
+    const std::vector<Vertex> &vertices
+        = m_scene.shapes[primitive - m_scene.triangles.size()].vertices;
+    return vertex < vertices.size() ? std::optional(vertices[vertex]) : std::nullopt;
+}
+
+PrimitiveKind SceneDocument::placedKind() const
+{
+    const Method *method = methodNamed(QString::fromStdString(m_scene.method));
+    return method && !method->kinds.empty() ? method->kinds.front() : PrimitiveKind::Triangle;
+}
+
+PrimitiveKind SceneDocument::kindOf(int primitive) const
+{
+    const auto index = std::size_t(primitive);
+    return index < m_scene.triangles.size() ? PrimitiveKind::Triangle
+                                            : m_scene.shapes[index - m_scene.triangles.size()].kind;
+}
+
+std::vector<Vertex> SceneDocument::verticesOf(int primitive) const
+{
+    const auto index = std::size_t(primitive);
+    if (index >= m_scene.triangles.size())
+        return m_scene.shapes[index - m_scene.triangles.size()].vertices;
+    const std::array<Vertex, 3> &vertices = m_scene.triangles[index].vertices;
+    return {vertices.begin(), vertices.end()};
+}
+
+bool SceneDocument::canClosePending() const
+{
+    return placedKind() == PrimitiveKind::Polygon && m_pending.size() >= 3;
 }
 
 std::vector<VertexRef> SceneDocument::vertices() const
 {
     std::vector<VertexRef> refs;
-    for (int triangle = 0; triangle < int(m_scene.triangles.size()); ++triangle) {
-        for (int vertex = 0; vertex < 3; ++vertex)
-            refs.push_back({triangle, vertex});
+    const auto triangles = int(m_scene.triangles.size());
+    for (int primitive = 0; primitive < primitiveCount(); ++primitive) {
+        const int count = primitive < triangles
+            ? 3
+            : int(m_scene.shapes[std::size_t(primitive - triangles)].vertices.size());
+        for (int vertex = 0; vertex < count; ++vertex)
+            refs.push_back({primitive, vertex});
     }
     for (int vertex = 0; vertex < int(m_pending.size()); ++vertex)
         refs.push_back({VertexRef::pending, vertex});
@@ -106,113 +137,6 @@ void SceneDocument::reset(const Scene &scene)
     emit pendingChanged();
     emit nextColourChanged();
     emit sceneChanged();
-}
-
-void SceneDocument::placeVertex(const LatticePoint &position)
-{
-    if (accepts(position))
-        m_undoStack.push(new PlaceVertexCommand(*this, {position, nextColour()}));
-}
-
-void SceneDocument::moveVertex(const VertexRef &ref, const LatticePoint &position, int drag)
-{
-    const std::optional<Vertex> vertex = vertexAt(ref);
-    if (vertex && vertex->position != position && accepts(position))
-        m_undoStack.push(new MoveVertexCommand(*this, ref, position, drag));
-}
-
-void SceneDocument::setVertexColour(const VertexRef &ref, const Colour &colour)
-{
-    const std::optional<Vertex> vertex = vertexAt(ref);
-    if (vertex && vertex->colour != colour)
-        m_undoStack.push(new SetVertexColourCommand(*this, ref, colour));
-}
-
-void SceneDocument::addTriangle(const Triangle &triangle)
-{
-    if (std::ranges::all_of(triangle.vertices,
-                            [this](const Vertex &vertex) { return accepts(vertex.position); }))
-        m_undoStack.push(new InsertTriangleCommand(*this, triangle));
-}
-
-void SceneDocument::deleteTriangle(int triangle)
-{
-    if (triangle >= 0 && std::size_t(triangle) < m_scene.triangles.size())
-        m_undoStack.push(new DeleteTriangleCommand(*this, triangle));
-}
-
-void SceneDocument::deleteVertex(const VertexRef &ref)
-{
-    if (ref.triangle != VertexRef::pending) {
-        deleteTriangle(ref.triangle);
-        return;
-    }
-    if (!vertexAt(ref))
-        return;
-    std::vector<Vertex> pending = m_pending;
-    pending.erase(pending.begin() + ref.vertex);
-    m_undoStack.push(
-        new ReplaceVerticesCommand(*this, tr("delete vertex"), m_scene.triangles, pending));
-}
-
-void SceneDocument::discardPending()
-{
-    if (!m_pending.empty())
-        m_undoStack.push(
-            new ReplaceVerticesCommand(*this, tr("discard vertices"), m_scene.triangles, {}));
-}
-
-void SceneDocument::clear()
-{
-    if (!m_pending.empty() || !m_scene.triangles.empty())
-        m_undoStack.push(new ReplaceVerticesCommand(*this, tr("clear"), {}, {}));
-}
-
-void SceneDocument::setFrame(const FrameSpec &frame)
-{
-    if (frame == m_scene.frame)
-        return;
-    if (frame.width < 1 || frame.height < 1 || frame.width > largestFrameSide
-        || frame.height > largestFrameSide
-        || std::int64_t(frame.width) * frame.height > largestFrameArea) {
-        emit refused(
-            tr("A frame of %1 × %2 pixels cannot be made: each side must be 1 to %3 and the "
-               "area at most %4.")
-                .arg(frame.width)
-                .arg(frame.height)
-                .arg(largestFrameSide)
-                .arg(largestFrameArea));
-        return;
-    }
-    if (!isWithinRange(frame)) {
-        emit refused(tr("The frame's first pixel (%1, %2) lies beyond ±2^30 px.")
-                         .arg(frame.firstColumn)
-                         .arg(frame.firstRow));
-        return;
-    }
-    Scene scene{frame, m_scene.settings, m_scene.method, {}};
-    m_undoStack.push(new SetUpSceneCommand(*this, tr("change frame"), scene));
-}
-
-void SceneDocument::setSettings(const ScanSettings &settings)
-{
-    if (settings == m_scene.settings)
-        return;
-    Scene scene{m_scene.frame, settings, m_scene.method, {}};
-    m_undoStack.push(new SetUpSceneCommand(*this, tr("change settings"), scene));
-}
-
-void SceneDocument::setMethod(const std::string &method)
-{
-    if (method == m_scene.method)
-        return;
-    const QString name = QString::fromStdString(method);
-    if (!methodNamed(name)) {
-        emit refused(tr("There is no method “%1”.").arg(name));
-        return;
-    }
-    Scene scene{m_scene.frame, m_scene.settings, method, {}};
-    m_undoStack.push(new SetUpSceneCommand(*this, tr("change method"), scene));
 }
 
 void SceneDocument::setSnap(Snap snap)
@@ -242,9 +166,18 @@ void SceneDocument::selectVertex(const std::optional<VertexRef> &ref)
 Vertex *SceneDocument::find(const VertexRef &ref)
 {
     Q_ASSERT(vertexAt(ref));
-    if (ref.triangle == VertexRef::pending)
+    if (ref.primitive == VertexRef::pending)
         return &m_pending[std::size_t(ref.vertex)];
-    return &m_scene.triangles[std::size_t(ref.triangle)].vertices[std::size_t(ref.vertex)];
+    if (Shape *shape = findShape(ref.primitive))
+        return &shape->vertices[std::size_t(ref.vertex)];
+    return &m_scene.triangles[std::size_t(ref.primitive)].vertices[std::size_t(ref.vertex)];
+}
+
+Shape *SceneDocument::findShape(int primitive)
+{
+    const int shape = primitive - int(m_scene.triangles.size());
+    return shape >= 0 && shape < int(m_scene.shapes.size()) ? &m_scene.shapes[std::size_t(shape)]
+                                                            : nullptr;
 }
 
 bool SceneDocument::accepts(const LatticePoint &position)

@@ -16,16 +16,16 @@ enum class Snap { Pixel, Sixteenth, Finest };
 /// The distance between its points, in lattice units.
 Lattice stepOf(Snap snap);
 
-/// A vertex of the document: of a triangle of the scene, or placed and waiting for its triangle.
+/// A vertex of the document: of a primitive of the scene, or placed and waiting for its primitive.
 struct VertexRef {
     static constexpr int pending = -1;
-    int triangle = pending; ///< index, or `pending`
+    int primitive = pending; ///< index through the triangles and the shapes, or `pending`
     int vertex = 0;
 
     friend bool operator==(const VertexRef &, const VertexRef &) = default;
 };
 
-/// The scene that a person edits, with the one or two vertices that wait for their triangle. Every
+/// The scene that a person edits, with the vertices that wait for their primitive. Every
 /// change is a command on the undo stack; the moves of one drag merge into one command.
 /// Coordinates are the scene's own (see Scene).
 class SceneDocument : public QObject {
@@ -41,12 +41,24 @@ public:
     bool isModified() const { return !m_undoStack.isClean(); }
 
     Snap snap() const { return m_snap; }
+    /// What placed vertices make: the kind that the scene's method draws.
+    PrimitiveKind placedKind() const;
+    PrimitiveKind kindOf(int primitive) const;
+    int primitiveCount() const { return int(m_scene.triangles.size() + m_scene.shapes.size()); }
+    /// The vertices of a primitive, by number.
+    std::vector<Vertex> verticesOf(int primitive) const;
+    Primitives primitives() const
+    {
+        return {m_scene.triangles, m_scene.shapes, m_scene.attributes};
+    }
+    /// Whether the pending vertices could be closed to a polygon.
+    bool canClosePending() const;
     /// The colour that the next placed vertex gets: the one that the person chose for it, else red,
     /// green or blue in turn.
     Colour nextColour() const;
     std::optional<VertexRef> selectedVertex() const { return m_selected; }
     std::optional<Vertex> vertexAt(const VertexRef &ref) const;
-    /// Every vertex: the triangles' in drawing order, then the pending ones.
+    /// Every vertex: the primitives' in drawing order, then the pending ones.
     std::vector<VertexRef> vertices() const;
     LatticePoint snapped(const LatticePoint &point) const;
 
@@ -58,18 +70,22 @@ public:
     int newDrag() { return ++m_lastDrag; }
 
 public slots:
-    /// Every third vertex completes a triangle. Ignored with refused() beyond ±2^30 px.
+    /// The last vertex that the kind needs completes the primitive: every third a triangle.
+    /// Ignored with refused() beyond ±2^30 px.
     void placeVertex(const pixelplumb::LatticePoint &position);
     /// Moves that share a drag number are one command.
     void moveVertex(const pixelplumb::VertexRef &ref, const pixelplumb::LatticePoint &position,
                     int drag);
     void setVertexColour(const pixelplumb::VertexRef &ref, const pixelplumb::Colour &colour);
     void addTriangle(const pixelplumb::Triangle &triangle);
-    void deleteTriangle(int triangle);
-    /// Removes the triangle of a vertex, or the pending vertex.
+    /// Makes a polygon of the pending vertices.
+    void closePending();
+    void setText(int primitive, const QString &text); ///< of a text
+    void deletePrimitive(int primitive);
+    /// Removes the primitive of a vertex, or the pending vertex.
     void deleteVertex(const pixelplumb::VertexRef &ref);
-    void discardPending(); ///< all vertices that wait for their triangle
-    void clear(); ///< all triangles and pending vertices
+    void discardPending(); ///< all vertices that wait for their primitive
+    void clear(); ///< all primitives and pending vertices
     void setFrame(const pixelplumb::FrameSpec &frame);
     void setSettings(const pixelplumb::ScanSettings &settings);
     void setMethod(const std::string &method);
@@ -79,18 +95,21 @@ public slots:
     void selectVertex(const std::optional<pixelplumb::VertexRef> &ref);
 
 signals:
-    void sceneChanged(); ///< triangles, frame, settings or method
+    void sceneChanged(); ///< primitives, frame, settings or method
     void pendingChanged();
     void selectionChanged();
     void snapChanged();
     void nextColourChanged();
     void modifiedChanged(bool modified);
     void refused(const QString &reason);
+    /// Something was changed beside what was asked for.
+    void notice(const QString &text);
 
 private:
     friend class SceneCommand;
 
     Vertex *find(const VertexRef &ref);
+    Shape *findShape(int primitive);
     bool accepts(const LatticePoint &position);
     void dropStaleSelection();
 

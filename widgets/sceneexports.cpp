@@ -148,7 +148,10 @@ void SceneExports::copyPickedPixel()
     QStringList cells{QStringLiteral("(%1, %2)").arg(pixel->x()).arg(pixel->y()),
                       colourText(colour)};
     for (const PixelAttempt &attempt : pixelHistory(*m_playhead->traced(), pixel->x(), pixel->y()))
-        cells += tr("triangle %1: %2").arg(attempt.triangle).arg(attempt.reason);
+        cells += QStringLiteral("%1 %2: %3")
+                     .arg(nameOf(attempt.kind))
+                     .arg(attempt.primitive)
+                     .arg(attempt.reason);
     QApplication::clipboard()->setText(cells.join(QLatin1Char('\t')));
     emit notice(tr("Pixel (%1, %2) is on the clipboard.").arg(pixel->x()).arg(pixel->y()));
 }

@@ -109,6 +109,16 @@ void SceneFiles::loadDefault()
     emit loaded();
 }
 
+bool SceneFiles::showScene(const Scene &scene)
+{
+    if (!mayReplace())
+        return false;
+    m_document->reset(scene);
+    setPath({});
+    emit loaded();
+    return true;
+}
+
 void SceneFiles::newScene()
 {
     if (!mayReplace())

@@ -12,6 +12,7 @@ namespace pixelplumb {
 
 class RecentFiles;
 class SceneDocument;
+struct Scene;
 
 /// What to do with changes that are not in a file yet.
 enum class UnsavedChanges { Save, Discard, Cancel };
@@ -37,6 +38,8 @@ public:
     bool load(const QString &path);
     bool saveTo(const QString &path);
     void loadDefault();
+    /// A scene that is in no file; false when the person keeps the one that is there.
+    bool showScene(const Scene &scene);
 
     /// The question before changes are lost; a test answers it by replacing the function.
     std::function<UnsavedChanges()> askAboutChanges;

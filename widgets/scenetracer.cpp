@@ -6,6 +6,7 @@
 #include <atomic>
 #include <chrono>
 #include <new>
+#include <span>
 #include <utility>
 
 namespace pixelplumb {
@@ -39,16 +40,41 @@ QString refusalOf(const Scene &scene)
                   : SceneTracer::tr("There is no method named “%1”.").arg(id);
 }
 
+/// The least and the greatest of one coordinate.
+std::pair<Lattice, Lattice> extentOf(std::span<const Vertex> vertices,
+                                     Lattice LatticePoint::*coordinate, Lattice margin)
+{
+    Lattice least = vertices.front().position.*coordinate;
+    Lattice greatest = least;
+    for (const Vertex &vertex : vertices) {
+        least = std::min(least, vertex.position.*coordinate);
+        greatest = std::max(greatest, vertex.position.*coordinate);
+    }
+    return {least - margin, greatest + margin};
+}
+
+/// How far a shape reaches beyond its vertices: a circle's are its centre and one corner.
+Lattice reachOf(const Shape &shape)
+{
+    if (shape.kind == PrimitiveKind::Text)
+        return shape.textHeight * Lattice(shape.text.size());
+    if (shape.kind != PrimitiveKind::Circle && shape.kind != PrimitiveKind::Ellipse)
+        return 0;
+    const LatticePoint &centre = shape.vertices[0].position;
+    const LatticePoint &corner = shape.vertices[1].position;
+    return 2 * std::max(std::abs(corner.x - centre.x), std::abs(corner.y - centre.y));
+}
+
 } // namespace
 
 TraceCost traceCostOf(const Scene &scene)
 {
     TraceCost cost;
     const FrameSpec &frame = scene.frame;
-    for (const Triangle &triangle : trianglesOnSamples(scene)) {
-        const auto &[a, b, c] = triangle.vertices;
-        const auto [left, right] = std::minmax({a.position.x, b.position.x, c.position.x});
-        const auto [low, high] = std::minmax({a.position.y, b.position.y, c.position.y});
+    const Primitives primitives = primitivesOnSamples(scene);
+    const auto add = [&](std::span<const Vertex> vertices, Lattice margin) {
+        const auto [left, right] = extentOf(vertices, &LatticePoint::x, margin);
+        const auto [low, high] = extentOf(vertices, &LatticePoint::y, margin);
         const auto samples
             = [](Lattice first, Lattice last, std::int64_t frameFirst, std::int64_t frameSize) {
                   const std::int64_t begin = std::max(ceilPixel(first), frameFirst);
@@ -59,7 +85,11 @@ TraceCost traceCostOf(const Scene &scene)
         ++cost.triangles;
         cost.columns += columns;
         cost.pixels += columns * samples(low, high, frame.firstRow, frame.height);
-    }
+    };
+    for (const Triangle &triangle : primitives.triangles)
+        add(triangle.vertices, 0);
+    for (const Shape &shape : primitives.shapes)
+        add(shape.vertices, reachOf(shape));
     return cost;
 }
 

@@ -24,7 +24,7 @@ constexpr std::size_t mostBreakpoints = 1000; // more ticks could not be told ap
 Sign signOf(MarkKind kind)
 {
     switch (kind) {
-    case MarkKind::VertexColumn:
+    case MarkKind::PartBegins:
         return Sign::VertexMark;
     case MarkKind::Tie:
         return Sign::Tie;
@@ -156,9 +156,9 @@ void Scrubber::keyPressEvent(QKeyEvent *event)
     case Qt::Key_Up:
         return go(m_playhead->unit(), StepDirection::Forward);
     case Qt::Key_PageUp:
-        return m_playhead->step(StepUnit::Column, StepDirection::Backward);
+        return m_playhead->step(StepUnit::Span, StepDirection::Backward);
     case Qt::Key_PageDown:
-        return m_playhead->step(StepUnit::Column, StepDirection::Forward);
+        return m_playhead->step(StepUnit::Span, StepDirection::Forward);
     case Qt::Key_Home:
         return m_playhead->seek(0);
     case Qt::Key_End:
@@ -215,8 +215,7 @@ void Scrubber::findBreakpoints()
     m_breakpoints.clear();
     if (const TracedScene *traced = m_playhead->traced()) {
         const TraceNavigation navigation(*traced->trace);
-        const Breakpoints breakpoints{m_playhead->columnBreakpoints(),
-                                      m_playhead->pixelBreakpoints()};
+        const Breakpoints &breakpoints = m_playhead->breakpoints();
         std::size_t position = 0;
         while (m_breakpoints.size() < mostBreakpoints) {
             const auto next = navigation.breakpointFrom(position, m_playhead->end(), breakpoints,

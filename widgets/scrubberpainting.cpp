@@ -81,7 +81,7 @@ void Scrubber::paintBackground()
     QFont small = font();
     small.setPointSizeF(small.pointSizeF() * 0.85);
     painter.setFont(small);
-    paintLane(painter, 0, MarkKind::VertexColumn, tr("vertices"));
+    paintLane(painter, 0, MarkKind::PartBegins, tr("vertices"));
     paintLane(painter, 1, MarkKind::Tie, tr("ties"));
     paintLane(painter, 2, MarkKind::Clamp, tr("clamps"));
     paintLane(painter, 0, MarkKind::FirstDifference, {});
@@ -144,16 +144,15 @@ void Scrubber::paintTrack(QPainter &painter) const
     muted.setAlphaF(0.75F);
     painter.setPen(muted);
     painter.drawText(QRectF(0, trackTop, gutter - margin, trackHeight),
-                     Qt::AlignRight | Qt::AlignVCenter, tr("columns"));
+                     Qt::AlignRight | Qt::AlignVCenter, tr("spans"));
     const TracedScene *traced = m_playhead->traced();
     if (!traced)
         return;
     const ScanTrace &trace = *traced->trace;
-    if (trace.columnCount() > 0
-        && toScreen.width / double(trace.columnCount()) >= leastColumnWidth) {
+    if (trace.spanCount() > 0 && toScreen.width / double(trace.spanCount()) >= leastColumnWidth) {
         painter.setPen(QPen(faint(palette()), 1));
-        for (std::size_t column = 0; column < trace.columnCount(); ++column) {
-            const double x = toScreen.xOf(trace.indexOfColumn(column) + 1);
+        for (std::size_t column = 0; column < trace.spanCount(); ++column) {
+            const double x = toScreen.xOf(trace.indexOfSpan(column) + 1);
             painter.drawLine(QPointF(x, trackTop + 3), QPointF(x, trackTop + 11));
         }
     }

@@ -21,12 +21,15 @@ StepActions::StepActions(Playhead *playhead, QObject *parent)
     addUnits();
     const auto update = [this] { updateEnabled(); };
     connect(playhead, &Playhead::tracedChanged, this, update);
+    connect(playhead, &Playhead::tracedChanged, this, [this] { nameSpans(); });
+    connect(playhead, &Playhead::positionChanged, this, [this] { nameSpans(); });
     connect(playhead, &Playhead::positionChanged, this, update);
     connect(playhead, &Playhead::pickedPixelChanged, this, update);
     connect(playhead, &Playhead::breakpointsChanged, this, update);
     connect(playhead, &Playhead::playingChanged, this, [this] { updatePlay(); });
     updateEnabled();
     updatePlay();
+    nameSpans();
 }
 
 QAction *StepActions::step(StepUnit unit, StepDirection direction) const
@@ -76,18 +79,18 @@ void StepActions::addSteps()
         action->setIcon(stepIcon(direction == forward ? StepSign::Forward : StepSign::Backward));
         m_steps[std::size_t(unit)][std::size_t(direction)] = action;
     };
-    addStep(StepUnit::Column, forward, "nextColumn", tr("Next &column"), tr("column"), Qt::Key_F10,
+    addStep(StepUnit::Span, forward, "nextColumn", tr("Next &column"), tr("column"), Qt::Key_F10,
             tr("Go on to the next column"));
-    addStep(StepUnit::Column, backward, "previousColumn", tr("Previous c&olumn"), tr("column"),
+    addStep(StepUnit::Span, backward, "previousColumn", tr("Previous c&olumn"), tr("column"),
             Qt::SHIFT | Qt::Key_F10, tr("Go back to the previous column"));
-    addStep(StepUnit::Pixel, forward, "nextPixel", tr("Next &pixel"), tr("pixel"), Qt::Key_F11,
+    addStep(StepUnit::Sample, forward, "nextPixel", tr("Next &pixel"), tr("pixel"), Qt::Key_F11,
             tr("Write the next pixel"));
-    addStep(StepUnit::Pixel, backward, "previousPixel", tr("Previous p&ixel"), tr("pixel"),
+    addStep(StepUnit::Sample, backward, "previousPixel", tr("Previous p&ixel"), tr("pixel"),
             Qt::SHIFT | Qt::Key_F11, tr("Take back the last pixel"));
-    addStep(StepUnit::SetUp, forward, "nextSetUp", tr("Next &triangle"), tr("triangle"),
-            Qt::CTRL | Qt::Key_F11, tr("Go on to the next triangle's set-up"));
-    addStep(StepUnit::SetUp, backward, "previousSetUp", tr("Previous t&riangle"), tr("triangle"),
-            Qt::CTRL | Qt::SHIFT | Qt::Key_F11, tr("Go back to the previous triangle's set-up"));
+    addStep(StepUnit::SetUp, forward, "nextSetUp", tr("Next pri&mitive"), tr("primitive"),
+            Qt::CTRL | Qt::Key_F11, tr("Go on to the next primitive's set-up"));
+    addStep(StepUnit::SetUp, backward, "previousSetUp", tr("Previous p&rimitive"), tr("primitive"),
+            Qt::CTRL | Qt::SHIFT | Qt::Key_F11, tr("Go back to the previous primitive's set-up"));
 
     m_toEnd = addMove(QStringLiteral("runToEnd"), tr("Run to the &end"), tr("end"), Qt::Key_F5,
                       tr("Go on to the next breakpoint or the end"),
@@ -117,12 +120,12 @@ void StepActions::addBreakpoints()
 {
     m_columnBreakpoint
         = add(QStringLiteral("toggleColumnBreakpoint"), tr("Break&point on the column"), {},
-              Qt::Key_F9, tr("Set or clear a breakpoint on the column in hand"));
+              Qt::Key_F9, tr("Set or clear a breakpoint on the column or row in hand"));
     connect(m_columnBreakpoint, &QAction::triggered, this, [this] {
-        if (const auto x = m_playhead->columnXInHand())
-            m_playhead->toggleColumnBreakpoint(*x);
+        if (const std::optional<SpanPlace> place = m_playhead->placeInHand())
+            m_playhead->toggleSpanBreakpoint(*place);
         else if (const auto pixel = m_playhead->pickedPixel())
-            m_playhead->toggleColumnBreakpoint(pixel->x());
+            m_playhead->toggleSpanBreakpoint({SpanAxis::Column, pixel->x(), 0});
     });
     m_pixelBreakpoint
         = add(QStringLiteral("togglePixelBreakpoint"), tr("Breakpoint on the picked pi&xel"), {},
@@ -149,9 +152,9 @@ void StepActions::addUnits()
         connect(m_playhead, &Playhead::unitChanged, action,
                 [action, unit](StepUnit chosen) { action->setChecked(chosen == unit); });
     };
-    addUnit(StepUnit::SetUp, "unitSetUp", tr("by triangles"));
-    addUnit(StepUnit::Column, "unitColumn", tr("by columns"));
-    addUnit(StepUnit::Pixel, "unitPixel", tr("by pixels"));
+    addUnit(StepUnit::SetUp, "unitSetUp", tr("by primitives"));
+    addUnit(StepUnit::Span, "unitColumn", tr("by columns"));
+    addUnit(StepUnit::Sample, "unitPixel", tr("by pixels"));
 }
 
 void StepActions::updateEnabled()
@@ -169,9 +172,60 @@ void StepActions::updateEnabled()
     for (QAction *run : m_runToPixel)
         run->setEnabled(hasPixel);
     m_pixelBreakpoint->setEnabled(hasPixel);
-    m_columnBreakpoint->setEnabled(hasPixel || m_playhead->columnInHand());
-    m_clearBreakpoints->setEnabled(!m_playhead->columnBreakpoints().empty()
-                                   || !m_playhead->pixelBreakpoints().empty());
+    m_columnBreakpoint->setEnabled(hasPixel || m_playhead->spanInHand());
+    m_clearBreakpoints->setEnabled(!m_playhead->breakpoints().isEmpty());
+}
+
+/// What a span is called depends on the method that made the run.
+void StepActions::nameSpans()
+{
+    struct Words {
+        QString next, previous, span, nextTip, previousTip, breakpoint, unit;
+    };
+    const auto wordsFor = [](SpanAxis axis) -> Words {
+        switch (axis) {
+        case SpanAxis::Column:
+            break;
+        case SpanAxis::Row:
+            return {tr("Next &row"),
+                    tr("Previous r&ow"),
+                    tr("row"),
+                    tr("Go on to the next row"),
+                    tr("Go back to the previous row"),
+                    tr("Break&point on the row"),
+                    tr("by rows")};
+        case SpanAxis::Free:
+            return {tr("Next &step"),
+                    tr("Previous st&ep"),
+                    tr("step"),
+                    tr("Go on to the method's next step"),
+                    tr("Go back to the method's previous step"),
+                    tr("Break&point"),
+                    tr("by steps")};
+        }
+        return {tr("Next &column"),
+                tr("Previous c&olumn"),
+                tr("column"),
+                tr("Go on to the next column"),
+                tr("Go back to the previous column"),
+                tr("Break&point on the column"),
+                tr("by columns")};
+    };
+    if (m_namedAxis == m_playhead->axis())
+        return;
+    m_namedAxis = m_playhead->axis();
+    const Words words = wordsFor(*m_namedAxis);
+    const auto name
+        = [](QAction *action, const QString &text, const QString &iconText, const QString &tip) {
+              action->setText(text);
+              action->setIconText(iconText);
+              const QString key = action->shortcut().toString(QKeySequence::NativeText);
+              action->setToolTip(key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key));
+          };
+    name(step(StepUnit::Span, forward), words.next, words.span, words.nextTip);
+    name(step(StepUnit::Span, backward), words.previous, words.span, words.previousTip);
+    m_columnBreakpoint->setText(words.breakpoint);
+    unit(StepUnit::Span)->setText(words.unit);
 }
 
 void StepActions::updatePlay()

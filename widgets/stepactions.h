@@ -39,6 +39,7 @@ private:
     void addUnits();
     void updateEnabled();
     void updatePlay();
+    void nameSpans();
 
     Playhead *m_playhead;
     QAction *m_toStart = nullptr;
@@ -46,6 +47,7 @@ private:
     QAction *m_play = nullptr;
     QAction *m_steps[3][2] = {}; ///< [StepUnit][StepDirection]
     QAction *m_runToPixel[2] = {}; ///< [StepDirection]
+    std::optional<SpanAxis> m_namedAxis;
     QAction *m_columnBreakpoint = nullptr;
     QAction *m_pixelBreakpoint = nullptr;
     QAction *m_clearBreakpoints = nullptr;

@@ -14,7 +14,7 @@ StepMenu::StepMenu(const WindowParts &parts, QWidget *window)
 {
     setObjectName(QStringLiteral("stepMenu"));
     const StepActions &steps = *parts.steps;
-    for (const StepUnit unit : {StepUnit::Column, StepUnit::Pixel, StepUnit::SetUp}) {
+    for (const StepUnit unit : {StepUnit::Span, StepUnit::Sample, StepUnit::SetUp}) {
         addAction(steps.step(unit, StepDirection::Forward));
         addAction(steps.step(unit, StepDirection::Backward));
     }

@@ -61,11 +61,11 @@ void StepperBar::addButtons(const StepActions &actions)
         return button;
     };
     add(actions.toStart(), Side::Alone);
-    add(actions.step(StepUnit::Column, StepDirection::Backward), Side::BeforeText);
-    add(actions.step(StepUnit::Pixel, StepDirection::Backward), Side::BeforeText);
+    add(actions.step(StepUnit::Span, StepDirection::Backward), Side::BeforeText);
+    add(actions.step(StepUnit::Sample, StepDirection::Backward), Side::BeforeText);
     add(actions.play(), Side::BeforeText)->keepRoomFor({tr("play"), tr("pause")});
-    add(actions.step(StepUnit::Pixel, StepDirection::Forward), Side::AfterText);
-    add(actions.step(StepUnit::Column, StepDirection::Forward), Side::AfterText);
+    add(actions.step(StepUnit::Sample, StepDirection::Forward), Side::AfterText);
+    add(actions.step(StepUnit::Span, StepDirection::Forward), Side::AfterText);
     add(actions.toEnd(), Side::Alone);
 }
 
@@ -75,9 +75,13 @@ void StepperBar::addUnitBox(const StepActions &actions)
     m_unitBox->setObjectName(QStringLiteral("unitBox"));
     m_unitBox->setAccessibleName(tr("Unit of playing"));
     m_unitBox->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
-    m_unitBox->setToolTip(tr("Play by triangles, columns or pixels"));
-    for (const QAction *unit : actions.units())
+    m_unitBox->setToolTip(tr("Play by primitives, spans or samples"));
+    for (QAction *unit : actions.units()) {
+        const int row = m_unitBox->count();
         m_unitBox->addItem(unit->text());
+        connect(unit, &QAction::changed, m_unitBox, // what a span is called depends on the method
+                [box = m_unitBox, unit, row] { box->setItemText(row, unit->text()); });
+    }
     m_unitBox->setCurrentIndex(int(m_playhead->unit()));
     connect(m_unitBox, &QComboBox::activated, m_playhead,
             [playhead = m_playhead](int index) { playhead->setUnit(StepUnit(index)); });

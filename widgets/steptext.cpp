@@ -9,17 +9,33 @@ namespace {
 
 QString tr(const char *text) { return QCoreApplication::translate("pixelplumb::StepText", text); }
 
-QString columnText(const ScanTrace &trace, std::size_t column)
+QString spanText(const TracedScene &traced, std::size_t span)
 {
-    const QString text = trace.halfOf(column) == ColumnHalf::First ? tr("column %1, first half")
-                                                                   : tr("column %1, second half");
-    return text.arg(trace.xOf(column));
+    const ScanTrace &trace = *traced.trace;
+    const SpanPlace &place = trace.placeOf(span);
+    const bool isTriangle = traced.primitives.isTriangle(trace.primitiveOf(span));
+    switch (place.axis) {
+    case SpanAxis::Free:
+        break;
+    case SpanAxis::Row:
+        return tr("row %1").arg(place.coordinate);
+    case SpanAxis::Column: {
+        if (!isTriangle || traced.method->id != QLatin1String("column-scan"))
+            return tr("column %1").arg(place.coordinate);
+        const QString text
+            = place.part == 0 ? tr("column %1, first half") : tr("column %1, second half");
+        return text.arg(place.coordinate);
+    }
+    }
+    return tr("step %1 of the method").arg(place.coordinate);
 }
 
-QString triangleText(const ScanTrace &trace, std::size_t triangle)
+QString primitiveText(const TracedScene &traced, std::size_t primitive)
 {
-    const bool refused = trace.setUp(triangle).rejection.has_value();
-    return (refused ? tr("triangle %1 draws nothing") : tr("triangle %1 set up")).arg(triangle);
+    const bool refused = traced.trace->setUp(primitive).rejection.has_value();
+    return (refused ? tr("%1 %2 draws nothing") : tr("%1 %2 set up"))
+        .arg(nameOf(traced.primitives.kindOf(primitive)))
+        .arg(primitive);
 }
 
 } // namespace
@@ -32,12 +48,14 @@ QString stepText(const TracedScene &traced, std::size_t position)
     const TraceStep step = trace.stepAt(position - 1);
     switch (step.kind) {
     case StepKind::SetUp:
-        return triangleText(trace, step.triangle);
-    case StepKind::Column:
-        return tr("%1 entered").arg(columnText(trace, step.column));
-    case StepKind::Pixel: {
-        const PixelChange &change = trace.changes()[step.pixel];
-        return tr("pixel (%1, %2) written").arg(change.x).arg(change.y);
+        return primitiveText(traced, step.primitive);
+    case StepKind::Span:
+        return tr("%1 entered").arg(spanText(traced, step.span));
+    case StepKind::Sample: {
+        const PixelChange &change = trace.changes()[step.sample];
+        return (change.isWritten() ? tr("pixel (%1, %2) written") : tr("sample (%1, %2) refused"))
+            .arg(change.x)
+            .arg(change.y);
     }
     }
     return {};
@@ -46,10 +64,10 @@ QString stepText(const TracedScene &traced, std::size_t position)
 QString markText(MarkKind kind)
 {
     switch (kind) {
-    case MarkKind::VertexColumn:
-        return tr("the first column at or after a vertex");
+    case MarkKind::PartBegins:
+        return tr("here a part of the primitive begins or ends: a vertex");
     case MarkKind::Tie:
-        return tr("tie: a sample of this column lies exactly on an edge");
+        return tr("tie: a sample here lies exactly on an edge");
     case MarkKind::Clamp:
         return tr("clamp: a colour level left 0 … 255");
     case MarkKind::FirstDifference:
@@ -60,12 +78,11 @@ QString markText(MarkKind kind)
 
 QString columnText(const TracedScene &traced, std::size_t position)
 {
-    const ScanTrace &trace = *traced.trace;
     if (position == 0)
-        return tr("before the first column");
-    const TraceStep step = trace.stepAt(position - 1);
-    return step.kind == StepKind::SetUp ? triangleText(trace, step.triangle)
-                                        : columnText(trace, step.column);
+        return tr("before the first step");
+    const TraceStep step = traced.trace->stepAt(position - 1);
+    return step.kind == StepKind::SetUp ? primitiveText(traced, step.primitive)
+                                        : spanText(traced, step.span);
 }
 
 } // namespace pixelplumb

@@ -90,7 +90,7 @@ void drawDifferences(QPainter &painter, const TracedScene &traced, std::size_t p
     for (int line = 0; line < frame.height; ++line) {
         const auto y = int(rowOfPictureLine(frame, line));
         for (int x = frame.firstColumn; x < frame.firstColumn + frame.width; ++x) {
-            if (traced.decidedAt(x) <= position)
+            if (traced.decidedAt(x, y) <= position)
                 paintDifference(painter, mapping.cellOf({x, y}), traced.differences.at(x, y),
                                 palette);
         }
@@ -102,10 +102,10 @@ void drawTriangles(QPainter &painter, FramePainter &frame, const Playhead &playh
 {
     const TracedScene &traced = *playhead.traced();
     const std::optional<TraceStep> step = playhead.stepInHand();
-    const std::size_t inHand = step ? step->triangle : 0;
-    for (std::size_t index = 0; index < traced.triangles.size(); ++index) {
-        const std::array<Vertex, 3> &vertices = traced.triangles[index].vertices;
-        const bool isNamed = index == inHand && index < traced.trace->triangleCount();
+    const std::size_t inHand = step ? step->primitive : 0;
+    for (std::size_t index = 0; index < traced.primitives.triangles.size(); ++index) {
+        const std::array<Vertex, 3> &vertices = traced.primitives.triangles[index].vertices;
+        const bool isNamed = index == inHand && index < traced.trace->primitiveCount();
         const SetUpRecord setUp = isNamed ? traced.trace->setUp(index) : SetUpRecord{};
         frame.drawOutline({vertices[0].position, vertices[1].position, vertices[2].position},
                           isNamed ? rolesOf(setUp) : EdgeRoles{});
@@ -117,6 +117,11 @@ void drawTriangles(QPainter &painter, FramePainter &frame, const Playhead &playh
         for (std::size_t rank = 0; isNamed && rank < 3; ++rank)
             frame.drawVertexName(QStringLiteral("P%1").arg(rank),
                                  vertices[std::size_t(setUp.order[rank])].position, inside);
+    }
+    for (const Shape &shape : traced.primitives.shapes) {
+        frame.drawShapeOutline(shape);
+        for (const Vertex &vertex : shape.vertices)
+            frame.drawHandle(vertex.position, vertex.colour, HandleState::Idle);
     }
     painter.setBrush(Qt::NoBrush);
 }
@@ -151,15 +156,20 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
     drawTriangles(painter, frame, playhead, layout.mapping);
     if (options.areDifferencesShown() && !options.isTruthShown())
         drawDifferences(painter, traced, playhead.position(), layout.mapping, palette);
-    std::vector<RulerMark> marks;
-    if (const std::optional<std::size_t> column = playhead.columnInHand()) {
-        const ColumnRecord record = traced.trace->column(*column);
-        frame.drawPlumbLine(record.x);
+    std::vector<RulerMark> columnMarks;
+    std::vector<RulerMark> rowMarks;
+    if (const std::optional<std::size_t> span = playhead.spanInHand()) {
+        const SpanRecord record = traced.trace->span(*span);
+        frame.drawPlumbLine(record.place);
         frame.drawEdgeTicks(record);
-        marks.push_back({double(record.x), Sign::ColumnInHand});
+        const RulerMark mark{double(record.place.coordinate), Sign::ColumnInHand};
+        if (record.place.axis == SpanAxis::Column)
+            columnMarks.push_back(mark);
+        else if (record.place.axis == SpanAxis::Row)
+            rowMarks.push_back(mark);
     }
-    Ruler(Qt::Horizontal, layout.columnRuler, layout.mapping).paint(painter, palette, marks);
-    Ruler(Qt::Vertical, layout.rowRuler, layout.mapping).paint(painter, palette, {});
+    Ruler(Qt::Horizontal, layout.columnRuler, layout.mapping).paint(painter, palette, columnMarks);
+    Ruler(Qt::Vertical, layout.rowRuler, layout.mapping).paint(painter, palette, rowMarks);
     painter.end();
     return svg;
 }

@@ -1,28 +1,57 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/tracenavigation.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace pixelplumb {
 
-bool Breakpoints::mayPauseAt(std::int64_t x) const
+bool Breakpoints::pausesAt(const SpanPlace &place) const
 {
-    if (columns.contains(x))
-        return true;
-    const auto pixel = pixels.lower_bound({int(x), std::numeric_limits<int>::min()});
-    return pixel != pixels.end() && pixel->first == x;
+    switch (place.axis) {
+    case SpanAxis::Column:
+        return columns.contains(place.coordinate);
+    case SpanAxis::Row:
+        return rows.contains(place.coordinate);
+    case SpanAxis::Free:
+        break;
+    }
+    return false;
 }
+
+namespace {
+
+/// Whether a span may come to one of the pixels.
+bool mayMeet(const std::set<std::pair<int, int>> &pixels, const SpanPlace &place)
+{
+    switch (place.axis) {
+    case SpanAxis::Column: {
+        const auto pixel
+            = pixels.lower_bound({int(place.coordinate), std::numeric_limits<int>::min()});
+        return pixel != pixels.end() && pixel->first == place.coordinate;
+    }
+    case SpanAxis::Row:
+        return std::ranges::any_of(pixels, [&place](const std::pair<int, int> &pixel) {
+            return pixel.second == place.coordinate;
+        });
+    case SpanAxis::Free:
+        break;
+    }
+    return !pixels.empty();
+}
+
+} // namespace
 
 bool TraceNavigation::isLanding(StepUnit unit, std::size_t position) const
 {
-    if (position == 0 || position == m_trace->stepCount() || unit == StepUnit::Pixel)
+    if (position == 0 || position == m_trace->stepCount() || unit == StepUnit::Sample)
         return true;
     const TraceStep step = m_trace->stepAt(position - 1);
     if (unit == StepUnit::SetUp)
         return step.kind == StepKind::SetUp;
     if (step.kind == StepKind::SetUp)
-        return m_trace->firstColumnOf(step.triangle) == m_trace->endColumnOf(step.triangle);
-    return step.kind == StepKind::Column;
+        return m_trace->firstSpanOf(step.primitive) == m_trace->endSpanOf(step.primitive);
+    return step.kind == StepKind::Span;
 }
 
 std::size_t TraceNavigation::landingFrom(std::size_t position, StepUnit unit,
@@ -35,14 +64,14 @@ std::size_t TraceNavigation::landingFrom(std::size_t position, StepUnit unit,
         landing = forward ? landing + 1 : landing - 1;
         if (isLanding(unit, landing))
             return landing;
-        // Only pixel steps are many: pass a column's in one go.
+        // Only sample steps are many: pass a span's in one go.
         const TraceStep step = m_trace->stepAt(landing - 1);
-        if (step.kind != StepKind::Pixel)
+        if (step.kind != StepKind::Sample)
             continue;
-        const std::size_t columnStep = m_trace->indexOfColumn(step.column);
-        const std::size_t pixels
-            = m_trace->endPixelOf(step.column) - m_trace->firstPixelOf(step.column);
-        landing = forward ? columnStep + pixels + 1 : columnStep + 2;
+        const std::size_t spanStep = m_trace->indexOfSpan(step.span);
+        const std::size_t samples
+            = m_trace->endSampleOf(step.span) - m_trace->firstSampleOf(step.span);
+        landing = forward ? spanStep + samples + 1 : spanStep + 2;
     }
     return landing;
 }
@@ -52,24 +81,32 @@ std::optional<QPoint> TraceNavigation::pixelOf(std::size_t stepIndex) const
     const TraceStep step = m_trace->stepAt(stepIndex);
     if (step.kind == StepKind::SetUp)
         return std::nullopt;
-    const std::size_t pixel
-        = step.kind == StepKind::Pixel ? step.pixel : m_trace->firstPixelOf(step.column);
-    if (pixel < m_trace->endPixelOf(step.column)) {
-        const PixelChange &change = m_trace->changes()[pixel];
+    const std::size_t sample
+        = step.kind == StepKind::Sample ? step.sample : m_trace->firstSampleOf(step.span);
+    if (sample < m_trace->endSampleOf(step.span)) {
+        const PixelChange &change = m_trace->changes()[sample];
         return QPoint(change.x, change.y);
     }
-    const ColumnRecord column = m_trace->column(step.column);
-    return QPoint(int(column.x), int(column.firstDrawnRow));
+    const SpanRecord span = m_trace->span(step.span);
+    switch (span.place.axis) {
+    case SpanAxis::Column:
+        return QPoint(int(span.place.coordinate), int(span.firstDrawn));
+    case SpanAxis::Row:
+        return QPoint(int(span.firstDrawn), int(span.place.coordinate));
+    case SpanAxis::Free:
+        break;
+    }
+    return std::nullopt;
 }
 
-std::size_t TraceNavigation::columnBefore(std::size_t position) const
+std::size_t TraceNavigation::spanBefore(std::size_t position) const
 {
-    // The number of columns entered at the position, by bisection on their steps.
+    // The number of spans entered at the position, by bisection on their steps.
     std::size_t first = 0;
-    std::size_t end = m_trace->columnCount();
+    std::size_t end = m_trace->spanCount();
     while (first < end) {
         const std::size_t middle = first + (end - first) / 2;
-        if (m_trace->indexOfColumn(middle) < position)
+        if (m_trace->indexOfSpan(middle) < position)
             first = middle + 1;
         else
             end = middle;
@@ -78,9 +115,9 @@ std::size_t TraceNavigation::columnBefore(std::size_t position) const
 }
 
 template <class Visit>
-std::optional<std::size_t> TraceNavigation::firstInColumns(std::size_t position, std::size_t limit,
-                                                           StepDirection direction,
-                                                           Visit &&positionsIn) const
+std::optional<std::size_t> TraceNavigation::firstInSpans(std::size_t position, std::size_t limit,
+                                                         StepDirection direction,
+                                                         Visit &&positionsIn) const
 {
     std::optional<std::size_t> found;
     if (direction == StepDirection::Forward) {
@@ -88,9 +125,9 @@ std::optional<std::size_t> TraceNavigation::firstInColumns(std::size_t position,
             if (candidate > position && candidate <= limit && (!found || candidate < *found))
                 found = candidate;
         };
-        const std::size_t entered = columnBefore(position);
+        const std::size_t entered = spanBefore(position);
         for (std::size_t column = entered > 0 ? entered - 1 : 0;
-             column < m_trace->columnCount() && !found && m_trace->indexOfColumn(column) < limit;
+             column < m_trace->spanCount() && !found && m_trace->indexOfSpan(column) < limit;
              ++column)
             positionsIn(column, nearest);
         return found;
@@ -99,9 +136,9 @@ std::optional<std::size_t> TraceNavigation::firstInColumns(std::size_t position,
         if (candidate < position && candidate >= limit && (!found || candidate > *found))
             found = candidate;
     };
-    for (std::size_t column = columnBefore(position); column > 0 && !found; --column) {
-        if (m_trace->indexOfColumn(column - 1) + 1 + m_trace->endPixelOf(column - 1)
-                - m_trace->firstPixelOf(column - 1)
+    for (std::size_t column = spanBefore(position); column > 0 && !found; --column) {
+        if (m_trace->indexOfSpan(column - 1) + 1 + m_trace->endSampleOf(column - 1)
+                - m_trace->firstSampleOf(column - 1)
             < limit)
             break;
         positionsIn(column - 1, nearest);
@@ -113,14 +150,15 @@ std::optional<std::size_t> TraceNavigation::writeOf(const QPoint &pixel, std::si
                                                     StepDirection direction) const
 {
     const std::size_t limit = direction == StepDirection::Forward ? m_trace->stepCount() : 0;
-    return firstInColumns(position, limit, direction, [&](std::size_t column, auto &&nearest) {
-        const std::size_t first = m_trace->firstPixelOf(column);
-        const std::size_t end = m_trace->endPixelOf(column);
-        if (first == end || m_trace->changes()[first].x != pixel.x())
+    const std::set<std::pair<int, int>> wanted = {{pixel.x(), pixel.y()}};
+    return firstInSpans(position, limit, direction, [&](std::size_t span, auto &&nearest) {
+        if (!mayMeet(wanted, m_trace->placeOf(span)))
             return;
-        for (std::size_t index = first; index < end; ++index) {
-            if (m_trace->changes()[index].y == pixel.y())
-                nearest(m_trace->indexOfColumn(column) + 2 + (index - first));
+        const std::size_t first = m_trace->firstSampleOf(span);
+        for (std::size_t index = first; index < m_trace->endSampleOf(span); ++index) {
+            const PixelChange &change = m_trace->changes()[index];
+            if (change.x == pixel.x() && change.y == pixel.y() && change.isWritten())
+                nearest(m_trace->indexOfSpan(span) + 2 + (index - first));
         }
     });
 }
@@ -131,16 +169,17 @@ std::optional<std::size_t> TraceNavigation::breakpointFrom(std::size_t position,
 {
     if (breakpoints.isEmpty())
         return std::nullopt;
-    return firstInColumns(position, limit, direction, [&](std::size_t column, auto &&nearest) {
-        const std::int64_t x = m_trace->xOf(column);
-        if (!breakpoints.mayPauseAt(x))
-            return;
-        const std::size_t step = m_trace->indexOfColumn(column);
-        if (breakpoints.columns.contains(x))
+    return firstInSpans(position, limit, direction, [&](std::size_t span, auto &&nearest) {
+        const SpanPlace &place = m_trace->placeOf(span);
+        const std::size_t step = m_trace->indexOfSpan(span);
+        if (breakpoints.pausesAt(place))
             nearest(step + 1);
-        const std::size_t first = m_trace->firstPixelOf(column);
-        for (std::size_t index = first; index < m_trace->endPixelOf(column); ++index) {
-            if (breakpoints.pixels.contains({int(x), m_trace->changes()[index].y}))
+        if (!mayMeet(breakpoints.pixels, place))
+            return;
+        const std::size_t first = m_trace->firstSampleOf(span);
+        for (std::size_t index = first; index < m_trace->endSampleOf(span); ++index) {
+            const PixelChange &change = m_trace->changes()[index];
+            if (breakpoints.pixels.contains({change.x, change.y}))
                 nearest(step + 2 + (index - first));
         }
     });
@@ -153,31 +192,61 @@ std::size_t TraceNavigation::positionLike(const ScanTrace &other, std::size_t po
     if (position == 0)
         return 0;
     const TraceStep step = other.stepAt(position - 1);
-    if (step.triangle >= m_trace->triangleCount())
+    if (step.primitive >= m_trace->primitiveCount())
         return m_trace->stepCount();
-    const std::size_t setUp = m_trace->indexOfSetUp(step.triangle) + 1;
+    const std::size_t setUp = m_trace->indexOfSetUp(step.primitive) + 1;
     if (step.kind == StepKind::SetUp)
         return setUp;
 
-    const std::int64_t x = other.xOf(step.column);
-    std::size_t column = m_trace->endColumnOf(step.triangle);
-    const std::size_t firstColumn = m_trace->firstColumnOf(step.triangle);
-    while (column > firstColumn && m_trace->xOf(column - 1) > x)
-        --column;
-    if (column == firstColumn)
+    if (step.kind == StepKind::Sample) {
+        const PixelChange &change = other.changes()[step.sample];
+        if (const auto visit = m_trace->visitOf(step.primitive, change.x, change.y))
+            return m_trace->indexOfSample(*visit) + 1;
+    }
+    const std::size_t firstSpan = m_trace->firstSpanOf(step.primitive);
+    const std::size_t endSpan = m_trace->endSpanOf(step.primitive);
+    if (firstSpan == endSpan)
         return setUp;
-    --column;
-    const std::size_t entered = m_trace->indexOfColumn(column) + 1;
-    const std::size_t first = m_trace->firstPixelOf(column);
-    std::size_t done = m_trace->endPixelOf(column) - first;
-    if (m_trace->xOf(column) != x)
+    const SpanPlace &place = other.placeOf(step.span);
+    if (m_trace->placeOf(firstSpan).axis != place.axis)
+        return shareOf(other, step, position);
+
+    std::size_t span = endSpan;
+    while (span > firstSpan && m_trace->placeOf(span - 1).coordinate > place.coordinate)
+        --span;
+    if (span == firstSpan)
+        return setUp;
+    --span;
+    const std::size_t entered = m_trace->indexOfSpan(span) + 1;
+    const std::size_t first = m_trace->firstSampleOf(span);
+    std::size_t done = m_trace->endSampleOf(span) - first;
+    if (m_trace->placeOf(span).coordinate != place.coordinate)
         return entered + done;
-    if (step.kind == StepKind::Column)
+    if (step.kind == StepKind::Span)
         return entered;
-    const std::int32_t y = other.changes()[step.pixel].y;
-    while (done > 0 && m_trace->changes()[first + done - 1].y > y)
+    const PixelChange &reached = other.changes()[step.sample];
+    const auto isBeyond = [&](const PixelChange &change) {
+        return place.axis == SpanAxis::Row ? change.x > reached.x : change.y > reached.y;
+    };
+    while (done > 0 && isBeyond(m_trace->changes()[first + done - 1]))
         --done;
     return entered + done;
+}
+
+std::size_t TraceNavigation::shareOf(const ScanTrace &other, const TraceStep &step,
+                                     std::size_t position) const
+{
+    const auto stepsOf = [&step](const ScanTrace &trace) {
+        const std::size_t first = trace.indexOfSetUp(step.primitive);
+        const std::size_t end = step.primitive + 1 < trace.primitiveCount()
+            ? trace.indexOfSetUp(step.primitive + 1)
+            : trace.stepCount();
+        return std::pair(first, end);
+    };
+    const auto [otherFirst, otherEnd] = stepsOf(other);
+    const auto [first, end] = stepsOf(*m_trace);
+    const double share = double(position - otherFirst) / double(otherEnd - otherFirst);
+    return first + std::size_t(share * double(end - first));
 }
 
 } // namespace pixelplumb

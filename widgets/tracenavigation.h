@@ -10,22 +10,23 @@
 
 namespace pixelplumb {
 
-enum class StepUnit { SetUp, Column, Pixel };
+enum class StepUnit { SetUp, Span, Sample };
 enum class StepDirection { Forward, Backward };
 
 /// The places at which a run pauses.
 struct Breakpoints {
     std::set<std::int64_t> columns; ///< x: pauses just after the column was entered
-    std::set<std::pair<int, int>> pixels; ///< (x, y): pauses just after it was written
+    std::set<std::int64_t> rows; ///< y: pauses just after the row was entered
+    std::set<std::pair<int, int>> pixels; ///< (x, y): pauses just after it was written or refused
 
-    bool isEmpty() const { return columns.empty() && pixels.empty(); }
-    bool mayPauseAt(std::int64_t x) const;
+    bool isEmpty() const { return columns.empty() && rows.empty() && pixels.empty(); }
+    bool pausesAt(const SpanPlace &place) const;
 };
 
 /// Finds positions in a trace; moves nothing. A landing of a unit is a position at which stepping
-/// by it stops: just after each set-up, each column entered, or each step; and always the start and
-/// the end. Stepping by columns also stops at the set-up of a triangle that has no columns, so that
-/// a refused triangle is not passed over in silence.
+/// by it stops: just after each set-up, each span entered, or each step; and always the start and
+/// the end. Stepping by spans also stops at the set-up of a primitive that has no spans, so that a
+/// refused one is not passed over in silence.
 class TraceNavigation {
 public:
     explicit TraceNavigation(const ScanTrace &trace)
@@ -37,8 +38,8 @@ public:
     /// The nearest landing beyond a position; the position itself where there is none.
     std::size_t landingFrom(std::size_t position, StepUnit unit, StepDirection direction) const;
 
-    /// The pixel that a step writes; of a step that enters a column, its first pixel, or the sample
-    /// nearest to it where nothing is drawn.
+    /// The pixel that a step writes or refuses; of a step that enters a span, its first pixel, or
+    /// the sample nearest to it where there is none.
     std::optional<QPoint> pixelOf(std::size_t stepIndex) const;
 
     /// The position just after the next step that writes the pixel.
@@ -49,16 +50,18 @@ public:
                                               const Breakpoints &breakpoints,
                                               StepDirection direction) const;
 
-    /// Where another trace's position lies in this one: on the same column and pixel where this
-    /// trace has them, else just after the nearest earlier step of the same triangle. The start
-    /// stays the start and the end the end.
+    /// Where another trace's position lies in this one: on the same span and pixel where this trace
+    /// has them, else just after the nearest earlier step of the same primitive; between columns
+    /// and rows, at the same share of the primitive's steps. The start stays the start and the end
+    /// the end.
     std::size_t positionLike(const ScanTrace &other, std::size_t position) const;
 
 private:
-    std::size_t columnBefore(std::size_t position) const;
+    std::size_t shareOf(const ScanTrace &other, const TraceStep &step, std::size_t position) const;
+    std::size_t spanBefore(std::size_t position) const;
     template <class Visit>
-    std::optional<std::size_t> firstInColumns(std::size_t position, std::size_t limit,
-                                              StepDirection direction, Visit &&positionsIn) const;
+    std::optional<std::size_t> firstInSpans(std::size_t position, std::size_t limit,
+                                            StepDirection direction, Visit &&positionsIn) const;
 
     const ScanTrace *m_trace;
 };

@@ -4,6 +4,7 @@
 #include "widgets/canvas.h"
 #include "widgets/displayoptions.h"
 #include "widgets/menuaction.h"
+#include "widgets/overdrawoverlay.h"
 #include "widgets/paletteswitch.h"
 #include "widgets/windowdocks.h"
 
@@ -56,6 +57,12 @@ void ViewMenu::addOptions(const WindowParts &parts)
                                  "colour (D)"),
                               Qt::Key_D, &DisplayOptions::areDifferencesShown,
                               &DisplayOptions::setDifferencesShown);
+    OverdrawOverlay *overdraw = parts.overdraw;
+    QAction *counts = addMenuAction(this, "showOverdraw", tr("&Overdraw and gaps"), Qt::Key_O,
+                                    [overdraw](bool shown) { overdraw->setVisible(shown); });
+    counts->setCheckable(true);
+    counts->setToolTip(tr("How often each pixel is written, and the gaps that nobody writes (O)"));
+    confineKeyTo(parts.canvas, counts);
 }
 
 void ViewMenu::addZoom(Canvas *canvas)

@@ -2,10 +2,15 @@
 #include "widgets/windowdocks.h"
 
 #include "widgets/columntablepanel.h"
+#include "widgets/comparepanel.h"
 #include "widgets/formulapanel.h"
+#include "widgets/hardcasespanel.h"
+#include "widgets/performancepanel.h"
 #include "widgets/pixelgrid.h"
 #include "widgets/pixelhistorypanel.h"
+#include "widgets/precisionpanel.h"
 
+#include <QAction>
 #include <QDockWidget>
 #include <QGuiApplication>
 #include <QLibraryInfo>
@@ -38,6 +43,7 @@ WindowDocks::WindowDocks(Playhead *playhead, DisplayOptions *options, QMainWindo
     m_pixelHistory
         = add(QStringLiteral("pixelHistoryDock"), tr("Pixel"), new PixelHistoryPanel(playhead));
     m_columns = add(QStringLiteral("columnsDock"), tr("Columns"), new ColumnTablePanel(playhead));
+    addStudies(playhead);
     reset();
 }
 
@@ -55,6 +61,46 @@ QDockWidget *WindowDocks::add(const QString &name, const QString &title, QWidget
     return dock;
 }
 
+void WindowDocks::addStudies(Playhead *playhead)
+{
+    m_compare = new ComparePanel(playhead);
+    m_hardCases = new HardCasesPanel(playhead);
+    m_precision = new PrecisionPanel(playhead);
+    m_performance = new PerformancePanel(playhead);
+    m_studies = {add(QStringLiteral("compareDock"), tr("Compare"), m_compare),
+                 add(QStringLiteral("precisionDock"), tr("Precision"), m_precision),
+                 add(QStringLiteral("hardCasesDock"), tr("Hard cases"), m_hardCases),
+                 add(QStringLiteral("performanceDock"), tr("Performance"), m_performance)};
+    for (QDockWidget *dock : std::as_const(m_studies)) {
+        connect(dock->toggleViewAction(), &QAction::triggered, this, [this, dock](bool shown) {
+            if (shown)
+                raise(dock->widget());
+        });
+    }
+}
+
+void WindowDocks::raise(QWidget *panel)
+{
+    for (QDockWidget *dock : std::as_const(m_docks)) {
+        if (dock->widget() != panel)
+            continue;
+        dock->show();
+        dock->raise();
+        // A dock that was just shown has its place only after the window's layout.
+        QMetaObject::invokeMethod(
+            this, [this, dock] { makeRoomFor(dock); }, Qt::QueuedConnection);
+    }
+}
+
+/// A study needs more than the strip that the columns have at first; the canvas keeps the rest.
+void WindowDocks::makeRoomFor(QDockWidget *dock)
+{
+    const int wanted = m_window->height() * 50 / 100;
+    if (!dock->isFloating() && m_window->dockWidgetArea(dock) == Qt::BottomDockWidgetArea
+        && dock->height() < wanted)
+        m_window->resizeDocks({dock}, {wanted}, Qt::Vertical);
+}
+
 void WindowDocks::reset()
 {
     for (QDockWidget *dock : std::as_const(m_docks)) {
@@ -65,8 +111,14 @@ void WindowDocks::reset()
     m_window->addDockWidget(Qt::RightDockWidgetArea, m_pixelGrid);
     m_window->addDockWidget(Qt::RightDockWidgetArea, m_pixelHistory);
     m_window->addDockWidget(Qt::BottomDockWidgetArea, m_columns);
+    for (QDockWidget *dock : std::as_const(m_studies)) {
+        const bool isTall = dock->widget() == m_hardCases || dock->widget() == m_performance;
+        m_window->addDockWidget(isTall ? Qt::LeftDockWidgetArea : Qt::BottomDockWidgetArea, dock);
+        if (!isTall)
+            m_window->tabifyDockWidget(m_columns, dock);
+    }
     for (QDockWidget *dock : std::as_const(m_docks))
-        dock->show();
+        dock->setVisible(!m_studies.contains(dock));
     resizeToDefault();
 }
 

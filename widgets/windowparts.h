@@ -6,6 +6,7 @@ namespace pixelplumb {
 class Canvas;
 class DisplayOptions;
 class MessageBar;
+class OverdrawOverlay;
 class Playhead;
 class RecentFiles;
 class SceneDocument;
@@ -26,6 +27,7 @@ struct WindowParts {
     SceneExports *exports = nullptr;
     StepActions *steps = nullptr;
     Canvas *canvas = nullptr;
+    OverdrawOverlay *overdraw = nullptr;
     Scrubber *scrubber = nullptr;
     MessageBar *messageBar = nullptr;
 };

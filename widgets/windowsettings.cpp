@@ -13,7 +13,7 @@ namespace pixelplumb {
 namespace {
 
 /// To be raised when docks or tool bars come or go, so that an old layout is not forced on them.
-constexpr int layoutVersion = 1;
+constexpr int layoutVersion = 2;
 
 constexpr QSize firstSize(1440, 960);
 
@@ -49,7 +49,7 @@ void WindowSettings::restoreChoices()
         settings.value(QLatin1String("stepper/stepsPerSecond"), m_parts.playhead->stepsPerSecond())
             .toDouble());
     m_parts.playhead->setUnit(
-        choiceFrom(settings, "stepper/unit", StepUnit::Column, StepUnit::Pixel));
+        choiceFrom(settings, "stepper/unit", StepUnit::Span, StepUnit::Sample));
     m_parts.document->setSnap(choiceFrom(settings, "canvas/snap", Snap::Pixel, Snap(2)));
     DisplayOptions *options = m_parts.options;
     options->setGridShown(settings.value(QLatin1String("canvas/grid"), true).toBool());

@@ -15,8 +15,9 @@ namespace {
 
 const QString allArithmeticsWord = QStringLiteral("all");
 
-/// Every method, arithmetic and rule that the options leave: all methods, all their rules, and
-/// exact arithmetic unless others are asked for.
+/// Every method, arithmetic and rule that the options leave: all methods, all their rules. What
+/// they leave open is answered by what a method claims: its stable arithmetics, or exact arithmetic
+/// where a single method is asked for.
 Result<std::vector<Candidate>> candidatesFor(const CommandLine &line)
 {
     const Result<const Method *> method = chosenMethod(line, methods().front().id);
@@ -32,12 +33,15 @@ Result<std::vector<Candidate>> candidatesFor(const CommandLine &line)
     if (!fillRule)
         return fillRule.error();
 
+    const bool chooses
+        = line.isSet(QStringLiteral("method")) || line.isSet(QStringLiteral("arithmetic"));
     std::vector<Candidate> candidates;
     for (const Method &each : methods()) {
         if (line.isSet(QStringLiteral("method")) && &each != *method)
             continue;
         for (const Arithmetic number : each.arithmetics) {
-            if (!everyArithmetic && number != *arithmetic)
+            const bool isMeant = chooses ? number == *arithmetic : each.isStableIn(number);
+            if (!everyArithmetic && !isMeant)
                 continue;
             for (const FillRule rule : each.fillRules) {
                 if (!line.isSet(QStringLiteral("fill-rule")) || rule == *fillRule)

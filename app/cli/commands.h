@@ -11,5 +11,6 @@ ExitCode trace(const Command &command, const QStringList &arguments);
 ExitCode pixel(const Command &command, const QStringList &arguments);
 ExitCode listMethods(const Command &command, const QStringList &arguments);
 ExitCode check(const Command &command, const QStringList &arguments);
+ExitCode compare(const Command &command, const QStringList &arguments);
 
 } // namespace pixelplumb::cli

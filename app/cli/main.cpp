@@ -20,6 +20,8 @@ const std::vector<Command> &commands()
         {QStringLiteral("methods"), QStringLiteral("List the methods of scan conversion."),
          listMethods},
         {QStringLiteral("check"), QStringLiteral("Run a file of hard cases."), check},
+        {QStringLiteral("compare"), QStringLiteral("Tell where methods disagree, and why."),
+         compare},
     };
     return table;
 }

@@ -21,10 +21,21 @@ QStringList namesOf(const std::vector<Choice> &choices)
     return names;
 }
 
+QStringList kindsOf(const Method &method)
+{
+    QStringList kinds;
+    for (const PrimitiveKind kind : method.kinds)
+        kinds.append(nameOf(kind));
+    return kinds;
+}
+
 QJsonObject jsonOf(const Method &method)
 {
     return {
         {QStringLiteral("id"), method.id},
+        {QStringLiteral("family"), titleOf(method.family)},
+        {QStringLiteral("draws"), QJsonArray::fromStringList(kindsOf(method))},
+        {QStringLiteral("stable"), QJsonArray::fromStringList(namesOf(method.stableArithmetics))},
         {QStringLiteral("title"), method.title},
         {QStringLiteral("summary"), method.summary},
         {QStringLiteral("source"), method.source},
@@ -38,9 +49,15 @@ void printMethod(const Method &method)
     const QString separator = QStringLiteral(", ");
     printLine(QStringLiteral("%1: %2").arg(method.id, method.title));
     printLine(QStringLiteral("  %1").arg(method.summary));
+    printLine(QStringLiteral("  draws        %1").arg(kindsOf(method).join(separator)));
     printLine(QStringLiteral("  source       %1").arg(method.source));
     printLine(QStringLiteral("  arithmetics  %1").arg(namesOf(method.arithmetics).join(separator)));
+    if (!method.stableArithmetics.empty())
+        printLine(QStringLiteral("  true in      %1")
+                      .arg(namesOf(method.stableArithmetics).join(separator)));
     printLine(QStringLiteral("  fill rules   %1").arg(namesOf(method.fillRules).join(separator)));
+    if (!method.fillRuleReason.isEmpty())
+        printLine(QStringLiteral("  no others:   %1").arg(method.fillRuleReason));
     printLine(QStringLiteral("  effects      %1").arg(method.effects.join(separator)));
 }
 

@@ -60,19 +60,45 @@ QString edgeText(const oracle::EdgeVerdict &edge)
                                  : distances.join(QStringLiteral(", ")));
 }
 
-QString columnText(const ColumnRecord &column)
+/// What a method calls the bounds of its spans, and the samples along them.
+struct SpanWords {
+    QString place, lower, upper, samples;
+};
+
+SpanWords wordsFor(SpanAxis axis)
 {
-    return QStringLiteral("    column %1, %2 half: y_B = %3, y_T = %4, rows %5 … %6")
-        .arg(column.x)
-        .arg(column.half == ColumnHalf::First ? QStringLiteral("first") : QStringLiteral("second"),
-             toText(column.yBottom), toText(column.yTop))
-        .arg(column.firstRow)
-        .arg(column.endRow - 1);
+    switch (axis) {
+    case SpanAxis::Column:
+        return {QStringLiteral("column"), QStringLiteral("y_B"), QStringLiteral("y_T"),
+                QStringLiteral("rows")};
+    case SpanAxis::Row:
+        return {QStringLiteral("row"), QStringLiteral("x_L"), QStringLiteral("x_R"),
+                QStringLiteral("columns")};
+    case SpanAxis::Free:
+        break;
+    }
+    return {QStringLiteral("step"), {}, {}, QStringLiteral("samples")};
+}
+
+QString spanText(const SpanRecord &span)
+{
+    const SpanWords words = wordsFor(span.place.axis);
+    QString text = QStringLiteral("    %1 %2, part %3")
+                       .arg(words.place)
+                       .arg(span.place.coordinate)
+                       .arg(span.place.part + 1);
+    if (!span.lower.isNone())
+        text += QStringLiteral(": %1 = %2, %3 = %4, %5 %6 … %7")
+                    .arg(words.lower, toText(span.lower), words.upper, toText(span.upper),
+                         words.samples)
+                    .arg(span.firstSample)
+                    .arg(span.endSample - 1);
+    return text;
 }
 
 QString channelText(const PixelAttempt &attempt, std::size_t channel)
 {
-    const Quantity &used = attempt.fragment.colour[channel];
+    const Quantity &used = attempt.sample->colour[channel];
     const Quantity &exact = attempt.exactColour[channel];
     return QStringLiteral("    %1 = %2 → %3; exact %4, error %5")
         .arg(QChar(channelNames[channel]))
@@ -92,14 +118,19 @@ QJsonValue jsonOf(const Quantity &quantity)
     return quantity.isNone() ? QJsonValue() : QJsonValue(toText(quantity));
 }
 
-QJsonObject jsonOf(const ColumnRecord &column)
+QJsonObject jsonOf(const SpanRecord &span)
 {
-    return {{QStringLiteral("x"), qint64(column.x)},
-            {QStringLiteral("half"), column.half == ColumnHalf::First ? 1 : 2},
-            {QStringLiteral("y_B"), toText(column.yBottom)},
-            {QStringLiteral("y_T"), toText(column.yTop)},
-            {QStringLiteral("first_row"), qint64(column.firstRow)},
-            {QStringLiteral("last_row"), qint64(column.endRow - 1)}};
+    const SpanWords words = wordsFor(span.place.axis);
+    QJsonObject json{{QStringLiteral("along"), words.place},
+                     {QStringLiteral("at"), qint64(span.place.coordinate)},
+                     {QStringLiteral("part"), span.place.part + 1}};
+    if (span.lower.isNone())
+        return json;
+    json[words.lower] = toText(span.lower);
+    json[words.upper] = toText(span.upper);
+    json[QStringLiteral("first")] = qint64(span.firstSample);
+    json[QStringLiteral("last")] = qint64(span.endSample - 1);
+    return json;
 }
 
 QJsonObject jsonOf(const oracle::EdgeVerdict &edge)
@@ -115,13 +146,14 @@ QJsonObject jsonOf(const oracle::EdgeVerdict &edge)
 
 QJsonObject jsonOf(const PixelAttempt &attempt)
 {
-    QJsonObject json{{QStringLiteral("triangle"), qint64(attempt.triangle)},
+    QJsonObject json{{QStringLiteral("kind"), nameOf(attempt.kind)},
+                     {QStringLiteral("primitive"), qint64(attempt.primitive)},
                      {QStringLiteral("written"), attempt.written},
                      {QStringLiteral("covered"), attempt.verdict.covered},
                      {QStringLiteral("reason"), attempt.reason}};
-    if (attempt.column)
-        json[QStringLiteral("column")] = jsonOf(*attempt.column);
-    if (!attempt.verdict.zeroArea) {
+    if (attempt.span)
+        json[QStringLiteral("span")] = jsonOf(*attempt.span);
+    if (attempt.hasEdges()) {
         QJsonArray edges;
         for (const oracle::EdgeVerdict &edge : attempt.verdict.edges)
             edges.append(jsonOf(edge));
@@ -132,15 +164,15 @@ QJsonObject jsonOf(const PixelAttempt &attempt)
     json[QStringLiteral("step")] = qint64(attempt.step + 1);
     json[QStringLiteral("before")] = colourText(unpacked(attempt.change.before));
     json[QStringLiteral("after")] = colourText(unpacked(attempt.change.after));
-    json[QStringLiteral("clamped")] = attempt.fragment.clamped;
+    json[QStringLiteral("clamped")] = attempt.sample->clamped;
     for (std::size_t channel = 0; channel < 3; ++channel) {
-        const Quantity &used = attempt.fragment.colour[channel];
+        const Quantity &used = attempt.sample->colour[channel];
         const Quantity &exact = attempt.exactColour[channel];
         json[QString(QChar(channelNames[channel]))] = QJsonObject{
             {QStringLiteral("used"), jsonOf(used)},
             {QStringLiteral("exact"), jsonOf(exact)},
             {QStringLiteral("error"), jsonOf(errorOf(used, exact))},
-            {QStringLiteral("level"), qint64(attempt.fragment.level[channel])},
+            {QStringLiteral("level"), qint64(attempt.sample->level[channel])},
             {QStringLiteral("byte"), int(unpacked(attempt.change.after).channels[channel])}};
     }
     return json;
@@ -161,17 +193,20 @@ QStringList textOf(const PixelReport &report)
               .arg(colourText(trueColour(report)), nameOfDifference(difference));
     QStringList lines = {heading};
     if (report.attempts.empty())
-        lines.append(QStringLiteral("the scene has no triangles"));
+        lines.append(QStringLiteral("the scene has nothing that the method draws"));
     for (const PixelAttempt &attempt : report.attempts) {
-        QString line = QStringLiteral("triangle %1: %2").arg(attempt.triangle).arg(attempt.reason);
+        QString line = QStringLiteral("%1 %2: %3")
+                           .arg(nameOf(attempt.kind))
+                           .arg(attempt.primitive)
+                           .arg(attempt.reason);
         if (attempt.written)
             line.insert(line.indexOf(u':'), QStringLiteral(", step %1").arg(attempt.step + 1));
         lines.append(line);
-        if (attempt.column)
-            lines.append(columnText(*attempt.column));
+        if (attempt.span)
+            lines.append(spanText(*attempt.span));
         for (std::size_t channel = 0; attempt.written && channel < 3; ++channel)
             lines.append(channelText(attempt, channel));
-        if (attempt.verdict.zeroArea)
+        if (!attempt.hasEdges())
             continue;
         for (const oracle::EdgeVerdict &edge : attempt.verdict.edges)
             lines.append(edgeText(edge));

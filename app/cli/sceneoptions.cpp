@@ -78,6 +78,19 @@ void reportSnaps(const QString &path, const std::vector<SnapReport> &snaps)
                 .arg(snaps.size() - reported));
 }
 
+/// A scene may name a method for what is yet to be drawn; nobody should wonder at an empty picture.
+void reportNothingDrawn(const QString &path, const Method &method, const Scene &scene)
+{
+    const bool isEmpty = scene.triangles.empty() && scene.shapes.empty();
+    const bool drawsTriangles = !scene.triangles.empty() && method.draws(PrimitiveKind::Triangle);
+    const bool drawsShapes = std::ranges::any_of(
+        scene.shapes, [&method](const Shape &shape) { return method.draws(shape); });
+    if (!isEmpty && !drawsTriangles && !drawsShapes)
+        sayLine(QStringLiteral("%1: method “%2” draws none of the primitives; see "
+                               "`pixelplumb-cli methods` for one that does")
+                    .arg(path, method.id));
+}
+
 } // namespace
 
 Positional scenePositional()
@@ -161,6 +174,7 @@ Result<Scene> readScene(const CommandLine &line)
     scene.settings = {*arithmetic, *fillRule, *rounding};
     if (const QString refusal = (*method)->refusal(scene.settings); !refusal.isEmpty())
         return InputError{path, refusal, {}};
+    reportNothingDrawn(path, **method, scene);
     return scene;
 }
 

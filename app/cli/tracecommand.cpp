@@ -90,8 +90,8 @@ ExitCode trace(const Command &command, const QStringList &arguments)
         sayLine(QStringLiteral(
                     "The trace is incomplete: recording ended at its limit after %1 pixels in "
                     "%2 columns.")
-                    .arg(traced->trace->pixelCount())
-                    .arg(traced->trace->columnCount()));
+                    .arg(traced->trace->sampleCount())
+                    .arg(traced->trace->spanCount()));
         return ExitCode::FallsShort;
     }
     return ExitCode::Done;

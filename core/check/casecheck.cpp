@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/check/casecheck.h"
 
+#include "core/check/linecase.h"
+
 #include <algorithm>
 #include <set>
 
@@ -255,8 +257,9 @@ QStringList shortfallsOf(const HardCase &hardCase, const ScanSettings &settings,
         return sequenceShortfalls(hardCase, settings, drawing);
     case HardCaseKind::Translation:
         return translationShortfalls(hardCase, settings, drawing);
-    case HardCaseKind::Invalid:
     case HardCaseKind::Line:
+        return lineShortfalls(hardCase, settings, drawing);
+    case HardCaseKind::Invalid:
         break;
     }
     return {};
@@ -266,12 +269,7 @@ CaseReport checkCase(const HardCase &hardCase, const std::vector<Candidate> &can
 {
     CaseReport report;
     report.id = hardCase.id;
-    switch (hardCase.kind) {
-    case HardCaseKind::Line:
-        report.outcome = CaseOutcome::Skipped;
-        report.remarks = {QStringLiteral("no line method yet")};
-        return report;
-    case HardCaseKind::Invalid:
+    if (hardCase.kind == HardCaseKind::Invalid) {
         if (hardCase.refusal.isEmpty()) {
             report.outcome = CaseOutcome::FellShort;
             report.remarks = {QStringLiteral("its coordinates are accepted")};
@@ -279,18 +277,21 @@ CaseReport checkCase(const HardCase &hardCase, const std::vector<Candidate> &can
             report.remarks = {QStringLiteral("refused: ") + hardCase.refusal};
         }
         return report;
-    case HardCaseKind::Triangle:
-    case HardCaseKind::Mesh:
-    case HardCaseKind::Sequence:
-    case HardCaseKind::Translation:
-        break;
     }
     if (!hardCase.displacements.isEmpty()) {
         report.remarks = {QStringLiteral("compared with the truth after snapping ")
                           + hardCase.displacements.join(QStringLiteral(", "))};
     }
-    for (const Candidate &candidate : candidates)
-        report.verdicts.push_back(verdictOn(candidate, hardCase));
+    const PrimitiveKind kind
+        = hardCase.kind == HardCaseKind::Line ? PrimitiveKind::Line : PrimitiveKind::Triangle;
+    for (const Candidate &candidate : candidates) {
+        if (candidate.method->draws(kind))
+            report.verdicts.push_back(verdictOn(candidate, hardCase));
+    }
+    if (report.verdicts.empty()) {
+        report.outcome = CaseOutcome::Skipped;
+        report.remarks.append(QStringLiteral("none of the methods draws a %1").arg(nameOf(kind)));
+    }
     return report;
 }
 

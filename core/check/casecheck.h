@@ -35,11 +35,11 @@ struct CandidateVerdict {
 /// How all candidates did at a case.
 struct CaseReport {
     QString id;
-    /// Of the case itself: skipped for a kind that no method draws; passed or not for invalid
+    /// Of the case itself: skipped where no candidate draws its kind; passed or not for invalid
     /// input, which is refused before any method sees it.
     CaseOutcome outcome = CaseOutcome::Passed;
     QStringList remarks;
-    std::vector<CandidateVerdict> verdicts;
+    std::vector<CandidateVerdict> verdicts; ///< of the candidates that draw the case's kind
 
     std::int64_t count(CaseOutcome of) const;
     /// The worst of the case's own outcome and its verdicts; skipped when nothing else was done.

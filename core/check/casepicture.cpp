@@ -2,6 +2,7 @@
 #include "core/check/casepicture.h"
 
 #include "core/oracle/oracle.h"
+#include "core/oracle/shapeoracle.h"
 
 #include <QCryptographicHash>
 #include <QStringList>
@@ -18,7 +19,7 @@ FrameSpec mirrored(FrameSpec canvas)
 
 } // namespace
 
-void drawTruly(std::span<const Triangle> triangles, const ScanSettings &settings, FrameView frame)
+void drawTruly(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
 {
     FrameSpec spec;
     spec.width = frame.width;
@@ -26,8 +27,10 @@ void drawTruly(std::span<const Triangle> triangles, const ScanSettings &settings
     spec.firstColumn = frame.firstColumn;
     spec.firstRow = frame.firstRow;
     CoverageMask coverage(spec);
-    for (const Triangle &triangle : triangles)
+    for (const Triangle &triangle : primitives.triangles)
         oracle::draw(triangle, settings.fillRule, settings.rounding, frame, coverage);
+    for (const Shape &shape : primitives.shapes)
+        oracle::draw(shape, settings.rounding, frame, coverage);
 }
 
 CasePicture::CasePicture(const FrameSpec &canvas, FillRule rule)
@@ -37,13 +40,25 @@ CasePicture::CasePicture(const FrameSpec &canvas, FillRule rule)
 {
 }
 
+void CasePicture::draw(const Primitives &primitives, const ScanSettings &settings,
+                       const Drawing &drawing)
+{
+    Primitives drawn = primitives;
+    for (Triangle &triangle : drawn.triangles) {
+        for (Vertex &vertex : triangle.vertices)
+            vertex.position.y *= m_sign;
+    }
+    for (Shape &shape : drawn.shapes) {
+        for (Vertex &vertex : shape.vertices)
+            vertex.position.y *= m_sign;
+    }
+    drawing(drawn, settings, m_frame.view());
+}
+
 void CasePicture::draw(const Triangle &triangle, const ScanSettings &settings,
                        const Drawing &drawing)
 {
-    Triangle drawn = triangle;
-    for (Vertex &vertex : drawn.vertices)
-        vertex.position.y *= m_sign;
-    drawing(std::span(&drawn, 1), settings, m_frame.view());
+    draw(Primitives{{triangle}, {}}, settings, drawing);
 }
 
 std::int64_t CasePicture::pixelCount() const

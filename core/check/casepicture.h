@@ -2,23 +2,22 @@
 #pragma once
 
 #include "core/frame/writtenframe.h"
-#include "core/geometry/triangle.h"
+#include "core/geometry/shape.h"
 #include "core/scan/scansettings.h"
 
 #include <QByteArray>
 #include <QString>
 
 #include <functional>
-#include <span>
 
 namespace pixelplumb {
 
-/// Something that draws triangles in sample coordinates: a method, or the truth.
-using Drawing = std::function<void(std::span<const Triangle> triangles,
-                                   const ScanSettings &settings, FrameView frame)>;
+/// Something that draws primitives in sample coordinates: a method, or the truth.
+using Drawing = std::function<void(const Primitives &primitives, const ScanSettings &settings,
+                                   FrameView frame)>;
 
 /// The oracle as a drawing, under any rule.
-void drawTruly(std::span<const Triangle> triangles, const ScanSettings &settings, FrameView frame);
+void drawTruly(const Primitives &primitives, const ScanSettings &settings, FrameView frame);
 
 /// The canvas of a case, drawn on. Its pixels are those of the case's own coordinates: under the
 /// top-left rule these point down, the kernels' frame points up, so that the triangle is drawn
@@ -28,6 +27,7 @@ public:
     CasePicture(const FrameSpec &canvas, FillRule rule);
 
     const FrameSpec &canvas() const { return m_canvas; }
+    void draw(const Primitives &primitives, const ScanSettings &settings, const Drawing &drawing);
     void draw(const Triangle &triangle, const ScanSettings &settings, const Drawing &drawing);
 
     bool contains(std::int64_t x, std::int64_t y) const

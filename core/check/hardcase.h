@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/frame/framespec.h"
-#include "core/geometry/triangle.h"
+#include "core/geometry/shape.h"
 #include "core/scan/scansettings.h"
 #include "core/scene/result.h"
 
@@ -34,6 +34,10 @@ struct ExpectedFacts {
     std::vector<std::int64_t> frameCounts; ///< sequence: pixels of each frame
     std::optional<std::int64_t> toggles; ///< sequence: pixels that change between frames
     std::optional<std::int64_t> distinctPictures; ///< translation
+    /// Line: the first 16 hexadecimal digits of the SHA-256 of "x y\n" for each pixel, along x, or
+    /// along y where the line is longer that way.
+    QByteArray pixelHash;
+    std::vector<std::array<std::int64_t, 2>> pixels; ///< line: x and y of each, in this order
 };
 
 /// What is known of one sample.
@@ -54,6 +58,7 @@ struct HardCase {
     QString stresses; ///< one sentence: what is hard about it
     FrameSpec canvas;
     std::vector<Triangle> triangles; ///< one, those of the mesh, or one a frame of the sequence
+    std::vector<Shape> shapes; ///< line: the line
     std::vector<std::array<std::int64_t, 2>> offsets; ///< translation, px
     std::map<FillRule, ExpectedFacts> facts;
     std::vector<ExpectedPoint> points;

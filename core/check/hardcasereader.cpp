@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/check/hardcase.h"
+#include "core/check/linecase.h"
 #include "core/scene/coordinatetext.h"
-#include "core/scene/jsonreader.h"
 
 #include <QJsonObject>
 
@@ -69,6 +68,7 @@ public:
             readInvalidVertices(member(node, "vertices_text"));
             break;
         case HardCaseKind::Line:
+            readLineCase(m_json, node, m_case);
             break;
         }
         return std::move(m_case);

@@ -27,7 +27,7 @@ std::vector<PreambleMember> preambleOf(const TracedScene &traced, TraceLevel lev
     if (level == TraceLevel::Pixel)
         return members;
     QByteArray columns = "[";
-    for (const TraceColumn &column : traced.method->traceColumns) {
+    for (const TraceColumn &column : traced.method->spanColumns) {
         columns += columns.size() == 1 ? "\n" : ",\n";
         columns += "    {\"id\": " + jsonString(column.id) + ", \"unit\": "
             + jsonString(column.unit) + ", \"formula\": " + jsonString(column.formula)
@@ -43,16 +43,16 @@ bool exportTrace(const TracedScene &traced, const TraceExportOptions &options, Q
 {
     const auto writer = makeRowWriter(options.format, device, preambleOf(traced, options.level));
     const bool byPixel = options.level == TraceLevel::Pixel;
-    writer->begin(byPixel ? pixelFields() : columnFields(*traced.method));
-    const std::size_t columnCount = traced.trace->columnCount();
-    for (std::size_t column = 0; column < columnCount; ++column) {
-        if (options.progress && !options.progress(double(column) / double(columnCount)))
+    writer->begin(byPixel ? sampleFields(*traced.method) : spanFields(*traced.method));
+    const std::size_t spanCount = traced.trace->spanCount();
+    for (std::size_t span = 0; span < spanCount; ++span) {
+        if (options.progress && !options.progress(double(span) / double(spanCount)))
             return false;
         if (byPixel) {
-            forEachPixelRow(traced, column,
-                            [&](const QStringList &cells) { writer->writeRow(cells); });
+            forEachSampleRow(traced, span,
+                             [&](const QStringList &cells) { writer->writeRow(cells); });
         } else {
-            writer->writeRow(columnCells(traced, column));
+            writer->writeRow(spanCells(traced, span));
         }
         if (!writer->isOk())
             return false;

@@ -30,11 +30,11 @@ QString stepNumber(std::size_t index) { return QString::number(index + 1); }
 
 } // namespace
 
-std::vector<Field> columnFields(const Method &method)
+std::vector<Field> spanFields(const Method &method)
 {
     std::vector<Field> fields = {{QStringLiteral("step"), Field::Kind::Integer}};
-    for (const TraceColumn &column : method.traceColumns) {
-        if (column.exact == nullptr) {
+    for (const TraceColumn &column : method.spanColumns) {
+        if (column.comparison == Comparison::None) {
             fields.push_back(
                 {column.id, isCount(column) ? Field::Kind::Integer : Field::Kind::Text});
             continue;
@@ -46,26 +46,25 @@ std::vector<Field> columnFields(const Method &method)
     return fields;
 }
 
-QStringList columnCells(const TracedScene &traced, std::size_t column)
+QStringList spanCells(const TracedScene &traced, std::size_t span)
 {
     const ScanTrace &trace = *traced.trace;
-    const ColumnRecord record = trace.column(column);
-    const auto exact
-        = oracle::columnAt(traced.triangles[record.triangle], trace.settings().fillRule, record.x);
-    QStringList cells = {stepNumber(trace.indexOfColumn(column))};
-    for (const TraceColumn &description : traced.method->traceColumns) {
-        const Quantity used = description.used(record);
-        cells.append(toText(used));
-        if (description.exact != nullptr)
-            appendComparison(cells, used, exact ? description.exact(*exact) : Quantity());
+    const std::vector<Quantity> used = trace.span(span).cells;
+    const std::vector<Quantity> exact = exactSpanCells(traced, span);
+    QStringList cells = {stepNumber(trace.indexOfSpan(span))};
+    const std::vector<TraceColumn> &columns = traced.method->spanColumns;
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+        cells.append(toText(used[i]));
+        if (columns[i].comparison == Comparison::WithExact)
+            appendComparison(cells, used[i], exact[i]);
     }
     return cells;
 }
 
-std::vector<Field> pixelFields()
+std::vector<Field> sampleFields(const Method &method)
 {
     std::vector<Field> fields = {{QStringLiteral("step"), Field::Kind::Integer},
-                                 {QStringLiteral("triangle"), Field::Kind::Integer},
+                                 {QStringLiteral("primitive"), Field::Kind::Integer},
                                  {QStringLiteral("x"), Field::Kind::Integer},
                                  {QStringLiteral("y"), Field::Kind::Integer}};
     for (const char16_t channel : channelNames) {
@@ -79,38 +78,53 @@ std::vector<Field> pixelFields()
     fields.push_back({QStringLiteral("clamped"), Field::Kind::Boolean});
     fields.push_back({QStringLiteral("before"), Field::Kind::Text});
     fields.push_back({QStringLiteral("after"), Field::Kind::Text});
+    fields.push_back({QStringLiteral("fate"), Field::Kind::Text});
+    for (const TraceColumn &column : method.sampleColumns) {
+        fields.push_back({column.id, Field::Kind::Text});
+        if (column.comparison == Comparison::None)
+            continue;
+        fields.push_back({column.id + QStringLiteral("_exact"), Field::Kind::Text});
+        fields.push_back({column.id + QStringLiteral("_error"), Field::Kind::Real});
+    }
     return fields;
 }
 
-void forEachPixelRow(const TracedScene &traced, std::size_t column,
-                     const std::function<void(const QStringList &cells)> &write)
+void forEachSampleRow(const TracedScene &traced, std::size_t span,
+                      const std::function<void(const QStringList &cells)> &write)
 {
     const ScanTrace &trace = *traced.trace;
-    const std::size_t first = trace.firstPixelOf(column);
-    const std::size_t end = trace.endPixelOf(column);
+    const std::size_t first = trace.firstSampleOf(span);
+    const std::size_t end = trace.endSampleOf(span);
     if (first == end)
         return;
-    const std::size_t triangle = trace.triangleOf(column);
-    const std::vector<FragmentRecord> fragments = trace.fragments(column);
-    // A trace that was cut may hold fewer pixels than its last column has fragments.
-    const std::size_t count = std::min(end - first, fragments.size());
+    const std::vector<SampleRecord> samples = trace.samples(span);
+    const std::vector<TraceColumn> &columns = traced.method->sampleColumns;
+    // A trace that was cut may hold fewer samples than its last span has.
+    const std::size_t count = std::min(end - first, samples.size());
     for (std::size_t index = 0; index < count; ++index) {
-        const FragmentRecord &fragment = fragments[index];
+        const SampleRecord &sample = samples[index];
         const PixelChange &change = trace.changes()[first + index];
-        const Colour after = unpacked(change.after);
-        const auto exact = oracle::colourAt(traced.triangles[triangle], fragment.x, fragment.y);
-        QStringList cells
-            = {stepNumber(trace.indexOfPixel(first + index)), QString::number(triangle),
-               QString::number(fragment.x), QString::number(fragment.y)};
+        const bool isWritten = change.isWritten();
+        const Colour after = unpacked(isWritten ? change.after : change.before);
+        const ExactSample exact = exactSampleOf(traced, span, sample);
+        QStringList cells = {stepNumber(trace.indexOfSample(first + index)),
+                             QString::number(trace.primitiveOf(span)), QString::number(sample.x),
+                             QString::number(sample.y)};
         for (std::size_t channel = 0; channel < 3; ++channel) {
-            cells.append(toText(fragment.colour[channel]));
-            appendComparison(cells, fragment.colour[channel], exact[channel]);
-            cells.append(QString::number(fragment.level[channel]));
-            cells.append(QString::number(int(after.channels[channel])));
+            cells.append(toText(sample.colour[channel]));
+            appendComparison(cells, sample.colour[channel], exact.colour[channel]);
+            cells.append(isWritten ? QString::number(sample.level[channel]) : QString());
+            cells.append(isWritten ? QString::number(int(after.channels[channel])) : QString());
         }
-        cells.append(fragment.clamped ? QStringLiteral("true") : QStringLiteral("false"));
+        cells.append(sample.clamped ? QStringLiteral("true") : QStringLiteral("false"));
         cells.append(colourText(unpacked(change.before)));
         cells.append(colourText(after));
+        cells.append(isWritten ? QStringLiteral("written") : QStringLiteral("refused"));
+        for (std::size_t i = 0; i < columns.size(); ++i) {
+            cells.append(toText(sample.cells[i]));
+            if (columns[i].comparison == Comparison::WithExact)
+                appendComparison(cells, sample.cells[i], exact.cells[i]);
+        }
         write(cells);
     }
 }

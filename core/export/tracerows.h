@@ -8,13 +8,13 @@
 
 namespace pixelplumb {
 
-/// The table of a trace at column level.
-std::vector<Field> columnFields(const Method &method);
-QStringList columnCells(const TracedScene &traced, std::size_t column);
+/// The table of a trace by spans: a row a column, a row or a step of the method.
+std::vector<Field> spanFields(const Method &method);
+QStringList spanCells(const TracedScene &traced, std::size_t span);
 
-/// The table of a trace at pixel level. Calls `write` for each of a column's pixels, bottom to top.
-std::vector<Field> pixelFields();
-void forEachPixelRow(const TracedScene &traced, std::size_t column,
-                     const std::function<void(const QStringList &cells)> &write);
+/// The table of a trace by samples. Calls `write` for each sample of a span in order.
+std::vector<Field> sampleFields(const Method &method);
+void forEachSampleRow(const TracedScene &traced, std::size_t span,
+                      const std::function<void(const QStringList &cells)> &write);
 
 } // namespace pixelplumb

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // A batch of triangles, set up and drawn. Compiled once for each instruction set.
+#include "core/fast/batchload-inl.h"
 #include "core/fast/batchsetup-inl.h"
 #include "core/fast/blockscan-inl.h"
 #include "core/fast/fastkernels.h"
@@ -31,15 +32,60 @@ public:
 
     void run()
     {
+        CornerLoad(m_batch, m_task.window).run();
         BatchSetUp<Rule>(m_batch, m_task.rounding, m_task.window.width, m_task.window.height).run();
+        const auto all
+            = TriangleBatch::Set((std::uint64_t(1) << m_batch.size) - 1) & ~m_batch.farAway;
+        const TriangleBatch::Set small = m_batch.small & all;
+        const TriangleBatch::Set smallAndFlat = small & m_batch.flat;
+        countSmall(small & ~smallAndFlat, ColourWord::Steps32);
+        countSmall(smallAndFlat, ColourWord::Flat);
         for (std::size_t i = 0; i < m_batch.size; ++i) {
-            const Route route = routeFor(m_batch, i, Rule, m_task.window.width);
+            if (TriangleBatch::contains(small, i)) {
+                if constexpr (!hasMaskedStores)
+                    prefetchBlock(i + blocksAhead);
+                drawBlockOf<8>(i,
+                               TriangleBatch::contains(smallAndFlat, i) ? ColourWord::Flat
+                                                                        : ColourWord::Steps32);
+                continue;
+            }
+            const Route route
+                = routeFor(m_batch, i, Rule, HWY_MIN(m_task.window.width, widestStrip));
             m_task.tally->count(route.kernel, route.word, route.reason);
             draw(i, route);
         }
     }
 
 private:
+    /// Two vectors of sixteen pixels; the colours of more and shorter ones do not stay in
+    /// registers.
+    static constexpr std::int32_t widestStrip = lanesOf<Pixels<16>> == 16 ? 32 : 16;
+
+    /// A store that leaves lanes alone by reading them waits for its line, and there are not many
+    /// others to do meanwhile in a small triangle.
+    static constexpr std::size_t blocksAhead = 3;
+    static constexpr int prefetchedRows = 4;
+    HWY_INLINE void prefetchBlock(std::size_t i) const
+    {
+        if (i >= m_batch.size)
+            return;
+        const FrameView &window = m_task.window;
+        auto address = reinterpret_cast<std::uintptr_t>(window.base)
+            + std::uintptr_t(m_batch.firstRow[i] * window.stride + m_batch.firstColumn[i])
+                * sizeof(QRgb);
+        for (int row = 0; row < prefetchedRows; ++row) {
+            prefetchForStore(address);
+            address += std::uintptr_t(window.stride) * sizeof(QRgb);
+        }
+    }
+
+    void countSmall(TriangleBatch::Set set, ColourWord word)
+    {
+        if (set != 0)
+            m_task.tally->count(FastKernel::Block8, word, FastReason::SmallBox,
+                                std::uint64_t(std::popcount(set)));
+    }
+
     HWY_INLINE void draw(std::size_t i, const Route &route)
     {
         switch (route.kernel) {
@@ -49,6 +95,8 @@ private:
             return drawBlockOf<8>(i, route.word);
         case FastKernel::Block16:
             return drawBlockOf<16>(i, route.word);
+        case FastKernel::Strip8:
+            return drawStrips<8>(i, route.word);
         case FastKernel::Strip16:
             return drawStrips<16>(i, route.word);
         case FastKernel::Strip32:
@@ -57,7 +105,7 @@ private:
             return drawRows(i, route.word);
         case FastKernel::FloatStrip16:
         case FastKernel::Plain:
-            return m_task.drawPlain(*m_batch.source[i], m_task);
+            return m_task.drawPlain(m_batch.source[i], m_task);
         }
     }
 
@@ -77,7 +125,7 @@ private:
     }
     ColourPlane planeOf(std::size_t i) const
     {
-        if (hasExactWords(m_batch, i) || m_batch.isFlat(i))
+        if (hasExactWords(m_batch, i))
             return ColourPlane(m_batch, i);
         return *ColourPlane::wide(m_batch, i, m_task.rounding);
     }
@@ -85,11 +133,11 @@ private:
     template <int Columns>
     HWY_NOINLINE void drawStrips(std::size_t i, ColourWord word)
     {
-        using D = Pixels<16>;
+        using D = Pixels<HWY_MIN(Columns, 16)>;
         // A vector of one lane would otherwise be unrolled to no use.
         constexpr int vectors = HWY_MIN(Columns / lanesOf<D>, 4);
         constexpr Walk walk = Walk::UpRows;
-        const EdgeLines lines = edgeLinesOf<Rule, SpanAxis::RowsOfColumn>(m_batch, i);
+        const EdgeLines lines(m_batch, i);
         const SampleBox box = boxOf(i);
         const auto scan = [&](const auto &colour, const SampleBox &part) HWY_ATTR {
             StripScan<std::decay_t<decltype(colour)>, D, vectors>(m_task.window, lines, part,
@@ -97,7 +145,7 @@ private:
                 .run(colour);
         };
         if (word == ColourWord::Flat)
-            return scan(FlatColour<D, walk>(packed(m_batch.source[i]->vertices[0].colour)), box);
+            return scan(FlatColour<D, walk>(packed(m_batch.source[i].vertices[0].colour)), box);
         const ColourPlane plane = planeOf(i);
         if (word == ColourWord::Steps32)
             return scan(Steps32Colour<D, walk>(plane), box);
@@ -115,7 +163,7 @@ private:
     {
         using D = Pixels<16>;
         constexpr Walk walk = Walk::AlongRow;
-        const EdgeLines lines = edgeLinesOf<Rule, SpanAxis::ColumnsOfRow>(m_batch, i);
+        const EdgeLines lines(m_batch, i);
         const SampleBox box = boxOf(i);
         const auto scan = [&](const auto &colour, const SampleBox &part) HWY_ATTR {
             RowSpanScan<std::decay_t<decltype(colour)>, D>(m_task.window, lines, part,
@@ -123,7 +171,7 @@ private:
                 .run(colour);
         };
         if (word == ColourWord::Flat)
-            return scan(FlatColour<D, walk>(packed(m_batch.source[i]->vertices[0].colour)), box);
+            return scan(FlatColour<D, walk>(packed(m_batch.source[i].vertices[0].colour)), box);
         const ColourPlane plane = planeOf(i);
         if (word == ColourWord::Steps32)
             return scan(Steps32Colour<D, walk>(plane), box);

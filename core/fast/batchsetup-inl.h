@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The set-up of a vector of triangles at once. Compiled once for each instruction set.
+#include "core/fast/batchlines-inl.h"
 #include "core/fast/colourplane.h"
 #include "core/fast/pixelvectors-inl.h"
 
@@ -39,6 +40,7 @@ public:
 
     void run()
     {
+        m_batch.flat = m_batch.small = m_batch.spansRows = 0;
         for (std::size_t i = 0; i < m_batch.size; i += lanesOf<Reals>)
             setUpFrom(i);
     }
@@ -80,20 +82,49 @@ private:
         const Real along = hn::Sub(hn::Mul(box.column, real(256)), x0);
         const Real up = hn::Sub(hn::Mul(box.row, real(256)), y0);
 
-        setUpColours(i,
-                     {hn::Mul(sign, x1), hn::Mul(sign, y1), hn::Mul(sign, x2), hn::Mul(sign, y2),
-                      hn::Abs(signedArea), along, up, box.steps, box.isSmall});
+        const auto isFlat = flatFrom(i);
+        const auto isNarrow
+            = setUpColours(i,
+                           {hn::Mul(sign, x1), hn::Mul(sign, y1), hn::Mul(sign, x2),
+                            hn::Mul(sign, y2), hn::Abs(signedArea), along, up, box.steps});
+        const auto isSmall = hn::And(isNarrow, box.isSmall);
+        add(isFlat, i, m_batch.flat);
+        add(isSmall, i, m_batch.small);
         setUpEdge(i, 0, sign, x1, y1, along, up);
         setUpEdge(i, 1, sign, hn::Sub(x2, x1), hn::Sub(y2, y1), hn::Sub(along, x1),
                   hn::Sub(up, y1));
         setUpEdge(i, 2, sign, hn::Neg(x2), hn::Neg(y2), hn::Sub(along, x2), hn::Sub(up, y2));
+        if (!hn::AllTrue(reals, isSmall)) {
+            // Rows of one colour are long runs of stores; a strip of a wide box would be all masks.
+            const auto spansRows = hn::And(box.isBeyondStrip, hn::Or(isFlat, box.isWide));
+            add(spansRows, i, m_batch.spansRows);
+            BatchLines<Rule, Reals>(m_batch, i, sign, spansRows).run();
+        }
+    }
+
+    /// Adds the triangles of the lanes in `mask` to a set.
+    static void add(hn::Mask<Reals> mask, std::size_t i, TriangleBatch::Set &set)
+    {
+        std::array<std::uint8_t, 8> bits = {};
+        hn::StoreMaskBits(reals, mask, bits.data());
+        set |= TriangleBatch::Set(bits[0]) << i;
+    }
+
+    hn::Mask<Reals> flatFrom(std::size_t i) const
+    {
+        const Integer colour0 = packedLevels(0, i);
+        const auto differs
+            = hn::Or(hn::Xor(colour0, packedLevels(1, i)), hn::Xor(colour0, packedLevels(2, i)));
+        return hn::Eq(hn::PromoteTo(reals, differs), hn::Zero(reals));
     }
 
     struct Box {
         Real column; ///< first sample, px
         Real row;
         Real steps; ///< n + 1 = width + height − 1 at least
-        Real isSmall; ///< not 0 where the box itself is that of a small triangle
+        hn::Mask<Reals> isSmall; ///< as far as the box tells
+        hn::Mask<Reals> isBeyondStrip; ///< wider than 16 columns
+        hn::Mask<Reals> isWide; ///< at least four times as wide as high
     };
 
     /// ⌈c⌉ … ⌊d⌋, or … ⌈d⌉ − 1 under the half-open rule, clipped to the window.
@@ -136,8 +167,12 @@ private:
         const auto fits
             = hn::And(hn::Lt(width, real(8.5)),
                       hn::Lt(hn::PromoteTo(reals, extent), real(TriangleBatch::blockExtent + 0.5)));
-        return {hn::PromoteTo(reals, firstColumn), hn::PromoteTo(reals, firstRow),
-                hn::Add(width, height), hn::IfThenElseZero(hn::And(holdsSamples, fits), real(1))};
+        return {hn::PromoteTo(reals, firstColumn),
+                hn::PromoteTo(reals, firstRow),
+                hn::Add(width, height),
+                hn::And(holdsSamples, fits),
+                hn::Gt(width, real(16)),
+                hn::Ge(width, hn::Mul(height, real(4)))};
     }
 
     /// Doubled area over the square of the lattice's common step: the least of the corners' lowest
@@ -158,10 +193,10 @@ private:
         Real area; ///< doubled
         Real along, up; ///< the first sample of the box from the first corner
         Real steps;
-        Real isSmall; ///< so far
     };
 
-    void setUpColours(std::size_t i, const Plane &plane)
+    /// Returns where 24-bit words are exact.
+    hn::Mask<Reals> setUpColours(std::size_t i, const Plane &plane)
     {
         const Real reduced = reducedArea(i, plane.area);
         hn::Store(reduced, reals, m_batch.reducedArea.data() + i);
@@ -201,10 +236,9 @@ private:
         }
         hn::Store(magnitude, reals, m_batch.magnitude.data() + i);
         // Not so where the area is 0: scale and magnitude are infinite or no numbers there.
-        const auto isExact = hn::And(
+        return hn::And(
             isNarrow,
             hn::And(hn::Lt(magnitude, real(magnitudeLimit)), hn::Gt(plane.area, real(0))));
-        hn::Store(hn::IfThenElseZero(isExact, plane.isSmall), reals, m_batch.isSmall.data() + i);
     }
 
     Integer packedLevels(std::size_t corner, std::size_t i) const

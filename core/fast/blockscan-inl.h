@@ -59,7 +59,7 @@ HWY_INLINE void drawBlock(const TriangleBatch &batch, std::size_t i, FrameView w
         const auto redPerRow = hn::Set(d, std::uint32_t(batch.perRow[0][i] >> 32));
         const auto greenPerRow = hn::Set(d, std::uint32_t(batch.perRow[1][i] >> 32));
         const auto bluePerRow = hn::Set(d, std::uint32_t(batch.perRow[2][i] >> 32));
-        const auto flat = hn::Set(d, packed(batch.source[i]->vertices[0].colour));
+        const auto flat = hn::Set(d, packed(batch.source[i].vertices[0].colour));
 
         QRgb *to = window.base + batch.firstRow[i] * window.stride + column;
         for (std::int32_t row = 0; row < rows; ++row) {

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fast/fastkernels.h"
 
+#include "core/fast/edgelines.h"
 #include "core/fast/routechoice.h"
+
+#include <bit>
+#include <cstddef>
+#include <cstring>
+#include <limits>
 
 // Sets that no processor of today is best served by, and vectors without a size at compile time.
 #define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128)

@@ -12,6 +12,8 @@ std::string_view nameOf(FastKernel kernel)
         return "block of 8 columns";
     case FastKernel::Block16:
         return "block of 16 columns";
+    case FastKernel::Strip8:
+        return "strip of 8 columns";
     case FastKernel::Strip16:
         return "strips of 16 columns";
     case FastKernel::Strip32:
@@ -61,7 +63,7 @@ std::string_view textOf(FastReason reason)
     case FastReason::BeyondExactWords:
         return "no 64-bit colour word is exact: 4 A' (n + 1) is 2^56 or more";
     case FastReason::SmallBox:
-        return "its box is at most 16 px wide and high: one vector a row";
+        return "its box is at most 16 columns wide and 63 px high: one vector a row";
     case FastReason::NarrowBox:
         return "its box fits into one strip";
     case FastReason::WideBox:

@@ -13,6 +13,7 @@ enum class FastKernel {
     None, ///< nothing to draw: culled before any work on columns
     Block8, ///< at most 8 columns: each row one store, coverage by edge functions
     Block16, ///< at most 16 columns, the same
+    Strip8, ///< a strip of 8 columns, where the box is no wider
     Strip16, ///< strips of 16 columns, one cache line wide
     Strip32, ///< strips of 32 columns
     RowSpans, ///< spans of rows
@@ -46,7 +47,7 @@ enum class ColourWord {
     Other, ///< the plain kernel's or the assignment's numbers
 };
 
-inline constexpr std::size_t fastKernelCount = 8;
+inline constexpr std::size_t fastKernelCount = 9;
 inline constexpr std::size_t fastReasonCount = 13;
 inline constexpr std::size_t colourWordCount = 5;
 
@@ -58,10 +59,11 @@ std::string_view textOf(FastReason reason);
 /// Counts triangles by the way they went. Plain counters: each thread has its own.
 class RouteTally {
 public:
-    void count(FastKernel kernel, ColourWord word, FastReason reason)
+    void count(FastKernel kernel, ColourWord word, FastReason reason, std::uint64_t triangles = 1)
     {
-        ++m_counts[(std::size_t(kernel) * colourWordCount + std::size_t(word)) * fastReasonCount
-                   + std::size_t(reason)];
+        m_counts[(std::size_t(kernel) * colourWordCount + std::size_t(word)) * fastReasonCount
+                 + std::size_t(reason)]
+            += triangles;
     }
     std::uint64_t of(FastKernel kernel, ColourWord word, FastReason reason) const
     {

@@ -36,30 +36,38 @@ FrameBands::Range FrameBands::touchedBy(const Triangle &triangle) const
     const std::int64_t last = floorPixel(highest) - m_frame.firstRow;
     if (last < 0 || first >= m_frame.height || first > last)
         return {1, 0};
-    return {int(std::max<std::int64_t>(first, 0) / m_rowsPerBand),
-            int(std::min<std::int64_t>(last, m_frame.height - 1) / m_rowsPerBand)};
+    const auto bandOf
+        = [&](std::int64_t row) { return int(std::uint32_t(row) / std::uint32_t(m_rowsPerBand)); };
+    return {bandOf(std::max<std::int64_t>(first, 0)),
+            bandOf(std::min<std::int64_t>(last, m_frame.height - 1))};
 }
 
 BandBins::BandBins(std::span<const Triangle> triangles, const FrameBands &bands)
     : m_triangles(triangles)
     , m_bands(bands)
-    , m_bins((triangles.size() + trianglesPerPiece - 1) / trianglesPerPiece)
+    , m_pieces((triangles.size() + trianglesPerPiece - 1) / trianglesPerPiece)
 {
 }
 
 void BandBins::gather(int piece)
 {
-    std::vector<std::vector<std::uint32_t>> bins(std::size_t(m_bands.count()));
     const std::size_t first = std::size_t(piece) * trianglesPerPiece;
-    const std::size_t end = std::min(first + trianglesPerPiece, m_triangles.size());
-    for (std::vector<std::uint32_t> &bin : bins)
-        bin.reserve(2 * (end - first) / bins.size() + 16);
-    for (std::size_t triangle = first; triangle < end; ++triangle) {
-        const FrameBands::Range bands = m_bands.touchedBy(m_triangles[triangle]);
-        for (int band = bands.first; band <= bands.last; ++band)
-            bins[std::size_t(band)].push_back(std::uint32_t(triangle));
+    const std::size_t count = std::min(trianglesPerPiece, m_triangles.size() - first);
+    std::vector<FrameBands::Range> touched(count);
+    std::vector<std::size_t> sizes(std::size_t(m_bands.count()));
+    for (std::size_t n = 0; n < count; ++n) {
+        touched[n] = m_bands.touchedBy(m_triangles[first + n]);
+        for (int band = touched[n].first; band <= touched[n].last; ++band)
+            ++sizes[std::size_t(band)];
     }
-    m_bins[std::size_t(piece)] = std::move(bins);
+    Piece bins(sizes.size());
+    for (std::size_t band = 0; band < bins.size(); ++band)
+        bins[band].reserve(sizes[band]);
+    for (std::size_t n = 0; n < count; ++n) {
+        for (int band = touched[n].first; band <= touched[n].last; ++band)
+            bins[std::size_t(band)].push_back(m_triangles[first + n]);
+    }
+    m_pieces[std::size_t(piece)] = std::move(bins);
 }
 
 void doInParallel(int count, int threads, const std::function<void(int job)> &job)

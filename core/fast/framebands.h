@@ -4,6 +4,7 @@
 #include "core/frame/frameview.h"
 #include "core/geometry/triangle.h"
 
+#include <algorithm>
 #include <functional>
 #include <span>
 #include <vector>
@@ -40,23 +41,25 @@ public:
 
     BandBins(std::span<const Triangle> triangles, const FrameBands &bands);
 
-    int pieceCount() const { return int(m_bins.size()); }
+    int pieceCount() const { return int(m_pieces.size()); }
     /// Sorts one piece of the scene into the bands.
     void gather(int piece);
-    /// Calls `draw` with the triangles of a band, in order.
+    /// Calls `draw` with the triangles of a band, in order: a run of them from each piece.
     template <class Draw>
     void forEach(int band, const Draw &draw) const
     {
-        for (const std::vector<std::vector<std::uint32_t>> &piece : m_bins) {
-            for (const std::uint32_t triangle : piece[std::size_t(band)])
-                draw(m_triangles[triangle]);
-        }
+        for (const Piece &piece : m_pieces)
+            draw(std::span<const Triangle>(piece[std::size_t(band)]));
     }
 
 private:
+    /// The triangles of a piece by band. Copies: a band's triangles stand far apart in the scene,
+    /// and reading them from there costs a band more than drawing them.
+    using Piece = std::vector<std::vector<Triangle>>;
+
     std::span<const Triangle> m_triangles;
     const FrameBands &m_bands;
-    std::vector<std::vector<std::vector<std::uint32_t>>> m_bins; ///< by piece, by band
+    std::vector<Piece> m_pieces;
 };
 
 /// Does jobs 0 … count − 1, each once, on the calling thread and up to `threads` − 1 more of Qt's

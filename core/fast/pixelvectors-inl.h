@@ -65,6 +65,15 @@ HWY_INLINE hn::Vec<D> pixelsOf(D d, hn::Vec<D> red, hn::Vec<D> green, hn::Vec<D>
     return hn::Or(hn::ShiftRight<8>(all), opaque);
 }
 
+/// Asks for the cache line of an address that will be written, if it is one of the frame's.
+HWY_INLINE void prefetchForStore(std::uintptr_t address)
+{
+    __builtin_prefetch(reinterpret_cast<const void *>(address), 1);
+}
+
+/// Whether a store can leave lanes alone.
+inline constexpr bool hasMaskedStores = HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL;
+
 /// Writes the lanes whose mask is set. Without masked stores the others are read and written back,
 /// which needs them to lie in memory of this thread's own: callers keep every vector inside the
 /// window.

@@ -28,7 +28,7 @@ inline constexpr std::int32_t narrowestTableBox = 64;
 /// The narrowest colour word that is exact (colourplane.h).
 inline ColourWord colourWordFor(const TriangleBatch &batch, std::size_t i)
 {
-    if (batch.isFlat(i))
+    if (TriangleBatch::contains(batch.flat, i))
         return ColourWord::Flat;
     if (!hasExactWords(batch, i))
         return batch.resolution[i] < resolutionLimit(wideFractionBits) ? ColourWord::Steps64
@@ -46,14 +46,12 @@ inline ColourWord colourWordFor(const TriangleBatch &batch, std::size_t i)
     return ColourWord::Steps64;
 }
 
-/// The kernel by the bounding box: the one place that decides. A window has at least 16 columns.
+/// The kernel by the bounding box: the one place that decides. A window has at least 16 columns;
+/// `widestStrip` is what fits into it and into the registers.
 inline Route routeFor(const TriangleBatch &batch, std::size_t i, FillRule rule,
-                      std::int32_t windowWidth)
+                      std::int32_t widestStrip)
 {
-    if (batch.isSmall[i] != 0 && !batch.farAway[i])
-        return {FastKernel::Block8, batch.isFlat(i) ? ColourWord::Flat : ColourWord::Steps32,
-                FastReason::SmallBox};
-    if (batch.farAway[i])
+    if (TriangleBatch::contains(batch.farAway, i))
         return {FastKernel::Plain, ColourWord::Other, FastReason::FarAway};
     const std::int32_t width = batch.endColumn[i] - batch.firstColumn[i];
     const std::int32_t height = batch.endRow[i] - batch.firstRow[i];
@@ -67,16 +65,15 @@ inline Route routeFor(const TriangleBatch &batch, std::size_t i, FillRule rule,
     const ColourWord word = colourWordFor(batch, i);
     if (word == ColourWord::Other)
         return {FastKernel::Plain, word, FastReason::BeyondExactWords};
-    if (batch.extent[i] <= TriangleBatch::blockExtent
+    if (width <= 16 && batch.extent[i] <= TriangleBatch::blockExtent
         && (word == ColourWord::Flat || word == ColourWord::Steps32))
         return {width <= 8 ? FastKernel::Block8 : FastKernel::Block16, word, FastReason::SmallBox};
     if (width <= 16)
-        return {FastKernel::Strip16, word, FastReason::NarrowBox};
-    if (width >= 4 * height)
-        return {FastKernel::RowSpans, word, FastReason::WideBox};
-    if (word == ColourWord::Flat)
-        return {FastKernel::RowSpans, word, FastReason::LargeFlat};
-    if (width < 64 || windowWidth < 32)
+        return {width <= 8 ? FastKernel::Strip8 : FastKernel::Strip16, word, FastReason::NarrowBox};
+    if (TriangleBatch::contains(batch.spansRows, i))
+        return {FastKernel::RowSpans, word,
+                width >= 4 * height ? FastReason::WideBox : FastReason::LargeFlat};
+    if (width < 64 || widestStrip < 32)
         return {FastKernel::Strip16, word, FastReason::TallBox};
     return {FastKernel::Strip32, word, FastReason::TallBox};
 }

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The same samples by spans of rows. Compiled once for each instruction set.
-#include "core/fast/edgelines.h"
-#include "core/fast/pixelvectors-inl.h"
-#include "core/fast/stripscan-inl.h"
+#include "core/fast/spans-inl.h"
 
 #if defined(PIXELPLUMB_ROWSPANS_INL) == defined(HWY_TARGET_TOGGLE)
 #ifdef PIXELPLUMB_ROWSPANS_INL

@@ -24,7 +24,7 @@ inline constexpr std::int32_t tableLength = 512; ///< rows (or columns) of one t
 /// one lane.
 template <class D>
 struct WideWords {
-    using D64 = hn::CappedTag<std::uint64_t, lanesOf<D>>;
+    using D64 = hn::CappedTag<std::uint64_t, HWY_MAX(lanesOf<D> / 2, 1)>;
     using Vec64 = hn::Vec<D64>;
 
     Vec64 low; ///< of the first half of the pixels
@@ -33,13 +33,15 @@ struct WideWords {
     /// 0, 1, 2 … times a word.
     static HWY_INLINE WideWords ramp(std::uint64_t perLane)
     {
-        alignas(64) std::array<std::uint64_t, 2 * lanesOf<D64>> values;
-        std::uint64_t value = 0;
-        for (std::uint64_t &each : values) {
-            each = value;
-            value += perLane;
+        // By the bits of the lane's number: sums of what stays in registers.
+        constexpr D64 d{};
+        const auto number = hn::Iota(d, 0);
+        auto low = hn::Zero(d);
+        for (std::uint64_t bit = 1; bit < std::uint64_t(lanesOf<D64>); bit *= 2) {
+            const auto hasBit = hn::Ne(hn::And(number, hn::Set(d, bit)), hn::Zero(d));
+            low = hn::Add(low, hn::IfThenElseZero(hasBit, hn::Set(d, bit * perLane)));
         }
-        return {hn::Load(D64(), values.data()), hn::Load(D64(), values.data() + lanesOf<D64>)};
+        return {low, hn::Add(low, hn::Set(d, std::uint64_t(lanesOf<D64>) * perLane))};
     }
     HWY_INLINE WideWords plus(std::uint64_t all) const
     {

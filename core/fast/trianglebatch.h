@@ -1,28 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/frame/frameview.h"
 #include "core/geometry/triangle.h"
 
 #include <array>
-#include <cstring>
+#include <cstddef>
+#include <cstdint>
 
 namespace pixelplumb {
 
-/// A few triangles as a structure of arrays: what a vector of triangles is set up from, and what
-/// the set-up leaves for drawing them one after another. The arrays fit the first-level cache.
+/// A few neighbouring triangles of a scene as a structure of arrays: what a vector of triangles is
+/// set up from, and what the set-up leaves for drawing them one after another. The arrays fit the
+/// first-level cache; what lies behind `size` is left over from earlier triangles and unused.
 struct TriangleBatch {
     static constexpr std::size_t capacity = 32;
     template <class Value>
     using Array = std::array<Value, capacity>;
     template <class Value>
     using PerCorner = std::array<Array<Value>, 3>; ///< or per edge, per channel
+    using Set = std::uint32_t; ///< of triangles: bit i stands for the one at i
 
     std::size_t size = 0;
-    Array<const Triangle *> source = {};
-    Array<bool> farAway = {}; ///< beyond ±2^15 px of the window: only the plain kernel draws it
+    const Triangle *source = nullptr; ///< `size` triangles in a row
+    Set farAway = 0; ///< beyond ±2^15 px of the window: only the plain kernel draws them
+    Set flat = 0; ///< the three vertices have one colour
+    /// Neither empty nor of zero area, of at most 8 columns, of at most blockExtent, its 24-bit
+    /// colours exact. Most triangles of a crowded scene, told apart at once.
+    Set small = 0;
+    Set spansRows = 0; ///< drawn by spans of rows, if by spans; the others by spans of columns
 
-    // Given: lattice units from the window's first sample, |each| <= 2^23; colours as 0x00bbggrr.
+    // From the scene: lattice units from the window's first sample, |each| <= 2^23; colours as
+    // 0x00bbggrr.
     alignas(64) PerCorner<std::int32_t> x = {};
     alignas(64) PerCorner<std::int32_t> y = {};
     alignas(64) PerCorner<std::uint32_t> colour = {};
@@ -54,51 +62,16 @@ struct TriangleBatch {
     alignas(64) PerCorner<std::int32_t> edgePerColumn = {};
     alignas(64) PerCorner<std::int32_t> edgePerRow = {};
 
-    /// Not 0: neither empty nor of zero area, of at most 8 columns and rows of at most blockExtent,
-    /// its 24-bit colours exact. Most triangles of a crowded scene, told apart at once.
-    alignas(64) Array<double> isSmall = {};
+    /// The edges as bounds of spans (edgelines.h): two lower ones, two upper ones. Not those of
+    /// small triangles.
+    alignas(64) std::array<Array<double>, 4> lineConstant = {};
+    alignas(64) std::array<Array<double>, 4> lineSlope = {};
 
-    /// Up to this extent the edge functions of a block stay below 2^27: sides of at most 2^12
-    /// units, samples at most 2 · 2^12 units away, two products.
-    static constexpr std::int32_t blockExtent = 15 * std::int32_t(unitsPerPixel);
+    /// Up to this extent the edge functions of a block fit 32 bits: sides of less than 2^14 units,
+    /// samples less than 2^14 + 2^12 units away, two products: below 2^30.
+    static constexpr std::int32_t blockExtent = 63 * std::int32_t(unitsPerPixel);
 
-    explicit TriangleBatch(const FrameView &window)
-        : m_firstX(Lattice(window.firstColumn) * unitsPerPixel)
-        , m_firstY(Lattice(window.firstRow) * unitsPerPixel)
-    {
-    }
-
-    /// Takes one more triangle; the batch must not be full.
-    void append(const Triangle &triangle)
-    {
-        constexpr Lattice limit = Lattice(1) << 23;
-        const std::size_t i = size;
-        std::uint64_t beyond = 0;
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const Vertex &vertex = triangle.vertices[corner];
-            const Lattice fromLeft = vertex.position.x - m_firstX;
-            const Lattice fromBottom = vertex.position.y - m_firstY;
-            // At least 2^24 unless -2^23 <= coordinate < 2^23.
-            beyond |= std::uint64_t(fromLeft + limit) | std::uint64_t(fromBottom + limit);
-            x[corner][i] = std::int32_t(fromLeft);
-            y[corner][i] = std::int32_t(fromBottom);
-            colour[corner][i] = std::uint32_t(vertex.colour.channels[0])
-                | std::uint32_t(vertex.colour.channels[1]) << 8
-                | std::uint32_t(vertex.colour.channels[2]) << 16;
-        }
-        farAway[i] = beyond >= std::uint64_t(2 * limit);
-        source[i] = &triangle;
-        size = i + 1;
-    }
-
-    bool isFlat(std::size_t i) const
-    {
-        return colour[0][i] == colour[1][i] && colour[0][i] == colour[2][i];
-    }
-
-private:
-    Lattice m_firstX;
-    Lattice m_firstY;
+    static bool contains(Set set, std::size_t i) { return (set >> i & 1) != 0; }
 };
 
 } // namespace pixelplumb

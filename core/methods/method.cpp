@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
 
+#include "core/methods/barycentric.h"
 #include "core/methods/columnscan.h"
+#include "core/methods/curves.h"
+#include "core/methods/edgeequations.h"
+#include "core/methods/edgewalks.h"
+#include "core/methods/interpolation.h"
+#include "core/methods/lines.h"
+#include "core/methods/polygons.h"
+#include "core/methods/text.h"
 
 #include <algorithm>
 
@@ -37,20 +45,99 @@ bool Method::supports(FillRule rule) const
     return std::ranges::find(fillRules, rule) != fillRules.end();
 }
 
+bool Method::draws(PrimitiveKind kind) const
+{
+    return std::ranges::find(kinds, kind) != kinds.end();
+}
+
+bool Method::draws(const Shape &shape) const
+{
+    return draws(shape.kind)
+        && (fills.empty() || std::ranges::find(fills, shape.fill) != fills.end());
+}
+
+bool Method::isStableIn(Arithmetic arithmetic) const
+{
+    return std::ranges::find(stableArithmetics, arithmetic) != stableArithmetics.end();
+}
+
 QString Method::refusal(const ScanSettings &settings) const
 {
     if (!supports(settings.arithmetic))
         return QStringLiteral("method “%1” does not compute in %2; it knows %3")
             .arg(id, quoted(nameOf(settings.arithmetic)), namesOf(arithmetics));
     if (!supports(settings.fillRule))
-        return QStringLiteral("method “%1” cannot keep the fill rule %2; it keeps %3")
-            .arg(id, quoted(nameOf(settings.fillRule)), namesOf(fillRules));
+        return QStringLiteral("method “%1” cannot keep the fill rule %2: %3; it keeps %4")
+            .arg(id, quoted(nameOf(settings.fillRule)), fillRuleReason, namesOf(fillRules));
+    return {};
+}
+
+ScanSettings Method::adapted(const ScanSettings &settings) const
+{
+    ScanSettings drawn = settings;
+    if (!supports(drawn.arithmetic) && !arithmetics.empty())
+        drawn.arithmetic = arithmetics.front();
+    if (!supports(drawn.fillRule) && !fillRules.empty())
+        drawn.fillRule = fillRules.front();
+    return drawn;
+}
+
+QString titleOf(MethodFamily family)
+{
+    switch (family) {
+    case MethodFamily::Triangles:
+        return QStringLiteral("Triangles");
+    case MethodFamily::StableForms:
+        return QStringLiteral("Triangles, stable forms");
+    case MethodFamily::Interpolation:
+        return QStringLiteral("Interpolation");
+    case MethodFamily::Lines:
+        return QStringLiteral("Lines");
+    case MethodFamily::Curves:
+        return QStringLiteral("Curves");
+    case MethodFamily::Polygons:
+        return QStringLiteral("Polygons");
+    case MethodFamily::Others:
+        return QStringLiteral("Points and text");
+    }
     return {};
 }
 
 std::span<const Method> methods()
 {
-    static const std::array<Method, 1> table = {columnScanMethod()};
+    static const std::vector<Method> table = {
+        columnScanMethod(),
+        rowWalkMethod(),
+        edgeEquationsMethod(),
+        incrementalEdgeEquationsMethod(),
+        solvedEdgeEquationsMethod(),
+        allSamplesBarycentricMethod(),
+        rectangleBarycentricMethod(),
+        incrementalBarycentricMethod(),
+        cramerBarycentricMethod(),
+        offScreenBarycentricMethod(),
+        biasColumnScanMethod(),
+        constantRateColumnScanMethod(),
+        canonicalEdgeEquationsMethod(),
+        relativeBarycentricMethod(),
+        bilinearInterpolationMethod(),
+        planeInterpolationMethod(),
+        barycentricInterpolationMethod(),
+        lineDdaMethod(),
+        lineSlopeInterceptMethod(),
+        lineBresenhamMethod(),
+        lineSymmetricMethod(),
+        circleMidpointMethod(),
+        circleExplicitMethod(),
+        circleParametricMethod(),
+        circleFillMethod(),
+        bezierSubdivisionMethod(),
+        polygonParityMethod(),
+        polygonFanMethod(),
+        polygonDelaunayMethod(),
+        pointAddressMethod(),
+        textOutlinesMethod(),
+    };
     return table;
 }
 
@@ -59,6 +146,20 @@ const Method *methodNamed(QStringView id)
     const auto found
         = std::ranges::find_if(methods(), [id](const Method &method) { return method.id == id; });
     return found != methods().end() ? &*found : nullptr;
+}
+
+const Method &firstMethodFor(PrimitiveKind kind)
+{
+    const auto found = std::ranges::find_if(
+        methods(), [kind](const Method &method) { return method.draws(kind); });
+    return found != methods().end() ? *found : methods().front();
+}
+
+const Method &firstMethodFor(const Shape &shape)
+{
+    const auto found = std::ranges::find_if(
+        methods(), [&shape](const Method &method) { return method.draws(shape); });
+    return found != methods().end() ? *found : methods().front();
 }
 
 } // namespace pixelplumb

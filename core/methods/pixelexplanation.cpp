@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/columnrecord.h"
 #include "core/methods/columnscanexplanation.h"
 #include "core/methods/formulatext.h"
 #include "core/methods/sortedtriangle.h"
@@ -10,11 +11,12 @@ namespace pixelplumb {
 Explanation explainPixel(const TracedScene &traced, const TraceStep &step)
 {
     const ScanTrace &trace = *traced.trace;
-    const std::vector<FragmentRecord> fragments = trace.fragments(step.column);
-    const std::size_t place = step.pixel - trace.firstPixelOf(step.column);
-    const FragmentRecord &fragment = fragments[place];
-    const ColumnRecord column = trace.column(step.column);
-    const auto exact = oracle::colourAt(traced.triangles[step.triangle], fragment.x, fragment.y);
+    const std::vector<SampleRecord> fragments = trace.samples(step.span);
+    const std::size_t place = step.sample - trace.firstSampleOf(step.span);
+    const SampleRecord &fragment = fragments[place];
+    const ColumnRecord column(trace.span(step.span));
+    const auto exact
+        = oracle::colourAt(traced.primitives.triangles[step.primitive], fragment.x, fragment.y);
     const bool nearest = traced.scene.settings.rounding == ByteRounding::Nearest;
 
     Explanation explanation;
@@ -34,13 +36,13 @@ Explanation explainPixel(const TracedScene &traced, const TraceStep &step)
             level.symbols = QStringLiteral("%1 = %1_B + (⌈y_B⌉ − y_B)·Δ%1").arg(name);
             level.substituted
                 = QStringLiteral("%1 + (%2 − %3)·%4")
-                      .arg(term(column.colourBottom[channel]))
-                      .arg(column.firstDrawnRow)
-                      .arg(operand(column.yBottom), operand(column.colourRate[channel]));
+                      .arg(term(column.colourBottom(channel)))
+                      .arg(column.span().firstDrawn)
+                      .arg(operand(column.yBottom()), operand(column.colourRate(channel)));
         } else {
             level.symbols = QStringLiteral("%1 ← %1 + Δ%1").arg(name);
             level.substituted = QStringLiteral("%1 + %2").arg(
-                term(fragments[place - 1].colour[channel]), operand(column.colourRate[channel]));
+                term(fragments[place - 1].colour[channel]), operand(column.colourRate(channel)));
         }
         explanation.lines.push_back(level);
 
@@ -51,10 +53,10 @@ Explanation explainPixel(const TracedScene &traced, const TraceStep &step)
         byte.substituted
             = (nearest ? QStringLiteral("⌊%1 + ½⌋") : QStringLiteral("⌊%1⌋")).arg(term(level.used));
         byte.used = Quantity::integer(std::clamp<std::int64_t>(fragment.level[channel], 0, 255));
-        byte.exact
-            = Quantity::integer(oracle::byteColourAt(traced.triangles[step.triangle], fragment.x,
-                                                     fragment.y, traced.scene.settings.rounding)
-                                    .channels[channel]);
+        byte.exact = Quantity::integer(
+            oracle::byteColourAt(traced.primitives.triangles[step.primitive], fragment.x,
+                                 fragment.y, traced.scene.settings.rounding)
+                .channels[channel]);
         explanation.lines.push_back(byte);
     }
     return explanation;

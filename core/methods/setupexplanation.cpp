@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/columnscanexplanation.h"
 #include "core/methods/formulatext.h"
+#include "core/methods/rejectiontext.h"
 #include "core/methods/sortedtriangle.h"
 
 #include <algorithm>
@@ -8,20 +9,6 @@
 namespace pixelplumb {
 
 namespace {
-
-QString rejectionText(TriangleRejection rejection)
-{
-    switch (rejection) {
-    case TriangleRejection::ZeroArea:
-        return QStringLiteral("It has no area: its vertices lie on one line, and only the closed "
-                              "rule paints a segment. Nothing is drawn.");
-    case TriangleRejection::OutsideFrame:
-        return QStringLiteral("It lies outside the frame. Nothing is drawn.");
-    case TriangleRejection::NotRepresentable:
-        return QStringLiteral("A coordinate does not fit this arithmetic. Nothing is drawn.");
-    }
-    return {};
-}
 
 void appendSlope(Explanation &explanation, const SortedTriangle &triangle, SortedEdge edge)
 {
@@ -43,7 +30,7 @@ void appendSlope(Explanation &explanation, const SortedTriangle &triangle, Sorte
     line.substituted = QStringLiteral("(%1 − %2)/(%3 − %4)")
                            .arg(term(pixels(b.position.y)), operand(pixels(a.position.y)),
                                 term(pixels(b.position.x)), operand(pixels(a.position.x)));
-    line.used = triangle.setUp().slope[index];
+    line.used = triangle.slope(edge);
     line.exact = Quantity::rational(b.position.y - a.position.y, width);
     explanation.lines.push_back(line);
     for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -57,7 +44,7 @@ void appendSlope(Explanation &explanation, const SortedTriangle &triangle, Sorte
                                .arg(b.colour.channels[channel])
                                .arg(a.colour.channels[channel])
                                .arg(operand(pixels(width)));
-        rate.used = triangle.setUp().colourRate[index][channel];
+        rate.used = triangle.colourRate(edge, channel);
         rate.exact = Quantity::rational(Int128(rise) * unitsPerPixel, width);
         explanation.lines.push_back(rate);
     }

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/methods/columnrecord.h"
 #include "core/methods/explanation.h"
+#include "core/oracle/oracle.h"
 #include "core/trace/tracedscene.h"
 
 #include <array>
@@ -24,11 +26,21 @@ public:
         : m_setUp(traced.trace->setUp(triangle))
     {
         for (std::size_t i = 0; i < 3; ++i)
-            m_vertices[i] = traced.triangles[triangle].vertices[std::size_t(m_setUp.order[i])];
+            m_vertices[i]
+                = traced.primitives.triangles[triangle].vertices[std::size_t(m_setUp.order[i])];
     }
 
     const SetUpRecord &setUp() const { return m_setUp; }
     const Vertex &operator[](std::size_t index) const { return m_vertices[index]; }
+
+    Quantity slope(SortedEdge edge) const
+    {
+        return cell(std::size_t(ColumnSetUpCell::Slope) + std::size_t(edge));
+    }
+    Quantity colourRate(SortedEdge edge, std::size_t channel) const
+    {
+        return cell(std::size_t(ColumnSetUpCell::ColourRate) + 3 * std::size_t(edge) + channel);
+    }
 
     SortedEdge shortEdge(ColumnHalf half) const
     {
@@ -51,6 +63,11 @@ public:
     const Vertex &end(SortedEdge edge) const { return m_vertices[edgeEnds[std::size_t(edge)][1]]; }
 
 private:
+    Quantity cell(std::size_t index) const
+    {
+        return index < m_setUp.cells.size() ? m_setUp.cells[index] : Quantity();
+    }
+
     SetUpRecord m_setUp;
     std::array<Vertex, 3> m_vertices;
 };

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/frame/frameview.h"
+#include "core/scan/columnstate.h"
 #include "core/scan/exactarithmetic.h"
 #include "core/scan/roundedarithmetic.h"
 #include "core/scan/scanobserver.h"
@@ -44,9 +45,8 @@ struct EdgeWalker {
 
 /// Colours the rows of one column, bottom to top. The column's state is all it reads, so that a
 /// column can be drawn again, alone, with the same numbers.
-template <class A, ScanObserver<A> Observer>
-void fillColumn(const ColumnState<A> &column, ByteRounding rounding, FrameView frame,
-                Observer observer)
+template <class A, class View, class Observer>
+void fillColumn(const ColumnState<A> &column, ByteRounding rounding, View frame, Observer observer)
 {
     if (column.firstDrawnRow >= column.endDrawnRow)
         return;
@@ -68,13 +68,15 @@ void fillColumn(const ColumnState<A> &column, ByteRounding rounding, FrameView f
     }
 }
 
-/// The scan of one triangle into one frame under one rule.
-template <class A, FillRule Rule, ScanObserver<A> Observer>
+/// The scan of one triangle into one frame under one rule. The view is a FrameView, or one that
+/// shows a frame turned, so that its rows are scanned as columns.
+template <class A, FillRule Rule, ScanObserver<ColumnScanNumbers<A>> Observer,
+          class View = FrameView>
 class ColumnScan {
     static_assert(Rule == FillRule::Closed || Rule == FillRule::HalfOpenColumn);
 
 public:
-    ColumnScan(const Triangle &triangle, ByteRounding rounding, FrameView frame, Observer observer)
+    ColumnScan(const Triangle &triangle, ByteRounding rounding, View frame, Observer observer)
         : m_setUp(setUpFor(triangle))
         , m_p0(triangle.vertices[std::size_t(m_setUp.order[0])])
         , m_p1(triangle.vertices[std::size_t(m_setUp.order[1])])
@@ -89,20 +91,20 @@ public:
     void run()
     {
         if (!isRepresentable()) {
-            m_observer.triangleBegun(m_setUp);
-            m_observer.triangleRejected(TriangleRejection::NotRepresentable);
+            m_observer.primitiveBegun(m_setUp);
+            m_observer.primitiveRejected(PrimitiveRejection::NotRepresentable);
             return;
         }
         computeRates();
-        m_observer.triangleBegun(m_setUp);
+        m_observer.primitiveBegun(m_setUp);
         if (m_setUp.zeroArea && Rule != FillRule::Closed) {
-            m_observer.triangleRejected(TriangleRejection::ZeroArea);
+            m_observer.primitiveRejected(PrimitiveRejection::ZeroArea);
             return;
         }
         const std::int64_t first = std::max<std::int64_t>(m_setUp.firstColumn, m_frame.firstColumn);
         const std::int64_t end = std::min(m_setUp.endColumn, m_frame.endColumn());
         if (first >= end || isAboveOrBelowFrame()) {
-            m_observer.triangleRejected(TriangleRejection::OutsideFrame);
+            m_observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
             return;
         }
         if (m_setUp.zeroArea) {
@@ -199,7 +201,7 @@ private:
             column.colourRate[channel] = m_ramp.rate(column, channel);
             column.firstColour[channel] = m_ramp.start(column, channel, column.firstDrawnRow);
         }
-        m_observer.columnEntered(column);
+        m_observer.spanEntered(column);
         fillColumn(column, m_rounding, m_frame, m_observer);
     }
 
@@ -209,7 +211,7 @@ private:
     const Vertex &m_p2;
     typename A::ColourRamp m_ramp;
     ByteRounding m_rounding;
-    FrameView m_frame;
+    View m_frame;
     Observer m_observer;
 };
 

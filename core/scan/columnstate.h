@@ -52,6 +52,9 @@ struct ColumnState {
     std::array<Number, 3> firstColour = {}; ///< R G B at firstDrawnRow, levels
 };
 
+/// What became of a sample that a kernel visited.
+enum class SampleFate { Written, Refused };
+
 /// What coloured one pixel.
 template <class A>
 struct Fragment {
@@ -66,6 +69,14 @@ struct Fragment {
         }
         return false;
     }
+};
+
+/// The numbers of the column scan in one arithmetic, as its observers hear them.
+template <class A>
+struct ColumnScanNumbers {
+    using SetUp = ColumnSetUp<A>;
+    using Span = ColumnState<A>;
+    using Sample = Fragment<A>;
 };
 
 } // namespace pixelplumb

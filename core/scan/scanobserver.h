@@ -1,57 +1,72 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/scan/columnstate.h"
+#include <QRgb>
 
 #include <concepts>
+#include <cstdint>
 
 namespace pixelplumb {
 
-/// Why a triangle draws nothing.
-enum class TriangleRejection {
+/// Why a primitive draws nothing.
+enum class PrimitiveRejection {
     ZeroArea, ///< no colour plane, and only the closed rule paints a segment or a point
     OutsideFrame, ///< no sample of the frame lies within its bounding box
     NotRepresentable, ///< a coordinate does not fit the arithmetic (fixed 16.16: |c| < 2^15 px)
+    VerticalLine, ///< y = m·x + b has no m
+    NotOfThisMethod, ///< the method draws other kinds of primitives
+    NotConvex, ///< a polygon that no fan of triangles tiles
+    SelfCrossing, ///< edges of a polygon cross between vertices
+    FontMissing, ///< no outlines for a text
 };
 
 /// What hears a kernel at work: a closed list of events, each announced before the change that it
-/// names. Observers are passed by value and return nothing; one that does nothing compiles to
-/// nothing.
-template <class Observer, class A>
+/// names. A span is the run of samples that a kernel walks together: a column, a row, or one step
+/// of a curve. `Numbers` names the kernel's SetUp, Span and Sample. Observers are passed by value
+/// and return nothing; one that does nothing compiles to nothing.
+template <class Observer, class Numbers>
 concept ScanObserver
-    = std::copy_constructible<Observer> && requires(Observer observer, const ColumnSetUp<A> &setUp,
-                                                    const ColumnState<A> &column,
-                                                    const Fragment<A> &fragment,
-                                                    TriangleRejection reason,
+    = std::copy_constructible<Observer> && requires(Observer observer,
+                                                    const typename Numbers::SetUp &setUp,
+                                                    const typename Numbers::Span &span,
+                                                    const typename Numbers::Sample &sample,
+                                                    PrimitiveRejection reason,
                                                     std::int64_t coordinate, QRgb pixel)
 {
     {
-        observer.triangleBegun(setUp)
+        observer.primitiveBegun(setUp)
         } -> std::same_as<void>;
     {
-        observer.triangleRejected(reason)
+        observer.primitiveRejected(reason)
         } -> std::same_as<void>;
     {
-        observer.columnEntered(column)
+        observer.spanEntered(span)
         } -> std::same_as<void>;
     {
-        observer.pixelWritten(coordinate, coordinate, pixel, pixel, fragment)
+        observer.sampleRejected(coordinate, coordinate, pixel, sample)
+        } -> std::same_as<void>;
+    {
+        observer.pixelWritten(coordinate, coordinate, pixel, pixel, sample)
         } -> std::same_as<void>;
 };
 
 /// Hears nothing: plain drawing.
 struct NullObserver {
     template <class SetUp>
-    void triangleBegun(const SetUp &)
+    void primitiveBegun(const SetUp &)
     {
     }
-    void triangleRejected(TriangleRejection) { }
-    template <class Column>
-    void columnEntered(const Column &)
+    void primitiveRejected(PrimitiveRejection) { }
+    template <class Span>
+    void spanEntered(const Span &)
     {
     }
-    template <class AnyFragment>
-    void pixelWritten(std::int64_t, std::int64_t, QRgb, QRgb, const AnyFragment &)
+    template <class Sample>
+    void sampleRejected(std::int64_t, std::int64_t, QRgb, const Sample &)
+    {
+    }
+    template <class Sample>
+    void pixelWritten(std::int64_t, std::int64_t, QRgb, QRgb, const Sample &)
     {
     }
 };

@@ -58,7 +58,7 @@ CoverageMask coverageOf(const Scene &scene)
     const WrittenFrame frame(scene.frame);
     const Method *method = methodNamed(QString::fromStdString(scene.method));
     Q_ASSERT(method);
-    method->draw(trianglesOnSamples(scene), scene.settings, frame.view());
+    method->draw(primitivesOnSamples(scene), scene.settings, frame.view());
     return frame.coverage();
 }
 

@@ -26,9 +26,10 @@ JsonNode JsonNode::operator[](qsizetype index) const
             elementPath(path, index)};
 }
 
-JsonReader::JsonReader(const QByteArray &text)
+JsonReader::JsonReader(const QByteArray &text, const QString &rootPath)
     : m_text(text)
 {
+    m_root.path = rootPath;
     if (text.trimmed().isEmpty()) {
         m_error = InputError{{}, QStringLiteral("the input is empty"), QStringLiteral("JSON")};
         return;

@@ -28,8 +28,9 @@ struct JsonNode {
 /// straight-line code that looks once, at its end, whether it succeeded.
 class JsonReader {
 public:
-    /// A text that is no JSON, or that has a key twice in one object, is an error from the start.
-    explicit JsonReader(const QByteArray &text);
+    /// The root's path is that of a text which is part of a larger one. A text that is no JSON, or
+    /// that has a key twice in one object, is an error from the start.
+    explicit JsonReader(const QByteArray &text, const QString &rootPath = {});
 
     bool hasFailed() const { return m_error.has_value(); }
     const InputError &error() const { return *m_error; }

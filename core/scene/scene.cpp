@@ -8,17 +8,27 @@ Lattice sampleOffset(const FrameSpec &spec)
     return spec.pixelCentre == PixelCentre::Half ? unitsPerPixel / 2 : 0;
 }
 
-std::vector<Triangle> trianglesOnSamples(const Scene &scene)
+Primitives primitivesOnSamples(const Scene &scene)
 {
-    std::vector<Triangle> triangles = scene.triangles;
+    Primitives primitives{scene.triangles, scene.shapes, scene.attributes};
+    if (scene.frame.origin == FrameOrigin::TopLeft) {
+        for (Shape &shape : primitives.shapes)
+            shape.textHeight = -shape.textHeight;
+    }
     const Lattice offset = sampleOffset(scene.frame);
-    for (Triangle &triangle : triangles) {
-        for (Vertex &vertex : triangle.vertices) {
+    if (offset == 0)
+        return primitives;
+    const auto shift = [offset](auto &vertices) {
+        for (Vertex &vertex : vertices) {
             vertex.position.x -= offset;
             vertex.position.y -= offset;
         }
-    }
-    return triangles;
+    };
+    for (Triangle &triangle : primitives.triangles)
+        shift(triangle.vertices);
+    for (Shape &shape : primitives.shapes)
+        shift(shape.vertices);
+    return primitives;
 }
 
 } // namespace pixelplumb

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/frame/framespec.h"
-#include "core/geometry/triangle.h"
+#include "core/geometry/shape.h"
 #include "core/scan/scansettings.h"
 
 #include <string>
@@ -10,21 +10,24 @@
 
 namespace pixelplumb {
 
-/// What a person made: a frame and triangles, drawn in order, and the method to draw them with.
+/// What a person made: a frame, the primitives in it, drawn in order, and the method to draw them
+/// with, which passes over those that are not of its kinds.
 /// Coordinates are the scene's own: y upward or downward as the frame's origin says; with
-/// PixelCentre::Half they are where the person put them, and trianglesOnSamples() shifts them so
+/// PixelCentre::Half they are where the person put them, and primitivesOnSamples() shifts them so
 /// that kernels always sample at integers.
 struct Scene {
     FrameSpec frame;
     ScanSettings settings;
     std::string method = "column-scan"; ///< id of a row of the table of methods
     std::vector<Triangle> triangles;
+    std::vector<Shape> shapes; ///< drawn after the triangles
+    std::vector<TriangleAttributes> attributes; ///< of the triangles; sparse, ascending
 
     friend bool operator==(const Scene &, const Scene &) = default;
 };
 
-/// The scene's triangles in sample coordinates: pixel (x, y) is the sample at (x, y).
-std::vector<Triangle> trianglesOnSamples(const Scene &scene);
+/// The scene's primitives in sample coordinates: pixel (x, y) is the sample at (x, y).
+Primitives primitivesOnSamples(const Scene &scene);
 
 /// What to add to a sample coordinate to get the scene's: 0, or 128 units (1/2 px) for half
 /// centres.

@@ -11,14 +11,10 @@ namespace pixelplumb {
 /// The format that this program writes, and the newest that it reads.
 inline constexpr int sceneFormat = 1;
 
-enum class Axis { X, Y };
-
 /// A coordinate of a file that was not on the lattice. Its displacement is an error of the input,
 /// never of a method.
 struct SnapReport {
-    std::size_t primitive = 0;
-    std::size_t vertex = 0; ///< 0 … 2
-    Axis axis = Axis::X;
+    QString place; ///< "primitives[0].triangle[1][0]"
     QString written; ///< as the file says it
     SnappedCoordinate snapped;
 
@@ -33,7 +29,9 @@ struct SceneReading {
 };
 
 /// Reads a scene in JSON: "pixelplumb", "frame" with "width" and "height", and "primitives" must be
-/// there; everything else has a default. Unknown and repeated keys are errors.
+/// there; everything else has a default: the method is the first that draws the first primitive,
+/// arithmetic and fill rule are exact and closed, or the method's first where it keeps neither.
+/// Unknown and repeated keys are errors.
 Result<SceneReading> readScene(const QByteArray &text);
 Result<SceneReading> readSceneFile(const QString &path);
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
-#include "core/scene/colourtext.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/framenames.h"
-#include "core/scene/jsonreader.h"
-#include "core/scene/scenefile.h"
+#include "core/scene/jsonplaces.h"
+#include "core/scene/primitivereader.h"
+#include "core/scene/scenepieces.h"
+
+#include <algorithm>
+#include <optional>
+#include <span>
 
 namespace pixelplumb {
 
@@ -18,7 +22,37 @@ public:
     {
     }
 
+    /// The scene whose primitives stand apart; none where one of them is at fault.
+    std::optional<SceneReading> read(std::span<const QByteArrayView> primitives)
+    {
+        readSurroundings();
+        for (std::size_t index = 0; index < primitives.size() && !m_json.hasFailed(); ++index) {
+            const QByteArrayView piece = primitives[index];
+            JsonReader json(QByteArray::fromRawData(piece.data(), piece.size()),
+                            elementPath(primitivesKey(), qsizetype(index)));
+            if (json.hasFailed())
+                return std::nullopt;
+            PrimitiveReader(json, m_reading).read(json.root());
+            if (json.hasFailed())
+                return std::nullopt;
+        }
+        chooseMethod(m_json.root());
+        return m_json.hasFailed() ? std::nullopt : std::optional(std::move(m_reading));
+    }
+
     SceneReading read()
+    {
+        readSurroundings();
+        readPrimitives(m_json.root()[primitivesKey()]);
+        chooseMethod(m_json.root());
+        return std::move(m_reading);
+    }
+
+private:
+    static QString primitivesKey() { return QStringLiteral("primitives"); }
+
+    /// Everything but the primitives, and but the choice of a method, which depends on them.
+    void readSurroundings()
     {
         const JsonNode &root = m_json.root();
         readFormat(root);
@@ -26,14 +60,11 @@ public:
                             {QStringLiteral("pixelplumb"), QStringLiteral("frame"),
                              QStringLiteral("method"), QStringLiteral("arithmetic"),
                              QStringLiteral("fillRule"), QStringLiteral("rounding"),
-                             QStringLiteral("primitives")});
+                             primitivesKey()});
         readFrame(root[QStringLiteral("frame")]);
         readSettings(root);
-        readPrimitives(root[QStringLiteral("primitives")]);
-        return std::move(m_reading);
     }
 
-private:
     /// First of all: a newer file may have keys that this program does not know.
     void readFormat(const JsonNode &root)
     {
@@ -75,7 +106,7 @@ private:
                         QStringLiteral("at most %1 pixels").arg(largestFrameArea));
         }
         if (const JsonNode background = node[QStringLiteral("background")]; !background.isMissing())
-            frame.background = colour(background);
+            frame.background = readColour(m_json, background);
         readChoice(node[QStringLiteral("origin")], allFrameOrigins, frame.origin);
         readChoice(node[QStringLiteral("pixelCentre")], allPixelCentres, frame.pixelCentre);
         if (const JsonNode first = node[QStringLiteral("firstPixel")]; !first.isMissing()) {
@@ -88,79 +119,56 @@ private:
     void readSettings(const JsonNode &root)
     {
         Scene &scene = m_reading.scene;
-        const JsonNode methodNode = root[QStringLiteral("method")];
-        const JsonNode ruleNode = root[QStringLiteral("fillRule")];
-        if (!methodNode.isMissing())
-            scene.method = m_json.string(methodNode).toStdString();
         readChoice(root[QStringLiteral("arithmetic")], allArithmetics, scene.settings.arithmetic);
-        readChoice(ruleNode, allFillRules, scene.settings.fillRule);
+        readChoice(root[QStringLiteral("fillRule")], allFillRules, scene.settings.fillRule);
         readChoice(root[QStringLiteral("rounding")], allByteRoundings, scene.settings.rounding);
-
-        const Method *method = methodNamed(QString::fromStdString(scene.method));
-        if (method == nullptr) {
-            QStringList ids;
-            for (const Method &each : methods())
-                ids.append(each.id);
-            m_json.fail(methodNode, describe(methodNode), anyOf(ids));
-            return;
-        }
-        if (const QString refusal = method->refusal(scene.settings); !refusal.isEmpty())
-            m_json.fail(ruleNode.isMissing() ? root : ruleNode, refusal, {});
     }
 
     void readPrimitives(const JsonNode &node)
     {
         const std::vector<JsonNode> primitives = m_json.array(node);
-        m_reading.scene.triangles.reserve(primitives.size());
+        PrimitiveReader reader(m_json, m_reading);
         for (const JsonNode &primitive : primitives) {
             if (m_json.hasFailed())
                 return;
-            m_json.expectObject(primitive, {QStringLiteral("triangle"), QStringLiteral("colors")});
-            m_reading.scene.triangles.push_back(triangle(primitive));
+            reader.read(primitive);
         }
     }
 
-    Triangle triangle(const JsonNode &primitive)
+    /// The method that the scene names, or the first that draws its first primitive.
+    void chooseMethod(const JsonNode &root)
     {
-        Triangle result;
-        const std::vector<JsonNode> vertices
-            = m_json.array(primitive[QStringLiteral("triangle")], 3);
-        const std::vector<JsonNode> colours = m_json.array(primitive[QStringLiteral("colors")], 3);
-        for (std::size_t index = 0; index < 3; ++index) {
-            const std::vector<JsonNode> position = m_json.array(vertices[index], 2);
-            result.vertices[index].position.x = coordinate(position[0], index, Axis::X);
-            result.vertices[index].position.y = coordinate(position[1], index, Axis::Y);
-            result.vertices[index].colour = colour(colours[index]);
+        Scene &scene = m_reading.scene;
+        const JsonNode node = root[QStringLiteral("method")];
+        const Method *method = &firstMethodFor(scene);
+        if (!node.isMissing()) {
+            method = methodNamed(m_json.string(node));
+            if (method == nullptr) {
+                QStringList ids;
+                for (const Method &each : methods())
+                    ids.append(each.id);
+                m_json.fail(node, describe(node), anyOf(ids));
+                return;
+            }
         }
-        return result;
+        scene.method = method->id.toStdString();
+        const JsonNode arithmetic = root[QStringLiteral("arithmetic")];
+        const JsonNode fillRule = root[QStringLiteral("fillRule")];
+        // What the scene leaves open is as the method has it.
+        if (arithmetic.isMissing() && !method->supports(scene.settings.arithmetic))
+            scene.settings.arithmetic = method->arithmetics.front();
+        if (fillRule.isMissing() && !method->supports(scene.settings.fillRule))
+            scene.settings.fillRule = method->fillRules.front();
+        if (const QString refusal = method->refusal(scene.settings); !refusal.isEmpty())
+            m_json.fail(method->supports(scene.settings.arithmetic) ? fillRule : arithmetic,
+                        refusal, {});
     }
 
-    Lattice coordinate(const JsonNode &node, std::size_t vertex, Axis axis)
+    static const Method &firstMethodFor(const Scene &scene)
     {
-        if (!node.value.isDouble() && !node.value.isString()) {
-            m_json.fail(node, describe(node), coordinateExpectation());
-            return 0;
-        }
-        const QString written
-            = node.value.isString() ? node.value.toString() : numberText(node.value);
-        const Result<SnappedCoordinate> snapped = parseCoordinate(written);
-        if (!snapped) {
-            m_json.fail(node, snapped.error().found, snapped.error().expected);
-            return 0;
-        }
-        if (snapped->isDisplaced())
-            m_reading.snaps.push_back(
-                {m_reading.scene.triangles.size(), vertex, axis, written, *snapped});
-        return snapped->units;
-    }
-
-    Colour colour(const JsonNode &node)
-    {
-        const Result<Colour> result = parseColour(m_json.string(node));
-        if (result)
-            return *result;
-        m_json.fail(node, result.error().found, result.error().expected);
-        return {};
+        if (scene.triangles.empty() && !scene.shapes.empty())
+            return pixelplumb::firstMethodFor(scene.shapes.front());
+        return pixelplumb::firstMethodFor(PrimitiveKind::Triangle);
     }
 
     static QString anyOf(const QStringList &names)
@@ -191,19 +199,35 @@ private:
     SceneReading m_reading;
 };
 
+constexpr qsizetype largestWholeText = qsizetype(1) << 20; // bytes
+
+std::optional<SceneReading> readByPieces(const QByteArray &text)
+{
+    const std::optional<ScenePieces> pieces = piecesOf(text);
+    if (!pieces)
+        return std::nullopt;
+    JsonReader json(pieces->frame);
+    if (json.hasFailed())
+        return std::nullopt;
+    return SceneReader(json).read(pieces->primitives);
+}
+
 } // namespace
 
 QString SnapReport::message() const
 {
-    return QStringLiteral("primitives[%1].triangle[%2][%3]: %4 is drawn at %5, displaced by %6 px")
-        .arg(primitive)
-        .arg(vertex)
-        .arg(axis == Axis::X ? 0 : 1)
-        .arg(written, coordinateText(snapped.units), toText(snapped.displacement));
+    return QStringLiteral("%1: %2 is drawn at %3, displaced by %4 px")
+        .arg(place, written, coordinateText(snapped.units), toText(snapped.displacement));
 }
 
 Result<SceneReading> readScene(const QByteArray &text)
 {
+    // A scene of a million triangles as one JSON document would take gigabytes. What is wrong with
+    // a text is told by reading it as a whole.
+    if (text.size() > largestWholeText) {
+        if (std::optional<SceneReading> reading = readByPieces(text))
+            return std::move(*reading);
+    }
     JsonReader json(text);
     if (json.hasFailed())
         return json.error();

@@ -1,29 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/attributereader.h"
 #include "core/scene/colourtext.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/framenames.h"
+#include "core/scene/primitivewriter.h"
 #include "core/scene/scenefile.h"
 
 namespace pixelplumb {
 
 namespace {
 
-// One primitive a line, so that a difference
-// of two scenes reads as a difference of triangles. QJsonDocument would sort the keys and break
-// lines.
+// One primitive a line, so that a difference of two scenes reads as a difference of primitives.
+// QJsonDocument would sort the keys and break lines.
 
 QByteArray quoted(std::string_view text)
 {
-    return '"' + QByteArray(text.data(), qsizetype(text.size())) + '"';
+    return quotedText(QByteArray(text.data(), qsizetype(text.size())));
 }
 
-QByteArray quoted(const QString &text) { return '"' + text.toUtf8() + '"'; }
-
-QByteArray coordinate(Lattice units)
-{
-    const QString text = coordinateText(units);
-    return text.contains(u'/') ? quoted(text) : text.toUtf8();
-}
+QByteArray quoted(const QString &text) { return quotedText(text.toUtf8()); }
 
 QByteArray frameText(const FrameSpec &frame)
 {
@@ -38,19 +33,6 @@ QByteArray frameText(const FrameSpec &frame)
     return text + " }";
 }
 
-QByteArray triangleText(const Triangle &triangle)
-{
-    QByteArray positions;
-    QByteArray colours;
-    for (const Vertex &vertex : triangle.vertices) {
-        const QByteArray separator = positions.isEmpty() ? "" : ", ";
-        positions += separator + '[' + coordinate(vertex.position.x) + ", "
-            + coordinate(vertex.position.y) + ']';
-        colours += separator + quoted(colourText(vertex.colour));
-    }
-    return "{ \"triangle\": [" + positions + "], \"colors\": [" + colours + "] }";
-}
-
 } // namespace
 
 QByteArray writeScene(const Scene &scene)
@@ -63,11 +45,23 @@ QByteArray writeScene(const Scene &scene)
         + ",\n    \"rounding\": " + quoted(nameOf(scene.settings.rounding))
         + ",\n    \"primitives\": [";
     const char *separator = "\n        ";
-    for (const Triangle &triangle : scene.triangles) {
-        text += separator + triangleText(triangle);
+    const auto append = [&](const QByteArray &primitive) {
+        text += separator + primitive;
         separator = ",\n        ";
+    };
+    auto attributes = scene.attributes.begin();
+    for (std::size_t index = 0; index < scene.triangles.size(); ++index) {
+        QByteArray triangle = primitiveText(scene.triangles[index]);
+        if (attributes != scene.attributes.end() && attributes->triangle == index) {
+            triangle.insert(triangle.size() - 2, attributesText(attributes->vertices));
+            ++attributes;
+        }
+        append(triangle);
     }
-    return text + (scene.triangles.empty() ? "]\n}\n" : "\n    ]\n}\n");
+    for (const Shape &shape : scene.shapes)
+        append(primitiveText(shape));
+    const bool isEmpty = scene.triangles.empty() && scene.shapes.empty();
+    return text + (isEmpty ? "]\n}\n" : "\n    ]\n}\n");
 }
 
 std::optional<InputError> writeSceneFile(const QString &path, const Scene &scene)

@@ -10,17 +10,24 @@
 
 namespace pixelplumb {
 
-/// One pixel of the frame before and after a step: enough to go either way (16 bytes).
+/// One sample that a kernel visited, with its pixel before and after: enough to go either way (16
+/// bytes). Frames are opaque, so a transparent `after` is free to mean that the sample was refused.
 struct PixelChange {
     std::int32_t x = 0;
     std::int32_t y = 0;
     QRgb before = 0;
     QRgb after = 0;
 
+    static PixelChange refused(std::int32_t x, std::int32_t y, QRgb pixel)
+    {
+        return {x, y, pixel, 0};
+    }
+    bool isWritten() const { return qAlpha(after) != 0; }
+
     friend bool operator==(const PixelChange &, const PixelChange &) = default;
 };
 
-/// The changes of a run in order. Grows by blocks, so that millions are never copied.
+/// The visits of a run in order. Grows by blocks, so that millions are never copied.
 class PixelChanges {
 public:
     std::size_t size() const { return m_size; }

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trace/pixelhistory.h"
 
+#include "core/oracle/shapeoracle.h"
+
 #include <algorithm>
 
 namespace pixelplumb {
 
 namespace {
-
-/// The trace's column of a triangle at an x; columns of one triangle ascend by one.
-std::optional<std::size_t> columnOfTriangleAt(const ScanTrace &trace, std::size_t triangle,
-                                              std::int64_t x)
-{
-    const std::size_t first = trace.firstColumnOf(triangle);
-    const std::size_t end = trace.endColumnOf(triangle);
-    if (first == end || x < trace.xOf(first) || x - trace.xOf(first) >= std::int64_t(end - first))
-        return std::nullopt;
-    return first + std::size_t(x - trace.xOf(first));
-}
 
 QString nameText(std::string_view name)
 {
@@ -37,6 +28,8 @@ QString distanceText(const oracle::EdgeVerdict &edge)
 /// Which edge keeps the sample out, by how much, under which rule.
 QString refusalText(const PixelAttempt &attempt, FillRule rule)
 {
+    if (attempt.kind != PrimitiveKind::Triangle)
+        return QStringLiteral("The %1 does not cover it.").arg(nameOf(attempt.kind));
     if (attempt.verdict.zeroArea) {
         return rule == FillRule::Closed
             ? QStringLiteral("The triangle has no area, and the sample is not on its segment.")
@@ -61,8 +54,8 @@ QString channelText(const PixelAttempt &attempt, std::size_t channel, QChar name
 {
     return QStringLiteral("%1 = %2 → %3")
         .arg(name)
-        .arg(toText(attempt.fragment.colour[channel]))
-        .arg(std::clamp<std::int64_t>(attempt.fragment.level[channel], 0, 255));
+        .arg(toText(attempt.sample->colour[channel]))
+        .arg(std::clamp<std::int64_t>(attempt.sample->level[channel], 0, 255));
 }
 
 QString writtenText(const PixelAttempt &attempt)
@@ -70,7 +63,7 @@ QString writtenText(const PixelAttempt &attempt)
     QString text = QStringLiteral("Writes %1, %2, %3.")
                        .arg(channelText(attempt, 0, u'R'), channelText(attempt, 1, u'G'),
                             channelText(attempt, 2, u'B'));
-    if (attempt.fragment.clamped)
+    if (attempt.sample->clamped)
         text += QStringLiteral(" A level left 0 … 255 and was clamped.");
     return text;
 }
@@ -78,15 +71,23 @@ QString writtenText(const PixelAttempt &attempt)
 /// Why the kernel passed over a sample that the truth covers.
 QString missedText(const PixelAttempt &attempt, const ScanTrace &trace)
 {
+    if (attempt.primitive >= trace.primitiveCount())
+        return QStringLiteral("Not recorded: the recording ended at its limit before this pixel.");
+    if (attempt.sample)
+        return QStringLiteral("Missing: the truth covers it, but the kernel refused the sample.");
     if (trace.isCut())
         return QStringLiteral("Not recorded: the recording ended at its limit before this pixel.");
-    if (!attempt.column)
-        return QStringLiteral("Missing: the truth covers it, the scan did not enter its column.");
-    return QStringLiteral("Missing: the truth covers it, but the column's numbers y_B = %1 and "
-                          "y_T = %2 give the rows %3 … %4.")
-        .arg(toText(attempt.column->yBottom), toText(attempt.column->yTop))
-        .arg(attempt.column->firstRow)
-        .arg(attempt.column->endRow - 1);
+    if (!attempt.span)
+        return QStringLiteral("Missing: the truth covers it, the kernel did not come here.");
+    const SpanRecord &span = *attempt.span;
+    if (span.lower.isNone())
+        return QStringLiteral("Missing: the truth covers it, the kernel did not write it.");
+    return QStringLiteral("Missing: the truth covers it, but the %1's bounds %2 and %3 give the "
+                          "samples %4 … %5.")
+        .arg(span.place.axis == SpanAxis::Column ? QStringLiteral("column") : QStringLiteral("row"),
+             toText(span.lower), toText(span.upper))
+        .arg(span.firstSample)
+        .arg(span.endSample - 1);
 }
 
 QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced)
@@ -100,14 +101,49 @@ QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced)
     if (!attempt.verdict.covered)
         return text + QStringLiteral(" Extra: the truth does not cover it. ")
             + refusalText(attempt, rule);
-    const Colour exact = oracle::byteColourAt(traced.triangles[attempt.triangle], attempt.change.x,
-                                              attempt.change.y, traced.scene.settings.rounding);
+    if (attempt.kind != PrimitiveKind::Triangle)
+        return text;
+    const Colour exact
+        = oracle::byteColourAt(traced.primitives.triangles[attempt.primitive], attempt.change.x,
+                               attempt.change.y, traced.scene.settings.rounding);
     if (packed(exact) != attempt.change.after)
         text += QStringLiteral(" The exact colour is %1, %2, %3.")
                     .arg(exact.red())
                     .arg(exact.green())
                     .arg(exact.blue());
     return text;
+}
+
+/// The truth of one primitive at a pixel.
+void judge(PixelAttempt &attempt, const TracedScene &traced, std::int64_t x, std::int64_t y)
+{
+    const Primitives &primitives = traced.primitives;
+    if (attempt.kind == PrimitiveKind::Triangle)
+        attempt.verdict = oracle::judge(primitives.triangles[attempt.primitive],
+                                        traced.scene.settings.fillRule, x, y);
+    else
+        attempt.verdict.covered = oracle::covers(primitives.shape(attempt.primitive), x, y);
+}
+
+/// What the run did there.
+void recall(PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x, std::int64_t y)
+{
+    if (attempt.primitive >= trace.primitiveCount())
+        return;
+    if (const auto visit = trace.visitOf(attempt.primitive, x, y)) {
+        const std::size_t span = trace.spanOf(*visit);
+        attempt.span = trace.span(span);
+        attempt.sample = trace.samples(span)[*visit - trace.firstSampleOf(span)];
+        attempt.step = trace.indexOfSample(*visit);
+        attempt.change = trace.changes()[*visit];
+        attempt.written = attempt.change.isWritten();
+        return;
+    }
+    auto span = trace.spanOn(attempt.primitive, SpanAxis::Column, x);
+    if (!span)
+        span = trace.spanOn(attempt.primitive, SpanAxis::Row, y);
+    if (span)
+        attempt.span = trace.span(*span);
 }
 
 } // namespace
@@ -117,32 +153,21 @@ std::vector<PixelAttempt> pixelHistory(const TracedScene &traced, std::int64_t x
 {
     std::vector<PixelAttempt> attempts;
     std::size_t refusals = 0;
-    const ScanTrace &trace = *traced.trace;
-    for (std::size_t triangle = 0; triangle < traced.triangles.size(); ++triangle) {
+    for (std::size_t primitive = 0; primitive < traced.primitives.size(); ++primitive) {
         PixelAttempt attempt;
-        attempt.triangle = triangle;
-        attempt.verdict
-            = oracle::judge(traced.triangles[triangle], traced.scene.settings.fillRule, x, y);
-        const std::optional<std::size_t> column = triangle < trace.triangleCount()
-            ? columnOfTriangleAt(trace, triangle, x)
-            : std::nullopt;
-        if (column) {
-            attempt.column = trace.column(*column);
-            const std::int64_t offset = y - attempt.column->firstDrawnRow;
-            const std::size_t pixel = trace.firstPixelOf(*column) + std::size_t(offset);
-            if (offset >= 0 && pixel < trace.endPixelOf(*column)) {
-                attempt.written = true;
-                attempt.step = trace.indexOfPixel(pixel);
-                attempt.change = trace.changes()[pixel];
-                attempt.fragment = trace.fragments(*column)[std::size_t(offset)];
-            }
-        }
+        attempt.primitive = primitive;
+        attempt.kind = traced.primitives.kindOf(primitive);
+        if (!traced.method->draws(attempt.kind))
+            continue;
+        judge(attempt, traced, x, y);
+        recall(attempt, *traced.trace, x, y);
         const bool isRefusal = !attempt.written && !attempt.verdict.covered;
         if (isRefusal && ++refusals > explainedRefusals) {
             attempts.push_back(std::move(attempt));
             continue;
         }
-        attempt.exactColour = oracle::colourAt(traced.triangles[triangle], x, y);
+        if (attempt.kind == PrimitiveKind::Triangle)
+            attempt.exactColour = oracle::colourAt(traced.primitives.triangles[primitive], x, y);
         attempt.reason = reasonOf(attempt, traced);
         attempts.push_back(std::move(attempt));
     }

@@ -1,33 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/oracle/oracle.h"
 #include "core/trace/tracedscene.h"
 
 #include <limits>
 
 namespace pixelplumb {
 
-/// What one triangle did to one pixel, and what the truth says of it.
+/// What one primitive did to one pixel, and what the truth says of it.
 struct PixelAttempt {
-    std::size_t triangle = 0;
+    std::size_t primitive = 0;
+    PrimitiveKind kind = PrimitiveKind::Triangle;
+    /// Of a triangle: all of it; of a shape: `covered` alone.
     oracle::SampleVerdict verdict;
-    std::array<Quantity, 3> exactColour; ///< of the oracle, levels
-    /// The column's numbers, where the triangle's scan entered the pixel's column.
-    std::optional<ColumnRecord> column;
+    std::array<Quantity, 3> exactColour; ///< of the oracle, levels; none of a shape
+    /// The span's numbers, where the primitive's run entered the pixel's column or row, or visited
+    /// the pixel.
+    std::optional<SpanRecord> span;
+    /// The last visit, where the kernel came to this pixel at all; the numbers that it used.
+    std::optional<SampleRecord> sample;
 
     bool written = false;
-    std::size_t step = 0; ///< index of the step that wrote it
+    std::size_t step = 0; ///< index of the step that visited it; meaningful with a sample
     PixelChange change; ///< what it wrote
-    FragmentRecord fragment; ///< the numbers that it used
 
     /// One or two sentences: the numbers that wrote it, or the edge that refuses it, by how much,
     /// under which rule; and how that differs from the truth, where it does.
     QString reason;
+
+    /// True where the verdict tells of three edges.
+    bool hasEdges() const { return kind == PrimitiveKind::Triangle && !verdict.zeroArea; }
 };
 
-/// The attempts of all triangles on a pixel, in drawing order. Of the triangles that rightly leave
-/// it alone only the first `explainedRefusals` get a reason and exact colours: a scene may hold
-/// thousands, and a view lists a few.
+/// The attempts of all primitives on a pixel, in drawing order. Of the primitives that rightly
+/// leave it alone only the first `explainedRefusals` get a reason and exact colours: a scene may
+/// hold thousands, and a view lists a few.
 std::vector<PixelAttempt> pixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y,
                                        std::size_t explainedRefusals
                                        = std::numeric_limits<std::size_t>::max());

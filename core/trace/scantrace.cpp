@@ -9,55 +9,109 @@ TraceStep ScanTrace::stepAt(std::size_t index) const
 {
     Q_ASSERT(index < stepCount());
     TraceStep step;
-    const auto triangle
-        = std::ranges::upper_bound(m_triangles, index, {}, &TriangleEntry::step) - 1;
-    step.triangle = std::size_t(triangle - m_triangles.begin());
-    if (triangle->step == index)
+    const auto primitive
+        = std::ranges::upper_bound(m_primitives, index, {}, &PrimitiveEntry::step) - 1;
+    step.primitive = std::size_t(primitive - m_primitives.begin());
+    if (primitive->step == index)
         return step;
-    const auto column = std::ranges::upper_bound(m_columns, index, {}, &ColumnEntry::step) - 1;
-    step.column = std::size_t(column - m_columns.begin());
-    step.kind = column->step == index ? StepKind::Column : StepKind::Pixel;
-    if (step.kind == StepKind::Pixel)
-        step.pixel = column->firstPixel + (index - column->step - 1);
+    const auto span = std::ranges::upper_bound(m_spans, index, {}, &SpanEntry::step) - 1;
+    step.span = std::size_t(span - m_spans.begin());
+    step.kind = span->step == index ? StepKind::Span : StepKind::Sample;
+    if (step.kind == StepKind::Sample)
+        step.sample = span->firstSample + (index - span->step - 1);
     return step;
 }
 
-std::size_t ScanTrace::indexOfPixel(std::size_t pixel) const
+std::size_t ScanTrace::indexOfSample(std::size_t sample) const
 {
-    const ColumnEntry &column = m_columns[columnOf(pixel)];
-    return column.step + 1 + (pixel - column.firstPixel);
+    const SpanEntry &span = m_spans[spanOf(sample)];
+    return span.step + 1 + (sample - span.firstSample);
 }
 
-std::size_t ScanTrace::pixelsDoneAt(std::size_t position) const
+std::size_t ScanTrace::samplesDoneAt(std::size_t position) const
 {
-    const auto next = std::ranges::lower_bound(m_columns, position, {}, &ColumnEntry::step);
-    if (next == m_columns.begin())
+    const auto next = std::ranges::lower_bound(m_spans, position, {}, &SpanEntry::step);
+    if (next == m_spans.begin())
         return 0;
-    const auto column = next - 1;
-    const std::size_t pixelsOfColumn
-        = endPixelOf(std::size_t(column - m_columns.begin())) - column->firstPixel;
-    return column->firstPixel + std::min(pixelsOfColumn, position - column->step - 1);
+    const auto span = next - 1;
+    const std::size_t samplesOfSpan
+        = endSampleOf(std::size_t(span - m_spans.begin())) - span->firstSample;
+    return span->firstSample + std::min(samplesOfSpan, position - span->step - 1);
 }
 
-std::size_t ScanTrace::endColumnOf(std::size_t triangle) const
+std::size_t ScanTrace::endSpanOf(std::size_t primitive) const
 {
-    return triangle + 1 < m_triangles.size() ? m_triangles[triangle + 1].firstColumn
-                                             : m_columns.size();
+    return primitive + 1 < m_primitives.size() ? m_primitives[primitive + 1].firstSpan
+                                               : m_spans.size();
 }
 
-std::size_t ScanTrace::endPixelOf(std::size_t column) const
+std::size_t ScanTrace::endSampleOf(std::size_t span) const
 {
-    return column + 1 < m_columns.size() ? m_columns[column + 1].firstPixel : m_pixels.size();
+    return span + 1 < m_spans.size() ? m_spans[span + 1].firstSample : m_samples.size();
 }
 
-std::size_t ScanTrace::triangleOf(std::size_t column) const { return m_columns[column].triangle; }
-
-std::size_t ScanTrace::columnOf(std::size_t pixel) const
+std::size_t ScanTrace::spanOf(std::size_t sample) const
 {
-    // The last column that starts at or before the pixel: empty columns share their successor's
-    // start.
-    const auto next = std::ranges::upper_bound(m_columns, pixel, {}, &ColumnEntry::firstPixel);
-    return std::size_t(next - m_columns.begin()) - 1;
+    // The last span that starts at or before the sample: empty spans share their successor's start.
+    const auto next = std::ranges::upper_bound(m_spans, sample, {}, &SpanEntry::firstSample);
+    return std::size_t(next - m_spans.begin()) - 1;
+}
+
+std::optional<std::size_t> ScanTrace::spanOn(std::size_t primitive, SpanAxis axis,
+                                             std::int64_t coordinate) const
+{
+    const std::size_t first = firstSpanOf(primitive);
+    const std::size_t end = endSpanOf(primitive);
+    if (first == end)
+        return std::nullopt;
+    // Most methods walk neighbouring columns or rows in order: look there first.
+    const SpanPlace &start = m_spans[first].place;
+    const std::int64_t distance = coordinate - start.coordinate;
+    if (start.axis == axis && distance >= 0 && distance < std::int64_t(end - first)
+        && m_spans[first + std::size_t(distance)].place.coordinate == coordinate
+        && m_spans[first + std::size_t(distance)].place.axis == axis)
+        return first + std::size_t(distance);
+    for (std::size_t span = first; span < end; ++span) {
+        const SpanPlace &place = m_spans[span].place;
+        if (place.axis == axis && place.coordinate == coordinate)
+            return span;
+    }
+    return std::nullopt;
+}
+
+std::optional<std::size_t> ScanTrace::visitOf(std::size_t primitive, std::int64_t x,
+                                              std::int64_t y) const
+{
+    std::optional<std::size_t> found;
+    const auto look = [&](std::size_t sample) {
+        const PixelChange &change = m_samples[sample];
+        if (change.x == x && change.y == y
+            && (change.isWritten() || !found || !m_samples[*found].isWritten()))
+            found = sample;
+    };
+    const std::size_t end = endSpanOf(primitive);
+    for (std::size_t span = firstSpanOf(primitive); span < end; ++span) {
+        const SpanPlace &place = m_spans[span].place;
+        if ((place.axis == SpanAxis::Column && place.coordinate != x)
+            || (place.axis == SpanAxis::Row && place.coordinate != y))
+            continue;
+        const std::size_t first = firstSampleOf(span);
+        const std::size_t last = endSampleOf(span);
+        if (first == last)
+            continue;
+        // The samples of a column or row are neighbours, in order.
+        const PixelChange &start = m_samples[first];
+        const std::int64_t distance = place.axis == SpanAxis::Column ? y - start.y : x - start.x;
+        if (place.axis != SpanAxis::Free && distance >= 0 && distance < std::int64_t(last - first)
+            && m_samples[first + std::size_t(distance)].x == x
+            && m_samples[first + std::size_t(distance)].y == y) {
+            look(first + std::size_t(distance));
+            continue;
+        }
+        for (std::size_t sample = first; sample < last; ++sample)
+            look(sample);
+    }
+    return found;
 }
 
 } // namespace pixelplumb

@@ -1,70 +1,28 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/number/quantity.h"
-#include "core/scan/scanobserver.h"
 #include "core/trace/pixelchanges.h"
+#include "core/trace/tracerecords.h"
 
-#include <algorithm>
-#include <optional>
 #include <vector>
 
 namespace pixelplumb {
 
 /// What a step of a trace did.
 enum class StepKind {
-    SetUp, ///< a triangle was begun (or refused)
-    Column, ///< a column was entered: its numbers are known, none of its pixels is written
-    Pixel, ///< a pixel was written
+    SetUp, ///< a primitive was begun (or rejected)
+    Span, ///< a span was entered: its numbers are known, none of its samples is decided
+    Sample, ///< a sample was written or refused
 };
 
-/// Where a step stands in the trace. Indices count through all triangles.
+/// Where a step stands in the trace. Indices count through all primitives.
 struct TraceStep {
     StepKind kind = StepKind::SetUp;
-    std::size_t triangle = 0;
-    std::size_t column = 0; ///< meaningful for Column and Pixel
-    std::size_t pixel = 0; ///< meaningful for Pixel
+    std::size_t primitive = 0;
+    std::size_t span = 0; ///< meaningful for Span and Sample
+    std::size_t sample = 0; ///< meaningful for Sample
 
     friend bool operator==(const TraceStep &, const TraceStep &) = default;
-};
-
-/// What was computed once for a triangle, in any arithmetic.
-struct SetUpRecord {
-    std::size_t triangle = 0;
-    std::array<int, 3> order = {};
-    LongEdge longEdge = LongEdge::Above;
-    bool zeroArea = false;
-    std::int64_t firstColumn = 0;
-    std::int64_t middleColumn = 0;
-    std::int64_t endColumn = 0;
-    std::array<Quantity, 3> slope; ///< by SortedEdge
-    std::array<std::array<Quantity, 3>, 3> colourRate; ///< [SortedEdge][channel]
-    std::optional<TriangleRejection> rejection;
-};
-
-/// The numbers of one column, in any arithmetic.
-struct ColumnRecord {
-    std::size_t triangle = 0;
-    std::int64_t x = 0;
-    ColumnHalf half = ColumnHalf::First;
-    Quantity yBottom, yTop;
-    std::array<Quantity, 3> colourBottom, colourTop, colourRate, firstColour;
-    std::int64_t firstRow = 0, endRow = 0; ///< unclipped
-    std::int64_t firstDrawnRow = 0, endDrawnRow = 0; ///< clipped to the frame
-
-    std::int64_t drawnPixels() const
-    {
-        return std::max<std::int64_t>(0, endDrawnRow - firstDrawnRow);
-    }
-};
-
-/// The numbers of one pixel, in any arithmetic.
-struct FragmentRecord {
-    std::int64_t x = 0;
-    std::int64_t y = 0;
-    std::array<Quantity, 3> colour; ///< levels, before rounding
-    std::array<std::int64_t, 3> level = {}; ///< rounded, before clamping
-    bool clamped = false;
 };
 
 /// The record of a whole run: what the kernel announced, in the numbers that it used. A position p
@@ -77,54 +35,58 @@ public:
     /// True when the recorder's limit ended the recording early.
     bool isCut() const { return m_cut; }
 
-    std::size_t triangleCount() const { return m_triangles.size(); }
-    std::size_t columnCount() const { return m_columns.size(); }
-    std::size_t pixelCount() const { return m_pixels.size(); }
-    std::size_t stepCount() const { return triangleCount() + columnCount() + pixelCount(); }
+    std::size_t primitiveCount() const { return m_primitives.size(); }
+    std::size_t spanCount() const { return m_spans.size(); }
+    /// Samples that the kernel visited, written or refused.
+    std::size_t sampleCount() const { return m_samples.size(); }
+    std::size_t writtenCount() const { return sampleCount() - m_refusals; }
+    std::size_t stepCount() const { return primitiveCount() + spanCount() + sampleCount(); }
 
     /// The step with an index in 0 … stepCount() − 1.
     TraceStep stepAt(std::size_t index) const;
-    std::size_t indexOfSetUp(std::size_t triangle) const { return m_triangles[triangle].step; }
-    std::size_t indexOfColumn(std::size_t column) const { return m_columns[column].step; }
-    std::size_t indexOfPixel(std::size_t pixel) const;
+    std::size_t indexOfSetUp(std::size_t primitive) const { return m_primitives[primitive].step; }
+    std::size_t indexOfSpan(std::size_t span) const { return m_spans[span].step; }
+    std::size_t indexOfSample(std::size_t sample) const;
 
-    /// How many pixel changes are done at a position.
-    std::size_t pixelsDoneAt(std::size_t position) const;
+    /// How many samples are decided at a position.
+    std::size_t samplesDoneAt(std::size_t position) const;
 
-    const PixelChanges &changes() const { return m_pixels; }
-    /// The pixels whose levels left 0 … 255, ascending.
-    const std::vector<std::size_t> &clampedPixels() const { return m_clampedPixels; }
-    std::size_t firstColumnOf(std::size_t triangle) const
+    const PixelChanges &changes() const { return m_samples; }
+    /// The samples whose levels left 0 … 255, ascending.
+    const std::vector<std::size_t> &clampedSamples() const { return m_clampedSamples; }
+    std::size_t firstSpanOf(std::size_t primitive) const
     {
-        return m_triangles[triangle].firstColumn;
+        return m_primitives[primitive].firstSpan;
     }
-    std::size_t endColumnOf(std::size_t triangle) const;
-    std::size_t firstPixelOf(std::size_t column) const { return m_columns[column].firstPixel; }
-    std::size_t endPixelOf(std::size_t column) const;
-    /// The triangle to which a column belongs.
-    std::size_t triangleOf(std::size_t column) const;
-    std::int64_t xOf(std::size_t column) const { return m_columns[column].x; }
-    ColumnHalf halfOf(std::size_t column) const { return m_columns[column].half; }
-    /// The column to which a pixel belongs.
-    std::size_t columnOf(std::size_t pixel) const;
+    std::size_t endSpanOf(std::size_t primitive) const;
+    std::size_t firstSampleOf(std::size_t span) const { return m_spans[span].firstSample; }
+    std::size_t endSampleOf(std::size_t span) const;
+    std::size_t primitiveOf(std::size_t span) const { return m_spans[span].primitive; }
+    const SpanPlace &placeOf(std::size_t span) const { return m_spans[span].place; }
+    /// The span to which a sample belongs.
+    std::size_t spanOf(std::size_t sample) const;
+    /// The first span of a primitive on a column or row; none where it has no such span.
+    std::optional<std::size_t> spanOn(std::size_t primitive, SpanAxis axis,
+                                      std::int64_t coordinate) const;
+    /// The primitive's last visit to a pixel that wrote it, else the last that refused it.
+    std::optional<std::size_t> visitOf(std::size_t primitive, std::int64_t x, std::int64_t y) const;
 
-    virtual SetUpRecord setUp(std::size_t triangle) const = 0;
-    virtual ColumnRecord column(std::size_t column) const = 0;
-    /// The column's fragments, bottom to top: the kernel's own pixel loop run again from the
-    /// column's recorded state.
-    virtual std::vector<FragmentRecord> fragments(std::size_t column) const = 0;
+    virtual SetUpRecord setUp(std::size_t primitive) const = 0;
+    virtual SpanRecord span(std::size_t span) const = 0;
+    /// The span's samples in order: the kernel's own loop run again from the span's recorded
+    /// state.
+    virtual std::vector<SampleRecord> samples(std::size_t span) const = 0;
 
 protected:
-    struct TriangleEntry {
+    struct PrimitiveEntry {
         std::size_t step = 0;
-        std::size_t firstColumn = 0;
+        std::size_t firstSpan = 0;
     };
-    struct ColumnEntry {
+    struct SpanEntry {
         std::size_t step = 0;
-        std::size_t firstPixel = 0;
-        std::size_t triangle = 0;
-        std::int64_t x = 0;
-        ColumnHalf half = ColumnHalf::First;
+        std::size_t firstSample = 0;
+        std::size_t primitive = 0;
+        SpanPlace place;
     };
 
     explicit ScanTrace(const ScanSettings &settings)
@@ -134,10 +96,11 @@ protected:
 
     ScanSettings m_settings;
     bool m_cut = false;
-    std::vector<TriangleEntry> m_triangles;
-    std::vector<ColumnEntry> m_columns;
-    PixelChanges m_pixels;
-    std::vector<std::size_t> m_clampedPixels;
+    std::vector<PrimitiveEntry> m_primitives;
+    std::vector<SpanEntry> m_spans;
+    PixelChanges m_samples;
+    std::size_t m_refusals = 0;
+    std::vector<std::size_t> m_clampedSamples;
 };
 
 } // namespace pixelplumb

@@ -19,14 +19,14 @@ public:
     std::size_t position() const { return m_position; }
     const FrameBuffer &frame() const { return m_frame; }
 
-    /// Goes to a position in 0 … stepCount(); costs one write for each pixel in between.
+    /// Goes to a position in 0 … stepCount(); costs one write for each sample in between.
     void seek(std::size_t position);
 
 private:
     const ScanTrace *m_trace;
     FrameBuffer m_frame;
     std::size_t m_position = 0;
-    std::size_t m_pixelsDone = 0;
+    std::size_t m_samplesDone = 0;
 };
 
 } // namespace pixelplumb

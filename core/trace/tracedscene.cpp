@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/trace/tracedscene.h"
 
+#include "core/oracle/oracle.h"
+#include "core/oracle/shapeoracle.h"
+#include "core/trace/tracemarks.h"
+
 #include <algorithm>
 
 namespace pixelplumb {
@@ -41,9 +45,25 @@ bool drawByBands(FrameView frame, const GoesOn &goesOn, const DrawBand &drawBand
 CoverageMask coverageOf(const ScanTrace &trace, const FrameSpec &spec)
 {
     CoverageMask coverage(spec);
-    for (std::size_t i = 0; i < trace.pixelCount(); ++i)
-        coverage.cover(trace.changes()[i].x, trace.changes()[i].y);
+    for (std::size_t i = 0; i < trace.sampleCount(); ++i) {
+        if (trace.changes()[i].isWritten())
+            coverage.cover(trace.changes()[i].x, trace.changes()[i].y);
+    }
     return coverage;
+}
+
+/// The true picture of the primitives that the method draws.
+void drawTruly(const Primitives &primitives, const Method &method, const ScanSettings &settings,
+               FrameView frame, CoverageMask &coverage)
+{
+    if (method.draws(PrimitiveKind::Triangle)) {
+        for (const Triangle &triangle : primitives.triangles)
+            oracle::draw(triangle, settings.fillRule, settings.rounding, frame, coverage);
+    }
+    for (const Shape &shape : primitives.shapes) {
+        if (method.draws(shape))
+            oracle::draw(shape, settings.rounding, frame, coverage);
+    }
 }
 
 DifferenceMap differencesBetween(const FrameBuffer &drawn, const CoverageMask &drawnCoverage,
@@ -68,126 +88,91 @@ DifferenceMap differencesBetween(const FrameBuffer &drawn, const CoverageMask &d
     return differences;
 }
 
-std::vector<std::size_t> decidedPositionsOf(const ScanTrace &trace, const FrameSpec &spec)
+/// What all spans are; Free where they differ, and where there are none.
+SpanAxis commonAxisOf(const ScanTrace &trace)
 {
-    // A column that the kernel never entered is decided when everything is drawn.
-    std::vector<std::size_t> decided(std::size_t(spec.width), 0);
-    for (std::size_t column = 0; column < trace.columnCount(); ++column) {
-        const std::size_t end = trace.indexOfColumn(column) + 1 + trace.endPixelOf(column)
-            - trace.firstPixelOf(column);
-        decided[std::size_t(trace.xOf(column) - spec.firstColumn)] = end;
+    if (trace.spanCount() == 0)
+        return SpanAxis::Free;
+    const SpanAxis axis = trace.placeOf(0).axis;
+    for (std::size_t span = 1; span < trace.spanCount(); ++span) {
+        if (trace.placeOf(span).axis != axis)
+            return SpanAxis::Free;
+    }
+    return axis;
+}
+
+void decidePositions(TracedScene &traced)
+{
+    const ScanTrace &trace = *traced.trace;
+    const FrameSpec &spec = traced.scene.frame;
+    traced.decidedAlong = commonAxisOf(trace);
+    if (traced.decidedAlong == SpanAxis::Free)
+        return;
+    const bool byColumn = traced.decidedAlong == SpanAxis::Column;
+    const std::int64_t first = byColumn ? spec.firstColumn : spec.firstRow;
+    // A column or row that the kernel never entered is decided when everything is drawn.
+    std::vector<std::size_t> decided(std::size_t(byColumn ? spec.width : spec.height), 0);
+    for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+        const std::int64_t place = trace.placeOf(span).coordinate - first;
+        if (place >= 0 && place < std::int64_t(decided.size()))
+            decided[std::size_t(place)]
+                = trace.indexOfSpan(span) + 1 + trace.endSampleOf(span) - trace.firstSampleOf(span);
     }
     std::ranges::replace(decided, std::size_t(0), trace.stepCount());
-    return decided;
+    traced.decidedPositions = std::move(decided);
 }
 
-/// The step after which the first wrong pixel stands in the frame.
-std::optional<std::size_t> firstDifferenceOf(const TracedScene &traced)
+/// The spans of the same run in exact arithmetic, to stand beside a rounding trace. Gives up
+/// without a word at the limits: the exact numbers are then none.
+std::unique_ptr<const ScanTrace> exactTwinOf(const Method &method, const Primitives &primitives,
+                                             const Scene &scene, const TraceOptions &options)
 {
-    if (traced.differences.total() == 0)
-        return std::nullopt;
-    const ScanTrace &trace = *traced.trace;
-    std::size_t first = trace.stepCount() - 1;
-    for (std::size_t pixel = 0; pixel < trace.pixelCount(); ++pixel) {
-        const PixelChange &change = trace.changes()[pixel];
-        const Difference kind = traced.differences.at(change.x, change.y);
-        if (kind == Difference::Extra || kind == Difference::Colour) {
-            first = trace.indexOfPixel(pixel);
-            break;
-        }
-    }
-    if (traced.differences.count(Difference::Missing) == 0)
-        return first;
-    const FrameSpec &spec = traced.scene.frame;
-    for (std::int64_t column = 0; column < spec.width; ++column) {
-        const std::int64_t x = spec.firstColumn + column;
-        const std::size_t decided = traced.decidedAt(x);
-        if (decided == 0 || decided - 1 >= first)
-            continue;
-        for (std::int64_t y = spec.firstRow; y < std::int64_t(spec.firstRow) + spec.height; ++y) {
-            if (traced.differences.at(x, y) == Difference::Missing) {
-                first = decided - 1;
-                break;
-            }
-        }
-    }
-    return first;
-}
-
-std::vector<TraceMark> marksOf(const TracedScene &traced)
-{
-    const ScanTrace &trace = *traced.trace;
-    std::vector<TraceMark> marks;
-    for (std::size_t triangle = 0; triangle < trace.triangleCount(); ++triangle) {
-        const std::size_t first = trace.firstColumnOf(triangle);
-        const std::size_t end = trace.endColumnOf(triangle);
-        ColumnHalf half = ColumnHalf::First;
-        for (std::size_t column = first; column < end; ++column) {
-            const bool secondBegins = trace.halfOf(column) != half;
-            half = trace.halfOf(column);
-            if (column == first || secondBegins || column + 1 == end)
-                marks.push_back({trace.indexOfColumn(column), MarkKind::VertexColumn});
-            if (oracle::hasTie(traced.triangles[triangle], trace.xOf(column)))
-                marks.push_back({trace.indexOfColumn(column), MarkKind::Tie});
-        }
-    }
-    std::optional<std::size_t> lastClampColumn;
-    for (const std::size_t pixel : trace.clampedPixels()) {
-        const std::size_t column = trace.columnOf(pixel);
-        if (lastClampColumn != column)
-            marks.push_back({trace.indexOfPixel(pixel), MarkKind::Clamp});
-        lastClampColumn = column;
-    }
-    if (const std::optional<std::size_t> step = firstDifferenceOf(traced))
-        marks.push_back({*step, MarkKind::FirstDifference});
-    std::ranges::stable_sort(marks, {}, &TraceMark::step);
-    return marks;
+    if (scene.settings.arithmetic == Arithmetic::Exact || method.exactSpan
+        || !method.supports(Arithmetic::Exact))
+        return nullptr;
+    ScanSettings exact = scene.settings;
+    exact.arithmetic = Arithmetic::Exact;
+    TraceOptions spansAlone = options;
+    spansAlone.detail = TraceDetail::Spans;
+    FrameBuffer unseen(scene.frame);
+    return method.trace(primitives, exact, unseen.view(), spansAlone);
 }
 
 } // namespace
 
-std::size_t TracedScene::decidedAt(std::int64_t x) const
+std::size_t TracedScene::decidedAt(std::int64_t x, std::int64_t y) const
 {
-    const std::int64_t column = x - scene.frame.firstColumn;
-    if (column < 0 || column >= std::int64_t(decidedPositions.size()))
+    const std::int64_t place
+        = decidedAlong == SpanAxis::Column ? x - scene.frame.firstColumn : y - scene.frame.firstRow;
+    if (place < 0 || place >= std::int64_t(decidedPositions.size()))
         return trace->stepCount();
-    return decidedPositions[std::size_t(column)];
+    return decidedPositions[std::size_t(place)];
 }
 
 std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOptions &options)
 {
-    const std::vector<Triangle> triangles = trianglesOnSamples(scene);
     const Method &method = methodOf(scene);
+    auto traced = std::make_shared<TracedScene>(scene, primitivesOnSamples(scene), &method);
+    const Primitives &primitives = traced->primitives;
     FrameBuffer drawn(scene.frame);
-    std::unique_ptr<const ScanTrace> trace
-        = method.trace(triangles, scene.settings, drawn.view(), options);
-    if (!trace)
+    traced->trace = method.trace(primitives, scene.settings, drawn.view(), options);
+    if (!traced->trace)
         return nullptr;
+    const ScanTrace &trace = *traced->trace;
+    traced->exactTrace = exactTwinOf(method, primitives, scene, options);
 
-    FrameBuffer truth(scene.frame);
     CoverageMask trueCoverage(scene.frame);
-    const auto goesOn = [&] { return !options.progress || options.progress(trace->columnCount()); };
+    const auto goesOn = [&] { return !options.progress || options.progress(trace.spanCount()); };
     const auto drawBand = [&](FrameView band) {
-        for (const Triangle &triangle : triangles)
-            oracle::draw(triangle, scene.settings.fillRule, scene.settings.rounding, band,
-                         trueCoverage);
+        drawTruly(primitives, method, scene.settings, band, trueCoverage);
     };
-    if (!drawByBands(truth.view(), goesOn, drawBand))
+    if (!drawByBands(traced->truth.view(), goesOn, drawBand))
         return nullptr;
 
-    const CoverageMask drawnCoverage = coverageOf(*trace, scene.frame);
-    DifferenceMap differences = trace->isCut()
+    traced->differences = trace.isCut()
         ? DifferenceMap(scene.frame) // an unfinished picture has not gone wrong yet
-        : differencesBetween(drawn, drawnCoverage, truth, trueCoverage);
-    auto traced = std::make_shared<TracedScene>(TracedScene{scene,
-                                                            triangles,
-                                                            &method,
-                                                            std::move(trace),
-                                                            std::move(truth),
-                                                            std::move(differences),
-                                                            {},
-                                                            {}});
-    traced->decidedPositions = decidedPositionsOf(*traced->trace, scene.frame);
+        : differencesBetween(drawn, coverageOf(trace, scene.frame), traced->truth, trueCoverage);
+    decidePositions(*traced);
     traced->marks = marksOf(*traced);
     return traced;
 }
@@ -196,15 +181,13 @@ void drawScene(const Scene &scene, const FrameBuffer &frame)
 {
     const Method &method = methodOf(scene);
     const auto draw = method.drawFast ? method.drawFast : method.draw;
-    draw(trianglesOnSamples(scene), scene.settings, frame.view());
+    draw(primitivesOnSamples(scene), scene.settings, frame.view());
 }
 
 void drawTruth(const Scene &scene, const FrameBuffer &frame)
 {
     CoverageMask coverage(scene.frame);
-    for (const Triangle &triangle : trianglesOnSamples(scene))
-        oracle::draw(triangle, scene.settings.fillRule, scene.settings.rounding, frame.view(),
-                     coverage);
+    drawTruly(primitivesOnSamples(scene), methodOf(scene), scene.settings, frame.view(), coverage);
 }
 
 } // namespace pixelplumb

@@ -13,15 +13,15 @@ namespace pixelplumb {
 
 /// Something on the scrubber that a person wants to jump to.
 enum class MarkKind {
-    VertexColumn, ///< the first column at or after a vertex
-    Tie, ///< a column in which a sample lies exactly on an edge
+    PartBegins, ///< the first or last span of a part: at a vertex of a scanned triangle
+    Tie, ///< a column or row in which a sample lies exactly on an edge
     Clamp, ///< a pixel whose level left 0 … 255
     FirstDifference, ///< the first step after which a pixel differs from the truth
 };
 
 struct TraceMark {
     std::size_t step = 0; ///< index of the step
-    MarkKind kind = MarkKind::VertexColumn;
+    MarkKind kind = MarkKind::PartBegins;
 
     friend bool operator==(const TraceMark &, const TraceMark &) = default;
 };
@@ -29,23 +29,47 @@ struct TraceMark {
 /// A scene, drawn and recorded by its method, beside the truth. A value that views receive whole
 /// and never change; built beside the GUI thread.
 struct TracedScene {
+    TracedScene(const Scene &whole, Primitives onSamples, const Method *drawnBy)
+        : scene(whole)
+        , primitives(std::move(onSamples))
+        , method(drawnBy)
+        , truth(whole.frame)
+        , differences(whole.frame)
+    {
+    }
+
     Scene scene;
-    std::vector<Triangle> triangles; ///< in sample coordinates: what the kernel was given
+    Primitives primitives; ///< in sample coordinates: what the kernel was given
     const Method *method = nullptr;
     std::unique_ptr<const ScanTrace> trace;
+    /// The spans of the same method in exact arithmetic; null where the trace itself is exact or
+    /// the method has no exact arithmetic.
+    std::unique_ptr<const ScanTrace> exactTrace;
     FrameBuffer truth; ///< the oracle's picture
     DifferenceMap differences; ///< of the finished picture
-    std::vector<TraceMark> marks; ///< ascending steps; ties and clamps at most one a column
+    std::vector<TraceMark> marks; ///< ascending steps; ties and clamps at most one a span
 
-    /// The position from which on a pixel's difference is decided: the end of the last column at
-    /// its x.
-    std::size_t decidedAt(std::int64_t x) const;
+    /// The position from which on a pixel's difference is decided: the end of the last span on its
+    /// column or row, or of the whole run where spans are neither.
+    std::size_t decidedAt(std::int64_t x, std::int64_t y) const;
 
-    std::vector<std::size_t> decidedPositions; ///< by x − firstColumn
+    SpanAxis decidedAlong = SpanAxis::Free; ///< what all spans are
+    /// By x − firstColumn or y − firstRow; empty where spans are neither.
+    std::vector<std::size_t> decidedPositions;
 };
 
+/// The exact numbers for which the cells of a span stand, in the same order; none where there is
+/// nothing to compare.
+std::vector<Quantity> exactSpanCells(const TracedScene &traced, std::size_t span);
+/// The same of a sample, and of its colour levels.
+struct ExactSample {
+    std::array<Quantity, 3> colour;
+    std::vector<Quantity> cells;
+};
+ExactSample exactSampleOf(const TracedScene &traced, std::size_t span, const SampleRecord &sample);
+
 /// Null when options.progress cancelled it. The scene's method must accept its settings (see
-/// Method::refusal); progress counts columns entered.
+/// Method::refusal); progress counts spans entered.
 std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOptions &options = {});
 
 /// The picture alone, by the scene's method.

@@ -11,7 +11,7 @@
 /// shrink them.
 namespace pixelplumb::tilings {
 
-enum class Shape { Fan, Strip, Grid, TJunction };
+enum class Layout { Fan, Strip, Grid, TJunction };
 
 using Corners = std::array<LatticePoint, 3>;
 
@@ -140,16 +140,16 @@ inline Tiling tJunction(const Place &place)
     return tiling;
 }
 
-inline Tiling tiling(Shape shape, const Place &place)
+inline Tiling tiling(Layout shape, const Place &place)
 {
     switch (shape) {
-    case Shape::Fan:
+    case Layout::Fan:
         return fan(place, 9);
-    case Shape::Strip:
+    case Layout::Strip:
         return strip(place, 5);
-    case Shape::Grid:
+    case Layout::Grid:
         return grid(place, 3);
-    case Shape::TJunction:
+    case Layout::TJunction:
         return tJunction(place);
     }
     return {};

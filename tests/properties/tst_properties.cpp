@@ -6,8 +6,8 @@
 #include <cstdlib>
 
 using namespace pixelplumb;
+using tilings::Layout;
 using tilings::Place;
-using tilings::Shape;
 using tilings::Tiling;
 
 /// What holds for every triangle and every tiling in exact arithmetic. RC_PARAMS="seed=…" repeats a
@@ -157,17 +157,17 @@ private slots:
     void tilingsAreCoveredExactlyOnce_data()
     {
         QTest::addColumn<int>("shape");
-        QTest::newRow("fans") << int(Shape::Fan);
-        QTest::newRow("strips") << int(Shape::Strip);
-        QTest::newRow("grids") << int(Shape::Grid);
-        QTest::newRow("T-junctions with exact middle vertices") << int(Shape::TJunction);
+        QTest::newRow("fans") << int(Layout::Fan);
+        QTest::newRow("strips") << int(Layout::Strip);
+        QTest::newRow("grids") << int(Layout::Grid);
+        QTest::newRow("T-junctions with exact middle vertices") << int(Layout::TJunction);
     }
     void tilingsAreCoveredExactlyOnce()
     {
         QFETCH(int, shape);
         const auto property = [&] {
             const Place place = somePlace();
-            const Tiling tiling = tilings::tiling(Shape(shape), place);
+            const Tiling tiling = tilings::tiling(Layout(shape), place);
             const FrameSpec frame = frameAround(place);
             for (const FillRule rule : watertight) {
                 std::vector<int> times(std::size_t(frame.width) * std::size_t(frame.height), 0);

@@ -15,9 +15,10 @@ template <class A>
 struct ClampCounter {
     std::int64_t *clamped;
 
-    void triangleBegun(const ColumnSetUp<A> &) { }
-    void triangleRejected(TriangleRejection) { }
-    void columnEntered(const ColumnState<A> &) { }
+    void primitiveBegun(const ColumnSetUp<A> &) { }
+    void primitiveRejected(PrimitiveRejection) { }
+    void spanEntered(const ColumnState<A> &) { }
+    void sampleRejected(std::int64_t, std::int64_t, QRgb, const Fragment<A> &) { }
     void pixelWritten(std::int64_t, std::int64_t, QRgb, QRgb, const Fragment<A> &fragment)
     {
         *clamped += fragment.isClamped() ? 1 : 0;

@@ -63,7 +63,7 @@ public:
     }
     void drawByMethod(const Triangle &triangle, const ScanSettings &settings)
     {
-        columnScan().draw(std::span(&triangle, 1), settings, m_frame.view());
+        columnScan().draw(Primitives{{triangle}, {}}, settings, m_frame.view());
     }
     void drawByOracle(const Triangle &triangle, const ScanSettings &settings)
     {

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands.h"
+#include "app/cli/comparecontenders.h"
+#include "app/cli/comparereport.h"
+#include "app/cli/progress.h"
+#include "app/cli/sceneoptions.h"
+
+#include <QJsonDocument>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+Result<std::size_t> pixelLimit(const QString &word)
+{
+    bool isNumber = false;
+    const qulonglong limit = word.toULongLong(&isNumber);
+    if (!isNumber)
+        return InputError{QStringLiteral("--limit"),
+                          QStringLiteral("“%1” is no whole number").arg(word),
+                          QStringLiteral("0 or more")};
+    return std::size_t(limit);
+}
+
+} // namespace
+
+ExitCode compare(const Command &command, const QStringList &arguments)
+{
+    const QString methodsOption = QStringLiteral("methods");
+    const QString limitOption = QStringLiteral("limit");
+    const QString jsonOption = QStringLiteral("json");
+    CommandLine line(command, {scenePositional()});
+    line.addOption(
+        {methodsOption,
+         QStringLiteral("Two to four of method[:arithmetic[:fill-rule]] and truth[:fill-rule], "
+                        "separated by commas; what is left out is the scene's."),
+         QStringLiteral("list")});
+    line.addOption({limitOption, QStringLiteral("List this many differing pixels; 20 if left out."),
+                    QStringLiteral("count"), QStringLiteral("20")});
+    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    addSettingOptions(line);
+    if (const auto ended = line.parse(arguments))
+        return *ended;
+    if (!line.isSet(methodsOption))
+        return line.refuse(QStringLiteral("--methods is missing; expected a list such as "
+                                          "column-scan:exact,column-scan:float32,truth"));
+    const Result<std::size_t> limit = pixelLimit(line.value(limitOption));
+    if (!limit)
+        return line.refuse(limit.error());
+    const Result<Scene> scene = readScene(line);
+    if (!scene)
+        return line.refuse(scene.error());
+    const Result<std::vector<Contender>> contenders
+        = contendersNamed(line.value(methodsOption), scene->settings);
+    if (!contenders)
+        return line.refuse(contenders.error());
+
+    Progress progress;
+    ContestOptions options;
+    options.progress = [&progress](const QString &state) {
+        progress.show(state);
+        return true;
+    };
+    const auto contest = compareContenders(*scene, *contenders, options);
+
+    const CompareReport report{*contest, *limit};
+    if (line.isSet(jsonOption)) {
+        printLine(QString::fromUtf8(QJsonDocument(jsonOf(report)).toJson().chopped(1)));
+    } else {
+        const QStringList lines = textOf(report);
+        for (const QString &each : lines)
+            printLine(each);
+    }
+    return contest->agreement.differing() > 0 ? ExitCode::FallsShort : ExitCode::Done;
+}
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/comparecontenders.h"
+
+#include "app/cli/suggestion.h"
+
+#include <QStringList>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+const QString place = QStringLiteral("--methods");
+const QString truthWord = QStringLiteral("truth");
+
+QString text(std::string_view name)
+{
+    return QString::fromUtf8(name.data(), qsizetype(name.size()));
+}
+
+QStringList contenderNames()
+{
+    QStringList names = {truthWord};
+    for (const Method &method : methods())
+        names.append(method.id);
+    return names;
+}
+
+template <class Choices>
+QStringList namesOf(const Choices &choices)
+{
+    QStringList names;
+    for (const auto choice : choices)
+        names.append(text(nameOf(choice)));
+    return names;
+}
+
+InputError unknownName(const QString &what, const QString &word, const QStringList &names)
+{
+    return {place, QStringLiteral("unknown %1 “%2”").arg(what, word) + suggestion(word, names),
+            QStringLiteral("one of ") + names.join(QStringLiteral(", "))};
+}
+
+/// Puts one word after the method's name into the settings.
+std::optional<InputError> apply(const QString &word, Contender &contender)
+{
+    const std::string name = word.toStdString();
+    if (const auto rule = fillRuleNamed(name)) {
+        contender.settings.fillRule = *rule;
+        return std::nullopt;
+    }
+    if (contender.isTruth())
+        return unknownName(QStringLiteral("fill rule of the truth"), word, namesOf(allFillRules));
+    if (const auto arithmetic = arithmeticNamed(name)) {
+        contender.settings.arithmetic = *arithmetic;
+        return std::nullopt;
+    }
+    return unknownName(QStringLiteral("arithmetic or fill rule"), word,
+                       namesOf(allArithmetics) + namesOf(allFillRules));
+}
+
+Result<Contender> contenderNamed(const QString &entry, const ScanSettings &ofScene)
+{
+    const QStringList words = entry.trimmed().split(u':');
+    Contender contender{nullptr, ofScene};
+    if (words.front() != truthWord) {
+        const Method *method = methodNamed(words.front());
+        if (!method)
+            return unknownName(QStringLiteral("method"), words.front(), contenderNames());
+        contender = contenderFor(*method, ofScene);
+    }
+    for (const QString &word : words.sliced(1)) {
+        if (const auto error = apply(word, contender))
+            return *error;
+    }
+    if (!contender.isTruth()) {
+        const QString refusal = contender.method->refusal(contender.settings);
+        if (!refusal.isEmpty())
+            return InputError{place, refusal, {}};
+    }
+    return contender;
+}
+
+} // namespace
+
+Result<std::vector<Contender>> contendersNamed(const QString &list, const ScanSettings &ofScene)
+{
+    const QStringList entries = list.split(u',', Qt::SkipEmptyParts);
+    const auto count = std::size_t(entries.size());
+    if (count < fewestContenders || count > mostContenders)
+        return InputError{place,
+                          count == 1 ? QStringLiteral("1 contender")
+                                     : QStringLiteral("%1 contenders").arg(count),
+                          QStringLiteral("%1 to %2, separated by commas")
+                              .arg(fewestContenders)
+                              .arg(mostContenders)};
+    std::vector<Contender> contenders;
+    for (const QString &entry : entries) {
+        const Result<Contender> contender = contenderNamed(entry, ofScene);
+        if (!contender)
+            return contender.error();
+        contenders.push_back(*contender);
+    }
+    return contenders;
+}
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/comparereport.h"
+
+#include "core/scene/colourtext.h"
+
+#include <QJsonArray>
+
+#include <algorithm>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+QString text(std::string_view name)
+{
+    return QString::fromUtf8(name.data(), qsizetype(name.size()));
+}
+
+std::vector<PixelComparison> differingPixels(const CompareReport &report)
+{
+    std::vector<PixelComparison> pixels;
+    const AgreementMap &agreement = report.contest.agreement;
+    const FrameSpec &spec = agreement.spec();
+    for (std::int64_t column = 0; column < spec.width; ++column) {
+        for (std::int64_t row = 0; row < spec.height; ++row) {
+            const std::int64_t x = spec.firstColumn + column;
+            const std::int64_t y = spec.firstRow + row;
+            if (agreement.agreeingAt(x, y) == agreement.contenderCount())
+                continue;
+            if (pixels.size() >= report.pixelLimit)
+                return pixels;
+            pixels.push_back(comparePixel(report.contest, x, y));
+        }
+    }
+    return pixels;
+}
+
+QString number(std::int64_t value) { return QString::number(value); }
+
+/// Columns aligned: the first to the left, the others to the right.
+QStringList aligned(const std::vector<QStringList> &rows)
+{
+    std::vector<qsizetype> widths;
+    for (const QStringList &row : rows) {
+        widths.resize(std::max(widths.size(), std::size_t(row.size())), 0);
+        for (qsizetype column = 0; column < row.size(); ++column)
+            widths[std::size_t(column)] = std::max(widths[std::size_t(column)], row[column].size());
+    }
+    QStringList lines;
+    for (const QStringList &row : rows) {
+        QString line = row.front().leftJustified(widths.front());
+        for (qsizetype column = 1; column < row.size(); ++column)
+            line += QStringLiteral("  ") + row[column].rightJustified(widths[std::size_t(column)]);
+        while (line.endsWith(u' '))
+            line.chop(1);
+        lines.append(line);
+    }
+    return lines;
+}
+
+QStringList contenderTable(const Contest &contest)
+{
+    QStringList head
+        = {QStringLiteral("contender"), QStringLiteral("pixels"), QStringLiteral("missing"),
+           QStringLiteral("extra"), QStringLiteral("colour")};
+    for (std::size_t i = 1; i <= contest.runs.size(); ++i)
+        head.append(QStringLiteral("≠%1").arg(i));
+    std::vector<QStringList> rows = {head};
+    for (std::size_t i = 0; i < contest.runs.size(); ++i) {
+        const ContenderRun &run = contest.runs[i];
+        const auto against
+            = [&run](Difference kind) { return number(run.tally.againstTruth[std::size_t(kind)]); };
+        QStringList row = {QStringLiteral("%1 %2").arg(i + 1).arg(run.contender.name()),
+                           number(run.tally.written), against(Difference::Missing),
+                           against(Difference::Extra), against(Difference::Colour)};
+        for (std::size_t j = 0; j < contest.runs.size(); ++j)
+            row.append(i == j ? QStringLiteral("–") : number(run.tally.differsFrom[j]));
+        rows.push_back(row);
+    }
+    return aligned(rows);
+}
+
+QStringList agreementTable(const AgreementMap &agreement)
+{
+    std::vector<QStringList> rows = {{QStringLiteral("agree"), QStringLiteral("pixels")}};
+    for (int agreeing = agreement.contenderCount(); agreeing > 0; --agreeing) {
+        rows.push_back({QStringLiteral("%1 of %2").arg(agreeing).arg(agreement.contenderCount()),
+                        number(agreement.countAgreeing(agreeing))});
+    }
+    for (const Disagreement reason : allDisagreements) {
+        if (agreement.count(reason) > 0)
+            rows.push_back(
+                {QStringLiteral("  ") + nameOf(reason), number(agreement.count(reason))});
+    }
+    return aligned(rows);
+}
+
+QString valueText(const PixelOpinion &opinion)
+{
+    return opinion.written ? colourText(opinion.colour) : QStringLiteral("not drawn");
+}
+
+QStringList pixelLines(const PixelComparison &pixel)
+{
+    QStringList values;
+    QStringList reasons;
+    for (std::size_t i = 0; i < pixel.opinions.size(); ++i) {
+        const PixelOpinion &opinion = pixel.opinions[i];
+        values.append(QStringLiteral("%1 %2").arg(i + 1).arg(valueText(opinion)));
+        if (!opinion.words.isEmpty())
+            reasons.append(QStringLiteral("    %1 %2").arg(i + 1).arg(opinion.words));
+    }
+    return QStringList{QStringLiteral("(%1, %2) %3: %4")
+                           .arg(pixel.x)
+                           .arg(pixel.y)
+                           .arg(nameOf(pixel.reason), values.join(QStringLiteral(", ")))}
+    + reasons;
+}
+
+QJsonObject jsonOf(const PixelComparison &pixel)
+{
+    QJsonArray opinions;
+    for (const PixelOpinion &opinion : pixel.opinions) {
+        opinions.append(
+            QJsonObject{{QStringLiteral("colour"),
+                         opinion.written ? QJsonValue(colourText(opinion.colour)) : QJsonValue()},
+                        {QStringLiteral("reason"), nameOf(opinion.deviation.reason)},
+                        {QStringLiteral("words"), opinion.words}});
+    }
+    return {{QStringLiteral("x"), qint64(pixel.x)},
+            {QStringLiteral("y"), qint64(pixel.y)},
+            {QStringLiteral("agreeing"), pixel.agreeing},
+            {QStringLiteral("reason"), nameOf(pixel.reason)},
+            {QStringLiteral("contenders"), opinions}};
+}
+
+QJsonObject jsonOf(const ContenderRun &run)
+{
+    const auto against
+        = [&run](Difference kind) { return qint64(run.tally.againstTruth[std::size_t(kind)]); };
+    QJsonArray differs;
+    for (const std::int64_t count : run.tally.differsFrom)
+        differs.append(qint64(count));
+    const Contender &contender = run.contender;
+    return {{QStringLiteral("method"),
+             contender.isTruth() ? QStringLiteral("truth") : contender.method->id},
+            {QStringLiteral("arithmetic"),
+             text(nameOf(contender.isTruth() ? Arithmetic::Exact : contender.settings.arithmetic))},
+            {QStringLiteral("fillRule"), text(nameOf(contender.settings.fillRule))},
+            {QStringLiteral("pixels"), qint64(run.tally.written)},
+            {QStringLiteral("missing"), against(Difference::Missing)},
+            {QStringLiteral("extra"), against(Difference::Extra)},
+            {QStringLiteral("colour"), against(Difference::Colour)},
+            {QStringLiteral("differsFrom"), differs}};
+}
+
+} // namespace
+
+QStringList textOf(const CompareReport &report)
+{
+    const AgreementMap &agreement = report.contest.agreement;
+    QStringList lines = contenderTable(report.contest);
+    lines += QStringList{QString()} + agreementTable(agreement);
+    if (agreement.differing() == 0)
+        return lines + QStringList{QString(), QStringLiteral("All agree on every pixel.")};
+    lines.append(QString());
+    const std::vector<PixelComparison> pixels = differingPixels(report);
+    for (const PixelComparison &pixel : pixels)
+        lines += pixelLines(pixel);
+    const std::int64_t more = agreement.differing() - std::int64_t(pixels.size());
+    if (more > 0)
+        lines.append(QStringLiteral("and %1 more; --limit %2 lists all")
+                         .arg(more)
+                         .arg(agreement.differing()));
+    return lines;
+}
+
+QJsonObject jsonOf(const CompareReport &report)
+{
+    const AgreementMap &agreement = report.contest.agreement;
+    QJsonArray contenders;
+    for (const ContenderRun &run : report.contest.runs)
+        contenders.append(jsonOf(run));
+    QJsonArray agreeing; // pixels on which 1, 2, … agree
+    for (int count = 1; count <= agreement.contenderCount(); ++count)
+        agreeing.append(qint64(agreement.countAgreeing(count)));
+    QJsonObject reasons;
+    for (const Disagreement reason : allDisagreements)
+        reasons.insert(nameOf(reason), qint64(agreement.count(reason)));
+    QJsonArray pixels;
+    for (const PixelComparison &pixel : differingPixels(report))
+        pixels.append(jsonOf(pixel));
+    return {{QStringLiteral("contenders"), contenders},
+            {QStringLiteral("agreeing"), agreeing},
+            {QStringLiteral("reasons"), reasons},
+            {QStringLiteral("differing"), qint64(agreement.differing())},
+            {QStringLiteral("pixels"), pixels}};
+}
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,169 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/check/linecase.h"
+
+#include <QCryptographicHash>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+using Pixel = std::array<std::int64_t, 2>;
+
+/// The one rule that the format knows.
+const char *const nearestRule = "major axis, floor(minor + 1/2)";
+
+/// Pixels around the line's end points in which a drawing that errs is still seen.
+constexpr std::int64_t margin = 16;
+/// Rows (columns for a steep line) that are drawn at a time, so that a long line needs no large
+/// frame. The line's whole length is always in the frame: what drifts must have room to drift.
+constexpr std::int64_t bandBreadth = 256;
+
+JsonNode member(const JsonNode &node, const char *key) { return node[QString::fromLatin1(key)]; }
+
+Pixel pixel(JsonReader &json, const JsonNode &node)
+{
+    const std::vector<JsonNode> coordinates = json.array(node, 2);
+    Pixel pixel = {};
+    for (std::size_t axis = 0; axis < 2; ++axis)
+        pixel[axis] = json.integer(coordinates[axis], -largestPixel, largestPixel);
+    return pixel;
+}
+
+Pixel pixelOf(const Vertex &vertex)
+{
+    return {floorPixel(vertex.position.x), floorPixel(vertex.position.y)};
+}
+
+/// The axis along which a line case lists its pixels: x unless the line is longer along y.
+std::size_t listedAxis(const Shape &line)
+{
+    const Pixel a = pixelOf(line.vertices[0]);
+    const Pixel b = pixelOf(line.vertices[1]);
+    return absolute(b[1] - a[1]) > absolute(b[0] - a[0]) ? 1 : 0;
+}
+
+/// What a drawing writes of a line, in the order of the facts.
+std::vector<Pixel> pixelsOf(const Shape &line, const FrameSpec &canvas,
+                            const ScanSettings &settings, const Drawing &drawing)
+{
+    const std::size_t along = listedAxis(line);
+    const std::int64_t breadth = along == 0 ? canvas.height : canvas.width;
+    std::vector<Pixel> pixels;
+    for (std::int64_t done = 0; done < breadth; done += bandBreadth) {
+        FrameSpec band = canvas;
+        (along == 0 ? band.height : band.width)
+            = std::int32_t(std::min(bandBreadth, breadth - done));
+        (along == 0 ? band.firstRow : band.firstColumn) += std::int32_t(done);
+        CasePicture picture(band, FillRule::Closed);
+        picture.draw(Primitives{{}, {line}}, settings, drawing);
+        picture.forEachWritten([&](std::int64_t x, std::int64_t y) { pixels.push_back({x, y}); });
+    }
+    std::ranges::sort(pixels, [along](const Pixel &a, const Pixel &b) {
+        return std::pair(a[along], a[1 - along]) < std::pair(b[along], b[1 - along]);
+    });
+    return pixels;
+}
+
+QByteArray hashOf(const std::vector<Pixel> &pixels)
+{
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    for (const Pixel &pixel : pixels)
+        hash.addData(QByteArray::number(qint64(pixel[0])) + ' '
+                     + QByteArray::number(qint64(pixel[1])) + '\n');
+    return hash.result().toHex().first(16);
+}
+
+std::int64_t missingFrom(std::vector<Pixel> drawn, std::vector<Pixel> expected)
+{
+    std::ranges::sort(drawn);
+    std::ranges::sort(expected);
+    std::vector<Pixel> missing;
+    std::ranges::set_difference(expected, drawn, std::back_inserter(missing));
+    return std::int64_t(missing.size());
+}
+
+/// How the pixels of one direction depart from the facts.
+QStringList shortfalls(const std::vector<Pixel> &drawn, const std::vector<Pixel> &truth,
+                       const ExpectedFacts &facts)
+{
+    QStringList remarks;
+    if (const auto count = std::int64_t(drawn.size()); count != facts.pixelCount.value_or(count))
+        remarks.append(
+            QStringLiteral("pixel count %1 instead of %2").arg(count).arg(*facts.pixelCount));
+    if (!facts.pixelHash.isEmpty() && hashOf(drawn) != facts.pixelHash)
+        remarks.append(
+            QStringLiteral("pixel hash %1 instead of %2")
+                .arg(QString::fromLatin1(hashOf(drawn)), QString::fromLatin1(facts.pixelHash)));
+    if (!facts.pixels.empty() && drawn != facts.pixels)
+        remarks.append(QStringLiteral("other pixels than the case lists"));
+    if (remarks.isEmpty())
+        return remarks;
+    const PictureDifference difference = {missingFrom(drawn, truth), missingFrom(truth, drawn), 0};
+    if (!difference.isNone())
+        remarks.prepend(difference.message());
+    return remarks;
+}
+
+} // namespace
+
+void readLineCase(JsonReader &json, const JsonNode &node, HardCase &hardCase)
+{
+    const JsonNode rule = member(node, "rule");
+    if (rule.value.toString() != QLatin1String(nearestRule))
+        json.fail(rule, describe(rule), QStringLiteral("“%1”").arg(QLatin1String(nearestRule)));
+    const std::vector<JsonNode> ends = json.array(member(node, "endpoints"), 2);
+    const Pixel a = pixel(json, ends[0]);
+    const Pixel b = pixel(json, ends[1]);
+    Shape line;
+    line.kind = PrimitiveKind::Line;
+    line.vertices
+        = {{latticePixel(a[0], a[1]), {{255, 0, 0}}}, {latticePixel(b[0], b[1]), {{0, 0, 255}}}};
+    hardCase.shapes = {line};
+
+    const Pixel size
+        = {absolute(b[0] - a[0]) + 1 + 2 * margin, absolute(b[1] - a[1]) + 1 + 2 * margin};
+    const Pixel first = {std::min(a[0], b[0]) - margin, std::min(a[1], b[1]) - margin};
+    if (std::max(size[0], size[1]) > largestFrameSide || size[0] * size[1] > largestFrameArea)
+        json.fail(member(node, "endpoints"), QStringLiteral("a line that no frame holds"),
+                  QStringLiteral("at most %1 px on a side and %2 px in area")
+                      .arg(largestFrameSide - 2 * margin)
+                      .arg(largestFrameArea));
+    if (json.hasFailed())
+        return;
+    hardCase.canvas.width = std::int32_t(size[0]);
+    hardCase.canvas.height = std::int32_t(size[1]);
+    hardCase.canvas.firstColumn = std::int32_t(first[0]);
+    hardCase.canvas.firstRow = std::int32_t(first[1]);
+
+    const JsonNode expected = member(node, "expected");
+    ExpectedFacts &facts = hardCase.facts[FillRule::Closed];
+    if (const JsonNode count = member(expected, "count"); !count.isMissing())
+        facts.pixelCount = json.integer(count, 0, largestFrameArea);
+    if (const JsonNode hash = member(expected, "sha"); !hash.isMissing())
+        facts.pixelHash = json.string(hash).toLatin1();
+    if (const JsonNode pixels = member(expected, "pixels"); !pixels.isMissing()) {
+        for (const JsonNode &each : json.array(pixels))
+            facts.pixels.push_back(pixel(json, each));
+    }
+}
+
+QStringList lineShortfalls(const HardCase &hardCase, const ScanSettings &settings,
+                           const Drawing &drawing)
+{
+    const ExpectedFacts &facts = hardCase.facts.at(FillRule::Closed);
+    const Shape &line = hardCase.shapes.front();
+    Shape reversed = line;
+    std::swap(reversed.vertices[0], reversed.vertices[1]);
+    const std::vector<Pixel> truth = pixelsOf(line, hardCase.canvas, settings, drawTruly);
+    QStringList remarks
+        = shortfalls(pixelsOf(line, hardCase.canvas, settings, drawing), truth, facts);
+    const QStringList ofReversed
+        = shortfalls(pixelsOf(reversed, hardCase.canvas, settings, drawing), truth, facts);
+    for (const QString &remark : ofReversed)
+        remarks.append(QStringLiteral("reversed: ") + remark);
+    return remarks;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/check/casepicture.h"
+#include "core/check/hardcase.h"
+#include "core/scene/jsonreader.h"
+
+namespace pixelplumb {
+
+/// Reads "endpoints", "rule" and "expected" of a hard case of the kind line; errors stay with the
+/// JsonReader.
+void readLineCase(JsonReader &json, const JsonNode &node, HardCase &hardCase);
+
+/// What falls short of a line case's facts, drawn from either end: count, hash and list of pixels.
+/// The facts know no colours.
+QStringList lineShortfalls(const HardCase &hardCase, const ScanSettings &settings,
+                           const Drawing &drawing);
+
+} // namespace pixelplumb

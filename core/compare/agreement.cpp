@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compare/agreement.h"
+
+namespace pixelplumb {
+
+QString nameOf(Disagreement reason)
+{
+    switch (reason) {
+    case Disagreement::None:
+        return QStringLiteral("agreed");
+    case Disagreement::TieRule:
+        return QStringLiteral("tie rule");
+    case Disagreement::Rounding:
+        return QStringLiteral("rounding");
+    case Disagreement::Drift:
+        return QStringLiteral("drift");
+    case Disagreement::Precision:
+        return QStringLiteral("precision");
+    case Disagreement::Method:
+        return QStringLiteral("method");
+    case Disagreement::NotRecorded:
+        return QStringLiteral("not recorded");
+    }
+    return {};
+}
+
+QString textOf(Disagreement reason)
+{
+    switch (reason) {
+    case Disagreement::None:
+        return QStringLiteral("All agree.");
+    case Disagreement::TieRule:
+        return QStringLiteral("The sample lies exactly on an edge, and the fill rules give it to "
+                              "different sides.");
+    case Disagreement::Rounding:
+        return QStringLiteral("The same coverage; a level close to a rounding limit fell to the "
+                              "other side.");
+    case Disagreement::Drift:
+        return QStringLiteral("The number type could hold the number that decides, but the "
+                              "increments added up to another one.");
+    case Disagreement::Precision:
+        return QStringLiteral("The number type cannot hold the number that decides closely "
+                              "enough.");
+    case Disagreement::Method:
+        return QStringLiteral("The method itself departs from the truth, in exact arithmetic too.");
+    case Disagreement::NotRecorded:
+        return QStringLiteral("The recording ended at its limit before this pixel.");
+    }
+    return {};
+}
+
+void AgreementMap::set(std::int64_t x, std::int64_t y, int agreeing, Disagreement reason)
+{
+    Pixel &pixel = m_pixels[indexOf(x, y)];
+    const auto count = [this](const Pixel &of, std::int64_t change) {
+        m_byAgreeing[of.agreeing] += change;
+        m_byReason[std::size_t(of.reason)] += change;
+    };
+    count(pixel, -1);
+    pixel = {std::uint8_t(agreeing), reason};
+    count(pixel, 1);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/frame/framespec.h"
+
+#include <QString>
+
+#include <array>
+#include <vector>
+
+namespace pixelplumb {
+
+/// Why contenders do not agree on a pixel. Where several reasons meet, the later one of this list
+/// is told.
+enum class Disagreement : std::uint8_t {
+    None, ///< they agree
+    TieRule, ///< they keep different fill rules, and the sample lies exactly on an edge
+    Rounding, ///< the same coverage; a byte is off by one, for a level close to a rounding limit
+    Drift, ///< accumulated increments are off, although the start and the number type are good
+    Precision, ///< the number type cannot hold the number that decides
+    Method, ///< the method itself, in any arithmetic: the gaps of slope-intercept
+    NotRecorded, ///< a recording ended at its limit before the pixel
+};
+
+inline constexpr std::array allDisagreements
+    = {Disagreement::TieRule,   Disagreement::Rounding, Disagreement::Drift,
+       Disagreement::Precision, Disagreement::Method,   Disagreement::NotRecorded};
+
+/// "tie rule", "rounding", …
+QString nameOf(Disagreement reason);
+/// One sentence.
+QString textOf(Disagreement reason);
+
+/// For each pixel, how many contenders agree: the size of the largest group whose pixels are the
+/// same, which is all of them where nobody draws.
+class AgreementMap {
+public:
+    AgreementMap() = default;
+    AgreementMap(const FrameSpec &spec, int contenderCount)
+        : m_spec(spec)
+        , m_contenderCount(contenderCount)
+        , m_pixels(std::size_t(spec.width) * std::size_t(spec.height),
+                   Pixel{std::uint8_t(contenderCount), Disagreement::None})
+        , m_byAgreeing(std::size_t(contenderCount) + 1, 0)
+    {
+        m_byAgreeing.back() = std::int64_t(m_pixels.size());
+        m_byReason[std::size_t(Disagreement::None)] = std::int64_t(m_pixels.size());
+    }
+
+    const FrameSpec &spec() const { return m_spec; }
+    int contenderCount() const { return m_contenderCount; }
+
+    /// All contenders outside the frame.
+    int agreeingAt(std::int64_t x, std::int64_t y) const
+    {
+        return contains(x, y) ? m_pixels[indexOf(x, y)].agreeing : m_contenderCount;
+    }
+    /// Disagreement::None outside the frame.
+    Disagreement reasonAt(std::int64_t x, std::int64_t y) const
+    {
+        return contains(x, y) ? m_pixels[indexOf(x, y)].reason : Disagreement::None;
+    }
+    /// (x, y) must lie inside the frame.
+    void set(std::int64_t x, std::int64_t y, int agreeing, Disagreement reason);
+
+    /// Pixels on which as many contenders agree.
+    std::int64_t countAgreeing(int agreeing) const { return m_byAgreeing[std::size_t(agreeing)]; }
+    std::int64_t count(Disagreement reason) const { return m_byReason[std::size_t(reason)]; }
+    /// Pixels on which not all agree.
+    std::int64_t differing() const { return std::int64_t(m_pixels.size()) - m_byAgreeing.back(); }
+
+private:
+    struct Pixel {
+        std::uint8_t agreeing;
+        Disagreement reason;
+    };
+
+    bool contains(std::int64_t x, std::int64_t y) const
+    {
+        return !m_pixels.empty() && x >= m_spec.firstColumn && y >= m_spec.firstRow
+            && x - m_spec.firstColumn < m_spec.width && y - m_spec.firstRow < m_spec.height;
+    }
+    std::size_t indexOf(std::int64_t x, std::int64_t y) const
+    {
+        return std::size_t((y - m_spec.firstRow) * m_spec.width + (x - m_spec.firstColumn));
+    }
+
+    FrameSpec m_spec;
+    int m_contenderCount = 0;
+    std::vector<Pixel> m_pixels;
+    std::vector<std::int64_t> m_byAgreeing = {0};
+    std::array<std::int64_t, allDisagreements.size() + 1> m_byReason = {};
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/check/hardcase.h"
+#include "core/methods/method.h"
+#include "core/scene/scene.h"
+
+namespace pixelplumb {
+
+/// A hard case with what a person is told of it.
+struct GalleryCase {
+    HardCase hardCase;
+    QString family; ///< "tie"; where the file gives none, the kind's name
+    QStringList failsIn; ///< what gets it wrong, as the file says
+    QString note; ///< as the file says; may be empty
+    QString why; ///< two sentences: why methods go wrong here
+};
+
+/// Reads a file of hard cases (see readHardCases) with its families and remarks. Cases whose
+/// coordinates are refused have no picture and are left out.
+Result<std::vector<GalleryCase>> readGallery(const QByteArray &text);
+
+/// Two sentences on why cases of a family go wrong.
+QString whyOf(const QString &family);
+
+/// The case as a scene under a method's settings: its canvas and its triangles or its line. Of a
+/// sequence the first frame, of a translation the place where it stands. The method is the one
+/// asked for where it draws the case, else the first that does.
+Scene sceneOf(const HardCase &hardCase, const Method &method, const ScanSettings &settings);
+
+} // namespace pixelplumb

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compare/contender.h"
+
+namespace pixelplumb {
+
+namespace {
+
+QString text(std::string_view name)
+{
+    return QString::fromUtf8(name.data(), qsizetype(name.size()));
+}
+
+} // namespace
+
+QString Contender::name() const
+{
+    if (isTruth())
+        return QStringLiteral("truth ") + text(nameOf(settings.fillRule));
+    return QStringList{method->id, text(nameOf(settings.arithmetic)),
+                       text(nameOf(settings.fillRule))}
+        .join(u' ');
+}
+
+Contender contenderFor(const Method &method, const ScanSettings &wanted)
+{
+    Contender contender{&method, wanted};
+    if (!method.supports(wanted.arithmetic))
+        contender.settings.arithmetic = method.arithmetics.front();
+    if (!method.supports(wanted.fillRule))
+        contender.settings.fillRule = method.fillRules.front();
+    return contender;
+}
+
+Scene sceneFor(const Scene &scene, const Contender &contender)
+{
+    Scene drawn = scene;
+    if (contender.isTruth())
+        return drawn;
+    drawn.method = contender.method->id.toStdString();
+    drawn.settings = contender.settings;
+    return drawn;
+}
+
+Primitives primitivesFor(const Primitives &primitives, const Contender &contender)
+{
+    if (contender.isTruth())
+        return primitives;
+    Primitives drawn;
+    if (contender.method->draws(PrimitiveKind::Triangle)) {
+        drawn.triangles = primitives.triangles;
+        drawn.attributes = primitives.attributes;
+    }
+    for (const Shape &shape : primitives.shapes) {
+        if (contender.method->draws(shape.kind))
+            drawn.shapes.push_back(shape);
+    }
+    return drawn;
+}
+
+} // namespace pixelplumb

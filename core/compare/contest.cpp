@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compare/contest.h"
+
+#include "core/check/casepicture.h"
+#include "core/compare/exactbounds.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr std::int64_t differencesBetweenProgress = 16;
+
+/// Thrown through the drawing when the progress function says so.
+struct Cancelled { };
+
+class Comparer {
+public:
+    Comparer(const Scene &scene, const ContestOptions &options)
+        : m_options(options)
+        , m_contest(std::make_shared<Contest>())
+    {
+        m_contest->scene = scene;
+        m_contest->primitives = primitivesOnSamples(scene);
+    }
+
+    std::shared_ptr<const Contest> run(const std::vector<Contender> &contenders)
+    {
+        for (const Contender &contender : contenders)
+            draw(contender);
+        for (ContenderRun &each : m_contest->runs)
+            record(each);
+        m_contest->agreement = AgreementMap(m_contest->scene.frame, int(contenders.size()));
+        findAgreement();
+        return m_contest;
+    }
+
+private:
+    void tell(const QString &state) const
+    {
+        if (m_options.progress && !m_options.progress(state))
+            throw Cancelled{};
+    }
+
+    void draw(const Contender &contender)
+    {
+        tell(QStringLiteral("drawing: ") + contender.name());
+        ContenderRun &run = m_contest->runs.emplace_back(contender, m_contest->scene.frame);
+        const Primitives drawn = primitivesFor(m_contest->primitives, contender);
+        drawTruly(drawn, contender.settings, run.truth.view());
+        if (contender.isTruth()) {
+            drawTruly(drawn, contender.settings, run.picture.view());
+        } else {
+            const Method &method = *contender.method;
+            const auto drawing = method.drawFast ? method.drawFast : method.draw;
+            drawing(m_contest->primitives, contender.settings, run.picture.view());
+        }
+        count(run);
+    }
+
+    void count(ContenderRun &run) const
+    {
+        const JudgedRun judged{&m_contest->primitives, nullptr, &run.picture, &run.truth, nullptr};
+        forEachPixel([&](std::int64_t x, std::int64_t y) {
+            run.tally.written += run.picture.isWritten(x, y) ? 1 : 0;
+            ++run.tally.againstTruth[std::size_t(differenceAt(judged, x, y))];
+        });
+    }
+
+    static bool departsFromTruth(const ContenderRun &run)
+    {
+        const auto &counts = run.tally.againstTruth;
+        return std::any_of(counts.begin() + 1, counts.end(),
+                           [](std::int64_t count) { return count > 0; });
+    }
+
+    void record(ContenderRun &run) const
+    {
+        const bool departs = departsFromTruth(run);
+        if (run.contender.isTruth() || (!departs && m_options.recorded == Recorded::WhereNeeded))
+            return;
+        const QString state = QStringLiteral("recording: ") + run.contender.name();
+        TraceOptions recording;
+        recording.progress
+            = [&](std::size_t) { return !m_options.progress || m_options.progress(state); };
+        run.traced = traceScene(sceneFor(m_contest->scene, run.contender), recording);
+        if (!run.traced)
+            throw Cancelled{};
+        const Method &method = *run.contender.method;
+        if (!departs || run.contender.settings.arithmetic == Arithmetic::Exact
+            || !method.supports(Arithmetic::Exact))
+            return;
+        ScanSettings exact = run.contender.settings;
+        exact.arithmetic = Arithmetic::Exact;
+        run.inExactArithmetic.emplace(m_contest->scene.frame);
+        method.draw(m_contest->primitives, exact, run.inExactArithmetic->view());
+    }
+
+    /// By columns, each from its lowest row.
+    template <class Function>
+    void forEachPixel(const Function &function) const
+    {
+        const FrameView window = m_contest->runs.front().picture.view();
+        for (std::int64_t x = window.firstColumn; x < window.endColumn(); ++x) {
+            for (std::int64_t y = window.firstRow; y < window.endRow(); ++y)
+                function(x, y);
+        }
+    }
+
+    void findAgreement()
+    {
+        std::vector<ContenderRun> &runs = m_contest->runs;
+        for (ContenderRun &run : runs)
+            run.tally.differsFrom.assign(runs.size(), 0);
+        std::vector<QRgb> values(runs.size());
+        std::int64_t found = 0;
+        forEachPixel([&](std::int64_t x, std::int64_t y) {
+            for (std::size_t i = 0; i < runs.size(); ++i)
+                values[i] = *runs[i].picture.view().at(x, y);
+            if (std::ranges::adjacent_find(values, std::ranges::not_equal_to{}) == values.end())
+                return;
+            int agreeing = 0;
+            for (std::size_t i = 0; i < values.size(); ++i) {
+                agreeing = std::max(agreeing, int(std::ranges::count(values, values[i])));
+                for (std::size_t j = 0; j < values.size(); ++j)
+                    runs[i].tally.differsFrom[j] += values[i] != values[j] ? 1 : 0;
+            }
+            if (found++ % differencesBetweenProgress == 0)
+                tell(QStringLiteral("explaining: column %1").arg(x));
+            m_contest->agreement.set(x, y, agreeing, reasonAt(x, y));
+        });
+    }
+
+    Disagreement reasonAt(std::int64_t x, std::int64_t y) const
+    {
+        Disagreement reason = Disagreement::None;
+        for (std::size_t run = 0; run < m_contest->runs.size(); ++run) {
+            if (m_contest->runs[run].traced)
+                reason = std::max(reason, deviationAt(m_contest->judged(run), x, y).reason);
+        }
+        if (reason != Disagreement::None)
+            return reason;
+        // Each is right by its own rule: the rules differ, or what the methods draw at all.
+        const bool isTie = std::ranges::any_of(
+            m_contest->primitives.triangles,
+            [x, y](const Triangle &triangle) { return liesOnBoundary(triangle, x, y); });
+        return isTie ? Disagreement::TieRule : Disagreement::Method;
+    }
+
+    const ContestOptions &m_options;
+    std::shared_ptr<Contest> m_contest;
+};
+
+} // namespace
+
+JudgedRun Contest::judged(std::size_t run) const
+{
+    const ContenderRun &of = runs[run];
+    return {&primitives, of.traced.get(), &of.picture, &of.truth,
+            of.inExactArithmetic ? &*of.inExactArithmetic : nullptr};
+}
+
+std::shared_ptr<const Contest> compareContenders(const Scene &scene,
+                                                 const std::vector<Contender> &contenders,
+                                                 const ContestOptions &options)
+{
+    Q_ASSERT(contenders.size() >= fewestContenders && contenders.size() <= mostContenders);
+    try {
+        return Comparer(scene, options).run(contenders);
+    } catch (const Cancelled &) {
+        return nullptr;
+    }
+}
+
+PixelComparison comparePixel(const Contest &contest, std::int64_t x, std::int64_t y)
+{
+    PixelComparison pixel{
+        x, y, contest.agreement.agreeingAt(x, y), contest.agreement.reasonAt(x, y), {}};
+    for (std::size_t i = 0; i < contest.runs.size(); ++i) {
+        const ContenderRun &run = contest.runs[i];
+        PixelOpinion &opinion = pixel.opinions.emplace_back();
+        opinion.written = run.picture.isWritten(x, y);
+        if (opinion.written)
+            opinion.colour = run.picture.colourAt(x, y);
+        if (!run.traced)
+            continue;
+        const JudgedRun judged = contest.judged(i);
+        opinion.deviation = deviationAt(judged, x, y);
+        opinion.words = textOf(opinion.deviation, judged, x, y);
+    }
+    return pixel;
+}
+
+} // namespace pixelplumb

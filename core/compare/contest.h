@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compare/agreement.h"
+#include "core/compare/contender.h"
+#include "core/compare/deviation.h"
+
+namespace pixelplumb {
+
+/// How one contender did.
+struct ContenderTally {
+    std::int64_t written = 0; ///< pixels
+    /// Against the truth under the contender's own rule, by Difference.
+    std::array<std::int64_t, 4> againstTruth = {};
+    std::vector<std::int64_t> differsFrom; ///< pixels, by contender
+};
+
+/// A contender with its finished picture and, where it was recorded, its run.
+struct ContenderRun {
+    ContenderRun(const Contender &of, const FrameSpec &spec)
+        : contender(of)
+        , picture(spec)
+        , truth(spec)
+    {
+    }
+
+    Contender contender;
+    ContenderTally tally;
+    WrittenFrame picture;
+    WrittenFrame truth; ///< under its own rule
+    std::optional<WrittenFrame> inExactArithmetic; ///< see JudgedRun
+    std::shared_ptr<const TracedScene> traced; ///< null for the truth, and where it was not asked
+};
+
+/// Which contenders are recorded, not only drawn.
+enum class Recorded {
+    WhereNeeded, ///< those that depart from the truth, so that the reasons can be told
+    All, ///< every method, to be stepped through
+};
+
+struct ContestOptions {
+    Recorded recorded = Recorded::WhereNeeded;
+    /// Called now and then; returning false cancels.
+    std::function<bool(const QString &state)> progress;
+};
+
+/// The same scene by several contenders, and where their pictures part. A value that views receive
+/// whole and never change.
+struct Contest {
+    Scene scene;
+    Primitives primitives; ///< in sample coordinates
+    std::vector<ContenderRun> runs;
+    AgreementMap agreement;
+
+    JudgedRun judged(std::size_t run) const;
+};
+
+/// Null when options.progress cancelled it. Each contender must accept its settings
+/// (Method::refusal).
+std::shared_ptr<const Contest> compareContenders(const Scene &scene,
+                                                 const std::vector<Contender> &contenders,
+                                                 const ContestOptions &options = {});
+
+/// What one contender has at a pixel, in words.
+struct PixelOpinion {
+    bool written = false;
+    Colour colour;
+    Deviation deviation; ///< from the truth under its own rule
+    QString words; ///< empty where it is right
+};
+
+/// Everything about one pixel of a contest.
+struct PixelComparison {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+    int agreeing = 0;
+    Disagreement reason = Disagreement::None;
+    std::vector<PixelOpinion> opinions; ///< by contender
+};
+
+/// (x, y) must lie inside the frame.
+PixelComparison comparePixel(const Contest &contest, std::int64_t x, std::int64_t y);
+
+} // namespace pixelplumb

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compare/deviation.h"
+#include "core/oracle/oracle.h"
+
+#include <QStringList>
+
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+QString boundName(SpanBound bound, SpanAxis axis)
+{
+    if (axis == SpanAxis::Column)
+        return bound == SpanBound::Lower ? QStringLiteral("y_B") : QStringLiteral("y_T");
+    return bound == SpanBound::Lower ? QStringLiteral("x_L") : QStringLiteral("x_R");
+}
+
+QString kindText(Difference kind)
+{
+    switch (kind) {
+    case Difference::None:
+        return {};
+    case Difference::Missing:
+        return QStringLiteral("missing");
+    case Difference::Extra:
+        return QStringLiteral("extra");
+    case Difference::Colour:
+        return QStringLiteral("another colour");
+    }
+    return {};
+}
+
+/// "y_T = 9.999998 instead of 10, 1.9e-06 px too low"
+QString boundText(const Deviation &deviation, SpanAxis axis)
+{
+    const double error = errorOf(deviation.used, deviation.exact);
+    return QStringLiteral("%1 = %2 instead of %3, %4 px too %5")
+        .arg(boundName(deviation.bound, axis), toText(deviation.used), toText(deviation.exact),
+             QString::number(std::abs(error), 'g', 2),
+             error < 0 ? QStringLiteral("low") : QStringLiteral("high"));
+}
+
+/// "R 126.49 instead of 126 1/2", the channels whose bytes differ.
+QString coloursText(const Deviation &deviation, const JudgedRun &run, std::int64_t x,
+                    std::int64_t y)
+{
+    const Colour drawn = run.drawn->colourAt(x, y);
+    const Colour truth = run.truth->colourAt(x, y);
+    std::array<Quantity, 3> used, exact;
+    const ScanTrace &trace = *run.traced->trace;
+    if (const auto visit = trace.visitOf(*deviation.primitive, x, y)) {
+        const std::size_t span = trace.spanOf(*visit);
+        used = trace.samples(span)[*visit - trace.firstSampleOf(span)].colour;
+    }
+    if (run.primitives->isTriangle(*deviation.primitive))
+        exact = oracle::colourAt(run.primitives->triangles[*deviation.primitive], x, y);
+    QStringList parts;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        if (drawn.channels[channel] == truth.channels[channel])
+            continue;
+        QString part = QStringLiteral("%1 %2 instead of %3")
+                           .arg(QLatin1Char("RGB"[channel]))
+                           .arg(drawn.channels[channel])
+                           .arg(truth.channels[channel]);
+        if (!used[channel].isNone() && !exact[channel].isNone())
+            part += QStringLiteral(" (the level %1 instead of %2)")
+                        .arg(toText(used[channel]), toText(exact[channel]));
+        parts.append(part);
+    }
+    return parts.join(QStringLiteral(", "));
+}
+
+QString causeText(const Deviation &deviation, const JudgedRun &run)
+{
+    const std::string_view name = nameOf(run.traced->scene.settings.arithmetic);
+    const QString arithmetic = QString::fromUtf8(name.data(), qsizetype(name.size()));
+    switch (deviation.reason) {
+    case Disagreement::None:
+    case Disagreement::TieRule:
+        return {};
+    case Disagreement::Rounding:
+        return QStringLiteral("the rounding of one level");
+    case Disagreement::Drift:
+        return deviation.bound == SpanBound::None
+            ? QStringLiteral("the increments in %1 added up to another number").arg(arithmetic)
+            : QStringLiteral("%1 could hold the exact bound, the increments added up to another")
+                  .arg(arithmetic);
+    case Disagreement::Precision:
+        return QStringLiteral("%1 cannot hold the numbers that decide").arg(arithmetic);
+    case Disagreement::Method:
+        return QStringLiteral("the method does so in exact arithmetic too");
+    case Disagreement::NotRecorded:
+        return QStringLiteral("the recording ended before this pixel");
+    }
+    return {};
+}
+
+} // namespace
+
+QString textOf(const Deviation &deviation, const JudgedRun &run, std::int64_t x, std::int64_t y)
+{
+    if (deviation.reason == Disagreement::None)
+        return {};
+    QStringList parts;
+    if (deviation.bound != SpanBound::None)
+        parts.append(boundText(deviation, run.traced->trace->placeOf(*deviation.span).axis));
+    else if (deviation.kind == Difference::Colour && deviation.primitive)
+        parts.append(coloursText(deviation, run, x, y));
+    parts.append(causeText(deviation, run));
+    QString text
+        = kindText(deviation.kind) + QStringLiteral(": ") + parts.join(QStringLiteral("; "));
+    if (deviation.isTie)
+        text += QStringLiteral("; the sample lies exactly on an edge");
+    return text;
+}
+
+} // namespace pixelplumb

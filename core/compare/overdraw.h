@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trace/tracedscene.h"
+
+namespace pixelplumb {
+
+/// How often each pixel is written by different primitives, and which samples inside the union of
+/// the triangles nobody writes. A mesh under a watertight rule has neither gap nor overdraw.
+class OverdrawMap {
+public:
+    OverdrawMap() = default;
+    explicit OverdrawMap(const FrameSpec &spec)
+        : m_spec(spec)
+        , m_pixels(std::size_t(spec.width) * std::size_t(spec.height))
+    {
+    }
+
+    const FrameSpec &spec() const { return m_spec; }
+    /// Primitives that write the pixel; 0 outside the frame. Counts stop at 65535.
+    int writesAt(std::int64_t x, std::int64_t y) const
+    {
+        return contains(x, y) ? m_pixels[indexOf(x, y)].writes : 0;
+    }
+    /// Nobody writes it, although a triangle owns it by the rule or the triangles surround it.
+    bool isGapAt(std::int64_t x, std::int64_t y) const
+    {
+        return contains(x, y) && m_pixels[indexOf(x, y)].isGap;
+    }
+
+    std::int64_t writtenPixels() const { return m_written; } ///< once or more
+    std::int64_t overdrawnPixels() const { return m_overdrawn; } ///< twice or more
+    std::int64_t gaps() const { return m_gaps; }
+    int mostWrites() const { return m_mostWrites; }
+
+    // (x, y) must lie inside the frame.
+    void addWrite(std::int64_t x, std::int64_t y);
+    void setGap(std::int64_t x, std::int64_t y);
+
+private:
+    struct Pixel {
+        std::uint16_t writes = 0;
+        bool isGap = false;
+    };
+
+    bool contains(std::int64_t x, std::int64_t y) const
+    {
+        return !m_pixels.empty() && x >= m_spec.firstColumn && y >= m_spec.firstRow
+            && x - m_spec.firstColumn < m_spec.width && y - m_spec.firstRow < m_spec.height;
+    }
+    std::size_t indexOf(std::int64_t x, std::int64_t y) const
+    {
+        return std::size_t((y - m_spec.firstRow) * m_spec.width + (x - m_spec.firstColumn));
+    }
+
+    FrameSpec m_spec;
+    std::vector<Pixel> m_pixels;
+    std::int64_t m_written = 0;
+    std::int64_t m_overdrawn = 0;
+    std::int64_t m_gaps = 0;
+    int m_mostWrites = 0;
+};
+
+/// Of the finished run. Gaps are looked for among triangles, and only in runs that were recorded to
+/// their end.
+OverdrawMap overdrawOf(const TracedScene &traced);
+
+/// True when the triangles surround the sample: it is inside one of them, or on edges and vertices
+/// that have a triangle on every side. Decided by four opposite infinitely small displacements,
+/// each of which must stay within some triangle.
+bool isSurrounded(const std::vector<Triangle> &triangles, std::int64_t x, std::int64_t y);
+
+} // namespace pixelplumb

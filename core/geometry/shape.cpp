@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/shape.h"
+
+namespace pixelplumb {
+
+QString nameOf(PrimitiveKind kind)
+{
+    switch (kind) {
+    case PrimitiveKind::Triangle:
+        return QStringLiteral("triangle");
+    case PrimitiveKind::Point:
+        return QStringLiteral("point");
+    case PrimitiveKind::Line:
+        return QStringLiteral("line");
+    case PrimitiveKind::Circle:
+        return QStringLiteral("circle");
+    case PrimitiveKind::Ellipse:
+        return QStringLiteral("ellipse");
+    case PrimitiveKind::Bezier:
+        return QStringLiteral("bezier");
+    case PrimitiveKind::Polygon:
+        return QStringLiteral("polygon");
+    case PrimitiveKind::Text:
+        return QStringLiteral("text");
+    }
+    return {};
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/attributes.h"
+#include "core/geometry/triangle.h"
+
+#include <QString>
+
+#include <string>
+#include <vector>
+
+namespace pixelplumb {
+
+/// What a primitive of a scene is (seed 002, "Output Primitives").
+enum class PrimitiveKind : std::uint8_t {
+    Triangle,
+    Point,
+    Line,
+    Circle,
+    Ellipse,
+    Bezier, ///< quadratic or cubic
+    Polygon,
+    Text,
+};
+
+/// "triangle", "line", …: in files and in words.
+QString nameOf(PrimitiveKind kind);
+
+/// What of a closed shape is painted.
+enum class ShapeFill : std::uint8_t {
+    Outline,
+    EvenOdd, ///< inside where a ray crosses the boundary an odd number of times
+    NonZero, ///< inside where the boundary winds around the sample
+};
+
+/// Any primitive but a triangle. Triangles stand apart, without a heap block each, because scenes
+/// hold millions of them.
+struct Shape {
+    PrimitiveKind kind = PrimitiveKind::Line;
+    /// Point: one or more. Line: two. Circle, ellipse: the centre and a corner of the bounding box,
+    /// so that the radii are the differences of x and of y. Bézier: three or four control points.
+    /// Polygon: the contours one after another. Text: the start of the baseline.
+    std::vector<Vertex> vertices;
+    /// Of a polygon: the index of each contour's first vertex but the first's, which is 0.
+    std::vector<std::size_t> laterContours;
+    ShapeFill fill = ShapeFill::Outline;
+    std::string text; ///< UTF-8, of a text
+    /// Of a text: the font's size, lattice units; negative, for kernels, where y grows downward.
+    Lattice textHeight = 0;
+
+    friend bool operator==(const Shape &, const Shape &) = default;
+};
+
+/// What a method draws, in sample coordinates: the triangles in order, then the shapes in order.
+/// A primitive's index counts through both.
+struct Primitives {
+    std::vector<Triangle> triangles;
+    std::vector<Shape> shapes;
+    std::vector<TriangleAttributes> attributes = {}; ///< sparse, ascending
+
+    std::size_t size() const { return triangles.size() + shapes.size(); }
+    bool isTriangle(std::size_t primitive) const { return primitive < triangles.size(); }
+    const Shape &shape(std::size_t primitive) const { return shapes[primitive - triangles.size()]; }
+    PrimitiveKind kindOf(std::size_t primitive) const
+    {
+        return isTriangle(primitive) ? PrimitiveKind::Triangle : shape(primitive).kind;
+    }
+};
+
+} // namespace pixelplumb

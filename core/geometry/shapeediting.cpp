@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/shapeediting.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr Lattice placedTextHeight = 24 * unitsPerPixel;
+
+bool isRound(PrimitiveKind kind)
+{
+    return kind == PrimitiveKind::Circle || kind == PrimitiveKind::Ellipse;
+}
+
+/// The corner of the bounding box, up and to the right of the centre.
+LatticePoint cornerOf(PrimitiveKind kind, const LatticePoint &centre, const LatticePoint &wish)
+{
+    Lattice right = std::max<Lattice>(1, std::abs(wish.x - centre.x));
+    Lattice up = std::max<Lattice>(1, std::abs(wish.y - centre.y));
+    if (kind == PrimitiveKind::Circle)
+        right = up = std::max(right, up);
+    return {centre.x + right, centre.y + up};
+}
+
+} // namespace
+
+std::optional<std::size_t> placedVertexCount(PrimitiveKind kind)
+{
+    switch (kind) {
+    case PrimitiveKind::Triangle:
+        return 3;
+    case PrimitiveKind::Point:
+    case PrimitiveKind::Text:
+        return 1;
+    case PrimitiveKind::Line:
+    case PrimitiveKind::Circle:
+    case PrimitiveKind::Ellipse:
+        return 2;
+    case PrimitiveKind::Bezier:
+        return 4;
+    case PrimitiveKind::Polygon:
+        break;
+    }
+    return std::nullopt;
+}
+
+Shape shapeFrom(PrimitiveKind kind, std::span<const Vertex> vertices)
+{
+    Shape shape;
+    shape.kind = kind;
+    shape.vertices.assign(vertices.begin(), vertices.end());
+    if (isRound(kind))
+        shape.vertices[1].position
+            = cornerOf(kind, shape.vertices[0].position, shape.vertices[1].position);
+    if (kind == PrimitiveKind::Polygon)
+        shape.fill = ShapeFill::EvenOdd;
+    if (kind == PrimitiveKind::Text) {
+        shape.text = "Ag";
+        shape.textHeight = placedTextHeight;
+        shape.fill = ShapeFill::NonZero;
+    }
+    return shape;
+}
+
+void moveVertex(Shape &shape, std::size_t vertex, const LatticePoint &position)
+{
+    LatticePoint &moved = shape.vertices[vertex].position;
+    if (!isRound(shape.kind)) {
+        moved = position;
+        return;
+    }
+    LatticePoint &corner = shape.vertices[1].position;
+    if (vertex == 1) {
+        corner = cornerOf(shape.kind, shape.vertices[0].position, position);
+        return;
+    }
+    corner = {corner.x + position.x - moved.x, corner.y + position.y - moved.y};
+    moved = position;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/shape.h"
+
+#include <optional>
+#include <span>
+
+namespace pixelplumb {
+
+/// How many vertices a person places for a primitive; none where it goes on until it is closed.
+std::optional<std::size_t> placedVertexCount(PrimitiveKind kind);
+
+/// The shape that placed vertices make: their colours stay, a circle's corner comes onto its
+/// square. `kind` is no triangle; there are as many vertices as it takes.
+Shape shapeFrom(PrimitiveKind kind, std::span<const Vertex> vertices);
+
+/// Moves one vertex of a shape. A circle or ellipse moves as a whole by its centre, and its corner
+/// keeps it from shrinking to nothing; a circle stays round.
+void moveVertex(Shape &shape, std::size_t vertex, const LatticePoint &position);
+
+} // namespace pixelplumb

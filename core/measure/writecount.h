@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/frame/framespec.h"
+#include "core/geometry/triangle.h"
+#include "core/scan/scansettings.h"
+
+#include <functional>
+#include <optional>
+#include <span>
+
+namespace pixelplumb {
+
+/// How many pixels the column scan writes for the triangles (sample coordinates) under a fill rule
+/// of its own, in exact arithmetic: a pixel counts once for each triangle that covers it. Nothing
+/// where `goesOn`, asked now and then, says no.
+std::optional<std::uint64_t> countWrites(std::span<const Triangle> triangles, FillRule rule,
+                                         const FrameSpec &spec,
+                                         const std::function<bool()> &goesOn);
+
+} // namespace pixelplumb

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/edgetestnames.h"
+
+#include "core/scan/edgetestsetup.h"
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr std::array<char16_t, 3> digits = {u'₀', u'₁', u'₂'};
+constexpr std::array<char16_t, 3> weights = {u'α', u'β', u'γ'};
+constexpr std::array<char16_t, 3> cramerWeights = {u'u', u'v', u'w'};
+
+QString weightId(const EdgeTestForm &form, std::size_t line)
+{
+    constexpr std::array names = {"alpha", "beta", "gamma"};
+    return form.inside == InsideTest::Cramer ? QString(QChar(cramerWeights[line]))
+                                             : QString::fromLatin1(names[line]);
+}
+
+QString lineId(const EdgeTestForm &form, std::size_t line)
+{
+    constexpr std::array names = {"_bc", "_ca", "_ab"};
+    return form.isBarycentric() ? QString::fromLatin1(names[line])
+                                : QStringLiteral("_%1").arg(line);
+}
+
+} // namespace
+
+QString EdgeTestNames::vertex(std::size_t vertex) const
+{
+    return m_form.isBarycentric() ? vertexId(vertex) : QString(QChar(digits[vertex]));
+}
+
+QString EdgeTestNames::vertexId(std::size_t vertex) const
+{
+    if (!m_form.isBarycentric())
+        return QStringLiteral("_%1").arg(vertex);
+    const QChar first = m_form.inside == InsideTest::Cramer ? u'A' : u'a';
+    return QStringLiteral("_") + QChar(char16_t(first.unicode() + vertex));
+}
+
+QString EdgeTestNames::filled(QString text, std::size_t line) const
+{
+    const EdgeEnds ends = edgeEndsOf(m_form, line);
+    const bool isCramer = m_form.inside == InsideTest::Cramer;
+    text.replace(QStringLiteral("{value}"),
+                 m_form.isBarycentric() ? QStringLiteral("f{l}") : QStringLiteral("E{l}"));
+    text.replace(QStringLiteral("{l}"),
+                 m_form.isBarycentric() ? lineId(m_form, line) : QString(QChar(digits[line])));
+    text.replace(QStringLiteral("{w}"), QChar(isCramer ? cramerWeights[line] : weights[line]));
+    text.replace(QStringLiteral("{from}"), vertex(ends.from));
+    text.replace(QStringLiteral("{to}"), vertex(ends.to));
+    return text.replace(QStringLiteral("{opp}"), vertex(ends.opposite));
+}
+
+QString EdgeTestNames::filledId(QString text, std::size_t line) const
+{
+    text.replace(QStringLiteral("{value}"),
+                 m_form.isBarycentric() ? QStringLiteral("f{l}") : QStringLiteral("E{l}"));
+    text.replace(QStringLiteral("{l}"), lineId(m_form, line));
+    text.replace(QStringLiteral("{opp}"), vertexId(edgeEndsOf(m_form, line).opposite));
+    return text.replace(QStringLiteral("{w}"), weightId(m_form, line));
+}
+
+QString EdgeTestNames::lineAt(const QString &x, const QString &y) const
+{
+    switch (m_form.line) {
+    case LineForm::Absolute:
+    case LineForm::Solved:
+    case LineForm::CommonVertex:
+        break;
+    case LineForm::CanonicalEnd:
+        return QStringLiteral("a{l}·(%1 − u{l}) + b{l}·(%2 − v{l})").arg(x, y);
+    case LineForm::FirstEnd:
+        return QStringLiteral("a{l}·(%1 − x{from}) + b{l}·(%2 − y{from})").arg(x, y);
+    }
+    return QStringLiteral("a{l}·%1 + b{l}·%2 + c{l}").arg(x, y);
+}
+
+QString EdgeTestNames::weightFormula(std::size_t line) const
+{
+    if (m_form.inside == InsideTest::Cramer) {
+        const std::array formulas = {QStringLiteral("u = ((x − x_C)·y_BC − x_BC·(y − y_C))/D"),
+                                     QStringLiteral("v = (x_AC·(y − y_C) − (x − x_C)·y_AC)/D"),
+                                     QStringLiteral("w = 1 − u − v")};
+        return formulas[line];
+    }
+    if (m_form.evaluation == Evaluation::Increments)
+        return filled(QStringLiteral("{w} ← {w}′ + Δ{w}_y"), line);
+    return filled(QStringLiteral("{w} = f{l}/f{opp}"), line);
+}
+
+QString EdgeTestNames::levelFormula(char16_t channel) const
+{
+    QString formula;
+    if (!m_form.isBarycentric())
+        formula = QStringLiteral("% = E₁/F₁·%₀ + E₂/F₂·%₁ + E₀/F₀·%₂");
+    else if (m_form.inside == InsideTest::Cramer)
+        formula = QStringLiteral("% = u·%_A + v·%_B + w·%_C");
+    else if (m_form.evaluation == Evaluation::Increments)
+        formula = QStringLiteral("% ← %′ + Δ%_y");
+    else
+        formula = QStringLiteral("% = α·%_a + β·%_b + γ·%_c");
+    return formula.replace(u'%', QChar(channel));
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scan/edgetestform.h"
+
+#include <QString>
+
+#include <array>
+
+namespace pixelplumb {
+
+inline constexpr std::array<char16_t, 3> channelLetters = {u'R', u'G', u'B'};
+
+/// The letters of the slides, by form: E₀ from P₀ and P₁; f_bc and α from a, b and c; u, v and w
+/// from A, B and C.
+class EdgeTestNames {
+public:
+    explicit EdgeTestNames(const EdgeTestForm &form)
+        : m_form(form)
+    {
+    }
+
+    const EdgeTestForm &form() const { return m_form; }
+
+    /// What stands after a coordinate or a level of a vertex: "₀", "_a"; in files "_0", "_a".
+    QString vertex(std::size_t vertex) const;
+    QString vertexId(std::size_t vertex) const;
+
+    /// A text with {l} put in for the line, {from}, {to} and {opp} for its vertices, {w} for the
+    /// weight and {value} for its value.
+    QString filled(QString text, std::size_t line) const;
+    QString filledId(QString text, std::size_t line) const;
+
+    /// The line's equation at a point, with {l} and its fellows still to be filled in.
+    QString lineAt(const QString &x, const QString &y) const;
+    QString weightFormula(std::size_t line) const;
+    QString levelFormula(char16_t channel) const;
+
+private:
+    EdgeTestForm m_form;
+};
+
+} // namespace pixelplumb

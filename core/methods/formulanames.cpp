@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/formulanames.h"
+
+#include "core/methods/formulatext.h"
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr QChar prime = u'′';
+
+bool isSubscript(QChar character)
+{
+    const char16_t code = character.unicode();
+    return (code >= 0x2080 && code <= 0x209C) || (code >= 0x1D62 && code <= 0x1D6A);
+}
+
+/// Whether a character can be part of a name.
+bool belongsToName(QChar character)
+{
+    return character.isLetterOrNumber() || character == u'_' || isSubscript(character);
+}
+
+/// What stands to the right of the arrow or the equals sign.
+QString rightSideOf(const QString &formula)
+{
+    for (const QChar sign : {QChar(u'←'), QChar(u'=')}) {
+        if (const qsizetype place = formula.indexOf(sign); place >= 0)
+            return formula.sliced(place + 1).trimmed();
+    }
+    return formula.trimmed();
+}
+
+} // namespace
+
+void FormulaNames::add(const std::vector<TraceColumn> &columns, const std::vector<Quantity> &cells,
+                       const std::vector<Quantity> *earlier)
+{
+    for (std::size_t i = 0; i < columns.size() && i < cells.size(); ++i) {
+        std::optional<Quantity> before;
+        if (earlier && i < earlier->size())
+            before = (*earlier)[i];
+        add(columns[i].title, cells[i], before);
+    }
+}
+
+const FormulaNames::Entry *FormulaNames::nameAt(const QString &text, qsizetype place) const
+{
+    const Entry *longest = nullptr;
+    for (auto entry = m_entries.rbegin(); entry != m_entries.rend(); ++entry) {
+        const qsizetype end = place + entry->title.size();
+        if (QStringView(text).sliced(place).startsWith(entry->title)
+            && (end == text.size() || !belongsToName(text[end]))
+            && (!longest || entry->title.size() > longest->title.size()))
+            longest = &*entry;
+    }
+    return longest;
+}
+
+QString FormulaNames::substituted(const QString &formula) const
+{
+    const QString text = rightSideOf(formula);
+    QString result;
+    for (qsizetype place = 0; place < text.size();) {
+        const bool startsName = place == 0 || !belongsToName(text[place - 1]);
+        const Entry *entry = startsName ? nameAt(text, place) : nullptr;
+        if (!entry) {
+            result += text[place++];
+            continue;
+        }
+        qsizetype end = place + entry->title.size();
+        const bool isEarlier = end < text.size() && text[end] == prime;
+        end += isEarlier ? 1 : 0;
+        const Quantity value = isEarlier && entry->earlier ? *entry->earlier : entry->value;
+        const bool isAlone = place == 0 && end == text.size();
+        if (value.isNone())
+            result += text.sliced(place, end - place);
+        else
+            result += isAlone ? term(value) : operand(value);
+        place = end;
+    }
+    return result;
+}
+
+} // namespace pixelplumb

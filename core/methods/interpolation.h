@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/method.h"
+
+namespace pixelplumb {
+
+/// Colour, depth, texture coordinates and normals over a triangle, in the three forms of seed 003,
+/// "Interpolation During Scan Conversion". The picture shows the colour.
+Method bilinearInterpolationMethod();
+Method planeInterpolationMethod();
+Method barycentricInterpolationMethod();
+
+} // namespace pixelplumb

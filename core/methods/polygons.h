@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/method.h"
+
+namespace pixelplumb {
+
+/// General scan conversion by parity, with an edge table and active edges.
+Method polygonParityMethod();
+/// A convex polygon as a fan of triangles.
+Method polygonFanMethod();
+/// Any polygon that does not cross itself, broken into triangles by a constrained Delaunay
+/// triangulation.
+Method polygonDelaunayMethod();
+
+/// What the methods of polygons have in common: one rule for samples on the boundary, and why.
+Method polygonMethod();
+
+} // namespace pixelplumb

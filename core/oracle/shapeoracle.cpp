@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/oracle/shapeoracle.h"
+
+#include "core/oracle/circleoracle.h"
+#include "core/oracle/curveoracle.h"
+#include "core/oracle/lineoracle.h"
+#include "core/oracle/polygonoracle.h"
+#include "core/polygons/textoutlines.h"
+
+namespace pixelplumb::oracle {
+
+bool covers(const Shape &shape, std::int64_t x, std::int64_t y)
+{
+    switch (shape.kind) {
+    case PrimitiveKind::Point:
+        return pointsCover(shape, x, y);
+    case PrimitiveKind::Line:
+        return lineCovers(shape, x, y);
+    case PrimitiveKind::Circle:
+    case PrimitiveKind::Ellipse:
+        return ellipseCovers(shape, x, y);
+    case PrimitiveKind::Bezier:
+        return curveCovers(shape, x, y);
+    case PrimitiveKind::Polygon:
+        return polygonCovers(shape, x, y);
+    case PrimitiveKind::Text:
+        return polygonCovers(outlinesOf(shape).polygon, x, y);
+    case PrimitiveKind::Triangle: // never a shape
+        break;
+    }
+    return false;
+}
+
+void draw(const Shape &shape, ByteRounding rounding, FrameView frame, CoverageMask &coverage)
+{
+    switch (shape.kind) {
+    case PrimitiveKind::Point:
+        drawPoints(shape, frame, coverage);
+        break;
+    case PrimitiveKind::Line:
+        drawLine(shape, rounding, frame, coverage);
+        break;
+    case PrimitiveKind::Circle:
+    case PrimitiveKind::Ellipse:
+        drawEllipse(shape, frame, coverage);
+        break;
+    case PrimitiveKind::Bezier:
+        drawCurve(shape, frame, coverage);
+        break;
+    case PrimitiveKind::Polygon:
+        drawPolygon(shape, frame, coverage);
+        break;
+    case PrimitiveKind::Text:
+        drawPolygon(outlinesOf(shape).polygon, frame, coverage);
+        break;
+    case PrimitiveKind::Triangle: // never a shape
+        break;
+    }
+}
+
+} // namespace pixelplumb::oracle

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/polygons/textoutlines.h"
+
+#include "core/polygons/glyphpen.h"
+
+#include <QFile>
+#include <QStandardPaths>
+#include <QStringList>
+
+#include <ft2build.h>
+#include FT_FREETYPE_H
+#include FT_OUTLINE_H
+
+#include <memory>
+
+namespace pixelplumb {
+
+namespace {
+
+struct LibraryDone {
+    void operator()(FT_Library library) const { FT_Done_FreeType(library); }
+};
+struct FaceDone {
+    void operator()(FT_Face face) const { FT_Done_Face(face); }
+};
+using Library = std::unique_ptr<FT_LibraryRec_, LibraryDone>;
+using Face = std::unique_ptr<FT_FaceRec_, FaceDone>;
+
+/// A library and a face of one's own: FreeType shares nothing between two of them, so threads need
+/// no lock.
+struct Font {
+    Library library;
+    Face face;
+};
+
+std::optional<Font> openFont()
+{
+    Font font;
+    FT_Library library = nullptr;
+    if (FT_Init_FreeType(&library) != 0)
+        return std::nullopt;
+    font.library.reset(library);
+    FT_Face face = nullptr;
+    const QByteArray path = QFile::encodeName(textFontFile());
+    if (path.isEmpty() || FT_New_Face(library, path.constData(), 0, &face) != 0)
+        return std::nullopt;
+    font.face.reset(face);
+    if (!FT_IS_SCALABLE(face) || face->units_per_EM == 0)
+        return std::nullopt;
+    return font;
+}
+
+FontPoint pointOf(const FT_Vector *vector) { return {vector->x, vector->y}; }
+
+GlyphPen &penOf(void *pen) { return *static_cast<GlyphPen *>(pen); }
+
+int moveTo(const FT_Vector *to, void *pen)
+{
+    penOf(pen).moveTo(pointOf(to));
+    return 0;
+}
+
+int lineTo(const FT_Vector *to, void *pen)
+{
+    penOf(pen).lineTo(pointOf(to));
+    return 0;
+}
+
+int quadraticTo(const FT_Vector *control, const FT_Vector *to, void *pen)
+{
+    penOf(pen).quadraticTo(pointOf(control), pointOf(to));
+    return 0;
+}
+
+int cubicTo(const FT_Vector *control1, const FT_Vector *control2, const FT_Vector *to, void *pen)
+{
+    penOf(pen).cubicTo(pointOf(control1), pointOf(control2), pointOf(to));
+    return 0;
+}
+
+} // namespace
+
+QString textFontFile()
+{
+    // As Debian, Fedora and Arch name the folder.
+    const QStringList folders = {QStringLiteral("truetype/dejavu"),
+                                 QStringLiteral("dejavu-sans-fonts"), QStringLiteral("TTF")};
+    for (const QString &folder : folders) {
+        const QString file
+            = QStandardPaths::locate(QStandardPaths::GenericDataLocation,
+                                     QStringLiteral("fonts/%1/DejaVuSans.ttf").arg(folder));
+        if (!file.isEmpty())
+            return file;
+    }
+    return {};
+}
+
+TextOutlines outlinesOf(const Shape &text)
+{
+    TextOutlines outlines;
+    outlines.polygon.kind = PrimitiveKind::Polygon;
+    outlines.polygon.fill = ShapeFill::NonZero;
+    if (text.vertices.empty())
+        return outlines;
+    const std::optional<Font> font = openFont();
+    if (!font) {
+        outlines.rejection = PrimitiveRejection::FontMissing;
+        return outlines;
+    }
+    const FT_Face face = font->face.get();
+    const FontScale scale{text.vertices.front().position, text.textHeight, face->units_per_EM};
+    GlyphPen pen(scale, text.vertices.front(), outlines.polygon);
+    const FT_Outline_Funcs functions{moveTo, lineTo, quadraticTo, cubicTo, 0, 0};
+    std::int64_t origin = 0;
+    for (const char32_t character : QString::fromStdString(text.text).toUcs4()) {
+        if (FT_Load_Char(face, character, FT_LOAD_NO_SCALE) != 0)
+            continue;
+        pen.setOrigin(origin);
+        FT_Outline_Decompose(&face->glyph->outline, &functions, &pen);
+        origin += face->glyph->metrics.horiAdvance;
+        if (!pen.isWithinRange())
+            break;
+    }
+    if (!pen.isWithinRange()) {
+        outlines.rejection = PrimitiveRejection::NotRepresentable;
+        outlines.polygon.vertices.clear();
+        outlines.polygon.laterContours.clear();
+    }
+    return outlines;
+}
+
+} // namespace pixelplumb

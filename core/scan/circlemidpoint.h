@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scan/circleshape.h"
+#include "core/scan/flatpixel.h"
+#include "core/scan/scanobserver.h"
+
+#include <vector>
+
+/// The midpoint circle and ellipse: Bresenham's idea on the implicit form (seed 003, "Lines and
+/// Curves: Implicit", F(x, y) = x² + y² − r²; seed 002, "Adaptable to circles, other curves"). From
+/// the top, each step goes one column along, and the sign of F half-way between two rows tells
+/// which of them is nearer. What is found in one octant of a circle is mirrored into all eight; an
+/// ellipse has two kinds of arcs, each mirrored into four. Centre and radii are whole pixels.
+namespace pixelplumb {
+
+/// An arc from where it crosses an axis to where its slope is ±1, seen so that it is flat.
+/// F(x, y) = b²x² + a²y² − a²b²; decisions are 4·F, which is an integer between two rows.
+struct MidpointArc {
+    std::int64_t a = 0; ///< radius along the arc, px
+    std::int64_t b = 0; ///< radius across, px
+
+    /// 4·F(x, y − 1/2): positive where the midpoint below row y is outside, so that y − 1 is
+    /// nearer.
+    Int128 decision(std::int64_t x, std::int64_t y) const
+    {
+        const Int128 aa = Int128(a) * a;
+        const Int128 bb = Int128(b) * b;
+        return 4 * bb * x * x + aa * (2 * Int128(y) - 1) * (2 * y - 1) - 4 * aa * bb;
+    }
+    /// Whether the arc comes nearest to this column: up to x = a²/√(a² + b²), rounded.
+    bool reaches(std::int64_t x) const
+    {
+        const Int128 beyond = 2 * Int128(x) - 1;
+        const Int128 aa = Int128(a) * a;
+        return x <= a && (x == 0 || beyond * beyond * (aa + Int128(b) * b) <= 4 * aa * aa);
+    }
+    /// One past the last column.
+    std::int64_t endColumn() const
+    {
+        std::int64_t last = 0;
+        for (std::int64_t bit = std::int64_t(1) << 31; bit > 0; bit >>= 1)
+            last += reaches(last + bit) ? bit : 0;
+        return last + 1;
+    }
+};
+
+struct MidpointSetUp {
+    LatticePoint centre; ///< px
+    std::int64_t radiusX = 0; ///< px
+    std::int64_t radiusY = 0;
+
+    bool isCircle() const { return radiusX == radiusY; }
+    MidpointArc arc(int number) const
+    {
+        return number == 0 ? MidpointArc{radiusX, radiusY} : MidpointArc{radiusY, radiusX};
+    }
+};
+
+struct MidpointStep {
+    int arc = 0; ///< of an ellipse: 0 flat, 1 steep
+    std::int64_t x = 0; ///< x_k from the centre along the arc, px
+    std::int64_t y = 0; ///< y_k from the centre across the arc, px
+    bool hasDecision = false; ///< a decision led here: not at an arc's first step
+    Int128 decision = 0; ///< p_k−1 in units of decisionUnit
+    Int128 nextDecision = 0; ///< p_k
+    /// What 1 is in a decision: 4, and 4·r² of a circle, whose F is x² + y² − r².
+    Int128 decisionUnit = 4;
+};
+
+struct MidpointNumbers {
+    using SetUp = MidpointSetUp;
+    using Span = MidpointStep;
+    using Sample = FlatSample;
+};
+
+/// A step of the arc without the ones before it: the row by bisection.
+inline MidpointStep midpointStepAt(const MidpointArc &arc, int number, std::int64_t x)
+{
+    MidpointStep step;
+    step.arc = number;
+    step.x = x;
+    step.decisionUnit = 4 * (arc.a == arc.b ? std::max<Int128>(1, Int128(arc.a) * arc.a) : 1);
+    for (std::int64_t bit = std::int64_t(1) << 31; bit > 0; bit >>= 1) {
+        if (step.y + bit <= arc.b && arc.decision(x, step.y + bit) <= 0)
+            step.y += bit;
+    }
+    step.nextDecision = arc.decision(x + 1, step.y);
+    return step;
+}
+
+/// One column on; a row down while the midpoint is outside. Past slope 1 and on slim ellipses it
+/// may be more than one.
+inline void advance(const MidpointArc &arc, MidpointStep &step)
+{
+    const Int128 aa = Int128(arc.a) * arc.a;
+    const Int128 bb = Int128(arc.b) * arc.b;
+    step.hasDecision = true;
+    step.decision = step.nextDecision;
+    ++step.x;
+    for (; step.nextDecision > 0 && step.y > 0; --step.y)
+        step.nextDecision -= 8 * aa * (step.y - 1);
+    step.nextDecision += 4 * bb * (2 * Int128(step.x) + 1);
+}
+
+/// Writes the step's pixel and its mirror images, each once.
+template <class Observer>
+void writeMirrored(const MidpointSetUp &setUp, const MidpointStep &step, const Colour &colour,
+                   FrameView frame, Observer observer)
+{
+    std::array<LatticePoint, 8> written;
+    std::size_t count = 0;
+    const auto write = [&](std::int64_t right, std::int64_t up) {
+        const LatticePoint pixel = {setUp.centre.x + right, setUp.centre.y + up};
+        const auto end = written.begin() + std::ptrdiff_t(count);
+        if (std::find(written.begin(), end, pixel) != end)
+            return;
+        written[count++] = pixel;
+        writeFlat(pixel.x, pixel.y, colour, frame, observer);
+    };
+    for (const int across : {1, -1}) {
+        for (const int along : {1, -1}) {
+            if (setUp.isCircle() || step.arc == 0)
+                write(along * step.x, across * step.y);
+            if (setUp.isCircle() || step.arc == 1)
+                write(across * step.y, along * step.x);
+        }
+    }
+}
+
+/// The steps of an arc that touch the frame's columns (rows for the steep arcs), ascending.
+inline std::vector<StepRange> midpointStepsIn(const MidpointSetUp &setUp, int arc, FrameView frame)
+{
+    std::vector<StepRange> ranges;
+    const StepRange whole = {0, setUp.arc(arc).endColumn()};
+    const auto add = [&](StepRange shown, std::int64_t centre) {
+        for (const StepRange range :
+             {StepRange{shown.first - centre, shown.end - centre},
+              StepRange{centre - shown.end + 1, centre - shown.first + 1}}) {
+            if (const StepRange clipped = range.clippedTo(whole); !clipped.isEmpty())
+                ranges.push_back(clipped);
+        }
+    };
+    if (setUp.isCircle() || arc == 0)
+        add(StepRange::along(frame, LineAxis::X), setUp.centre.x);
+    if (setUp.isCircle() || arc == 1)
+        add(StepRange::along(frame, LineAxis::Y), setUp.centre.y);
+    std::ranges::sort(ranges, {}, &StepRange::first);
+    std::vector<StepRange> merged;
+    for (const StepRange &range : ranges) {
+        if (!merged.empty() && range.first <= merged.back().end)
+            merged.back().end = std::max(merged.back().end, range.end);
+        else
+            merged.push_back(range);
+    }
+    return merged;
+}
+
+template <ScanObserver<MidpointNumbers> Observer>
+void scanCircleByMidpoint(const Shape &shape, FrameView frame, Observer observer)
+{
+    const Round round = Round::of(shape);
+    const auto nearest = [](Lattice units) { return floorPixel(units + unitsPerPixel / 2); };
+    MidpointSetUp setUp;
+    setUp.centre = {nearest(round.centre.x), nearest(round.centre.y)};
+    setUp.radiusX = nearest(round.radiusX);
+    setUp.radiusY = nearest(round.radiusY);
+    observer.primitiveBegun(setUp);
+    if (!round.mayTouch(frame)) {
+        observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
+        return;
+    }
+    for (int number = 0; number < (setUp.isCircle() ? 1 : 2); ++number) {
+        const MidpointArc arc = setUp.arc(number);
+        for (const StepRange &range : midpointStepsIn(setUp, number, frame)) {
+            MidpointStep step = midpointStepAt(arc, number, range.first);
+            for (; step.x < range.end; advance(arc, step)) {
+                observer.spanEntered(step);
+                writeMirrored(setUp, step, shape.vertices[0].colour, frame, observer);
+            }
+        }
+    }
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scan/exactarithmetic.h"
+#include "core/scan/roundedarithmetic.h"
+
+#include <type_traits>
+
+namespace pixelplumb {
+
+/// A fraction of integers, rounded once.
+template <class Value>
+struct RoundedFraction {
+    static Value of(Int128 numerator, Int128 denominator)
+    {
+        return Value(numerator) / Value(denominator);
+    }
+};
+
+template <class Raw, class Product, int FractionBits>
+struct RoundedFraction<FixedPoint<Raw, Product, FractionBits>> {
+    /// |numerator| < 2^66, so that the scaled one fits; what the number cannot hold wraps.
+    static FixedPoint<Raw, Product, FractionBits> of(Int128 numerator, Int128 denominator)
+    {
+        const Int128 scaled = numerator * (Int128(1) << FractionBits);
+        const Int128 nearest = floorDivide<Int128>(2 * scaled + denominator, 2 * denominator);
+        return FixedPoint<Raw, Product, FractionBits>::fromRaw(
+            Raw(std::make_unsigned_t<Raw>(nearest)));
+    }
+};
+
+/// The assignment's increments with one change: ΔR is not taken anew from each column's two
+/// drifting bounds, where thin triangles divide rounding errors by almost nothing, but once from
+/// the plane through the three vertices, of which it is the same for all columns (numerics.md,
+/// 3.3).
+template <class Base>
+struct ConstantRateArithmetic : Base {
+    using typename Base::Number;
+
+    class ColourRamp {
+    public:
+        ColourRamp(const Vertex &p0, const Vertex &p1, const Vertex &p2)
+            : m_ofColumn(p0, p1, p2)
+        {
+            const Int128 x1 = p1.position.x - p0.position.x;
+            const Int128 y1 = p1.position.y - p0.position.y;
+            const Int128 x2 = p2.position.x - p0.position.x;
+            const Int128 y2 = p2.position.y - p0.position.y;
+            const Int128 area = x1 * y2 - x2 * y1;
+            m_hasPlane = area != 0;
+            for (std::size_t channel = 0; channel < 3 && m_hasPlane; ++channel) {
+                const Int128 c0 = p0.colour.channels[channel];
+                const Int128 c1 = p1.colour.channels[channel] - c0;
+                const Int128 c2 = p2.colour.channels[channel] - c0;
+                const Int128 rise = (c2 * x1 - c1 * x2) * unitsPerPixel;
+                m_rate[channel]
+                    = RoundedFraction<Number>::of(area < 0 ? -rise : rise, area < 0 ? -area : area);
+            }
+        }
+
+        /// A triangle of zero area has no plane and keeps its columns' own rates.
+        template <class ColumnState>
+        Number rate(const ColumnState &column, std::size_t channel) const
+        {
+            return m_hasPlane ? m_rate[channel] : m_ofColumn.rate(column, channel);
+        }
+        template <class ColumnState>
+        Number start(const ColumnState &column, std::size_t channel, std::int64_t row) const
+        {
+            return m_ofColumn.start(column, channel, row);
+        }
+
+    private:
+        typename Base::ColourRamp m_ofColumn;
+        bool m_hasPlane = false;
+        std::array<Number, 3> m_rate = {}; ///< levels per row
+    };
+};
+
+/// The exact column scan has its ΔR from the plane already.
+template <class Integer>
+struct ConstantRateArithmetic<ExactArithmetic<Integer>> : ExactArithmetic<Integer> {
+};
+
+} // namespace pixelplumb

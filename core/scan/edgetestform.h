@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scan/edgeline.h"
+
+namespace pixelplumb {
+
+/// Whether a number is computed anew for each sample or by adding to the one before.
+enum class Evaluation { EverySample, Increments };
+
+/// What says that a sample is inside. Every test but the first divides each edge's value by its
+/// value at the opposite vertex, which gives the weight of that vertex.
+enum class InsideTest {
+    Signs, ///< E₀, E₁ and E₂ not negative, their sides flipped to be positive inside (seed 003)
+    UnitInterval, ///< α, β and γ within [0, 1] (seed 001)
+    NonNegative, ///< α, β and γ not negative (seed 001, "Optimizations?")
+    Cramer, ///< u ≥ 0, v ≥ 0 and u + v ≤ 1 (seed 002)
+};
+
+/// Which samples are visited.
+enum class VisitedSamples {
+    BoundingBox, ///< of the vertices, clipped to the frame
+    Frame,
+};
+
+/// What the outer loop runs over.
+enum class LoopOrder {
+    RowByRow, ///< for y, for x (seed 003)
+    ColumnByColumn, ///< for x, for y (seed 001)
+};
+
+/// A method that tests samples one by one: what the literal and the stable ones differ in.
+struct EdgeTestForm {
+    LineForm line = LineForm::Absolute;
+    Evaluation evaluation = Evaluation::EverySample;
+    InsideTest inside = InsideTest::Signs;
+    VisitedSamples visited = VisitedSamples::BoundingBox;
+    LoopOrder order = LoopOrder::RowByRow;
+
+    constexpr bool isBarycentric() const { return inside != InsideTest::Signs; }
+
+    friend constexpr bool operator==(const EdgeTestForm &, const EdgeTestForm &) = default;
+};
+
+// Seed 003, "Edge Equations: Code", and what keeps it exact.
+inline constexpr EdgeTestForm edgeEquationsForm = {};
+inline constexpr EdgeTestForm incrementalEdgeEquationsForm = {.evaluation = Evaluation::Increments};
+inline constexpr EdgeTestForm solvedEdgeEquationsForm = {.line = LineForm::Solved};
+inline constexpr EdgeTestForm canonicalEdgeEquationsForm = {.line = LineForm::CanonicalEnd};
+
+// Seed 001, "Triangle rasterization", and what keeps it exact.
+inline constexpr EdgeTestForm allSamplesBarycentricForm = {.inside = InsideTest::UnitInterval,
+                                                           .visited = VisitedSamples::Frame,
+                                                           .order = LoopOrder::ColumnByColumn};
+inline constexpr EdgeTestForm rectangleBarycentricForm
+    = {.inside = InsideTest::UnitInterval, .order = LoopOrder::ColumnByColumn};
+inline constexpr EdgeTestForm incrementalBarycentricForm = {.evaluation = Evaluation::Increments,
+                                                            .inside = InsideTest::NonNegative,
+                                                            .order = LoopOrder::ColumnByColumn};
+inline constexpr EdgeTestForm cramerBarycentricForm = {.line = LineForm::CommonVertex,
+                                                       .inside = InsideTest::Cramer,
+                                                       .order = LoopOrder::ColumnByColumn};
+inline constexpr EdgeTestForm offScreenBarycentricForm
+    = {.inside = InsideTest::NonNegative, .order = LoopOrder::ColumnByColumn};
+inline constexpr EdgeTestForm relativeBarycentricForm = {.line = LineForm::FirstEnd,
+                                                         .inside = InsideTest::NonNegative,
+                                                         .order = LoopOrder::ColumnByColumn};
+
+} // namespace pixelplumb

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/attributes.h"
+#include "core/geometry/triangle.h"
+#include "core/number/mixednumber.h"
+#include "core/scan/columnstate.h"
+#include "core/scan/roundedarithmetic.h"
+
+#include <algorithm>
+
+/// What the three forms of interpolation over a triangle compute with: R G B, z, u v, N_x N_y N_z,
+/// all alike.
+namespace pixelplumb {
+
+inline constexpr std::size_t channelCount = 9;
+
+/// A vertex with all that is interpolated, in units of 1/256.
+struct ChannelVertex {
+    LatticePoint position;
+    std::array<Lattice, channelCount> channels = {};
+};
+
+constexpr ChannelVertex channelVertex(const Vertex &vertex, const VertexAttributes &attributes)
+{
+    ChannelVertex result;
+    result.position = vertex.position;
+    for (std::size_t i = 0; i < 3; ++i)
+        result.channels[i] = vertex.colour.channels[i] * unitsPerPixel;
+    result.channels[3] = attributes.z;
+    for (std::size_t i = 0; i < 2; ++i)
+        result.channels[4 + i] = attributes.texture[i];
+    for (std::size_t i = 0; i < 3; ++i)
+        result.channels[6 + i] = attributes.normal[i];
+    return result;
+}
+
+/// An exact number, not in lowest terms: numbers that are added to each other share a denominator.
+struct Ratio {
+    Int128 numerator = 0;
+    Int128 denominator = 1; ///< > 0
+};
+
+/// What is computed once for a triangle.
+template <class Number>
+struct InterpolationSetUp {
+    std::array<int, 3> order = {0, 1, 2}; ///< indices of P0, P1, P2 in the caller's triangle
+    LongEdge longEdge = LongEdge::Above;
+    bool zeroArea = false;
+    std::array<ChannelVertex, 3> vertices; ///< as the caller gave them
+    /// Plane equation: value = a·x + b·y + c, [channel].
+    std::array<std::array<Number, 3>, channelCount> plane = {};
+    /// Barycentric coordinates: weight = a·x + b·y + c, [vertex].
+    std::array<std::array<Number, 3>, 3> weight = {};
+};
+
+/// What one column uses.
+template <class Number>
+struct InterpolationColumn {
+    std::int64_t x = 0;
+    ColumnHalf half = ColumnHalf::First;
+    MixedNumber<Int128> lower, upper; ///< where the edges meet the column, exactly, px
+    std::int64_t firstRow = 0, endRow = 0; ///< covered: between the two
+    std::int64_t firstDrawn = 0, endDrawn = 0; ///< the same, clipped to the frame
+    Number yBottom = {}, yTop = {}; ///< px; of the bilinear form, as it has them
+    std::array<Number, channelCount> bottom = {}, top = {}; ///< on the two edges
+    std::array<Number, channelCount> rate = {}; ///< per row
+    std::array<Number, channelCount> first = {}; ///< at firstDrawn
+};
+
+/// What one sample has.
+template <class Number>
+struct InterpolationSample {
+    std::array<Number, channelCount> value = {};
+    std::array<Number, 3> weight = {}; ///< α β γ; of the barycentric form
+    std::array<std::int64_t, 3> level = {}; ///< R G B rounded, before clamping
+
+    bool isClamped() const
+    {
+        return std::ranges::any_of(level, [](std::int64_t each) { return each < 0 || each > 255; });
+    }
+};
+
+template <class N>
+struct InterpolationNumbers {
+    using SetUp = InterpolationSetUp<N>;
+    using Span = InterpolationColumn<N>;
+    using Sample = InterpolationSample<N>;
+};
+
+/// A level's byte before clamping.
+inline std::int64_t levelOf(const Ratio &value, ByteRounding rounding)
+{
+    if (rounding == ByteRounding::Truncate)
+        return std::int64_t(floorDivide(value.numerator, value.denominator));
+    return std::int64_t(
+        floorDivide<Int128>(2 * value.numerator + value.denominator, 2 * value.denominator));
+}
+
+template <std::floating_point Float>
+std::int64_t levelOf(Float value, ByteRounding rounding)
+{
+    return RoundedArithmetic<Float>::level(value, rounding);
+}
+
+inline void advance(Ratio &value, const Ratio &rate) { value.numerator += rate.numerator; }
+
+template <std::floating_point Float>
+void advance(Float &value, Float rate)
+{
+    value = value + rate;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scan/columnscan.h"
+#include "core/scan/linestep.h"
+
+/// The digital differential analyzer (seed 002, "DDA Line-Drawing Algorithm"): along the longer
+/// side from pixel to pixel, the other coordinate by adding the slope, rounded for each pixel.
+namespace pixelplumb {
+
+template <class A>
+struct DdaSetUp {
+    LineAxis axis = LineAxis::X;
+    LatticePoint start; ///< the end with the smaller coordinate along the line, exchanged
+    typename A::Number slope = {}; ///< m: px across the line per step
+    std::array<typename A::Number, 3> colourRate = {}; ///< levels per step
+};
+
+template <class A>
+struct DdaStep {
+    LinePlace place;
+    typename A::Number ordinate = {}; ///< v: where the line is, across it, px; not rounded
+    std::array<typename A::Number, 3> colour = {}; ///< levels
+};
+
+template <class A>
+struct DdaNumbers {
+    using SetUp = DdaSetUp<A>;
+    using Span = DdaStep<A>;
+    using Sample = Fragment<A>;
+};
+
+template <class A, ScanObserver<DdaNumbers<A>> Observer>
+void scanLineByDda(const Shape &line, ByteRounding rounding, FrameView frame, Observer observer)
+{
+    DdaSetUp<A> setUp;
+    setUp.axis = lineAxisOf(line.vertices[0].position, line.vertices[1].position);
+    Vertex a = exchanged(line.vertices[0], setUp.axis);
+    Vertex b = exchanged(line.vertices[1], setUp.axis);
+    if (b.position.x < a.position.x)
+        std::swap(a, b);
+    setUp.start = a.position;
+    if (!A::represents(a.position) || !A::represents(b.position)) {
+        observer.primitiveBegun(setUp);
+        observer.primitiveRejected(PrimitiveRejection::NotRepresentable);
+        return;
+    }
+    setUp.slope = A::edgeSlope(a, b);
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        setUp.colourRate[channel] = A::edgeColourRate(a, b, channel);
+    observer.primitiveBegun(setUp);
+
+    const StepRange steps
+        = StepRange{ceilPixel(a.position.x), floorPixel(b.position.x) + 1}.clippedTo(
+            StepRange::along(frame, setUp.axis));
+    const auto [lowest, highest] = std::minmax(a.position.y, b.position.y);
+    const StepRange reached = StepRange{floorPixel(lowest), ceilPixel(highest) + 1}.clippedTo(
+        StepRange::across(frame, setUp.axis));
+    if (steps.isEmpty() || reached.isEmpty()) {
+        observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
+        return;
+    }
+    EdgeWalker<A> walker(a, b, steps.first);
+    for (std::int64_t along = steps.first; along < steps.end; ++along) {
+        // ⌊v + 1/2⌋: what rounding a level to the nearest byte does.
+        const std::int64_t across = A::level(walker.y, ByteRounding::Nearest);
+        DdaStep<A> step = {{setUp.axis, along, across}, walker.y, walker.colour};
+        step.place.findIn(frame);
+        observer.spanEntered(step);
+        plot<A>(step.place, step.colour, rounding, frame, observer);
+        walker.stepToNextColumn();
+    }
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scan/exactarithmetic.h"
+#include "core/scan/linestep.h"
+#include "core/scan/roundedarithmetic.h"
+#include "core/scan/scanobserver.h"
+
+/// The line equation to the letter (seed 002, "Line-Drawing Algorithms"): y = m·x + b for each
+/// column, and (int)(y + 1/2), which is what a C program writes for rounding and which rounds
+/// negative numbers the wrong way. One pixel a column: a line with |m| > 1 has gaps, a vertical one
+/// has no m.
+namespace pixelplumb {
+
+/// m, b and y in one arithmetic.
+template <class A>
+struct LineEquation;
+
+/// A rational; b of a steep line does not fit a mixed number's 64-bit whole.
+struct ExactRatio {
+    Int128 numerator = 0;
+    Int128 denominator = 1; ///< > 0
+};
+
+template <class Integer>
+struct LineEquation<ExactArithmetic<Integer>> {
+    using Number = ExactRatio;
+
+    static Number slope(const LatticePoint &a, const LatticePoint &b)
+    {
+        return {b.y - a.y, b.x - a.x};
+    }
+    static Number intercept(const LatticePoint &a, const LatticePoint &b)
+    {
+        return ordinate(a, b, {}, {}, 0);
+    }
+    static Number ordinate(const LatticePoint &a, const LatticePoint &b, const Number &,
+                           const Number &, std::int64_t x)
+    {
+        const Int128 width = b.x - a.x;
+        const Int128 run = Int128(x) * unitsPerPixel - a.x;
+        return {a.y * width + run * (b.y - a.y), width * unitsPerPixel};
+    }
+    /// (int)(y + 1/2): the quotient of two integers drops its fraction, as the cast does.
+    static std::int64_t rounded(const Number &y)
+    {
+        return std::int64_t((2 * y.numerator + y.denominator) / (2 * y.denominator));
+    }
+};
+
+template <class Value>
+struct LineEquation<RoundedArithmetic<Value>> {
+    using Number = Value;
+    using Traits = NumberTraits<Value>;
+
+    static Number slope(const LatticePoint &a, const LatticePoint &b)
+    {
+        return RoundedArithmetic<Value>::edgeSlope({a, {}}, {b, {}});
+    }
+    static Number intercept(const LatticePoint &a, const LatticePoint &b)
+    {
+        return Traits::fromLattice(a.y) - slope(a, b) * Traits::fromLattice(a.x);
+    }
+    static Number ordinate(const LatticePoint &, const LatticePoint &, const Number &m,
+                           const Number &b, std::int64_t x)
+    {
+        return m * Traits::fromInteger(x) + b;
+    }
+    static std::int64_t rounded(const Number &y)
+    {
+        const Number sum = y + Traits::fromInteger(1) / Traits::fromInteger(2);
+        return sum < Traits::fromInteger(0) ? Traits::ceil(sum) : Traits::floor(sum);
+    }
+};
+
+template <class A>
+struct SlopeInterceptSetUp {
+    typename LineEquation<A>::Number slope = {}; ///< m
+    typename LineEquation<A>::Number intercept = {}; ///< b, px
+    Lattice startX = 0; ///< x₀: the left end's
+};
+
+template <class A>
+struct SlopeInterceptStep {
+    LinePlace place;
+    typename LineEquation<A>::Number ordinate = {}; ///< y, px
+    std::array<typename A::Number, 3> colour = {}; ///< levels
+};
+
+template <class A>
+struct SlopeInterceptNumbers {
+    using SetUp = SlopeInterceptSetUp<A>;
+    using Span = SlopeInterceptStep<A>;
+    using Sample = Fragment<A>;
+};
+
+template <class A, ScanObserver<SlopeInterceptNumbers<A>> Observer>
+void scanLineBySlopeIntercept(const Shape &line, ByteRounding rounding, FrameView frame,
+                              Observer observer)
+{
+    using Equation = LineEquation<A>;
+    const auto [a, b] = std::minmax(
+        line.vertices[0], line.vertices[1],
+        [](const Vertex &left, const Vertex &right) { return left.position.x < right.position.x; });
+    SlopeInterceptSetUp<A> setUp;
+    setUp.startX = a.position.x;
+    const bool isVertical = a.position.x == b.position.x;
+    const bool isRepresentable = A::represents(a.position) && A::represents(b.position);
+    if (!isVertical && isRepresentable) {
+        setUp.slope = Equation::slope(a.position, b.position);
+        setUp.intercept = Equation::intercept(a.position, b.position);
+    }
+    observer.primitiveBegun(setUp);
+    const StepRange columns
+        = StepRange{ceilPixel(a.position.x), floorPixel(b.position.x) + 1}.clippedTo(
+            StepRange::along(frame, LineAxis::X));
+    if (isVertical || !isRepresentable) {
+        observer.primitiveRejected(isVertical ? PrimitiveRejection::VerticalLine
+                                              : PrimitiveRejection::NotRepresentable);
+        return;
+    }
+    if (columns.isEmpty()) {
+        observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
+        return;
+    }
+    for (std::int64_t x = columns.first; x < columns.end; ++x) {
+        SlopeInterceptStep<A> step;
+        step.ordinate = Equation::ordinate(a.position, b.position, setUp.slope, setUp.intercept, x);
+        step.place = {LineAxis::X, x, Equation::rounded(step.ordinate)};
+        step.place.findIn(frame);
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            step.colour[channel] = A::edgeColour(a, b, channel, x);
+        observer.spanEntered(step);
+        plot<A>(step.place, step.colour, rounding, frame, observer);
+    }
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scan/polygonrows.h"
+
+#include <algorithm>
+#include <span>
+
+namespace pixelplumb {
+
+/// The edge table: all edges but the horizontal ones, from their lower ends to their upper ends, by
+/// the first row that they cross. A sample is taken as if displaced by (+ε, −ε²), so an edge
+/// crosses the rows in (y of its lower end, y of its upper end].
+template <class A>
+class EdgeTable {
+public:
+    explicit EdgeTable(std::span<const ContourEdge> edges)
+    {
+        for (std::size_t index = 0; index < edges.size(); ++index) {
+            const LatticePoint &from = edges[index].from;
+            const LatticePoint &to = edges[index].to;
+            if (from.y == to.y)
+                continue;
+            const bool upward = from.y < to.y;
+            const LatticePoint &low = upward ? from : to;
+            const LatticePoint &high = upward ? to : from;
+            m_entries.push_back({mirrored(low), mirrored(high), index, upward ? 1 : -1,
+                                 floorPixel(low.y) + 1, floorPixel(high.y) + 1});
+        }
+        std::ranges::stable_sort(m_entries, {}, &Entry::firstRow);
+    }
+
+    std::size_t size() const { return m_entries.size(); }
+    /// None is crossed before this row; meaningful when there are edges.
+    std::int64_t firstRow() const { return m_entries.front().firstRow; }
+
+    /// Moves the edges that cross a row for the first time into the active list; rows must ascend.
+    /// An edge that began on an earlier row, under the frame, starts here by a longer pre-step.
+    void activate(std::int64_t row, std::vector<Crossing<A>> &active)
+    {
+        for (; m_next < m_entries.size() && m_entries[m_next].firstRow <= row; ++m_next) {
+            const Entry &entry = m_entries[m_next];
+            if (entry.endRow > row)
+                active.push_back(started(entry, row));
+        }
+    }
+
+private:
+    struct Entry {
+        Vertex low, high; ///< x and y exchanged: the arithmetics walk along columns
+        std::size_t index = 0;
+        int turn = 0;
+        std::int64_t firstRow = 0, endRow = 0;
+    };
+
+    static Vertex mirrored(const LatticePoint &point) { return {{point.y, point.x}, {}}; }
+
+    static Crossing<A> started(const Entry &entry, std::int64_t row)
+    {
+        Crossing<A> crossing;
+        crossing.edge = entry.index;
+        crossing.turn = entry.turn;
+        crossing.endRow = entry.endRow;
+        crossing.slope = A::edgeSlope(entry.low, entry.high);
+        crossing.base = onLattice(entry.low.position.y);
+        if constexpr (A::arithmetic == Arithmetic::Exact)
+            crossing.rise = onLattice(row * unitsPerPixel - entry.low.position.x);
+        else
+            crossing.rise
+                = A::Traits::fromInteger(row) - A::Traits::fromLattice(entry.low.position.x);
+        crossing.x = A::edgeOrdinate(entry.low, entry.high, row);
+        crossing.firstRight = A::ceil(crossing.x);
+        return crossing;
+    }
+
+    static typename A::Number onLattice(Lattice units)
+    {
+        if constexpr (A::arithmetic == Arithmetic::Exact)
+            return A::Number::fromFraction(units, unitsPerPixel);
+        else
+            return A::Traits::fromLattice(units);
+    }
+
+    std::vector<Entry> m_entries; ///< ascending in their first row
+    std::size_t m_next = 0; ///< the first that has not been active yet
+};
+
+/// The edges that the current row crosses, ascending in x: what one row leaves to the next.
+template <class A>
+class ActiveEdges {
+public:
+    const std::vector<Crossing<A>> &crossings() const { return m_crossings; }
+
+    /// Takes the edges in that begin on the row, and puts all in order. Edges change places only
+    /// where they cross.
+    void enterRow(std::int64_t row, EdgeTable<A> &table)
+    {
+        table.activate(row, m_crossings);
+        if (!std::ranges::is_sorted(m_crossings, isLeft))
+            std::ranges::stable_sort(m_crossings, isLeft);
+    }
+
+    /// Drops the edges that end on the row; the others add their slope.
+    void leaveRow(std::int64_t row)
+    {
+        std::erase_if(m_crossings,
+                      [row](const Crossing<A> &crossing) { return crossing.endRow <= row + 1; });
+        for (Crossing<A> &crossing : m_crossings) {
+            crossing.base = crossing.x;
+            crossing.rise = oneRow();
+            A::advance(crossing.x, crossing.slope);
+            crossing.firstRight = A::ceil(crossing.x);
+        }
+    }
+
+private:
+    static typename A::Number oneRow()
+    {
+        if constexpr (A::arithmetic == Arithmetic::Exact)
+            return A::Number::fromWhole(1);
+        else
+            return A::Traits::fromInteger(1);
+    }
+
+    /// A strict weak order whatever the numbers are: what is not a number comes first.
+    static bool isLeft(const Crossing<A> &a, const Crossing<A> &b)
+    {
+        if constexpr (A::arithmetic == Arithmetic::Exact) {
+            if (a.x.whole != b.x.whole)
+                return a.x.whole < b.x.whole;
+            return Int128(a.x.remainder) * b.x.denominator
+                < Int128(b.x.remainder) * a.x.denominator;
+        } else {
+            const bool bIsNumber = b.x == b.x;
+            return a.x < b.x || (bIsNumber && a.x != a.x);
+        }
+    }
+
+    std::vector<Crossing<A>> m_crossings;
+};
+
+} // namespace pixelplumb

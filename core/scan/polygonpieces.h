@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/polygons/triangulation.h"
+#include "core/scan/polygonscan.h"
+
+namespace pixelplumb {
+
+/// The scan of a polygon that is broken into triangles: the rows of one triangle after the other,
+/// each between its left and its right edge. A sample on an edge of two triangles belongs to the
+/// one on the side of its displacement (+ε, −ε²), so none is left out and none is drawn twice.
+template <class A, ScanObserver<PolygonNumbers<A>> Observer>
+void scanTriangles(const Contours &contours, const Triangulation &triangulation, FrameView frame,
+                   Observer observer)
+{
+    PolygonSetUp setUp = polygonSetUpFor(contours);
+    setUp.pieceCount = triangulation.triangles.size();
+    setUp.fill = ShapeFill::NonZero;
+    observer.primitiveBegun(setUp);
+    std::optional<PrimitiveRejection> rejection = polygonRejection<A>(contours, frame);
+    if (!rejection)
+        rejection = triangulation.rejection;
+    if (rejection) {
+        observer.primitiveRejected(*rejection);
+        return;
+    }
+    int piece = 0;
+    for (const auto &[a, b, c] : triangulation.triangles) {
+        const std::array<ContourEdge, 3> edges = {{{a, b}, {b, c}, {c, a}}};
+        if (doubledArea(a, b, c) != 0)
+            scanRows<A>(edges, setUp, piece, frame, observer);
+        ++piece;
+    }
+}
+
+} // namespace pixelplumb

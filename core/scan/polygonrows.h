@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/polygons/contours.h"
+#include "core/scan/exactarithmetic.h"
+#include "core/scan/roundedarithmetic.h"
+#include "core/scan/scanobserver.h"
+
+/// What the general scan conversion of polygons (seed 003, "A General Algorithm") computes with.
+namespace pixelplumb {
+
+/// What was computed once for a polygon.
+struct PolygonSetUp {
+    std::size_t contourCount = 0;
+    std::size_t edgeCount = 0;
+    std::size_t horizontalEdges = 0; ///< no row crosses them
+    std::size_t pieceCount = 0; ///< triangles, where the polygon is broken into them
+    std::int64_t firstRow = 0, endRow = 0; ///< that the polygon's edges cross, unclipped
+    ShapeFill fill = ShapeFill::EvenOdd;
+    Colour colour;
+};
+
+/// An active edge where it meets the row.
+template <class A>
+struct Crossing {
+    using Number = typename A::Number;
+
+    std::size_t edge = 0; ///< its place in the contours, from 0
+    int turn = 0; ///< +1 where the contour runs upward, −1 where it runs downward
+    std::int64_t endRow = 0; ///< one past the last row that the edge crosses
+    Number slope = {}; ///< px per row
+    Number base = {}; ///< x at the lower end, then x on the row before
+    Number rise = {}; ///< rows from there to this row: a pre-step, then 1
+    Number x = {}; ///< base + rise · slope, px
+    std::int64_t firstRight = 0; ///< ⌈x⌉: the first sample to the right of the edge, or on it
+};
+
+/// One row: its crossings from left to right.
+template <class A>
+struct PolygonRow {
+    std::int64_t y = 0; ///< px
+    int piece = 0; ///< which triangle of a polygon that is broken into them
+    std::vector<Crossing<A>> crossings; ///< of all active edges, ascending in x
+    std::int64_t firstSample = 0, endSample = 0; ///< ⌈x⌉ of the first and of the last crossing
+    std::int64_t firstDrawn = 0, endDrawn = 0; ///< the same, clipped to the frame
+};
+
+/// Why a sample is in or out.
+struct PolygonSample {
+    std::int64_t crossings = 0; ///< to its left, or through it
+    std::int64_t winding = 0; ///< upward ones minus downward ones
+    Colour colour;
+};
+
+template <class A>
+struct PolygonNumbers {
+    using SetUp = PolygonSetUp;
+    using Span = PolygonRow<A>;
+    using Sample = PolygonSample;
+};
+
+/// The samples from a row's first crossing to its last, left to right: inside by the parity of the
+/// crossings so far, or by their winding number. The row and the set-up are all it reads, so that a
+/// row can be drawn again, alone.
+template <class A, class Observer>
+void fillRow(const PolygonRow<A> &row, const PolygonSetUp &setUp, FrameView frame,
+             Observer observer)
+{
+    PolygonSample sample;
+    sample.colour = setUp.colour;
+    auto next = row.crossings.begin();
+    for (std::int64_t x = row.firstDrawn; x < row.endDrawn; ++x) {
+        for (; next != row.crossings.end() && next->firstRight <= x; ++next) {
+            ++sample.crossings;
+            sample.winding += next->turn;
+        }
+        QRgb *pixel = frame.at(x, row.y);
+        const bool isInside
+            = setUp.fill == ShapeFill::NonZero ? sample.winding != 0 : sample.crossings % 2 != 0;
+        if (!isInside) {
+            observer.sampleRejected(x, row.y, *pixel, sample);
+            continue;
+        }
+        const QRgb after = packed(setUp.colour);
+        observer.pixelWritten(x, row.y, *pixel, after, sample);
+        *pixel = after;
+    }
+}
+
+} // namespace pixelplumb

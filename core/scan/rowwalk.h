@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/frame/frameview.h"
+#include "core/geometry/triangle.h"
+
+/// Edge walking row by row (seeds 002 and 003) is the column scan of the plane turned by a quarter
+/// to (u, v) = (−y, x): columns from left to right are rows from the top down, and rules,
+/// trapezoids and increments are the column scan's own. The rule (+ε², +ε) there is (+ε, −ε²) here:
+/// top-left.
+namespace pixelplumb {
+
+constexpr LatticePoint turned(const LatticePoint &point) { return {-point.y, point.x}; }
+
+/// A triangle of zero area keeps the two vertices that design says it lies between, the extreme
+/// ones in (x, y) order: turned, their order could be another where vertices coincide.
+constexpr Triangle turned(const Triangle &triangle)
+{
+    Triangle result = triangle;
+    if (doubledArea(triangle) == 0) {
+        const std::array<int, 3> order = sortedByColumn(triangle);
+        result.vertices[std::size_t(order[1])] = result.vertices[std::size_t(order[2])];
+    }
+    for (Vertex &vertex : result.vertices)
+        vertex.position = turned(vertex.position);
+    return result;
+}
+
+/// A frame seen in (u, v): each row of it is a column, the highest row first.
+struct TurnedView {
+    FrameView frame;
+    std::int64_t firstColumn = 0; ///< −(the highest row)
+    std::int64_t firstRow = 0;
+    std::ptrdiff_t stride = 1; ///< pixels from v to v + 1: along the row
+
+    explicit TurnedView(FrameView of)
+        : frame(of)
+        , firstColumn(1 - of.endRow())
+        , firstRow(of.firstColumn)
+    {
+    }
+
+    std::int64_t endColumn() const { return firstColumn + frame.height; }
+    std::int64_t endRow() const { return firstRow + frame.width; }
+    QRgb *at(std::int64_t u, std::int64_t v) const { return frame.at(v, -u); }
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,283 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/primitivereader.h"
+
+#include "core/scene/attributereader.h"
+#include "core/scene/colourtext.h"
+#include "core/scene/shapenames.h"
+
+#include <limits>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr std::array allKinds = {
+    PrimitiveKind::Triangle, PrimitiveKind::Point,  PrimitiveKind::Line,    PrimitiveKind::Circle,
+    PrimitiveKind::Ellipse,  PrimitiveKind::Bezier, PrimitiveKind::Polygon, PrimitiveKind::Text};
+
+constexpr std::size_t anyNumber = std::numeric_limits<std::size_t>::max();
+
+const QString colourKey = QStringLiteral("color");
+const QString coloursKey = QStringLiteral("colors");
+const QString fillKey = QStringLiteral("fill");
+
+} // namespace
+
+QStringList primitiveKeys()
+{
+    QStringList keys;
+    for (const PrimitiveKind kind : allKinds)
+        keys.append(keyOf(kind));
+    return keys;
+}
+
+Colour readColour(JsonReader &json, const JsonNode &node)
+{
+    const Result<Colour> result = parseColour(json.string(node));
+    if (result)
+        return *result;
+    json.fail(node, result.error().found, result.error().expected);
+    return {};
+}
+
+void PrimitiveReader::read(const JsonNode &primitive)
+{
+    Shape shape;
+    shape.kind = kindOf(primitive);
+    if (m_json.hasFailed())
+        return;
+    switch (shape.kind) {
+    case PrimitiveKind::Triangle:
+        readTriangle(primitive);
+        return;
+    case PrimitiveKind::Point:
+        readPoints(primitive, shape);
+        break;
+    case PrimitiveKind::Line:
+        readLine(primitive, shape);
+        break;
+    case PrimitiveKind::Circle:
+    case PrimitiveKind::Ellipse:
+        readRound(primitive, shape);
+        break;
+    case PrimitiveKind::Bezier:
+        readBezier(primitive, shape);
+        break;
+    case PrimitiveKind::Polygon:
+        readPolygon(primitive, shape);
+        break;
+    case PrimitiveKind::Text:
+        readText(primitive, shape);
+        break;
+    }
+    m_reading.scene.shapes.push_back(std::move(shape));
+}
+
+PrimitiveKind PrimitiveReader::kindOf(const JsonNode &primitive)
+{
+    for (const PrimitiveKind kind : allKinds) {
+        if (!primitive[keyOf(kind)].isMissing())
+            return kind;
+    }
+    // A misspelt key is named before the one that it stands for is missed.
+    m_json.expectObject(primitive, primitiveKeys() + QStringList{colourKey, coloursKey, fillKey});
+    m_json.fail(primitive, QStringLiteral("no primitive is named"),
+                QStringLiteral("one of ") + primitiveKeys().join(QStringLiteral(", ")));
+    return PrimitiveKind::Triangle;
+}
+
+void PrimitiveReader::readTriangle(const JsonNode &primitive)
+{
+    const QString key = keyOf(PrimitiveKind::Triangle);
+    m_json.expectObject(primitive, QStringList{key, coloursKey} + attributeKeys());
+    if (!m_reading.scene.shapes.empty())
+        m_json.fail(primitive[key], QStringLiteral("a triangle after another primitive"),
+                    QStringLiteral("all triangles first: they are drawn before the others"));
+    Triangle triangle;
+    const std::vector<JsonNode> vertices = m_json.array(primitive[key], 3);
+    const std::vector<JsonNode> colours = m_json.array(primitive[coloursKey], 3);
+    for (std::size_t index = 0; index < 3; ++index) {
+        triangle.vertices[index].position = position(vertices[index]);
+        triangle.vertices[index].colour = readColour(m_json, colours[index]);
+    }
+    const auto attributes = readAttributes(
+        m_json, primitive, [this](const JsonNode &node) { return coordinate(node); });
+    if (attributes)
+        m_reading.scene.attributes.push_back({m_reading.scene.triangles.size(), *attributes});
+    m_reading.scene.triangles.push_back(triangle);
+}
+
+void PrimitiveReader::readPoints(const JsonNode &primitive, Shape &shape)
+{
+    const QString key = keyOf(shape.kind);
+    m_json.expectObject(primitive, {key, coloursKey});
+    appendPositions(primitive[key], {1, anyNumber}, shape);
+    readColours(primitive, shape);
+}
+
+void PrimitiveReader::readLine(const JsonNode &primitive, Shape &shape)
+{
+    const QString key = keyOf(shape.kind);
+    m_json.expectObject(primitive, {key, coloursKey});
+    appendPositions(primitive[key], {2, 2}, shape);
+    readColours(primitive, shape);
+}
+
+void PrimitiveReader::readRound(const JsonNode &primitive, Shape &shape)
+{
+    const QString key = keyOf(shape.kind);
+    const bool isCircle = shape.kind == PrimitiveKind::Circle;
+    const QString centreKey = QStringLiteral("centre");
+    const QString radiusKey = isCircle ? QStringLiteral("radius") : QStringLiteral("radii");
+    m_json.expectObject(primitive, {key, colourKey, fillKey});
+    const JsonNode node = primitive[key];
+    m_json.expectObject(node, {centreKey, radiusKey});
+    const LatticePoint centre = position(node[centreKey]);
+    LatticePoint radii;
+    if (isCircle) {
+        radii.x = radii.y = length(node[radiusKey], QStringLiteral("a radius"));
+    } else {
+        const std::vector<JsonNode> both = m_json.array(node[radiusKey], 2);
+        radii = {length(both[0], QStringLiteral("a radius")),
+                 length(both[1], QStringLiteral("a radius"))};
+    }
+    const LatticePoint corner = {centre.x + radii.x, centre.y + radii.y};
+    if (!isWithinRange(corner) || !isWithinRange({centre.x - radii.x, centre.y - radii.y}))
+        m_json.fail(node, QStringLiteral("the %1 leaves ±%2 px").arg(key).arg(largestPixel),
+                    QStringLiteral("a smaller radius or another centre"));
+    shape.vertices = {{centre, {}}, {corner, {}}};
+    shape.fill = fill(primitive[fillKey], shape.kind);
+    readColourOfAll(primitive, shape);
+}
+
+void PrimitiveReader::readBezier(const JsonNode &primitive, Shape &shape)
+{
+    const QString key = keyOf(shape.kind);
+    m_json.expectObject(primitive, {key, colourKey});
+    appendPositions(primitive[key], {3, 4}, shape);
+    readColourOfAll(primitive, shape);
+}
+
+void PrimitiveReader::readPolygon(const JsonNode &primitive, Shape &shape)
+{
+    const QString key = keyOf(shape.kind);
+    const QString contoursKey = QStringLiteral("contours");
+    m_json.expectObject(primitive, {key, colourKey, fillKey});
+    const JsonNode node = primitive[key];
+    if (!node.value.isObject()) {
+        appendPositions(node, {3, anyNumber}, shape);
+    } else {
+        m_json.expectObject(node, {contoursKey});
+        const std::vector<JsonNode> contours = m_json.array(node[contoursKey]);
+        if (contours.empty())
+            m_json.fail(node[contoursKey], QStringLiteral("no contour"),
+                        QStringLiteral("one or more arrays of points"));
+        for (const JsonNode &contour : contours) {
+            if (!shape.vertices.empty())
+                shape.laterContours.push_back(shape.vertices.size());
+            appendPositions(contour, {3, anyNumber}, shape);
+            if (m_json.hasFailed())
+                return;
+        }
+    }
+    shape.fill = fill(primitive[fillKey], shape.kind);
+    readColourOfAll(primitive, shape);
+}
+
+void PrimitiveReader::readText(const JsonNode &primitive, Shape &shape)
+{
+    const QString key = keyOf(shape.kind);
+    const QString atKey = QStringLiteral("at");
+    const QString heightKey = QStringLiteral("height");
+    m_json.expectObject(primitive, {key, atKey, heightKey, colourKey});
+    shape.text = m_json.string(primitive[key]).toStdString();
+    shape.vertices = {{position(primitive[atKey]), {}}};
+    shape.textHeight = length(primitive[heightKey], QStringLiteral("a height"));
+    // What fonts are drawn for: the outlines of a letter may overlap.
+    shape.fill = ShapeFill::NonZero;
+    readColourOfAll(primitive, shape);
+}
+
+Lattice PrimitiveReader::coordinate(const JsonNode &node)
+{
+    if (!node.value.isDouble() && !node.value.isString()) {
+        m_json.fail(node, describe(node), coordinateExpectation());
+        return 0;
+    }
+    const QString written = node.value.isString() ? node.value.toString() : numberText(node.value);
+    const Result<SnappedCoordinate> snapped = parseCoordinate(written);
+    if (!snapped) {
+        m_json.fail(node, snapped.error().found, snapped.error().expected);
+        return 0;
+    }
+    if (snapped->isDisplaced())
+        m_reading.snaps.push_back({node.path, written, *snapped});
+    return snapped->units;
+}
+
+Lattice PrimitiveReader::length(const JsonNode &node, const QString &what)
+{
+    const Lattice units = coordinate(node);
+    if (units <= 0)
+        m_json.fail(node, QStringLiteral("%1 of %2 px").arg(what, coordinateText(units)),
+                    QStringLiteral("1/%1 px or more").arg(unitsPerPixel));
+    return units;
+}
+
+LatticePoint PrimitiveReader::position(const JsonNode &node)
+{
+    const std::vector<JsonNode> coordinates = m_json.array(node, 2);
+    const Lattice x = coordinate(coordinates[0]);
+    return {x, coordinate(coordinates[1])};
+}
+
+void PrimitiveReader::appendPositions(const JsonNode &node, PointCount count, Shape &shape)
+{
+    const std::vector<JsonNode> points = m_json.array(node);
+    if (points.size() < count.least || points.size() > count.most) {
+        const QString range = count.most == anyNumber
+            ? QStringLiteral("%1 points or more").arg(count.least)
+            : QStringLiteral("%1 points").arg(count.least)
+                + (count.most > count.least ? QStringLiteral(" or %1").arg(count.most) : QString());
+        m_json.fail(node, describe(node), QStringLiteral("an array of ") + range);
+    }
+    for (const JsonNode &point : points) {
+        if (m_json.hasFailed())
+            return;
+        shape.vertices.push_back({position(point), {}});
+    }
+}
+
+void PrimitiveReader::readColours(const JsonNode &primitive, Shape &shape)
+{
+    if (m_json.hasFailed())
+        return;
+    const std::vector<JsonNode> colours
+        = m_json.array(primitive[coloursKey], qsizetype(shape.vertices.size()));
+    for (std::size_t index = 0; index < shape.vertices.size() && !m_json.hasFailed(); ++index)
+        shape.vertices[index].colour = readColour(m_json, colours[index]);
+}
+
+void PrimitiveReader::readColourOfAll(const JsonNode &primitive, Shape &shape)
+{
+    const Colour colour = readColour(m_json, primitive[colourKey]);
+    for (Vertex &vertex : shape.vertices)
+        vertex.colour = colour;
+}
+
+ShapeFill PrimitiveReader::fill(const JsonNode &node, PrimitiveKind kind)
+{
+    const std::span<const FillName> fills = fillNamesOf(kind);
+    if (node.isMissing())
+        return fills.front().fill;
+    QStringList names;
+    for (const FillName &each : fills) {
+        names.append(QString::fromLatin1(each.name));
+        if (node.value.toString() == names.back())
+            return each.fill;
+    }
+    m_json.fail(node, describe(node), QStringLiteral("one of ") + names.join(QStringLiteral(", ")));
+    return fills.front().fill;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/jsonreader.h"
+#include "core/scene/scenefile.h"
+
+namespace pixelplumb {
+
+/// The keys that name a primitive, in the order in which messages list them.
+QStringList primitiveKeys();
+
+/// A colour "#rrggbb"; an error stays with the JsonReader.
+Colour readColour(JsonReader &json, const JsonNode &node);
+
+/// Reads the primitives of a scene; errors stay with the JsonReader.
+class PrimitiveReader {
+public:
+    PrimitiveReader(JsonReader &json, SceneReading &reading)
+        : m_json(json)
+        , m_reading(reading)
+    {
+    }
+
+    /// Appends the primitive to the scene's triangles or shapes.
+    void read(const JsonNode &primitive);
+
+private:
+    /// How many points a primitive may have.
+    struct PointCount {
+        std::size_t least = 1;
+        std::size_t most = 1;
+    };
+
+    PrimitiveKind kindOf(const JsonNode &primitive);
+    void readTriangle(const JsonNode &primitive);
+    void readPoints(const JsonNode &primitive, Shape &shape);
+    void readLine(const JsonNode &primitive, Shape &shape);
+    void readRound(const JsonNode &primitive, Shape &shape);
+    void readBezier(const JsonNode &primitive, Shape &shape);
+    void readPolygon(const JsonNode &primitive, Shape &shape);
+    void readText(const JsonNode &primitive, Shape &shape);
+
+    Lattice coordinate(const JsonNode &node);
+    /// A coordinate above 0: a radius, a height.
+    Lattice length(const JsonNode &node, const QString &what);
+    LatticePoint position(const JsonNode &node);
+    void appendPositions(const JsonNode &node, PointCount count, Shape &shape);
+    void readColours(const JsonNode &primitive, Shape &shape);
+    void readColourOfAll(const JsonNode &primitive, Shape &shape);
+    ShapeFill fill(const JsonNode &node, PrimitiveKind kind);
+
+    JsonReader &m_json;
+    SceneReading &m_reading;
+};
+
+} // namespace pixelplumb

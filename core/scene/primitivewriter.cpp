@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/primitivewriter.h"
+
+#include "core/scene/colourtext.h"
+#include "core/scene/coordinatetext.h"
+#include "core/scene/shapenames.h"
+
+#include <span>
+
+namespace pixelplumb {
+
+namespace {
+
+QByteArray coordinate(Lattice units)
+{
+    const QByteArray text = coordinateText(units).toUtf8();
+    return text.contains('/') ? '"' + text + '"' : text;
+}
+
+QByteArray point(const LatticePoint &position)
+{
+    return '[' + coordinate(position.x) + ", " + coordinate(position.y) + ']';
+}
+
+QByteArray points(std::span<const Vertex> vertices)
+{
+    QByteArray text = "[";
+    for (const Vertex &vertex : vertices)
+        text += (text.size() > 1 ? ", " : "") + point(vertex.position);
+    return text + ']';
+}
+
+QByteArray colour(const Colour &colour) { return '"' + colourText(colour).toUtf8() + '"'; }
+
+/// A colour for each vertex.
+QByteArray colours(std::span<const Vertex> vertices)
+{
+    QByteArray text = "[";
+    for (const Vertex &vertex : vertices)
+        text += (text.size() > 1 ? ", " : "") + colour(vertex.colour);
+    return ", \"colors\": " + text + ']';
+}
+
+/// The first vertex' colour, which is that of all.
+QByteArray colourOfAll(const Shape &shape)
+{
+    const Colour first = shape.vertices.empty() ? Colour() : shape.vertices.front().colour;
+    return ", \"color\": " + colour(first);
+}
+
+QByteArray fillText(const Shape &shape)
+{
+    const std::span<const FillName> fills = fillNamesOf(shape.kind);
+    QByteArray name = fills.front().name;
+    for (const FillName &each : fills) {
+        if (each.fill == shape.fill)
+            name = each.name;
+    }
+    return ", \"fill\": \"" + name + '"';
+}
+
+QByteArray roundText(const Shape &shape)
+{
+    const LatticePoint centre = shape.vertices[0].position;
+    const LatticePoint corner = shape.vertices[1].position;
+    const QByteArray radiusX = coordinate(corner.x - centre.x);
+    const QByteArray radiusY = coordinate(corner.y - centre.y);
+    const QByteArray radius = shape.kind == PrimitiveKind::Circle
+        ? ", \"radius\": " + radiusX
+        : ", \"radii\": [" + radiusX + ", " + radiusY + ']';
+    return "{ \"centre\": " + point(centre) + radius + " }";
+}
+
+QByteArray polygonText(const Shape &shape)
+{
+    if (shape.laterContours.empty())
+        return points(shape.vertices);
+    QByteArray text = "{ \"contours\": [";
+    std::size_t first = 0;
+    for (std::size_t contour = 0; contour <= shape.laterContours.size(); ++contour) {
+        const std::size_t end = contour < shape.laterContours.size() ? shape.laterContours[contour]
+                                                                     : shape.vertices.size();
+        text += (contour > 0 ? ", " : "")
+            + points(std::span(shape.vertices).subspan(first, end - first));
+        first = end;
+    }
+    return text + "] }";
+}
+
+/// What follows the key that names the shape.
+QByteArray valueText(const Shape &shape)
+{
+    switch (shape.kind) {
+    case PrimitiveKind::Point:
+    case PrimitiveKind::Line:
+        return points(shape.vertices) + colours(shape.vertices);
+    case PrimitiveKind::Circle:
+    case PrimitiveKind::Ellipse:
+        return roundText(shape) + colourOfAll(shape) + fillText(shape);
+    case PrimitiveKind::Polygon:
+        return polygonText(shape) + colourOfAll(shape) + fillText(shape);
+    case PrimitiveKind::Text:
+        return quotedText(QByteArray::fromStdString(shape.text))
+            + ", \"at\": " + point(shape.vertices.front().position)
+            + ", \"height\": " + coordinate(shape.textHeight) + colourOfAll(shape);
+    case PrimitiveKind::Bezier:
+    case PrimitiveKind::Triangle: // never a shape
+        break;
+    }
+    return points(shape.vertices) + colourOfAll(shape);
+}
+
+} // namespace
+
+QByteArray primitiveText(const Triangle &triangle)
+{
+    return "{ \"triangle\": " + points(triangle.vertices) + colours(triangle.vertices) + " }";
+}
+
+QByteArray primitiveText(const Shape &shape)
+{
+    return "{ \"" + keyOf(shape.kind).toUtf8() + "\": " + valueText(shape) + " }";
+}
+
+QByteArray quotedText(const QByteArray &utf8)
+{
+    QByteArray text = "\"";
+    for (const char character : utf8) {
+        if (character == '"' || character == '\\')
+            text += '\\';
+        if (static_cast<unsigned char>(character) < 0x20)
+            text += "\\u" + QByteArray::number(int(character), 16).rightJustified(4, '0');
+        else
+            text += character;
+    }
+    return text + '"';
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/shape.h"
+
+#include <span>
+
+namespace pixelplumb {
+
+/// What a fill is called in files, for one kind of shape.
+struct FillName {
+    const char *name;
+    ShapeFill fill;
+};
+
+/// The fills that a kind of shape may have in files, its default first; none where a shape has no
+/// choice. A circle never crosses itself, so that both fill rules are one for it.
+inline std::span<const FillName> fillNamesOf(PrimitiveKind kind)
+{
+    static constexpr FillName ofCircles[]
+        = {{"outline", ShapeFill::Outline}, {"filled", ShapeFill::NonZero}};
+    static constexpr FillName ofPolygons[]
+        = {{"even-odd", ShapeFill::EvenOdd}, {"non-zero", ShapeFill::NonZero}};
+    switch (kind) {
+    case PrimitiveKind::Circle:
+    case PrimitiveKind::Ellipse:
+        return ofCircles;
+    case PrimitiveKind::Polygon:
+        return ofPolygons;
+    case PrimitiveKind::Triangle:
+    case PrimitiveKind::Point:
+    case PrimitiveKind::Line:
+    case PrimitiveKind::Bezier:
+    case PrimitiveKind::Text:
+        break;
+    }
+    return {};
+}
+
+/// The key that names a kind of primitive in files: "triangle", "points", "line", …
+inline QString keyOf(PrimitiveKind kind)
+{
+    return kind == PrimitiveKind::Point ? QStringLiteral("points") : nameOf(kind);
+}
+
+} // namespace pixelplumb

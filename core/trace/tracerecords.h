@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/number/quantity.h"
+#include "core/scan/columnstate.h"
+#include "core/scan/scanobserver.h"
+#include "core/scan/scansettings.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace pixelplumb {
+
+/// Which coordinate the samples of a span share.
+enum class SpanAxis : std::uint8_t {
+    Column, ///< x
+    Row, ///< y
+    Free, ///< neither: a step of a curve, a point
+};
+
+/// Where a span lies.
+struct SpanPlace {
+    SpanAxis axis = SpanAxis::Column;
+    /// x of a column, y of a row, px; the step's number, from 0, of a free span.
+    std::int64_t coordinate = 0;
+    /// Which part of the primitive the span belongs to, from 0: the half of a column scan, the
+    /// trapezoid of an edge walk.
+    int part = 0;
+
+    friend bool operator==(const SpanPlace &, const SpanPlace &) = default;
+};
+
+/// What was computed once for a primitive, in any arithmetic.
+struct SetUpRecord {
+    std::size_t primitive = 0;
+    std::optional<PrimitiveRejection> rejection;
+    /// Of a triangle that is sorted: the indices of P0, P1, P2 in the caller's triangle.
+    std::array<int, 3> order = {0, 1, 2};
+    /// Of a sorted triangle: the side that L₀₂ bounds; none where no edge is an upper or lower
+    /// bound.
+    std::optional<LongEdge> longEdge;
+    bool zeroArea = false;
+    std::vector<Quantity> cells; ///< by Method::setUpColumns
+};
+
+/// The numbers of one span, in any arithmetic.
+struct SpanRecord {
+    std::size_t primitive = 0;
+    SpanPlace place;
+    /// Where the bounds meet the column (y_B, y_T) or the row (x_L, x_R), px; none in methods that
+    /// test every sample.
+    Quantity lower, upper;
+    std::int64_t firstSample = 0, endSample = 0; ///< along the span, unclipped
+    std::int64_t firstDrawn = 0, endDrawn = 0; ///< along the span, clipped to the frame
+    std::vector<Quantity> cells; ///< by Method::spanColumns
+
+    std::int64_t drawnSamples() const { return std::max<std::int64_t>(0, endDrawn - firstDrawn); }
+};
+
+/// The numbers of one sample, in any arithmetic.
+struct SampleRecord {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+    SampleFate fate = SampleFate::Written;
+    std::array<Quantity, 3> colour; ///< levels, before rounding
+    std::array<std::int64_t, 3> level = {}; ///< rounded, before clamping
+    bool clamped = false;
+    std::vector<Quantity> cells; ///< by Method::sampleColumns
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/oracle/polygonoracle.h"
+#include "core/trace/tracedscene.h"
+
+#include <initializer_list>
+#include <random>
+
+/// What the tests of polygons share: contours in short, random ones, pictures by method and truth.
+namespace pixelplumb {
+
+inline constexpr Colour green = {{0, 255, 0}};
+
+inline FrameSpec frameOf(std::int32_t width, std::int32_t height, std::int32_t firstColumn = 0,
+                         std::int32_t firstRow = 0)
+{
+    FrameSpec spec;
+    spec.width = width;
+    spec.height = height;
+    spec.firstColumn = firstColumn;
+    spec.firstRow = firstRow;
+    return spec;
+}
+
+using Contour = std::vector<LatticePoint>;
+
+inline Shape polygonOf(const std::vector<Contour> &contours, ShapeFill fill = ShapeFill::EvenOdd)
+{
+    Shape shape;
+    shape.kind = PrimitiveKind::Polygon;
+    shape.fill = fill;
+    for (const Contour &contour : contours) {
+        if (!shape.vertices.empty())
+            shape.laterContours.push_back(shape.vertices.size());
+        for (const LatticePoint &point : contour)
+            shape.vertices.push_back({point, green});
+    }
+    return shape;
+}
+
+/// Whole-pixel coordinates.
+inline Contour pixels(std::initializer_list<std::pair<std::int64_t, std::int64_t>> points)
+{
+    Contour contour;
+    for (const auto &[x, y] : points)
+        contour.push_back(latticePixel(x, y));
+    return contour;
+}
+
+inline Scene sceneOf(const std::vector<Shape> &shapes, const FrameSpec &frame, const char *method,
+                     Arithmetic arithmetic = Arithmetic::Exact)
+{
+    Scene scene;
+    scene.frame = frame;
+    scene.method = method;
+    scene.settings = {arithmetic, FillRule::TopLeft, ByteRounding::Nearest};
+    scene.shapes = shapes;
+    return scene;
+}
+
+/// A frame as rows of `#` and `.`, the highest first; written pixels are green.
+inline QString pictureOf(const FrameBuffer &frame)
+{
+    QString text;
+    const FrameView view = frame.view();
+    for (std::int64_t y = view.endRow() - 1; y >= view.firstRow; --y) {
+        for (std::int64_t x = view.firstColumn; x < view.endColumn(); ++x)
+            text += unpacked(*view.at(x, y)) == green ? u'#' : u'.';
+        text += u'\n';
+    }
+    return text;
+}
+
+inline QString drawn(const Scene &scene)
+{
+    FrameBuffer frame(scene.frame);
+    drawScene(scene, frame);
+    return pictureOf(frame);
+}
+
+inline QString truthOf(const Scene &scene)
+{
+    FrameBuffer frame(scene.frame);
+    drawTruth(scene, frame);
+    return pictureOf(frame);
+}
+
+/// For a failure's message: the scene's contours, lattice units.
+inline QString contoursText(const Shape &shape)
+{
+    QString text = shape.fill == ShapeFill::NonZero ? QStringLiteral("non-zero:")
+                                                    : QStringLiteral("even-odd:");
+    for (std::size_t i = 0; i < shape.vertices.size(); ++i) {
+        if (std::ranges::find(shape.laterContours, i) != shape.laterContours.end())
+            text += QStringLiteral(" /");
+        text += QStringLiteral(" (%1, %2)")
+                    .arg(shape.vertices[i].position.x)
+                    .arg(shape.vertices[i].position.y);
+    }
+    return text;
+}
+
+/// Random numbers that are the same on every machine.
+class Dice {
+public:
+    explicit Dice(std::uint32_t seed)
+        : m_engine(seed)
+    {
+    }
+
+    std::int64_t in(std::int64_t first, std::int64_t last)
+    {
+        return first + std::int64_t(m_engine() % std::uint64_t(last - first + 1));
+    }
+
+private:
+    std::mt19937_64 m_engine;
+};
+
+inline constexpr std::array fills = {ShapeFill::EvenOdd, ShapeFill::NonZero};
+
+/// Any vertices at all: concave, crossing itself, touching, running back on itself. The grid makes
+/// vertices on samples, horizontal edges and collinear runs frequent.
+inline Contour anyContour(Dice &dice, std::int64_t side, Lattice grid)
+{
+    Contour contour;
+    const std::int64_t count = dice.in(3, 12);
+    for (std::int64_t i = 0; i < count; ++i)
+        contour.push_back({dice.in(-side / 4, side) * grid, dice.in(-side / 4, side) * grid});
+    return contour;
+}
+
+inline Shape moved(Shape shape, const LatticePoint &by)
+{
+    for (Vertex &vertex : shape.vertices)
+        vertex.position = {vertex.position.x + by.x, vertex.position.y + by.y};
+    return shape;
+}
+
+/// Why a method draws nothing of a polygon.
+inline std::optional<PrimitiveRejection> rejectionOf(const Shape &shape, const char *method)
+{
+    return traceScene(sceneOf({shape}, frameOf(22, 22), method))->trace->setUp(0).rejection;
+}
+
+inline Shape pentagram(ShapeFill fill)
+{
+    return polygonOf({pixels({{8, 15}, {3, 0}, {16, 9}, {0, 9}, {13, 0}})}, fill);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QProcess>
+#include <QtTest>
+
+namespace {
+
+const QString defaultScene = QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/default.json");
+const QString tiesScene = QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/ties-at-tenths.json");
+
+/// How a run of the program ended and what it said.
+struct Run {
+    int exitCode = -1;
+    QByteArray output;
+    QByteArray messages;
+};
+
+Run compare(const QString &scene, const QStringList &options, const QByteArray &input = {})
+{
+    QProcess process;
+    process.start(QStringLiteral(PIXELPLUMB_CLI), QStringList{"compare", scene} + options);
+    process.write(input);
+    process.closeWriteChannel();
+    if (!process.waitForFinished(120'000) || process.exitStatus() != QProcess::NormalExit)
+        return {-1, {}, "did not end by itself"};
+    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+} // namespace
+
+class tst_CompareCommand : public QObject {
+    Q_OBJECT
+
+private slots:
+    void endsWithZeroWhereAllAgree()
+    {
+        const Run result = compare(defaultScene, {"--methods", "column-scan:exact,truth"});
+
+        QCOMPARE(result.exitCode, 0);
+        QVERIFY2(result.output.endsWith("\nAll agree on every pixel.\n"),
+                 result.output.constData());
+        QVERIFY(result.output.contains("2 of 2    3072\n1 of 2       0\n"));
+        QCOMPARE(result.messages, QByteArray());
+    }
+
+    void listsThePixelsThatDifferWithTheirReasons()
+    {
+        const Run result = compare(
+            tiesScene, {"--methods", "truth:closed,column-scan:float32:closed", "--limit", "1"});
+
+        QCOMPARE(result.exitCode, 1);
+        const QString output = QString::fromUtf8(result.output);
+        QVERIFY2(output.startsWith(
+                     QStringLiteral("contender                     pixels  missing  extra  colour "
+                                    " ≠1  ≠2\n1 truth closed ")),
+                 result.output.constData());
+        QVERIFY2(output.contains(QStringLiteral("\n  drift")), result.output.constData());
+        QVERIFY2(output.contains(QStringLiteral(" instead of ")), result.output.constData());
+        QVERIFY2(output.contains(QStringLiteral("\nand ")), result.output.constData());
+    }
+
+    void tellsTheSameAsJson()
+    {
+        const QStringList options = {"--methods", "column-scan:exact,column-scan:float32,truth",
+                                     "--limit", "1000000", "--json"};
+
+        const Run result = compare(tiesScene, options);
+
+        QCOMPARE(result.exitCode, 1);
+        const QJsonObject all = QJsonDocument::fromJson(result.output).object();
+        const QJsonArray contenders = all["contenders"].toArray();
+        QCOMPARE(contenders.size(), 3);
+        QCOMPARE(contenders[0].toObject()["arithmetic"].toString(), QStringLiteral("exact"));
+        QCOMPARE(contenders[2].toObject()["method"].toString(), QStringLiteral("truth"));
+        QCOMPARE(contenders[1].toObject()["differsFrom"].toArray()[0].toInt(),
+                 all["differing"].toInt());
+        QCOMPARE(all["pixels"].toArray().size(), all["differing"].toInt());
+        const QJsonArray agreeing = all["agreeing"].toArray();
+        QCOMPARE(agreeing[0].toInt() + agreeing[1].toInt(), all["differing"].toInt());
+        int reasons = 0;
+        const QJsonObject byReason = all["reasons"].toObject();
+        for (const QJsonValue &count : byReason)
+            reasons += count.toInt();
+        QCOMPARE(reasons, all["differing"].toInt());
+        for (const QJsonValue &pixel : all["pixels"].toArray()) {
+            QVERIFY(pixel["reason"].toString() != QStringLiteral("agreed"));
+            QVERIFY(pixel["agreeing"].toInt() < 3);
+        }
+    }
+
+    void saysTheSameTwice()
+    {
+        const QStringList options = {"--methods", "column-scan:fixed16.16,truth"};
+
+        QCOMPARE(compare(tiesScene, options).output, compare(tiesScene, options).output);
+    }
+
+    void takesWhatIsLeftOutFromTheScene()
+    {
+        const Run result = compare(tiesScene, {"--methods", "column-scan,truth:top-left"});
+
+        QVERIFY2(result.output.contains("\n1 column-scan float32 closed "),
+                 result.output.constData());
+        QVERIFY2(result.output.contains("\n2 truth top-left "), result.output.constData());
+    }
+
+    void readsTheSceneFromStandardInput()
+    {
+        QFile file(defaultScene);
+        QVERIFY(file.open(QIODevice::ReadOnly));
+
+        const Run result = compare("-", {"--methods", "truth,column-scan:exact"}, file.readAll());
+
+        QCOMPARE(result.exitCode, 0);
+    }
+
+    void refusesAWrongListWithAHint_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QString>("message");
+        const auto row = [](const char *name, const QStringList &options, const char *message) {
+            QTest::newRow(name) << options << QString::fromUtf8(message);
+        };
+        row("no list", {},
+            "pixelplumb-cli compare: --methods is missing; expected a list such as ");
+        row("one", {"--methods", "truth"}, "--methods: 1 contender; expected 2 to 4");
+        row("five", {"--methods", "truth,truth,truth,truth,truth"},
+            "--methods: 5 contenders; expected 2 to 4");
+        row("method", {"--methods", "truth,colum-scan"},
+            "unknown method “colum-scan”; did you mean column-scan?; expected one of truth, ");
+        row("arithmetic", {"--methods", "truth,column-scan:float"},
+            "unknown arithmetic or fill rule “float”; did you mean float32?");
+        row("arithmetic of the truth", {"--methods", "truth:float32,column-scan"},
+            "unknown fill rule of the truth “float32”");
+        row("rule that the method does not keep", {"--methods", "truth,column-scan:exact:top-left"},
+            "cannot keep the fill rule “top-left”");
+        row("limit", {"--methods", "truth,truth", "--limit", "few"},
+            "--limit: “few” is no whole number; expected 0 or more");
+        row("option", {"--method", "truth,truth", "--jsn"}, "did you mean --json?");
+    }
+    void refusesAWrongListWithAHint()
+    {
+        QFETCH(QStringList, options);
+        QFETCH(QString, message);
+
+        const Run result = compare(defaultScene, options);
+
+        QCOMPARE(result.exitCode, 2);
+        QCOMPARE(result.output, QByteArray());
+        QVERIFY2(QString::fromUtf8(result.messages).contains(message), result.messages.constData());
+    }
+
+    void refusesASceneThatItCannotRead()
+    {
+        const Run result = compare("-", {"--methods", "truth,truth"}, "{ \"pixelplumb\": 2 }");
+
+        QCOMPARE(result.exitCode, 2);
+        QVERIFY(!result.messages.isEmpty());
+    }
+};
+
+QTEST_GUILESS_MAIN(tst_CompareCommand)
+#include "tst_comparecommand.moc"

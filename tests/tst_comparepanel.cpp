@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/isolatedsettings.h"
+#include "widgets/agreementview.h"
+#include "widgets/appearance.h"
+#include "widgets/canvas.h"
+#include "widgets/comparepane.h"
+#include "widgets/comparepanel.h"
+#include "widgets/compareview.h"
+#include "widgets/mainwindow.h"
+#include "widgets/overdrawoverlay.h"
+#include "widgets/playhead.h"
+#include "widgets/windowdocks.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QTest>
+#include <QToolButton>
+#include <QWheelEvent>
+
+using namespace pixelplumb;
+
+class TestComparePanel : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_settings.clear();
+        m_window = std::make_unique<MainWindow>();
+        m_window->openScene(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/ties-at-tenths.json"));
+        m_window->show();
+        m_panel = m_window->findChild<ComparePanel *>(QStringLiteral("compare"));
+        m_playhead = m_window->parts().playhead;
+    }
+    void cleanup() { m_window.reset(); }
+
+    void isHiddenAtFirstAndNeverHidesTheCanvas()
+    {
+        QVERIFY(!m_panel->isVisible());
+        QVERIFY(!m_panel->contest());
+
+        open();
+
+        QVERIFY(m_panel->isVisible());
+        QVERIFY(m_window->parts().canvas->isVisible());
+        QVERIFY(m_window->parts().canvas->height() >= 200);
+    }
+
+    void comparesTheMethodInHandWithItsOtherNumbersAtFirst()
+    {
+        open();
+
+        QCOMPARE(m_panel->panes().size(), std::size_t(3));
+        QCOMPARE(m_panel->contenders()[0].settings.arithmetic, Arithmetic::Float32);
+        QCOMPARE(m_panel->contenders()[1].settings.arithmetic, Arithmetic::Exact);
+        QVERIFY(m_panel->contest()->agreement.differing() > 0);
+    }
+
+    void everyPaneStandsWhereThePlayheadDoes()
+    {
+        open();
+        const TracedScene &traced = *m_playhead->traced();
+        for (const std::int64_t x : {1, 11, 40}) {
+            m_playhead->seekToSpan(*traced.trace->spanOn(0, SpanAxis::Column, x));
+            for (std::size_t pane = 0; pane < 3; ++pane) {
+                const ScanTrace &trace = *m_panel->contest()->runs[pane].traced->trace;
+                const TraceStep step = trace.stepAt(*m_panel->panes()[pane]->position() - 1);
+                QCOMPARE(step.kind, StepKind::Span);
+                QCOMPARE(trace.placeOf(step.span).coordinate, x);
+            }
+        }
+        m_playhead->seek(m_playhead->end());
+        QCOMPARE(*m_panel->panes()[1]->position(),
+                 m_panel->contest()->runs[1].traced->trace->stepCount());
+    }
+
+    void zoomsAndMovesAllViewsTogether()
+    {
+        open();
+        CompareView *first = m_panel->panes()[0]->view();
+        auto *map = m_panel->findChild<AgreementView *>(QStringLiteral("agreementMap"));
+        const int before = first->mapping().zoom().number();
+        QWheelEvent wheel(first->rect().center(), first->mapToGlobal(first->rect().center()), {},
+                          {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+
+        QCoreApplication::sendEvent(first, &wheel);
+
+        QVERIFY(first->mapping().zoom().number() > before);
+        QCOMPARE(map->mapping().zoom(), first->mapping().zoom());
+        const LatticePoint here = first->mapping().latticeAt(QRectF(first->rect()).center());
+        const LatticePoint there = map->mapping().latticeAt(QRectF(map->rect()).center());
+        QVERIFY(std::abs(here.x - there.x) < unitsPerPixel);
+        QVERIFY(std::abs(here.y - there.y) < unitsPerPixel);
+    }
+
+    void aClickOnTheMapPicksThePixelAndTellsTheReason()
+    {
+        open();
+        auto *map = m_panel->findChild<AgreementView *>(QStringLiteral("agreementMap"));
+        const QPoint pixel = firstDifferingPixel();
+
+        QTest::mouseClick(map, Qt::LeftButton, {}, map->positionOf(pixel).toPoint());
+
+        QCOMPARE(m_playhead->pickedPixel(), std::optional(pixel));
+        const QString reason
+            = m_panel->findChild<QLabel *>(QStringLiteral("compareReason"))->text();
+        QVERIFY2(
+            reason.contains(nameOf(m_panel->contest()->agreement.reasonAt(pixel.x(), pixel.y()))),
+            qPrintable(reason));
+        QVERIFY2(reason.contains(QStringLiteral("instead of")), qPrintable(reason));
+    }
+
+    void takesPanesAwayAndAddsThemUpToFour()
+    {
+        open();
+        auto *more = m_panel->findChild<QToolButton *>(QStringLiteral("compareMore"));
+        auto *fewer = m_panel->findChild<QToolButton *>(QStringLiteral("compareFewer"));
+
+        QTest::mouseClick(more, Qt::LeftButton);
+        QTRY_COMPARE(m_panel->contest()->runs.size(), std::size_t(4));
+        QVERIFY(!more->isEnabled());
+        QTest::mouseClick(fewer, Qt::LeftButton);
+        QTest::mouseClick(fewer, Qt::LeftButton);
+
+        QTRY_COMPARE(m_panel->contest()->runs.size(), std::size_t(2));
+        QVERIFY(!fewer->isEnabled());
+    }
+
+    void comparesWithTheTruthWhenAPaneAsksForIt()
+    {
+        open();
+        auto *box = m_panel->findChild<QComboBox *>(QStringLiteral("compareMethod2"));
+        box->setCurrentIndex(0);
+
+        emit box->activated(0);
+
+        QTRY_VERIFY(m_panel->contest()->runs[1].contender.isTruth());
+        QVERIFY(!m_panel->panes()[1]->position());
+    }
+
+    void showsOverdrawInTheCanvasMapping()
+    {
+        auto *overlay = m_window->findChild<OverdrawOverlay *>(QStringLiteral("overdrawMap"));
+        QVERIFY(!overlay->isVisible());
+
+        m_window->findChild<QAction *>(QStringLiteral("showOverdraw"))->trigger();
+
+        QVERIFY(overlay->isVisible());
+        QCOMPARE(overlay->geometry(), m_window->parts().canvas->rect());
+        QCOMPARE(overlay->map().gaps(),
+                 m_playhead->traced()->differences.count(Difference::Missing));
+        QVERIFY(overlay->map().gaps() > 0);
+        QVERIFY(overlay->summary().contains(QString::number(overlay->map().gaps())));
+    }
+
+    void looksRightInBothPalettes_data()
+    {
+        QTest::addColumn<QPalette>("palette");
+        QTest::newRow("light") << lightPalette();
+        QTest::newRow("dark") << darkPalette();
+    }
+    void looksRightInBothPalettes()
+    {
+        QFETCH(QPalette, palette);
+        qApp->setPalette(palette);
+        open();
+        const QPoint pixel = firstDifferingPixel();
+        m_playhead->pick(pixel);
+        QCoreApplication::processEvents();
+
+        const QImage picture = m_window->grab().toImage();
+
+        const QByteArray folder = qgetenv("PIXELPLUMB_GRABS");
+        if (!folder.isEmpty())
+            picture.save(
+                QString::fromLocal8Bit(folder)
+                + QStringLiteral("/compare-%1.png").arg(QLatin1String(QTest::currentDataTag())));
+        auto *map = m_panel->findChild<AgreementView *>(QStringLiteral("agreementMap"));
+        const QImage cells = map->grab().toImage();
+        const QColor expected = agreementColour(
+            m_panel->contest()->agreement.agreeingAt(pixel.x(), pixel.y()), 3, map->palette());
+        bool found = false;
+        for (int y = 0; y < cells.height() && !found; ++y) {
+            for (int x = 0; x < cells.width() && !found; ++x)
+                found = cells.pixelColor(x, y) == expected;
+        }
+        QVERIFY(found);
+    }
+
+private:
+    void open()
+    {
+        m_window->findChild<QAction *>(QStringLiteral("compareDockToggle"))->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(m_panel->contest() && !m_panel->isRunning(), 20000);
+        QCoreApplication::processEvents();
+    }
+    QPoint firstDifferingPixel() const
+    {
+        const AgreementMap &agreement = m_panel->contest()->agreement;
+        for (int x = 0; x < agreement.spec().width; ++x) {
+            for (int y = 0; y < agreement.spec().height; ++y) {
+                const Disagreement reason = agreement.reasonAt(x, y);
+                if (reason == Disagreement::Drift || reason == Disagreement::Rounding)
+                    return {x, y};
+            }
+        }
+        return {-1, -1};
+    }
+
+    IsolatedSettings m_settings;
+    std::unique_ptr<MainWindow> m_window;
+    ComparePanel *m_panel = nullptr;
+    Playhead *m_playhead = nullptr;
+};
+
+QTEST_MAIN(TestComparePanel)
+#include "tst_comparepanel.moc"

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/tracerows.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/scanning.h"
+#include "widgets/canvas.h"
+#include "widgets/columntable.h"
+#include "widgets/columntablemodel.h"
+#include "widgets/mainwindow.h"
+#include "widgets/playhead.h"
+#include "widgets/scenedocument.h"
+
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QTest>
+
+using namespace pixelplumb;
+
+namespace {
+
+std::unique_ptr<MainWindow> windowWith(const Scene &scene)
+{
+    auto window = std::make_unique<MainWindow>();
+    window->parts().document->reset(scene);
+    window->resize(1440, 960);
+    window->show();
+    window->activateWindow();
+    if (!QTest::qWaitForWindowActive(window.get()))
+        QTest::qFail("the window does not become active", __FILE__, __LINE__);
+    window->parts().canvas->setFocus();
+    return window;
+}
+
+/// Chooses a method as a person does, by its entry in the box.
+void choose(MainWindow &window, const QString &method)
+{
+    auto *box = window.findChild<QComboBox *>(QStringLiteral("methodBox"));
+    const int row = box->findData(method);
+    QVERIFY2(row >= 0, qPrintable(method + QStringLiteral(" is not in the box")));
+    box->setCurrentIndex(row);
+    emit box->activated(row);
+}
+
+void clickPixel(const MainWindow &window, const QPoint &pixel)
+{
+    Canvas *canvas = window.parts().canvas;
+    QTest::mouseClick(canvas, Qt::LeftButton, {}, canvas->positionOf(pixel).toPoint());
+}
+
+QStringList rowTexts(const MainWindow &window, int row)
+{
+    const QAbstractItemModel &model
+        = *window.findChild<ColumnTable *>(QStringLiteral("columnTable"))->model();
+    QStringList texts;
+    for (int column = 0; column < model.columnCount(); ++column)
+        texts.append(model.index(row, column).data(ColumnTableModel::CanonicalTextRole).toString());
+    return texts;
+}
+
+} // namespace
+
+/// Every method of the table in the window: chosen, drawn with, stepped.
+class TestMethodsInWindow : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_settings.clear(); }
+
+    void everyMethodHasAnEntryInTheMethodBox()
+    {
+        const auto window = windowWith(Scene());
+        const auto *box = window->findChild<QComboBox *>(QStringLiteral("methodBox"));
+        for (const Method &method : methods())
+            QVERIFY2(box->findData(method.id) >= 0, qPrintable(method.id));
+    }
+
+    void twoClicksDrawALineByBresenham()
+    {
+        const auto window = windowWith(Scene());
+        choose(*window, QStringLiteral("line-bresenham"));
+        clickPixel(*window, {20, 41});
+        clickPixel(*window, {30, 44});
+
+        const SceneDocument &document = *window->parts().document;
+        QCOMPARE(document.scene().shapes.size(), std::size_t(1));
+        QVERIFY(document.scene().shapes[0].kind == PrimitiveKind::Line);
+        const Playhead &playhead = *window->parts().playhead;
+        QCOMPARE(playhead.traced()->trace->writtenCount(), std::size_t(11));
+        QCOMPARE(playhead.traced()->differences.total(), std::int64_t(0));
+        window->parts().document->undoStack()->undo();
+        QVERIFY(document.scene().shapes.empty());
+        QCOMPARE(document.pendingVertices().size(), std::size_t(1));
+        window->parts().document->undoStack()->redo();
+        QCOMPARE(document.scene().shapes.size(), std::size_t(1));
+    }
+
+    void aPolygonIsClosedByAClickOnItsFirstCorner()
+    {
+        const auto window = windowWith(Scene());
+        choose(*window, QStringLiteral("polygon-parity"));
+        for (const QPoint &corner :
+             {QPoint(10, 10), QPoint(50, 12), QPoint(40, 40), QPoint(30, 20), QPoint(12, 38)})
+            clickPixel(*window, corner);
+        const SceneDocument &document = *window->parts().document;
+        QVERIFY(document.scene().shapes.empty());
+        QCOMPARE(document.pendingVertices().size(), std::size_t(5));
+        clickPixel(*window, {10, 10});
+
+        QCOMPARE(document.scene().shapes.size(), std::size_t(1));
+        QCOMPARE(document.scene().shapes[0].vertices.size(), std::size_t(5));
+        QVERIFY(document.pendingVertices().empty());
+        QVERIFY(window->parts().playhead->traced()->trace->writtenCount() > 200);
+        QCOMPARE(window->parts().playhead->traced()->differences.total(), std::int64_t(0));
+    }
+
+    void aCircleStaysRoundWhenItsCornerIsDragged()
+    {
+        const auto window = windowWith(Scene());
+        choose(*window, QStringLiteral("circle-midpoint"));
+        clickPixel(*window, {32, 24});
+        clickPixel(*window, {40, 30});
+        SceneDocument &document = *window->parts().document;
+        QCOMPARE(document.scene().shapes.size(), std::size_t(1));
+        QCOMPARE(document.vertexAt({0, 1})->position, latticePixel(40, 32));
+        document.moveVertex({0, 1}, latticePixel(37, 44), document.newDrag());
+        QCOMPARE(document.vertexAt({0, 1})->position, latticePixel(52, 44));
+        document.moveVertex({0, 0}, latticePixel(30, 20), document.newDrag());
+        QCOMPARE(document.vertexAt({0, 1})->position, latticePixel(50, 40));
+        document.undoStack()->undo();
+        document.undoStack()->undo();
+        QCOMPARE(document.vertexAt({0, 1})->position, latticePixel(40, 32));
+    }
+
+    void choosingAMethodThatDoesNotKeepTheFillRuleTakesOneThatItKeepsAndSaysSo()
+    {
+        Scene scene;
+        scene.triangles = {triangleAt(4, 5, 58, 12, 26, 44)};
+        scene.settings.fillRule = FillRule::HalfOpenColumn;
+        const auto window = windowWith(scene);
+        choose(*window, QStringLiteral("row-walk"));
+        const Scene &drawn = window->parts().document->scene();
+        QCOMPARE(drawn.method, std::string("row-walk"));
+        QVERIFY(methodNamed(u"row-walk")->supports(drawn.settings.fillRule));
+        window->parts().document->undoStack()->undo();
+        QCOMPARE(window->parts().document->scene(), scene);
+    }
+
+    void steppingARowMethodGoesByRowsAndSaysSo()
+    {
+        Scene scene;
+        scene.triangles = {triangleAt(4, 5, 58, 12, 26, 44)};
+        scene.method = "row-walk";
+        const auto window = windowWith(scene);
+        Playhead &playhead = *window->parts().playhead;
+        playhead.seek(0);
+        playhead.step(StepUnit::Span, StepDirection::Forward);
+        QVERIFY(playhead.placeInHand().has_value());
+        QVERIFY(playhead.placeInHand()->axis == SpanAxis::Row);
+        // The seed walks down from the uppermost point.
+        QCOMPARE(playhead.placeInHand()->coordinate, std::int64_t(44));
+        QCOMPARE(window->findChild<QAction *>(QStringLiteral("nextColumn"))->iconText(),
+                 QStringLiteral("row"));
+        QCOMPARE(window->findChild<QLabel *>(QStringLiteral("statusColumn"))->text(),
+                 QStringLiteral("row 44"));
+    }
+
+    void theTableAgreesWithTheExportUnderEveryMethod_data()
+    {
+        QTest::addColumn<QString>("method");
+        for (const Method &method : methods()) {
+            if (method.draws(PrimitiveKind::Triangle))
+                QTest::newRow(qPrintable(method.id)) << method.id;
+        }
+    }
+    void theTableAgreesWithTheExportUnderEveryMethod()
+    {
+        QFETCH(QString, method);
+        Scene scene;
+        scene.triangles = {triangleAt(4, 5, 58, 12, 26, 44)};
+        scene.method = method.toStdString();
+        scene.settings = methodNamed(method)->adapted({});
+        const auto window = windowWith(scene);
+        const TracedScene &traced = *window->parts().playhead->traced();
+        QVERIFY(traced.trace->spanCount() > 0);
+        for (const std::size_t span : {std::size_t(0), traced.trace->spanCount() / 2}) {
+            QStringList exported = spanCells(traced, span);
+            exported.removeFirst(); // the step
+            if (scene.settings.arithmetic == Arithmetic::Exact) {
+                QStringList used;
+                std::size_t cell = 0;
+                for (const TraceColumn &column : traced.method->spanColumns) {
+                    used.append(exported[qsizetype(cell)]);
+                    cell += column.comparison == Comparison::WithExact ? 3 : 1;
+                }
+                exported = used;
+            }
+            QCOMPARE(rowTexts(*window, int(span)), exported);
+        }
+    }
+
+    void everyStepOfEveryMethodHasAnExplanationInThePanel_data()
+    {
+        theTableAgreesWithTheExportUnderEveryMethod_data();
+    }
+    void everyStepOfEveryMethodHasAnExplanationInThePanel()
+    {
+        QFETCH(QString, method);
+        Scene scene;
+        scene.frame.width = scene.frame.height = 12;
+        scene.triangles = {triangleAt(1, 2, 10, 3, 5, 9)};
+        scene.method = method.toStdString();
+        scene.settings = methodNamed(method)->adapted({});
+        const auto window = windowWith(scene);
+        Playhead &playhead = *window->parts().playhead;
+        const auto *heading = window->findChild<QLabel *>(QStringLiteral("formulaHeading"));
+        for (std::size_t position = 1; position <= playhead.end(); position += 3) {
+            playhead.seek(position);
+            QVERIFY2(!heading->text().isEmpty(), qPrintable(QString::number(position)));
+        }
+    }
+
+private:
+    IsolatedSettings m_settings;
+};
+
+QTEST_MAIN(TestMethodsInWindow)
+#include "tst_methodsinwindow.moc"

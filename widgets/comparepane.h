@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compare/contest.h"
+#include "core/trace/tracecursor.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+
+namespace pixelplumb {
+
+class CompareLink;
+class CompareView;
+class Playhead;
+
+/// One contender: what it is, and its own run at the place where the playhead is. The truth has no
+/// run; it is shown finished.
+class ComparePane : public QWidget {
+    Q_OBJECT
+
+public:
+    /// number: 1 … 4, as the reasons call it.
+    ComparePane(int number, CompareLink *link, Playhead *playhead, QWidget *parent = nullptr);
+    ~ComparePane() override;
+
+    Contender contender() const;
+    void setContender(const Contender &contender); ///< without contenderChanged()
+    /// The contender's part of a contest; the contest is kept.
+    void show(const std::shared_ptr<const Contest> &contest, std::size_t run);
+    void clear(const QString &message);
+
+    CompareView *view() const;
+    /// The pane's own position in its own run; none for the truth and without a run.
+    std::optional<std::size_t> position() const;
+
+signals:
+    void contenderChanged();
+
+private:
+    class View;
+
+    QComboBox *addBox(const QString &name, const QString &label);
+    void offerSettings(const ScanSettings &wanted);
+    void followPlayhead();
+
+    int m_number;
+    Playhead *m_playhead;
+    QComboBox *m_method = nullptr;
+    QComboBox *m_arithmetic = nullptr;
+    QComboBox *m_fillRule = nullptr;
+    QLabel *m_result = nullptr;
+    View *m_view = nullptr;
+    ByteRounding m_rounding = ByteRounding::Nearest; ///< the scene's
+    std::shared_ptr<const Contest> m_contest;
+    std::size_t m_run = 0;
+    std::unique_ptr<TraceCursor> m_cursor;
+};
+
+} // namespace pixelplumb

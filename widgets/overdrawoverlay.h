@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compare/overdraw.h"
+
+#include <QImage>
+#include <QWidget>
+
+namespace pixelplumb {
+
+class Canvas;
+class Playhead;
+
+/// Over the canvas, in its own mapping: how often primitives write each pixel of the finished run,
+/// by shades and digits, and the gaps that nobody writes. Lets the mouse through.
+class OverdrawOverlay : public QWidget {
+    Q_OBJECT
+
+public:
+    OverdrawOverlay(Canvas *canvas, Playhead *playhead);
+
+    const OverdrawMap &map() const { return m_map; }
+    /// "13 pixels twice or more, 4 at most; 63 gaps"
+    QString summary() const;
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void followTrace();
+    QRgb shadeOf(std::int64_t x, std::int64_t y) const;
+    void makeShades();
+    void paintDigits(QPainter &painter, const QRect &shown) const;
+
+    Canvas *m_canvas;
+    Playhead *m_playhead;
+    OverdrawMap m_map;
+    std::shared_ptr<const TracedScene> m_counted; ///< the run that the map is of
+    QImage m_shades; ///< a pixel a frame pixel
+    QImage m_cells; ///< the visible cells in device pixels
+};
+
+} // namespace pixelplumb
