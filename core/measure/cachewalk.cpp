@@ -47,8 +47,8 @@ public:
     {
         for (SetLines &seen : m_seen) {
             std::ranges::sort(seen);
-            const auto repeated = std::ranges::unique(seen);
-            seen.erase(repeated.begin(), repeated.end());
+            // Not std::ranges::unique: clang 14 does not take the library's subrange.
+            seen.erase(std::unique(seen.begin(), seen.end()), seen.end());
             m_result.linesOfSet.push_back(int(seen.size()));
             m_result.lines += std::int64_t(seen.size());
         }

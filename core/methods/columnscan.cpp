@@ -46,7 +46,8 @@ std::vector<Quantity> exactSpan(const TracedScene &traced, std::size_t span)
     const ScanTrace &trace = *traced.trace;
     const auto column = oracle::columnAt(traced.primitives.triangles[trace.primitiveOf(span)],
                                          trace.settings().fillRule, trace.placeOf(span).coordinate);
-    std::vector<Quantity> cells(std::size_t(ColumnCell::Count));
+    constexpr auto count = std::size_t(ColumnCell::Count);
+    std::vector<Quantity> cells(count);
     if (!column)
         return cells;
     const auto at = [&cells](ColumnCell cell) { return cells.begin() + std::ptrdiff_t(cell); };

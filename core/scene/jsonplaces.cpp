@@ -17,7 +17,7 @@ QString memberPath(const QString &parent, const QString &key)
 
 QString elementPath(const QString &parent, qsizetype index)
 {
-    return QStringLiteral("%1[%2]").arg(parent).arg(index);
+    return parent + u'[' + QString::number(index) + u']';
 }
 
 namespace {

@@ -17,6 +17,8 @@ constexpr std::array allKinds = {
 
 constexpr std::size_t anyNumber = std::numeric_limits<std::size_t>::max();
 
+constexpr qint64 beyondPixels = std::numeric_limits<qint64>::max();
+
 const QString colourKey = QStringLiteral("color");
 const QString coloursKey = QStringLiteral("colors");
 const QString fillKey = QStringLiteral("fill");
@@ -204,6 +206,10 @@ Lattice PrimitiveReader::coordinate(const JsonNode &node)
         m_json.fail(node, describe(node), coordinateExpectation());
         return 0;
     }
+    // Most coordinates are whole numbers, and a scene may hold millions: no big numbers for them.
+    if (const qint64 pixel = node.value.toInteger(beyondPixels);
+        pixel >= -largestPixel && pixel <= largestPixel)
+        return pixel * unitsPerPixel;
     const QString written = node.value.isString() ? node.value.toString() : numberText(node.value);
     const Result<SnappedCoordinate> snapped = parseCoordinate(written);
     if (!snapped) {
