@@ -264,10 +264,10 @@ private slots:
                                << "line 1, column 13, version: 2; expected an integer from 1 to 1";
         QTest::newRow("no cases") << QByteArray("{\"version\": 1}")
                                   << "line 1, column 1, cases: nothing; expected an array";
-        QTest::newRow("unknown kind") << caseFile("\"id\": \"a\", \"kind\": \"circle\"")
-                                      << "line 1, column 46, cases[0].kind: “circle”; expected one "
+        QTest::newRow("unknown kind") << caseFile("\"id\": \"a\", \"kind\": \"spiral\"")
+                                      << "line 1, column 46, cases[0].kind: “spiral”; expected one "
                                          "of triangle, mesh, sequence, "
-                                         "translation, invalid, line";
+                                         "translation, invalid, line, circle, polygon, attributes";
         QTest::newRow("canvas 0")
             << QByteArray(caseFile(smallTriangle)).replace("[6, 6]", "[0, 6]")
             << "line 1, column 175, cases[0].canvas[0]: 0; expected an integer from 1 to 32768";

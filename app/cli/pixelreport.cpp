@@ -96,15 +96,19 @@ QString spanText(const SpanRecord &span)
     return text;
 }
 
+/// The exact level is that of a triangle's plane; the truth of a shape is its pixels.
 QString channelText(const PixelAttempt &attempt, std::size_t channel)
 {
     const Quantity &used = attempt.sample->colour[channel];
     const Quantity &exact = attempt.exactColour[channel];
-    return QStringLiteral("    %1 = %2 → %3; exact %4, error %5")
-        .arg(QChar(channelNames[channel]))
-        .arg(toText(used))
-        .arg(int(unpacked(attempt.change.after).channels[channel]))
-        .arg(toText(exact), realText(errorOf(used, exact)));
+    const QString text = QStringLiteral("    %1 = %2 → %3")
+                             .arg(QChar(channelNames[channel]))
+                             .arg(toText(used))
+                             .arg(int(unpacked(attempt.change.after).channels[channel]));
+    if (exact.isNone())
+        return text;
+    return text
+        + QStringLiteral("; exact %1, error %2").arg(toText(exact), realText(errorOf(used, exact)));
 }
 
 /// A double that JSON can hold, or its name.
@@ -171,7 +175,7 @@ QJsonObject jsonOf(const PixelAttempt &attempt)
         json[QString(QChar(channelNames[channel]))] = QJsonObject{
             {QStringLiteral("used"), jsonOf(used)},
             {QStringLiteral("exact"), jsonOf(exact)},
-            {QStringLiteral("error"), jsonOf(errorOf(used, exact))},
+            {QStringLiteral("error"), exact.isNone() ? QJsonValue() : jsonOf(errorOf(used, exact))},
             {QStringLiteral("level"), qint64(attempt.sample->level[channel])},
             {QStringLiteral("byte"), int(unpacked(attempt.change.after).channels[channel])}};
     }

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/check/casecheck.h"
 
+#include "core/check/attributecase.h"
+#include "core/check/casefacts.h"
 #include "core/check/linecase.h"
+#include "core/check/shapecase.h"
 
 #include <algorithm>
 #include <set>
@@ -9,29 +12,6 @@
 namespace pixelplumb {
 
 namespace {
-
-QString numbers(std::span<const std::int64_t> values)
-{
-    QStringList texts;
-    for (const std::int64_t value : values)
-        texts.append(QString::number(value));
-    return texts.join(u' ');
-}
-
-/// "count: 1003 instead of 1004", unless they are the same.
-void compare(QStringList &shortfalls, const QString &what, const QString &found,
-             const QString &expected)
-{
-    if (found != expected)
-        shortfalls.append(QStringLiteral("%1 %2 instead of %3").arg(what, found, expected));
-}
-
-void compare(QStringList &shortfalls, const QString &what, std::int64_t found,
-             std::optional<std::int64_t> expected)
-{
-    if (expected)
-        compare(shortfalls, what, QString::number(found), QString::number(*expected));
-}
 
 CasePicture pictureOf(const Triangle &triangle, const FrameSpec &canvas,
                       const ScanSettings &settings, const Drawing &drawing)
@@ -57,8 +37,8 @@ void comparePoints(QStringList &shortfalls, const HardCase &hardCase, FillRule r
             continue;
         const Colour colour = picture.colourAt(point.x, point.y);
         const std::array<std::int64_t, 3> bytes = {colour.red(), colour.green(), colour.blue()};
-        compare(shortfalls, place + QStringLiteral(" is"), numbers(bytes),
-                numbers(point.roundedColour));
+        compare(shortfalls, place + QStringLiteral(" is"), numbersText(bytes),
+                numbersText(point.roundedColour));
     }
 }
 
@@ -67,13 +47,7 @@ QStringList factShortfalls(const HardCase &hardCase, FillRule rule, const CasePi
 {
     const ExpectedFacts &facts = hardCase.facts.at(rule);
     QStringList shortfalls;
-    compare(shortfalls, QStringLiteral("pixel count"), picture.pixelCount(), facts.pixelCount);
-    if (!facts.spanHash.isEmpty())
-        compare(shortfalls, QStringLiteral("span hash"), QString::fromLatin1(picture.spanHash()),
-                QString::fromLatin1(facts.spanHash));
-    if (facts.channelSums)
-        compare(shortfalls, QStringLiteral("channel sums"), numbers(picture.channelSums()),
-                numbers(*facts.channelSums));
+    comparePicture(shortfalls, facts, picture);
     comparePoints(shortfalls, hardCase, rule, picture);
     return shortfalls;
 }
@@ -97,36 +71,15 @@ QStringList triangleShortfalls(const HardCase &hardCase, const ScanSettings &set
     return shortfalls;
 }
 
-/// How many pixels are covered once, twice, …
-std::map<int, std::int64_t> coverageHistogram(const HardCase &hardCase,
-                                              const ScanSettings &settings, const Drawing &drawing)
-{
-    std::map<std::array<std::int64_t, 2>, int> times;
-    for (const Triangle &triangle : hardCase.triangles) {
-        pictureOf(triangle, hardCase.canvas, settings, drawing)
-            .forEachWritten([&](std::int64_t x, std::int64_t y) {
-                ++times[{x, y}];
-            });
-    }
-    std::map<int, std::int64_t> histogram;
-    for (const auto &[pixel, count] : times)
-        ++histogram[count];
-    return histogram;
-}
-
 QStringList meshShortfalls(const HardCase &hardCase, const ScanSettings &settings,
                            const Drawing &drawing)
 {
-    const auto text = [](const std::map<int, std::int64_t> &histogram) {
-        QStringList parts;
-        for (const auto &[times, count] : histogram)
-            parts.append(QStringLiteral("%1×%2").arg(times).arg(count));
-        return parts.isEmpty() ? QStringLiteral("nothing") : parts.join(u' ');
-    };
+    CoverageTimes times;
+    for (const Triangle &triangle : hardCase.triangles)
+        addCoverage(times, pictureOf(triangle, hardCase.canvas, settings, drawing));
     QStringList shortfalls;
-    compare(shortfalls, QStringLiteral("coverage (times×pixels)"),
-            text(coverageHistogram(hardCase, settings, drawing)),
-            text(hardCase.facts.at(settings.fillRule).histogram));
+    compareHistogram(shortfalls, histogramOf(times),
+                     hardCase.facts.at(settings.fillRule).histogram);
     return shortfalls;
 }
 
@@ -153,8 +106,8 @@ QStringList sequenceShortfalls(const HardCase &hardCase, const ScanSettings &set
         before = std::move(pixels);
     }
     QStringList shortfalls;
-    compare(shortfalls, QStringLiteral("pixel counts"), numbers(counts),
-            numbers(facts.frameCounts));
+    compare(shortfalls, QStringLiteral("pixel counts"), numbersText(counts),
+            numbersText(facts.frameCounts));
     compare(shortfalls, QStringLiteral("toggles"), toggles, facts.toggles);
     return shortfalls;
 }
@@ -191,6 +144,33 @@ QStringList translationShortfalls(const HardCase &hardCase, const ScanSettings &
     return shortfalls;
 }
 
+bool draws(const Method &method, const HardCase &hardCase)
+{
+    return hardCase.shapes.empty() ? method.draws(PrimitiveKind::Triangle)
+                                   : method.draws(hardCase.shapes.front());
+}
+
+/// "a triangle", "an outlined circle": what a method has to draw.
+QString subjectOf(const HardCase &hardCase)
+{
+    if (hardCase.shapes.empty())
+        return QStringLiteral("a ") + nameOf(PrimitiveKind::Triangle);
+    const Shape &shape = hardCase.shapes.front();
+    if (shape.kind != PrimitiveKind::Circle)
+        return QStringLiteral("a ") + nameOf(shape.kind);
+    return (shape.fill == ShapeFill::Outline ? QStringLiteral("an outlined ")
+                                             : QStringLiteral("a filled "))
+        + nameOf(shape.kind);
+}
+
+/// Why the candidate refuses what the case draws; empty where it does not.
+QString refusalOf(const Candidate &candidate, const HardCase &hardCase)
+{
+    return hardCase.kind == HardCaseKind::Polygon
+        ? shapeRefusal(hardCase, candidate.settings, *candidate.method)
+        : QString();
+}
+
 CandidateVerdict verdictOn(const Candidate &candidate, const HardCase &hardCase)
 {
     CandidateVerdict verdict{candidate, CaseOutcome::Passed, {}};
@@ -199,7 +179,15 @@ CandidateVerdict verdictOn(const Candidate &candidate, const HardCase &hardCase)
         verdict.remarks = {QStringLiteral("the case has no facts under this rule")};
         return verdict;
     }
+    const QString refusal = refusalOf(candidate, hardCase);
+    if (!refusal.isEmpty()) {
+        verdict.outcome = CaseOutcome::Skipped;
+        verdict.remarks = {refusal};
+        return verdict;
+    }
     verdict.remarks = shortfallsOf(hardCase, candidate.settings, candidate.method->draw);
+    if (hardCase.kind == HardCaseKind::Attributes)
+        verdict.remarks += valueShortfalls(hardCase, candidate.settings, *candidate.method);
     if (!verdict.remarks.isEmpty())
         verdict.outcome = CaseOutcome::FellShort;
     return verdict;
@@ -250,6 +238,7 @@ QStringList shortfallsOf(const HardCase &hardCase, const ScanSettings &settings,
 {
     switch (hardCase.kind) {
     case HardCaseKind::Triangle:
+    case HardCaseKind::Attributes:
         return triangleShortfalls(hardCase, settings, drawing);
     case HardCaseKind::Mesh:
         return meshShortfalls(hardCase, settings, drawing);
@@ -259,6 +248,9 @@ QStringList shortfallsOf(const HardCase &hardCase, const ScanSettings &settings,
         return translationShortfalls(hardCase, settings, drawing);
     case HardCaseKind::Line:
         return lineShortfalls(hardCase, settings, drawing);
+    case HardCaseKind::Circle:
+    case HardCaseKind::Polygon:
+        return shapeShortfalls(hardCase, settings, drawing);
     case HardCaseKind::Invalid:
         break;
     }
@@ -282,15 +274,14 @@ CaseReport checkCase(const HardCase &hardCase, const std::vector<Candidate> &can
         report.remarks = {QStringLiteral("compared with the truth after snapping ")
                           + hardCase.displacements.join(QStringLiteral(", "))};
     }
-    const PrimitiveKind kind
-        = hardCase.kind == HardCaseKind::Line ? PrimitiveKind::Line : PrimitiveKind::Triangle;
     for (const Candidate &candidate : candidates) {
-        if (candidate.method->draws(kind))
+        if (draws(*candidate.method, hardCase))
             report.verdicts.push_back(verdictOn(candidate, hardCase));
     }
     if (report.verdicts.empty()) {
         report.outcome = CaseOutcome::Skipped;
-        report.remarks.append(QStringLiteral("none of the methods draws a %1").arg(nameOf(kind)));
+        report.remarks.append(
+            QStringLiteral("none of the methods draws %1").arg(subjectOf(hardCase)));
     }
     return report;
 }

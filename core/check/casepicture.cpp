@@ -99,6 +99,15 @@ QByteArray CasePicture::spanHash() const
     return hash.result().toHex().first(16);
 }
 
+QByteArray CasePicture::pixelHash() const
+{
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    forEachWritten([&](std::int64_t x, std::int64_t y) {
+        hash.addData(QByteArray::number(qint64(x)) + ' ' + QByteArray::number(qint64(y)) + '\n');
+    });
+    return hash.result().toHex().first(16);
+}
+
 QString PictureDifference::message() const
 {
     QStringList parts;

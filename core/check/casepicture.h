@@ -61,6 +61,8 @@ public:
     /// The first 16 hexadecimal digits of the SHA-256 of "x lowest highest\n" for each column with
     /// pixels.
     QByteArray spanHash() const;
+    /// The same of "x y\n" for each pixel, by columns, each from its lowest y.
+    QByteArray pixelHash() const;
 
 private:
     FrameSpec m_canvas; ///< in the case's coordinates

@@ -3,6 +3,7 @@
 
 #include "core/frame/framespec.h"
 #include "core/geometry/shape.h"
+#include "core/number/quantity.h"
 #include "core/scan/scansettings.h"
 #include "core/scene/result.h"
 
@@ -23,6 +24,9 @@ enum class HardCaseKind {
     Translation, ///< whether a move by whole pixels moves the picture and nothing else
     Invalid, ///< that its coordinates are refused
     Line, ///< a line instead of a triangle
+    Circle, ///< a circle, outlined or filled
+    Polygon, ///< polygons of one or more contours: which pixels, and how often
+    Attributes, ///< a triangle whose vertices carry more than colour: the values at its points
 };
 
 /// What is known of a case under one fill rule; none where the case does not say.
@@ -30,12 +34,12 @@ struct ExpectedFacts {
     std::optional<std::int64_t> pixelCount; ///< of a triangle or of each translated picture
     QByteArray spanHash; ///< 16 hexadecimal digits, see spanHashOf
     std::optional<std::array<std::int64_t, 3>> channelSums; ///< of the bytes of all pixels
-    std::map<int, std::int64_t> histogram; ///< mesh: pixels by how often they are covered, from 1
+    std::map<int, std::int64_t> histogram; ///< mesh, polygons: pixels by how often they are covered
     std::vector<std::int64_t> frameCounts; ///< sequence: pixels of each frame
     std::optional<std::int64_t> toggles; ///< sequence: pixels that change between frames
     std::optional<std::int64_t> distinctPictures; ///< translation
-    /// Line: the first 16 hexadecimal digits of the SHA-256 of "x y\n" for each pixel, along x, or
-    /// along y where the line is longer that way.
+    /// Line, circle, polygon: the first 16 hexadecimal digits of the SHA-256 of "x y\n" for each
+    /// pixel, along x (by columns); of a line along y where it is longer that way.
     QByteArray pixelHash;
     std::vector<std::array<std::int64_t, 2>> pixels; ///< line: x and y of each, in this order
 };
@@ -47,6 +51,7 @@ struct ExpectedPoint {
     std::map<FillRule, bool> covered;
     std::array<QString, 3> exactColour; ///< "85/42", levels; inside and outside
     std::array<std::int64_t, 3> roundedColour = {}; ///< of exactColour, not clamped
+    std::map<QString, Quantity> values; ///< attributes: exact, by the title of a sample's cell
 };
 
 /// A case of a file of hard cases. Pixels are sampled at integers; the canvas begins at
@@ -58,7 +63,8 @@ struct HardCase {
     QString stresses; ///< one sentence: what is hard about it
     FrameSpec canvas;
     std::vector<Triangle> triangles; ///< one, those of the mesh, or one a frame of the sequence
-    std::vector<Shape> shapes; ///< line: the line
+    std::vector<Shape> shapes; ///< the line, the circle, the polygons
+    std::vector<TriangleAttributes> attributes; ///< of the triangle, if its vertices carry any
     std::vector<std::array<std::int64_t, 2>> offsets; ///< translation, px
     std::map<FillRule, ExpectedFacts> facts;
     std::vector<ExpectedPoint> points;

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/check/attributecase.h"
+#include "core/check/casecoordinates.h"
 #include "core/check/linecase.h"
+#include "core/check/shapecase.h"
 #include "core/scene/coordinatetext.h"
 
 #include <QJsonObject>
@@ -12,13 +15,16 @@ namespace {
 
 constexpr qint64 largestFact = std::numeric_limits<qint64>::max();
 
-constexpr std::array<std::pair<const char *, HardCaseKind>, 6> kindNames
+constexpr std::array<std::pair<const char *, HardCaseKind>, 9> kindNames
     = {{{"triangle", HardCaseKind::Triangle},
         {"mesh", HardCaseKind::Mesh},
         {"sequence", HardCaseKind::Sequence},
         {"translation", HardCaseKind::Translation},
         {"invalid", HardCaseKind::Invalid},
-        {"line", HardCaseKind::Line}}};
+        {"line", HardCaseKind::Line},
+        {"circle", HardCaseKind::Circle},
+        {"polygon", HardCaseKind::Polygon},
+        {"attributes", HardCaseKind::Attributes}}};
 
 constexpr std::array<std::pair<const char *, FillRule>, 3> ruleNames
     = {{{"closed", FillRule::Closed},
@@ -28,8 +34,6 @@ constexpr std::array<std::pair<const char *, FillRule>, 3> ruleNames
 /// The colours of a triangle whose case gives none.
 constexpr std::array<Colour, 3> defaultColours
     = {Colour{{255, 0, 0}}, Colour{{0, 255, 0}}, Colour{{0, 0, 255}}};
-
-JsonNode member(const JsonNode &node, const char *key) { return node[QString::fromLatin1(key)]; }
 
 /// Reads one case; errors stay with the JsonReader. Keys that no check needs are left alone.
 class HardCaseReader {
@@ -70,6 +74,23 @@ public:
         case HardCaseKind::Line:
             readLineCase(m_json, node, m_case);
             break;
+        case HardCaseKind::Circle:
+            readCanvas(node);
+            readCircleCase(m_json, node, m_coordinates, m_case);
+            readFacts(member(node, "expected"));
+            break;
+        case HardCaseKind::Polygon:
+            readCanvas(node);
+            readPolygonCase(m_json, node, m_coordinates, m_case);
+            readFacts(member(node, "expected"));
+            break;
+        case HardCaseKind::Attributes:
+            readCanvas(node);
+            m_case.triangles = {triangle(member(node, "vertices"), node)};
+            readAttributes(m_json, node, m_case);
+            readFacts(member(node, "expected"));
+            readPoints(node);
+            break;
         }
         return std::move(m_case);
     }
@@ -90,45 +111,8 @@ private:
 
     void readCanvas(const JsonNode &node)
     {
-        const std::vector<JsonNode> size = m_json.array(member(node, "canvas"), 2);
-        m_case.canvas.width = std::int32_t(m_json.integer(size[0], 1, largestFrameSide));
-        m_case.canvas.height = std::int32_t(m_json.integer(
-            size[1], 1, qMin<qint64>(largestFrameSide, largestFrameArea / m_case.canvas.width)));
-        const std::vector<JsonNode> origin = m_json.array(member(node, "origin"), 2);
-        m_case.canvas.firstColumn
-            = std::int32_t(m_json.integer(origin[0], -largestPixel, largestPixel));
-        m_case.canvas.firstRow
-            = std::int32_t(m_json.integer(origin[1], -largestPixel, largestPixel));
-        m_scale = member(node, "scale");
-        if (!m_scale.value.isDouble() || m_scale.value.toDouble() < 1)
-            m_json.fail(m_scale, describe(m_scale),
-                        QStringLiteral("the units in a pixel, 1 or more"));
-    }
-
-    /// An integer in units of 1/scale px: any size, exactly.
-    Lattice coordinate(const JsonNode &node)
-    {
-        const QString written
-            = QStringLiteral("%1/%2").arg(numberText(node.value), numberText(m_scale.value));
-        const Result<SnappedCoordinate> snapped = parseCoordinate(written);
-        if (!node.value.isDouble() || !snapped) {
-            m_json.fail(node, describe(node),
-                        QStringLiteral("an integer in units of 1/scale px, within ±%1 px")
-                            .arg(largestPixel));
-            return 0;
-        }
-        if (snapped->isDisplaced()) {
-            m_case.displacements.append(QStringLiteral("%1 by %2 px")
-                                            .arg(node.path.mid(node.path.lastIndexOf(u'.') + 1),
-                                                 toText(snapped->displacement)));
-        }
-        return snapped->units;
-    }
-
-    LatticePoint position(const JsonNode &node)
-    {
-        const std::vector<JsonNode> coordinates = m_json.array(node, 2);
-        return {coordinate(coordinates[0]), coordinate(coordinates[1])};
+        m_coordinates.readCanvas(node);
+        m_coordinates.readScale(node);
     }
 
     /// With the colours of the case, if it has any.
@@ -139,7 +123,7 @@ private:
         const std::vector<JsonNode> corners = m_json.array(vertices, 3);
         for (std::size_t corner = 0; corner < 3; ++corner) {
             Vertex &vertex = triangle.vertices[corner];
-            vertex.position = position(corners[corner]);
+            vertex.position = m_coordinates.position(corners[corner]);
             vertex.colour = defaultColours[corner];
             if (colours.isMissing())
                 continue;
@@ -155,7 +139,7 @@ private:
     {
         std::vector<LatticePoint> positions;
         for (const JsonNode &vertex : m_json.array(member(node, "vertices")))
-            positions.push_back(position(vertex));
+            positions.push_back(m_coordinates.position(vertex));
         for (const JsonNode &corners : m_json.array(member(node, "triangles"))) {
             Triangle triangle;
             const std::vector<JsonNode> indices = m_json.array(corners, 3);
@@ -215,6 +199,7 @@ private:
             ExpectedFacts &facts = m_case.facts[rule];
             facts.pixelCount = count(member(node, "count"));
             facts.spanHash = member(node, "span_sha").value.toString().toLatin1();
+            facts.pixelHash = member(node, "sha").value.toString().toLatin1();
             facts.toggles = count(member(node, "toggles"));
             facts.distinctPictures = count(member(node, "distinct_pictures"));
             if (const JsonNode sums = member(node, "sum8"); !sums.isMissing())
@@ -257,6 +242,7 @@ private:
             for (std::size_t channel = 0; channel < 3; ++channel)
                 point.exactColour[channel] = m_json.string(exact[channel]);
             point.roundedColour = integers(member(each, "rgb8"));
+            point.values = readExpectedValues(m_json, member(each, "values"));
             m_case.points.push_back(point);
         }
     }
@@ -273,8 +259,8 @@ private:
     }
 
     JsonReader &m_json;
-    JsonNode m_scale;
     HardCase m_case;
+    CaseCoordinates m_coordinates{m_json, m_case};
 };
 
 } // namespace

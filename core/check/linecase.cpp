@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/check/linecase.h"
 
+#include "core/check/casecoordinates.h"
+
 #include <QCryptographicHash>
 
 #include <algorithm>
@@ -20,8 +22,6 @@ constexpr std::int64_t margin = 16;
 /// frame. The line's whole length is always in the frame: what drifts must have room to drift.
 constexpr std::int64_t bandBreadth = 256;
 
-JsonNode member(const JsonNode &node, const char *key) { return node[QString::fromLatin1(key)]; }
-
 Pixel pixel(JsonReader &json, const JsonNode &node)
 {
     const std::vector<JsonNode> coordinates = json.array(node, 2);
@@ -39,9 +39,9 @@ Pixel pixelOf(const Vertex &vertex)
 /// The axis along which a line case lists its pixels: x unless the line is longer along y.
 std::size_t listedAxis(const Shape &line)
 {
-    const Pixel a = pixelOf(line.vertices[0]);
-    const Pixel b = pixelOf(line.vertices[1]);
-    return absolute(b[1] - a[1]) > absolute(b[0] - a[0]) ? 1 : 0;
+    const LatticePoint a = line.vertices[0].position;
+    const LatticePoint b = line.vertices[1].position;
+    return absolute(b.y - a.y) > absolute(b.x - a.x) ? 1 : 0;
 }
 
 /// What a drawing writes of a line, in the order of the facts.
@@ -114,13 +114,18 @@ void readLineCase(JsonReader &json, const JsonNode &node, HardCase &hardCase)
     if (rule.value.toString() != QLatin1String(nearestRule))
         json.fail(rule, describe(rule), QStringLiteral("“%1”").arg(QLatin1String(nearestRule)));
     const std::vector<JsonNode> ends = json.array(member(node, "endpoints"), 2);
-    const Pixel a = pixel(json, ends[0]);
-    const Pixel b = pixel(json, ends[1]);
+    CaseCoordinates coordinates(json, hardCase);
+    coordinates.readOptionalScale(node);
     Shape line;
     line.kind = PrimitiveKind::Line;
-    line.vertices
-        = {{latticePixel(a[0], a[1]), {{255, 0, 0}}}, {latticePixel(b[0], b[1]), {{0, 0, 255}}}};
+    line.vertices = {{coordinates.position(ends[0]), {{255, 0, 0}}},
+                     {coordinates.position(ends[1]), {{0, 0, 255}}}};
+    if (!hardCase.displacements.isEmpty())
+        json.fail(member(node, "endpoints"), QStringLiteral("ends off the lattice"),
+                  QStringLiteral("multiples of 1/%1 px").arg(unitsPerPixel));
     hardCase.shapes = {line};
+    const Pixel a = pixelOf(line.vertices[0]);
+    const Pixel b = pixelOf(line.vertices[1]);
 
     const Pixel size
         = {absolute(b[0] - a[0]) + 1 + 2 * margin, absolute(b[1] - a[1]) + 1 + 2 * margin};

@@ -7,8 +7,8 @@
 
 namespace pixelplumb {
 
-/// Reads "endpoints", "rule" and "expected" of a hard case of the kind line; errors stay with the
-/// JsonReader.
+/// Reads "endpoints" (px, or in units of 1/scale px where the case has a "scale"), "rule" and
+/// "expected" of a hard case of the kind line; errors stay with the JsonReader.
 void readLineCase(JsonReader &json, const JsonNode &node, HardCase &hardCase);
 
 /// What falls short of a line case's facts, drawn from either end: count, hash and list of pixels.

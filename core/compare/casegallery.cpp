@@ -145,6 +145,12 @@ QString nameOf(HardCaseKind kind)
         return QStringLiteral("translation");
     case HardCaseKind::Line:
         return QStringLiteral("line");
+    case HardCaseKind::Circle:
+        return QStringLiteral("circle");
+    case HardCaseKind::Polygon:
+        return QStringLiteral("polygon");
+    case HardCaseKind::Attributes:
+        return QStringLiteral("interpolation");
     case HardCaseKind::Triangle:
     case HardCaseKind::Invalid:
         break;
@@ -200,6 +206,7 @@ Scene sceneOf(const HardCase &hardCase, const Method &method, const ScanSettings
     scene.frame = hardCase.canvas;
     scene.triangles = hardCase.triangles;
     scene.shapes = hardCase.shapes;
+    scene.attributes = hardCase.attributes;
     if (hardCase.kind == HardCaseKind::Sequence)
         scene.triangles.resize(1);
     const PrimitiveKind kind

@@ -61,6 +61,12 @@ public:
         return 0;
     }
 
+    FrameView view()
+    {
+        return {m_pixels.data(),   m_canvas.width, m_canvas.firstColumn,
+                m_canvas.firstRow, m_canvas.width, m_canvas.height};
+    }
+
     const FrameSpec &canvas() const { return m_canvas; }
     const std::vector<QRgb> &pixels() const { return m_pixels; }
     /// Of the written pixels.
@@ -70,12 +76,6 @@ public:
     }
 
 private:
-    FrameView view()
-    {
-        return {m_pixels.data(),   m_canvas.width, m_canvas.firstColumn,
-                m_canvas.firstRow, m_canvas.width, m_canvas.height};
-    }
-
     template <class A>
     std::int64_t scan(const Triangle &triangle, const ScanSettings &settings)
     {

@@ -8,8 +8,9 @@
 namespace pixelplumb::search {
 
 /// The files of hard cases in tests/data whose shortfalls are recorded.
-inline const std::array<QString, 2> caseFiles
-    = {QStringLiteral("hard_cases.json"), QStringLiteral("more_cases.json")};
+inline const std::array<QString, 3> caseFiles
+    = {QStringLiteral("hard_cases.json"), QStringLiteral("more_cases.json"),
+       QStringLiteral("shape_cases.json")};
 
 inline const QString recordFile = QStringLiteral("expected_shortfalls.json");
 

@@ -198,6 +198,9 @@ QString caseText(const Find &find)
     case HardCaseKind::Translation:
     case HardCaseKind::Invalid:
     case HardCaseKind::Line:
+    case HardCaseKind::Circle:
+    case HardCaseKind::Polygon:
+    case HardCaseKind::Attributes:
         lines.append(member("kind", quoted("translation")));
         break;
     }

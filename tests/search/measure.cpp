@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/search/measure.h"
 
-#include "tests/search/canvaspicture.h"
-
 #include <QCryptographicHash>
 
 #include <set>
@@ -11,31 +9,33 @@ namespace pixelplumb::search {
 
 namespace {
 
-/// A triangle and the canvas that it is drawn on.
-struct Scene {
-    Triangle triangle;
-    FrameSpec canvas;
-};
-
-/// The pictures that a case asks for: one a triangle, a frame or a place.
-std::vector<Scene> scenesOf(const HardCase &hardCase)
+void mirror(CaseScene &scene)
 {
-    std::vector<Scene> scenes;
-    for (const Triangle &triangle : hardCase.triangles)
-        scenes.push_back({triangle, hardCase.canvas});
-    if (hardCase.kind != HardCaseKind::Translation)
-        return scenes;
-    scenes.clear();
-    for (const auto &[right, up] : hardCase.offsets) {
-        Scene scene{hardCase.triangles.front(), hardCase.canvas};
-        for (Vertex &vertex : scene.triangle.vertices) {
-            vertex.position.x += right * unitsPerPixel;
-            vertex.position.y += up * unitsPerPixel;
+    scene.canvas.firstRow = -(scene.canvas.firstRow + scene.canvas.height - 1);
+    for (Vertex &vertex : scene.triangle.vertices)
+        vertex.position.y = -vertex.position.y;
+}
+
+std::vector<CaseScene> scenesOf(const HardCase &hardCase, FillRule rule)
+{
+    std::vector<CaseScene> scenes;
+    if (hardCase.kind == HardCaseKind::Translation) {
+        for (const auto &[right, up] : hardCase.offsets) {
+            CaseScene scene{hardCase.triangles.front(), hardCase.canvas};
+            for (Vertex &vertex : scene.triangle.vertices) {
+                vertex.position.x += right * unitsPerPixel;
+                vertex.position.y += up * unitsPerPixel;
+            }
+            scene.canvas.firstColumn += std::int32_t(right);
+            scene.canvas.firstRow += std::int32_t(up);
+            scenes.push_back(scene);
         }
-        scene.canvas.firstColumn += std::int32_t(right);
-        scene.canvas.firstRow += std::int32_t(up);
-        scenes.push_back(scene);
+    } else {
+        for (const Triangle &triangle : hardCase.triangles)
+            scenes.push_back({triangle, hardCase.canvas});
     }
+    if (rule == FillRule::TopLeft)
+        std::ranges::for_each(scenes, mirror);
     return scenes;
 }
 
@@ -68,21 +68,6 @@ void addCoverage(std::vector<int> &times, const CanvasPicture &picture)
     times.resize(picture.pixels().size());
     for (std::size_t i = 0; i < times.size(); ++i)
         times[i] += picture.pixels()[i] != 0 ? 1 : 0;
-}
-
-/// Under the top-left rule a case's y points down: drawn mirrored, in a mirrored canvas.
-CanvasPicture truthOf(const Scene &scene, FillRule rule)
-{
-    Triangle triangle = scene.triangle;
-    FrameSpec canvas = scene.canvas;
-    if (rule == FillRule::TopLeft) {
-        canvas.firstRow = -(canvas.firstRow + canvas.height - 1);
-        for (Vertex &vertex : triangle.vertices)
-            vertex.position.y = -vertex.position.y;
-    }
-    CanvasPicture picture(canvas);
-    picture.drawTruly(triangle, rule);
-    return picture;
 }
 
 /// The hash that the case files define, over columns in the case's own y.
@@ -119,9 +104,8 @@ QByteArray spanHash(const CanvasPicture &picture, FillRule rule)
 ExpectedFacts factsUnder(const HardCase &hardCase, FillRule rule)
 {
     ExpectedFacts facts;
-    std::vector<CanvasPicture> pictures;
-    for (const Scene &scene : scenesOf(hardCase))
-        pictures.push_back(truthOf(scene, rule));
+    const CaseTruth truth(hardCase, rule);
+    const std::span<const CanvasPicture> pictures = truth.pictures();
     switch (hardCase.kind) {
     case HardCaseKind::Triangle: {
         facts.pixelCount = pictures.front().count();
@@ -162,6 +146,9 @@ ExpectedFacts factsUnder(const HardCase &hardCase, FillRule rule)
     }
     case HardCaseKind::Invalid:
     case HardCaseKind::Line:
+    case HardCaseKind::Circle:
+    case HardCaseKind::Polygon:
+    case HardCaseKind::Attributes:
         break;
     }
     return facts;
@@ -169,32 +156,54 @@ ExpectedFacts factsUnder(const HardCase &hardCase, FillRule rule)
 
 } // namespace
 
-Shortfall measure(const HardCase &hardCase, const ScanSettings &settings)
+CaseTruth::CaseTruth(const HardCase &hardCase, FillRule rule)
+    : m_kind(hardCase.kind)
+    , m_scenes(scenesOf(hardCase, rule))
+{
+    for (const CaseScene &scene : m_scenes) {
+        m_pictures.emplace_back(scene.canvas);
+        m_pictures.back().drawTruly(scene.triangle, rule);
+    }
+}
+
+Shortfall CaseTruth::shortfallOf(const Drawing &drawing, const ScanSettings &settings) const
+{
+    return shortfallOf([&](const Triangle &triangle, CanvasPicture &picture) {
+        drawing(Primitives{{triangle}, {}}, settings, picture.view());
+        return std::int64_t(0);
+    });
+}
+
+Shortfall CaseTruth::shortfallOfScan(const ScanSettings &settings) const
+{
+    return shortfallOf([&](const Triangle &triangle, CanvasPicture &picture) {
+        return picture.drawByScan(triangle, settings);
+    });
+}
+
+Shortfall CaseTruth::shortfallOf(const Draw &draw) const
 {
     Shortfall shortfall;
     std::vector<int> times;
     std::vector<int> trueTimes;
     std::set<std::vector<QRgb>> distinct;
     std::optional<CanvasPicture> drawnBefore;
-    std::optional<CanvasPicture> truthBefore;
-    for (const Scene &scene : scenesOf(hardCase)) {
-        CanvasPicture drawn(scene.canvas);
-        shortfall.clamped += drawn.drawByScan(scene.triangle, settings);
-        CanvasPicture truth(scene.canvas);
-        truth.drawTruly(scene.triangle, settings.fillRule);
+    for (std::size_t i = 0; i < m_scenes.size(); ++i) {
+        const CanvasPicture &truth = m_pictures[i];
+        CanvasPicture drawn(m_scenes[i].canvas);
+        shortfall.clamped += draw(m_scenes[i].triangle, drawn);
         compare(shortfall, drawn, truth);
-        if (hardCase.kind == HardCaseKind::Mesh) {
+        if (m_kind == HardCaseKind::Mesh) {
             addCoverage(times, drawn);
             addCoverage(trueTimes, truth);
         }
-        if (hardCase.kind == HardCaseKind::Translation)
+        if (m_kind == HardCaseKind::Translation)
             distinct.insert(drawn.pixels());
-        if (hardCase.kind == HardCaseKind::Sequence && drawnBefore) {
+        if (m_kind == HardCaseKind::Sequence && drawnBefore) {
             shortfall.extraToggles
-                += togglesBetween(*drawnBefore, drawn) - togglesBetween(*truthBefore, truth);
+                += togglesBetween(*drawnBefore, drawn) - togglesBetween(m_pictures[i - 1], truth);
         }
         drawnBefore = std::move(drawn);
-        truthBefore = std::move(truth);
     }
     for (std::size_t i = 0; i < times.size(); ++i) {
         shortfall.gaps += times[i] == 0 && trueTimes[i] > 0 ? 1 : 0;
@@ -203,6 +212,11 @@ Shortfall measure(const HardCase &hardCase, const ScanSettings &settings)
     if (!distinct.empty())
         shortfall.extraPictures = std::int64_t(distinct.size()) - 1;
     return shortfall;
+}
+
+Shortfall measure(const HardCase &hardCase, const ScanSettings &settings)
+{
+    return CaseTruth(hardCase, settings.fillRule).shortfallOfScan(settings);
 }
 
 void deriveFacts(HardCase &hardCase)
@@ -217,8 +231,9 @@ bool isProperMesh(const HardCase &hardCase)
     for (const Triangle &triangle : hardCase.triangles) {
         if (doubledArea(triangle) <= 0)
             return false;
-        addCoverage(times, truthOf({triangle, hardCase.canvas}, FillRule::HalfOpenColumn));
     }
+    for (const CanvasPicture &picture : CaseTruth(hardCase, FillRule::HalfOpenColumn).pictures())
+        addCoverage(times, picture);
     return std::ranges::none_of(times, [](int each) { return each > 1; });
 }
 

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/check/casepicture.h"
 #include "core/check/hardcase.h"
-#include "core/scan/scansettings.h"
+#include "tests/search/canvaspicture.h"
 
-/// How wrong the column scan is on a hard case, in numbers that a search can climb and a record can
-/// keep. The oracle is the truth throughout.
+#include <functional>
+#include <span>
+
+/// How wrong a drawing is on a hard case, in numbers that a search can climb and a record can keep.
+/// The oracle is the truth throughout.
 namespace pixelplumb::search {
 
 /// Zero throughout where the arithmetic is right.
@@ -23,7 +27,37 @@ struct Shortfall {
     friend bool operator==(const Shortfall &, const Shortfall &) = default;
 };
 
-/// Draws a case of any kind that has triangles; the rule is Closed or HalfOpenColumn.
+/// A triangle and the canvas that it is drawn on.
+struct CaseScene {
+    Triangle triangle;
+    FrameSpec canvas;
+};
+
+/// The pictures of a case of any kind that has triangles, as they should be under one rule: one
+/// a triangle, a frame or a place. Under the top-left rule all are mirrored, because a case's y
+/// points down there.
+class CaseTruth {
+public:
+    CaseTruth(const HardCase &hardCase, FillRule rule);
+
+    std::span<const CanvasPicture> pictures() const { return m_pictures; }
+    /// What a drawing gets wrong; what was clamped is not known of it.
+    Shortfall shortfallOf(const Drawing &drawing, const ScanSettings &settings) const;
+    /// What the column scan gets wrong; the rule is Closed or HalfOpenColumn.
+    Shortfall shortfallOfScan(const ScanSettings &settings) const;
+
+private:
+    /// Draws a triangle on an empty canvas and returns the number of clamped pixels.
+    using Draw = std::function<std::int64_t(const Triangle &, CanvasPicture &)>;
+    Shortfall shortfallOf(const Draw &draw) const;
+
+    HardCaseKind m_kind;
+    std::vector<CaseScene> m_scenes;
+    std::vector<CanvasPicture> m_pictures; ///< of m_scenes
+};
+
+/// What the column scan gets wrong in a case that has triangles; the rule is Closed or
+/// HalfOpenColumn.
 Shortfall measure(const HardCase &hardCase, const ScanSettings &settings);
 
 /// Fills in what is true of the case under the closed, half-open-column and top-left rules, by the

@@ -17,7 +17,7 @@ int main(int argc, char *argv[])
         return 2;
     }
     const QDir folder(QString::fromLocal8Bit(argv[1]));
-    std::vector<search::RecordedFile> files;
+    search::ShortfallRecord record;
     for (const QString &name : search::caseFiles) {
         const Result<QByteArray> content = readFile(folder.filePath(name));
         const Result<std::vector<HardCase>> cases
@@ -26,13 +26,10 @@ int main(int argc, char *argv[])
             std::fprintf(stderr, "%s: %s\n", qPrintable(name), qPrintable(cases.error().message()));
             return 2;
         }
-        search::RecordedFile file{name, {}};
         for (const HardCase &hardCase : *cases)
-            file.lines += search::recordLines(hardCase);
-        files.push_back(file);
+            record[name][hardCase.id] = search::shortfallsOf(hardCase);
     }
-    if (const auto error
-        = writeFile(folder.filePath(search::recordFile), search::recordText(files))) {
+    if (const auto error = writeFile(folder.filePath(search::recordFile), search::textOf(record))) {
         std::fprintf(stderr, "%s\n", qPrintable(error->message()));
         return 1;
     }

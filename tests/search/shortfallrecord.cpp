@@ -1,78 +1,162 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/search/shortfallrecord.h"
 
+#include "core/check/casecheck.h"
+#include "tests/search/measure.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <algorithm>
+
 namespace pixelplumb::search {
 
 namespace {
 
-QString text(std::string_view name)
-{
-    return QString::fromUtf8(name.data(), qsizetype(name.size()));
-}
+/// The key of the record's first member, which is no file of cases.
+const QString aboutKey = QStringLiteral("about");
+const QString aboutText = QStringLiteral(
+    "By case and shortfall: every method, arithmetic and fill rule that is not claimed stable and "
+    "falls short; counts are pixels, summed over triangles, frames or places. recordshortfalls "
+    "writes this file.");
 
 QString countsText(const Shortfall &shortfall)
 {
     QStringList counts;
-    const auto add = [&](const char *name, std::int64_t count) {
+    const auto add = [&](std::int64_t count, const char *what) {
         if (count != 0)
-            counts.append(QStringLiteral("\"%1\": %2").arg(QLatin1String(name)).arg(count));
+            counts.append(QStringLiteral("%1 %2").arg(count).arg(QLatin1String(what)));
     };
-    add("missing", shortfall.missing);
-    add("extra", shortfall.extra);
-    add("wrong_bytes", shortfall.wrongBytes);
-    add("clamped", shortfall.clamped);
-    add("gaps", shortfall.gaps);
-    add("overdraw", shortfall.overdraw);
-    add("extra_toggles", shortfall.extraToggles);
-    add("extra_pictures", shortfall.extraPictures);
+    add(shortfall.missing, "missing");
+    add(shortfall.extra, "extra");
+    add(shortfall.wrongBytes, "in another colour");
+    add(shortfall.gaps, "gaps");
+    add(shortfall.overdraw, "overdrawn");
+    add(std::max<std::int64_t>(0, shortfall.extraToggles), "toggles too many");
+    add(std::max<std::int64_t>(0, -shortfall.extraToggles), "toggles too few");
+    add(shortfall.extraPictures, "pictures too many");
     return counts.join(QStringLiteral(", "));
 }
 
-QString headingOf(const QString &fileName) { return QStringLiteral(" \"%1\": {").arg(fileName); }
+/// What the facts say first of a case of lines or other shapes: how many pixels differ. Of a line
+/// also of its reverse.
+QString shapeText(const HardCase &hardCase, const Candidate &candidate)
+{
+    const CaseReport report = checkCase(hardCase, {candidate});
+    QStringList texts;
+    for (const CandidateVerdict &verdict : report.verdicts) {
+        if (verdict.outcome != CaseOutcome::FellShort)
+            continue;
+        const auto isOfReverse
+            = [](const QString &remark) { return remark.startsWith(QLatin1String("reversed: ")); };
+        const auto reverse = std::ranges::find_if(verdict.remarks, isOfReverse);
+        if (reverse != verdict.remarks.begin())
+            texts.append(verdict.remarks.front());
+        if (reverse != verdict.remarks.end())
+            texts.append(*reverse);
+    }
+    return texts.join(QStringLiteral(", "));
+}
+
+bool draws(const Method &method, const HardCase &hardCase)
+{
+    return hardCase.shapes.empty() ? method.draws(PrimitiveKind::Triangle)
+                                   : method.draws(hardCase.shapes.front());
+}
+
+std::vector<Candidate> candidatesFor(const HardCase &hardCase, FillRule rule, QStringView methodId)
+{
+    std::vector<Candidate> candidates;
+    for (const Method &method : methods()) {
+        if (!draws(method, hardCase) || !method.supports(rule))
+            continue;
+        if (!methodId.isEmpty() && method.id != methodId)
+            continue;
+        for (const Arithmetic arithmetic : method.arithmetics) {
+            if (!method.isStableIn(arithmetic))
+                candidates.push_back({&method, {arithmetic, rule, ByteRounding::Nearest}});
+        }
+    }
+    return candidates;
+}
+
+QByteArray quoted(const QString &text)
+{
+    // The text of an array of this one string, without its brackets.
+    return QJsonDocument(QJsonArray{text}).toJson(QJsonDocument::Compact).chopped(1).mid(1);
+}
 
 } // namespace
 
-QStringList recordLines(const HardCase &hardCase)
+CaseRecord shortfallsOf(const HardCase &hardCase, QStringView methodId)
 {
-    QStringList lines;
-    if (hardCase.triangles.empty())
-        return lines;
-    for (const Arithmetic arithmetic : allArithmetics) {
-        for (const FillRule rule : {FillRule::Closed, FillRule::HalfOpenColumn}) {
-            const Shortfall shortfall
-                = measure(hardCase, {arithmetic, rule, ByteRounding::Nearest});
-            if (!shortfall.isNone()) {
-                lines.append(QStringLiteral("\"%1 %2 %3\": {%4}")
-                                 .arg(hardCase.id, text(nameOf(arithmetic)), text(nameOf(rule)),
-                                      countsText(shortfall)));
-            }
+    CaseRecord record;
+    for (const auto &[rule, facts] : hardCase.facts) {
+        const CaseTruth truth(hardCase, rule);
+        for (const Candidate &candidate : candidatesFor(hardCase, rule, methodId)) {
+            const QString text = hardCase.triangles.empty()
+                ? shapeText(hardCase, candidate)
+                : countsText(truth.shortfallOf(candidate.method->draw, candidate.settings));
+            if (!text.isEmpty())
+                record[text].append(candidate.name());
         }
     }
-    return lines;
+    for (auto &[text, candidates] : record)
+        candidates.sort();
+    return record;
 }
 
-QByteArray recordText(const std::vector<RecordedFile> &files)
+QByteArray textOf(const ShortfallRecord &record)
 {
-    QStringList parts;
-    for (const RecordedFile &file : files) {
-        parts.append(headingOf(file.name) + QStringLiteral("\n  ")
-                     + file.lines.join(QStringLiteral(",\n  ")) + QStringLiteral("\n }"));
+    QByteArray text = "{\n" + quoted(aboutKey) + ": " + quoted(aboutText);
+    for (const auto &[file, cases] : record) {
+        text += ",\n" + quoted(file) + ": {";
+        QByteArray betweenCases = "\n";
+        for (const auto &[id, shortfalls] : cases) {
+            if (shortfalls.empty())
+                continue;
+            text += betweenCases + " " + quoted(id) + ": {";
+            betweenCases = ",\n";
+            QByteArray between = "\n";
+            for (const auto &[what, candidates] : shortfalls) {
+                text += between + "  " + quoted(what) + ": "
+                    + QJsonDocument(QJsonArray::fromStringList(candidates))
+                          .toJson(QJsonDocument::Compact);
+                between = ",\n";
+            }
+            text += "}";
+        }
+        text += "}";
     }
-    return (QStringLiteral("{\n") + parts.join(QStringLiteral(",\n")) + QStringLiteral("\n}\n"))
-        .toUtf8();
+    return text + "\n}\n";
 }
 
-QStringList linesOf(const QByteArray &record, const QString &fileName)
+ShortfallRecord readRecord(const QByteArray &text)
+{
+    ShortfallRecord record;
+    const QJsonObject files = QJsonDocument::fromJson(text).object();
+    for (const QString &file : files.keys()) {
+        const QJsonObject cases = files[file].toObject();
+        for (const QString &id : cases.keys()) {
+            const QJsonObject shortfalls = cases[id].toObject();
+            for (const QString &what : shortfalls.keys())
+                record[file][id][what] = shortfalls[what].toVariant().toStringList();
+        }
+    }
+    return record;
+}
+
+QStringList linesOf(const FileRecord &file)
 {
     QStringList lines;
-    bool inFile = false;
-    for (const QByteArray &each : record.split('\n')) {
-        const QString line = QString::fromUtf8(each);
-        if (line.startsWith(QStringLiteral("  ")) && inFile)
-            lines.append(line.endsWith(u',') ? line.mid(2).chopped(1) : line.mid(2));
-        else
-            inFile = line == headingOf(fileName);
+    for (const auto &[id, shortfalls] : file) {
+        for (const auto &[what, candidates] : shortfalls) {
+            for (const QString &candidate : candidates)
+                lines.append(id + QStringLiteral(": ") + candidate + QStringLiteral(": ") + what);
+        }
     }
+    lines.sort();
     return lines;
 }
 

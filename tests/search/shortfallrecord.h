@@ -1,25 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tests/search/measure.h"
+#include "core/check/hardcase.h"
+#include "core/methods/method.h"
 
 #include <QStringList>
 
+#include <map>
+
+/// What the forms that round get wrong in each hard case: every method × arithmetic × fill rule
+/// that the case has facts for and that is not claimed stable. One that is right has no entry.
 namespace pixelplumb::search {
 
-/// What is wrong with one case in every arithmetic and rule, as lines of the record:
-///     "t1 float32 closed": {"missing": 2, "wrong_bytes": 7}
-/// A combination that is right has no line.
-QStringList recordLines(const HardCase &hardCase);
+/// The candidates that fall short of one case, by what they get wrong:
+/// "2 missing, 3 extra" → "column-scan float32 closed".
+using CaseRecord = std::map<QString, QStringList>;
+/// By the case's id.
+using FileRecord = std::map<QString, CaseRecord>;
+/// By the name of the file of cases.
+using ShortfallRecord = std::map<QString, FileRecord>;
 
-/// The whole record of several files of cases as JSON, a line a combination.
-struct RecordedFile {
-    QString name; ///< "hard_cases.json"
-    QStringList lines;
-};
-QByteArray recordText(const std::vector<RecordedFile> &files);
+/// Measures every candidate on the case, or those of the method with this id.
+CaseRecord shortfallsOf(const HardCase &hardCase, QStringView methodId = {});
 
-/// The lines of one file of a record that recordText wrote.
-QStringList linesOf(const QByteArray &record, const QString &fileName);
+/// The record as JSON, a line for each case and shortfall.
+QByteArray textOf(const ShortfallRecord &record);
+/// Empty where the text is no record.
+ShortfallRecord readRecord(const QByteArray &text);
+
+/// "sliver_fibonacci: column-scan float32 closed: 2 missing, 3 extra", sorted.
+QStringList linesOf(const FileRecord &file);
 
 } // namespace pixelplumb::search

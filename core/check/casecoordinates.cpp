@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/check/casecoordinates.h"
+
+#include "core/scene/coordinatetext.h"
+
+namespace pixelplumb {
+
+JsonNode member(const JsonNode &node, const char *key) { return node[QString::fromLatin1(key)]; }
+
+void CaseCoordinates::readScale(const JsonNode &node)
+{
+    m_scale = member(node, "scale");
+    if (!m_scale.value.isDouble() || m_scale.value.toDouble() < 1)
+        m_json.fail(m_scale, describe(m_scale), QStringLiteral("the units in a pixel, 1 or more"));
+}
+
+void CaseCoordinates::readOptionalScale(const JsonNode &node)
+{
+    if (member(node, "scale").isMissing())
+        m_scale.value = 1;
+    else
+        readScale(node);
+}
+
+void CaseCoordinates::readCanvas(const JsonNode &node)
+{
+    FrameSpec &canvas = m_case.canvas;
+    const std::vector<JsonNode> size = m_json.array(member(node, "canvas"), 2);
+    canvas.width = std::int32_t(m_json.integer(size[0], 1, largestFrameSide));
+    canvas.height = std::int32_t(m_json.integer(
+        size[1], 1, qMin<qint64>(largestFrameSide, largestFrameArea / canvas.width)));
+    const std::vector<JsonNode> origin = m_json.array(member(node, "origin"), 2);
+    canvas.firstColumn = std::int32_t(m_json.integer(origin[0], -largestPixel, largestPixel));
+    canvas.firstRow = std::int32_t(m_json.integer(origin[1], -largestPixel, largestPixel));
+}
+
+Lattice CaseCoordinates::coordinate(const JsonNode &node)
+{
+    const QString written
+        = QStringLiteral("%1/%2").arg(numberText(node.value), numberText(m_scale.value));
+    const Result<SnappedCoordinate> snapped = parseCoordinate(written);
+    if (!node.value.isDouble() || !snapped) {
+        m_json.fail(
+            node, describe(node),
+            QStringLiteral("an integer in units of 1/scale px, within ±%1 px").arg(largestPixel));
+        return 0;
+    }
+    if (snapped->isDisplaced()) {
+        m_case.displacements.append(QStringLiteral("%1 by %2 px")
+                                        .arg(node.path.mid(node.path.lastIndexOf(u'.') + 1),
+                                             toText(snapped->displacement)));
+    }
+    return snapped->units;
+}
+
+LatticePoint CaseCoordinates::position(const JsonNode &node)
+{
+    const std::vector<JsonNode> coordinates = m_json.array(node, 2);
+    return {coordinate(coordinates[0]), coordinate(coordinates[1])};
+}
+
+} // namespace pixelplumb

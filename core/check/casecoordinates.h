@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/check/hardcase.h"
+#include "core/scene/jsonreader.h"
+
+namespace pixelplumb {
+
+/// The member of an object; missing where there is none.
+JsonNode member(const JsonNode &node, const char *key);
+
+/// Reads a case's canvas and its coordinates, which are integers in units of 1/scale px; errors
+/// stay with the JsonReader. What does not lie on the lattice is noted among the case's
+/// displacements.
+class CaseCoordinates {
+public:
+    CaseCoordinates(JsonReader &json, HardCase &hardCase)
+        : m_json(json)
+        , m_case(hardCase)
+    {
+    }
+
+    /// "scale"; 1 where the case has none and need not have one.
+    void readScale(const JsonNode &node);
+    void readOptionalScale(const JsonNode &node);
+    /// "canvas" and "origin", px.
+    void readCanvas(const JsonNode &node);
+
+    /// An integer in units of 1/scale px: any size, exactly.
+    Lattice coordinate(const JsonNode &node);
+    LatticePoint position(const JsonNode &node);
+
+private:
+    JsonReader &m_json;
+    HardCase &m_case;
+    JsonNode m_scale;
+};
+
+} // namespace pixelplumb
