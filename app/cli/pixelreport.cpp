@@ -101,10 +101,10 @@ QString channelText(const PixelAttempt &attempt, std::size_t channel)
 {
     const Quantity &used = attempt.sample->colour[channel];
     const Quantity &exact = attempt.exactColour[channel];
-    const QString text = QStringLiteral("    %1 = %2 → %3")
-                             .arg(QChar(channelNames[channel]))
-                             .arg(toText(used))
-                             .arg(int(unpacked(attempt.change.after).channels[channel]));
+    QString text = QStringLiteral("    %1 = %2 → %3")
+                       .arg(QChar(channelNames[channel]))
+                       .arg(toText(used))
+                       .arg(int(unpacked(attempt.change.after).channels[channel]));
     if (exact.isNone())
         return text;
     return text

@@ -86,7 +86,7 @@ QString textFontFile()
     const QStringList folders = {QStringLiteral("truetype/dejavu"),
                                  QStringLiteral("dejavu-sans-fonts"), QStringLiteral("TTF")};
     for (const QString &folder : folders) {
-        const QString file
+        QString file
             = QStandardPaths::locate(QStandardPaths::GenericDataLocation,
                                      QStringLiteral("fonts/%1/DejaVuSans.ttf").arg(folder));
         if (!file.isEmpty())
@@ -107,7 +107,7 @@ TextOutlines outlinesOf(const Shape &text)
         outlines.rejection = PrimitiveRejection::FontMissing;
         return outlines;
     }
-    const FT_Face face = font->face.get();
+    FT_FaceRec *const face = font->face.get();
     const FontScale scale{text.vertices.front().position, text.textHeight, face->units_per_EM};
     GlyphPen pen(scale, text.vertices.front(), outlines.polygon);
     const FT_Outline_Funcs functions{moveTo, lineTo, quadraticTo, cubicTo, 0, 0};

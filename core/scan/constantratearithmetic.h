@@ -23,7 +23,7 @@ struct RoundedFraction<FixedPoint<Raw, Product, FractionBits>> {
     static FixedPoint<Raw, Product, FractionBits> of(Int128 numerator, Int128 denominator)
     {
         const Int128 scaled = numerator * (Int128(1) << FractionBits);
-        const Int128 nearest = floorDivide<Int128>(2 * scaled + denominator, 2 * denominator);
+        const auto nearest = floorDivide<Int128>(2 * scaled + denominator, 2 * denominator);
         return FixedPoint<Raw, Product, FractionBits>::fromRaw(
             Raw(std::make_unsigned_t<Raw>(nearest)));
     }

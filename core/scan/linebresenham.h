@@ -77,8 +77,8 @@ constexpr BresenhamStep bresenhamStepAt(const BresenhamSetUp &setUp, std::int64_
     if (pixel == 0)
         return step;
     const std::int64_t before = pixel - 1;
-    const Int128 moves = floorDivide<Int128>(2 * Int128(before) * setUp.deltaY + setUp.deltaX,
-                                             2 * Int128(setUp.deltaX));
+    const auto moves = floorDivide<Int128>(2 * Int128(before) * setUp.deltaY + setUp.deltaX,
+                                           2 * Int128(setUp.deltaX));
     step.k = before - 1;
     step.place.along += setUp.alongStep * before;
     step.place.across += setUp.acrossStep * std::int64_t(moves);

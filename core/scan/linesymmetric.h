@@ -71,7 +71,7 @@ constexpr SymmetricStep symmetricStepAt(const SymmetricSetUp &setUp, std::int64_
     step.place
         = {setUp.axis, along, std::int64_t(floorDivide<Int128>(2 * ordinate + unit, 2 * unit))};
     step.k = along - ceilPixel(start.x) - 1;
-    step.nextDecision = setUp.acrossStep * 2 * (next - step.place.across * unit) - unit;
+    step.nextDecision = Int128(setUp.acrossStep) * 2 * (next - step.place.across * unit) - unit;
     return step;
 }
 

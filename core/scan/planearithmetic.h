@@ -101,7 +101,7 @@ struct FloatPlane {
     /// NaN counts as far below: a byte of 0.
     static std::int64_t level(Ratio level, ByteRounding rounding)
     {
-        constexpr Float limit = Float(std::int64_t(1) << 40);
+        constexpr auto limit = Float(std::int64_t(1) << 40);
         const Float floor
             = std::floor(rounding == ByteRounding::Nearest ? level + Float(0.5) : level);
         if (!(floor > -limit))
