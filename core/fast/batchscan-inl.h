@@ -37,16 +37,20 @@ public:
         const auto all
             = TriangleBatch::Set((std::uint64_t(1) << m_batch.size) - 1) & ~m_batch.farAway;
         const TriangleBatch::Set small = m_batch.small & all;
-        const TriangleBatch::Set smallAndFlat = small & m_batch.flat;
-        countSmall(small & ~smallAndFlat, ColourWord::Steps32);
-        countSmall(smallAndFlat, ColourWord::Flat);
+        countSmall(small & m_batch.narrow, FastKernel::Block8);
+        countSmall(small & ~m_batch.narrow, FastKernel::Block16);
+        const auto next = reinterpret_cast<std::uintptr_t>(m_batch.source + m_batch.size);
         for (std::size_t i = 0; i < m_batch.size; ++i) {
+            prefetchTriangle(next + i * sizeof(Triangle));
             if (TriangleBatch::contains(small, i)) {
-                if constexpr (!hasMaskedStores)
-                    prefetchBlock(i + blocksAhead);
-                drawBlockOf<8>(i,
-                               TriangleBatch::contains(smallAndFlat, i) ? ColourWord::Flat
-                                                                        : ColourWord::Steps32);
+                prefetchBlock(i + blocksAhead);
+                const ColourWord word = TriangleBatch::contains(m_batch.flat, i)
+                    ? ColourWord::Flat
+                    : ColourWord::Steps32;
+                if (TriangleBatch::contains(m_batch.narrow, i))
+                    drawBlockOf<8>(i, word);
+                else
+                    drawBlockOf<16>(i, word);
                 continue;
             }
             const Route route
@@ -61,8 +65,8 @@ private:
     /// registers.
     static constexpr std::int32_t widestStrip = lanesOf<Pixels<16>> == 16 ? 32 : 16;
 
-    /// A store that leaves lanes alone by reading them waits for its line, and there are not many
-    /// others to do meanwhile in a small triangle.
+    /// A small triangle stores to as many cache lines as it has rows, and each store waits for its
+    /// line.
     static constexpr std::size_t blocksAhead = 3;
     static constexpr int prefetchedRows = 4;
     HWY_INLINE void prefetchBlock(std::size_t i) const
@@ -79,11 +83,15 @@ private:
         }
     }
 
-    void countSmall(TriangleBatch::Set set, ColourWord word)
+    void countSmall(TriangleBatch::Set set, FastKernel kernel)
     {
-        if (set != 0)
-            m_task.tally->count(FastKernel::Block8, word, FastReason::SmallBox,
-                                std::uint64_t(std::popcount(set)));
+        const auto count = [&](TriangleBatch::Set part, ColourWord word) {
+            if (part != 0)
+                m_task.tally->count(kernel, word, FastReason::SmallBox,
+                                    std::uint64_t(std::popcount(part)));
+        };
+        count(set & m_batch.flat, ColourWord::Flat);
+        count(set & ~m_batch.flat, ColourWord::Steps32);
     }
 
     HWY_INLINE void draw(std::size_t i, const Route &route)

@@ -40,7 +40,7 @@ public:
 
     void run()
     {
-        m_batch.flat = m_batch.small = m_batch.spansRows = 0;
+        m_batch.flat = m_batch.small = m_batch.narrow = m_batch.spansRows = 0;
         for (std::size_t i = 0; i < m_batch.size; i += lanesOf<Reals>)
             setUpFrom(i);
     }
@@ -83,13 +83,14 @@ private:
         const Real up = hn::Sub(hn::Mul(box.row, real(256)), y0);
 
         const auto isFlat = flatFrom(i);
-        const auto isNarrow
+        const auto hasNarrowWords
             = setUpColours(i,
                            {hn::Mul(sign, x1), hn::Mul(sign, y1), hn::Mul(sign, x2),
                             hn::Mul(sign, y2), hn::Abs(signedArea), along, up, box.steps});
-        const auto isSmall = hn::And(isNarrow, box.isSmall);
+        const auto isSmall = hn::And(hasNarrowWords, box.isSmall);
         add(isFlat, i, m_batch.flat);
         add(isSmall, i, m_batch.small);
+        add(box.isNarrow, i, m_batch.narrow);
         setUpEdge(i, 0, sign, x1, y1, along, up);
         setUpEdge(i, 1, sign, hn::Sub(x2, x1), hn::Sub(y2, y1), hn::Sub(along, x1),
                   hn::Sub(up, y1));
@@ -123,6 +124,7 @@ private:
         Real row;
         Real steps; ///< n + 1 = width + height − 1 at least
         hn::Mask<Reals> isSmall; ///< as far as the box tells
+        hn::Mask<Reals> isNarrow; ///< at most 8 columns
         hn::Mask<Reals> isBeyondStrip; ///< wider than 16 columns
         hn::Mask<Reals> isWide; ///< at least four times as wide as high
     };
@@ -165,12 +167,13 @@ private:
         const Real height = hn::PromoteTo(reals, hn::Sub(endRow, firstRow));
         const auto holdsSamples = hn::Gt(hn::Min(width, height), real(0));
         const auto fits
-            = hn::And(hn::Lt(width, real(8.5)),
+            = hn::And(hn::Le(width, real(16)),
                       hn::Lt(hn::PromoteTo(reals, extent), real(TriangleBatch::blockExtent + 0.5)));
         return {hn::PromoteTo(reals, firstColumn),
                 hn::PromoteTo(reals, firstRow),
                 hn::Add(width, height),
                 hn::And(holdsSamples, fits),
+                hn::Le(width, real(8)),
                 hn::Gt(width, real(16)),
                 hn::Ge(width, hn::Mul(height, real(4)))};
     }

@@ -62,16 +62,36 @@ public:
     /// Draws triangles that stand in a row.
     void draw(std::span<const Triangle> triangles)
     {
-        if (isBatched()) {
-            while (!triangles.empty()) {
-                const std::size_t count = std::min(triangles.size(), TriangleBatch::capacity);
-                drawBatch(triangles.first(count));
-                triangles = triangles.subspan(count);
-            }
+        if (!isBatched()) {
+            for (const Triangle &triangle : triangles)
+                drawOne(triangle);
             return;
         }
-        for (const Triangle &triangle : triangles)
-            drawOne(triangle);
+        while (!triangles.empty()) {
+            const std::size_t count = std::min(triangles.size(), TriangleBatch::capacity);
+            drawBatch(triangles.first(count));
+            triangles = triangles.subspan(count);
+        }
+    }
+    /// Draws those at some places of a scene.
+    void draw(std::span<const Triangle> scene, std::span<const std::uint32_t> places)
+    {
+        if (!isBatched()) {
+            for (const std::uint32_t place : places)
+                drawOne(scene[place]);
+            return;
+        }
+        while (!places.empty()) {
+            const std::size_t count = std::min(places.size(), TriangleBatch::capacity);
+            const auto rest = places.subspan(count);
+            for (std::size_t i = 0; i < count; ++i)
+                m_gathered[i] = scene[places[i]];
+            // They arrive while these are drawn.
+            for (const std::uint32_t next : rest.first(std::min(rest.size(), count)))
+                prefetchTriangle(reinterpret_cast<std::uintptr_t>(&scene[next]));
+            drawBatch(std::span(m_gathered).first(count));
+            places = rest;
+        }
     }
 
 private:
@@ -85,8 +105,6 @@ private:
 
     void drawBatch(std::span<const Triangle> triangles)
     {
-        if (triangles.empty())
-            return;
         m_batch.source = triangles.data();
         m_batch.size = triangles.size();
         m_kernels.drawBatch(m_batch, m_task);
@@ -125,6 +143,7 @@ private:
     bool m_isNarrow;
     BatchTask m_task;
     TriangleBatch m_batch;
+    std::array<Triangle, TriangleBatch::capacity> m_gathered;
 };
 
 std::vector<FastRouteUse> usesOf(const RouteTally &tally)
@@ -147,21 +166,23 @@ std::vector<FastRouteUse> usesOf(const RouteTally &tally)
 constexpr int bandsPerThread = 4;
 
 /// Binned and drawn before the next ones are: while they are still in a cache that the threads
-/// share (4.5 MiB). Each band reads its own out of them.
+/// share (4.5 MiB).
 constexpr std::size_t trianglesPerChunk = 65'536;
 
 RouteTally drawInBands(std::span<const Triangle> triangles, const ScanSettings &settings,
                        const FrameBands &bands, const FastKernels &kernels, int threads)
 {
     std::vector<RouteTally> tallies(std::size_t(bands.count()));
+    BandBins bins(bands);
     while (!triangles.empty()) {
         const auto chunk = triangles.first(std::min(triangles.size(), trianglesPerChunk));
         triangles = triangles.subspan(chunk.size());
-        BandBins bins(chunk, bands);
-        doInParallel(bins.pieceCount(), threads, [&](int piece) { bins.gather(piece); });
+        const int pieces = bins.begin(chunk);
+        doInParallel(pieces, threads, [&](int piece) { bins.gather(piece); });
         doInParallel(bands.count(), threads, [&](int band) {
             WindowDrawing drawing(kernels, settings, bands.band(band), tallies[std::size_t(band)]);
-            bins.forEach(band, [&](std::span<const Triangle> run) { drawing.draw(run); });
+            bins.forEach(
+                band, [&](std::span<const std::uint32_t> places) { drawing.draw(chunk, places); });
         });
     }
     RouteTally sum;

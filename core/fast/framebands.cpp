@@ -11,10 +11,12 @@ namespace pixelplumb {
 
 FrameBands::FrameBands(FrameView frame, int count)
     : m_frame(frame)
-    , m_count(count)
     , m_rowsPerBand((frame.height + count - 1) / count)
+    , m_count((frame.height + m_rowsPerBand - 1) / m_rowsPerBand)
+    , m_bandOfRow(std::size_t(frame.height))
 {
-    m_count = (frame.height + m_rowsPerBand - 1) / m_rowsPerBand;
+    for (std::int32_t row = 0; row < frame.height; ++row)
+        m_bandOfRow[std::size_t(row)] = std::uint16_t(row / m_rowsPerBand);
 }
 
 FrameView FrameBands::band(int index) const
@@ -36,38 +38,31 @@ FrameBands::Range FrameBands::touchedBy(const Triangle &triangle) const
     const std::int64_t last = floorPixel(highest) - m_frame.firstRow;
     if (last < 0 || first >= m_frame.height || first > last)
         return {1, 0};
-    const auto bandOf
-        = [&](std::int64_t row) { return int(std::uint32_t(row) / std::uint32_t(m_rowsPerBand)); };
-    return {bandOf(std::max<std::int64_t>(first, 0)),
-            bandOf(std::min<std::int64_t>(last, m_frame.height - 1))};
+    return {m_bandOfRow[std::size_t(std::max<std::int64_t>(first, 0))],
+            m_bandOfRow[std::size_t(std::min<std::int64_t>(last, m_frame.height - 1))]};
 }
 
-BandBins::BandBins(std::span<const Triangle> triangles, const FrameBands &bands)
-    : m_triangles(triangles)
-    , m_bands(bands)
-    , m_pieces((triangles.size() + trianglesPerPiece - 1) / trianglesPerPiece)
+int BandBins::begin(std::span<const Triangle> triangles)
 {
+    m_triangles = triangles;
+    m_pieceCount = (triangles.size() + trianglesPerPiece - 1) / trianglesPerPiece;
+    if (m_pieces.size() < m_pieceCount)
+        m_pieces.resize(m_pieceCount, Piece(std::size_t(m_bands.count())));
+    return int(m_pieceCount);
 }
 
 void BandBins::gather(int piece)
 {
+    Piece &bins = m_pieces[std::size_t(piece)];
+    for (std::vector<std::uint32_t> &bin : bins)
+        bin.clear();
     const std::size_t first = std::size_t(piece) * trianglesPerPiece;
-    const std::size_t count = std::min(trianglesPerPiece, m_triangles.size() - first);
-    std::vector<FrameBands::Range> touched(count);
-    std::vector<std::size_t> sizes(std::size_t(m_bands.count()));
-    for (std::size_t n = 0; n < count; ++n) {
-        touched[n] = m_bands.touchedBy(m_triangles[first + n]);
-        for (int band = touched[n].first; band <= touched[n].last; ++band)
-            ++sizes[std::size_t(band)];
+    const std::size_t end = std::min(first + trianglesPerPiece, m_triangles.size());
+    for (std::size_t i = first; i < end; ++i) {
+        const FrameBands::Range touched = m_bands.touchedBy(m_triangles[i]);
+        for (int band = touched.first; band <= touched.last; ++band)
+            bins[std::size_t(band)].push_back(std::uint32_t(i));
     }
-    Piece bins(sizes.size());
-    for (std::size_t band = 0; band < bins.size(); ++band)
-        bins[band].reserve(sizes[band]);
-    for (std::size_t n = 0; n < count; ++n) {
-        for (int band = touched[n].first; band <= touched[n].last; ++band)
-            bins[std::size_t(band)].push_back(m_triangles[first + n]);
-    }
-    m_pieces[std::size_t(piece)] = std::move(bins);
 }
 
 void doInParallel(int count, int threads, const std::function<void(int job)> &job)

@@ -4,7 +4,6 @@
 #include "core/frame/frameview.h"
 #include "core/geometry/triangle.h"
 
-#include <algorithm>
 #include <functional>
 #include <span>
 #include <vector>
@@ -14,6 +13,7 @@ namespace pixelplumb {
 /// The rows of a frame in bands that threads draw independently of each other.
 class FrameBands {
 public:
+    /// `count` bands at most.
     FrameBands(FrameView frame, int count);
 
     int count() const { return m_count; }
@@ -29,37 +29,44 @@ public:
 
 private:
     FrameView m_frame;
-    int m_count;
     std::int32_t m_rowsPerBand;
+    int m_count;
+    std::vector<std::uint16_t> m_bandOfRow; ///< spares two divisions a triangle
 };
 
-/// The triangles of each band, in their order. Gathered in pieces of the scene, so that threads can
-/// share the work and the order stays that of the scene whichever thread took which piece.
+/// Which triangles of a scene each band has, in their order. Gathered in pieces of the scene, so
+/// that threads can share the work and the order stays that of the scene whichever thread took
+/// which piece. Its memory serves one part of a scene after another: to get fresh memory from the
+/// system costs more than to fill it.
 class BandBins {
 public:
-    static constexpr std::size_t trianglesPerPiece = 8192;
+    static constexpr std::size_t trianglesPerPiece = 4096;
 
-    BandBins(std::span<const Triangle> triangles, const FrameBands &bands);
+    explicit BandBins(const FrameBands &bands)
+        : m_bands(bands)
+    {
+    }
 
-    int pieceCount() const { return int(m_pieces.size()); }
-    /// Sorts one piece of the scene into the bands.
+    /// Forgets what was gathered; returns how many pieces gather() has to be called for.
+    int begin(std::span<const Triangle> triangles);
+    /// Sorts one piece into the bands. Different pieces may be gathered at once.
     void gather(int piece);
-    /// Calls `draw` with the triangles of a band, in order: a run of them from each piece.
+    /// Calls `draw` with the places of a band's triangles in the scene, in order: a run of them
+    /// from each piece.
     template <class Draw>
     void forEach(int band, const Draw &draw) const
     {
-        for (const Piece &piece : m_pieces)
-            draw(std::span<const Triangle>(piece[std::size_t(band)]));
+        for (std::size_t piece = 0; piece < m_pieceCount; ++piece)
+            draw(std::span<const std::uint32_t>(m_pieces[piece][std::size_t(band)]));
     }
 
 private:
-    /// The triangles of a piece by band. Copies: a band's triangles stand far apart in the scene,
-    /// and reading them from there costs a band more than drawing them.
-    using Piece = std::vector<std::vector<Triangle>>;
+    using Piece = std::vector<std::vector<std::uint32_t>>; ///< by band
 
-    std::span<const Triangle> m_triangles;
     const FrameBands &m_bands;
+    std::span<const Triangle> m_triangles;
     std::vector<Piece> m_pieces;
+    std::size_t m_pieceCount = 0; ///< of m_pieces, in use
 };
 
 /// Does jobs 0 … count − 1, each once, on the calling thread and up to `threads` − 1 more of Qt's

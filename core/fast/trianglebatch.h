@@ -21,12 +21,13 @@ struct TriangleBatch {
     using Set = std::uint32_t; ///< of triangles: bit i stands for the one at i
 
     std::size_t size = 0;
-    const Triangle *source = nullptr; ///< `size` triangles in a row
+    const Triangle *source = nullptr; ///< `size` triangles in a row, often followed by the next
     Set farAway = 0; ///< beyond ±2^15 px of the window: only the plain kernel draws them
     Set flat = 0; ///< the three vertices have one colour
-    /// Neither empty nor of zero area, of at most 8 columns, of at most blockExtent, its 24-bit
+    /// Neither empty nor of zero area, of at most 16 columns, of at most blockExtent, its 24-bit
     /// colours exact. Most triangles of a crowded scene, told apart at once.
     Set small = 0;
+    Set narrow = 0; ///< at most 8 columns
     Set spansRows = 0; ///< drawn by spans of rows, if by spans; the others by spans of columns
 
     // From the scene: lattice units from the window's first sample, |each| <= 2^23; colours as
@@ -73,5 +74,14 @@ struct TriangleBatch {
 
     static bool contains(Set set, std::size_t i) { return (set >> i & 1) != 0; }
 };
+
+/// Asks for the memory of a triangle that will be read soon. Any address does: there need not be
+/// one.
+inline void prefetchTriangle(std::uintptr_t address)
+{
+    constexpr std::uintptr_t cacheLine = 64;
+    __builtin_prefetch(reinterpret_cast<const void *>(address));
+    __builtin_prefetch(reinterpret_cast<const void *>(address + cacheLine));
+}
 
 } // namespace pixelplumb
