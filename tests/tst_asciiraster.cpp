@@ -28,7 +28,7 @@ CoverageMask parsed(const char *text) { return *parseAsciiRaster(QString::fromLa
 
 } // namespace
 
-class tst_AsciiRaster : public QObject {
+class TestAsciiRaster : public QObject {
     Q_OBJECT
 
 private slots:
@@ -186,5 +186,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_AsciiRaster)
+QTEST_GUILESS_MAIN(TestAsciiRaster)
 #include "tst_asciiraster.moc"

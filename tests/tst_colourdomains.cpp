@@ -144,7 +144,7 @@ QString wrongLevels(std::int64_t (*level)(const ColourPlace &), int bits, std::i
 
 /// The exact colours of numerics.md, 3.3, from both sides: inside the domain that is proved for a
 /// form no byte is wrong, outside some are.
-class tst_ColourDomains : public QObject {
+class TestColourDomains : public QObject {
     Q_OBJECT
 
 private slots:
@@ -197,5 +197,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_ColourDomains)
+QTEST_GUILESS_MAIN(TestColourDomains)
 #include "tst_colourdomains.moc"

@@ -2,7 +2,7 @@
 #include "core/methods/columnrecord.h"
 #include "core/oracle/oracle.h"
 #include "tests/support/defaultscene.h"
-#include "widgets/columntablemodel.h"
+#include "tests/support/tablecolumns.h"
 #include "widgets/numberformat.h"
 #include "widgets/playhead.h"
 
@@ -12,19 +12,6 @@
 #include <QTest>
 
 using namespace pixelplumb;
-
-namespace {
-
-int columnNamed(const ColumnTableModel &model, const QString &fileName)
-{
-    for (int column = 0; column < model.columnCount(); ++column) {
-        if (model.fileName(column) == fileName)
-            return column;
-    }
-    return -1;
-}
-
-} // namespace
 
 class TestColumnTableModel : public QObject {
     Q_OBJECT

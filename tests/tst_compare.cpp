@@ -54,7 +54,7 @@ int largestGroup(const Contest &contest, std::int64_t x, std::int64_t y)
 
 } // namespace
 
-class tst_Compare : public QObject {
+class TestCompare : public QObject {
     Q_OBJECT
 
 private slots:
@@ -284,5 +284,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_Compare)
+QTEST_APPLESS_MAIN(TestCompare)
 #include "tst_compare.moc"

@@ -1,42 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/programrun.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
-#include <QProcess>
-#include <QtTest>
+#include <QTest>
+
+using namespace pixelplumb;
 
 namespace {
 
-const QString defaultScene = QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/default.json");
-const QString tiesScene = QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/ties-at-tenths.json");
+const QString tiesScene = sceneFile(QStringLiteral("ties-at-tenths.json"));
 
-/// How a run of the program ended and what it said.
-struct Run {
-    int exitCode = -1;
-    QByteArray output;
-    QByteArray messages;
-};
-
-Run compare(const QString &scene, const QStringList &options, const QByteArray &input = {})
+ProgramRun compare(const QString &scene, const QStringList &options, const QByteArray &input = {})
 {
-    QProcess process;
-    process.start(QStringLiteral(PIXELPLUMB_CLI), QStringList{"compare", scene} + options);
-    process.write(input);
-    process.closeWriteChannel();
-    if (!process.waitForFinished(120'000) || process.exitStatus() != QProcess::NormalExit)
-        return {-1, {}, "did not end by itself"};
-    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+    return run(QStringList{"compare", scene} + options, input);
 }
 
 } // namespace
 
-class tst_CompareCommand : public QObject {
+class TestCompareCommand : public QObject {
     Q_OBJECT
 
 private slots:
     void endsWithZeroWhereAllAgree()
     {
-        const Run result = compare(defaultScene, {"--methods", "column-scan:exact,truth"});
+        const ProgramRun result = compare(defaultScene(), {"--methods", "column-scan:exact,truth"});
 
         QCOMPARE(result.exitCode, 0);
         QVERIFY2(result.output.endsWith("\nAll agree on every pixel.\n"),
@@ -47,7 +36,7 @@ private slots:
 
     void listsThePixelsThatDifferWithTheirReasons()
     {
-        const Run result = compare(
+        const ProgramRun result = compare(
             tiesScene, {"--methods", "truth:closed,column-scan:float32:closed", "--limit", "1"});
 
         QCOMPARE(result.exitCode, 1);
@@ -66,7 +55,7 @@ private slots:
         const QStringList options = {"--methods", "column-scan:exact,column-scan:float32,truth",
                                      "--limit", "1000000", "--json"};
 
-        const Run result = compare(tiesScene, options);
+        const ProgramRun result = compare(tiesScene, options);
 
         QCOMPARE(result.exitCode, 1);
         const QJsonObject all = QJsonDocument::fromJson(result.output).object();
@@ -99,7 +88,7 @@ private slots:
 
     void takesWhatIsLeftOutFromTheScene()
     {
-        const Run result = compare(tiesScene, {"--methods", "column-scan,truth:top-left"});
+        const ProgramRun result = compare(tiesScene, {"--methods", "column-scan,truth:top-left"});
 
         QVERIFY2(result.output.contains("\n1 column-scan float32 closed "),
                  result.output.constData());
@@ -108,10 +97,11 @@ private slots:
 
     void readsTheSceneFromStandardInput()
     {
-        QFile file(defaultScene);
+        QFile file(defaultScene());
         QVERIFY(file.open(QIODevice::ReadOnly));
 
-        const Run result = compare("-", {"--methods", "truth,column-scan:exact"}, file.readAll());
+        const ProgramRun result
+            = compare("-", {"--methods", "truth,column-scan:exact"}, file.readAll());
 
         QCOMPARE(result.exitCode, 0);
     }
@@ -145,7 +135,7 @@ private slots:
         QFETCH(QStringList, options);
         QFETCH(QString, message);
 
-        const Run result = compare(defaultScene, options);
+        const ProgramRun result = compare(defaultScene(), options);
 
         QCOMPARE(result.exitCode, 2);
         QCOMPARE(result.output, QByteArray());
@@ -154,12 +144,13 @@ private slots:
 
     void refusesASceneThatItCannotRead()
     {
-        const Run result = compare("-", {"--methods", "truth,truth"}, "{ \"pixelplumb\": 2 }");
+        const ProgramRun result
+            = compare("-", {"--methods", "truth,truth"}, "{ \"pixelplumb\": 2 }");
 
         QCOMPARE(result.exitCode, 2);
         QVERIFY(!result.messages.isEmpty());
     }
 };
 
-QTEST_GUILESS_MAIN(tst_CompareCommand)
+QTEST_GUILESS_MAIN(TestCompareCommand)
 #include "tst_comparecommand.moc"

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
 #include "widgets/agreementview.h"
-#include "widgets/appearance.h"
 #include "widgets/canvas.h"
 #include "widgets/comparepane.h"
 #include "widgets/comparepanel.h"
 #include "widgets/compareview.h"
-#include "widgets/mainwindow.h"
 #include "widgets/overdrawoverlay.h"
 #include "widgets/playhead.h"
 #include "widgets/windowdocks.h"
 
-#include <QAction>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QLabel>
@@ -28,10 +26,8 @@ private slots:
     void init()
     {
         m_settings.clear();
-        m_window = std::make_unique<MainWindow>();
-        m_window->openScene(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/ties-at-tenths.json"));
-        m_window->show();
-        m_panel = m_window->findChild<ComparePanel *>(QStringLiteral("compare"));
+        m_window = openedWindow(QStringLiteral("ties-at-tenths.json"));
+        m_panel = named<ComparePanel>(*m_window, "compare");
         m_playhead = m_window->parts().playhead;
     }
     void cleanup() { m_window.reset(); }
@@ -80,7 +76,7 @@ private slots:
     {
         open();
         CompareView *first = m_panel->panes()[0]->view();
-        auto *map = m_panel->findChild<AgreementView *>(QStringLiteral("agreementMap"));
+        auto *map = named<AgreementView>(*m_panel, "agreementMap");
         const int before = first->mapping().zoom().number();
         QWheelEvent wheel(first->rect().center(), first->mapToGlobal(first->rect().center()), {},
                           {0, 120}, Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
@@ -98,14 +94,13 @@ private slots:
     void aClickOnTheMapPicksThePixelAndTellsTheReason()
     {
         open();
-        auto *map = m_panel->findChild<AgreementView *>(QStringLiteral("agreementMap"));
+        auto *map = named<AgreementView>(*m_panel, "agreementMap");
         const QPoint pixel = firstDifferingPixel();
 
         QTest::mouseClick(map, Qt::LeftButton, {}, map->positionOf(pixel).toPoint());
 
         QCOMPARE(m_playhead->pickedPixel(), std::optional(pixel));
-        const QString reason
-            = m_panel->findChild<QLabel *>(QStringLiteral("compareReason"))->text();
+        const QString reason = named<QLabel>(*m_panel, "compareReason")->text();
         QVERIFY2(
             reason.contains(nameOf(m_panel->contest()->agreement.reasonAt(pixel.x(), pixel.y()))),
             qPrintable(reason));
@@ -115,8 +110,8 @@ private slots:
     void takesPanesAwayAndAddsThemUpToFour()
     {
         open();
-        auto *more = m_panel->findChild<QToolButton *>(QStringLiteral("compareMore"));
-        auto *fewer = m_panel->findChild<QToolButton *>(QStringLiteral("compareFewer"));
+        auto *more = named<QToolButton>(*m_panel, "compareMore");
+        auto *fewer = named<QToolButton>(*m_panel, "compareFewer");
 
         QTest::mouseClick(more, Qt::LeftButton);
         QTRY_COMPARE(m_panel->contest()->runs.size(), std::size_t(4));
@@ -131,7 +126,7 @@ private slots:
     void comparesWithTheTruthWhenAPaneAsksForIt()
     {
         open();
-        auto *box = m_panel->findChild<QComboBox *>(QStringLiteral("compareMethod2"));
+        auto *box = named<QComboBox>(*m_panel, "compareMethod2");
         box->setCurrentIndex(0);
 
         emit box->activated(0);
@@ -142,10 +137,10 @@ private slots:
 
     void showsOverdrawInTheCanvasMapping()
     {
-        auto *overlay = m_window->findChild<OverdrawOverlay *>(QStringLiteral("overdrawMap"));
+        auto *overlay = named<OverdrawOverlay>(*m_window, "overdrawMap");
         QVERIFY(!overlay->isVisible());
 
-        m_window->findChild<QAction *>(QStringLiteral("showOverdraw"))->trigger();
+        action(*m_window, "showOverdraw")->trigger();
 
         QVERIFY(overlay->isVisible());
         QCOMPARE(overlay->geometry(), m_window->parts().canvas->rect());
@@ -155,12 +150,7 @@ private slots:
         QVERIFY(overlay->summary().contains(QString::number(overlay->map().gaps())));
     }
 
-    void looksRightInBothPalettes_data()
-    {
-        QTest::addColumn<QPalette>("palette");
-        QTest::newRow("light") << lightPalette();
-        QTest::newRow("dark") << darkPalette();
-    }
+    void looksRightInBothPalettes_data() { addPalettes(); }
     void looksRightInBothPalettes()
     {
         QFETCH(QPalette, palette);
@@ -170,14 +160,9 @@ private slots:
         m_playhead->pick(pixel);
         QCoreApplication::processEvents();
 
-        const QImage picture = m_window->grab().toImage();
+        const QImage picture = grabbed(*m_window, QStringLiteral("compare"));
 
-        const QByteArray folder = qgetenv("PIXELPLUMB_GRABS");
-        if (!folder.isEmpty())
-            picture.save(
-                QString::fromLocal8Bit(folder)
-                + QStringLiteral("/compare-%1.png").arg(QLatin1String(QTest::currentDataTag())));
-        auto *map = m_panel->findChild<AgreementView *>(QStringLiteral("agreementMap"));
+        auto *map = named<AgreementView>(*m_panel, "agreementMap");
         const QImage cells = map->grab().toImage();
         const QColor expected = agreementColour(
             m_panel->contest()->agreement.agreeingAt(pixel.x(), pixel.y()), 3, map->palette());
@@ -192,7 +177,7 @@ private slots:
 private:
     void open()
     {
-        m_window->findChild<QAction *>(QStringLiteral("compareDockToggle"))->trigger();
+        action(*m_window, "compareDockToggle")->trigger();
         QTRY_VERIFY_WITH_TIMEOUT(m_panel->contest() && !m_panel->isRunning(), 20000);
         QCoreApplication::processEvents();
     }

@@ -187,7 +187,7 @@ constexpr int placeCount = 200000;
 
 /// The half-quantum bias theorem (numerics.md, 3.2) from both sides: inside the domain that is
 /// proved for an arithmetic no ⌈y⌉ and no ⌊y⌋ is wrong, outside some are.
-class tst_Domains : public QObject {
+class TestDomains : public QObject {
     Q_OBJECT
 
 private slots:
@@ -264,5 +264,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_Domains)
+QTEST_GUILESS_MAIN(TestDomains)
 #include "tst_domains.moc"

@@ -116,12 +116,9 @@ constexpr Lattice px = unitsPerPixel;
 
 void addFamilies()
 {
-    QTest::addColumn<Lattice>("width");
-    QTest::addColumn<Lattice>("height");
-    QTest::addColumn<Lattice>("grid");
-    QTest::addColumn<int>("largestSide");
+    QTest::addColumn<Family>("family");
     const auto add = [](const char *name, Lattice width, Lattice height, Lattice grid, int side) {
-        QTest::newRow(name) << width << height << grid << side;
+        QTest::newRow(name) << Family{width, height, grid, side};
     };
     add("points and segments", px, px, px, 40);
     add("below a pixel", px / 2, px / 2, 1, 40);
@@ -169,6 +166,8 @@ std::vector<Triangle> crowd(std::size_t count, std::int32_t side, unsigned seed)
 
 } // namespace
 
+Q_DECLARE_METATYPE(Family)
+
 /// The fast path against the plain kernel: the same bytes, and none changed outside the window.
 class TestFastPath : public QObject {
     Q_OBJECT
@@ -177,11 +176,7 @@ private slots:
     void drawsThePlainKernelsPicture_data() { addFamilies(); }
     void drawsThePlainKernelsPicture()
     {
-        QFETCH(Lattice, width);
-        QFETCH(Lattice, height);
-        QFETCH(Lattice, grid);
-        QFETCH(int, largestSide);
-        const Family family{width, height, grid, largestSide};
+        QFETCH(Family, family);
         const bool same = rc::check(QTest::currentDataTag(), [&] {
             const WindowSpec window = *windows(family.largestSide);
             const ScanSettings settings = *settingsIn(Arithmetic::Exact);
@@ -195,11 +190,7 @@ private slots:
     void drawsThePlainKernelsFloat32Picture_data() { addFamilies(); }
     void drawsThePlainKernelsFloat32Picture()
     {
-        QFETCH(Lattice, width);
-        QFETCH(Lattice, height);
-        QFETCH(Lattice, grid);
-        QFETCH(int, largestSide);
-        const Family family{width, height, grid, largestSide};
+        QFETCH(Family, family);
         const bool same = rc::check(QTest::currentDataTag(), [&] {
             const WindowSpec window = *windows(family.largestSide);
             const ScanSettings settings = *settingsIn(Arithmetic::Float32);

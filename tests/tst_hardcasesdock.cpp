@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/bounderrors.h"
 #include "tests/support/isolatedsettings.h"
-#include "widgets/appearance.h"
+#include "tests/support/openwindow.h"
 #include "widgets/canvas.h"
 #include "widgets/comparepanel.h"
 #include "widgets/hardcasesdetails.h"
 #include "widgets/hardcasespanel.h"
-#include "widgets/mainwindow.h"
 #include "widgets/playhead.h"
 #include "widgets/precisionpanel.h"
 #include "widgets/scenedocument.h"
 
-#include <QAction>
 #include <QLabel>
 #include <QPushButton>
 #include <QTest>
@@ -25,11 +23,9 @@ private slots:
     void init()
     {
         m_settings.clear();
-        m_window = std::make_unique<MainWindow>();
-        m_window->openDefaultScene();
-        m_window->show();
-        m_panel = m_window->findChild<HardCasesPanel *>(QStringLiteral("hardCases"));
-        m_details = m_window->findChild<HardCasesDetails *>(QStringLiteral("hardCasesDetails"));
+        m_window = openedWindow();
+        m_panel = named<HardCasesPanel>(*m_window, "hardCases");
+        m_details = named<HardCasesDetails>(*m_window, "hardCasesDetails");
         m_playhead = m_window->parts().playhead;
     }
     void cleanup() { m_window.reset(); }
@@ -74,11 +70,11 @@ private slots:
 
         QVERIFY(m_panel->choose(QStringLiteral("tie_tenths")));
 
-        auto *caption = m_window->findChild<QLabel *>(QStringLiteral("hardCaseCaption"));
+        auto *caption = named<QLabel>(*m_window, "hardCaseCaption");
         QTRY_VERIFY2_WITH_TIMEOUT(caption->text().contains(QStringLiteral("64 missing")),
                                   qPrintable(caption->text()), 20000);
         QVERIFY(caption->text().contains(QStringLiteral("column-scan float32 closed")));
-        const auto words = m_window->findChild<QLabel *>(QStringLiteral("hardCaseWords"))->text();
+        const auto words = named<QLabel>(*m_window, "hardCaseWords")->text();
         QVERIFY2(words.contains(QStringLiteral("the sign of the error decides, not its size")),
                  qPrintable(words));
     }
@@ -89,8 +85,7 @@ private slots:
         open();
         m_panel->choose(QStringLiteral("tie_tenths"));
 
-        QTest::mouseClick(m_window->findChild<QPushButton *>(QStringLiteral("hardCaseOpen")),
-                          Qt::LeftButton);
+        QTest::mouseClick(named<QPushButton>(*m_window, "hardCaseOpen"), Qt::LeftButton);
 
         QTRY_VERIFY_WITH_TIMEOUT(
             m_playhead->traced() && m_playhead->traced()->scene.frame.width == 1001, 20000);
@@ -103,9 +98,9 @@ private slots:
     {
         open();
         m_panel->choose(QStringLiteral("tie_tenths")); // the first click
-        auto *compare = m_window->findChild<ComparePanel *>(QStringLiteral("compare"));
+        auto *compare = named<ComparePanel>(*m_window, "compare");
 
-        QTest::mouseClick(m_window->findChild<QPushButton *>(QStringLiteral("hardCaseCompare")),
+        QTest::mouseClick(named<QPushButton>(*m_window, "hardCaseCompare"),
                           Qt::LeftButton); // the second
 
         QTRY_VERIFY_WITH_TIMEOUT(compare->contest() && !compare->isRunning()
@@ -120,8 +115,7 @@ private slots:
         QCOMPARE(missing(1), 64);
         QCOMPARE(missing(2), 127);
         m_playhead->pick({20, 2}); // the third, on a pixel that both lose
-        const QString reason
-            = compare->findChild<QLabel *>(QStringLiteral("compareReason"))->text();
+        const QString reason = named<QLabel>(*compare, "compareReason")->text();
         QVERIFY2(reason.contains(QStringLiteral("y_B = 2.0000000000000004 instead of 2")),
                  qPrintable(reason));
     }
@@ -165,12 +159,7 @@ private slots:
         }
     }
 
-    void looksRightInBothPalettes_data()
-    {
-        QTest::addColumn<QPalette>("palette");
-        QTest::newRow("light") << lightPalette();
-        QTest::newRow("dark") << darkPalette();
-    }
+    void looksRightInBothPalettes_data() { addPalettes(); }
     void looksRightInBothPalettes()
     {
         QFETCH(QPalette, palette);
@@ -181,20 +170,15 @@ private slots:
         QTRY_VERIFY_WITH_TIMEOUT(m_panel->picturesLeft() < int(m_panel->cases().size()) - 12,
                                  30000);
 
-        const QImage picture = m_window->grab().toImage();
+        const QImage picture = grabbed(*m_window, QStringLiteral("hardcases"));
 
-        const QByteArray folder = qgetenv("PIXELPLUMB_GRABS");
-        if (!folder.isEmpty())
-            picture.save(
-                QString::fromLocal8Bit(folder)
-                + QStringLiteral("/hardcases-%1.png").arg(QLatin1String(QTest::currentDataTag())));
         QVERIFY(!picture.isNull());
     }
 
 private:
     void open()
     {
-        m_window->findChild<QAction *>(QStringLiteral("hardCasesDockToggle"))->trigger();
+        action(*m_window, "hardCasesDockToggle")->trigger();
         QCoreApplication::processEvents();
     }
     void setArithmetic(Arithmetic arithmetic)

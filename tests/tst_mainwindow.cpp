@@ -1,18 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/traceexport.h"
-#include "core/scene/scenefile.h"
 #include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
-#include "widgets/canvas.h"
 #include "widgets/columntable.h"
 #include "widgets/columntablemodel.h"
-#include "widgets/displayoptions.h"
-#include "widgets/mainwindow.h"
-#include "widgets/messagebar.h"
 #include "widgets/playhead.h"
 #include "widgets/scenedocument.h"
-#include "widgets/scenefiles.h"
-#include "widgets/scenetracer.h"
 
 #include <QApplication>
 #include <QBuffer>
@@ -21,60 +15,13 @@
 #include <QDialog>
 #include <QDockWidget>
 #include <QLabel>
-#include <QSignalSpy>
 #include <QTest>
 
 #include <random>
 
 using namespace pixelplumb;
 
-namespace {
-
-/// The window as a person sees it first, or with nothing drawn.
-std::unique_ptr<MainWindow> openedWindow()
-{
-    auto window = std::make_unique<MainWindow>();
-    window->openDefaultScene();
-    window->show();
-    window->activateWindow();
-    if (!QTest::qWaitForWindowActive(window.get()))
-        QTest::qFail("the window does not become active", __FILE__, __LINE__);
-    window->parts().canvas->setFocus();
-    return window;
-}
-
-std::unique_ptr<MainWindow> emptyWindow()
-{
-    auto window = openedWindow();
-    window->parts().document->reset(Scene());
-    return window;
-}
-
-template <class Widget>
-Widget *named(const MainWindow &window, const char *name)
-{
-    return window.findChild<Widget *>(QLatin1String(name));
-}
-
-QAction *action(const MainWindow &window, const char *name) { return named<QAction>(window, name); }
-
-void clickPixel(const MainWindow &window, const QPoint &pixel)
-{
-    Canvas *canvas = window.parts().canvas;
-    QTest::mouseClick(canvas, Qt::LeftButton, {}, canvas->positionOf(pixel).toPoint());
-}
-
-QString writtenFile(const IsolatedSettings &settings, const QString &name, const QByteArray &text)
-{
-    const QString path = settings.folder() + QLatin1Char('/') + name;
-    QFile file(path);
-    if (file.open(QIODevice::WriteOnly))
-        file.write(text);
-    return path;
-}
-
-} // namespace
-
+/// The window as a whole: what it opens with, what its parts agree on, what lasts.
 class TestMainWindow : public QObject {
     Q_OBJECT
 
@@ -96,7 +43,7 @@ private slots:
 
     void threeClicksOnTheCanvasDrawTheTriangle()
     {
-        const auto window = emptyWindow();
+        const auto window = openedWindow(Scene());
         clickPixel(*window, {4, 5});
         clickPixel(*window, {58, 12});
         clickPixel(*window, {26, 44});
@@ -146,49 +93,6 @@ private slots:
         }
 
         QCOMPARE(wrong, QStringList());
-    }
-
-    void theFunctionKeysMoveTimeAndUndoEachOther()
-    {
-        const auto window = openedWindow();
-        const Playhead &playhead = *window->parts().playhead;
-        const std::size_t start = playhead.position();
-        for (const int key : {Qt::Key_F10, Qt::Key_F11}) {
-            QTest::keyClick(window.get(), Qt::Key(key));
-            QVERIFY(playhead.position() > start);
-            QTest::keyClick(window.get(), Qt::Key(key), Qt::ShiftModifier);
-            QCOMPARE(playhead.position(), start);
-        }
-        QTest::keyClick(window.get(), Qt::Key_F5);
-        QCOMPARE(playhead.position(), playhead.end());
-        QTest::keyClick(window.get(), Qt::Key_F5, Qt::ShiftModifier);
-        QCOMPARE(playhead.position(), std::size_t(0));
-    }
-
-    void f9StopsTheRunAtTheColumnInHand()
-    {
-        const auto window = openedWindow();
-        const Playhead &playhead = *window->parts().playhead;
-        QTest::keyClick(window.get(), Qt::Key_F9);
-        window->parts().playhead->seek(0);
-        QTest::keyClick(window.get(), Qt::Key_F5);
-
-        QCOMPARE(playhead.columnXInHand(), std::optional<std::int64_t>(27));
-        QVERIFY(!playhead.pixelInHand());
-    }
-
-    void letterKeysActOnlyInTheCanvas()
-    {
-        const auto window = openedWindow();
-        const DisplayOptions &options = *window->parts().options;
-        const bool shown = options.isGridShown();
-        QTest::keyClick(window->parts().canvas, Qt::Key_G);
-        QCOMPARE(options.isGridShown(), !shown);
-
-        QWidget *table = named<QWidget>(*window, "columnTable");
-        table->setFocus();
-        QTest::keyClick(table, Qt::Key_G);
-        QCOMPARE(options.isGridShown(), !shown);
     }
 
     void undoTakesBackEverything()
@@ -246,82 +150,6 @@ private slots:
         while (document.undoStack()->canRedo())
             action(*window, "redo")->trigger();
         QVERIFY(document.scene() == changed);
-    }
-
-    void unsavedChangesAskBeforeTheWindowCloses()
-    {
-        const auto window = openedWindow();
-        clickPixel(*window, {10, 40});
-        int questions = 0;
-        auto answer = UnsavedChanges::Cancel;
-        window->parts().files->askAboutChanges = [&] {
-            ++questions;
-            return answer;
-        };
-
-        QVERIFY(!window->close());
-        QVERIFY(window->isVisible());
-        answer = UnsavedChanges::Discard;
-        QVERIFY(window->close());
-        QCOMPARE(questions, 2);
-    }
-
-    void anUnchangedWindowClosesWithoutAQuestion()
-    {
-        const auto window = openedWindow();
-        window->parts().files->askAboutChanges = [] {
-            QTest::qFail("asked", __FILE__, __LINE__);
-            return UnsavedChanges::Cancel;
-        };
-        QVERIFY(window->close());
-    }
-
-    void savesAndOpensTheSameScene()
-    {
-        const auto window = openedWindow();
-        window->parts().document->addTriangle(triangleAt(1, 1, 9, 2, 5, 20));
-        const Scene saved = window->parts().document->scene();
-        const QString path = m_settings.folder() + "/two.json";
-        QVERIFY(window->parts().files->saveTo(path));
-        QCOMPARE(window->windowTitle(), "two.json[*] — Pixelplumb");
-        QVERIFY(!window->isWindowModified());
-
-        const auto other = openedWindow();
-        QVERIFY(other->openScene(path));
-        QVERIFY(other->parts().document->scene() == saved);
-        QVERIFY(action(*other, "revertScene")->isEnabled());
-    }
-
-    void aFileThatCannotBeReadIsToldInTheMessageBar()
-    {
-        const auto window = openedWindow();
-        const Scene before = window->parts().document->scene();
-        const QString path = writtenFile(m_settings, "cut.json", "{ \"pixelplumb\": 1, \"frame\"");
-
-        QVERIFY(!window->openScene(path));
-
-        const auto *bar = named<MessageBar>(*window, "messageBar");
-        QVERIFY(bar->isVisible());
-        QVERIFY2(bar->text().contains("cut.json"), qPrintable(bar->text()));
-        QVERIFY(window->parts().document->scene() == before);
-        QVERIFY(!window->openScene(m_settings.folder() + "/missing.json"));
-        QVERIFY(bar->text().contains("missing.json"));
-    }
-
-    void tellsWhatSnappingDisplaced()
-    {
-        const auto window = openedWindow();
-        Scene scene;
-        scene.triangles = {triangleAt(1, 1, 9, 2, 5, 12)};
-        QByteArray text = writeScene(scene);
-        QVERIFY(text.contains("[1, 1]"));
-        const QString path
-            = writtenFile(m_settings, "snap.json", text.replace("[1, 1]", "[1.1, 1]"));
-        const auto *bar = named<MessageBar>(*window, "messageBar");
-        QVERIFY2(window->openScene(path), qPrintable(bar->text()));
-
-        QVERIFY(bar->isVisible());
-        QVERIFY2(bar->text().contains("1.1"), qPrintable(bar->text()));
     }
 
     void theBoxesChangeTheSceneAndFollowIt()
@@ -397,50 +225,6 @@ private slots:
             QCoreApplication::processEvents();
             QCOMPARE(places(), before);
         }
-    }
-
-    void aLargeSceneIsTracedBesideTheWindow()
-    {
-        const auto window = emptyWindow();
-        QSignalSpy started(window->parts().tracer, &SceneTracer::started);
-        QSignalSpy traced(window->parts().tracer, &SceneTracer::traced);
-        Scene scene;
-        scene.frame.width = 1500;
-        scene.frame.height = 1500;
-        scene.triangles = {triangleAt(0, 0, 1499, 0, 700, 1499)};
-        window->parts().document->reset(scene);
-
-        QCOMPARE(started.size(), 1);
-        QVERIFY(named<QWidget>(*window, "traceProgress")->isVisible());
-        QVERIFY(traced.wait(60'000));
-        QVERIFY(!named<QWidget>(*window, "traceProgress")->isVisible());
-        QVERIFY(window->parts().playhead->traced()->scene == scene);
-    }
-
-    void tracingCanBeCancelledAndTheNewestRequestWins()
-    {
-        const auto window = emptyWindow();
-        SceneTracer &tracer = *window->parts().tracer;
-        QSignalSpy cancelled(&tracer, &SceneTracer::cancelled);
-        QSignalSpy traced(&tracer, &SceneTracer::traced);
-        Scene scene;
-        scene.frame.width = 1500;
-        scene.frame.height = 1500;
-        scene.triangles = {triangleAt(0, 0, 1499, 0, 700, 1499)};
-        window->parts().document->reset(scene);
-        QTest::mouseClick(named<QWidget>(*window, "cancelTrace"), Qt::LeftButton);
-        QVERIFY(cancelled.wait(60'000));
-        QCOMPARE(traced.size(), 0);
-
-        tracer.trace(scene);
-        Scene newer = scene;
-        newer.settings.arithmetic = Arithmetic::Float64;
-        tracer.trace(newer);
-        QVERIFY(traced.wait(60'000));
-        QVERIFY(!tracer.isRunning());
-        QCOMPARE(traced.size(), 1);
-        QCOMPARE(window->parts().playhead->traced()->scene.settings.arithmetic,
-                 Arithmetic::Float64);
     }
 
 private:

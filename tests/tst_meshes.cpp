@@ -48,6 +48,19 @@ MeshFaults faultsOf(const TriangleMesh &mesh, const Method &method, const ScanSe
     return faults;
 }
 
+/// In float32, 16384 px from the origin on the finest lattice: products of coordinates are rounded.
+MeshFaults faultsFarFromTheOrigin(const Method &method)
+{
+    MeshFaults faults;
+    for (std::uint64_t seed = 0; seed < 8; ++seed) {
+        const MeshPlace place{{16384 * unitsPerPixel + 5, 16384 * unitsPerPixel + 15}, 1};
+        for (const TriangleMesh &mesh : MeshMaker(place, seed).all())
+            faults += faultsOf(mesh, method,
+                               {Arithmetic::Float32, FillRule::TopLeft, ByteRounding::Nearest});
+    }
+    return faults;
+}
+
 /// Whether an edge's line passes through the off-screen point: there its rule promises nothing.
 bool meetsOffScreenPoint(const TriangleMesh &mesh)
 {
@@ -149,13 +162,7 @@ private slots:
     void literalFloatFormsTearMeshesFarFromTheOrigin()
     {
         QFETCH(QString, id);
-        MeshFaults faults;
-        for (std::uint64_t seed = 0; seed < 8; ++seed) {
-            const MeshPlace place{{16384 * unitsPerPixel + 5, 16384 * unitsPerPixel + 15}, 1};
-            for (const TriangleMesh &mesh : MeshMaker(place, seed).all())
-                faults += faultsOf(mesh, *methodNamed(id),
-                                   {Arithmetic::Float32, FillRule::TopLeft, ByteRounding::Nearest});
-        }
+        const MeshFaults faults = faultsFarFromTheOrigin(*methodNamed(id));
         qInfo("%d holes, %d doubles", faults.holes, faults.doubles);
         QVERIFY(faults.holes + faults.doubles > 0);
     }
@@ -169,13 +176,7 @@ private slots:
     void theStableFormsHoldInFloat32WhereTheLiteralOnesTear()
     {
         QFETCH(QString, id);
-        MeshFaults faults;
-        for (std::uint64_t seed = 0; seed < 8; ++seed) {
-            const MeshPlace place{{16384 * unitsPerPixel + 5, 16384 * unitsPerPixel + 15}, 1};
-            for (const TriangleMesh &mesh : MeshMaker(place, seed).all())
-                faults += faultsOf(mesh, *methodNamed(id),
-                                   {Arithmetic::Float32, FillRule::TopLeft, ByteRounding::Nearest});
-        }
+        const MeshFaults faults = faultsFarFromTheOrigin(*methodNamed(id));
         QCOMPARE(faults, MeshFaults());
     }
 

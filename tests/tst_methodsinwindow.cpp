@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/tracerows.h"
 #include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
-#include "widgets/canvas.h"
 #include "widgets/columntable.h"
 #include "widgets/columntablemodel.h"
-#include "widgets/mainwindow.h"
 #include "widgets/playhead.h"
 #include "widgets/scenedocument.h"
 
@@ -18,39 +17,19 @@ using namespace pixelplumb;
 
 namespace {
 
-std::unique_ptr<MainWindow> windowWith(const Scene &scene)
-{
-    auto window = std::make_unique<MainWindow>();
-    window->parts().document->reset(scene);
-    window->resize(1440, 960);
-    window->show();
-    window->activateWindow();
-    if (!QTest::qWaitForWindowActive(window.get()))
-        QTest::qFail("the window does not become active", __FILE__, __LINE__);
-    window->parts().canvas->setFocus();
-    return window;
-}
-
 /// Chooses a method as a person does, by its entry in the box.
 void choose(MainWindow &window, const QString &method)
 {
-    auto *box = window.findChild<QComboBox *>(QStringLiteral("methodBox"));
+    auto *box = named<QComboBox>(window, "methodBox");
     const int row = box->findData(method);
     QVERIFY2(row >= 0, qPrintable(method + QStringLiteral(" is not in the box")));
     box->setCurrentIndex(row);
     emit box->activated(row);
 }
 
-void clickPixel(const MainWindow &window, const QPoint &pixel)
-{
-    Canvas *canvas = window.parts().canvas;
-    QTest::mouseClick(canvas, Qt::LeftButton, {}, canvas->positionOf(pixel).toPoint());
-}
-
 QStringList rowTexts(const MainWindow &window, int row)
 {
-    const QAbstractItemModel &model
-        = *window.findChild<ColumnTable *>(QStringLiteral("columnTable"))->model();
+    const QAbstractItemModel &model = *named<ColumnTable>(window, "columnTable")->model();
     QStringList texts;
     for (int column = 0; column < model.columnCount(); ++column)
         texts.append(model.index(row, column).data(ColumnTableModel::CanonicalTextRole).toString());
@@ -68,15 +47,15 @@ private slots:
 
     void everyMethodHasAnEntryInTheMethodBox()
     {
-        const auto window = windowWith(Scene());
-        const auto *box = window->findChild<QComboBox *>(QStringLiteral("methodBox"));
+        const auto window = openedWindow(Scene());
+        const auto *box = named<QComboBox>(*window, "methodBox");
         for (const Method &method : methods())
             QVERIFY2(box->findData(method.id) >= 0, qPrintable(method.id));
     }
 
     void twoClicksDrawALineByBresenham()
     {
-        const auto window = windowWith(Scene());
+        const auto window = openedWindow(Scene());
         choose(*window, QStringLiteral("line-bresenham"));
         clickPixel(*window, {20, 41});
         clickPixel(*window, {30, 44});
@@ -96,7 +75,7 @@ private slots:
 
     void aPolygonIsClosedByAClickOnItsFirstCorner()
     {
-        const auto window = windowWith(Scene());
+        const auto window = openedWindow(Scene());
         choose(*window, QStringLiteral("polygon-parity"));
         for (const QPoint &corner :
              {QPoint(10, 10), QPoint(50, 12), QPoint(40, 40), QPoint(30, 20), QPoint(12, 38)})
@@ -115,7 +94,7 @@ private slots:
 
     void aCircleStaysRoundWhenItsCornerIsDragged()
     {
-        const auto window = windowWith(Scene());
+        const auto window = openedWindow(Scene());
         choose(*window, QStringLiteral("circle-midpoint"));
         clickPixel(*window, {32, 24});
         clickPixel(*window, {40, 30});
@@ -136,7 +115,7 @@ private slots:
         Scene scene;
         scene.triangles = {triangleAt(4, 5, 58, 12, 26, 44)};
         scene.settings.fillRule = FillRule::HalfOpenColumn;
-        const auto window = windowWith(scene);
+        const auto window = openedWindow(scene);
         choose(*window, QStringLiteral("row-walk"));
         const Scene &drawn = window->parts().document->scene();
         QCOMPARE(drawn.method, std::string("row-walk"));
@@ -150,7 +129,7 @@ private slots:
         Scene scene;
         scene.triangles = {triangleAt(4, 5, 58, 12, 26, 44)};
         scene.method = "row-walk";
-        const auto window = windowWith(scene);
+        const auto window = openedWindow(scene);
         Playhead &playhead = *window->parts().playhead;
         playhead.seek(0);
         playhead.step(StepUnit::Span, StepDirection::Forward);
@@ -158,10 +137,8 @@ private slots:
         QVERIFY(playhead.placeInHand()->axis == SpanAxis::Row);
         // The seed walks down from the uppermost point.
         QCOMPARE(playhead.placeInHand()->coordinate, std::int64_t(44));
-        QCOMPARE(window->findChild<QAction *>(QStringLiteral("nextColumn"))->iconText(),
-                 QStringLiteral("row"));
-        QCOMPARE(window->findChild<QLabel *>(QStringLiteral("statusColumn"))->text(),
-                 QStringLiteral("row 44"));
+        QCOMPARE(action(*window, "nextColumn")->iconText(), QStringLiteral("row"));
+        QCOMPARE(named<QLabel>(*window, "statusColumn")->text(), QStringLiteral("row 44"));
     }
 
     void theTableAgreesWithTheExportUnderEveryMethod_data()
@@ -179,7 +156,7 @@ private slots:
         scene.triangles = {triangleAt(4, 5, 58, 12, 26, 44)};
         scene.method = method.toStdString();
         scene.settings = methodNamed(method)->adapted({});
-        const auto window = windowWith(scene);
+        const auto window = openedWindow(scene);
         const TracedScene &traced = *window->parts().playhead->traced();
         QVERIFY(traced.trace->spanCount() > 0);
         for (const std::size_t span : {std::size_t(0), traced.trace->spanCount() / 2}) {
@@ -210,9 +187,9 @@ private slots:
         scene.triangles = {triangleAt(1, 2, 10, 3, 5, 9)};
         scene.method = method.toStdString();
         scene.settings = methodNamed(method)->adapted({});
-        const auto window = windowWith(scene);
+        const auto window = openedWindow(scene);
         Playhead &playhead = *window->parts().playhead;
-        const auto *heading = window->findChild<QLabel *>(QStringLiteral("formulaHeading"));
+        const auto *heading = named<QLabel>(*window, "formulaHeading");
         for (std::size_t position = 1; position <= playhead.end(); position += 3) {
             playhead.seek(position);
             QVERIFY2(!heading->text().isEmpty(), qPrintable(QString::number(position)));

@@ -30,7 +30,7 @@ Scene square(FillRule rule)
 
 } // namespace
 
-class tst_Overdraw : public QObject {
+class TestOverdraw : public QObject {
     Q_OBJECT
 
 private slots:
@@ -109,5 +109,5 @@ private slots:
     }
 };
 
-QTEST_APPLESS_MAIN(tst_Overdraw)
+QTEST_APPLESS_MAIN(TestOverdraw)
 #include "tst_overdraw.moc"

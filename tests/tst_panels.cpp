@@ -2,8 +2,8 @@
 #include "core/export/tracerows.h"
 #include "core/methods/formulaexplanation.h"
 #include "tests/support/defaultscene.h"
+#include "tests/support/tablecolumns.h"
 #include "widgets/columntable.h"
-#include "widgets/columntablemodel.h"
 #include "widgets/columntablepanel.h"
 #include "widgets/formulapanel.h"
 #include "widgets/numberformat.h"
@@ -19,19 +19,6 @@
 #include <QToolButton>
 
 using namespace pixelplumb;
-
-namespace {
-
-int columnNamed(const ColumnTableModel &model, const QString &fileName)
-{
-    for (int column = 0; column < model.columnCount(); ++column) {
-        if (model.fileName(column) == fileName)
-            return column;
-    }
-    return -1;
-}
-
-} // namespace
 
 class TestPanels : public QObject {
     Q_OBJECT

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/measure/scenetiming.h"
 #include "core/trace/tracedscene.h"
+#include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
 #include "widgets/performancecachelines.h"
 #include "widgets/performancepanel.h"
@@ -46,7 +47,7 @@ private slots:
         for (const char *name : {"performanceMeasure", "performanceCancel", "performanceProgress",
                                  "performanceSummary", "performanceTimes", "performanceRoutes",
                                  "performanceStride", "performanceCacheLines"})
-            QVERIFY2(panel.findChild<QWidget *>(QLatin1String(name)), name);
+            QVERIFY2(named<QWidget>(panel, name), name);
     }
 
     void measuresWhenAskedTo()
@@ -54,7 +55,7 @@ private slots:
         Playhead playhead;
         PerformancePanel panel(&playhead);
         panel.show();
-        auto *measure = panel.findChild<QPushButton *>(QStringLiteral("performanceMeasure"));
+        auto *measure = named<QPushButton>(panel, "performanceMeasure");
         QVERIFY(!measure->isEnabled()); // there is no scene yet
         playhead.setTraced(traceScene(twoTriangles()));
         QVERIFY(measure->isEnabled());
@@ -68,8 +69,7 @@ private slots:
         QVERIFY(panel.timing());
         QVERIFY(panel.timing()->sameBytes);
         QVERIFY(panel.timing()->rounds > 0);
-        const QString routes
-            = panel.findChild<QLabel *>(QStringLiteral("performanceRoutes"))->text();
+        const QString routes = named<QLabel>(panel, "performanceRoutes")->text();
         QVERIFY2(routes.contains(QStringLiteral("strips of ")), qPrintable(routes));
     }
 
@@ -93,14 +93,14 @@ private slots:
         panel.show();
         QSignalSpy spy(&panel, &PerformancePanel::measured);
         panel.measure();
-        auto *cancel = panel.findChild<QPushButton *>(QStringLiteral("performanceCancel"));
+        auto *cancel = named<QPushButton>(panel, "performanceCancel");
         QVERIFY(cancel->isVisible());
         QTest::mouseClick(cancel, Qt::LeftButton);
         QTRY_VERIFY_WITH_TIMEOUT(!panel.isRunning(), longest);
         QVERIFY(!panel.timing());
         QCOMPARE(spy.size(), 0);
         QVERIFY(!cancel->isVisible());
-        QVERIFY(panel.findChild<QPushButton *>(QStringLiteral("performanceMeasure"))->isEnabled());
+        QVERIFY(named<QPushButton>(panel, "performanceMeasure")->isEnabled());
     }
 
     void endsWhereItsProgressSaysSo()

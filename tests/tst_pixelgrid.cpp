@@ -12,6 +12,30 @@
 
 using namespace pixelplumb;
 
+namespace {
+
+/// The grid around pixel (27, 20), the picked one, of the default scene.
+struct GridBench {
+    Playhead playhead;
+    DisplayOptions options;
+    PixelGrid grid{&playhead, &options};
+
+    GridBench()
+    {
+        playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
+        playhead.pick(QPoint(27, 20));
+        grid.resize(440, 300);
+    }
+
+    void click(const QPoint &pixel, Qt::MouseButton button)
+    {
+        const QPointF place = grid.mapping().sample(pixel) / grid.devicePixelRatioF();
+        QTest::mouseClick(&grid, button, {}, place.toPoint());
+    }
+};
+
+} // namespace
+
 class TestPixelGrid : public QObject {
     Q_OBJECT
 
@@ -112,43 +136,29 @@ void TestPixelGrid::cellsShowTheFrameAtThePosition()
 
 void TestPixelGrid::leftClickPicksAndGoesToTheWrite()
 {
-    Playhead playhead;
-    DisplayOptions options;
-    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
-    playhead.pick(QPoint(27, 20));
-    PixelGrid grid(&playhead, &options);
-    grid.resize(440, 300);
-    const auto clickOn = [&](const QPoint &pixel) {
-        const QPointF place = grid.mapping().sample(pixel) / grid.devicePixelRatioF();
-        QTest::mouseClick(&grid, Qt::LeftButton, {}, place.toPoint());
-    };
+    GridBench bench;
+    Playhead &playhead = bench.playhead;
 
-    clickOn(QPoint(29, 22));
+    bench.click(QPoint(29, 22), Qt::LeftButton);
     QCOMPARE(playhead.pickedPixel(), QPoint(29, 22));
     QCOMPARE(playhead.pixelInHand(), QPoint(29, 22));
 
     // A pixel that nothing writes is picked, and time stands still.
     playhead.pick(QPoint(4, 6));
     const std::size_t position = playhead.position();
-    clickOn(QPoint(3, 8));
+    bench.click(QPoint(3, 8), Qt::LeftButton);
     QCOMPARE(playhead.pickedPixel(), QPoint(3, 8));
     QCOMPARE(playhead.position(), position);
 }
 
 void TestPixelGrid::rightClickOnlyPicks()
 {
-    Playhead playhead;
-    DisplayOptions options;
-    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
-    playhead.pick(QPoint(27, 20));
-    PixelGrid grid(&playhead, &options);
-    grid.resize(440, 300);
-    const QPointF place = grid.mapping().sample(QPoint(29, 22)) / grid.devicePixelRatioF();
+    GridBench bench;
 
-    QTest::mouseClick(&grid, Qt::RightButton, {}, place.toPoint());
+    bench.click(QPoint(29, 22), Qt::RightButton);
 
-    QCOMPARE(playhead.pickedPixel(), QPoint(29, 22));
-    QCOMPARE(playhead.position(), std::size_t(0));
+    QCOMPARE(bench.playhead.pickedPixel(), QPoint(29, 22));
+    QCOMPARE(bench.playhead.position(), std::size_t(0));
 }
 
 void TestPixelGrid::arrowKeysNudgeAsTheFrameIsSeen_data()

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/bounderrors.h"
 #include "tests/support/isolatedsettings.h"
-#include "widgets/appearance.h"
+#include "tests/support/openwindow.h"
 #include "widgets/canvas.h"
-#include "widgets/mainwindow.h"
 #include "widgets/playhead.h"
 #include "widgets/precisionpanel.h"
 #include "widgets/precisionplot.h"
 
-#include <QAction>
 #include <QLabel>
 #include <QTest>
 #include <QToolButton>
@@ -24,10 +22,8 @@ private slots:
     void init()
     {
         m_settings.clear();
-        m_window = std::make_unique<MainWindow>();
-        m_window->openScene(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/ties-at-tenths.json"));
-        m_window->show();
-        m_panel = m_window->findChild<PrecisionPanel *>(QStringLiteral("precision"));
+        m_window = openedWindow(QStringLiteral("ties-at-tenths.json"));
+        m_panel = named<PrecisionPanel>(*m_window, "precision");
         m_playhead = m_window->parts().playhead;
     }
     void cleanup() { m_window.reset(); }
@@ -111,8 +107,7 @@ private slots:
         open();
 
         QCOMPARE(m_panel->plot()->curveCount(), 4);
-        const QString summary
-            = m_panel->findChild<QLabel *>(QStringLiteral("precisionSummary"))->text();
+        const QString summary = named<QLabel>(*m_panel, "precisionSummary")->text();
         QVERIFY2(summary.contains(QStringLiteral("float32: at most")), qPrintable(summary));
         QVERIFY(m_window->parts().canvas->isVisible());
     }
@@ -121,8 +116,7 @@ private slots:
     {
         open();
 
-        QTest::mouseClick(m_panel->findChild<QToolButton *>(QStringLiteral("precision_fixed16.16")),
-                          Qt::LeftButton);
+        QTest::mouseClick(named<QToolButton>(*m_panel, "precision_fixed16.16"), Qt::LeftButton);
 
         QCOMPARE(m_panel->plot()->curveCount(), 3);
     }
@@ -140,32 +134,22 @@ private slots:
         QVERIFY(std::abs(*m_playhead->columnXInHand() - 37) <= 1);
     }
 
-    void looksRightInBothPalettes_data()
-    {
-        QTest::addColumn<QPalette>("palette");
-        QTest::newRow("light") << lightPalette();
-        QTest::newRow("dark") << darkPalette();
-    }
+    void looksRightInBothPalettes_data() { addPalettes(); }
     void looksRightInBothPalettes()
     {
         QFETCH(QPalette, palette);
         qApp->setPalette(palette);
         open();
 
-        const QImage picture = m_window->grab().toImage();
+        const QImage picture = grabbed(*m_window, QStringLiteral("precision"));
 
-        const QByteArray folder = qgetenv("PIXELPLUMB_GRABS");
-        if (!folder.isEmpty())
-            picture.save(
-                QString::fromLocal8Bit(folder)
-                + QStringLiteral("/precision-%1.png").arg(QLatin1String(QTest::currentDataTag())));
         QVERIFY(!picture.isNull());
     }
 
 private:
     void open()
     {
-        m_window->findChild<QAction *>(QStringLiteral("precisionDockToggle"))->trigger();
+        action(*m_window, "precisionDockToggle")->trigger();
         QTRY_VERIFY_WITH_TIMEOUT(!m_panel->errors().empty() && !m_panel->isRunning(), 20000);
         QCoreApplication::processEvents();
     }

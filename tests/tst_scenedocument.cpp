@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/scanning.h"
 #include "widgets/scenedocument.h"
 
 #include <QSignalSpy>
@@ -8,50 +9,21 @@ using namespace pixelplumb;
 
 namespace {
 
-constexpr Colour red{{255, 0, 0}};
-constexpr Colour green{{0, 255, 0}};
-constexpr Colour blue{{0, 0, 255}};
-constexpr Colour yellow{{255, 255, 0}};
+constexpr Colour yellow = {{255, 255, 0}};
 
-Triangle triangle(std::int64_t shift)
-{
-    return {{{{latticePixel(shift, 0), red},
-              {latticePixel(shift + 4, 0), green},
-              {latticePixel(shift, 4), blue}}}};
-}
-
-FrameSpec frameOf(int width, int height)
-{
-    FrameSpec frame;
-    frame.width = width;
-    frame.height = height;
-    return frame;
-}
-
-void placeThree(SceneDocument &document)
-{
-    document.placeVertex(latticePixel(1, 2));
-    document.placeVertex(latticePixel(9, 3));
-    document.placeVertex(latticePixel(5, 8));
-}
+/// A triangle this many pixels to the right.
+Triangle triangle(std::int64_t shift) { return triangleAt(shift, 0, shift + 4, 0, shift, 4); }
 
 } // namespace
 
-class SceneDocumentTest : public QObject {
+/// Vertices, frames and the selection of a document, and what it refuses.
+class TestSceneDocument : public QObject {
     Q_OBJECT
 
 private slots:
     void everyThirdVertexCompletesATriangle();
     void defaultColoursAreRedGreenAndBlue();
     void aChosenColourIsForTheNextVertexAlone();
-    void undoOfTheThirdVertexGivesBackTwoPendingOnes();
-    void undoOfAVertexGivesBackItsChosenColour();
-    void everyChangeCanBeUndoneAndRedone_data();
-    void everyChangeCanBeUndoneAndRedone();
-    void movesOfOneDragAreOneCommand();
-    void movesOfTwoDragsAreTwoCommands();
-    void aDragThatComesBackLeavesNoCommand();
-    void drivesNoCommandWhenNothingChanges();
     void refusesPositionsBeyondTheRange_data();
     void refusesPositionsBeyondTheRange();
     void refusesFramesThatCannotBeMade_data();
@@ -61,11 +33,9 @@ private slots:
     void selectionGoesWithItsTriangle();
     void snapsToTheChosenLattice_data();
     void snapsToTheChosenLattice();
-    void resetForgetsHistoryAndIsUnmodified();
-    void tellsWhenItBecomesModified();
 };
 
-void SceneDocumentTest::everyThirdVertexCompletesATriangle()
+void TestSceneDocument::everyThirdVertexCompletesATriangle()
 {
     SceneDocument document;
     QSignalSpy sceneChanged(&document, &SceneDocument::sceneChanged);
@@ -83,7 +53,7 @@ void SceneDocumentTest::everyThirdVertexCompletesATriangle()
     QCOMPARE(sceneChanged.count(), 1);
 }
 
-void SceneDocumentTest::defaultColoursAreRedGreenAndBlue()
+void TestSceneDocument::defaultColoursAreRedGreenAndBlue()
 {
     SceneDocument document;
     for (int round = 0; round < 2; ++round) {
@@ -94,7 +64,7 @@ void SceneDocumentTest::defaultColoursAreRedGreenAndBlue()
     }
 }
 
-void SceneDocumentTest::aChosenColourIsForTheNextVertexAlone()
+void TestSceneDocument::aChosenColourIsForTheNextVertexAlone()
 {
     SceneDocument document;
     document.placeVertex(latticePixel(1, 2));
@@ -105,146 +75,7 @@ void SceneDocumentTest::aChosenColourIsForTheNextVertexAlone()
     QCOMPARE(document.nextColour(), blue);
 }
 
-void SceneDocumentTest::undoOfTheThirdVertexGivesBackTwoPendingOnes()
-{
-    SceneDocument document;
-    placeThree(document);
-
-    document.undoStack()->undo();
-
-    const std::vector<Vertex> expected = {{latticePixel(1, 2), red}, {latticePixel(9, 3), green}};
-    QCOMPARE(document.pendingVertices(), expected);
-    QVERIFY(document.scene().triangles.empty());
-
-    document.undoStack()->undo();
-    document.undoStack()->undo();
-    QVERIFY(document.pendingVertices().empty());
-    for (int i = 0; i < 3; ++i)
-        document.undoStack()->redo();
-    QCOMPARE(document.scene().triangles.size(), 1U);
-}
-
-void SceneDocumentTest::undoOfAVertexGivesBackItsChosenColour()
-{
-    SceneDocument document;
-    document.setNextColour(yellow);
-    document.placeVertex(latticePixel(1, 2));
-
-    document.undoStack()->undo();
-
-    QCOMPARE(document.nextColour(), yellow);
-}
-
-void SceneDocumentTest::everyChangeCanBeUndoneAndRedone_data()
-{
-    using Change = std::function<void(SceneDocument &)>;
-    QTest::addColumn<Change>("change");
-    const auto row = [](const char *name, const Change &change) { QTest::newRow(name) << change; };
-    row("place", [](SceneDocument &d) { d.placeVertex(latticePixel(7, 7)); });
-    row("move", [](SceneDocument &d) { d.moveVertex({1, 2}, latticePixel(7, 7), 1); });
-    row("move a pending vertex", [](SceneDocument &d) {
-        d.moveVertex({VertexRef::pending, 0}, latticePixel(7, 7), 1);
-    });
-    row("colour", [](SceneDocument &d) { d.setVertexColour({0, 1}, yellow); });
-    row("colour of a pending vertex", [](SceneDocument &d) {
-        d.setVertexColour({VertexRef::pending, 0}, yellow);
-    });
-    row("add triangle", [](SceneDocument &d) { d.addTriangle(triangle(20)); });
-    row("delete first triangle", [](SceneDocument &d) { d.deletePrimitive(0); });
-    row("delete the triangle of a vertex", [](SceneDocument &d) { d.deleteVertex({1, 1}); });
-    row("delete a pending vertex", [](SceneDocument &d) {
-        d.deleteVertex({VertexRef::pending, 0});
-    });
-    row("discard pending", [](SceneDocument &d) { d.discardPending(); });
-    row("clear", [](SceneDocument &d) { d.clear(); });
-    row("frame", [](SceneDocument &d) { d.setFrame(frameOf(10, 12)); });
-    row("settings", [](SceneDocument &d) {
-        d.setSettings(ScanSettings{Arithmetic::Float32, {}, {}});
-    });
-}
-
-void SceneDocumentTest::everyChangeCanBeUndoneAndRedone()
-{
-    QFETCH(std::function<void(SceneDocument &)>, change);
-    SceneDocument document;
-    Scene scene;
-    scene.triangles = {triangle(0), triangle(10)};
-    document.reset(scene);
-    document.placeVertex(latticePixel(3, 3));
-    const std::vector<Vertex> pending = document.pendingVertices();
-
-    change(document);
-    const Scene changed = document.scene();
-    const std::vector<Vertex> changedPending = document.pendingVertices();
-    QVERIFY(changed != scene || changedPending != pending);
-    QCOMPARE(document.undoStack()->count(), 2);
-
-    document.undoStack()->undo();
-    QCOMPARE(document.scene(), scene);
-    QCOMPARE(document.pendingVertices(), pending);
-
-    document.undoStack()->redo();
-    QCOMPARE(document.scene(), changed);
-    QCOMPARE(document.pendingVertices(), changedPending);
-}
-
-void SceneDocumentTest::movesOfOneDragAreOneCommand()
-{
-    SceneDocument document;
-    document.addTriangle(triangle(0));
-    const int drag = document.newDrag();
-    for (int x = 1; x <= 10; ++x)
-        document.moveVertex({0, 0}, latticePixel(x, x), drag);
-
-    QCOMPARE(document.undoStack()->count(), 2);
-    QCOMPARE(document.vertexAt({0, 0})->position, latticePixel(10, 10));
-    document.undoStack()->undo();
-    QCOMPARE(document.scene().triangles, std::vector{triangle(0)});
-}
-
-void SceneDocumentTest::movesOfTwoDragsAreTwoCommands()
-{
-    SceneDocument document;
-    document.addTriangle(triangle(0));
-    document.moveVertex({0, 0}, latticePixel(1, 1), document.newDrag());
-    document.moveVertex({0, 0}, latticePixel(2, 2), document.newDrag());
-
-    document.undoStack()->undo();
-
-    QCOMPARE(document.vertexAt({0, 0})->position, latticePixel(1, 1));
-}
-
-void SceneDocumentTest::aDragThatComesBackLeavesNoCommand()
-{
-    SceneDocument document;
-    document.addTriangle(triangle(0));
-    const int drag = document.newDrag();
-    document.moveVertex({0, 0}, latticePixel(5, 5), drag);
-    document.moveVertex({0, 0}, latticePixel(0, 0), drag);
-
-    QCOMPARE(document.undoStack()->count(), 1);
-    QCOMPARE(document.scene().triangles, std::vector{triangle(0)});
-}
-
-void SceneDocumentTest::drivesNoCommandWhenNothingChanges()
-{
-    SceneDocument document;
-    document.addTriangle(triangle(0));
-    document.markSaved();
-
-    document.moveVertex({0, 0}, latticePixel(0, 0), document.newDrag());
-    document.setVertexColour({0, 0}, red);
-    document.setFrame(document.scene().frame);
-    document.setSettings(document.scene().settings);
-    document.setMethod(document.scene().method);
-    document.deletePrimitive(7);
-    document.deleteVertex({VertexRef::pending, 0});
-    document.discardPending();
-
-    QVERIFY(!document.isModified());
-}
-
-void SceneDocumentTest::refusesPositionsBeyondTheRange_data()
+void TestSceneDocument::refusesPositionsBeyondTheRange_data()
 {
     QTest::addColumn<Lattice>("x");
     QTest::addColumn<bool>("accepted");
@@ -254,7 +85,7 @@ void SceneDocumentTest::refusesPositionsBeyondTheRange_data()
     QTest::newRow("-2^30 px and 1/256 less") << -largestCoordinate - 1 << false;
 }
 
-void SceneDocumentTest::refusesPositionsBeyondTheRange()
+void TestSceneDocument::refusesPositionsBeyondTheRange()
 {
     QFETCH(Lattice, x);
     QFETCH(bool, accepted);
@@ -272,7 +103,7 @@ void SceneDocumentTest::refusesPositionsBeyondTheRange()
         QVERIFY(refused[0][0].toString().contains("2^30"));
 }
 
-void SceneDocumentTest::refusesFramesThatCannotBeMade_data()
+void TestSceneDocument::refusesFramesThatCannotBeMade_data()
 {
     QTest::addColumn<int>("width");
     QTest::addColumn<int>("height");
@@ -285,7 +116,7 @@ void SceneDocumentTest::refusesFramesThatCannotBeMade_data()
     QTest::newRow("sides allowed, area not") << 32768 << 32768 << false;
 }
 
-void SceneDocumentTest::refusesFramesThatCannotBeMade()
+void TestSceneDocument::refusesFramesThatCannotBeMade()
 {
     QFETCH(int, width);
     QFETCH(int, height);
@@ -300,7 +131,7 @@ void SceneDocumentTest::refusesFramesThatCannotBeMade()
     QCOMPARE(refused.count(), accepted ? 0 : 1);
 }
 
-void SceneDocumentTest::refusesAMethodThatDoesNotExist()
+void TestSceneDocument::refusesAMethodThatDoesNotExist()
 {
     SceneDocument document;
     QSignalSpy refused(&document, &SceneDocument::refused);
@@ -311,7 +142,7 @@ void SceneDocumentTest::refusesAMethodThatDoesNotExist()
     QVERIFY(refused.at(0).at(0).toString().contains("no-such-method"));
 }
 
-void SceneDocumentTest::selectionFollowsItsVertex()
+void TestSceneDocument::selectionFollowsItsVertex()
 {
     SceneDocument document;
     document.addTriangle(triangle(0));
@@ -330,7 +161,7 @@ void SceneDocumentTest::selectionFollowsItsVertex()
     QCOMPARE(document.selectedVertex(), std::optional(VertexRef{2, 0}));
 }
 
-void SceneDocumentTest::selectionGoesWithItsTriangle()
+void TestSceneDocument::selectionGoesWithItsTriangle()
 {
     SceneDocument document;
     document.addTriangle(triangle(0));
@@ -343,7 +174,7 @@ void SceneDocumentTest::selectionGoesWithItsTriangle()
     QCOMPARE(selectionChanged.count(), 1);
 }
 
-void SceneDocumentTest::snapsToTheChosenLattice_data()
+void TestSceneDocument::snapsToTheChosenLattice_data()
 {
     QTest::addColumn<Snap>("snap");
     QTest::addColumn<Lattice>("x");
@@ -356,7 +187,7 @@ void SceneDocumentTest::snapsToTheChosenLattice_data()
     QTest::newRow("the lattice itself") << Snap::Finest << Lattice(25) << Lattice(25);
 }
 
-void SceneDocumentTest::snapsToTheChosenLattice()
+void TestSceneDocument::snapsToTheChosenLattice()
 {
     QFETCH(Snap, snap);
     QFETCH(Lattice, x);
@@ -367,36 +198,5 @@ void SceneDocumentTest::snapsToTheChosenLattice()
     QCOMPARE(document.snapped({x, -x}).x, expected);
 }
 
-void SceneDocumentTest::resetForgetsHistoryAndIsUnmodified()
-{
-    SceneDocument document;
-    placeThree(document);
-    document.placeVertex(latticePixel(0, 0));
-    document.selectVertex(VertexRef{0, 1});
-    Scene scene;
-    scene.triangles = {triangle(3)};
-
-    document.reset(scene);
-
-    QCOMPARE(document.scene(), scene);
-    QVERIFY(document.pendingVertices().empty());
-    QVERIFY(!document.isModified());
-    QVERIFY(!document.undoStack()->canUndo());
-    QVERIFY(!document.selectedVertex());
-}
-
-void SceneDocumentTest::tellsWhenItBecomesModified()
-{
-    SceneDocument document;
-    QSignalSpy modifiedChanged(&document, &SceneDocument::modifiedChanged);
-
-    document.placeVertex(latticePixel(1, 1));
-    QCOMPARE(modifiedChanged.takeLast(), QVariantList{true});
-    document.markSaved();
-    QCOMPARE(modifiedChanged.takeLast(), QVariantList{false});
-    document.undoStack()->undo();
-    QCOMPARE(modifiedChanged.takeLast(), QVariantList{true});
-}
-
-QTEST_GUILESS_MAIN(SceneDocumentTest)
+QTEST_GUILESS_MAIN(TestSceneDocument)
 #include "tst_scenedocument.moc"

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/check/casecheck.h"
-#include "core/scene/fileaccess.h"
+#include "tests/support/caselist.h"
 
-#include <QtTest>
+#include <QTest>
 
 #include <map>
 
@@ -53,7 +53,6 @@ ExpectedFacts &factsOf(HardCase &hardCase) { return hardCase.facts.begin()->seco
 
 } // namespace
 
-Q_DECLARE_METATYPE(const HardCase *)
 Q_DECLARE_METATYPE(Fault)
 
 /// The hard cases beyond triangles near the origin: lines, circles, polygons, far meshes, moving
@@ -62,14 +61,7 @@ class TestShapeCases : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase()
-    {
-        const Result<QByteArray> text = readFile(QFINDTESTDATA("data/shape_cases.json"));
-        QVERIFY2(text.isOk(), text ? "" : qPrintable(text.error().message()));
-        const Result<std::vector<HardCase>> cases = readHardCases(*text);
-        QVERIFY2(cases.isOk(), cases ? "" : qPrintable(cases.error().message()));
-        m_cases = *cases;
-    }
+    void initTestCase() { m_cases = casesOf(QFINDTESTDATA("data/shape_cases.json")); }
 
     void holdsEveryKind()
     {
@@ -87,7 +79,7 @@ private slots:
         QCOMPARE(counts[HardCaseKind::Attributes], 5);
     }
 
-    void everyStableMethodIsRight_data() { addCases(); }
+    void everyStableMethodIsRight_data() { addRows(m_cases); }
     void everyStableMethodIsRight()
     {
         QFETCH(const HardCase *, hardCase);
@@ -101,7 +93,7 @@ private slots:
             QCOMPARE(report.count(CaseOutcome::Passed), std::int64_t(2));
     }
 
-    void theOracleIsRight_data() { addCases(); }
+    void theOracleIsRight_data() { addRows(m_cases); }
     void theOracleIsRight()
     {
         QFETCH(const HardCase *, hardCase);
@@ -173,7 +165,7 @@ private slots:
         QFETCH(QString, id);
         QFETCH(Fault, fault);
         QFETCH(QString, remark);
-        HardCase hardCase = caseNamed(id);
+        HardCase hardCase = caseNamed(m_cases, id);
         fault(hardCase);
 
         const CaseReport report = checkCase(hardCase, stableCandidates());
@@ -184,7 +176,7 @@ private slots:
 
     void onlyInterpolationAnswersForValues()
     {
-        HardCase hardCase = caseNamed(QStringLiteral("shape_attributes_level_sliver"));
+        HardCase hardCase = caseNamed(m_cases, QStringLiteral("shape_attributes_level_sliver"));
         hardCase.points.front().values[QStringLiteral("z")] = Quantity::integer(0);
 
         const CaseReport report = checkCase(hardCase, stableCandidates());
@@ -242,7 +234,7 @@ private slots:
     void skipsAPolygonThatAMethodRefuses()
     {
         const CaseReport report = checkCase(
-            caseNamed(QStringLiteral("shape_polygon_pentagram_non_zero")),
+            caseNamed(m_cases, QStringLiteral("shape_polygon_pentagram_non_zero")),
             {{methodNamed(u"polygon-fan"), {Arithmetic::Exact, FillRule::TopLeft, nearest}},
              {methodNamed(u"polygon-delaunay"), {Arithmetic::Exact, FillRule::TopLeft, nearest}}});
 
@@ -253,25 +245,14 @@ private slots:
 
     void saysWhatNoMethodDraws()
     {
-        const CaseReport report
-            = checkCase(caseNamed(QStringLiteral("shape_circle_ties")), stableCandidates());
+        const CaseReport report = checkCase(caseNamed(m_cases, QStringLiteral("shape_circle_ties")),
+                                            stableCandidates());
 
         QCOMPARE(report.remarks,
                  QStringList{QStringLiteral("none of the methods draws an outlined circle")});
     }
 
 private:
-    void addCases() const
-    {
-        QTest::addColumn<const HardCase *>("hardCase");
-        for (const HardCase &hardCase : m_cases)
-            QTest::newRow(qPrintable(hardCase.id)) << &hardCase;
-    }
-    const HardCase &caseNamed(const QString &id) const
-    {
-        return *std::ranges::find(m_cases, id, &HardCase::id);
-    }
-
     std::vector<HardCase> m_cases;
 };
 

@@ -59,7 +59,7 @@ private:
 
 } // namespace
 
-class tst_TraceExport : public QObject {
+class TestTraceExport : public QObject {
     Q_OBJECT
 
 private slots:
@@ -265,5 +265,5 @@ private slots:
     }
 };
 
-QTEST_GUILESS_MAIN(tst_TraceExport)
+QTEST_GUILESS_MAIN(TestTraceExport)
 #include "tst_traceexport.moc"

@@ -3,25 +3,14 @@
 
 #include "core/oracle/polygonoracle.h"
 #include "core/trace/tracedscene.h"
+#include "tests/support/colours.h"
+#include "tests/support/framespec.h"
 
 #include <initializer_list>
 #include <random>
 
 /// What the tests of polygons share: contours in short, random ones, pictures by method and truth.
 namespace pixelplumb {
-
-inline constexpr Colour green = {{0, 255, 0}};
-
-inline FrameSpec frameOf(std::int32_t width, std::int32_t height, std::int32_t firstColumn = 0,
-                         std::int32_t firstRow = 0)
-{
-    FrameSpec spec;
-    spec.width = width;
-    spec.height = height;
-    spec.firstColumn = firstColumn;
-    spec.firstRow = firstRow;
-    return spec;
-}
 
 using Contour = std::vector<LatticePoint>;
 

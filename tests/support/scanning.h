@@ -5,15 +5,13 @@
 #include "core/methods/method.h"
 #include "core/oracle/oracle.h"
 #include "core/scene/scene.h"
+#include "tests/support/colours.h"
+#include "tests/support/framespec.h"
 
 #include <ostream>
 
 /// What the tests of the kernels share: triangles in short, frames as text.
 namespace pixelplumb {
-
-inline constexpr Colour red = {{255, 0, 0}};
-inline constexpr Colour green = {{0, 255, 0}};
-inline constexpr Colour blue = {{0, 0, 255}};
 
 /// Whole-pixel coordinates, red, green and blue.
 inline Triangle triangleAt(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1,
@@ -28,17 +26,6 @@ inline Triangle triangleAt(std::int64_t x0, std::int64_t y0, std::int64_t x1, st
 inline Triangle triangleAtUnits(LatticePoint a, LatticePoint b, LatticePoint c)
 {
     return {{{{a, red}, {b, green}, {c, blue}}}};
-}
-
-inline FrameSpec frameOf(std::int32_t width, std::int32_t height, std::int32_t firstColumn = 0,
-                         std::int32_t firstRow = 0)
-{
-    FrameSpec spec;
-    spec.width = width;
-    spec.height = height;
-    spec.firstColumn = firstColumn;
-    spec.firstRow = firstRow;
-    return spec;
 }
 
 inline const Method &columnScan() { return *methodNamed(u"column-scan"); }

@@ -4,6 +4,7 @@
 #include "core/frame/coveragemask.h"
 #include "core/methods/method.h"
 #include "core/oracle/oracle.h"
+#include "tests/support/framespec.h"
 
 #include <algorithm>
 #include <ostream>
@@ -18,12 +19,9 @@ class WindowPicture {
 public:
     WindowPicture(std::int32_t width, std::int32_t height, std::int32_t firstColumn = 0,
                   std::int32_t firstRow = 0)
-        : m_pixels(std::size_t(width) * std::size_t(height), QRgb(0))
+        : m_spec(frameOf(width, height, firstColumn, firstRow))
+        , m_pixels(std::size_t(width) * std::size_t(height), QRgb(0))
     {
-        m_spec.width = width;
-        m_spec.height = height;
-        m_spec.firstColumn = firstColumn;
-        m_spec.firstRow = firstRow;
     }
 
     FrameView view()

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/canvas.h"
+#include "widgets/displayoptions.h"
+#include "widgets/playhead.h"
+#include "widgets/scenedocument.h"
+
+#include <QEvent>
+
+/// What the tests of the canvas share.
+namespace pixelplumb {
+
+/// The design's first scene without its fraction.
+Scene firstScene();
+
+/// A canvas in a window of its own, traced anew at every change as the real window does.
+struct CanvasBench {
+    SceneDocument document;
+    Playhead playhead;
+    DisplayOptions options;
+    Canvas canvas{&document, &playhead, &options};
+
+    explicit CanvasBench(const Scene &scene = {});
+
+    /// The middle of a pixel's cell, and that column's place on the ruler, in the widget.
+    QPoint at(int x, int y) const { return canvas.positionOf(QPoint(x, y)).toPoint(); }
+    QPoint onColumnRuler(int x) const
+    {
+        return {at(x, 0).x(), canvas.columnRuler().center().toPoint().y()};
+    }
+    LatticePoint vertex(int triangle, int index) const
+    {
+        return document.vertexAt({triangle, index})->position;
+    }
+
+    void click(int x, int y, Qt::MouseButton button = Qt::LeftButton);
+    void send(QEvent::Type type, const QPoint &position, Qt::MouseButton button,
+              Qt::MouseButtons buttons, Qt::KeyboardModifiers modifiers = {});
+    void drag(const QPoint &from, const QPoint &to, Qt::MouseButton button = Qt::LeftButton,
+              Qt::KeyboardModifiers modifiers = {});
+};
+
+/// The colour shown in the middle of a pixel's cell.
+QRgb shownAt(const QImage &grabbed, const Canvas &canvas, const QPoint &pixel);
+
+} // namespace pixelplumb

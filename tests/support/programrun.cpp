@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/programrun.h"
+
+#include <QProcess>
+
+namespace pixelplumb {
+
+QString program() { return QStringLiteral(PIXELPLUMB_CLI); }
+
+QString sceneFile(const QString &name)
+{
+    return QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/") + name;
+}
+
+ProgramRun run(const QStringList &arguments, const QByteArray &input)
+{
+    QProcess process;
+    process.start(program(), arguments);
+    process.write(input);
+    process.closeWriteChannel();
+    if (!process.waitForFinished(120'000) || process.exitStatus() != QProcess::NormalExit)
+        return {-1, {}, "did not end by itself"};
+    return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
+}
+
+QByteArray sceneOfSize(int width, int height)
+{
+    return "{ \"pixelplumb\": 1, \"frame\": { \"width\": " + QByteArray::number(width)
+        + ", \"height\": " + QByteArray::number(height) + " }, \"primitives\": [ { \"triangle\": "
+        + "[[-5, -5], [90000, 0], [0, 90000]], \"colors\": [\"#ff0000\", \"#00ff00\", \"#0000ff\"] "
+          "} ] }";
+}
+
+} // namespace pixelplumb

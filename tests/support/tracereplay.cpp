@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/tracereplay.h"
+
+#include "core/frame/framebuffer.h"
+
+#include <QTest>
+
+namespace pixelplumb {
+
+void addMethodsOf(MethodFamily family)
+{
+    QTest::addColumn<QString>("method");
+    QTest::addColumn<Arithmetic>("arithmetic");
+    for (const Method &method : methods()) {
+        if (method.family != family)
+            continue;
+        for (const Arithmetic arithmetic : method.arithmetics)
+            QTest::addRow("%s %s", qPrintable(method.id), nameOf(arithmetic).data())
+                << method.id << arithmetic;
+    }
+}
+
+QImage replayed(const ScanTrace &trace, const FrameSpec &frame)
+{
+    FrameBuffer buffer(frame);
+    for (std::size_t i = 0; i < trace.sampleCount(); ++i) {
+        const PixelChange &change = trace.changes()[i];
+        *buffer.view().at(change.x, change.y) = change.after;
+    }
+    return buffer.copy();
+}
+
+} // namespace pixelplumb

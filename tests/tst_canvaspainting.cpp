@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/canvasbench.h"
+#include "widgets/svgexport.h"
+
+#include <QTest>
+#include <QXmlStreamReader>
+
+#include <ctime>
+
+using namespace pixelplumb;
+
+/// What the canvas paints, and the figure that it exports.
+class TestCanvasPainting : public QObject {
+    Q_OBJECT
+
+private slots:
+    void showsTheFramesOwnColours();
+    void cellsHaveWholeDevicePixelsInsideAWindow();
+    void differencesAppearOnlyWhenDecided();
+    void figureHoldsCellsNamesAndColumn();
+    void figureOfAHugeFrameIsRefused();
+    void repaintsAHugeFrameQuickly();
+};
+
+void TestCanvasPainting::showsTheFramesOwnColours()
+{
+    CanvasBench bench(firstScene());
+    bench.playhead.seek(bench.playhead.end());
+    bench.options.setGridShown(false);
+    const QImage frame = bench.playhead.frame()->image();
+    const QImage grabbed = bench.canvas.grab().toImage();
+
+    for (const QPoint &pixel : {QPoint(2, 2), QPoint(20, 12), QPoint(30, 20), QPoint(26, 36)})
+        QCOMPARE(shownAt(grabbed, bench.canvas, pixel), frame.pixel(pixel.x(), 47 - pixel.y()));
+}
+
+void TestCanvasPainting::cellsHaveWholeDevicePixelsInsideAWindow()
+{
+    CanvasBench bench(firstScene());
+    QWidget window;
+    window.resize(800, 600);
+    bench.canvas.setParent(&window);
+    bench.canvas.move(33, 17); // at a ratio of 1.5 between two device pixels
+    bench.playhead.seek(bench.playhead.end());
+    bench.options.setGridShown(false);
+    bench.canvas.show();
+    window.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&window));
+
+    const QImage frame = bench.playhead.frame()->image();
+    const QImage grabbed = window.grab().toImage();
+    const double ratio = grabbed.devicePixelRatio();
+    const QPoint corner(int(33 * ratio), int(17 * ratio));
+    for (const QPoint &pixel : {QPoint(2, 2), QPoint(20, 12), QPoint(30, 20), QPoint(26, 36)}) {
+        const QRect cell = bench.canvas.mapping().deviceCellOf(pixel).translated(corner);
+        QImage expected(cell.size(), grabbed.format());
+        expected.fill(frame.pixel(pixel.x(), 47 - pixel.y()));
+        QImage shown = grabbed.copy(cell);
+        shown.setDevicePixelRatio(1);
+        QCOMPARE(shown, expected);
+    }
+    bench.canvas.setParent(nullptr);
+}
+
+void TestCanvasPainting::differencesAppearOnlyWhenDecided()
+{
+    Scene scene = firstScene();
+    scene.settings.rounding = ByteRounding::Truncate;
+    CanvasBench exact(scene);
+    scene.settings.arithmetic = Arithmetic::Fixed16;
+    CanvasBench bench(scene);
+    bench.options.setGridShown(false);
+    const DifferenceMap &differences = bench.playhead.traced()->differences;
+    QVERIFY(differences.total() > 0);
+    QPoint pixel;
+    for (int y = 12; y < 40 && pixel.isNull(); ++y) {
+        for (int x = 20; x < 40 && pixel.isNull(); ++x) {
+            if (differences.at(x, y) != Difference::None)
+                pixel = {x, y};
+        }
+    }
+    QVERIFY(!pixel.isNull());
+    const std::size_t decided = bench.playhead.traced()->decidedAt(pixel.x(), pixel.y());
+    const auto cellIsPlain = [&] {
+        const QImage grabbed = bench.canvas.grab().toImage();
+        const QRect cell = bench.canvas.mapping().deviceCellOf(pixel).adjusted(2, 2, -2, -2);
+        const QImage inside = grabbed.copy(cell);
+        QImage plain = inside;
+        plain.fill(inside.pixelColor(0, 0));
+        return inside == plain;
+    };
+    const auto moveFarOn = [&](std::size_t position) {
+        bench.playhead.seek(position);
+        bench.playhead.pick({0, 0});
+    };
+
+    moveFarOn(bench.playhead.end());
+    QVERIFY(!cellIsPlain());
+    bench.options.setDifferencesShown(false);
+    QVERIFY(cellIsPlain());
+    bench.options.setDifferencesShown(true);
+    moveFarOn(bench.playhead.traced()->decidedAt(pixel.x() - 3, pixel.y()));
+    QVERIFY(decided > bench.playhead.position());
+    QVERIFY(cellIsPlain());
+}
+
+void TestCanvasPainting::figureHoldsCellsNamesAndColumn()
+{
+    CanvasBench bench(firstScene());
+    bench.playhead.seekToSpan(20);
+    const QByteArray figure = svgFigure(bench.playhead, bench.options);
+
+    QXmlStreamReader reader(figure);
+    QStringList texts;
+    while (!reader.atEnd()) {
+        if (reader.readNext() == QXmlStreamReader::StartElement && reader.name() == u"text")
+            texts << reader.readElementText().trimmed();
+    }
+    QVERIFY2(!reader.hasError(), qPrintable(reader.errorString()));
+    for (const char *text : {"P0", "P1", "P2", "y", "B", "T", "10", "60"})
+        QVERIFY2(texts.contains(QLatin1String(text)), text);
+    QCOMPARE(svgFigure(bench.playhead, bench.options), figure);
+}
+
+void TestCanvasPainting::figureOfAHugeFrameIsRefused()
+{
+    Scene scene = firstScene();
+    scene.frame.width = 1024;
+    scene.frame.height = 512;
+    CanvasBench bench(scene);
+    const QString reason = exportSvg(QStringLiteral("never.svg"), bench.playhead, bench.options);
+    QVERIFY2(reason.contains(QStringLiteral("1024 × 512")), qPrintable(reason));
+    QVERIFY(!QFile::exists(QStringLiteral("never.svg")));
+}
+
+void TestCanvasPainting::repaintsAHugeFrameQuickly()
+{
+    Scene scene = firstScene();
+    scene.frame.width = 4096;
+    scene.frame.height = 4096;
+    CanvasBench bench(scene);
+    QPixmap target(bench.canvas.size() * bench.canvas.devicePixelRatioF());
+    for (const int zoom : {-8, 1, 7}) {
+        bench.canvas.setZoom(zoom);
+        bench.canvas.render(&target);
+        const std::clock_t start = std::clock(); // processor time: the machine may be busy
+        bench.canvas.render(&target);
+        const double milliseconds = 1000.0 * double(std::clock() - start) / CLOCKS_PER_SEC;
+        // 16.7 million pixels one by one would take longer.
+        QVERIFY2(milliseconds < 40, qPrintable(QString::number(milliseconds)));
+    }
+}
+
+QTEST_MAIN(TestCanvasPainting)
+#include "tst_canvaspainting.moc"

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/check/casecheck.h"
+#include "tests/support/caselist.h"
+
+#include <QTest>
+
+using namespace pixelplumb;
+
+/// Lines among the hard cases.
+class TestLineCases : public QObject {
+    Q_OBJECT
+
+private slots:
+    // What literal forms get wrong in the catalogue of hard cases, each for its reason.
+    void hardCasesAreFailedByTheFormsThatTheyStress_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<Arithmetic>("arithmetic");
+        QTest::addColumn<QStringList>("failed");
+        QTest::newRow("DDA, exact") << "line-dda" << Arithmetic::Exact << QStringList();
+        QTest::newRow("DDA, float32 drifts") << "line-dda" << Arithmetic::Float32
+                                             << QStringList({QStringLiteral("line_long_16381")});
+        QTest::newRow("Bresenham, ties by direction")
+            << "line-bresenham" << Arithmetic::Exact
+            << QStringList({QStringLiteral("line_tie_half")});
+        QTest::newRow("Bresenham, same both ways")
+            << "line-bresenham-symmetric" << Arithmetic::Exact << QStringList();
+        QTest::newRow("y = mx + b: casts, gaps, no slope")
+            << "line-slope-intercept" << Arithmetic::Exact
+            << QStringList({QStringLiteral("line_negative"), QStringLiteral("line_steep"),
+                            QStringLiteral("line_vertical"), QStringLiteral("line_point"),
+                            QStringLiteral("line_diagonal")});
+    }
+    void hardCasesAreFailedByTheFormsThatTheyStress()
+    {
+        QFETCH(QString, method);
+        QFETCH(Arithmetic, arithmetic);
+        QFETCH(QStringList, failed);
+        int lines = 0;
+        QStringList found;
+        for (const HardCase &hardCase : casesOf(QFINDTESTDATA("data/hard_cases.json"))) {
+            if (hardCase.kind != HardCaseKind::Line)
+                continue;
+            ++lines;
+            const CaseReport report = checkCase(
+                hardCase,
+                {{methodNamed(method), {arithmetic, FillRule::Closed, ByteRounding::Nearest}}});
+            QCOMPARE(report.verdicts.size(), std::size_t(1));
+            if (report.summary() == CaseOutcome::FellShort)
+                found.append(hardCase.id);
+        }
+        QCOMPARE(lines, 8);
+        QCOMPARE(found, failed);
+    }
+
+    void aLineCaseUnderAnotherRuleIsRefused()
+    {
+        const auto cases = readHardCases(
+            R"({"version": 1, "cases": [{"id": "a", "kind": "line", "rule": "up", "endpoints": [[0, 0], [1, 1]]}]})");
+
+        QVERIFY(!cases.isOk());
+        QVERIFY(cases.error().message().contains(u"cases[0].rule: “up”; expected “major axis"));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLineCases)
+#include "tst_linecases.moc"

@@ -1,0 +1,173 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/scenefile.h"
+#include "core/trace/tracedscene.h"
+#include "tests/support/programrun.h"
+
+#include <QImage>
+#include <QJsonDocument>
+#include <QProcess>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace pixelplumb;
+
+/// Pictures and rasters from the command line.
+class TestRenderCommand : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { QVERIFY(m_folder.isValid()); }
+
+    void refusesScenesThatNoFrameCanHold_data()
+    {
+        QTest::addColumn<QByteArray>("scene");
+        QTest::addColumn<QString>("message");
+        QTest::newRow("width 0") << sceneOfSize(0, 5)
+                                 << "frame.width: 0; expected an integer from 1 to 32768";
+        QTest::newRow("height 0") << sceneOfSize(5, 0) << "frame.height: 0; expected";
+        QTest::newRow("width 32769") << sceneOfSize(32769, 5) << "frame.width: 32769; expected";
+        QTest::newRow("2^30 pixels")
+            << sceneOfSize(32768, 32768) << "expected at most 268435456 pixels";
+        QTest::newRow("nan") << QByteArray(sceneOfSize(5, 5)).replace("90000, 0", "\"nan\", 0")
+                             << "primitives[0].triangle[1][0]: “nan” is no coordinate";
+        QTest::newRow("infinity") << QByteArray(sceneOfSize(5, 5)).replace("90000, 0", "\"inf\", 0")
+                                  << "“inf” is no coordinate";
+        QTest::newRow("3e9") << QByteArray(sceneOfSize(5, 5)).replace("90000, 0", "3e9, 0")
+                             << "3000000000 is outside ±1073741824 px";
+        QTest::newRow("newer")
+            << QByteArray(sceneOfSize(5, 5)).replace("\"pixelplumb\": 1", "\"pixelplumb\": 2")
+            << "written by a newer Pixelplumb (format 2)";
+    }
+    void refusesScenesThatNoFrameCanHold()
+    {
+        QFETCH(QByteArray, scene);
+        QFETCH(QString, message);
+
+        const ProgramRun result = run({"render", "-", "--ascii"}, scene);
+
+        QCOMPARE(result.exitCode, 2);
+        QVERIFY2(QString::fromUtf8(result.messages).contains(message), result.messages.constData());
+    }
+
+    void drawsFramesOfExtremeSizes_data()
+    {
+        QTest::addColumn<int>("width");
+        QTest::addColumn<int>("height");
+        QTest::newRow("one pixel") << 1 << 1;
+        QTest::newRow("one line") << 32768 << 1;
+        QTest::newRow("one column") << 1 << 32768;
+    }
+    void drawsFramesOfExtremeSizes()
+    {
+        QFETCH(int, width);
+        QFETCH(int, height);
+        const QString path = m_folder.filePath(QStringLiteral("extreme.png"));
+
+        const ProgramRun picture = run({"render", "-", "-o", path}, sceneOfSize(width, height));
+        const ProgramRun raster = run({"render", "-", "--ascii"}, sceneOfSize(width, height));
+
+        QCOMPARE(picture.exitCode, 0);
+        QCOMPARE(QImage(path).size(), QSize(width, height));
+        QCOMPARE(raster.output.count('#'), qsizetype(width) * height);
+        QCOMPARE(raster.output.count('\n'), qsizetype(height));
+    }
+
+    void rendersThePictureThatTheCoreDraws_data()
+    {
+        QTest::addColumn<QString>("suffix");
+        QTest::newRow("PNG") << "png";
+        QTest::newRow("BMP") << "bmp";
+        QTest::newRow("PPM") << "ppm";
+    }
+    void rendersThePictureThatTheCoreDraws()
+    {
+        QFETCH(QString, suffix);
+        const QString path = m_folder.filePath(QStringLiteral("picture.") + suffix);
+        const Scene scene = readSceneFile(defaultScene())->scene;
+        const FrameBuffer frame(scene.frame);
+        drawScene(scene, frame);
+
+        const ProgramRun result = run({"render", defaultScene(), "-o", path});
+
+        QCOMPARE(result.exitCode, 0);
+        QCOMPARE(result.output, QByteArray());
+        QCOMPARE(QImage(path).convertToFormat(QImage::Format_RGB32), frame.copy());
+    }
+
+    void writesThePictureToStandardOutput()
+    {
+        const ProgramRun result = run({"render", defaultScene(), "-o", "-"});
+
+        QCOMPARE(result.exitCode, 0);
+        QCOMPARE(QImage::fromData(result.output, "PNG").size(), QSize(64, 48));
+    }
+
+    void printsTheRasterOfASceneOnStandardInput()
+    {
+        const ProgramRun result
+            = run({"render", "-", "--ascii"},
+                  QByteArray("{ \"pixelplumb\": 1, \"frame\": { \"width\": 6, \"height\": 5 }, "
+                             "\"primitives\": [ { \"triangle\": [[1, 1], [4, 1], [1, 3]], "
+                             "\"colors\": [\"#000000\", \"#000000\", \"#000000\"] } ] }"));
+
+        QCOMPARE(result.exitCode, 0);
+        QCOMPARE(result.output, QByteArray("......\n.#....\n.##...\n.####.\n......\n"));
+    }
+
+    void obeysTheOptionsInsteadOfTheScene()
+    {
+        const ProgramRun closed = run({"render", defaultScene(), "--ascii"});
+        const ProgramRun halfOpen
+            = run({"render", defaultScene(), "--ascii", "--fill-rule", "half-open-column"});
+        const ProgramRun float32
+            = run({"trace", defaultScene(), "--format", "json", "--arithmetic", "float32",
+                   "--rounding", "truncate", "--method", "column-scan"});
+
+        QVERIFY(halfOpen.output.count('#') < closed.output.count('#'));
+        const QJsonDocument document = QJsonDocument::fromJson(float32.output);
+        QCOMPARE(document[QStringLiteral("arithmetic")].toString(), QStringLiteral("float32"));
+        QCOMPARE(document[QStringLiteral("rounding")].toString(), QStringLiteral("truncate"));
+    }
+
+    void reportsSnappedVerticesAndDrawsThem()
+    {
+        const ProgramRun result = run({"render", "-", "--ascii"},
+                                      QByteArray(sceneOfSize(5, 5)).replace("90000, 0", "12.1, 0"));
+
+        QCOMPARE(result.exitCode, 0);
+        QCOMPARE(QString::fromUtf8(result.messages),
+                 QStringLiteral(
+                     "-: primitives[0].triangle[1][0]: 12.1 is drawn at 1549/128, displaced by "
+                     "1/640 px\n"));
+    }
+
+    void reportsManySnappedVerticesInFewLines()
+    {
+        QByteArray scene = sceneOfSize(5, 5);
+        scene.replace("[-5, -5], [90000, 0], [0, 90000]", "[0.1, 0.1], [5.1, 0.1], [0.1, 5.1]");
+
+        const ProgramRun result = run({"render", "-", "--ascii"}, scene);
+
+        QCOMPARE(result.exitCode, 0);
+        QCOMPARE(result.messages.count('\n'), qsizetype(6));
+        QVERIFY2(result.messages.contains("1 more coordinates are off the lattice"),
+                 result.messages.constData());
+    }
+
+    void saysThatStandardOutputIsFull()
+    {
+        QProcess process;
+        process.setStandardOutputFile(QStringLiteral("/dev/full"));
+        process.start(program(), {"render", defaultScene(), "--ascii"});
+        QVERIFY(process.waitForFinished());
+
+        QCOMPARE(process.exitCode(), 2);
+        QVERIFY(process.readAllStandardError().contains("standard output cannot be written"));
+    }
+
+private:
+    QTemporaryDir m_folder;
+};
+
+QTEST_GUILESS_MAIN(TestRenderCommand)
+#include "tst_rendercommand.moc"
