@@ -57,6 +57,17 @@ Shape randomLine(QRandomGenerator &random, Lattice reach)
     return lineAtUnits(a, {coordinate(), coordinate()});
 }
 
+/// The picture that the pixels of a trace make.
+QImage replayOf(const TracedScene &traced)
+{
+    const FrameBuffer frame(traced.scene.frame);
+    for (std::size_t i = 0; i < traced.trace->sampleCount(); ++i) {
+        const PixelChange &change = traced.trace->changes()[i];
+        *frame.view().at(change.x, change.y) = change.after;
+    }
+    return frame.copy();
+}
+
 } // namespace
 
 class TestLines : public QObject {
@@ -298,13 +309,8 @@ private slots:
 
         const auto traced = traceScene(scene);
 
-        FrameBuffer replayed(scene.frame);
         const ScanTrace &trace = *traced->trace;
-        for (std::size_t i = 0; i < trace.sampleCount(); ++i) {
-            const PixelChange &change = trace.changes()[i];
-            *replayed.view().at(change.x, change.y) = change.after;
-        }
-        QCOMPARE(replayed.copy(), drawn.copy());
+        QCOMPARE(replayOf(*traced), drawn.copy());
         QCOMPARE(trace.primitiveCount(), std::size_t(12));
         for (std::size_t span = 0; span < trace.spanCount(); ++span) {
             const SpanRecord record = trace.span(span);
@@ -312,6 +318,23 @@ private slots:
             QCOMPARE(std::int64_t(trace.samples(span).size()), record.drawnSamples());
         }
         QCOMPARE(trace.setUp(0).cells.size(), traced->method->setUpColumns.size());
+    }
+
+    // Drawing takes each line's own integers, a trace the widest of all.
+    void aLineBesideAVeryLongOneIsDrawnAsItIsTraced()
+    {
+        for (const char *method : {"line-dda", "line-slope-intercept"}) {
+            Scene scene = sceneOf(lineAtUnits({515, 770}, {7700, 5401}), method, windowOf(40, 40));
+            scene.shapes.push_back(
+                lineAt(-largestPixel, -largestPixel + 3, largestPixel, largestPixel));
+            const FrameBuffer drawn(scene.frame);
+            drawScene(scene, drawn);
+
+            const auto traced = traceScene(scene);
+
+            QCOMPARE(replayOf(*traced), drawn.copy());
+            QVERIFY(traced->trace->sampleCount() > 60);
+        }
     }
 
     void stepsOfALongLineStayWithinTheFrame()
