@@ -205,6 +205,23 @@ private slots:
         QCOMPARE(trace.setUp(0).cells.size(), traced->method->setUpColumns.size());
     }
 
+    // Drawing takes each line's own integers, a trace the widest of all.
+    void aLineBesideAVeryLongOneIsDrawnAsItIsTraced()
+    {
+        for (const char *method : {"line-dda", "line-slope-intercept"}) {
+            Scene scene = sceneOf(lineAtUnits({515, 770}, {7700, 5401}), method, windowOf(40, 40));
+            scene.shapes.push_back(
+                lineAt(-largestPixel, -largestPixel + 3, largestPixel, largestPixel));
+            const FrameBuffer drawn(scene.frame);
+            drawScene(scene, drawn);
+
+            const auto traced = traceScene(scene);
+
+            QCOMPARE(replayed(*traced->trace, scene.frame), drawn.copy());
+            QVERIFY(traced->trace->sampleCount() > 60);
+        }
+    }
+
     void stepsOfALongLineStayWithinTheFrame()
     {
         for (const char *method :

@@ -4,6 +4,7 @@
 #include "app/cli/sceneoptions.h"
 #include "app/cli/suggestion.h"
 #include "core/check/casecheck.h"
+#include "core/scan/choicenames.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -76,18 +77,15 @@ void printReport(const CaseReport &report)
 
 QJsonObject jsonOf(const CaseReport &report)
 {
-    const auto text = [](std::string_view name) {
-        return QString::fromUtf8(name.data(), qsizetype(name.size()));
-    };
     QJsonArray verdicts;
     for (const CandidateVerdict &verdict : report.verdicts) {
         const Candidate &candidate = verdict.candidate;
-        verdicts.append(
-            QJsonObject{{QStringLiteral("method"), candidate.method->id},
-                        {QStringLiteral("arithmetic"), text(nameOf(candidate.settings.arithmetic))},
-                        {QStringLiteral("fillRule"), text(nameOf(candidate.settings.fillRule))},
-                        {QStringLiteral("outcome"), nameOf(verdict.outcome).toLower()},
-                        {QStringLiteral("remarks"), QJsonArray::fromStringList(verdict.remarks)}});
+        verdicts.append(QJsonObject{
+            {QStringLiteral("method"), candidate.method->id},
+            {QStringLiteral("arithmetic"), nameText(nameOf(candidate.settings.arithmetic))},
+            {QStringLiteral("fillRule"), nameText(nameOf(candidate.settings.fillRule))},
+            {QStringLiteral("outcome"), nameOf(verdict.outcome).toLower()},
+            {QStringLiteral("remarks"), QJsonArray::fromStringList(verdict.remarks)}});
     }
     return {{QStringLiteral("id"), report.id},
             {QStringLiteral("outcome"), nameOf(report.summary()).toLower()},

@@ -2,6 +2,7 @@
 #include "app/cli/comparecontenders.h"
 
 #include "app/cli/suggestion.h"
+#include "core/scan/choicenames.h"
 
 #include <QStringList>
 
@@ -12,32 +13,12 @@ namespace {
 const QString place = QStringLiteral("--methods");
 const QString truthWord = QStringLiteral("truth");
 
-QString text(std::string_view name)
-{
-    return QString::fromUtf8(name.data(), qsizetype(name.size()));
-}
-
 QStringList contenderNames()
 {
     QStringList names = {truthWord};
     for (const Method &method : methods())
         names.append(method.id);
     return names;
-}
-
-template <class Choices>
-QStringList namesOf(const Choices &choices)
-{
-    QStringList names;
-    for (const auto choice : choices)
-        names.append(text(nameOf(choice)));
-    return names;
-}
-
-InputError unknownName(const QString &what, const QString &word, const QStringList &names)
-{
-    return {place, QStringLiteral("unknown %1 “%2”").arg(what, word) + suggestion(word, names),
-            QStringLiteral("one of ") + names.join(QStringLiteral(", "))};
 }
 
 /// Puts one word after the method's name into the settings.
@@ -49,12 +30,13 @@ std::optional<InputError> apply(const QString &word, Contender &contender)
         return std::nullopt;
     }
     if (contender.isTruth())
-        return unknownName(QStringLiteral("fill rule of the truth"), word, namesOf(allFillRules));
+        return unknownName(place, QStringLiteral("fill rule of the truth"), word,
+                           namesOf(allFillRules));
     if (const auto arithmetic = arithmeticNamed(name)) {
         contender.settings.arithmetic = *arithmetic;
         return std::nullopt;
     }
-    return unknownName(QStringLiteral("arithmetic or fill rule"), word,
+    return unknownName(place, QStringLiteral("arithmetic or fill rule"), word,
                        namesOf(allArithmetics) + namesOf(allFillRules));
 }
 
@@ -65,7 +47,7 @@ Result<Contender> contenderNamed(const QString &entry, const ScanSettings &ofSce
     if (words.front() != truthWord) {
         const Method *method = methodNamed(words.front());
         if (!method)
-            return unknownName(QStringLiteral("method"), words.front(), contenderNames());
+            return unknownName(place, QStringLiteral("method"), words.front(), contenderNames());
         contender = contenderFor(*method, ofScene);
     }
     for (const QString &word : words.sliced(1)) {

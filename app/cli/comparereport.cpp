@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/comparereport.h"
 
+#include "core/scan/choicenames.h"
 #include "core/scene/colourtext.h"
 
 #include <QJsonArray>
@@ -10,11 +11,6 @@
 namespace pixelplumb::cli {
 
 namespace {
-
-QString text(std::string_view name)
-{
-    return QString::fromUtf8(name.data(), qsizetype(name.size()));
-}
 
 std::vector<PixelComparison> differingPixels(const CompareReport &report)
 {
@@ -142,16 +138,17 @@ QJsonObject jsonOf(const ContenderRun &run)
     for (const std::int64_t count : run.tally.differsFrom)
         differs.append(qint64(count));
     const Contender &contender = run.contender;
-    return {{QStringLiteral("method"),
-             contender.isTruth() ? QStringLiteral("truth") : contender.method->id},
-            {QStringLiteral("arithmetic"),
-             text(nameOf(contender.isTruth() ? Arithmetic::Exact : contender.settings.arithmetic))},
-            {QStringLiteral("fillRule"), text(nameOf(contender.settings.fillRule))},
-            {QStringLiteral("pixels"), qint64(run.tally.written)},
-            {QStringLiteral("missing"), against(Difference::Missing)},
-            {QStringLiteral("extra"), against(Difference::Extra)},
-            {QStringLiteral("colour"), against(Difference::Colour)},
-            {QStringLiteral("differsFrom"), differs}};
+    return {
+        {QStringLiteral("method"),
+         contender.isTruth() ? QStringLiteral("truth") : contender.method->id},
+        {QStringLiteral("arithmetic"),
+         nameText(nameOf(contender.isTruth() ? Arithmetic::Exact : contender.settings.arithmetic))},
+        {QStringLiteral("fillRule"), nameText(nameOf(contender.settings.fillRule))},
+        {QStringLiteral("pixels"), qint64(run.tally.written)},
+        {QStringLiteral("missing"), against(Difference::Missing)},
+        {QStringLiteral("extra"), against(Difference::Extra)},
+        {QStringLiteral("colour"), against(Difference::Colour)},
+        {QStringLiteral("differsFrom"), differs}};
 }
 
 } // namespace

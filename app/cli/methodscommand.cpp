@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "core/methods/method.h"
+#include "core/scan/choicenames.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -9,17 +10,6 @@
 namespace pixelplumb::cli {
 
 namespace {
-
-template <class Choice>
-QStringList namesOf(const std::vector<Choice> &choices)
-{
-    QStringList names;
-    for (const Choice choice : choices) {
-        const std::string_view name = nameOf(choice);
-        names.append(QString::fromUtf8(name.data(), qsizetype(name.size())));
-    }
-    return names;
-}
 
 QStringList kindsOf(const Method &method)
 {

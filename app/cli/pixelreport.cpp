@@ -12,8 +12,6 @@ namespace pixelplumb::cli {
 
 namespace {
 
-constexpr std::array<char16_t, 3> channelNames = {u'R', u'G', u'B'};
-
 QString nameOfDifference(Difference difference)
 {
     switch (difference) {
@@ -102,7 +100,7 @@ QString channelText(const PixelAttempt &attempt, std::size_t channel)
     const Quantity &used = attempt.sample->colour[channel];
     const Quantity &exact = attempt.exactColour[channel];
     QString text = QStringLiteral("    %1 = %2 → %3")
-                       .arg(QChar(channelNames[channel]))
+                       .arg(channelLetters[channel])
                        .arg(toText(used))
                        .arg(int(unpacked(attempt.change.after).channels[channel]));
     if (exact.isNone())
@@ -172,7 +170,7 @@ QJsonObject jsonOf(const PixelAttempt &attempt)
     for (std::size_t channel = 0; channel < 3; ++channel) {
         const Quantity &used = attempt.sample->colour[channel];
         const Quantity &exact = attempt.exactColour[channel];
-        json[QString(QChar(channelNames[channel]))] = QJsonObject{
+        json[QString(channelLetters[channel])] = QJsonObject{
             {QStringLiteral("used"), jsonOf(used)},
             {QStringLiteral("exact"), jsonOf(exact)},
             {QStringLiteral("error"), exact.isNone() ? QJsonValue() : jsonOf(errorOf(used, exact))},

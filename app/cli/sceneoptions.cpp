@@ -2,6 +2,7 @@
 #include "app/cli/sceneoptions.h"
 
 #include "app/cli/suggestion.h"
+#include "core/scan/choicenames.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/scenefile.h"
 
@@ -19,24 +20,6 @@ constexpr QLatin1String arithmeticOption("arithmetic");
 constexpr QLatin1String fillRuleOption("fill-rule");
 constexpr QLatin1String roundingOption("rounding");
 
-InputError unknownChoice(const QString &option, const QString &word, const QStringList &names)
-{
-    return {QStringLiteral("--") + option,
-            QStringLiteral("unknown name “%1”").arg(word) + suggestion(word, names),
-            QStringLiteral("one of ") + names.join(QStringLiteral(", "))};
-}
-
-template <class Choice, std::size_t Count>
-QStringList namesOf(const std::array<Choice, Count> &choices)
-{
-    QStringList names;
-    for (const Choice choice : choices) {
-        const std::string_view name = nameOf(choice);
-        names.append(QString::fromUtf8(name.data(), qsizetype(name.size())));
-    }
-    return names;
-}
-
 template <class Choice, std::size_t Count>
 Result<Choice> chosen(const CommandLine &line, const QString &option,
                       const std::array<Choice, Count> &choices, Choice unset)
@@ -46,7 +29,8 @@ Result<Choice> chosen(const CommandLine &line, const QString &option,
     const QStringList names = namesOf(choices);
     const qsizetype index = names.indexOf(line.value(option));
     if (index < 0)
-        return unknownChoice(option, line.value(option), names);
+        return unknownName(QStringLiteral("--") + option, QStringLiteral("name"),
+                           line.value(option), names);
     return choices[std::size_t(index)];
 }
 
@@ -136,7 +120,7 @@ Result<const Method *> chosenMethod(const CommandLine &line, const QString &unse
     QStringList ids;
     for (const Method &method : methods())
         ids.append(method.id);
-    return unknownChoice(methodOption, id, ids);
+    return unknownName(QStringLiteral("--") + methodOption, QStringLiteral("name"), id, ids);
 }
 
 Result<Arithmetic> chosenArithmetic(const CommandLine &line, Arithmetic unset)

@@ -57,4 +57,11 @@ QString suggestion(const QString &word, const QStringList &candidates)
     return closest.isEmpty() ? QString() : QStringLiteral("; did you mean %1?").arg(closest);
 }
 
+InputError unknownName(const QString &place, const QString &what, const QString &word,
+                       const QStringList &names)
+{
+    return {place, QStringLiteral("unknown %1 “%2”").arg(what, word) + suggestion(word, names),
+            QStringLiteral("one of ") + names.join(QStringLiteral(", "))};
+}
+
 } // namespace pixelplumb::cli

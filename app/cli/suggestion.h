@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/scene/result.h"
+
 #include <QStringList>
 
 namespace pixelplumb::cli {
@@ -11,5 +13,9 @@ QString closestTo(const QString &word, const QStringList &candidates);
 
 /// "; did you mean render?", or nothing.
 QString suggestion(const QString &word, const QStringList &candidates);
+
+/// The error of a word that is none of the names; `what` it should have named: "arithmetic".
+InputError unknownName(const QString &place, const QString &what, const QString &word,
+                       const QStringList &names);
 
 } // namespace pixelplumb::cli

@@ -31,9 +31,10 @@ Result<Choice> chosen(const CommandLine &line, const QString &option,
         if (names.back() == word)
             return choice.second;
     }
-    return InputError{QStringLiteral("--") + option,
-                      QStringLiteral("unknown name “%1”").arg(word) + suggestion(word, names),
-                      names.join(QStringLiteral(" or "))};
+    InputError error
+        = unknownName(QStringLiteral("--") + option, QStringLiteral("name"), word, names);
+    error.expected = names.join(QStringLiteral(" or "));
+    return error;
 }
 
 } // namespace

@@ -7,6 +7,15 @@ namespace pixelplumb {
 
 JsonNode member(const JsonNode &node, const char *key) { return node[QString::fromLatin1(key)]; }
 
+CasePixel pixel(JsonReader &json, const JsonNode &node)
+{
+    const std::vector<JsonNode> coordinates = json.array(node, 2);
+    CasePixel pixel = {};
+    for (std::size_t axis = 0; axis < 2; ++axis)
+        pixel[axis] = json.integer(coordinates[axis], -largestPixel, largestPixel);
+    return pixel;
+}
+
 void CaseCoordinates::readScale(const JsonNode &node)
 {
     m_scale = member(node, "scale");
@@ -29,9 +38,9 @@ void CaseCoordinates::readCanvas(const JsonNode &node)
     canvas.width = std::int32_t(m_json.integer(size[0], 1, largestFrameSide));
     canvas.height = std::int32_t(m_json.integer(
         size[1], 1, qMin<qint64>(largestFrameSide, largestFrameArea / canvas.width)));
-    const std::vector<JsonNode> origin = m_json.array(member(node, "origin"), 2);
-    canvas.firstColumn = std::int32_t(m_json.integer(origin[0], -largestPixel, largestPixel));
-    canvas.firstRow = std::int32_t(m_json.integer(origin[1], -largestPixel, largestPixel));
+    const CasePixel origin = pixel(m_json, member(node, "origin"));
+    canvas.firstColumn = std::int32_t(origin[0]);
+    canvas.firstRow = std::int32_t(origin[1]);
 }
 
 Lattice CaseCoordinates::coordinate(const JsonNode &node)

@@ -4,10 +4,30 @@
 #include "core/check/hardcase.h"
 #include "core/scene/jsonreader.h"
 
+#include <array>
+
 namespace pixelplumb {
 
 /// The member of an object; missing where there is none.
 JsonNode member(const JsonNode &node, const char *key);
+
+/// [x, y] in whole px.
+using CasePixel = std::array<std::int64_t, 2>;
+CasePixel pixel(JsonReader &json, const JsonNode &node);
+
+/// What a word stands for in a list of pairs; the first one's where it is none of them.
+template <class Words>
+auto choice(JsonReader &json, const JsonNode &node, const Words &words)
+{
+    QStringList names;
+    for (const auto &word : words) {
+        names.append(QString::fromLatin1(word.first));
+        if (node.value.toString() == names.back())
+            return word.second;
+    }
+    json.fail(node, describe(node), QStringLiteral("one of ") + names.join(QStringLiteral(", ")));
+    return words.front().second;
+}
 
 /// Reads a case's canvas and its coordinates, which are integers in units of 1/scale px; errors
 /// stay with the JsonReader. What does not lie on the lattice is noted among the case's

@@ -46,7 +46,7 @@ public:
     HardCase read(const JsonNode &node)
     {
         m_case.id = m_json.string(member(node, "id"));
-        m_case.kind = kind(member(node, "kind"));
+        m_case.kind = choice(m_json, member(node, "kind"), kindNames);
         m_case.stresses = member(node, "stresses").value.toString();
         switch (m_case.kind) {
         case HardCaseKind::Triangle:
@@ -96,19 +96,6 @@ public:
     }
 
 private:
-    HardCaseKind kind(const JsonNode &node)
-    {
-        QStringList names;
-        for (const auto &[name, kind] : kindNames) {
-            names.append(QString::fromLatin1(name));
-            if (node.value.toString() == names.back())
-                return kind;
-        }
-        m_json.fail(node, describe(node),
-                    QStringLiteral("one of ") + names.join(QStringLiteral(", ")));
-        return HardCaseKind::Line;
-    }
-
     void readCanvas(const JsonNode &node)
     {
         m_coordinates.readCanvas(node);
@@ -159,14 +146,12 @@ private:
         if (m_case.kind != HardCaseKind::Translation)
             return;
         for (const JsonNode &offset : m_json.array(member(node, "offsets_px"))) {
-            const std::vector<JsonNode> px = m_json.array(offset, 2);
-            const qint64 right = m_json.integer(px[0], -largestPixel, largestPixel);
-            const qint64 up = m_json.integer(px[1], -largestPixel, largestPixel);
-            if (!staysWithinRange(right, up)) {
+            const CasePixel moved = pixel(m_json, offset);
+            if (!staysWithinRange(moved[0], moved[1])) {
                 m_json.fail(offset, QStringLiteral("the case leaves ±%1 px").arg(largestPixel),
                             QStringLiteral("a smaller offset"));
             }
-            m_case.offsets.push_back({right, up});
+            m_case.offsets.push_back(moved);
         }
     }
 

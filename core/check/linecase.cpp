@@ -11,8 +11,6 @@ namespace pixelplumb {
 
 namespace {
 
-using Pixel = std::array<std::int64_t, 2>;
-
 /// The one rule that the format knows.
 const char *const nearestRule = "major axis, floor(minor + 1/2)";
 
@@ -22,16 +20,7 @@ constexpr std::int64_t margin = 16;
 /// frame. The line's whole length is always in the frame: what drifts must have room to drift.
 constexpr std::int64_t bandBreadth = 256;
 
-Pixel pixel(JsonReader &json, const JsonNode &node)
-{
-    const std::vector<JsonNode> coordinates = json.array(node, 2);
-    Pixel pixel = {};
-    for (std::size_t axis = 0; axis < 2; ++axis)
-        pixel[axis] = json.integer(coordinates[axis], -largestPixel, largestPixel);
-    return pixel;
-}
-
-Pixel pixelOf(const Vertex &vertex)
+CasePixel pixelOf(const Vertex &vertex)
 {
     return {floorPixel(vertex.position.x), floorPixel(vertex.position.y)};
 }
@@ -45,12 +34,12 @@ std::size_t listedAxis(const Shape &line)
 }
 
 /// What a drawing writes of a line, in the order of the facts.
-std::vector<Pixel> pixelsOf(const Shape &line, const FrameSpec &canvas,
-                            const ScanSettings &settings, const Drawing &drawing)
+std::vector<CasePixel> pixelsOf(const Shape &line, const FrameSpec &canvas,
+                                const ScanSettings &settings, const Drawing &drawing)
 {
     const std::size_t along = listedAxis(line);
     const std::int64_t breadth = along == 0 ? canvas.height : canvas.width;
-    std::vector<Pixel> pixels;
+    std::vector<CasePixel> pixels;
     for (std::int64_t done = 0; done < breadth; done += bandBreadth) {
         FrameSpec band = canvas;
         (along == 0 ? band.height : band.width)
@@ -60,32 +49,33 @@ std::vector<Pixel> pixelsOf(const Shape &line, const FrameSpec &canvas,
         picture.draw(Primitives{{}, {line}}, settings, drawing);
         picture.forEachWritten([&](std::int64_t x, std::int64_t y) { pixels.push_back({x, y}); });
     }
-    std::ranges::sort(pixels, [along](const Pixel &a, const Pixel &b) {
+    std::ranges::sort(pixels, [along](const CasePixel &a, const CasePixel &b) {
         return std::pair(a[along], a[1 - along]) < std::pair(b[along], b[1 - along]);
     });
     return pixels;
 }
 
-QByteArray hashOf(const std::vector<Pixel> &pixels)
+QByteArray hashOf(const std::vector<CasePixel> &pixels)
 {
     QCryptographicHash hash(QCryptographicHash::Sha256);
-    for (const Pixel &pixel : pixels)
+    for (const CasePixel &pixel : pixels)
         hash.addData(QByteArray::number(qint64(pixel[0])) + ' '
                      + QByteArray::number(qint64(pixel[1])) + '\n');
     return hash.result().toHex().first(16);
 }
 
-std::int64_t missingFrom(std::vector<Pixel> drawn, std::vector<Pixel> expected)
+/// How many of the pixels are not among the others.
+std::int64_t countOutside(std::vector<CasePixel> pixels, std::vector<CasePixel> others)
 {
-    std::ranges::sort(drawn);
-    std::ranges::sort(expected);
-    std::vector<Pixel> missing;
-    std::ranges::set_difference(expected, drawn, std::back_inserter(missing));
-    return std::int64_t(missing.size());
+    std::ranges::sort(pixels);
+    std::ranges::sort(others);
+    std::vector<CasePixel> outside;
+    std::ranges::set_difference(pixels, others, std::back_inserter(outside));
+    return std::int64_t(outside.size());
 }
 
 /// How the pixels of one direction depart from the facts.
-QStringList shortfalls(const std::vector<Pixel> &drawn, const std::vector<Pixel> &truth,
+QStringList shortfalls(const std::vector<CasePixel> &drawn, const std::vector<CasePixel> &truth,
                        const ExpectedFacts &facts)
 {
     QStringList remarks;
@@ -100,7 +90,8 @@ QStringList shortfalls(const std::vector<Pixel> &drawn, const std::vector<Pixel>
         remarks.append(QStringLiteral("other pixels than the case lists"));
     if (remarks.isEmpty())
         return remarks;
-    const PictureDifference difference = {missingFrom(drawn, truth), missingFrom(truth, drawn), 0};
+    const PictureDifference difference
+        = {countOutside(truth, drawn), countOutside(drawn, truth), 0};
     if (!difference.isNone())
         remarks.prepend(difference.message());
     return remarks;
@@ -124,12 +115,12 @@ void readLineCase(JsonReader &json, const JsonNode &node, HardCase &hardCase)
         json.fail(member(node, "endpoints"), QStringLiteral("ends off the lattice"),
                   QStringLiteral("multiples of 1/%1 px").arg(unitsPerPixel));
     hardCase.shapes = {line};
-    const Pixel a = pixelOf(line.vertices[0]);
-    const Pixel b = pixelOf(line.vertices[1]);
+    const CasePixel a = pixelOf(line.vertices[0]);
+    const CasePixel b = pixelOf(line.vertices[1]);
 
-    const Pixel size
+    const CasePixel size
         = {absolute(b[0] - a[0]) + 1 + 2 * margin, absolute(b[1] - a[1]) + 1 + 2 * margin};
-    const Pixel first = {std::min(a[0], b[0]) - margin, std::min(a[1], b[1]) - margin};
+    const CasePixel first = {std::min(a[0], b[0]) - margin, std::min(a[1], b[1]) - margin};
     if (std::max(size[0], size[1]) > largestFrameSide || size[0] * size[1] > largestFrameArea)
         json.fail(member(node, "endpoints"), QStringLiteral("a line that no frame holds"),
                   QStringLiteral("at most %1 px on a side and %2 px in area")
@@ -161,7 +152,7 @@ QStringList lineShortfalls(const HardCase &hardCase, const ScanSettings &setting
     const Shape &line = hardCase.shapes.front();
     Shape reversed = line;
     std::swap(reversed.vertices[0], reversed.vertices[1]);
-    const std::vector<Pixel> truth = pixelsOf(line, hardCase.canvas, settings, drawTruly);
+    const std::vector<CasePixel> truth = pixelsOf(line, hardCase.canvas, settings, drawTruly);
     QStringList remarks
         = shortfalls(pixelsOf(line, hardCase.canvas, settings, drawing), truth, facts);
     const QStringList ofReversed

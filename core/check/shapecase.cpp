@@ -4,6 +4,8 @@
 #include "core/check/casefacts.h"
 #include "core/methods/rejectiontext.h"
 
+#include <span>
+
 namespace pixelplumb {
 
 namespace {
@@ -15,19 +17,8 @@ constexpr std::array<std::pair<const char *, ShapeFill>, 3> fillNames
     = {{{"even-odd", ShapeFill::EvenOdd},
         {"non-zero", ShapeFill::NonZero},
         {"outline", ShapeFill::Outline}}};
-
-/// The first `count` of the names above.
-ShapeFill readFill(JsonReader &json, const JsonNode &node, std::size_t count)
-{
-    QStringList names;
-    for (std::size_t i = 0; i < count; ++i) {
-        names.append(QString::fromLatin1(fillNames[i].first));
-        if (node.value.toString() == names.back())
-            return fillNames[i].second;
-    }
-    json.fail(node, describe(node), QStringLiteral("one of ") + names.join(QStringLiteral(", ")));
-    return ShapeFill::EvenOdd;
-}
+/// A polygon has an inside.
+constexpr std::span insideFillNames = std::span(fillNames).first<2>();
 
 void readPolygon(JsonReader &json, const JsonNode &node, CaseCoordinates &coordinates,
                  Shape &polygon)
@@ -73,7 +64,7 @@ void readCircleCase(JsonReader &json, const JsonNode &node, CaseCoordinates &coo
                   QStringLiteral("0 or more, and a circle within ±%1 px").arg(largestPixel));
     Shape circle;
     circle.kind = PrimitiveKind::Circle;
-    circle.fill = readFill(json, member(node, "fill"), fillNames.size());
+    circle.fill = choice(json, member(node, "fill"), fillNames);
     circle.vertices = {{centre, shapeColour}, {corner, shapeColour}};
     hardCase.shapes = {circle};
 }
@@ -82,7 +73,7 @@ void readPolygonCase(JsonReader &json, const JsonNode &node, CaseCoordinates &co
                      HardCase &hardCase)
 {
     const JsonNode polygonsNode = member(node, "polygons");
-    const ShapeFill fill = readFill(json, member(node, "fill"), 2);
+    const ShapeFill fill = choice(json, member(node, "fill"), insideFillNames);
     for (const JsonNode &each : json.array(polygonsNode)) {
         Shape polygon;
         polygon.kind = PrimitiveKind::Polygon;

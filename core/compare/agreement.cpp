@@ -51,7 +51,7 @@ QString textOf(Disagreement reason)
 
 void AgreementMap::set(std::int64_t x, std::int64_t y, int agreeing, Disagreement reason)
 {
-    Pixel &pixel = m_pixels[indexOf(x, y)];
+    Pixel &pixel = m_pixels.at(x, y);
     const auto count = [this](const Pixel &of, std::int64_t change) {
         m_byAgreeing[of.agreeing] += change;
         m_byReason[std::size_t(of.reason)] += change;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/frame/framespec.h"
+#include "core/frame/framemap.h"
 
 #include <QString>
 
@@ -37,28 +37,26 @@ class AgreementMap {
 public:
     AgreementMap() = default;
     AgreementMap(const FrameSpec &spec, int contenderCount)
-        : m_spec(spec)
-        , m_contenderCount(contenderCount)
-        , m_pixels(std::size_t(spec.width) * std::size_t(spec.height),
-                   Pixel{std::uint8_t(contenderCount), Disagreement::None})
+        : m_contenderCount(contenderCount)
+        , m_pixels(spec, {std::uint8_t(contenderCount), Disagreement::None})
         , m_byAgreeing(std::size_t(contenderCount) + 1, 0)
     {
         m_byAgreeing.back() = std::int64_t(m_pixels.size());
         m_byReason[std::size_t(Disagreement::None)] = std::int64_t(m_pixels.size());
     }
 
-    const FrameSpec &spec() const { return m_spec; }
+    const FrameSpec &spec() const { return m_pixels.spec(); }
     int contenderCount() const { return m_contenderCount; }
 
     /// All contenders outside the frame.
     int agreeingAt(std::int64_t x, std::int64_t y) const
     {
-        return contains(x, y) ? m_pixels[indexOf(x, y)].agreeing : m_contenderCount;
+        return m_pixels.contains(x, y) ? m_pixels.at(x, y).agreeing : m_contenderCount;
     }
     /// Disagreement::None outside the frame.
     Disagreement reasonAt(std::int64_t x, std::int64_t y) const
     {
-        return contains(x, y) ? m_pixels[indexOf(x, y)].reason : Disagreement::None;
+        return m_pixels.contains(x, y) ? m_pixels.at(x, y).reason : Disagreement::None;
     }
     /// (x, y) must lie inside the frame.
     void set(std::int64_t x, std::int64_t y, int agreeing, Disagreement reason);
@@ -75,19 +73,8 @@ private:
         Disagreement reason;
     };
 
-    bool contains(std::int64_t x, std::int64_t y) const
-    {
-        return !m_pixels.empty() && x >= m_spec.firstColumn && y >= m_spec.firstRow
-            && x - m_spec.firstColumn < m_spec.width && y - m_spec.firstRow < m_spec.height;
-    }
-    std::size_t indexOf(std::int64_t x, std::int64_t y) const
-    {
-        return std::size_t((y - m_spec.firstRow) * m_spec.width + (x - m_spec.firstColumn));
-    }
-
-    FrameSpec m_spec;
     int m_contenderCount = 0;
-    std::vector<Pixel> m_pixels;
+    FrameMap<Pixel> m_pixels;
     std::vector<std::int64_t> m_byAgreeing = {0};
     std::array<std::int64_t, allDisagreements.size() + 1> m_byReason = {};
 };

@@ -89,7 +89,7 @@ BoundErrors errorsOf(const ScanTrace &trace, const Triangle &triangle, const Sca
         error.place = span.place;
         error.lower = errorOf(span.lower, exact->lower);
         error.upper = errorOf(span.upper, exact->upper);
-        const double additions
+        const auto additions
             = double(span.place.coordinate - firstPlace(triangle, span.place.axis) + 1);
         error.limit
             = errorLimit(errors.arithmetic, additions, largestBound(triangle, span.place.axis));

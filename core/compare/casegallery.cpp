@@ -177,7 +177,7 @@ Result<std::vector<GalleryCase>> readGallery(const QByteArray &text)
     QHash<QString, QJsonObject> remarks;
     const QJsonArray all
         = QJsonDocument::fromJson(text).object().value(QStringLiteral("cases")).toArray();
-    for (const QJsonValue &each : all)
+    for (const QJsonValue each : all)
         remarks.insert(each[QStringLiteral("id")].toString(), each.toObject());
 
     std::vector<GalleryCase> gallery;
@@ -189,7 +189,7 @@ Result<std::vector<GalleryCase>> readGallery(const QByteArray &text)
         entry.hardCase = hardCase;
         entry.family = remark.value(QStringLiteral("family")).toString(nameOf(hardCase.kind));
         const QJsonArray failsIn = remark.value(QStringLiteral("fails_in")).toArray();
-        for (const QJsonValue &each : failsIn)
+        for (const QJsonValue each : failsIn)
             entry.failsIn.append(each.toString());
         entry.note = remark.value(QStringLiteral("note")).toString();
         entry.why = sentencesOf(caseReasons, hardCase.id);

@@ -1,23 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/contender.h"
 
+#include "core/scan/choicenames.h"
+
 namespace pixelplumb {
-
-namespace {
-
-QString text(std::string_view name)
-{
-    return QString::fromUtf8(name.data(), qsizetype(name.size()));
-}
-
-} // namespace
 
 QString Contender::name() const
 {
     if (isTruth())
-        return QStringLiteral("truth ") + text(nameOf(settings.fillRule));
-    return QStringList{method->id, text(nameOf(settings.arithmetic)),
-                       text(nameOf(settings.fillRule))}
+        return QStringLiteral("truth ") + nameText(nameOf(settings.fillRule));
+    return QStringList{method->id, nameText(nameOf(settings.arithmetic)),
+                       nameText(nameOf(settings.fillRule))}
         .join(u' ');
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/deviation.h"
 #include "core/oracle/oracle.h"
+#include "core/scan/choicenames.h"
 
 #include <QStringList>
 
@@ -74,8 +75,7 @@ QString coloursText(const Deviation &deviation, const JudgedRun &run, std::int64
 
 QString causeText(const Deviation &deviation, const JudgedRun &run)
 {
-    const std::string_view name = nameOf(run.traced->scene.settings.arithmetic);
-    const QString arithmetic = QString::fromUtf8(name.data(), qsizetype(name.size()));
+    const QString arithmetic = nameText(nameOf(run.traced->scene.settings.arithmetic));
     switch (deviation.reason) {
     case Disagreement::None:
     case Disagreement::TieRule:

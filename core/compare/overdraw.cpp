@@ -25,9 +25,7 @@ Triangle turnedAround(Triangle triangle)
 void countWrites(OverdrawMap &map, const ScanTrace &trace)
 {
     // A primitive that visits a pixel twice writes it once.
-    std::vector<std::size_t> lastWriter(std::size_t(map.spec().width)
-                                            * std::size_t(map.spec().height),
-                                        std::numeric_limits<std::size_t>::max());
+    FrameMap<std::size_t> lastWriter(map.spec(), std::numeric_limits<std::size_t>::max());
     std::size_t span = 0;
     for (std::size_t sample = 0; sample < trace.sampleCount(); ++sample) {
         while (sample >= trace.endSampleOf(span))
@@ -35,9 +33,7 @@ void countWrites(OverdrawMap &map, const ScanTrace &trace)
         const PixelChange &change = trace.changes()[sample];
         if (!change.isWritten())
             continue;
-        std::size_t &writer
-            = lastWriter[std::size_t(change.y - map.spec().firstRow) * std::size_t(map.spec().width)
-                         + std::size_t(change.x - map.spec().firstColumn)];
+        std::size_t &writer = lastWriter.at(change.x, change.y);
         if (writer != trace.primitiveOf(span))
             map.addWrite(change.x, change.y);
         writer = trace.primitiveOf(span);
@@ -48,7 +44,7 @@ void countWrites(OverdrawMap &map, const ScanTrace &trace)
 
 void OverdrawMap::addWrite(std::int64_t x, std::int64_t y)
 {
-    std::uint16_t &writes = m_pixels[indexOf(x, y)].writes;
+    std::uint16_t &writes = m_pixels.at(x, y).writes;
     if (writes == std::numeric_limits<std::uint16_t>::max())
         return;
     ++writes;
@@ -59,7 +55,7 @@ void OverdrawMap::addWrite(std::int64_t x, std::int64_t y)
 
 void OverdrawMap::setGap(std::int64_t x, std::int64_t y)
 {
-    bool &isGap = m_pixels[indexOf(x, y)].isGap;
+    bool &isGap = m_pixels.at(x, y).isGap;
     m_gaps += isGap ? 0 : 1;
     isGap = true;
 }

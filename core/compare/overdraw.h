@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/framemap.h"
 #include "core/trace/tracedscene.h"
 
 namespace pixelplumb {
@@ -11,21 +12,20 @@ class OverdrawMap {
 public:
     OverdrawMap() = default;
     explicit OverdrawMap(const FrameSpec &spec)
-        : m_spec(spec)
-        , m_pixels(std::size_t(spec.width) * std::size_t(spec.height))
+        : m_pixels(spec)
     {
     }
 
-    const FrameSpec &spec() const { return m_spec; }
+    const FrameSpec &spec() const { return m_pixels.spec(); }
     /// Primitives that write the pixel; 0 outside the frame. Counts stop at 65535.
     int writesAt(std::int64_t x, std::int64_t y) const
     {
-        return contains(x, y) ? m_pixels[indexOf(x, y)].writes : 0;
+        return m_pixels.contains(x, y) ? m_pixels.at(x, y).writes : 0;
     }
     /// Nobody writes it, although a triangle owns it by the rule or the triangles surround it.
     bool isGapAt(std::int64_t x, std::int64_t y) const
     {
-        return contains(x, y) && m_pixels[indexOf(x, y)].isGap;
+        return m_pixels.contains(x, y) && m_pixels.at(x, y).isGap;
     }
 
     std::int64_t writtenPixels() const { return m_written; } ///< once or more
@@ -43,18 +43,7 @@ private:
         bool isGap = false;
     };
 
-    bool contains(std::int64_t x, std::int64_t y) const
-    {
-        return !m_pixels.empty() && x >= m_spec.firstColumn && y >= m_spec.firstRow
-            && x - m_spec.firstColumn < m_spec.width && y - m_spec.firstRow < m_spec.height;
-    }
-    std::size_t indexOf(std::int64_t x, std::int64_t y) const
-    {
-        return std::size_t((y - m_spec.firstRow) * m_spec.width + (x - m_spec.firstColumn));
-    }
-
-    FrameSpec m_spec;
-    std::vector<Pixel> m_pixels;
+    FrameMap<Pixel> m_pixels;
     std::int64_t m_written = 0;
     std::int64_t m_overdrawn = 0;
     std::int64_t m_gaps = 0;

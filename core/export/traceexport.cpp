@@ -2,15 +2,13 @@
 #include "core/export/traceexport.h"
 
 #include "core/export/tracerows.h"
+#include "core/scan/choicenames.h"
 
 namespace pixelplumb {
 
 namespace {
 
-QByteArray jsonName(std::string_view name)
-{
-    return jsonString(QString::fromUtf8(name.data(), qsizetype(name.size())));
-}
+QByteArray jsonName(std::string_view name) { return jsonString(nameText(name)); }
 
 /// What a reader has to know about the table: how it was drawn, and what the columns mean.
 std::vector<PreambleMember> preambleOf(const TracedScene &traced, TraceLevel level)

@@ -9,8 +9,6 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr std::array<char16_t, 3> channelNames = {u'R', u'G', u'B'};
-
 /// The exact value and the error in their cells; both empty where there is no exact value.
 void appendComparison(QStringList &cells, const Quantity &used, const Quantity &exact)
 {
@@ -67,7 +65,7 @@ std::vector<Field> sampleFields(const Method &method)
                                  {QStringLiteral("primitive"), Field::Kind::Integer},
                                  {QStringLiteral("x"), Field::Kind::Integer},
                                  {QStringLiteral("y"), Field::Kind::Integer}};
-    for (const char16_t channel : channelNames) {
+    for (const QChar channel : channelLetters) {
         const QString name = QChar(channel);
         fields.push_back({name, Field::Kind::Text});
         fields.push_back({name + QStringLiteral("_exact"), Field::Kind::Text});

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/frame/framespec.h"
+#include "core/frame/framemap.h"
 
-#include <vector>
+#include <cstdint>
 
 namespace pixelplumb {
 
@@ -12,26 +12,19 @@ namespace pixelplumb {
 class CoverageMask {
 public:
     explicit CoverageMask(const FrameSpec &spec)
-        : m_spec(spec)
-        , m_covered(std::size_t(spec.width) * std::size_t(spec.height), 0)
+        : m_covered(spec)
     {
     }
 
-    const FrameSpec &spec() const { return m_spec; }
+    const FrameSpec &spec() const { return m_covered.spec(); }
     /// (x, y) must lie inside the frame.
-    bool covers(std::int64_t x, std::int64_t y) const { return m_covered[indexOf(x, y)] != 0; }
-    void cover(std::int64_t x, std::int64_t y) { m_covered[indexOf(x, y)] = 1; }
+    bool covers(std::int64_t x, std::int64_t y) const { return m_covered.at(x, y) != 0; }
+    void cover(std::int64_t x, std::int64_t y) { m_covered.at(x, y) = 1; }
 
     friend bool operator==(const CoverageMask &, const CoverageMask &) = default;
 
 private:
-    std::size_t indexOf(std::int64_t x, std::int64_t y) const
-    {
-        return std::size_t((y - m_spec.firstRow) * m_spec.width + (x - m_spec.firstColumn));
-    }
-
-    FrameSpec m_spec;
-    std::vector<std::uint8_t> m_covered;
+    FrameMap<std::uint8_t> m_covered;
 };
 
 } // namespace pixelplumb

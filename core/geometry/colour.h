@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QChar>
 #include <QRgb>
 
 #include <array>
@@ -19,6 +20,9 @@ struct Colour {
 
     friend constexpr auto operator<=>(const Colour &, const Colour &) = default;
 };
+
+/// The channels' names in tables, formulas and exports.
+inline constexpr std::array<QChar, 3> channelLetters = {u'R', u'G', u'B'};
 
 constexpr QRgb packed(const Colour &colour)
 {

@@ -5,6 +5,7 @@
 #include "core/geometry/lattice.h"
 
 #include <array>
+#include <span>
 #include <utility>
 
 namespace pixelplumb {
@@ -54,18 +55,23 @@ constexpr std::array<int, 3> sortedByColumn(const Triangle &triangle)
     return order;
 }
 
-/// Which integer width the exact kernel needs for a triangle; chosen per triangle, shown in the
+/// Which integer width the exact kernel needs for a primitive; chosen per primitive, shown in the
 /// plan.
 enum class IntegerWidth { Bits64, Bits128 };
 
-constexpr IntegerWidth integerWidthFor(const Triangle &triangle)
+constexpr IntegerWidth integerWidthFor(std::span<const Vertex> vertices)
 {
-    for (const Vertex &vertex : triangle.vertices) {
+    for (const Vertex &vertex : vertices) {
         if (absolute(vertex.position.x) > largestNarrowCoordinate
             || absolute(vertex.position.y) > largestNarrowCoordinate)
             return IntegerWidth::Bits128;
     }
     return IntegerWidth::Bits64;
+}
+
+constexpr IntegerWidth integerWidthFor(const Triangle &triangle)
+{
+    return integerWidthFor(triangle.vertices);
 }
 
 } // namespace pixelplumb

@@ -45,7 +45,7 @@ std::optional<std::uint64_t> countWrites(std::span<const Triangle> triangles, Fi
     for (std::size_t i = 0; i < triangles.size(); ++i) {
         if (i % trianglesPerQuestion == 0 && !goesOn())
             return std::nullopt;
-        const std::uint32_t number = std::uint32_t(i % colours);
+        const auto number = std::uint32_t(i % colours);
         if (number == 0)
             buffer.clear();
         Triangle triangle = triangles[i];

@@ -50,7 +50,6 @@ struct CircleFillRecording : CircleFillNumbers, RoundRecording {
 
 template <class A>
 struct CircleExplicitRecording : CircleExplicitNumbers<A>, RoundRecording {
-    using Arithmetic = A;
     using Span = CircleExplicitStep<A>;
     using FlatRecording::record;
 
@@ -73,7 +72,6 @@ private:
 
 template <class Float>
 struct CircleParametricRecording : CircleParametricNumbers<Float>, RoundRecording {
-    using Number = Float;
     using FlatRecording::record;
 
     static SpanPlace placeOf(const CircleParametricStep<Float> &step)

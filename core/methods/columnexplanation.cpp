@@ -77,10 +77,10 @@ void appendEdge(Explanation &explanation, const SortedTriangle &triangle, const 
             return lower ? record.colourBottom(channel) : record.colourTop(channel);
         };
         FormulaLine level = edgeLine(
-            channelNames[channel] + suffix, levelOf(column), earlier(levelOf(previous)),
+            channelLetters[channel] + suffix, levelOf(column), earlier(levelOf(previous)),
             triangle.colourRate(edge, channel),
-            QStringLiteral("rate of %1 on %2").arg(channelNames[channel]).arg(edgeNames[index]),
-            channelNames[channel] + fromIndex, Quantity::integer(from.colour.channels[channel]),
+            QStringLiteral("rate of %1 on %2").arg(channelLetters[channel]).arg(edgeNames[index]),
+            channelLetters[channel] + fromIndex, Quantity::integer(from.colour.channels[channel]),
             preStep);
         level.subject = channelSubjects[channel];
         if (exact)
@@ -96,7 +96,7 @@ void appendRamp(Explanation &explanation, const TracedScene &traced, const Colum
     const Triangle &triangle = traced.primitives.triangles[column.span().primitive];
     const bool isSegment = doubledArea(triangle) == 0;
     for (std::size_t channel = 0; channel < 3; ++channel) {
-        const QChar name = channelNames[channel];
+        const QChar name = channelLetters[channel];
         FormulaLine rate;
         rate.subject = channelSubjects[channel];
         rate.symbols = QStringLiteral("Δ%1 = (%1_T − %1_B)/(y_T − y_B)").arg(name);

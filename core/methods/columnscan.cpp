@@ -5,7 +5,7 @@
 #include "core/methods/columnrecording.h"
 #include "core/methods/columnscancolumns.h"
 #include "core/methods/columnscanexplanation.h"
-#include "core/methods/witharithmetic.h"
+#include "core/methods/kernelmethod.h"
 #include "core/oracle/oracle.h"
 #include "core/trace/tracedscene.h"
 
@@ -15,31 +15,23 @@ namespace pixelplumb {
 
 namespace {
 
-template <class A, class Observer>
-void scan(const Triangle &triangle, const ScanSettings &settings, FrameView frame,
-          Observer observer)
-{
-    if (settings.fillRule == FillRule::HalfOpenColumn)
-        ColumnScan<A, FillRule::HalfOpenColumn, Observer>(triangle, settings.rounding, frame,
-                                                          observer)
-            .run();
-    else
-        ColumnScan<A, FillRule::Closed, Observer>(triangle, settings.rounding, frame, observer)
-            .run();
-}
+struct ColumnScanKernel : TriangleKernel, InAnyArithmetic {
+    template <class A>
+    using Recording = ColumnRecording<A>;
 
-std::unique_ptr<ScanTrace> trace(const Primitives &primitives, const ScanSettings &settings,
-                                 FrameView frame, const TraceOptions &options)
-{
-    return withArithmetic(settings.arithmetic, widestOf(primitives.triangles), [&]<class A>() {
-        return recordTrace<ColumnRecording<A>>(
-            primitives.size(), settings, options,
-            [&](std::size_t primitive) { return primitives.isTriangle(primitive); },
-            [&](std::size_t primitive, const auto &recorder) {
-                scan<A>(primitives.triangles[primitive], settings, frame, recorder);
-            });
-    });
-}
+    template <class A, class Observer>
+    static void scan(const Triangle &triangle, const ScanSettings &settings, FrameView frame,
+                     Observer observer)
+    {
+        if (settings.fillRule == FillRule::HalfOpenColumn)
+            ColumnScan<A, FillRule::HalfOpenColumn, Observer>(triangle, settings.rounding, frame,
+                                                              observer)
+                .run();
+        else
+            ColumnScan<A, FillRule::Closed, Observer>(triangle, settings.rounding, frame, observer)
+                .run();
+    }
+};
 
 std::vector<Quantity> exactSpan(const TracedScene &traced, std::size_t span)
 {
@@ -75,11 +67,6 @@ Explanation explain(const TracedScene &traced, std::size_t stepIndex)
     return {};
 }
 
-void draw(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
-{
-    drawColumns(primitives.triangles, settings, frame);
-}
-
 void drawColumnsFast(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
 {
     drawFast(primitives.triangles, settings, frame);
@@ -89,10 +76,8 @@ void drawColumnsFast(const Primitives &primitives, const ScanSettings &settings,
 
 void drawColumns(std::span<const Triangle> triangles, const ScanSettings &settings, FrameView frame)
 {
-    for (const Triangle &triangle : triangles) {
-        withArithmetic(settings.arithmetic, integerWidthFor(triangle),
-                       [&]<class A>() { scan<A>(triangle, settings, frame, NullObserver{}); });
-    }
+    for (const Triangle &triangle : triangles)
+        drawGeometry<ColumnScanKernel>(triangle, settings, frame);
 }
 
 Method columnScanMethod()
@@ -112,9 +97,9 @@ Method columnScanMethod()
         = QStringLiteral("a column ends at its two bounds whatever edge they belong to");
     method.setUpColumns = columnScanSetUpColumns();
     method.spanColumns = columnScanColumns();
-    method.draw = draw;
+    method.draw = drawWith<ColumnScanKernel>;
     method.drawFast = drawColumnsFast;
-    method.trace = trace;
+    method.trace = traceWith<ColumnScanKernel>;
     method.exactSpan = exactSpan;
     method.explain = explain;
     return method;

@@ -1,26 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/columnscancolumns.h"
 
+#include "core/methods/channelcolumns.h"
+#include "core/methods/placecolumns.h"
+
 #include <array>
 
 namespace pixelplumb {
-
-namespace {
-
-constexpr std::array letters = {u'R', u'G', u'B'};
-
-/// One column for each channel; % stands for its letter.
-void appendChannels(std::vector<TraceColumn> &columns, const TraceColumn &pattern)
-{
-    for (const char16_t letter : letters) {
-        TraceColumn column = pattern;
-        for (QString *text : {&column.id, &column.title, &column.toolTip, &column.formula})
-            text->replace(u'%', QChar(letter));
-        columns.push_back(column);
-    }
-}
-
-} // namespace
 
 std::vector<TraceColumn> columnScanColumns()
 {
@@ -28,21 +14,9 @@ std::vector<TraceColumn> columnScanColumns()
     const auto levels = QStringLiteral("levels");
     const auto px = QStringLiteral("px");
     std::vector<TraceColumn> columns = {
-        {.id = QStringLiteral("triangle"),
-         .title = QStringLiteral("tri"),
-         .unit = {},
-         .toolTip = QStringLiteral("The triangle's place in drawing order, from 0."),
-         .formula = {}},
-        {.id = QStringLiteral("x"),
-         .title = QStringLiteral("x"),
-         .unit = px,
-         .toolTip = QStringLiteral("The column."),
-         .formula = QStringLiteral("x ← x + 1")},
-        {.id = QStringLiteral("half"),
-         .title = QStringLiteral("half"),
-         .unit = {},
-         .toolTip = QStringLiteral("1: between L₀₁ and L₀₂; 2: between L₁₂ and L₀₂."),
-         .formula = {}},
+        triangleColumn(),
+        scannedColumn(QStringLiteral("x ← x + 1")),
+        halfColumn(),
         {.id = QStringLiteral("y_B"),
          .title = QStringLiteral("y_B"),
          .unit = px,
@@ -72,12 +46,7 @@ std::vector<TraceColumn> columnScanColumns()
          .formula = QStringLiteral("⌊y_T⌋"),
          .group = Group::Span,
          .comparison = Comparison::WithExact},
-        {.id = QStringLiteral("pixels"),
-         .title = QStringLiteral("px"),
-         .unit = {},
-         .toolTip = QStringLiteral("Pixels written in this column, inside the frame."),
-         .formula = {},
-         .group = Group::Span},
+        columnPixelsColumn(),
     };
     appendChannels(columns,
                    {.id = QStringLiteral("%_B"),

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/curvecolumns.h"
 
+#include "core/methods/placecolumns.h"
+
 namespace pixelplumb {
 
 namespace {
@@ -21,14 +23,6 @@ TraceColumn column(const char *id, const QString &title, const char *unit, const
 TraceColumn numberColumn(const QString &toolTip)
 {
     return column("i", QStringLiteral("i"), "", toolTip);
-}
-TraceColumn pixelX()
-{
-    return column("x", QStringLiteral("x"), "px", QStringLiteral("The pixel's x."));
-}
-TraceColumn pixelY()
-{
-    return column("y", QStringLiteral("y"), "px", QStringLiteral("The pixel's y."));
 }
 
 } // namespace
@@ -79,7 +73,7 @@ std::vector<TraceColumn> circleFillColumns()
 
 std::vector<TraceColumn> circleExplicitColumns()
 {
-    return {column("x", QStringLiteral("x"), "px", QStringLiteral("The column.")),
+    return {scannedColumn(),
             column("d", QStringLiteral("d"), "px", QStringLiteral("The column from the centre."),
                    QStringLiteral("d = x − x_c")),
             column("h", QStringLiteral("h"), "px",

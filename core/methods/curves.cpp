@@ -4,131 +4,92 @@
 #include "core/methods/bezierrecording.h"
 #include "core/methods/circlerecording.h"
 #include "core/methods/curvecolumns.h"
+#include "core/methods/kernelmethod.h"
 #include "core/methods/pointrecording.h"
 
 namespace pixelplumb {
 
 namespace {
 
-/// How a kernel in this file is called: recording type, the shapes that it draws, and
-/// `scan(shape, settings, frame, observer)`.
-template <class Kernel>
-void draw(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
-{
-    Kernel::withNumbers(settings, [&]<class R>() {
-        for (const Shape &shape : primitives.shapes) {
-            if (Kernel::draws(shape))
-                Kernel::template scan<R>(shape, frame, NullObserver{});
-        }
-    });
-}
+using RoundKernel = ShapeKernel<PrimitiveKind::Circle, PrimitiveKind::Ellipse>;
 
-template <class Kernel>
-std::unique_ptr<ScanTrace> trace(const Primitives &primitives, const ScanSettings &settings,
-                                 FrameView frame, const TraceOptions &options)
-{
-    return Kernel::withNumbers(settings, [&]<class R>() {
-        return recordTrace<R>(
-            primitives.size(), settings, options,
-            [&](std::size_t primitive) {
-                return !primitives.isTriangle(primitive)
-                    && Kernel::draws(primitives.shape(primitive));
-            },
-            [&](std::size_t primitive, const auto &recorder) {
-                Kernel::template scan<R>(primitives.shape(primitive), frame, recorder);
-            });
-    });
-}
-
-bool isRound(const Shape &shape)
-{
-    return shape.kind == PrimitiveKind::Circle || shape.kind == PrimitiveKind::Ellipse;
-}
-
-/// A kernel that knows one kind of numbers.
-template <class R>
-struct InOneArithmetic {
-    template <class Function>
-    static decltype(auto) withNumbers(const ScanSettings &, const Function &function)
+struct OutlineKernel : RoundKernel {
+    static bool draws(const Primitives &primitives, std::size_t index)
     {
-        return function.template operator()<R>();
+        return RoundKernel::draws(primitives, index)
+            && primitives.shape(index).fill == ShapeFill::Outline;
     }
 };
 
-struct OutlineKernel {
-    static bool draws(const Shape &shape)
+struct ExplicitKernel
+    : OutlineKernel,
+      InExactOrFloat<ExactArithmetic<Int128>, RoundedArithmetic<float>, RoundedArithmetic<double>> {
+    template <class A>
+    using Recording = CircleExplicitRecording<A>;
+
+    template <class A, class Observer>
+    static void scan(const Shape &shape, const ScanSettings &, FrameView frame, Observer observer)
     {
-        return isRound(shape) && shape.fill == ShapeFill::Outline;
+        scanCircleExplicitly<A>(shape, frame, observer);
     }
 };
 
-struct ExplicitKernel : OutlineKernel {
-    template <class Function>
-    static decltype(auto) withNumbers(const ScanSettings &settings, const Function &function)
+/// It has no exact numbers: double is the nearest to them.
+struct ParametricKernel : OutlineKernel, InExactOrFloat<double, float, double> {
+    template <class Float>
+    using Recording = CircleParametricRecording<Float>;
+
+    template <class Float, class Observer>
+    static void scan(const Shape &shape, const ScanSettings &, FrameView frame, Observer observer)
     {
-        if (settings.arithmetic == Arithmetic::Float32)
-            return function
-                .template operator()<CircleExplicitRecording<RoundedArithmetic<float>>>();
-        if (settings.arithmetic == Arithmetic::Float64)
-            return function
-                .template operator()<CircleExplicitRecording<RoundedArithmetic<double>>>();
-        return function.template operator()<CircleExplicitRecording<ExactArithmetic<Int128>>>();
-    }
-    template <class R, class Observer>
-    static void scan(const Shape &shape, FrameView frame, Observer observer)
-    {
-        scanCircleExplicitly<typename R::Arithmetic>(shape, frame, observer);
+        scanCircleParametrically<Float>(shape, frame, observer);
     }
 };
 
-struct ParametricKernel : OutlineKernel {
-    template <class Function>
-    static decltype(auto) withNumbers(const ScanSettings &settings, const Function &function)
-    {
-        if (settings.arithmetic == Arithmetic::Float32)
-            return function.template operator()<CircleParametricRecording<float>>();
-        return function.template operator()<CircleParametricRecording<double>>();
-    }
-    template <class R, class Observer>
-    static void scan(const Shape &shape, FrameView frame, Observer observer)
-    {
-        scanCircleParametrically<typename R::Number>(shape, frame, observer);
-    }
-};
+struct MidpointKernel : OutlineKernel, InIntegers {
+    template <class>
+    using Recording = MidpointRecording;
 
-struct MidpointKernel : OutlineKernel, InOneArithmetic<MidpointRecording> {
-    template <class R, class Observer>
-    static void scan(const Shape &shape, FrameView frame, Observer observer)
+    template <class, class Observer>
+    static void scan(const Shape &shape, const ScanSettings &, FrameView frame, Observer observer)
     {
         scanCircleByMidpoint(shape, frame, observer);
     }
 };
 
-struct FillKernel : InOneArithmetic<CircleFillRecording> {
-    static bool draws(const Shape &shape)
+struct FillKernel : RoundKernel, InIntegers {
+    template <class>
+    using Recording = CircleFillRecording;
+
+    static bool draws(const Primitives &primitives, std::size_t index)
     {
-        return isRound(shape) && shape.fill != ShapeFill::Outline;
+        return RoundKernel::draws(primitives, index)
+            && primitives.shape(index).fill != ShapeFill::Outline;
     }
-    template <class R, class Observer>
-    static void scan(const Shape &shape, FrameView frame, Observer observer)
+    template <class, class Observer>
+    static void scan(const Shape &shape, const ScanSettings &, FrameView frame, Observer observer)
     {
         fillCircle(shape, frame, observer);
     }
 };
 
-struct BezierKernel : InOneArithmetic<BezierRecording> {
-    static bool draws(const Shape &shape) { return shape.kind == PrimitiveKind::Bezier; }
-    template <class R, class Observer>
-    static void scan(const Shape &shape, FrameView frame, Observer observer)
+struct BezierKernel : ShapeKernel<PrimitiveKind::Bezier>, InIntegers {
+    template <class>
+    using Recording = BezierRecording;
+
+    template <class, class Observer>
+    static void scan(const Shape &shape, const ScanSettings &, FrameView frame, Observer observer)
     {
         BezierScan<Observer>(shape, frame, observer).run();
     }
 };
 
-struct PointKernel : InOneArithmetic<PointRecording> {
-    static bool draws(const Shape &shape) { return shape.kind == PrimitiveKind::Point; }
-    template <class R, class Observer>
-    static void scan(const Shape &shape, FrameView frame, Observer observer)
+struct PointKernel : ShapeKernel<PrimitiveKind::Point>, InIntegers {
+    template <class>
+    using Recording = PointRecording;
+
+    template <class, class Observer>
+    static void scan(const Shape &shape, const ScanSettings &, FrameView frame, Observer observer)
     {
         plotPoints(shape, frame, observer);
     }
@@ -144,8 +105,8 @@ Method curveMethod()
     method.arithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed};
     method.fillRuleReason = QStringLiteral("a curve has no edges that two shapes could share");
-    method.draw = draw<Kernel>;
-    method.trace = trace<Kernel>;
+    method.draw = drawWith<Kernel>;
+    method.trace = traceWith<Kernel>;
     return method;
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/edgetestcolumns.h"
 
+#include "core/methods/channelcolumns.h"
 #include "core/methods/edgetestnames.h"
+#include "core/methods/placecolumns.h"
 
 namespace pixelplumb {
 
@@ -27,14 +29,13 @@ void appendVertices(std::vector<TraceColumn> &columns, const EdgeTestNames &name
 
 void appendColours(std::vector<TraceColumn> &columns, const EdgeTestNames &names)
 {
-    for (std::size_t vertex = 0; vertex < 3; ++vertex) {
-        for (const char16_t channel : channelLetters)
-            columns.push_back({.id = QChar(channel) + names.vertexId(vertex),
-                               .title = QChar(channel) + names.vertex(vertex),
-                               .unit = levels(),
-                               .toolTip = QStringLiteral("A level of a vertex."),
-                               .formula = {}});
-    }
+    for (std::size_t vertex = 0; vertex < 3; ++vertex)
+        appendChannels(columns,
+                       {.id = u'%' + names.vertexId(vertex),
+                        .title = u'%' + names.vertex(vertex),
+                        .unit = levels(),
+                        .toolTip = QStringLiteral("A level of a vertex."),
+                        .formula = {}});
 }
 
 /// A, B, C of one edge, as the form computes them, and its value at the vertex that faces it.
@@ -124,21 +125,14 @@ void appendRates(std::vector<TraceColumn> &columns, const EdgeTestNames &names)
                      line)});
         }
     }
-    for (const char16_t axis : {u'x', u'y'}) {
-        for (const char16_t channel : channelLetters) {
-            const QString name = QStringLiteral("%1_%2").arg(QChar(channel)).arg(QChar(axis));
-            columns.push_back({.id = QStringLiteral("delta_") + name,
-                               .title = u'Δ' + name,
-                               .unit = QStringLiteral("levels/px"),
-                               .toolTip = QStringLiteral("Change of %1 for each step of %2.")
-                                              .arg(QChar(channel))
-                                              .arg(QChar(axis)),
-                               .formula = QStringLiteral("Δ%1_%2 = Δα_%2·%1_a + Δβ_%2·%1_b + "
-                                                         "Δγ_%2·%1_c")
-                                              .arg(QChar(channel))
-                                              .arg(QChar(axis))});
-        }
-    }
+    for (const QChar axis : {u'x', u'y'})
+        appendChannels(columns,
+                       {.id = QStringLiteral("delta_%_") + axis,
+                        .title = QStringLiteral("Δ%_") + axis,
+                        .unit = QStringLiteral("levels/px"),
+                        .toolTip = QStringLiteral("Change of % for each step of ") + axis + u'.',
+                        .formula = QStringLiteral("Δ%_{} = Δα_{}·%_a + Δβ_{}·%_b + Δγ_{}·%_c")
+                                       .replace(QStringLiteral("{}"), axis)});
 }
 
 } // namespace
@@ -172,11 +166,7 @@ std::vector<TraceColumn> edgeTestSpanColumns(const EdgeTestForm &form)
     const QChar across = isRow ? u'y' : u'x';
     const QChar along = isRow ? u'x' : u'y';
     std::vector<TraceColumn> columns
-        = {{.id = QStringLiteral("triangle"),
-            .title = QStringLiteral("tri"),
-            .unit = {},
-            .toolTip = QStringLiteral("The triangle's place in drawing order, from 0."),
-            .formula = {}},
+        = {triangleColumn(),
            {.id = across,
             .title = across,
             .unit = px(),
@@ -220,17 +210,15 @@ std::vector<TraceColumn> edgeTestSpanColumns(const EdgeTestForm &form)
                                QStringLiteral("{w}_s = (a{l}·x + b{l}·y_min + c{l})/f{opp}"), line),
                            .group = Group::Span,
                            .comparison = Comparison::WithExact});
-    for (const char16_t channel : channelLetters)
-        columns.push_back(
-            {.id = QChar(channel) + QStringLiteral("_s"),
-             .title = QChar(channel) + QStringLiteral("_s"),
-             .unit = levels(),
-             .toolTip = QStringLiteral("The level at the column's first sample."),
-             .formula = QStringLiteral("%1_s ← %1_s′ + Δ%1_x").arg(QChar(channel)),
-             .startFormula
-             = QStringLiteral("%1_s = α_s·%1_a + β_s·%1_b + γ_s·%1_c").arg(QChar(channel)),
-             .group = Group::FirstColour,
-             .comparison = Comparison::WithExact});
+    appendChannels(columns,
+                   {.id = QStringLiteral("%_s"),
+                    .title = QStringLiteral("%_s"),
+                    .unit = levels(),
+                    .toolTip = QStringLiteral("The level at the column's first sample."),
+                    .formula = QStringLiteral("%_s ← %_s′ + Δ%_x"),
+                    .startFormula = QStringLiteral("%_s = α_s·%_a + β_s·%_b + γ_s·%_c"),
+                    .group = Group::FirstColour,
+                    .comparison = Comparison::WithExact});
     return columns;
 }
 
@@ -269,18 +257,16 @@ std::vector<TraceColumn> edgeTestSampleColumns(const EdgeTestForm &form)
              = hasIncrements ? names.filled(QStringLiteral("{w} ← {w}_s"), line) : QString(),
              .group = Group::Decision,
              .comparison = Comparison::WithExact});
-    for (const char16_t channel : channelLetters) {
-        const bool stepped = hasIncrements && form.isBarycentric();
-        columns.push_back(
-            {.id = QChar(channel),
-             .title = QChar(channel),
-             .unit = levels(),
-             .toolTip = QStringLiteral("Level of %1 at the sample.").arg(QChar(channel)),
-             .formula = names.levelFormula(channel),
-             .startFormula = stepped ? QStringLiteral("%1 ← %1_s").arg(QChar(channel)) : QString(),
-             .group = Group::FirstColour,
-             .comparison = Comparison::WithExact});
-    }
+    const bool stepsColours = hasIncrements && form.isBarycentric();
+    appendChannels(columns,
+                   {.id = QStringLiteral("%"),
+                    .title = QStringLiteral("%"),
+                    .unit = levels(),
+                    .toolTip = QStringLiteral("Level of % at the sample."),
+                    .formula = names.levelFormula(),
+                    .startFormula = stepsColours ? QStringLiteral("% ← %_s") : QString(),
+                    .group = Group::FirstColour,
+                    .comparison = Comparison::WithExact});
     return columns;
 }
 

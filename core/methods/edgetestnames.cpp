@@ -91,18 +91,15 @@ QString EdgeTestNames::weightFormula(std::size_t line) const
     return filled(QStringLiteral("{w} = f{l}/f{opp}"), line);
 }
 
-QString EdgeTestNames::levelFormula(char16_t channel) const
+QString EdgeTestNames::levelFormula() const
 {
-    QString formula;
     if (!m_form.isBarycentric())
-        formula = QStringLiteral("% = E₁/F₁·%₀ + E₂/F₂·%₁ + E₀/F₀·%₂");
-    else if (m_form.inside == InsideTest::Cramer)
-        formula = QStringLiteral("% = u·%_A + v·%_B + w·%_C");
-    else if (m_form.evaluation == Evaluation::Increments)
-        formula = QStringLiteral("% ← %′ + Δ%_y");
-    else
-        formula = QStringLiteral("% = α·%_a + β·%_b + γ·%_c");
-    return formula.replace(u'%', QChar(channel));
+        return QStringLiteral("% = E₁/F₁·%₀ + E₂/F₂·%₁ + E₀/F₀·%₂");
+    if (m_form.inside == InsideTest::Cramer)
+        return QStringLiteral("% = u·%_A + v·%_B + w·%_C");
+    if (m_form.evaluation == Evaluation::Increments)
+        return QStringLiteral("% ← %′ + Δ%_y");
+    return QStringLiteral("% = α·%_a + β·%_b + γ·%_c");
 }
 
 } // namespace pixelplumb

@@ -5,11 +5,7 @@
 
 #include <QString>
 
-#include <array>
-
 namespace pixelplumb {
-
-inline constexpr std::array<char16_t, 3> channelLetters = {u'R', u'G', u'B'};
 
 /// The letters of the slides, by form: E₀ from P₀ and P₁; f_bc and α from a, b and c; u, v and w
 /// from A, B and C.
@@ -34,7 +30,8 @@ public:
     /// The line's equation at a point, with {l} and its fellows still to be filled in.
     QString lineAt(const QString &x, const QString &y) const;
     QString weightFormula(std::size_t line) const;
-    QString levelFormula(char16_t channel) const;
+    /// % stands for the channel's letter.
+    QString levelFormula() const;
 
 private:
     EdgeTestForm m_form;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/edgewalkcolumns.h"
 
+#include "core/methods/channelcolumns.h"
+#include "core/methods/placecolumns.h"
+
 #include <array>
 
 namespace pixelplumb {
@@ -8,8 +11,6 @@ namespace pixelplumb {
 namespace {
 
 using Group = TraceColumnGroup;
-
-constexpr std::array<char16_t, 3> letters = {u'R', u'G', u'B'};
 
 /// The letters by axis. {a} runs along the span and {c} across the spans; {lo} and {hi} are its
 /// bounds: B and T of a column, L and R of a row. {way} is the way from where an edge starts.
@@ -43,14 +44,14 @@ struct WalkNames {
     /// One column, or with % in its texts one for each channel.
     void append(std::vector<TraceColumn> &columns, const TraceColumn &pattern) const
     {
-        const bool hasChannels = pattern.title.contains(u'%');
-        for (std::size_t channel = 0; channel < (hasChannels ? 3 : 1); ++channel) {
-            TraceColumn column = pattern;
-            for (QString *text : {&column.id, &column.title, &column.unit, &column.toolTip,
-                                  &column.formula, &column.startFormula})
-                *text = filled(*text).replace(u'%', QChar(letters[channel]));
+        TraceColumn column = pattern;
+        for (QString *text : {&column.id, &column.title, &column.unit, &column.toolTip,
+                              &column.formula, &column.startFormula})
+            *text = filled(*text);
+        if (column.title.contains(u'%'))
+            appendChannels(columns, column);
+        else
             columns.push_back(column);
-        }
     }
 
     EdgeWalkTable table;
@@ -230,11 +231,7 @@ std::vector<TraceColumn> edgeWalkSpanColumns(const EdgeWalkTable &table)
     const WalkNames names(table);
     const bool isDirect = table.form == WalkForm::Direct;
     const auto exact = Comparison::WithExact;
-    std::vector<TraceColumn> columns;
-    TraceColumn triangle = column(u"tri", u"", u"The triangle's place in drawing order, from 0.",
-                                  u"", Group::Position);
-    triangle.id = QStringLiteral("triangle");
-    names.append(columns, triangle);
+    std::vector<TraceColumn> columns = {triangleColumn()};
     names.append(columns, column(u"{c}", u"px", u"The {span}.", u"", Group::Position));
     names.append(columns,
                  column(u"{part}", u"", u"1: between L₀₁ and L₀₂; 2: between L₁₂ and L₀₂.", u"",

@@ -9,39 +9,23 @@ namespace pixelplumb {
 
 namespace {
 
-struct RowWalk {
-    static constexpr SpanAxis axis = SpanAxis::Row;
-    static constexpr WalkForm form = WalkForm::Accumulated;
-    static constexpr ColourRate rate = ColourRate::Bilinear;
+using RowWalk
+    = EdgeWalkKernel<EdgeWalkTable{SpanAxis::Row, WalkForm::Accumulated, ColourRate::Bilinear}>;
 
+struct ConstantRateScan
+    : EdgeWalkKernel<EdgeWalkTable{SpanAxis::Column, WalkForm::Accumulated, ColourRate::Plane}> {
     template <class Function>
     static decltype(auto) withNumbers(const ScanSettings &settings, IntegerWidth width,
                                       const Function &function)
     {
-        return withArithmetic(settings.arithmetic, width, function);
-    }
-};
-
-struct ConstantRateScan {
-    static constexpr SpanAxis axis = SpanAxis::Column;
-    static constexpr WalkForm form = WalkForm::Accumulated;
-    static constexpr ColourRate rate = ColourRate::Plane;
-
-    template <class Function>
-    static decltype(auto) withNumbers(const ScanSettings &settings, IntegerWidth width,
-                                      const Function &function)
-    {
-        return withArithmetic(settings.arithmetic, width, [&]<class A>() {
+        return InAnyArithmetic::withNumbers(settings, width, [&]<class A>() {
             return function.template operator()<ConstantRateArithmetic<A>>();
         });
     }
 };
 
-struct BiasScan {
-    static constexpr SpanAxis axis = SpanAxis::Column;
-    static constexpr WalkForm form = WalkForm::Direct;
-    static constexpr ColourRate rate = ColourRate::Plane;
-
+struct BiasScan
+    : EdgeWalkKernel<EdgeWalkTable{SpanAxis::Column, WalkForm::Direct, ColourRate::Plane}> {
     template <class Function>
     static decltype(auto) withNumbers(const ScanSettings &settings, IntegerWidth width,
                                       const Function &function)

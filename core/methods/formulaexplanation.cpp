@@ -13,7 +13,6 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr std::array<char16_t, 3> channelLetters = {u'R', u'G', u'B'};
 constexpr std::array channelSubjects
     = {FormulaSubject::Red, FormulaSubject::Green, FormulaSubject::Blue};
 constexpr std::size_t namedVertices = 8;
@@ -29,7 +28,7 @@ FormulaSubject subjectOf(const TraceColumn &column)
         && column.group != Group::FirstColour)
         return FormulaSubject::General;
     for (std::size_t channel = 0; channel < 3; ++channel) {
-        if (column.title.contains(QChar(channelLetters[channel])))
+        if (column.title.contains(channelLetters[channel]))
             return channelSubjects[channel];
     }
     return FormulaSubject::General;
@@ -189,7 +188,7 @@ void appendBytes(Explanation &explanation, const TracedScene &traced, const Trac
     for (std::size_t channel = 0; channel < 3; ++channel) {
         if (sample.colour[channel].isNone())
             continue;
-        const QString name = QChar(channelLetters[channel]);
+        const QString name = channelLetters[channel];
         FormulaLine byte;
         byte.subject = channelSubjects[channel];
         byte.symbols = (nearest ? QStringLiteral("byte = ⌊%1 + ½⌋") : QStringLiteral("byte = ⌊%1⌋"))
@@ -221,7 +220,7 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
     names.add(QStringLiteral("x"), Quantity::integer(sample.x));
     names.add(QStringLiteral("y"), Quantity::integer(sample.y));
     for (std::size_t channel = 0; channel < 3; ++channel)
-        names.add(QString(QChar(channelLetters[channel])), sample.colour[channel],
+        names.add(QString(channelLetters[channel]), sample.colour[channel],
                   place > 0 ? std::optional(samples[place - 1].colour[channel]) : std::nullopt);
     names.add(traced.method->sampleColumns, sample.cells,
               place > 0 ? &samples[place - 1].cells : nullptr);

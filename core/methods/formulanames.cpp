@@ -47,12 +47,13 @@ void FormulaNames::add(const std::vector<TraceColumn> &columns, const std::vecto
 const FormulaNames::Entry *FormulaNames::nameAt(const QString &text, qsizetype place) const
 {
     const Entry *longest = nullptr;
-    for (auto entry = m_entries.rbegin(); entry != m_entries.rend(); ++entry) {
-        const qsizetype end = place + entry->title.size();
-        if (QStringView(text).sliced(place).startsWith(entry->title)
+    for (const Entry &entry : m_entries) {
+        const qsizetype end = place + entry.title.size();
+        // Of the same name twice, the later one.
+        if (QStringView(text).sliced(place).startsWith(entry.title)
             && (end == text.size() || !belongsToName(text[end]))
-            && (!longest || entry->title.size() > longest->title.size()))
-            longest = &*entry;
+            && (!longest || entry.title.size() >= longest->title.size()))
+            longest = &entry;
     }
     return longest;
 }

@@ -3,28 +3,13 @@
 
 #include "core/methods/interpolationcolumns.h"
 #include "core/methods/interpolationrecording.h"
+#include "core/methods/kernelmethod.h"
 
 #include <algorithm>
 
 namespace pixelplumb {
 
 namespace {
-
-template <class Function>
-decltype(auto) withNumber(Arithmetic arithmetic, const Function &function)
-{
-    switch (arithmetic) {
-    case Arithmetic::Float32:
-        return function.template operator()<float>();
-    case Arithmetic::Float64:
-        return function.template operator()<double>();
-    case Arithmetic::Exact:
-    case Arithmetic::Fixed16: // not among the methods' arithmetics
-    case Arithmetic::Fixed32:
-        break;
-    }
-    return function.template operator()<Ratio>();
-}
 
 std::array<VertexAttributes, 3> attributesOf(const Primitives &primitives, std::size_t triangle)
 {
@@ -35,35 +20,29 @@ std::array<VertexAttributes, 3> attributesOf(const Primitives &primitives, std::
     return found->vertices;
 }
 
-template <InterpolationForm Form>
-void draw(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
-{
-    withNumber(settings.arithmetic, [&]<class Number>() {
-        for (std::size_t i = 0; i < primitives.triangles.size(); ++i) {
-            InterpolationScan<Form, Number, NullObserver>(
-                primitives.triangles[i], attributesOf(primitives, i), settings, frame, {})
-                .run();
-        }
-    });
-}
+struct AttributedTriangle {
+    const Triangle &triangle;
+    std::array<VertexAttributes, 3> attributes;
+};
 
 template <InterpolationForm Form>
-std::unique_ptr<ScanTrace> trace(const Primitives &primitives, const ScanSettings &settings,
-                                 FrameView frame, const TraceOptions &options)
-{
-    return withNumber(settings.arithmetic, [&]<class Number>() {
-        using Recorder = TraceRecorder<InterpolationRecording<Form, Number>>;
-        return recordTrace<InterpolationRecording<Form, Number>>(
-            primitives.size(), settings, options,
-            [&](std::size_t primitive) { return primitives.isTriangle(primitive); },
-            [&](std::size_t primitive, const Recorder &recorder) {
-                InterpolationScan<Form, Number, Recorder>(primitives.triangles[primitive],
-                                                          attributesOf(primitives, primitive),
-                                                          settings, frame, recorder)
-                    .run();
-            });
-    });
-}
+struct InterpolationKernel : TriangleKernel, InExactOrFloat<Ratio, float, double> {
+    template <class Number>
+    using Recording = InterpolationRecording<Form, Number>;
+
+    static AttributedTriangle geometryOf(const Primitives &primitives, std::size_t index)
+    {
+        return {primitives.triangles[index], attributesOf(primitives, index)};
+    }
+    template <class Number, class Observer>
+    static void scan(const AttributedTriangle &scanned, const ScanSettings &settings,
+                     FrameView frame, Observer observer)
+    {
+        InterpolationScan<Form, Number, Observer>(scanned.triangle, scanned.attributes, settings,
+                                                  frame, observer)
+            .run();
+    }
+};
 
 template <InterpolationForm Form>
 Method interpolationMethod()
@@ -81,8 +60,8 @@ Method interpolationMethod()
     method.setUpColumns = interpolationSetUpColumns(Form);
     method.spanColumns = interpolationSpanColumns(Form);
     method.sampleColumns = interpolationSampleColumns(Form);
-    method.draw = draw<Form>;
-    method.trace = trace<Form>;
+    method.draw = drawWith<InterpolationKernel<Form>>;
+    method.trace = traceWith<InterpolationKernel<Form>>;
     return method;
 }
 

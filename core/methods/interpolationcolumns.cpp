@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/interpolationcolumns.h"
 
+#include "core/methods/placecolumns.h"
+
 #include <array>
 
 namespace pixelplumb {
@@ -127,21 +129,9 @@ std::vector<TraceColumn> interpolationSpanColumns(InterpolationForm form)
 {
     const auto px = QStringLiteral("px");
     std::vector<TraceColumn> columns = {
-        {.id = QStringLiteral("triangle"),
-         .title = QStringLiteral("tri"),
-         .unit = {},
-         .toolTip = QStringLiteral("The triangle's place in drawing order, from 0."),
-         .formula = {}},
-        {.id = QStringLiteral("x"),
-         .title = QStringLiteral("x"),
-         .unit = px,
-         .toolTip = QStringLiteral("The column."),
-         .formula = {}},
-        {.id = QStringLiteral("half"),
-         .title = QStringLiteral("half"),
-         .unit = {},
-         .toolTip = QStringLiteral("1: between L₀₁ and L₀₂; 2: between L₁₂ and L₀₂."),
-         .formula = {}},
+        triangleColumn(),
+        scannedColumn(),
+        halfColumn(),
         {.id = QStringLiteral("first_row"),
          .title = QStringLiteral("y_first"),
          .unit = px,
@@ -154,12 +144,7 @@ std::vector<TraceColumn> interpolationSpanColumns(InterpolationForm form)
          .toolTip = QStringLiteral("The last covered row; exact in every arithmetic."),
          .formula = {},
          .group = Group::Span},
-        {.id = QStringLiteral("pixels"),
-         .title = QStringLiteral("px"),
-         .unit = {},
-         .toolTip = QStringLiteral("Pixels written in this column, inside the frame."),
-         .formula = {},
-         .group = Group::Span},
+        columnPixelsColumn(),
     };
     if (form != InterpolationForm::Bilinear)
         return columns;

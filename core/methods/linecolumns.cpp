@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/linecolumns.h"
 
-#include <array>
+#include "core/methods/channelcolumns.h"
+#include "core/methods/placecolumns.h"
 
 namespace pixelplumb {
 
@@ -11,27 +12,6 @@ using Group = TraceColumnGroup;
 
 const QString px = QStringLiteral("px");
 const QString levels = QStringLiteral("levels");
-constexpr std::array letters = {u'R', u'G', u'B'};
-
-/// One column for each channel; % stands for its letter.
-void appendChannels(std::vector<TraceColumn> &columns, const TraceColumn &pattern)
-{
-    for (const char16_t letter : letters) {
-        TraceColumn column = pattern;
-        for (QString *text :
-             {&column.id, &column.title, &column.toolTip, &column.formula, &column.startFormula})
-            text->replace(u'%', QChar(letter));
-        columns.push_back(column);
-    }
-}
-
-TraceColumn pixelColumn(const QString &title, const QString &toolTip)
-{
-    return {.id = title, .title = title, .unit = px, .toolTip = toolTip, .formula = {}};
-}
-
-TraceColumn pixelX() { return pixelColumn(QStringLiteral("x"), QStringLiteral("The pixel's x.")); }
-TraceColumn pixelY() { return pixelColumn(QStringLiteral("y"), QStringLiteral("The pixel's y.")); }
 
 } // namespace
 
@@ -57,7 +37,7 @@ std::vector<TraceColumn> slopeInterceptSetUpColumns()
 std::vector<TraceColumn> slopeInterceptColumns()
 {
     std::vector<TraceColumn> columns
-        = {pixelColumn(QStringLiteral("x"), QStringLiteral("The column.")),
+        = {scannedColumn(),
            {.id = QStringLiteral("y"),
             .title = QStringLiteral("y"),
             .unit = px,

@@ -1,130 +1,64 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/lines.h"
 
+#include "core/methods/kernelmethod.h"
 #include "core/methods/linecolumns.h"
 #include "core/methods/linerecording.h"
-#include "core/methods/witharithmetic.h"
-
-#include <algorithm>
 
 namespace pixelplumb {
 
 namespace {
 
-bool isLine(const Shape &shape) { return shape.kind == PrimitiveKind::Line; }
+struct SlopeInterceptKernel : ShapeKernel<PrimitiveKind::Line>, InAnyArithmetic {
+    template <class A>
+    using Recording = SlopeInterceptRecording<A>;
 
-/// One trace has one number type: 128 bits as soon as one line needs them.
-IntegerWidth widthFor(const Primitives &primitives)
-{
-    const auto isWide = [](const Vertex &vertex) {
-        return absolute(vertex.position.x) > largestNarrowCoordinate
-            || absolute(vertex.position.y) > largestNarrowCoordinate;
-    };
-    const bool anyWide = std::ranges::any_of(primitives.shapes, [&](const Shape &shape) {
-        return isLine(shape) && std::ranges::any_of(shape.vertices, isWide);
-    });
-    return anyWide ? IntegerWidth::Bits128 : IntegerWidth::Bits64;
-}
-
-template <class Scan>
-void drawLines(const Primitives &primitives, const Scan &scan)
-{
-    for (const Shape &shape : primitives.shapes) {
-        if (isLine(shape))
-            scan(shape);
+    template <class A, class Observer>
+    static void scan(const Shape &line, const ScanSettings &settings, FrameView frame,
+                     Observer observer)
+    {
+        scanLineBySlopeIntercept<A>(line, settings.rounding, frame, observer);
     }
-}
+};
 
-template <Recording R, class Scan>
-std::unique_ptr<ScanTrace> traceLines(const Primitives &primitives, const ScanSettings &settings,
-                                      const TraceOptions &options, const Scan &scan)
-{
-    return recordTrace<R>(
-        primitives.size(), settings, options,
-        [&](std::size_t primitive) {
-            return !primitives.isTriangle(primitive) && isLine(primitives.shape(primitive));
-        },
-        [&](std::size_t primitive, const auto &recorder) {
-            scan(primitives.shape(primitive), recorder);
-        });
-}
+struct DdaKernel : ShapeKernel<PrimitiveKind::Line>, InAnyArithmetic {
+    template <class A>
+    using Recording = DdaRecording<A>;
 
-void drawDda(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
-{
-    withArithmetic(settings.arithmetic, widthFor(primitives), [&]<class A>() {
-        drawLines(primitives, [&](const Shape &line) {
-            scanLineByDda<A>(line, settings.rounding, frame, NullObserver{});
-        });
-    });
-}
+    template <class A, class Observer>
+    static void scan(const Shape &line, const ScanSettings &settings, FrameView frame,
+                     Observer observer)
+    {
+        scanLineByDda<A>(line, settings.rounding, frame, observer);
+    }
+};
 
-std::unique_ptr<ScanTrace> traceDda(const Primitives &primitives, const ScanSettings &settings,
-                                    FrameView frame, const TraceOptions &options)
-{
-    return withArithmetic(settings.arithmetic, widthFor(primitives), [&]<class A>() {
-        return traceLines<DdaRecording<A>>(
-            primitives, settings, options, [&](const Shape &line, const auto &recorder) {
-                scanLineByDda<A>(line, settings.rounding, frame, recorder);
-            });
-    });
-}
+struct BresenhamKernel : ShapeKernel<PrimitiveKind::Line>, InIntegers {
+    template <class>
+    using Recording = BresenhamRecording;
 
-void drawSlopeIntercept(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
-{
-    withArithmetic(settings.arithmetic, widthFor(primitives), [&]<class A>() {
-        drawLines(primitives, [&](const Shape &line) {
-            scanLineBySlopeIntercept<A>(line, settings.rounding, frame, NullObserver{});
-        });
-    });
-}
+    template <class, class Observer>
+    static void scan(const Shape &line, const ScanSettings &settings, FrameView frame,
+                     Observer observer)
+    {
+        scanLineByBresenham(line, settings.rounding, frame, observer);
+    }
+};
 
-std::unique_ptr<ScanTrace> traceSlopeIntercept(const Primitives &primitives,
-                                               const ScanSettings &settings, FrameView frame,
-                                               const TraceOptions &options)
-{
-    return withArithmetic(settings.arithmetic, widthFor(primitives), [&]<class A>() {
-        return traceLines<SlopeInterceptRecording<A>>(
-            primitives, settings, options, [&](const Shape &line, const auto &recorder) {
-                scanLineBySlopeIntercept<A>(line, settings.rounding, frame, recorder);
-            });
-    });
-}
+struct SymmetricKernel : ShapeKernel<PrimitiveKind::Line>, InIntegers {
+    template <class>
+    using Recording = SymmetricRecording;
 
-void drawBresenham(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
-{
-    drawLines(primitives, [&](const Shape &line) {
-        scanLineByBresenham(line, settings.rounding, frame, NullObserver{});
-    });
-}
-
-std::unique_ptr<ScanTrace> traceBresenham(const Primitives &primitives,
-                                          const ScanSettings &settings, FrameView frame,
-                                          const TraceOptions &options)
-{
-    return traceLines<BresenhamRecording>(
-        primitives, settings, options, [&](const Shape &line, const auto &recorder) {
-            scanLineByBresenham(line, settings.rounding, frame, recorder);
-        });
-}
-
-void drawSymmetric(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
-{
-    drawLines(primitives, [&](const Shape &line) {
-        scanLineSymmetrically(line, settings.rounding, frame, NullObserver{});
-    });
-}
-
-std::unique_ptr<ScanTrace> traceSymmetric(const Primitives &primitives,
-                                          const ScanSettings &settings, FrameView frame,
-                                          const TraceOptions &options)
-{
-    return traceLines<SymmetricRecording>(
-        primitives, settings, options, [&](const Shape &line, const auto &recorder) {
-            scanLineSymmetrically(line, settings.rounding, frame, recorder);
-        });
-}
+    template <class, class Observer>
+    static void scan(const Shape &line, const ScanSettings &settings, FrameView frame,
+                     Observer observer)
+    {
+        scanLineSymmetrically(line, settings.rounding, frame, observer);
+    }
+};
 
 /// What all line methods have in common.
+template <class Kernel>
 Method lineMethod()
 {
     Method method;
@@ -134,6 +68,8 @@ Method lineMethod()
     method.arithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed};
     method.fillRuleReason = QStringLiteral("a line has no inside that an edge could bound");
+    method.draw = drawWith<Kernel>;
+    method.trace = traceWith<Kernel>;
     return method;
 }
 
@@ -141,7 +77,7 @@ Method lineMethod()
 
 Method lineSlopeInterceptMethod()
 {
-    Method method = lineMethod();
+    Method method = lineMethod<SlopeInterceptKernel>();
     method.id = QStringLiteral("line-slope-intercept");
     method.title = QStringLiteral("Line: y = m·x + b");
     method.source = QStringLiteral("seed 002, slides “Line-Drawing Algorithms” and “Example”; "
@@ -152,14 +88,12 @@ Method lineSlopeInterceptMethod()
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
     method.setUpColumns = slopeInterceptSetUpColumns();
     method.spanColumns = slopeInterceptColumns();
-    method.draw = drawSlopeIntercept;
-    method.trace = traceSlopeIntercept;
     return method;
 }
 
 Method lineDdaMethod()
 {
-    Method method = lineMethod();
+    Method method = lineMethod<DdaKernel>();
     method.id = QStringLiteral("line-dda");
     method.title = QStringLiteral("Line: DDA");
     method.source = QStringLiteral("seed 002, slide “DDA Line-Drawing Algorithm”");
@@ -169,14 +103,12 @@ Method lineDdaMethod()
     method.stableArithmetics = {Arithmetic::Exact};
     method.setUpColumns = ddaSetUpColumns();
     method.spanColumns = ddaColumns();
-    method.draw = drawDda;
-    method.trace = traceDda;
     return method;
 }
 
 Method lineBresenhamMethod()
 {
-    Method method = lineMethod();
+    Method method = lineMethod<BresenhamKernel>();
     method.id = QStringLiteral("line-bresenham");
     method.title = QStringLiteral("Line: Bresenham");
     method.source = QStringLiteral("seed 002, slides “Bresenham's Line Algorithm (1/4)” to "
@@ -187,14 +119,12 @@ Method lineBresenhamMethod()
     method.effects += QStringLiteral("whole-pixel end points");
     method.setUpColumns = bresenhamSetUpColumns();
     method.spanColumns = bresenhamColumns();
-    method.draw = drawBresenham;
-    method.trace = traceBresenham;
     return method;
 }
 
 Method lineSymmetricMethod()
 {
-    Method method = lineMethod();
+    Method method = lineMethod<SymmetricKernel>();
     method.id = QStringLiteral("line-bresenham-symmetric");
     method.title = QStringLiteral("Line: Bresenham, same both ways");
     method.source = QStringLiteral("stable form of seed 002, “Bresenham's Line Algorithm”");
@@ -203,8 +133,6 @@ Method lineSymmetricMethod()
     method.stableArithmetics = {Arithmetic::Exact};
     method.setUpColumns = symmetricSetUpColumns();
     method.spanColumns = symmetricColumns();
-    method.draw = drawSymmetric;
-    method.trace = traceSymmetric;
     return method;
 }
 

@@ -10,6 +10,7 @@
 #include "core/methods/lines.h"
 #include "core/methods/polygons.h"
 #include "core/methods/text.h"
+#include "core/scan/choicenames.h"
 
 #include <algorithm>
 
@@ -17,21 +18,7 @@ namespace pixelplumb {
 
 namespace {
 
-template <class Choice>
-QString namesOf(const std::vector<Choice> &choices)
-{
-    QStringList names;
-    for (const Choice choice : choices) {
-        const std::string_view name = nameOf(choice);
-        names.append(QString::fromUtf8(name.data(), qsizetype(name.size())));
-    }
-    return names.join(QStringLiteral(", "));
-}
-
-QString quoted(std::string_view name)
-{
-    return u'“' + QString::fromUtf8(name.data(), qsizetype(name.size())) + u'”';
-}
+QString quoted(std::string_view name) { return u'“' + nameText(name) + u'”'; }
 
 } // namespace
 
@@ -65,10 +52,12 @@ QString Method::refusal(const ScanSettings &settings) const
 {
     if (!supports(settings.arithmetic))
         return QStringLiteral("method “%1” does not compute in %2; it knows %3")
-            .arg(id, quoted(nameOf(settings.arithmetic)), namesOf(arithmetics));
+            .arg(id, quoted(nameOf(settings.arithmetic)),
+                 namesOf(arithmetics).join(QStringLiteral(", ")));
     if (!supports(settings.fillRule))
         return QStringLiteral("method “%1” cannot keep the fill rule %2: %3; it keeps %4")
-            .arg(id, quoted(nameOf(settings.fillRule)), fillRuleReason, namesOf(fillRules));
+            .arg(id, quoted(nameOf(settings.fillRule)), fillRuleReason,
+                 namesOf(fillRules).join(QStringLiteral(", ")));
     return {};
 }
 

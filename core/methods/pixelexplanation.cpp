@@ -27,7 +27,7 @@ Explanation explainPixel(const TracedScene &traced, const TraceStep &step)
     if (fragment.clamped)
         explanation.sentence += QStringLiteral(" A level left 0 … 255 and is clamped.");
     for (std::size_t channel = 0; channel < 3; ++channel) {
-        const QChar name = channelNames[channel];
+        const QChar name = channelLetters[channel];
         FormulaLine level;
         level.subject = channelSubjects[channel];
         level.used = fragment.colour[channel];

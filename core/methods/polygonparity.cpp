@@ -1,52 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/kernelmethod.h"
 #include "core/methods/polygonrecording.h"
 #include "core/methods/polygons.h"
-#include "core/methods/witharithmetic.h"
-
-#include <algorithm>
 
 namespace pixelplumb {
 
 namespace {
 
-bool isPolygon(const Primitives &primitives, std::size_t primitive)
-{
-    return primitives.kindOf(primitive) == PrimitiveKind::Polygon;
-}
+struct ParityKernel : ShapeKernel<PrimitiveKind::Polygon>, InAnyArithmetic {
+    template <class A>
+    using Recording = PolygonRecording<A, PolygonForm::Whole>;
 
-void draw(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
-{
-    for (const Shape &shape : primitives.shapes) {
-        if (shape.kind != PrimitiveKind::Polygon)
-            continue;
-        const Contours contours = contoursOf(shape);
-        withArithmetic(settings.arithmetic, integerWidthFor(contours.edges),
-                       [&]<class A>() { scanPolygon<A>(contours, frame, NullObserver{}); });
+    static Contours geometryOf(const Primitives &primitives, std::size_t index)
+    {
+        return contoursOf(primitives.shape(index));
     }
-}
-
-/// One trace has one number type: 128 bits as soon as one polygon needs them.
-IntegerWidth widestOf(const Primitives &primitives)
-{
-    const bool isWide = std::ranges::any_of(primitives.shapes, [](const Shape &shape) {
-        return shape.kind == PrimitiveKind::Polygon
-            && integerWidthFor(contoursOf(shape).edges) == IntegerWidth::Bits128;
-    });
-    return isWide ? IntegerWidth::Bits128 : IntegerWidth::Bits64;
-}
-
-std::unique_ptr<ScanTrace> trace(const Primitives &primitives, const ScanSettings &settings,
-                                 FrameView frame, const TraceOptions &options)
-{
-    return withArithmetic(settings.arithmetic, widestOf(primitives), [&]<class A>() {
-        return recordTrace<PolygonRecording<A, PolygonForm::Whole>>(
-            primitives.size(), settings, options,
-            [&](std::size_t primitive) { return isPolygon(primitives, primitive); },
-            [&](std::size_t primitive, const auto &recorder) {
-                scanPolygon<A>(contoursOf(primitives.shape(primitive)), frame, recorder);
-            });
-    });
-}
+    static IntegerWidth widthFor(const Contours &contours)
+    {
+        return integerWidthFor(contours.edges);
+    }
+    template <class A, class Observer>
+    static void scan(const Contours &contours, const ScanSettings &, FrameView frame,
+                     Observer observer)
+    {
+        scanPolygon<A>(contours, frame, observer);
+    }
+};
 
 } // namespace
 
@@ -80,8 +59,8 @@ Method polygonParityMethod()
     method.setUpColumns = polygonSetUpColumns(PolygonForm::Whole);
     method.spanColumns = polygonRowColumns(PolygonForm::Whole);
     method.sampleColumns = polygonSampleColumns(PolygonForm::Whole);
-    method.draw = draw;
-    method.trace = trace;
+    method.draw = drawWith<ParityKernel>;
+    method.trace = traceWith<ParityKernel>;
     return method;
 }
 

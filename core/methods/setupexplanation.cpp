@@ -38,7 +38,7 @@ void appendSlope(Explanation &explanation, const SortedTriangle &triangle, Sorte
         FormulaLine rate;
         rate.subject = channelSubjects[channel];
         rate.symbols = QStringLiteral("rate of %1 on %2 = (%1%4 − %1%3)/(x%4 − x%3)")
-                           .arg(channelNames[channel])
+                           .arg(channelLetters[channel])
                            .arg(edgeNames[index], from, to);
         rate.substituted = QStringLiteral("(%1 − %2)/%3")
                                .arg(b.colour.channels[channel])

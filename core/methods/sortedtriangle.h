@@ -11,7 +11,6 @@
 namespace pixelplumb {
 
 // The assignment's names, by channel, by SortedEdge and by vertex.
-inline constexpr std::array<QChar, 3> channelNames = {u'R', u'G', u'B'};
 inline constexpr std::array channelSubjects
     = {FormulaSubject::Red, FormulaSubject::Green, FormulaSubject::Blue};
 inline constexpr std::array<QStringView, 3> edgeNames = {u"L₀₁", u"L₁₂", u"L₀₂"};

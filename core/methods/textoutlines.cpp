@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/polygons/textoutlines.h"
 
+#include "core/methods/kernelmethod.h"
 #include "core/methods/polygonrecording.h"
 #include "core/methods/polygons.h"
 #include "core/methods/text.h"
-#include "core/methods/witharithmetic.h"
-
-#include <algorithm>
 
 namespace pixelplumb {
 
@@ -25,43 +23,30 @@ struct TextContours {
     std::optional<PrimitiveRejection> rejection;
 };
 
-template <class A, class Observer>
-void scanText(const TextContours &text, FrameView frame, Observer observer)
-{
-    if (!text.rejection) {
-        scanPolygon<A>(text.contours, frame, observer);
-        return;
-    }
-    observer.primitiveBegun(polygonSetUpFor(text.contours));
-    observer.primitiveRejected(*text.rejection);
-}
+struct TextKernel : ShapeKernel<PrimitiveKind::Text>, InAnyArithmetic {
+    template <class A>
+    using Recording = PolygonRecording<A, PolygonForm::Whole>;
 
-void draw(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
-{
-    for (const Shape &shape : primitives.shapes) {
-        if (shape.kind != PrimitiveKind::Text)
-            continue;
-        const TextContours text(shape);
-        withArithmetic(settings.arithmetic, integerWidthFor(text.contours.edges),
-                       [&]<class A>() { scanText<A>(text, frame, NullObserver{}); });
+    static TextContours geometryOf(const Primitives &primitives, std::size_t index)
+    {
+        return TextContours(primitives.shape(index));
     }
-}
-
-std::unique_ptr<ScanTrace> trace(const Primitives &primitives, const ScanSettings &settings,
-                                 FrameView frame, const TraceOptions &options)
-{
-    // 128 bits hold every text's outlines, whatever they are.
-    return withArithmetic(settings.arithmetic, IntegerWidth::Bits128, [&]<class A>() {
-        return recordTrace<PolygonRecording<A, PolygonForm::Whole>>(
-            primitives.size(), settings, options,
-            [&](std::size_t primitive) {
-                return primitives.kindOf(primitive) == PrimitiveKind::Text;
-            },
-            [&](std::size_t primitive, const auto &recorder) {
-                scanText<A>(TextContours(primitives.shape(primitive)), frame, recorder);
-            });
-    });
-}
+    static IntegerWidth widthFor(const TextContours &text)
+    {
+        return integerWidthFor(text.contours.edges);
+    }
+    template <class A, class Observer>
+    static void scan(const TextContours &text, const ScanSettings &, FrameView frame,
+                     Observer observer)
+    {
+        if (!text.rejection) {
+            scanPolygon<A>(text.contours, frame, observer);
+            return;
+        }
+        observer.primitiveBegun(polygonSetUpFor(text.contours));
+        observer.primitiveRejected(*text.rejection);
+    }
+};
 
 } // namespace
 
@@ -81,8 +66,8 @@ Method textOutlinesMethod()
     method.setUpColumns = polygonSetUpColumns(PolygonForm::Whole);
     method.spanColumns = polygonRowColumns(PolygonForm::Whole);
     method.sampleColumns = polygonSampleColumns(PolygonForm::Whole);
-    method.draw = draw;
-    method.trace = trace;
+    method.draw = drawWith<TextKernel>;
+    method.trace = traceWith<TextKernel>;
     return method;
 }
 

@@ -19,11 +19,11 @@ std::int64_t chordsFor(const std::array<FontPoint, Count> &points, double unitsP
 {
     double largest = 0;
     for (std::size_t i = 0; i + 2 < Count; ++i) {
-        const double x = double(points[i].x - 2 * points[i + 1].x + points[i + 2].x);
-        const double y = double(points[i].y - 2 * points[i + 1].y + points[i + 2].y);
+        const auto x = double(points[i].x - 2 * points[i + 1].x + points[i + 2].x);
+        const auto y = double(points[i].y - 2 * points[i + 1].y + points[i + 2].y);
         largest = std::max(largest, std::hypot(x, y));
     }
-    constexpr double degree = double(Count - 1);
+    constexpr auto degree = double(Count - 1);
     const double chords
         = std::sqrt(largest * unitsPerFontUnit * degree * (degree - 1) / (8 * tolerance));
     return std::clamp(std::int64_t(std::ceil(std::min(chords, double(mostChords)))),

@@ -36,6 +36,25 @@ Number alongSegment(const InterpolationSetUp<Number> &setUp, std::size_t channel
     return ChannelEdge<Number>(along(a), along(b), isVertical ? y : x).channel[channel];
 }
 
+/// Computes a sample's channels from its place. The bilinear ones are added up instead.
+template <InterpolationForm Form, class Number>
+void evaluate(const InterpolationSetUp<Number> &setUp, std::int64_t x, std::int64_t y,
+              InterpolationSample<Number> &sample)
+{
+    if constexpr (Form == InterpolationForm::Plane) {
+        for (std::size_t channel = 0; channel < channelCount; ++channel)
+            sample.value[channel] = linearAt(setUp.plane[channel], x, y);
+    } else if constexpr (Form == InterpolationForm::Barycentric) {
+        for (std::size_t i = 0; i < 3; ++i)
+            sample.weight[i] = linearAt(setUp.weight[i], x, y);
+        for (std::size_t channel = 0; channel < channelCount; ++channel)
+            sample.value[channel] = weighted(sample.weight,
+                                             {setUp.vertices[0].channels[channel],
+                                              setUp.vertices[1].channels[channel],
+                                              setUp.vertices[2].channels[channel]});
+    }
+}
+
 /// Colours the rows of one column, bottom to top. The set-up and the column are all it reads.
 template <InterpolationForm Form, class Number, class Observer>
 void fillInterpolated(const InterpolationSetUp<Number> &setUp,
@@ -45,22 +64,11 @@ void fillInterpolated(const InterpolationSetUp<Number> &setUp,
     InterpolationSample<Number> sample;
     sample.value = column.first;
     for (std::int64_t y = column.firstDrawn; y < column.endDrawn; ++y) {
-        if (Form == InterpolationForm::Barycentric && !setUp.zeroArea) {
-            for (std::size_t i = 0; i < 3; ++i)
-                sample.weight[i] = linearAt(setUp.weight[i], column.x, y);
-        }
-        for (std::size_t channel = 0; channel < channelCount; ++channel) {
-            Number &value = sample.value[channel];
-            if (setUp.zeroArea) {
-                value = alongSegment(setUp, channel, column.x, y);
-            } else if constexpr (Form == InterpolationForm::Plane) {
-                value = linearAt(setUp.plane[channel], column.x, y);
-            } else if constexpr (Form == InterpolationForm::Barycentric) {
-                value = weighted(sample.weight,
-                                 {setUp.vertices[0].channels[channel],
-                                  setUp.vertices[1].channels[channel],
-                                  setUp.vertices[2].channels[channel]});
-            }
+        if (setUp.zeroArea) {
+            for (std::size_t channel = 0; channel < channelCount; ++channel)
+                sample.value[channel] = alongSegment(setUp, channel, column.x, y);
+        } else {
+            evaluate<Form>(setUp, column.x, y, sample);
         }
         for (std::size_t i = 0; i < 3; ++i)
             sample.level[i] = levelOf(sample.value[i], rounding);

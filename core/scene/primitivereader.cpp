@@ -5,8 +5,6 @@
 #include "core/scene/colourtext.h"
 #include "core/scene/shapenames.h"
 
-#include <limits>
-
 namespace pixelplumb {
 
 namespace {
@@ -14,10 +12,6 @@ namespace {
 constexpr std::array allKinds = {
     PrimitiveKind::Triangle, PrimitiveKind::Point,  PrimitiveKind::Line,    PrimitiveKind::Circle,
     PrimitiveKind::Ellipse,  PrimitiveKind::Bezier, PrimitiveKind::Polygon, PrimitiveKind::Text};
-
-constexpr std::size_t anyNumber = std::numeric_limits<std::size_t>::max();
-
-constexpr qint64 beyondPixels = std::numeric_limits<qint64>::max();
 
 const QString colourKey = QStringLiteral("color");
 const QString coloursKey = QStringLiteral("colors");
@@ -99,11 +93,11 @@ void PrimitiveReader::readTriangle(const JsonNode &primitive)
     const std::vector<JsonNode> vertices = m_json.array(primitive[key], 3);
     const std::vector<JsonNode> colours = m_json.array(primitive[coloursKey], 3);
     for (std::size_t index = 0; index < 3; ++index) {
-        triangle.vertices[index].position = position(vertices[index]);
+        triangle.vertices[index].position = m_positions.position(vertices[index]);
         triangle.vertices[index].colour = readColour(m_json, colours[index]);
     }
     const auto attributes = readAttributes(
-        m_json, primitive, [this](const JsonNode &node) { return coordinate(node); });
+        m_json, primitive, [this](const JsonNode &node) { return m_positions.coordinate(node); });
     if (attributes)
         m_reading.scene.attributes.push_back({m_reading.scene.triangles.size(), *attributes});
     m_reading.scene.triangles.push_back(triangle);
@@ -113,7 +107,7 @@ void PrimitiveReader::readPoints(const JsonNode &primitive, Shape &shape)
 {
     const QString key = keyOf(shape.kind);
     m_json.expectObject(primitive, {key, coloursKey});
-    appendPositions(primitive[key], {1, anyNumber}, shape);
+    appendPositions(primitive[key], {1, PointCount::any}, shape);
     readColours(primitive, shape);
 }
 
@@ -134,14 +128,14 @@ void PrimitiveReader::readRound(const JsonNode &primitive, Shape &shape)
     m_json.expectObject(primitive, {key, colourKey, fillKey});
     const JsonNode node = primitive[key];
     m_json.expectObject(node, {centreKey, radiusKey});
-    const LatticePoint centre = position(node[centreKey]);
+    const LatticePoint centre = m_positions.position(node[centreKey]);
     LatticePoint radii;
     if (isCircle) {
-        radii.x = radii.y = length(node[radiusKey], QStringLiteral("a radius"));
+        radii.x = radii.y = m_positions.length(node[radiusKey], QStringLiteral("a radius"));
     } else {
         const std::vector<JsonNode> both = m_json.array(node[radiusKey], 2);
-        radii = {length(both[0], QStringLiteral("a radius")),
-                 length(both[1], QStringLiteral("a radius"))};
+        radii = {m_positions.length(both[0], QStringLiteral("a radius")),
+                 m_positions.length(both[1], QStringLiteral("a radius"))};
     }
     const LatticePoint corner = {centre.x + radii.x, centre.y + radii.y};
     if (!isWithinRange(corner) || !isWithinRange({centre.x - radii.x, centre.y - radii.y}))
@@ -167,7 +161,7 @@ void PrimitiveReader::readPolygon(const JsonNode &primitive, Shape &shape)
     m_json.expectObject(primitive, {key, colourKey, fillKey});
     const JsonNode node = primitive[key];
     if (!node.value.isObject()) {
-        appendPositions(node, {3, anyNumber}, shape);
+        appendPositions(node, {3, PointCount::any}, shape);
     } else {
         m_json.expectObject(node, {contoursKey});
         const std::vector<JsonNode> contours = m_json.array(node[contoursKey]);
@@ -177,7 +171,7 @@ void PrimitiveReader::readPolygon(const JsonNode &primitive, Shape &shape)
         for (const JsonNode &contour : contours) {
             if (!shape.vertices.empty())
                 shape.laterContours.push_back(shape.vertices.size());
-            appendPositions(contour, {3, anyNumber}, shape);
+            appendPositions(contour, {3, PointCount::any}, shape);
             if (m_json.hasFailed())
                 return;
         }
@@ -193,65 +187,17 @@ void PrimitiveReader::readText(const JsonNode &primitive, Shape &shape)
     const QString heightKey = QStringLiteral("height");
     m_json.expectObject(primitive, {key, atKey, heightKey, colourKey});
     shape.text = m_json.string(primitive[key]).toStdString();
-    shape.vertices = {{position(primitive[atKey]), {}}};
-    shape.textHeight = length(primitive[heightKey], QStringLiteral("a height"));
+    shape.vertices = {{m_positions.position(primitive[atKey]), {}}};
+    shape.textHeight = m_positions.length(primitive[heightKey], QStringLiteral("a height"));
     // What fonts are drawn for: the outlines of a letter may overlap.
     shape.fill = ShapeFill::NonZero;
     readColourOfAll(primitive, shape);
 }
 
-Lattice PrimitiveReader::coordinate(const JsonNode &node)
-{
-    if (!node.value.isDouble() && !node.value.isString()) {
-        m_json.fail(node, describe(node), coordinateExpectation());
-        return 0;
-    }
-    // Most coordinates are whole numbers, and a scene may hold millions: no big numbers for them.
-    if (const qint64 pixel = node.value.toInteger(beyondPixels);
-        pixel >= -largestPixel && pixel <= largestPixel)
-        return pixel * unitsPerPixel;
-    const QString written = node.value.isString() ? node.value.toString() : numberText(node.value);
-    const Result<SnappedCoordinate> snapped = parseCoordinate(written);
-    if (!snapped) {
-        m_json.fail(node, snapped.error().found, snapped.error().expected);
-        return 0;
-    }
-    if (snapped->isDisplaced())
-        m_reading.snaps.push_back({node.path, written, *snapped});
-    return snapped->units;
-}
-
-Lattice PrimitiveReader::length(const JsonNode &node, const QString &what)
-{
-    const Lattice units = coordinate(node);
-    if (units <= 0)
-        m_json.fail(node, QStringLiteral("%1 of %2 px").arg(what, coordinateText(units)),
-                    QStringLiteral("1/%1 px or more").arg(unitsPerPixel));
-    return units;
-}
-
-LatticePoint PrimitiveReader::position(const JsonNode &node)
-{
-    const std::vector<JsonNode> coordinates = m_json.array(node, 2);
-    const Lattice x = coordinate(coordinates[0]);
-    return {x, coordinate(coordinates[1])};
-}
-
 void PrimitiveReader::appendPositions(const JsonNode &node, PointCount count, Shape &shape)
 {
-    const std::vector<JsonNode> points = m_json.array(node);
-    if (points.size() < count.least || points.size() > count.most) {
-        const QString range = count.most == anyNumber
-            ? QStringLiteral("%1 points or more").arg(count.least)
-            : QStringLiteral("%1 points").arg(count.least)
-                + (count.most > count.least ? QStringLiteral(" or %1").arg(count.most) : QString());
-        m_json.fail(node, describe(node), QStringLiteral("an array of ") + range);
-    }
-    for (const JsonNode &point : points) {
-        if (m_json.hasFailed())
-            return;
-        shape.vertices.push_back({position(point), {}});
-    }
+    for (const LatticePoint &position : m_positions.positions(node, count))
+        shape.vertices.push_back({position, {}});
 }
 
 void PrimitiveReader::readColours(const JsonNode &primitive, Shape &shape)

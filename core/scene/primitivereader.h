@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/scene/jsonreader.h"
-#include "core/scene/scenefile.h"
+#include "core/scene/positionreader.h"
 
 namespace pixelplumb {
 
@@ -18,6 +17,7 @@ public:
     PrimitiveReader(JsonReader &json, SceneReading &reading)
         : m_json(json)
         , m_reading(reading)
+        , m_positions(json, reading.snaps)
     {
     }
 
@@ -25,12 +25,6 @@ public:
     void read(const JsonNode &primitive);
 
 private:
-    /// How many points a primitive may have.
-    struct PointCount {
-        std::size_t least = 1;
-        std::size_t most = 1;
-    };
-
     PrimitiveKind kindOf(const JsonNode &primitive);
     void readTriangle(const JsonNode &primitive);
     void readPoints(const JsonNode &primitive, Shape &shape);
@@ -40,10 +34,6 @@ private:
     void readPolygon(const JsonNode &primitive, Shape &shape);
     void readText(const JsonNode &primitive, Shape &shape);
 
-    Lattice coordinate(const JsonNode &node);
-    /// A coordinate above 0: a radius, a height.
-    Lattice length(const JsonNode &node, const QString &what);
-    LatticePoint position(const JsonNode &node);
     void appendPositions(const JsonNode &node, PointCount count, Shape &shape);
     void readColours(const JsonNode &primitive, Shape &shape);
     void readColourOfAll(const JsonNode &primitive, Shape &shape);
@@ -51,6 +41,7 @@ private:
 
     JsonReader &m_json;
     SceneReading &m_reading;
+    PositionReader m_positions;
 };
 
 } // namespace pixelplumb

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
+#include "core/scan/choicenames.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/framenames.h"
 #include "core/scene/jsonplaces.h"
@@ -183,16 +184,12 @@ private:
     {
         if (node.isMissing())
             return;
-        QStringList names;
-        for (const Choice each : choices) {
-            const std::string_view name = nameOf(each);
-            names.append(QString::fromUtf8(name.data(), qsizetype(name.size())));
-            if (node.value.toString() == names.back()) {
-                choice = each;
-                return;
-            }
-        }
-        m_json.fail(node, describe(node), anyOf(names));
+        const QStringList names = namesOf(choices);
+        const qsizetype index = names.indexOf(node.value.toString());
+        if (index < 0)
+            m_json.fail(node, describe(node), anyOf(names));
+        else
+            choice = choices[std::size_t(index)];
     }
 
     JsonReader &m_json;

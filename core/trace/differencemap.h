@@ -2,9 +2,9 @@
 #pragma once
 
 #include "core/frame/framebuffer.h"
+#include "core/frame/framemap.h"
 
 #include <array>
-#include <vector>
 
 namespace pixelplumb {
 
@@ -21,20 +21,19 @@ class DifferenceMap {
 public:
     DifferenceMap() = default;
     explicit DifferenceMap(const FrameSpec &spec)
-        : m_spec(spec)
-        , m_kinds(std::size_t(spec.width) * std::size_t(spec.height), Difference::None)
+        : m_kinds(spec)
     {
     }
 
     /// Difference::None outside the frame.
     Difference at(std::int64_t x, std::int64_t y) const
     {
-        return contains(x, y) ? m_kinds[indexOf(x, y)] : Difference::None;
+        return m_kinds.contains(x, y) ? m_kinds.at(x, y) : Difference::None;
     }
     void set(std::int64_t x, std::int64_t y, Difference kind)
     {
-        --m_counts[std::size_t(m_kinds[indexOf(x, y)])];
-        m_kinds[indexOf(x, y)] = kind;
+        --m_counts[std::size_t(m_kinds.at(x, y))];
+        m_kinds.at(x, y) = kind;
         ++m_counts[std::size_t(kind)];
     }
     std::int64_t count(Difference kind) const { return m_counts[std::size_t(kind)]; }
@@ -44,19 +43,7 @@ public:
     }
 
 private:
-    bool contains(std::int64_t x, std::int64_t y) const
-    {
-        return x >= m_spec.firstColumn && y >= m_spec.firstRow
-            && x - m_spec.firstColumn < m_spec.width && y - m_spec.firstRow < m_spec.height
-            && !m_kinds.empty();
-    }
-    std::size_t indexOf(std::int64_t x, std::int64_t y) const
-    {
-        return std::size_t((y - m_spec.firstRow) * m_spec.width + (x - m_spec.firstColumn));
-    }
-
-    FrameSpec m_spec;
-    std::vector<Difference> m_kinds;
+    FrameMap<Difference> m_kinds;
     std::array<std::int64_t, 4> m_counts = {};
 };
 

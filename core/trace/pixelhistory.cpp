@@ -2,17 +2,13 @@
 #include "core/trace/pixelhistory.h"
 
 #include "core/oracle/shapeoracle.h"
+#include "core/scan/choicenames.h"
 
 #include <algorithm>
 
 namespace pixelplumb {
 
 namespace {
-
-QString nameText(std::string_view name)
-{
-    return QString::fromUtf8(name.data(), qsizetype(name.size()));
-}
 
 QString distanceText(const oracle::EdgeVerdict &edge)
 {

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/check/trianglecase.h"
+
+#include "core/check/casefacts.h"
+
+#include <algorithm>
+#include <set>
+
+namespace pixelplumb {
+
+namespace {
+
+CasePicture pictureOf(const Triangle &triangle, const FrameSpec &canvas,
+                      const ScanSettings &settings, const Drawing &drawing)
+{
+    CasePicture picture(canvas, settings.fillRule);
+    picture.draw(triangle, settings, drawing);
+    return picture;
+}
+
+void comparePoints(QStringList &shortfalls, const HardCase &hardCase, FillRule rule,
+                   const CasePicture &picture)
+{
+    for (const ExpectedPoint &point : hardCase.points) {
+        const auto covered = point.covered.find(rule);
+        if (covered == point.covered.end() || !picture.contains(point.x, point.y))
+            continue;
+        const QString place = QStringLiteral("pixel (%1, %2)").arg(point.x).arg(point.y);
+        const bool written = picture.isWritten(point.x, point.y);
+        if (written != covered->second)
+            shortfalls.append(
+                place + (written ? QStringLiteral(" is drawn") : QStringLiteral(" is not drawn")));
+        if (!written || !covered->second)
+            continue;
+        const Colour colour = picture.colourAt(point.x, point.y);
+        const std::array<std::int64_t, 3> bytes = {colour.red(), colour.green(), colour.blue()};
+        compare(shortfalls, place + QStringLiteral(" is"), numbersText(bytes),
+                numbersText(point.roundedColour));
+    }
+}
+
+/// How the picture departs from the case's facts.
+QStringList factShortfalls(const HardCase &hardCase, FillRule rule, const CasePicture &picture)
+{
+    const ExpectedFacts &facts = hardCase.facts.at(rule);
+    QStringList shortfalls;
+    comparePicture(shortfalls, facts, picture);
+    comparePoints(shortfalls, hardCase, rule, picture);
+    return shortfalls;
+}
+
+QStringList singleShortfalls(const HardCase &hardCase, const ScanSettings &settings,
+                             const Drawing &drawing)
+{
+    const Triangle &triangle = hardCase.triangles.front();
+    const CasePicture picture = pictureOf(triangle, hardCase.canvas, settings, drawing);
+    QStringList shortfalls;
+    if (hardCase.displacements.isEmpty()) {
+        shortfalls = factShortfalls(hardCase, settings.fillRule, picture);
+        if (shortfalls.isEmpty())
+            return shortfalls;
+    }
+    // Facts tell that something is wrong; only the truth tells how many pixels.
+    const PictureDifference difference
+        = differenceBetween(picture, pictureOf(triangle, hardCase.canvas, settings, drawTruly));
+    if (!difference.isNone())
+        shortfalls.prepend(difference.message());
+    return shortfalls;
+}
+
+QStringList meshShortfalls(const HardCase &hardCase, const ScanSettings &settings,
+                           const Drawing &drawing)
+{
+    CoverageTimes times;
+    for (const Triangle &triangle : hardCase.triangles)
+        addCoverage(times, pictureOf(triangle, hardCase.canvas, settings, drawing));
+    QStringList shortfalls;
+    compareHistogram(shortfalls, histogramOf(times),
+                     hardCase.facts.at(settings.fillRule).histogram);
+    return shortfalls;
+}
+
+QStringList sequenceShortfalls(const HardCase &hardCase, const ScanSettings &settings,
+                               const Drawing &drawing)
+{
+    const ExpectedFacts &facts = hardCase.facts.at(settings.fillRule);
+    using Pixels = std::set<std::array<std::int64_t, 2>>;
+    std::vector<std::int64_t> counts;
+    std::int64_t toggles = 0;
+    Pixels before;
+    for (const Triangle &triangle : hardCase.triangles) {
+        Pixels pixels;
+        pictureOf(triangle, hardCase.canvas, settings, drawing)
+            .forEachWritten([&](std::int64_t x, std::int64_t y) {
+                pixels.insert({x, y});
+            });
+        if (!counts.empty()) {
+            std::vector<Pixels::value_type> toggled;
+            std::ranges::set_symmetric_difference(before, pixels, std::back_inserter(toggled));
+            toggles += std::int64_t(toggled.size());
+        }
+        counts.push_back(std::int64_t(pixels.size()));
+        before = std::move(pixels);
+    }
+    QStringList shortfalls;
+    compare(shortfalls, QStringLiteral("pixel counts"), numbersText(counts),
+            numbersText(facts.frameCounts));
+    compare(shortfalls, QStringLiteral("toggles"), toggles, facts.toggles);
+    return shortfalls;
+}
+
+QStringList translationShortfalls(const HardCase &hardCase, const ScanSettings &settings,
+                                  const Drawing &drawing)
+{
+    const ExpectedFacts &facts = hardCase.facts.at(settings.fillRule);
+    QStringList shortfalls;
+    using PlacedColour = std::array<std::int64_t, 5>; // x, y from the canvas' corner, R, G, B
+    std::set<std::vector<PlacedColour>> pictures;
+    for (const auto &[right, up] : hardCase.offsets) {
+        FrameSpec canvas = hardCase.canvas;
+        canvas.firstColumn += std::int32_t(right);
+        canvas.firstRow += std::int32_t(up);
+        Triangle triangle = hardCase.triangles.front();
+        for (Vertex &vertex : triangle.vertices) {
+            vertex.position.x += right * unitsPerPixel;
+            vertex.position.y += up * unitsPerPixel;
+        }
+        const CasePicture picture = pictureOf(triangle, canvas, settings, drawing);
+        compare(shortfalls, QStringLiteral("moved by (%1, %2): pixel count").arg(right).arg(up),
+                picture.pixelCount(), facts.pixelCount);
+        std::vector<PlacedColour> pixels;
+        picture.forEachWritten([&](std::int64_t x, std::int64_t y) {
+            const Colour colour = picture.colourAt(x, y);
+            pixels.push_back({x - canvas.firstColumn, y - canvas.firstRow, colour.red(),
+                              colour.green(), colour.blue()});
+        });
+        pictures.insert(std::move(pixels));
+    }
+    compare(shortfalls, QStringLiteral("distinct pictures"), std::int64_t(pictures.size()),
+            facts.distinctPictures);
+    return shortfalls;
+}
+
+} // namespace
+
+QStringList triangleShortfalls(const HardCase &hardCase, const ScanSettings &settings,
+                               const Drawing &drawing)
+{
+    if (hardCase.kind == HardCaseKind::Mesh)
+        return meshShortfalls(hardCase, settings, drawing);
+    if (hardCase.kind == HardCaseKind::Sequence)
+        return sequenceShortfalls(hardCase, settings, drawing);
+    if (hardCase.kind == HardCaseKind::Translation)
+        return translationShortfalls(hardCase, settings, drawing);
+    return singleShortfalls(hardCase, settings, drawing);
+}
+
+} // namespace pixelplumb

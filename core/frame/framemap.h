@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/frame/framespec.h"
+
+#include <vector>
+
+namespace pixelplumb {
+
+/// A value for each pixel of a frame, by the coordinates that the frame shows.
+template <class Value>
+class FrameMap {
+public:
+    /// Of no frame: it contains no pixel.
+    FrameMap() = default;
+    explicit FrameMap(const FrameSpec &spec, const Value &value = {})
+        : m_spec(spec)
+        , m_values(std::size_t(spec.width) * std::size_t(spec.height), value)
+    {
+    }
+
+    const FrameSpec &spec() const { return m_spec; }
+    std::size_t size() const { return m_values.size(); } ///< pixels
+
+    bool contains(std::int64_t x, std::int64_t y) const
+    {
+        return !m_values.empty() && x >= m_spec.firstColumn && y >= m_spec.firstRow
+            && x - m_spec.firstColumn < m_spec.width && y - m_spec.firstRow < m_spec.height;
+    }
+    // (x, y) must lie inside the frame.
+    const Value &at(std::int64_t x, std::int64_t y) const { return m_values[indexOf(x, y)]; }
+    Value &at(std::int64_t x, std::int64_t y) { return m_values[indexOf(x, y)]; }
+
+    friend bool operator==(const FrameMap &, const FrameMap &) = default;
+
+private:
+    std::size_t indexOf(std::int64_t x, std::int64_t y) const
+    {
+        return std::size_t((y - m_spec.firstRow) * m_spec.width + (x - m_spec.firstColumn));
+    }
+
+    FrameSpec m_spec;
+    std::vector<Value> m_values; ///< row by row
+};
+
+} // namespace pixelplumb

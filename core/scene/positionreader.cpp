@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/positionreader.h"
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr qint64 beyondPixels = std::numeric_limits<qint64>::max();
+
+} // namespace
+
+Lattice PositionReader::coordinate(const JsonNode &node)
+{
+    if (!node.value.isDouble() && !node.value.isString()) {
+        m_json.fail(node, describe(node), coordinateExpectation());
+        return 0;
+    }
+    // Most coordinates are whole numbers, and a scene may hold millions: no big numbers for them.
+    if (const qint64 pixel = node.value.toInteger(beyondPixels);
+        pixel >= -largestPixel && pixel <= largestPixel)
+        return pixel * unitsPerPixel;
+    const QString written = node.value.isString() ? node.value.toString() : numberText(node.value);
+    const Result<SnappedCoordinate> snapped = parseCoordinate(written);
+    if (!snapped) {
+        m_json.fail(node, snapped.error().found, snapped.error().expected);
+        return 0;
+    }
+    if (snapped->isDisplaced())
+        m_snaps.push_back({node.path, written, *snapped});
+    return snapped->units;
+}
+
+Lattice PositionReader::length(const JsonNode &node, const QString &what)
+{
+    const Lattice units = coordinate(node);
+    if (units <= 0)
+        m_json.fail(node, QStringLiteral("%1 of %2 px").arg(what, coordinateText(units)),
+                    QStringLiteral("1/%1 px or more").arg(unitsPerPixel));
+    return units;
+}
+
+LatticePoint PositionReader::position(const JsonNode &node)
+{
+    const std::vector<JsonNode> coordinates = m_json.array(node, 2);
+    const Lattice x = coordinate(coordinates[0]);
+    return {x, coordinate(coordinates[1])};
+}
+
+std::vector<LatticePoint> PositionReader::positions(const JsonNode &node, PointCount count)
+{
+    const std::vector<JsonNode> points = m_json.array(node);
+    if (points.size() < count.least || points.size() > count.most) {
+        const QString range = count.most == PointCount::any
+            ? QStringLiteral("%1 points or more").arg(count.least)
+            : QStringLiteral("%1 points").arg(count.least)
+                + (count.most > count.least ? QStringLiteral(" or %1").arg(count.most) : QString());
+        m_json.fail(node, describe(node), QStringLiteral("an array of ") + range);
+    }
+    std::vector<LatticePoint> positions;
+    for (const JsonNode &point : points) {
+        if (m_json.hasFailed())
+            break;
+        positions.push_back(position(point));
+    }
+    return positions;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/jsonreader.h"
+#include "core/scene/scenefile.h"
+
+#include <limits>
+
+namespace pixelplumb {
+
+/// How many points a primitive may have.
+struct PointCount {
+    static constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+
+    std::size_t least = 1;
+    std::size_t most = 1;
+};
+
+/// Reads the coordinates of a scene: snaps them to the lattice and reports by how much; errors stay
+/// with the JsonReader.
+class PositionReader {
+public:
+    PositionReader(JsonReader &json, std::vector<SnapReport> &snaps)
+        : m_json(json)
+        , m_snaps(snaps)
+    {
+    }
+
+    Lattice coordinate(const JsonNode &node);
+    /// A coordinate above 0: a radius, a height.
+    Lattice length(const JsonNode &node, const QString &what);
+    LatticePoint position(const JsonNode &node);
+    /// Those before the first error.
+    std::vector<LatticePoint> positions(const JsonNode &node, PointCount count);
+
+private:
+    JsonReader &m_json;
+    std::vector<SnapReport> &m_snaps;
+};
+
+} // namespace pixelplumb
