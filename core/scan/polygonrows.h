@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/frameview.h"
 #include "core/polygons/contours.h"
 #include "core/scan/exactarithmetic.h"
 #include "core/scan/roundedarithmetic.h"
