@@ -3,7 +3,9 @@
 
 #include "core/frame/framebuffer.h"
 
+#include <algorithm>
 #include <array>
+#include <span>
 #include <vector>
 
 namespace pixelplumb {
@@ -30,6 +32,19 @@ public:
     Difference at(std::int64_t x, std::int64_t y) const
     {
         return contains(x, y) ? m_kinds[indexOf(x, y)] : Difference::None;
+    }
+    /// The pixels of a row of the frame, from its first column on.
+    std::span<const Difference> row(std::int64_t y) const
+    {
+        return std::span(m_kinds).subspan(indexOf(m_spec.firstColumn, y),
+                                          std::size_t(m_spec.width));
+    }
+    /// Takes all differences back and keeps the memory.
+    void clear()
+    {
+        if (total() > 0)
+            std::ranges::fill(m_kinds, Difference::None);
+        m_counts = {};
     }
     void set(std::int64_t x, std::int64_t y, Difference kind)
     {
