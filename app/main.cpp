@@ -4,6 +4,7 @@
 #include "widgets/messagebar.h"
 #include "widgets/paletteswitch.h"
 #include "widgets/scenedocument.h"
+#include "widgets/scenefiles.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -96,24 +97,65 @@ void overrideSettings(MainWindow &window, const QCommandLineParser &parser, cons
         window.parts().document->reset(scene);
 }
 
-void open(MainWindow &window, const QCommandLineParser &parser, const Options &options)
+void setOpeningPlace(MainWindow &window, const QCommandLineParser &parser, const Options &options,
+                     const OpeningPlace &otherwise)
 {
-    const QStringList paths = parser.positionalArguments();
-    const bool opened = !paths.isEmpty() && window.openScene(paths.constFirst());
-    if (!opened) {
-        const QString complaint = window.parts().messageBar->text();
-        window.openDefaultScene();
-        if (!paths.isEmpty())
-            window.parts().messageBar->complain(complaint);
-    }
-    overrideSettings(window, parser, options);
     if (parser.isSet(options.position))
         window.setOpeningPlace(
             std::size_t(std::max(qlonglong(0), numberOf(parser, options.position))));
     else if (parser.isSet(options.column))
         window.setOpeningPlace(OpeningColumn{numberOf(parser, options.column)});
     else
-        window.setOpeningPlace(opened ? OpeningMoment::Finished : OpeningMoment::HalfDrawn);
+        window.setOpeningPlace(otherwise);
+}
+
+void openDefaultScene(MainWindow &window, const QCommandLineParser &parser, const Options &options)
+{
+    window.openDefaultScene();
+    overrideSettings(window, parser, options);
+    setOpeningPlace(window, parser, options, OpeningMoment::HalfDrawn);
+}
+
+void open(MainWindow &window, const QCommandLineParser &parser, const Options &options)
+{
+    const QStringList paths = parser.positionalArguments();
+    if (paths.isEmpty()) {
+        openDefaultScene(window, parser, options);
+        return;
+    }
+    const auto openInstead = [&window, &parser, &options] {
+        const QString complaint = window.parts().messageBar->text();
+        openDefaultScene(window, parser, options);
+        if (!complaint.isEmpty())
+            window.parts().messageBar->complain(complaint);
+    };
+    const auto takeOpened = [&window, &parser, &options] {
+        overrideSettings(window, parser, options);
+        setOpeningPlace(window, parser, options, OpeningMoment::Finished);
+    };
+    if (!window.openScene(paths.constFirst())) {
+        openInstead();
+        return;
+    }
+    const SceneFiles *files = window.parts().files;
+    if (!files->isLoading()) {
+        takeOpened();
+        return;
+    }
+    // Whichever comes first: what the person opens meanwhile is not replaced.
+    auto *waiting = new QObject(&window);
+    const auto stopWaiting = [files, waiting] {
+        QObject::disconnect(files, nullptr, waiting, nullptr);
+        waiting->deleteLater();
+    };
+    QObject::connect(files, &SceneFiles::loaded, waiting, [stopWaiting, takeOpened] {
+        stopWaiting();
+        takeOpened();
+    });
+    QObject::connect(files, &SceneFiles::loadingFailed, waiting, [stopWaiting, openInstead] {
+        stopWaiting();
+        openInstead();
+    });
 }
 
 } // namespace
