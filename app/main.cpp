@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
 #include "widgets/mainwindow.h"
-#include "widgets/messagebar.h"
 #include "widgets/paletteswitch.h"
 #include "widgets/scenedocument.h"
 #include "widgets/scenefiles.h"
@@ -109,53 +108,25 @@ void setOpeningPlace(MainWindow &window, const QCommandLineParser &parser, const
         window.setOpeningPlace(otherwise);
 }
 
-void openDefaultScene(MainWindow &window, const QCommandLineParser &parser, const Options &options)
-{
-    window.openDefaultScene();
-    overrideSettings(window, parser, options);
-    setOpeningPlace(window, parser, options, OpeningMoment::HalfDrawn);
-}
-
+/// The first scene is there until another one is: a large file takes its time, and may be at fault.
 void open(MainWindow &window, const QCommandLineParser &parser, const Options &options)
 {
-    const QStringList paths = parser.positionalArguments();
-    if (paths.isEmpty()) {
-        openDefaultScene(window, parser, options);
-        return;
-    }
-    const auto openInstead = [&window, &parser, &options] {
-        const QString complaint = window.parts().messageBar->text();
-        openDefaultScene(window, parser, options);
-        if (!complaint.isEmpty())
-            window.parts().messageBar->complain(complaint);
-    };
-    const auto takeOpened = [&window, &parser, &options] {
+    const auto take = [&window, &parser, &options](const OpeningPlace &place) {
         overrideSettings(window, parser, options);
-        setOpeningPlace(window, parser, options, OpeningMoment::Finished);
+        setOpeningPlace(window, parser, options, place);
     };
-    if (!window.openScene(paths.constFirst())) {
-        openInstead();
+    window.openDefaultScene();
+    take(OpeningMoment::HalfDrawn);
+    const QStringList paths = parser.positionalArguments();
+    if (paths.isEmpty() || !window.openScene(paths.constFirst()))
         return;
-    }
     const SceneFiles *files = window.parts().files;
-    if (!files->isLoading()) {
-        takeOpened();
-        return;
-    }
-    // Whichever comes first: what the person opens meanwhile is not replaced.
-    auto *waiting = new QObject(&window);
-    const auto stopWaiting = [files, waiting] {
-        QObject::disconnect(files, nullptr, waiting, nullptr);
-        waiting->deleteLater();
-    };
-    QObject::connect(files, &SceneFiles::loaded, waiting, [stopWaiting, takeOpened] {
-        stopWaiting();
-        takeOpened();
-    });
-    QObject::connect(files, &SceneFiles::loadingFailed, waiting, [stopWaiting, openInstead] {
-        stopWaiting();
-        openInstead();
-    });
+    if (files->isLoading())
+        QObject::connect(
+            files, &SceneFiles::loaded, &window, [take] { take(OpeningMoment::Finished); },
+            Qt::SingleShotConnection);
+    else
+        take(OpeningMoment::Finished);
 }
 
 } // namespace

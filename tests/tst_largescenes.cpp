@@ -27,6 +27,7 @@
 #include <cmath>
 #include <ctime>
 #include <random>
+#include <utility>
 
 using namespace pixelplumb;
 
@@ -314,6 +315,38 @@ private slots:
         QVERIFY(!window->parts().document->isModified());
         QVERIFY(window->windowTitle().startsWith("large.json"));
         QVERIFY(!window->findChild<QProgressBar *>("loadProgress")->isVisible());
+    }
+
+    /// Prints how long the GUI thread works at most between two looks at its events; a machine that
+    /// does other work makes it wait longer.
+    void theWindowAnswersWhileALargeSceneIsOpenedAndTraced()
+    {
+        const Scene scene = crowd(100'000, 30, exact);
+        const QString path = writtenScene(m_settings, "large.json", scene);
+        const auto window = windowWith(crowd(1, 100, exact));
+        QSignalSpy loaded(window->parts().files, &SceneFiles::loaded);
+        QSignalSpy traced(window->parts().tracer, &SceneTracer::traced);
+        double longest = 0; // ms
+        double last = processorTime(CLOCK_THREAD_CPUTIME_ID);
+        QTimer beat;
+        connect(&beat, &QTimer::timeout, this, [&] {
+            const double now = processorTime(CLOCK_THREAD_CPUTIME_ID);
+            longest = std::max(longest, now - last);
+            last = now;
+        });
+        beat.start(0);
+        window->openScene(path);
+        QVERIFY(waitUntil([&] { return loaded.size() == 1; }));
+        const double opening = std::exchange(longest, 0.0);
+        QVERIFY(waitUntil([&] { return !traced.isEmpty(); }));
+        const double tracing = std::exchange(longest, 0.0);
+        window->parts().playhead->pick({500, 500});
+        for (int i = 0; i < 20; ++i)
+            QCoreApplication::processEvents();
+        qInfo("the GUI thread works at most %.1f ms while opening, %.1f ms until it is traced, "
+              "%.1f ms after that",
+              opening, tracing, longest);
+        QVERIFY(window->parts().document->scene() == scene);
     }
 
     void openingCanBeCancelled()
