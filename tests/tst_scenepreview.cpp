@@ -102,7 +102,7 @@ private slots:
         drawScene(scene, drawn);
 
         ScenePicture picture(scene.frame);
-        QVERIFY(picture.draw(scene, always));
+        QVERIFY(picture.draw(shared(scene), always));
 
         QVERIFY(picture.drawn().copy() == drawn.copy());
         if (!picture.truth()) {
@@ -134,7 +134,7 @@ private slots:
                                                        floorPixel(vertex.position.y));
                 }
                 ScenePicture picture(scene.frame);
-                QVERIFY(picture.draw(scene, always));
+                QVERIFY(picture.draw(shared(scene), always));
                 missing += picture.differences().count(Difference::Missing);
                 extra += picture.differences().count(Difference::Extra);
                 colour += picture.differences().count(Difference::Colour);
@@ -154,13 +154,62 @@ private slots:
                 scene.settings.arithmetic = Arithmetic::Exact;
             scene.frame = reused.spec();
             ScenePicture fresh(scene.frame);
-            QVERIFY(reused.draw(scene, always));
-            QVERIFY(fresh.draw(scene, always));
+            QVERIFY(reused.draw(shared(scene), always));
+            QVERIFY(fresh.draw(shared(scene), always));
             QVERIFY2(reused.drawn().copy() == fresh.drawn().copy(),
                      qPrintable(QStringLiteral("seed %1").arg(seed)));
             QCOMPARE(rasterOf(reused.differences(), scene.frame),
                      rasterOf(fresh.differences(), scene.frame));
         }
+    }
+
+    void aDragIsDrawnAsIfFromTheStart_data()
+    {
+        QTest::addColumn<Arithmetic>("arithmetic");
+        QTest::addColumn<unsigned>("seed");
+        for (const Arithmetic arithmetic : allArithmetics) {
+            for (unsigned seed = 1; seed <= 6; ++seed)
+                QTest::addRow("%s, seed %u", std::string(nameOf(arithmetic)).c_str(), seed)
+                    << arithmetic << seed;
+        }
+    }
+    void aDragIsDrawnAsIfFromTheStart()
+    {
+        QFETCH(Arithmetic, arithmetic);
+        QFETCH(unsigned, seed);
+        Scene scene = scatteredScene(seed, {arithmetic, FillRule::Closed, ByteRounding::Nearest},
+                                     "column-scan");
+        std::mt19937 random(seed);
+        std::uniform_int_distribution<Lattice> way(-9 * unitsPerPixel, 9 * unitsPerPixel);
+        std::uniform_int_distribution<std::size_t> which(0, scene.triangles.size() - 1);
+        ScenePicture dragged(scene.frame);
+        for (int move = 0; move < 40; ++move) {
+            LatticePoint &place = scene.triangles[which(random)].vertices[0].position;
+            place = {place.x + way(random), place.y + way(random)};
+            ScenePicture fresh(scene.frame);
+            QVERIFY(dragged.draw(shared(scene), always));
+            QVERIFY(fresh.draw(shared(scene), always));
+            const QByteArray when = QStringLiteral("move %1").arg(move).toUtf8();
+            QVERIFY2(dragged.drawn().copy() == fresh.drawn().copy(), when);
+            QVERIFY2(dragged.truth()->copy() == fresh.truth()->copy(), when);
+            QCOMPARE(rasterOf(dragged.differences(), scene.frame),
+                     rasterOf(fresh.differences(), scene.frame));
+            QCOMPARE(dragged.differences().total(), fresh.differences().total());
+        }
+    }
+
+    void aPictureThatWasLeftHalfDrawnIsDrawnAnew()
+    {
+        Scene scene = scatteredScene(
+            5, {Arithmetic::Float32, FillRule::Closed, ByteRounding::Nearest}, "column-scan");
+        ScenePicture picture(scene.frame);
+        QVERIFY(picture.draw(shared(scene), always));
+        scene.triangles[0].vertices[0].position = latticePixel(1, 60);
+        QVERIFY(!picture.draw(shared(scene), [] { return false; }));
+        QVERIFY(picture.draw(shared(scene), always));
+        FrameBuffer drawn(scene.frame);
+        drawScene(scene, drawn);
+        QVERIFY(picture.drawn().copy() == drawn.copy());
     }
 
     void shapesAreDrawnAndHaveNoDifferencesToShow()
@@ -177,7 +226,7 @@ private slots:
         drawScene(scene, drawn);
 
         ScenePicture picture(scene.frame);
-        QVERIFY(picture.draw(scene, always));
+        QVERIFY(picture.draw(shared(scene), always));
 
         QVERIFY(picture.drawn().copy() == drawn.copy());
         QCOMPARE(picture.differences().total(), 0);
@@ -187,7 +236,7 @@ private slots:
     {
         const Scene scene = scatteredScene(3, {}, "column-scan");
         ScenePicture picture(scene.frame);
-        QVERIFY(!picture.draw(scene, [] { return false; }));
+        QVERIFY(!picture.draw(shared(scene), [] { return false; }));
     }
 
     void ofManyRequestsTheNewestIsShownLast()

@@ -75,7 +75,7 @@ void ScenePreviewer::start(const std::shared_ptr<const Scene> &scene)
         [scene, picture = spareFor(scene->frame), this]() -> std::shared_ptr<ScenePicture> {
             try {
                 const auto drawn = picture ? picture : std::make_shared<ScenePicture>(scene->frame);
-                return drawn->draw(*scene, [this] { return !m_cancelled; }) ? drawn : nullptr;
+                return drawn->draw(scene, [this] { return !m_cancelled; }) ? drawn : nullptr;
             } catch (const std::bad_alloc &) {
                 return nullptr; // the trace will tell that memory ran out
             }
