@@ -1,84 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/scenefile.h"
 #include "core/trace/tracedscene.h"
 #include "tests/support/isolatedsettings.h"
-#include "tests/support/scanning.h"
+#include "tests/support/largescenes.h"
 #include "widgets/canvas.h"
-#include "widgets/mainwindow.h"
 #include "widgets/messagebar.h"
 #include "widgets/playhead.h"
-#include "widgets/scenedocument.h"
-#include "widgets/scenefiles.h"
-#include "widgets/sceneloader.h"
 #include "widgets/scenepreviewer.h"
-#include "widgets/scenetracer.h"
 
 #include <QApplication>
-#include <QDeadlineTimer>
 #include <QElapsedTimer>
-#include <QFile>
 #include <QMouseEvent>
-#include <QProgressBar>
 #include <QSignalSpy>
-#include <QTest>
-#include <QTimer>
 
 #include <algorithm>
-#include <cmath>
-#include <ctime>
-#include <random>
-#include <utility>
 
 using namespace pixelplumb;
 
 namespace {
-
-constexpr int timeout = 120'000; // ms, for machines that do other work as well
-
-/// Triangles of an expected area anywhere in a frame.
-Scene crowd(int triangles, double area, const ScanSettings &settings,
-            const FrameSpec &frame = frameOf(1920, 1080))
-{
-    // Three points of a square of side s make an expected area of 11/144 s² (Alagar 1977).
-    const auto side = Lattice(std::sqrt(area * 144 / 11) * unitsPerPixel);
-    std::mt19937 random(1);
-    std::uniform_int_distribution<Lattice> left(0, frame.width * unitsPerPixel - side);
-    std::uniform_int_distribution<Lattice> bottom(0, frame.height * unitsPerPixel - side);
-    std::uniform_int_distribution<Lattice> offset(0, side);
-    std::uniform_int_distribution<int> level(0, 255);
-    Scene scene;
-    scene.frame = frame;
-    scene.settings = settings;
-    for (int i = 0; i < triangles; ++i) {
-        Triangle triangle;
-        const LatticePoint corner = {left(random), bottom(random)};
-        for (Vertex &vertex : triangle.vertices) {
-            vertex.position = {corner.x + offset(random), corner.y + offset(random)};
-            for (auto &channel : vertex.colour.channels)
-                channel = std::uint8_t(level(random));
-        }
-        scene.triangles.push_back(triangle);
-    }
-    return scene;
-}
-
-constexpr ScanSettings exact{Arithmetic::Exact, FillRule::Closed, ByteRounding::Nearest};
-constexpr ScanSettings singles{Arithmetic::Float32, FillRule::Closed, ByteRounding::Nearest};
-
-/// A window whose canvas shows a 1920 × 1080 frame pixel by pixel, with every panel at work.
-std::unique_ptr<MainWindow> windowWith(const Scene &scene)
-{
-    auto window = std::make_unique<MainWindow>();
-    window->resize(2700, 1700);
-    window->show();
-    window->parts().document->reset(scene);
-    return window;
-}
-
-bool waitForTrace(const MainWindow &window)
-{
-    return QTest::qWaitFor([&] { return !window.parts().tracer->isRunning(); }, timeout);
-}
 
 void send(Canvas &canvas, QEvent::Type type, const QPointF &position)
 {
@@ -87,25 +25,6 @@ void send(Canvas &canvas, QEvent::Type type, const QPointF &position)
                       isMove ? Qt::NoButton : Qt::LeftButton,
                       type == QEvent::MouseButtonRelease ? Qt::NoButton : Qt::LeftButton, {});
     QApplication::sendEvent(&canvas, &event);
-}
-
-/// Without QTest's naps of 10 ms between two looks.
-template <class Condition>
-bool waitUntil(const Condition &isTrue)
-{
-    QDeadlineTimer deadline(timeout);
-    QTimer alarm; // wakes the event loop when nothing else does
-    alarm.start(timeout);
-    while (!isTrue() && !deadline.hasExpired())
-        QCoreApplication::processEvents(QEventLoop::WaitForMoreEvents);
-    return isTrue();
-}
-
-double processorTime(clockid_t clock) // ms
-{
-    timespec time = {};
-    clock_gettime(clock, &time);
-    return double(time.tv_sec) * 1e3 + double(time.tv_nsec) / 1e6;
 }
 
 double medianOf(std::vector<double> values)
@@ -128,16 +47,9 @@ protected:
     }
 };
 
-QString writtenScene(const IsolatedSettings &settings, const QString &name, const Scene &scene)
-{
-    const QString path = settings.folder() + QLatin1Char('/') + name;
-    return writeSceneFile(path, scene) ? QString() : path;
-}
-
 } // namespace
 
-/// Scenes of ten thousand triangles and more in the window: seen at once, moved under the hand,
-/// read beside the GUI thread.
+/// Scenes of ten thousand triangles and more in the window: seen at once, moved under the hand.
 class TestLargeScenes : public QObject {
     Q_OBJECT
 
@@ -295,167 +207,6 @@ private slots:
         QVERIFY(waitForTrace(*window));
         QVERIFY(traced.size() >= 1); // the run follows when the hand rests
         QCOMPARE(window->parts().playhead->traced()->scene, window->parts().document->scene());
-    }
-
-    void aLargeFileIsReadBesideTheWindow()
-    {
-        const Scene scene = crowd(12'000, 100, exact);
-        const QString path = writtenScene(m_settings, "large.json", scene);
-        const auto window = windowWith(crowd(1, 100, exact));
-        const Scene before = window->parts().document->scene();
-        QSignalSpy loaded(window->parts().files, &SceneFiles::loaded);
-
-        QVERIFY(window->openScene(path));
-
-        QVERIFY(window->parts().files->isLoading());
-        QVERIFY(window->findChild<QProgressBar *>("loadProgress")->isVisible());
-        QCOMPARE(window->parts().document->scene(), before);
-        QVERIFY(loaded.wait(timeout));
-        QVERIFY(window->parts().document->scene() == scene);
-        QVERIFY(!window->parts().document->isModified());
-        QVERIFY(window->windowTitle().startsWith("large.json"));
-        QVERIFY(!window->findChild<QProgressBar *>("loadProgress")->isVisible());
-    }
-
-    /// Prints how long the GUI thread works at most between two looks at its events; a machine that
-    /// does other work makes it wait longer.
-    void theWindowAnswersWhileALargeSceneIsOpenedAndTraced()
-    {
-        const Scene scene = crowd(100'000, 30, exact);
-        const QString path = writtenScene(m_settings, "large.json", scene);
-        const auto window = windowWith(crowd(1, 100, exact));
-        QSignalSpy loaded(window->parts().files, &SceneFiles::loaded);
-        QSignalSpy traced(window->parts().tracer, &SceneTracer::traced);
-        double longest = 0; // ms
-        double last = processorTime(CLOCK_THREAD_CPUTIME_ID);
-        QTimer beat;
-        connect(&beat, &QTimer::timeout, this, [&] {
-            const double now = processorTime(CLOCK_THREAD_CPUTIME_ID);
-            longest = std::max(longest, now - last);
-            last = now;
-        });
-        beat.start(0);
-        window->openScene(path);
-        QVERIFY(waitUntil([&] { return loaded.size() == 1; }));
-        const double opening = std::exchange(longest, 0.0);
-        QVERIFY(waitUntil([&] { return !traced.isEmpty(); }));
-        const double tracing = std::exchange(longest, 0.0);
-        window->parts().playhead->pick({500, 500});
-        for (int i = 0; i < 20; ++i)
-            QCoreApplication::processEvents();
-        qInfo("the GUI thread works at most %.1f ms while opening, %.1f ms until it is traced, "
-              "%.1f ms after that",
-              opening, tracing, longest);
-        QVERIFY(window->parts().document->scene() == scene);
-    }
-
-    void openingCanBeCancelled()
-    {
-        const QString path = writtenScene(m_settings, "large.json", crowd(12'000, 100, exact));
-        const auto window = windowWith(crowd(1, 100, exact));
-        const Scene before = window->parts().document->scene();
-        QSignalSpy ended(window->parts().files, &SceneFiles::loadingFailed);
-        window->openScene(path);
-
-        QTest::mouseClick(window->findChild<QWidget *>("cancelLoad"), Qt::LeftButton);
-
-        QVERIFY(ended.wait(timeout));
-        QCOMPARE(window->parts().document->scene(), before);
-        QVERIFY(!window->parts().files->isLoading());
-    }
-
-    void theFileThatIsOpenedLastIsTheOneThatIsShown()
-    {
-        const Scene second = crowd(12'001, 100, exact);
-        const QString first = writtenScene(m_settings, "a.json", crowd(12'000, 100, exact));
-        const QString last = writtenScene(m_settings, "b.json", second);
-        const auto window = windowWith({});
-        QSignalSpy loaded(window->parts().files, &SceneFiles::loaded);
-        window->openScene(first);
-        window->openScene(last);
-
-        QVERIFY(loaded.wait(timeout));
-        QVERIFY(window->parts().document->scene() == second);
-        QCOMPARE(window->parts().files->displayName(), "b.json");
-    }
-
-    void aNewSceneEndsTheOpeningOfALargeOne()
-    {
-        const QString path = writtenScene(m_settings, "large.json", crowd(12'000, 100, exact));
-        const auto window = windowWith(crowd(1, 100, exact));
-        window->openScene(path);
-        window->parts().files->newScene();
-
-        QTRY_VERIFY_WITH_TIMEOUT(!window->parts().files->isLoading(), timeout);
-        QCOMPARE(window->parts().document->primitiveCount(), 0);
-        QCOMPARE(window->parts().files->displayName(), "untitled");
-    }
-
-    void whatWasEditedMeanwhileIsAskedAbout()
-    {
-        const QString path = writtenScene(m_settings, "large.json", crowd(12'000, 100, exact));
-        const auto window = windowWith(crowd(1, 100, exact));
-        int asked = 0;
-        window->parts().files->askAboutChanges = [&asked] {
-            ++asked;
-            return UnsavedChanges::Cancel;
-        };
-        QSignalSpy ended(window->parts().files, &SceneFiles::loadingFailed);
-        window->openScene(path);
-        window->parts().document->addTriangle(triangleAt(1, 2, 30, 4, 5, 60));
-
-        QVERIFY(ended.wait(timeout));
-        QCOMPARE(asked, 1);
-        QCOMPARE(window->parts().document->primitiveCount(), 2);
-    }
-
-    void aFaultInALargeFileIsToldWithItsPlace()
-    {
-        QByteArray text = writeScene(crowd(12'000, 100, exact));
-        text.replace(text.lastIndexOf("triangle"), 8, "triangel");
-        const QString path = m_settings.folder() + "/faulty.json";
-        QFile file(path);
-        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(text) == text.size());
-        file.close();
-        const auto window = windowWith(crowd(1, 100, exact));
-        QSignalSpy ended(window->parts().files, &SceneFiles::loadingFailed);
-        window->openScene(path);
-
-        QVERIFY(ended.wait(timeout));
-        const QString told = window->parts().messageBar->text();
-        QVERIFY2(told.contains("faulty.json") && told.contains("primitives[11999]"),
-                 qPrintable(told));
-        QCOMPARE(window->parts().document->primitiveCount(), 1);
-    }
-
-    void closingTheWindowEndsTheOpening()
-    {
-        const QString path = writtenScene(m_settings, "large.json", crowd(12'000, 100, exact));
-        auto window = windowWith({});
-        window->openScene(path);
-        QVERIFY(window->close());
-        window.reset(); // waits for the reader, which is told to stop
-    }
-
-    void readingTellsHowFarItIsAndStopsWhenItIsToldTo()
-    {
-        const QByteArray text = writeScene(crowd(12'000, 100, exact));
-        QVERIFY(text.size() > largestWholeText);
-        std::vector<qsizetype> told;
-        ReadOptions options;
-        options.progress = [&](qsizetype bytesRead, qsizetype bytes) {
-            told.push_back(bytesRead);
-            return bytes == text.size();
-        };
-        QVERIFY(readScene(text, options));
-        QVERIFY(told.size() > 5);
-        QVERIFY(std::ranges::is_sorted(told));
-        QVERIFY(told.back() > text.size() / 2 && told.back() < text.size());
-
-        int calls = 0;
-        options.progress = [&](qsizetype, qsizetype) { return ++calls < 4; };
-        QVERIFY(!readScene(text, options));
-        QCOMPARE(calls, 4);
     }
 
 private:

@@ -42,15 +42,11 @@
 #include <QStatusBar>
 #include <QToolBar>
 
-#include <chrono>
-
 namespace pixelplumb {
 
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr auto statusMessageTime = 5s;
+constexpr int statusMessageTime = 5000; // ms
 
 /// The one local file of what is dragged over the window; empty for anything else.
 QString draggedFile(const QMimeData *data)
@@ -188,9 +184,12 @@ void MainWindow::makeStatusBar()
                 };
                 fields->setHovered(QPoint(pixel(point->x), pixel(point->y)));
             });
-    connect(m_parts.playhead, &Playhead::message, this, [this](const QString &text) {
-        statusBar()->showMessage(text, int(std::chrono::milliseconds(statusMessageTime).count()));
-    });
+    connect(m_parts.playhead, &Playhead::message, this, &MainWindow::tellBriefly);
+}
+
+void MainWindow::tellBriefly(const QString &text)
+{
+    statusBar()->showMessage(text, statusMessageTime);
 }
 
 void MainWindow::connectParts()
@@ -200,9 +199,8 @@ void MainWindow::connectParts()
         const std::shared_ptr<const Scene> scene = document->snapshot();
         m_parts.tracer->trace(scene);
         if (m_parts.tracer->isRunning())
-            m_parts.previewer->preview(scene);
-        else
-            m_parts.previewer->clear();
+            return m_parts.previewer->preview(scene);
+        m_parts.previewer->clear(); // it is traced already, or cannot be
     });
     connect(document, &SceneDocument::modifiedChanged, this, &QWidget::setWindowModified);
     connect(document, &SceneDocument::refused, m_parts.messageBar, &MessageBar::complain);
@@ -221,9 +219,7 @@ void MainWindow::connectParts()
     connect(m_parts.files, &SceneFiles::complaint, m_parts.messageBar, &MessageBar::complain);
     connect(m_parts.files, &SceneFiles::notice, m_parts.messageBar, &MessageBar::tell);
     connect(m_parts.exports, &SceneExports::complaint, m_parts.messageBar, &MessageBar::complain);
-    connect(m_parts.exports, &SceneExports::notice, this, [this](const QString &text) {
-        statusBar()->showMessage(text, int(std::chrono::milliseconds(statusMessageTime).count()));
-    });
+    connect(m_parts.exports, &SceneExports::notice, this, &MainWindow::tellBriefly);
     const auto updateColour = [this, document] { m_nextColour->setColour(document->nextColour()); };
     connect(document, &SceneDocument::nextColourChanged, m_nextColour, updateColour);
     connect(m_nextColour, &ColourButton::colourChosen, document, &SceneDocument::setNextColour);

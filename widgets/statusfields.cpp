@@ -87,6 +87,8 @@ void StatusFields::takeTrace()
         if (traced->trace->isCut())
             words += tr("recording cut at its limit");
         m_settings->setText(words.join(QStringLiteral(" · ")));
+    } else {
+        m_settings->clear();
     }
     refresh();
 }
