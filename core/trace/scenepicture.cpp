@@ -29,7 +29,7 @@ constexpr std::int64_t rowsOfError = 4;
 constexpr Lattice largestOfSmallError = (Lattice(1) << 12) * unitsPerPixel;
 
 /// More triangles are not kept for comparison: they take 72 bytes each.
-constexpr std::size_t mostCompared = 200'000;
+constexpr std::size_t mostCompared = std::size_t(1) << 20;
 
 bool staysNearItsBox(const Triangle &triangle)
 {
@@ -179,15 +179,17 @@ bool ScenePicture::drawRows(Rows rows, const Scene &scene, const Method &method,
 {
     if (!goesOn())
         return false;
-    takePiece(scene, 0, scene.triangles.size());
+    takePiece(scene, 0, 0); // empties it and keeps its memory
+    const Lattice offset = sampleOffset(scene.frame);
     Rows painted = rows;
-    std::erase_if(m_piece.triangles, [&](const Triangle &triangle) {
+    for (const Triangle &each : scene.triangles) {
+        const Triangle triangle = onSamples(each, offset);
         const Rows reached = rowsReachedBy(triangle);
         if (reached.end <= rows.first || reached.first >= rows.end)
-            return true;
+            continue;
         painted = {std::min(painted.first, reached.first), std::max(painted.end, reached.end)};
-        return false;
-    });
+        m_piece.triangles.push_back(triangle);
+    }
     painted = {std::max(painted.first, allRows().first), std::min(painted.end, allRows().end)};
     std::vector<KeptRows> kept;
     for (const FrameBuffer *frame : frames()) {
