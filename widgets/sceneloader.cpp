@@ -36,7 +36,10 @@ SceneLoader::~SceneLoader()
         m_watcher.waitForFinished();
 }
 
-bool SceneLoader::isLarge(const QString &path) { return QFileInfo(path).size() > largestWholeText; }
+bool SceneLoader::isLarge(const QString &path)
+{
+    return QFileInfo(path).size() > largestReadAtOnce;
+}
 
 void SceneLoader::load(const QString &path)
 {

@@ -23,7 +23,9 @@ public:
     explicit SceneLoader(QObject *parent = nullptr);
     ~SceneLoader() override; ///< cancels and waits
 
-    /// Whether reading a file takes longer than a person should wait.
+    /// Larger files take longer to read than a person should wait (some 16 µs a triangle).
+    static constexpr qint64 largestReadAtOnce = qint64(1) << 18; // bytes
+
     static bool isLarge(const QString &path);
     bool isRunning() const { return !m_path.isEmpty(); }
 

@@ -16,7 +16,7 @@ class SceneSaver : public QObject {
     Q_OBJECT
 
 public:
-    /// More take longer to write than a person should wait (some 3 µs each).
+    /// More take longer to write than a person should wait (some 5 µs each).
     static constexpr std::size_t mostWrittenAtOnce = 5'000;
 
     explicit SceneSaver(QObject *parent = nullptr);

@@ -43,7 +43,7 @@ struct ReadOptions {
 Result<SceneReading> readScene(const QByteArray &text, const ReadOptions &options = {});
 Result<SceneReading> readSceneFile(const QString &path, const ReadOptions &options = {});
 
-/// Texts that are larger are read piece by piece; they take longer than a person should wait.
+/// Texts that are larger are read piece by piece.
 inline constexpr qsizetype largestWholeText = qsizetype(1) << 20; // bytes
 
 /// The same scene gives the same bytes, whatever the locale.
