@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
 #include "widgets/mainwindow.h"
-#include "widgets/messagebar.h"
 #include "widgets/paletteswitch.h"
 #include "widgets/scenedocument.h"
+#include "widgets/scenefiles.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
@@ -96,24 +96,37 @@ void overrideSettings(MainWindow &window, const QCommandLineParser &parser, cons
         window.parts().document->reset(scene);
 }
 
-void open(MainWindow &window, const QCommandLineParser &parser, const Options &options)
+void setOpeningPlace(MainWindow &window, const QCommandLineParser &parser, const Options &options,
+                     const OpeningPlace &otherwise)
 {
-    const QStringList paths = parser.positionalArguments();
-    const bool opened = !paths.isEmpty() && window.openScene(paths.constFirst());
-    if (!opened) {
-        const QString complaint = window.parts().messageBar->text();
-        window.openDefaultScene();
-        if (!paths.isEmpty())
-            window.parts().messageBar->complain(complaint);
-    }
-    overrideSettings(window, parser, options);
     if (parser.isSet(options.position))
         window.setOpeningPlace(
             std::size_t(std::max(qlonglong(0), numberOf(parser, options.position))));
     else if (parser.isSet(options.column))
         window.setOpeningPlace(OpeningColumn{numberOf(parser, options.column)});
     else
-        window.setOpeningPlace(opened ? OpeningMoment::Finished : OpeningMoment::HalfDrawn);
+        window.setOpeningPlace(otherwise);
+}
+
+/// The first scene is there until another one is: a large file takes its time, and may be at fault.
+void open(MainWindow &window, const QCommandLineParser &parser, const Options &options)
+{
+    const auto take = [&window, &parser, &options](const OpeningPlace &place) {
+        overrideSettings(window, parser, options);
+        setOpeningPlace(window, parser, options, place);
+    };
+    window.openDefaultScene();
+    take(OpeningMoment::HalfDrawn);
+    const QStringList paths = parser.positionalArguments();
+    if (paths.isEmpty() || !window.openScene(paths.constFirst()))
+        return;
+    const SceneFiles *files = window.parts().files;
+    if (files->isLoading())
+        QObject::connect(
+            files, &SceneFiles::loaded, &window, [take] { take(OpeningMoment::Finished); },
+            Qt::SingleShotConnection);
+    else
+        take(OpeningMoment::Finished);
 }
 
 } // namespace

@@ -6,6 +6,7 @@
 #include "widgets/numberformat.h"
 #include "widgets/playhead.h"
 #include "widgets/ruler.h"
+#include "widgets/scenepreviewer.h"
 #include "widgets/vertexdialog.h"
 
 #include <QAccessible>
@@ -20,9 +21,9 @@ namespace pixelplumb {
 namespace {
 
 // Logical pixels.
-constexpr double handleHitRadius = 8;
 constexpr double fitMargin = 12; ///< for handles of vertices on the frame's border
 
+constexpr int frameTime = 16; ///< ms
 constexpr int peekDelay = 180; ///< ms: Shift with another key is not a wish to peek
 
 QPointF fractionOf(const QWidget &widget)
@@ -53,6 +54,10 @@ Canvas::Canvas(SceneDocument *document, Playhead *playhead, DisplayOptions *opti
     setCursor(Qt::CrossCursor);
     m_peekTimer.setSingleShot(true);
     m_peekTimer.setInterval(peekDelay);
+    m_repaintTimer.setSingleShot(true);
+    m_repaintTimer.setTimerType(Qt::PreciseTimer);
+    m_repaintTimer.setInterval(frameTime);
+    connect(&m_repaintTimer, &QTimer::timeout, this, qOverload<>(&QWidget::update));
     connectSources();
     m_mapping = fittedMapping();
 }
@@ -62,8 +67,8 @@ Canvas::~Canvas() = default;
 void Canvas::connectSources()
 {
     const auto repaint = qOverload<>(&QWidget::update);
-    connect(m_document, &SceneDocument::sceneChanged, this, &Canvas::followFrame);
-    connect(m_document, &SceneDocument::pendingChanged, this, repaint);
+    connect(m_document, &SceneDocument::sceneChanged, this, &Canvas::followScene);
+    connect(m_document, &SceneDocument::pendingChanged, this, &Canvas::followVertices);
     connect(m_document, &SceneDocument::nextColourChanged, this, repaint);
     connect(m_document, &SceneDocument::selectionChanged, this, repaint);
     connect(m_document, &SceneDocument::selectionChanged, this, &Canvas::announce);
@@ -102,23 +107,6 @@ LatticePoint Canvas::placeAt(const QPointF &position) const
     const LatticePoint sample = m_mapping.latticeAt(position);
     const Lattice offset = sampleOffset(frame);
     return m_document->snapped({sample.x + offset, sample.y + offset});
-}
-
-std::optional<VertexRef> Canvas::vertexAt(const QPointF &position) const
-{
-    if (!view().contains(position))
-        return std::nullopt;
-    std::optional<VertexRef> nearest;
-    double leastDistance = handleHitRadius;
-    for (const VertexRef &ref : m_document->vertices()) {
-        const QPointF way = positionOf(m_document->vertexAt(ref)->position) - position;
-        const double distance = std::hypot(way.x(), way.y());
-        if (distance <= leastDistance) { // of equals the last, which is drawn on top
-            nearest = ref;
-            leastDistance = distance;
-        }
-    }
-    return nearest;
 }
 
 QRectF Canvas::view() const
@@ -205,15 +193,40 @@ void Canvas::editCoordinates(const VertexRef &ref)
     dialog->open();
 }
 
-void Canvas::followFrame()
+void Canvas::setPreviewer(const ScenePreviewer *previewer)
 {
+    m_previewer = previewer;
+    connect(previewer, &ScenePreviewer::pictureChanged, this, qOverload<>(&QWidget::update));
+    update();
+}
+
+void Canvas::followVertices()
+{
+    m_hoveredVertex.reset();
+    update();
+}
+
+/// With the picture of the change when that comes within a frame, so that a drag does not paint
+/// everything twice; else without it.
+void Canvas::updateSoon()
+{
+    if (!m_previewer)
+        update();
+    else if (!m_repaintTimer.isActive())
+        m_repaintTimer.start();
+}
+
+void Canvas::followScene()
+{
+    m_outlines.forget();
+    m_hoveredVertex.reset();
+    updateSoon();
     const FrameSpec &frame = m_document->scene().frame;
     if (frame != m_mapping.frame()) {
         const ViewMapping kept(frame, m_mapping.zoom(), m_mapping.origin(),
                                m_mapping.devicePixelRatio(), m_mapping.fraction());
         setMapping(m_fit == ViewFit::Following ? fittedMapping() : kept.keptInside(view()));
     }
-    update();
 }
 
 void Canvas::followDevice()
@@ -235,6 +248,7 @@ void Canvas::setMapping(const ViewMapping &mapping)
 {
     const bool zoomed = mapping.zoom() != m_mapping.zoom();
     m_mapping = mapping;
+    m_hoveredVertex.reset();
     update();
     if (zoomed)
         emit zoomChanged(zoom());

@@ -3,6 +3,7 @@
 
 #include "widgets/canvasdifferences.h"
 #include "widgets/canvasgesture.h"
+#include "widgets/outlinechoice.h"
 #include "widgets/scenedocument.h"
 #include "widgets/viewmapping.h"
 
@@ -14,11 +15,13 @@ namespace pixelplumb {
 class DisplayOptions;
 class FramePainter;
 class Playhead;
+class ScenePreviewer;
 
 /// The frame as it stands at the playhead's position, with everything that a person may do to the
 /// scene by pointing: vertices are placed, dragged and chosen, pixels picked, columns sought on the
 /// ruler. Outlines and handles come straight from the document, so that they never lag behind the
-/// hand; cells and signs come from the traced scene.
+/// hand; cells and signs come from the traced scene, the cells from a preview where its trace takes
+/// long or was cut.
 class Canvas : public QWidget {
     Q_OBJECT
 
@@ -26,6 +29,9 @@ public:
     Canvas(SceneDocument *document, Playhead *playhead, DisplayOptions *options,
            QWidget *parent = nullptr);
     ~Canvas() override;
+
+    /// Where pictures come from that stand for a run which is not there.
+    void setPreviewer(const ScenePreviewer *previewer);
 
     /// Device pixels per frame pixel; below 1:1 the negative of frame pixels per device pixel.
     int zoom() const { return m_mapping.zoom().number(); }
@@ -97,7 +103,9 @@ private:
 
     // canvas.cpp
     void connectSources();
-    void followFrame();
+    void followScene();
+    void followVertices();
+    void updateSoon();
     void followDevice();
     void setMapping(const ViewMapping &mapping);
     void zoomTo(const ViewZoom &zoom, const QPointF &anchor);
@@ -108,20 +116,28 @@ private:
 
     // canvaspainting.cpp
     void paintCells(QPainter &painter);
-    void paintTriangles(FramePainter &frame);
-    void paintShapes(FramePainter &frame);
-    void paintNamesOf(int primitive, FramePainter &frame);
+    QImage cellsOf(const FrameBuffer &frame, const QRect &device);
     void paintRubber(FramePainter &frame, const LatticePoint &tip);
-    void paintVertexNames(FramePainter &frame);
     void paintSigns(FramePainter &frame);
     void paintPending(FramePainter &frame);
     void paintNotes(FramePainter &frame);
     void paintRulers(QPainter &painter);
+    const ScenePicture *shownPreview() const;
+    const FrameBuffer *shownFrame() const;
+    std::optional<LatticePoint> candidate();
+    QString hint() const;
+    QString viewNote() const;
+    LatticePoint onSamples(const LatticePoint &scenePoint) const;
+
+    // canvasoutlines.cpp
+    void paintOutlines(FramePainter &frame);
+    void paintHandles(FramePainter &frame);
+    void paintNamesOf(int primitive, FramePainter &frame);
+    std::vector<int> outlinedPrimitives();
+    OutlineChoice::InHand primitivesInHand() const;
+    std::optional<VertexRef> hoveredVertex();
     std::optional<SetUpRecord> setUpOf(int triangle) const;
     std::optional<int> namedPrimitive() const;
-    std::optional<LatticePoint> candidate() const;
-    QString hint() const;
-    LatticePoint onSamples(const LatticePoint &scenePoint) const;
 
     // canvasmouse.cpp
     void beginGesture(QMouseEvent *event);
@@ -150,13 +166,19 @@ private:
     ViewFit m_fit = ViewFit::Following;
     std::unique_ptr<CanvasGesture> m_gesture;
     std::optional<QPointF> m_hover;
+    /// The vertex under the pointer, if any; unknown until it is looked for.
+    std::optional<std::optional<VertexRef>> m_hoveredVertex;
     /// The vertex under the last press: a double click means the one that both clicks hit.
     std::optional<VertexRef> m_pressedVertex;
     int m_wheelRest = 0; ///< eighths of a degree that are not a notch yet
     std::optional<int> m_keyDrag; ///< of the run of Ctrl+arrows under way
     Peek m_peek = Peek::Off;
     QTimer m_peekTimer;
+    /// Runs while the picture of a change is expected.
+    QTimer m_repaintTimer;
 
+    OutlineChoice m_outlines;
+    const ScenePreviewer *m_previewer = nullptr; ///< none: runs alone are shown
     QImage m_cells; ///< the visible cells in device pixels
     CanvasDifferences m_differences;
 };

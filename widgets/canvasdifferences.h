@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/trace/scenepicture.h"
 #include "core/trace/tracedscene.h"
 #include "widgets/viewmapping.h"
 
@@ -22,6 +23,12 @@ public:
     /// Looks up what is in view; cheap when neither the run nor the view has changed.
     void lookUp(const std::shared_ptr<const TracedScene> &traced, const ViewMapping &mapping,
                 const QRect &device);
+    /// The same of a picture that is finished: its differences are decided at every position.
+    void lookUp(const std::shared_ptr<const ScenePicture> &picture, const ViewMapping &mapping,
+                const QRect &device);
+    void forget();
+    /// Whether anything in view differs.
+    bool hasMarks() const { return !m_marks.empty(); }
     /// Marks those that are decided at a position in the cells themselves, where cells are too
     /// small for glyphs; `shown` shows the device rectangle of lookUp().
     void markCells(QImage &shown, std::size_t position, const QPalette &palette);
@@ -36,13 +43,29 @@ private:
         std::size_t decidedAt = 0;
     };
 
+    /// What is looked up, kept so that nothing else gets its address.
+    struct Source {
+        std::shared_ptr<const TracedScene> traced;
+        std::shared_ptr<const ScenePicture> picture;
+
+        const DifferenceMap &differences() const
+        {
+            return traced ? traced->differences : picture->differences();
+        }
+        std::size_t decidedAt(std::int64_t x, std::int64_t y) const
+        {
+            return traced ? traced->decidedAt(x, y) : 0;
+        }
+        friend bool operator==(const Source &, const Source &) = default;
+    };
+
+    void lookUp(const Source &source, const ViewMapping &mapping, const QRect &device);
     void lookUpCells(const QRect &cells);
-    void lookUpBlocks();
-    Difference firstDifferenceIn(const QRect &picture, std::size_t &decidedAt) const;
+    void markDevicePixels(QImage &shown, std::size_t position) const;
     bool hasGlyphs() const;
     void makeStamps(const QPalette &palette);
 
-    std::shared_ptr<const TracedScene> m_traced;
+    Source m_source;
     ViewMapping m_mapping;
     QRect m_device;
     std::vector<Mark> m_marks;

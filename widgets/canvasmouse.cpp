@@ -181,10 +181,12 @@ void Canvas::leaveEvent(QEvent *) { setHover(std::nullopt); }
 void Canvas::setHover(const std::optional<QPointF> &position)
 {
     m_hover = position;
+    m_hoveredVertex.reset();
     const bool inView = position && view().contains(*position);
     emit hovered(inView ? std::optional(placeAt(*position)) : std::nullopt);
     updateCursor();
-    update();
+    if (!m_repaintTimer.isActive())
+        update();
 }
 
 void Canvas::updateCursor()
@@ -193,7 +195,7 @@ void Canvas::updateCursor()
         setCursor(m_gesture->cursor());
     else if (m_hover && columnRuler().contains(*m_hover))
         setCursor(Qt::PointingHandCursor);
-    else if (m_hover && vertexAt(*m_hover))
+    else if (hoveredVertex())
         setCursor(Qt::SizeAllCursor);
     else if (m_hover && view().contains(*m_hover))
         setCursor(Qt::CrossCursor);

@@ -8,23 +8,13 @@
 #include "widgets/placinghint.h"
 #include "widgets/playhead.h"
 #include "widgets/ruler.h"
+#include "widgets/scenepreviewer.h"
 
 #include <QPainter>
-
-#include <algorithm>
-#include <numeric>
 
 namespace pixelplumb {
 
 namespace {
-
-constexpr std::size_t mostNames = 12; // more would hide what they name
-
-std::array<LatticePoint, 3> cornersOf(const Triangle &triangle)
-{
-    return {triangle.vertices[0].position, triangle.vertices[1].position,
-            triangle.vertices[2].position};
-}
 
 QString coordinateNote(const LatticePoint &point)
 {
@@ -33,26 +23,34 @@ QString coordinateNote(const LatticePoint &point)
              displayText(Quantity::rational(point.y, unitsPerPixel)));
 }
 
+/// Fills what of a rectangle lies around another, which is going to be painted over: filling that
+/// too takes as long as painting it.
+void fillAround(QPainter &painter, const QRect &rect, const QRectF &covered, const QColor &colour)
+{
+    const QRect surelyCovered = covered.toRect().adjusted(1, 1, -1, -1);
+    for (const QRect &part : QRegion(rect) - surelyCovered)
+        painter.fillRect(part, colour);
+}
+
 } // namespace
 
 void Canvas::paintEvent(QPaintEvent *)
 {
     followDevice();
     QPainter painter(this);
-    painter.fillRect(rect(), palette().color(QPalette::Window));
+    m_repaintTimer.stop();
     const QRectF frameView = view();
+    fillAround(painter, rect(), frameView, palette().color(QPalette::Window));
     painter.setClipRect(frameView);
-    painter.fillRect(frameView, palette().color(QPalette::Mid));
     paintCells(painter);
 
     FramePainter frame(painter, m_mapping, palette(), frameView);
     frame.drawFrameEdge();
-    paintTriangles(frame);
-    paintShapes(frame);
-    if (tracedOfFrame() && m_options->areDifferencesShown() && !isTruthVisible())
+    paintOutlines(frame);
+    if (m_options->areDifferencesShown() && !isTruthVisible())
         m_differences.drawGlyphs(painter, m_playhead->position(), palette());
     paintSigns(frame);
-    paintVertexNames(frame);
+    paintHandles(frame);
     paintPending(frame);
     paintNotes(frame);
     painter.setClipping(false);
@@ -68,81 +66,77 @@ void Canvas::paintEvent(QPaintEvent *)
 void Canvas::paintCells(QPainter &painter)
 {
     const QRect device = m_mapping.deviceRect(view()) & m_mapping.devicePicture();
-    if (device.isEmpty())
-        return;
     const double ratio = m_mapping.devicePixelRatio();
     const QRectF target(m_mapping.positionOfDevice(device.topLeft()),
                         QSizeF(device.size()) / ratio);
-    const TracedScene *traced = tracedOfFrame();
-    if (!traced) {
+    fillAround(painter, view().toAlignedRect(), target, palette().color(QPalette::Mid));
+    if (device.isEmpty())
+        return;
+    const FrameBuffer *frame = shownFrame();
+    if (!frame) {
+        m_differences.forget();
         painter.fillRect(target, QColor::fromRgb(packed(m_mapping.frame().background)));
         return;
     }
-    const FrameBuffer &frame = isTruthVisible() ? traced->truth : *m_playhead->frame();
+    QImage shown = cellsOf(*frame, device);
+    shown.setDevicePixelRatio(ratio);
+    painter.drawImage(target.topLeft(), shown);
+}
+
+/// The cells in a rectangle of device pixels, with the lines between them and the signs in them.
+QImage Canvas::cellsOf(const FrameBuffer &frame, const QRect &device)
+{
+    const bool isGridShown = m_options->isGridShown() && gridColour(m_mapping).alpha() > 0;
+    const bool areMarked = m_options->areDifferencesShown() && !isTruthVisible();
+    if (areMarked && shownPreview())
+        m_differences.lookUp(m_previewer->picture(), m_mapping, device);
+    else if (areMarked)
+        m_differences.lookUp(m_playhead->sharedTraced(), m_mapping, device);
+    const bool isAsItIs = m_mapping.zoom() == ViewZoom{1, 1} && !isGridShown;
+    if (isAsItIs && (!areMarked || !m_differences.hasMarks())) {
+        const QRect part = m_mapping.pictureIn(device);
+        const QImage whole = frame.image();
+        return QImage(whole.constScanLine(part.top()) + part.left() * qsizetype(sizeof(QRgb)),
+                      part.width(), part.height(), whole.bytesPerLine(), whole.format());
+    }
     m_cells.setDevicePixelRatio(1);
     enlargePicture(frame.image(), m_mapping, device, m_cells);
-    if (m_options->isGridShown())
+    if (isGridShown)
         blendGrid(m_cells, m_mapping, device, gridColour(m_mapping));
-    if (m_options->areDifferencesShown() && !isTruthVisible()) {
-        m_differences.lookUp(m_playhead->sharedTraced(), m_mapping, device);
+    if (areMarked)
         m_differences.markCells(m_cells, m_playhead->position(), palette());
+    return m_cells;
+}
+
+/// The picture that stands for the run: while the run of the present scene is not there, and at
+/// the end of one that was cut.
+const ScenePicture *Canvas::shownPreview() const
+{
+    const ScenePicture *picture = m_previewer ? m_previewer->picture().get() : nullptr;
+    if (!picture || picture->spec() != m_mapping.frame())
+        return nullptr;
+    const bool isAtEnd = m_playhead->position() == m_playhead->end();
+    return m_previewer->isAheadOfTrace() || isAtEnd ? picture : nullptr;
+}
+
+const FrameBuffer *Canvas::shownFrame() const
+{
+    const ScenePicture *preview = shownPreview();
+    const TracedScene *traced = tracedOfFrame();
+    if (isTruthVisible()) {
+        if (preview && preview->truth())
+            return preview->truth();
+        return traced ? &traced->truth : nullptr;
     }
-    m_cells.setDevicePixelRatio(ratio);
-    painter.drawImage(target.topLeft(), m_cells);
+    if (preview)
+        return &preview->drawn();
+    return traced ? m_playhead->frame() : nullptr;
 }
 
 LatticePoint Canvas::onSamples(const LatticePoint &scenePoint) const
 {
     const Lattice offset = sampleOffset(m_mapping.frame());
     return {scenePoint.x - offset, scenePoint.y - offset};
-}
-
-std::optional<SetUpRecord> Canvas::setUpOf(int triangle) const
-{
-    const TracedScene *traced = tracedOfFrame();
-    const auto index = std::size_t(triangle);
-    // A drag may be ahead of the trace: numbers of a triangle that was there before are not shown.
-    if (!traced || index >= traced->trace->primitiveCount()
-        || traced->scene.triangles[index] != m_document->scene().triangles[index])
-        return std::nullopt;
-    return traced->trace->setUp(index);
-}
-
-/// The primitive whose vertices have names: of the selected vertex, else the one in hand.
-std::optional<int> Canvas::namedPrimitive() const
-{
-    const int count = m_document->primitiveCount();
-    if (const std::optional<VertexRef> ref = m_document->selectedVertex();
-        ref && ref->primitive != VertexRef::pending)
-        return ref->primitive;
-    if (count == 1)
-        return 0;
-    const std::optional<TraceStep> step = m_playhead->stepInHand();
-    return step && int(step->primitive) < count ? std::optional(int(step->primitive))
-                                                : std::nullopt;
-}
-
-void Canvas::paintTriangles(FramePainter &frame)
-{
-    const std::optional<TraceStep> step = m_playhead->stepInHand();
-    const std::vector<Triangle> &triangles = m_document->scene().triangles;
-    for (int index = 0; index < int(triangles.size()); ++index) {
-        std::array<LatticePoint, 3> corners = cornersOf(triangles[std::size_t(index)]);
-        for (LatticePoint &corner : corners)
-            corner = onSamples(corner);
-        const bool isInHand = step && step->primitive == std::size_t(index);
-        const std::optional<SetUpRecord> setUp = isInHand ? setUpOf(index) : std::nullopt;
-        frame.drawOutline(corners, setUp ? rolesOf(*setUp) : EdgeRoles{});
-    }
-}
-
-void Canvas::paintShapes(FramePainter &frame)
-{
-    for (Shape shape : m_document->scene().shapes) {
-        for (Vertex &vertex : shape.vertices)
-            vertex.position = onSamples(vertex.position);
-        frame.drawShapeOutline(shape);
-    }
 }
 
 void Canvas::paintSigns(FramePainter &frame)
@@ -159,50 +153,11 @@ void Canvas::paintSigns(FramePainter &frame)
     frame.drawEdgeTicks(record);
 }
 
-void Canvas::paintVertexNames(FramePainter &frame)
-{
-    const std::optional<VertexRef> hoveredVertex
-        = m_hover && !m_gesture ? vertexAt(*m_hover) : std::nullopt;
-    for (const VertexRef &ref : m_document->vertices()) {
-        const Vertex vertex = *m_document->vertexAt(ref);
-        HandleState state = HandleState::Idle;
-        if (ref == m_document->selectedVertex())
-            state = HandleState::Selected;
-        else if (ref == hoveredVertex)
-            state = HandleState::Hovered;
-        frame.drawHandle(onSamples(vertex.position), vertex.colour, state);
-    }
-
-    if (const std::optional<int> named = namedPrimitive())
-        paintNamesOf(*named, frame);
-}
-
-/// P0, P1, P2 of a triangle in the order in which the method sorts them, of a shape as they stand.
-void Canvas::paintNamesOf(int primitive, FramePainter &frame)
-{
-    const std::vector<Vertex> vertices = m_document->verticesOf(primitive);
-    std::vector<std::size_t> order(vertices.size());
-    std::iota(order.begin(), order.end(), std::size_t(0));
-    if (m_document->kindOf(primitive) == PrimitiveKind::Triangle) {
-        const std::optional<SetUpRecord> setUp = setUpOf(primitive);
-        const std::array<int, 3> sorted = setUp
-            ? setUp->order
-            : sortedByColumn(m_document->scene().triangles[std::size_t(primitive)]);
-        std::ranges::copy(sorted, order.begin());
-    }
-    QPointF inside;
-    for (const Vertex &vertex : vertices)
-        inside += positionOf(vertex.position) / double(vertices.size());
-    for (std::size_t rank = 0; rank < std::min(order.size(), mostNames); ++rank)
-        frame.drawVertexName(QStringLiteral("P%1").arg(rank),
-                             onSamples(vertices[order[rank]].position), inside);
-}
-
 /// The vertex that a click or Enter would place now, in the scene's coordinates.
-std::optional<LatticePoint> Canvas::candidate() const
+std::optional<LatticePoint> Canvas::candidate()
 {
     const bool placing = !m_gesture || dynamic_cast<const PlaceVertexGesture *>(m_gesture.get());
-    if (m_hover && placing && view().contains(*m_hover) && (m_gesture || !vertexAt(*m_hover)))
+    if (m_hover && placing && view().contains(*m_hover) && (m_gesture || !hoveredVertex()))
         return placeAt(*m_hover);
     const std::optional<QPoint> picked = m_playhead->pickedPixel();
     if (m_hover || !hasFocus() || !picked || m_document->pendingVertices().empty())
@@ -269,6 +224,20 @@ void Canvas::paintNotes(FramePainter &frame)
     }
     if (const QString text = hint(); !text.isEmpty())
         frame.drawNote(text, {view().center().x(), view().top()}, NoteSide::Below);
+    if (const QString text = viewNote(); !text.isEmpty())
+        frame.drawNote(text, {view().center().x(), view().bottom()}, NoteSide::Above);
+}
+
+/// Why the view does not show what it usually does.
+QString Canvas::viewNote() const
+{
+    QStringList notes;
+    if (shownPreview() && !isTruthVisible() && !m_previewer->isAheadOfTrace())
+        notes += tr("Finished picture; the first %L1 steps are recorded").arg(m_playhead->end());
+    if (m_outlines.isCrowded())
+        notes += tr("Outlines and handles only under the pointer and in hand: over %1 in view")
+                     .arg(OutlineChoice::mostInView);
+    return notes.join(QStringLiteral(" · "));
 }
 
 void Canvas::paintRulers(QPainter &painter)

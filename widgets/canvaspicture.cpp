@@ -19,6 +19,7 @@ void enlargePicture(const QImage &picture, const ViewMapping &mapping, const QRe
     for (int x = 0; x < device.width(); ++x)
         columns[std::size_t(x)] = mapping.pictureColumnAt(device.left() + x);
 
+    const bool isCopied = mapping.zoom() == ViewZoom{1, 1};
     int previousLine = -1;
     for (int y = 0; y < device.height(); ++y) {
         const int line = mapping.pictureLineAt(device.top() + y);
@@ -28,6 +29,10 @@ void enlargePicture(const QImage &picture, const ViewMapping &mapping, const QRe
             continue;
         }
         const auto *const source = reinterpret_cast<const QRgb *>(picture.constScanLine(line));
+        if (isCopied) {
+            std::memcpy(target, source + columns[0], std::size_t(device.width()) * sizeof(QRgb));
+            continue;
+        }
         auto *const pixels = reinterpret_cast<QRgb *>(target);
         for (int x = 0; x < device.width(); ++x)
             pixels[x] = source[columns[std::size_t(x)]];

@@ -10,6 +10,7 @@
 #include "widgets/hardcasesopening.h"
 #include "widgets/hardcasespanel.h"
 #include "widgets/helpmenu.h"
+#include "widgets/jobprogress.h"
 #include "widgets/messagebar.h"
 #include "widgets/methodbar.h"
 #include "widgets/methodmenu.h"
@@ -18,9 +19,11 @@
 #include "widgets/playhead.h"
 #include "widgets/precisionpanel.h"
 #include "widgets/recentfiles.h"
+#include "widgets/runnotes.h"
 #include "widgets/scenedocument.h"
 #include "widgets/sceneexports.h"
 #include "widgets/scenefiles.h"
+#include "widgets/scenepreviewer.h"
 #include "widgets/scenetracer.h"
 #include "widgets/scrubber.h"
 #include "widgets/statusfields.h"
@@ -39,15 +42,11 @@
 #include <QStatusBar>
 #include <QToolBar>
 
-#include <chrono>
-
 namespace pixelplumb {
 
 namespace {
 
-using namespace std::chrono_literals;
-
-constexpr auto statusMessageTime = 5s;
+constexpr int statusMessageTime = 5000; // ms
 
 /// The one local file of what is dragged over the window; empty for anything else.
 QString draggedFile(const QMimeData *data)
@@ -102,6 +101,7 @@ void MainWindow::makeParts()
     m_parts.playhead = new Playhead(this);
     m_parts.options = new DisplayOptions(this);
     m_parts.tracer = new SceneTracer(this);
+    m_parts.previewer = new ScenePreviewer(this);
     m_parts.recent = new RecentFiles(this);
     m_parts.files = new SceneFiles(m_parts.document, m_parts.recent, this);
     m_parts.exports = new SceneExports(m_parts.playhead, m_parts.options, this);
@@ -113,6 +113,7 @@ void MainWindow::makeCentre()
     auto *centre = new QWidget(this);
     m_parts.messageBar = new MessageBar(centre);
     m_parts.canvas = new Canvas(m_parts.document, m_parts.playhead, m_parts.options, centre);
+    m_parts.canvas->setPreviewer(m_parts.previewer);
     m_parts.overdraw = new OverdrawOverlay(m_parts.canvas, m_parts.playhead);
     m_parts.scrubber = new Scrubber(m_parts.playhead, centre);
     auto *column = new QVBoxLayout(centre);
@@ -170,7 +171,9 @@ void MainWindow::makeStatusBar()
 {
     auto *fields = new StatusFields(m_parts.playhead);
     statusBar()->addWidget(fields, 1);
-    statusBar()->addPermanentWidget(new TraceProgress(m_parts.tracer));
+    statusBar()->addPermanentWidget(progressOf(m_parts.files->loader()));
+    statusBar()->addPermanentWidget(progressOf(m_parts.files->saver()));
+    statusBar()->addPermanentWidget(progressOf(m_parts.tracer));
     connect(m_parts.canvas, &Canvas::hovered, fields,
             [this, fields](const std::optional<LatticePoint> &point) {
                 if (!point)
@@ -181,26 +184,31 @@ void MainWindow::makeStatusBar()
                 };
                 fields->setHovered(QPoint(pixel(point->x), pixel(point->y)));
             });
-    connect(m_parts.playhead, &Playhead::message, this, [this](const QString &text) {
-        statusBar()->showMessage(text, int(std::chrono::milliseconds(statusMessageTime).count()));
-    });
+    connect(m_parts.playhead, &Playhead::message, this, &MainWindow::tellBriefly);
+}
+
+void MainWindow::tellBriefly(const QString &text)
+{
+    statusBar()->showMessage(text, statusMessageTime);
 }
 
 void MainWindow::connectParts()
 {
     SceneDocument *document = m_parts.document;
-    connect(document, &SceneDocument::sceneChanged, this,
-            [this, document] { m_parts.tracer->trace(document->scene()); });
+    connect(document, &SceneDocument::sceneChanged, this, [this, document] {
+        const std::shared_ptr<const Scene> scene = document->snapshot();
+        m_parts.tracer->trace(scene);
+        if (m_parts.tracer->isRunning())
+            return m_parts.previewer->preview(scene);
+        m_parts.previewer->clear(); // it is traced already, or cannot be
+    });
     connect(document, &SceneDocument::modifiedChanged, this, &QWidget::setWindowModified);
     connect(document, &SceneDocument::refused, m_parts.messageBar, &MessageBar::complain);
     connect(document, &SceneDocument::notice, m_parts.messageBar, &MessageBar::complain);
     connect(m_parts.tracer, &SceneTracer::traced, this, &MainWindow::takeTrace);
     connect(m_parts.tracer, &SceneTracer::failed, m_parts.messageBar, &MessageBar::complain);
-    connect(m_parts.tracer, &SceneTracer::cancelled, m_parts.messageBar, [this] {
-        m_parts.messageBar->tell(
-            tr("Tracing was cancelled: the panels show the run before. Undo the "
-               "change, or change the scene again to trace it."));
-    });
+    connect(m_parts.tracer, &SceneTracer::cancelled, m_parts.messageBar,
+            [this] { m_parts.messageBar->tell(cancelledRunNote()); });
     connect(m_parts.files, &SceneFiles::pathChanged, this, &MainWindow::updateTitle);
     connect(m_parts.files, &SceneFiles::loaded, this, [this] {
         m_parts.messageBar->hide();
@@ -211,9 +219,7 @@ void MainWindow::connectParts()
     connect(m_parts.files, &SceneFiles::complaint, m_parts.messageBar, &MessageBar::complain);
     connect(m_parts.files, &SceneFiles::notice, m_parts.messageBar, &MessageBar::tell);
     connect(m_parts.exports, &SceneExports::complaint, m_parts.messageBar, &MessageBar::complain);
-    connect(m_parts.exports, &SceneExports::notice, this, [this](const QString &text) {
-        statusBar()->showMessage(text, int(std::chrono::milliseconds(statusMessageTime).count()));
-    });
+    connect(m_parts.exports, &SceneExports::notice, this, &MainWindow::tellBriefly);
     const auto updateColour = [this, document] { m_nextColour->setColour(document->nextColour()); };
     connect(document, &SceneDocument::nextColourChanged, m_nextColour, updateColour);
     connect(m_nextColour, &ColourButton::colourChosen, document, &SceneDocument::setNextColour);
@@ -244,12 +250,10 @@ void MainWindow::connectStudies()
 void MainWindow::takeTrace(const std::shared_ptr<const TracedScene> &traced)
 {
     m_parts.playhead->setTraced(traced);
+    m_parts.previewer->followTrace(traced);
     goToOpeningPlace();
     if (traced->trace->isCut())
-        m_parts.messageBar->tell(
-            tr("The recording ended at its limit of %1 pixels: the run and the "
-               "differences are cut there.")
-                .arg(traced->trace->sampleCount()));
+        m_parts.messageBar->tell(cutRunNote(*traced));
 }
 
 void MainWindow::goToOpeningPlace()

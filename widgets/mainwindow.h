@@ -50,6 +50,7 @@ private:
     void connectStudies();
     void takeTrace(const std::shared_ptr<const TracedScene> &traced);
     void goToOpeningPlace();
+    void tellBriefly(const QString &text); ///< in the status bar
     void updateTitle();
 
     WindowParts m_parts;

@@ -43,15 +43,10 @@ void PixelHistoryModel::setPixel(std::shared_ptr<const TracedScene> traced,
     m_attempts.clear();
     m_unlisted = 0;
     if (m_traced && pixel) {
-        int refusals = 0;
-        for (PixelAttempt &attempt :
-             pixelHistory(*m_traced, pixel->x(), pixel->y(), std::size_t(listedRefusals))) {
-            const bool isRefusal = !attempt.written && !attempt.verdict.covered;
-            if (isRefusal && ++refusals > listedRefusals)
-                ++m_unlisted;
-            else
-                m_attempts.push_back(std::move(attempt));
-        }
+        BriefPixelHistory history
+            = briefPixelHistory(*m_traced, pixel->x(), pixel->y(), std::size_t(listedRefusals));
+        m_attempts = std::move(history.attempts);
+        m_unlisted = history.furtherRefusals;
     }
     endResetModel();
 }

@@ -7,7 +7,7 @@
 
 namespace pixelplumb {
 
-void SceneCommand::tellSceneChanged() { emit m_document->sceneChanged(); }
+void SceneCommand::tellSceneChanged() { m_document->tellSceneChanged(); }
 
 void SceneCommand::tellPendingChanged()
 {

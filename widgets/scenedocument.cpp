@@ -126,9 +126,9 @@ LatticePoint SceneDocument::snapped(const LatticePoint &point) const
     return {nearestMultiple(point.x, step), nearestMultiple(point.y, step)};
 }
 
-void SceneDocument::reset(const Scene &scene)
+void SceneDocument::reset(Scene scene)
 {
-    m_scene = scene;
+    m_scene = std::move(scene);
     m_pending.clear();
     m_chosenColour.reset();
     m_selected.reset();
@@ -136,6 +136,19 @@ void SceneDocument::reset(const Scene &scene)
     emit selectionChanged();
     emit pendingChanged();
     emit nextColourChanged();
+    tellSceneChanged();
+}
+
+std::shared_ptr<const Scene> SceneDocument::snapshot() const
+{
+    if (!m_snapshot)
+        m_snapshot = std::make_shared<const Scene>(m_scene);
+    return m_snapshot;
+}
+
+void SceneDocument::tellSceneChanged()
+{
+    m_snapshot.reset();
     emit sceneChanged();
 }
 

@@ -6,6 +6,7 @@
 #include <QObject>
 #include <QUndoStack>
 
+#include <memory>
 #include <optional>
 
 namespace pixelplumb {
@@ -36,6 +37,8 @@ public:
     ~SceneDocument() override;
 
     const Scene &scene() const { return m_scene; }
+    /// The scene as it stands, for work beside the GUI thread. Made once a change, when asked for.
+    std::shared_ptr<const Scene> snapshot() const;
     const std::vector<Vertex> &pendingVertices() const { return m_pending; }
     QUndoStack *undoStack() { return &m_undoStack; }
     bool isModified() const { return !m_undoStack.isClean(); }
@@ -63,7 +66,7 @@ public:
     LatticePoint snapped(const LatticePoint &point) const;
 
     /// Replaces everything and forgets the undo history; the document is unmodified after it.
-    void reset(const Scene &scene);
+    void reset(Scene scene);
     void markSaved() { m_undoStack.setClean(); }
 
     /// A number for the moves of one drag, or of one run of a key, that no other drag has.
@@ -112,8 +115,10 @@ private:
     Shape *findShape(int primitive);
     bool accepts(const LatticePoint &position);
     void dropStaleSelection();
+    void tellSceneChanged();
 
     Scene m_scene;
+    mutable std::shared_ptr<const Scene> m_snapshot; ///< null until asked for after a change
     std::vector<Vertex> m_pending;
     QUndoStack m_undoStack;
     Snap m_snap = Snap::Pixel;

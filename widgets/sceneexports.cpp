@@ -18,6 +18,12 @@
 
 namespace pixelplumb {
 
+namespace {
+
+constexpr std::size_t mostCopiedRefusals = 20; ///< primitives that leave a pixel alone
+
+} // namespace
+
 SceneExports::SceneExports(Playhead *playhead, const DisplayOptions *options, QWidget *window)
     : QObject(window)
     , m_playhead(playhead)
@@ -147,11 +153,15 @@ void SceneExports::copyPickedPixel()
     const Colour colour = unpacked(*m_playhead->frame()->view().at(pixel->x(), pixel->y()));
     QStringList cells{QStringLiteral("(%1, %2)").arg(pixel->x()).arg(pixel->y()),
                       colourText(colour)};
-    for (const PixelAttempt &attempt : pixelHistory(*m_playhead->traced(), pixel->x(), pixel->y()))
+    const BriefPixelHistory history
+        = briefPixelHistory(*m_playhead->traced(), pixel->x(), pixel->y(), mostCopiedRefusals);
+    for (const PixelAttempt &attempt : history.attempts)
         cells += QStringLiteral("%1 %2: %3")
                      .arg(nameOf(attempt.kind))
                      .arg(attempt.primitive)
                      .arg(attempt.reason);
+    if (history.furtherRefusals > 0)
+        cells += tr("%n more primitive(s) leave it alone", nullptr, int(history.furtherRefusals));
     QApplication::clipboard()->setText(cells.join(QLatin1Char('\t')));
     emit notice(tr("Pixel (%1, %2) is on the clipboard.").arg(pixel->x()).arg(pixel->y()));
 }

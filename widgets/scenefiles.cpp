@@ -4,11 +4,14 @@
 #include "core/scene/scenefile.h"
 #include "widgets/recentfiles.h"
 #include "widgets/scenedocument.h"
+#include "widgets/sceneloader.h"
+#include "widgets/scenesaver.h"
 
 #include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QMessageBox>
+#include <QProgressDialog>
 #include <QStandardPaths>
 
 namespace pixelplumb {
@@ -42,7 +45,12 @@ SceneFiles::SceneFiles(SceneDocument *document, RecentFiles *recent, QWidget *wi
     , m_document(document)
     , m_recent(recent)
     , m_window(window)
+    , m_loader(new SceneLoader(this))
+    , m_saver(new SceneSaver(this))
 {
+    connect(m_saver, &SceneSaver::finished, this, &SceneFiles::takeSaved);
+    connect(m_loader, &SceneLoader::finished, this, &SceneFiles::takeLoaded);
+    connect(m_loader, &SceneLoader::cancelled, this, &SceneFiles::loadingFailed);
 }
 
 QString SceneFiles::displayName() const
@@ -52,11 +60,13 @@ QString SceneFiles::displayName() const
 
 bool SceneFiles::mayReplace()
 {
+    if (!waitForSaving())
+        return false;
     if (!m_document->isModified())
         return true;
     switch (askAboutChanges()) {
     case UnsavedChanges::Save:
-        return save();
+        return save() && waitForSaving() && !m_document->isModified();
     case UnsavedChanges::Discard:
         return true;
     case UnsavedChanges::Cancel:
@@ -67,55 +77,118 @@ bool SceneFiles::mayReplace()
 
 bool SceneFiles::load(const QString &path)
 {
-    const Result<SceneReading> reading = readSceneFile(path);
+    if (SceneLoader::isLarge(path)) {
+        m_editsAtLoad = m_document->undoStack()->index();
+        m_loader->load(path);
+        return true;
+    }
+    Result<SceneReading> reading = readSceneFile(path);
     if (!reading) {
-        const QString message = reading.error().message();
-        emit complaint(message.contains(path)
-                           ? tr("Not opened: %1").arg(message)
-                           : tr("%1 was not opened: %2").arg(QFileInfo(path).fileName(), message));
+        complainOf(path, reading.error().message());
         return false;
     }
-    m_document->reset(reading->scene);
-    setPath(path);
-    m_recent->add(path);
-    emit loaded();
-    if (!reading->snaps.empty())
-        emit notice(noticeOf(reading->snaps));
+    show(path, *reading);
     return true;
+}
+
+bool SceneFiles::isLoading() const { return m_loader->isRunning(); }
+
+void SceneFiles::takeLoaded(const QString &path,
+                            const std::shared_ptr<Result<SceneReading>> &reading)
+{
+    if (!*reading) {
+        complainOf(path, reading->error().message());
+        emit loadingFailed();
+        return;
+    }
+    // The old document could be edited meanwhile.
+    const bool wasEdited = m_document->undoStack()->index() != m_editsAtLoad;
+    if (wasEdited && !mayReplace()) {
+        emit loadingFailed();
+        return;
+    }
+    show(path, **reading);
+}
+
+void SceneFiles::complainOf(const QString &path, const QString &message)
+{
+    emit complaint(message.contains(path)
+                       ? tr("Not opened: %1").arg(message)
+                       : tr("%1 was not opened: %2").arg(QFileInfo(path).fileName(), message));
+}
+
+void SceneFiles::show(const QString &path, SceneReading &reading)
+{
+    replaceBy(std::move(reading.scene), path);
+    m_recent->add(path);
+    if (!reading.snaps.empty())
+        emit notice(noticeOf(reading.snaps));
+}
+
+/// Whatever else was being read is not wanted any more.
+void SceneFiles::replaceBy(Scene scene, const QString &path)
+{
+    m_loader->cancel();
+    m_document->reset(std::move(scene));
+    setPath(path);
+    emit loaded();
 }
 
 bool SceneFiles::saveTo(const QString &path)
 {
-    if (const std::optional<InputError> error = writeSceneFile(path, m_document->scene())) {
-        emit complaint(tr("The scene was not saved: %1").arg(error->message()));
+    if (!waitForSaving())
         return false;
+    const std::shared_ptr<const Scene> scene = m_document->snapshot();
+    if (SceneSaver::isLarge(*scene)) {
+        m_saver->save(path, scene);
+        return true;
     }
-    m_document->markSaved();
+    const std::optional<InputError> error = writeSceneFile(path, *scene);
+    takeSaved(path, scene, error);
+    return !error;
+}
+
+void SceneFiles::takeSaved(const QString &path, const std::shared_ptr<const Scene> &scene,
+                           const std::optional<InputError> &error)
+{
+    if (error) {
+        emit complaint(tr("The scene was not saved: %1").arg(error->message()));
+        return;
+    }
+    if (m_document->snapshot() == scene) // else it was edited meanwhile
+        m_document->markSaved();
     setPath(path);
     m_recent->add(path);
-    return true;
+}
+
+/// Until the file that is being written is whole; false when the person would rather go on.
+bool SceneFiles::waitForSaving()
+{
+    if (!m_saver->isRunning())
+        return true;
+    QProgressDialog dialog(tr("Saving…"), tr("Go on working"), 0, 0, m_window);
+    dialog.setObjectName(QStringLiteral("savingDialog"));
+    dialog.setWindowModality(Qt::WindowModal);
+    connect(m_saver, &SceneSaver::finished, &dialog, &QDialog::accept);
+    return dialog.exec() == QDialog::Accepted;
 }
 
 void SceneFiles::loadDefault()
 {
     QFile file(defaultScenePath());
     if (file.open(QIODevice::ReadOnly)) {
-        if (const Result<SceneReading> reading = readScene(file.readAll()))
-            m_document->reset(reading->scene);
+        if (Result<SceneReading> reading = readScene(file.readAll()))
+            replaceBy(std::move(reading->scene), {});
         else
             emit complaint(reading.error().message());
     }
-    setPath({});
-    emit loaded();
 }
 
 bool SceneFiles::showScene(const Scene &scene)
 {
     if (!mayReplace())
         return false;
-    m_document->reset(scene);
-    setPath({});
-    emit loaded();
+    replaceBy(scene, {});
     return true;
 }
 
@@ -127,9 +200,7 @@ void SceneFiles::newScene()
     scene.frame = m_document->scene().frame;
     scene.settings = m_document->scene().settings;
     scene.method = m_document->scene().method;
-    m_document->reset(scene);
-    setPath({});
-    emit loaded();
+    replaceBy(std::move(scene), {});
 }
 
 void SceneFiles::open()
@@ -163,7 +234,7 @@ bool SceneFiles::saveAs()
 
 void SceneFiles::revert()
 {
-    if (m_path.isEmpty())
+    if (m_path.isEmpty() || !waitForSaving())
         return;
     // Saving first would leave nothing to revert to.
     if (m_document->isModified() && askAboutRevert() != UnsavedChanges::Discard)

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/scene/scenefile.h"
+
 #include <QObject>
 #include <QString>
 
 #include <functional>
+#include <memory>
 
 class QWidget;
 
@@ -12,12 +15,15 @@ namespace pixelplumb {
 
 class RecentFiles;
 class SceneDocument;
-struct Scene;
+class SceneLoader;
+class SceneSaver;
 
 /// What to do with changes that are not in a file yet.
 enum class UnsavedChanges { Save, Discard, Cancel };
 
-/// The document's life as a file: new, open, save, and the question before changes are lost.
+/// The document's life as a file: new, open, save, and the question before changes are lost. Large
+/// files are read beside the GUI thread; the old document stays until the new one is whole. Large
+/// scenes are written there as well; nothing replaces the document before its file is whole.
 class SceneFiles : public QObject {
     Q_OBJECT
 
@@ -34,8 +40,14 @@ public:
 
     /// True when the document may be replaced: nothing unsaved, or saved now, or given up.
     bool mayReplace();
-    /// Opens without asking. False after a complaint; then the document is untouched.
+    /// Opens without asking. False after a complaint; then the document is untouched. A large file
+    /// is open when loaded() says so, and on its way while isLoading().
     bool load(const QString &path);
+    bool isLoading() const;
+    SceneLoader *loader() const { return m_loader; }
+    SceneSaver *saver() const { return m_saver; }
+    /// False after a complaint. A large scene is saved when the document says that it is
+    /// unmodified.
     bool saveTo(const QString &path);
     void loadDefault();
     /// A scene that is in no file; false when the person keeps the one that is there.
@@ -57,6 +69,7 @@ public slots:
 signals:
     void pathChanged();
     void loaded();
+    void loadingFailed(); ///< after a complaint, or cancelled: the document is as it was
     void complaint(const QString &text);
     void notice(const QString &text);
 
@@ -64,10 +77,20 @@ private:
     UnsavedChanges ask(int answers) const; ///< of QMessageBox::StandardButton
     QString folder() const;
     void setPath(const QString &path);
+    void takeLoaded(const QString &path, const std::shared_ptr<Result<SceneReading>> &reading);
+    void show(const QString &path, SceneReading &reading);
+    void replaceBy(Scene scene, const QString &path);
+    bool waitForSaving();
+    void takeSaved(const QString &path, const std::shared_ptr<const Scene> &scene,
+                   const std::optional<InputError> &error);
+    void complainOf(const QString &path, const QString &message);
 
     SceneDocument *m_document;
     RecentFiles *m_recent;
     QWidget *m_window;
+    SceneLoader *m_loader;
+    SceneSaver *m_saver;
+    int m_editsAtLoad = 0; ///< the undo stack's place when the reading began
     QString m_path;
 };
 

@@ -15,6 +15,8 @@ namespace {
 
 using namespace std::chrono_literals;
 
+constexpr auto rest = 80ms; ///< more than between two moves of a hand
+
 constexpr std::int64_t rowsOfATruthBand = 64; // traceScene asks for progress at each
 
 TraceOutcome outcomeOf(const Scene &scene, const TraceOptions &options)
@@ -38,6 +40,14 @@ QString refusalOf(const Scene &scene)
     const Method *method = methodNamed(id);
     return method ? method->refusal(scene.settings)
                   : SceneTracer::tr("There is no method named “%1”.").arg(id);
+}
+
+/// Done at once; looks closer only at what may be small.
+bool isSmall(const Scene &scene)
+{
+    return std::int64_t(scene.triangles.size() + scene.shapes.size())
+        <= TraceCost::mostTrianglesOfSmall
+        && traceCostOf(scene).isSmall();
 }
 
 /// The least and the greatest of one coordinate.
@@ -71,24 +81,25 @@ TraceCost traceCostOf(const Scene &scene)
 {
     TraceCost cost;
     const FrameSpec &frame = scene.frame;
-    const Primitives primitives = primitivesOnSamples(scene);
+    const Lattice offset = sampleOffset(frame);
     const auto add = [&](std::span<const Vertex> vertices, Lattice margin) {
         const auto [left, right] = extentOf(vertices, &LatticePoint::x, margin);
         const auto [low, high] = extentOf(vertices, &LatticePoint::y, margin);
-        const auto samples
-            = [](Lattice first, Lattice last, std::int64_t frameFirst, std::int64_t frameSize) {
-                  const std::int64_t begin = std::max(ceilPixel(first), frameFirst);
-                  const std::int64_t end = std::min(floorPixel(last) + 1, frameFirst + frameSize);
-                  return std::max<std::int64_t>(0, end - begin);
-              };
+        const auto samples = [offset](Lattice first, Lattice last, std::int64_t frameFirst,
+                                      std::int64_t frameSize) {
+            const std::int64_t begin = std::max(ceilPixel(first - offset), frameFirst);
+            const std::int64_t end
+                = std::min(floorPixel(last - offset) + 1, frameFirst + frameSize);
+            return std::max<std::int64_t>(0, end - begin);
+        };
         const std::int64_t columns = samples(left, right, frame.firstColumn, frame.width);
         ++cost.triangles;
         cost.columns += columns;
         cost.pixels += columns * samples(low, high, frame.firstRow, frame.height);
     };
-    for (const Triangle &triangle : primitives.triangles)
+    for (const Triangle &triangle : scene.triangles)
         add(triangle.vertices, 0);
-    for (const Shape &shape : primitives.shapes)
+    for (const Shape &shape : scene.shapes)
         add(shape.vertices, reachOf(shape));
     return cost;
 }
@@ -98,7 +109,7 @@ struct SceneTracer::Progress {
     std::atomic<bool> cancelled = false;
     std::atomic<std::int64_t> columnsEntered = 0;
     std::atomic<std::int64_t> bandsOfTruth = 0;
-    std::int64_t expectedColumns = 1;
+    std::atomic<std::int64_t> expectedColumns = 0; ///< none until they are counted
     std::int64_t expectedBands = 1;
 
     /// Heard in the worker's thread.
@@ -113,6 +124,8 @@ struct SceneTracer::Progress {
     }
     int percent() const
     {
+        if (expectedColumns == 0)
+            return 0;
         const auto half = [](std::int64_t done, std::int64_t expected) {
             return int(std::min<std::int64_t>(50, 50 * done / std::max<std::int64_t>(1, expected)));
         };
@@ -123,6 +136,9 @@ struct SceneTracer::Progress {
 SceneTracer::SceneTracer(QObject *parent)
     : QObject(parent)
 {
+    m_restTimer.setSingleShot(true);
+    m_restTimer.setInterval(rest);
+    connect(&m_restTimer, &QTimer::timeout, this, &SceneTracer::startNext);
     m_progressTimer.setInterval(50ms);
     connect(&m_progressTimer, &QTimer::timeout, this, &SceneTracer::tellProgress);
     connect(&m_watcher, &QFutureWatcherBase::finished, this, &SceneTracer::finish);
@@ -136,35 +152,48 @@ SceneTracer::~SceneTracer()
     m_watcher.waitForFinished();
 }
 
-bool SceneTracer::isRunning() const { return m_progress != nullptr; }
+bool SceneTracer::isRunning() const { return m_progress || m_next; }
 
-void SceneTracer::trace(const Scene &scene)
+void SceneTracer::trace(const Scene &scene) { trace(std::make_shared<const Scene>(scene)); }
+
+void SceneTracer::trace(const std::shared_ptr<const Scene> &scene)
 {
-    if (m_progress) {
+    if (m_progress)
         m_progress->cancelled = true;
-        m_next = scene;
+    if (!isRunning()) {
+        start(scene);
         return;
     }
-    start(scene);
+    m_next = scene;
+    m_restTimer.start(isSmall(*scene) ? 0ms : rest);
 }
 
 void SceneTracer::cancel()
 {
-    if (!m_progress)
-        return;
+    const bool isWaiting = m_next && !m_progress;
     m_next.reset();
-    m_progress->cancelled = true;
+    m_restTimer.stop();
+    if (m_progress)
+        m_progress->cancelled = true;
+    else if (isWaiting)
+        emit cancelled();
 }
 
-void SceneTracer::start(const Scene &scene)
+/// Whichever ends later, the cancelled trace or the rest, begins the next one.
+void SceneTracer::startNext()
 {
-    if (const QString refusal = refusalOf(scene); !refusal.isEmpty()) {
+    if (m_next && !m_progress && !m_restTimer.isActive())
+        start(std::exchange(m_next, nullptr));
+}
+
+void SceneTracer::start(const std::shared_ptr<const Scene> &scene)
+{
+    if (const QString refusal = refusalOf(*scene); !refusal.isEmpty()) {
         emit failed(refusal);
         return;
     }
-    const TraceCost cost = traceCostOf(scene);
-    if (cost.isSmall()) {
-        const TraceOutcome outcome = outcomeOf(scene, {});
+    if (isSmall(*scene)) {
+        const TraceOutcome outcome = outcomeOf(*scene, {});
         if (outcome.traced)
             emit traced(outcome.traced);
         else
@@ -172,12 +201,12 @@ void SceneTracer::start(const Scene &scene)
         return;
     }
     m_progress = std::make_unique<Progress>();
-    m_progress->expectedColumns = cost.columns;
-    m_progress->expectedBands = scene.frame.height / rowsOfATruthBand + 1;
+    m_progress->expectedBands = scene->frame.height / rowsOfATruthBand + 1;
     m_watcher.setFuture(QtConcurrent::run([scene, progress = m_progress.get()] {
+        progress->expectedColumns = std::max<std::int64_t>(1, traceCostOf(*scene).columns);
         TraceOptions options;
         options.progress = [progress](std::size_t entered) { return progress->goesOn(entered); };
-        return outcomeOf(scene, options);
+        return outcomeOf(*scene, options);
     }));
     m_progressTimer.start();
     emit started();
@@ -191,7 +220,7 @@ void SceneTracer::finish()
     const bool wasCancelled = m_progress->cancelled;
     m_progress.reset();
     if (m_next) {
-        start(*std::exchange(m_next, std::nullopt));
+        startNext();
         return;
     }
     if (wasCancelled)

@@ -8,7 +8,6 @@
 #include <QTimer>
 
 #include <memory>
-#include <optional>
 
 namespace pixelplumb {
 
@@ -18,8 +17,14 @@ struct TraceCost {
     std::int64_t columns = 0;
     std::int64_t pixels = 0; ///< of the boxes: at least what the triangles cover
 
+    static constexpr std::int64_t mostPixelsOfSmall = 150'000;
+    static constexpr std::int64_t mostTrianglesOfSmall = 2'000;
+
     /// A few milliseconds: not worth a thread, and a drag then repaints within its frame.
-    bool isSmall() const { return pixels <= 150'000 && triangles <= 2'000; }
+    bool isSmall() const
+    {
+        return pixels <= mostPixelsOfSmall && triangles <= mostTrianglesOfSmall;
+    }
 
     friend bool operator==(const TraceCost &, const TraceCost &) = default;
 };
@@ -32,8 +37,9 @@ struct TraceOutcome {
 };
 
 /// Traces scenes beside the GUI thread. Small ones, which take a few milliseconds, are done at
-/// once; a newer request cancels an older one, whose result is dropped. Only one trace is under way
-/// at a time, so that two large ones never stand in memory together.
+/// once; a newer request cancels an older one, whose result is dropped, and waits until no more
+/// come: traces that a drag would cancel at each move only take time from its preview. Only one
+/// trace is under way at a time, so that two large ones never stand in memory together.
 class SceneTracer : public QObject {
     Q_OBJECT
 
@@ -41,10 +47,12 @@ public:
     explicit SceneTracer(QObject *parent = nullptr);
     ~SceneTracer() override; ///< cancels and waits
 
+    /// Whether a trace is under way or waits for its turn.
     bool isRunning() const;
 
 public slots:
     void trace(const pixelplumb::Scene &scene);
+    void trace(const std::shared_ptr<const pixelplumb::Scene> &scene);
     void cancel();
 
 signals:
@@ -58,14 +66,16 @@ signals:
 private:
     struct Progress;
 
-    void start(const Scene &scene);
+    void start(const std::shared_ptr<const Scene> &scene);
+    void startNext();
     void finish();
     void tellProgress();
 
     QFutureWatcher<TraceOutcome> m_watcher;
     std::unique_ptr<Progress>
         m_progress; ///< shared with the worker; null when nothing is under way
-    std::optional<Scene> m_next; ///< waits for the cancelled one to end
+    std::shared_ptr<const Scene> m_next; ///< waits for the cancelled one to end, and for a rest
+    QTimer m_restTimer; ///< runs while requests come one after another
     QTimer m_progressTimer;
 };
 

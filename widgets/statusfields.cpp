@@ -3,14 +3,11 @@
 
 #include "core/scene/colourtext.h"
 #include "widgets/playhead.h"
-#include "widgets/scenetracer.h"
 #include "widgets/steptext.h"
 
 #include <QBoxLayout>
 #include <QFrame>
 #include <QLabel>
-#include <QProgressBar>
-#include <QToolButton>
 
 namespace pixelplumb {
 
@@ -90,6 +87,8 @@ void StatusFields::takeTrace()
         if (traced->trace->isCut())
             words += tr("recording cut at its limit");
         m_settings->setText(words.join(QStringLiteral(" · ")));
+    } else {
+        m_settings->clear();
     }
     refresh();
 }
@@ -113,39 +112,6 @@ QString StatusFields::pixelText() const
         .arg(pixel->x())
         .arg(pixel->y())
         .arg(colourText(unpacked(*frame->view().at(pixel->x(), pixel->y()))));
-}
-
-TraceProgress::TraceProgress(SceneTracer *tracer, QWidget *parent)
-    : QWidget(parent)
-{
-    auto *row = new QHBoxLayout(this);
-    row->setContentsMargins(0, 0, 8, 0);
-    row->setSpacing(8);
-    auto *bar = new QProgressBar(this);
-    bar->setObjectName(QStringLiteral("traceProgress"));
-    bar->setAccessibleName(tr("Progress of tracing"));
-    bar->setRange(0, 100);
-    bar->setFixedWidth(160);
-    bar->setMaximumHeight(16);
-    auto *cancel = new QToolButton(this);
-    cancel->setObjectName(QStringLiteral("cancelTrace"));
-    cancel->setText(tr("Cancel"));
-    cancel->setAccessibleName(tr("Cancel tracing"));
-    cancel->setAutoRaise(true);
-    row->addWidget(new QLabel(tr("Tracing"), this));
-    row->addWidget(bar);
-    row->addWidget(cancel);
-    hide();
-
-    connect(cancel, &QToolButton::clicked, tracer, &SceneTracer::cancel);
-    connect(tracer, &SceneTracer::started, this, [this, bar] {
-        bar->setValue(0);
-        show();
-    });
-    connect(tracer, &SceneTracer::progressChanged, bar, &QProgressBar::setValue);
-    connect(tracer, &SceneTracer::traced, this, &QWidget::hide);
-    connect(tracer, &SceneTracer::cancelled, this, &QWidget::hide);
-    connect(tracer, &SceneTracer::failed, this, &QWidget::hide);
 }
 
 } // namespace pixelplumb

@@ -12,7 +12,6 @@ class QLabel;
 namespace pixelplumb {
 
 class Playhead;
-class SceneTracer;
 
 /// The status bar's fields: the pixel under the mouse or picked, the column and the step in hand,
 /// under which rules. Each is as wide as the widest text that it will show, so that nothing moves
@@ -40,15 +39,6 @@ private:
     QLabel *m_step;
     QLabel *m_settings;
     std::optional<QPoint> m_hovered;
-};
-
-/// How far the tracing beside the window is, and a button that ends it; hidden when nothing is
-/// traced.
-class TraceProgress : public QWidget {
-    Q_OBJECT
-
-public:
-    explicit TraceProgress(SceneTracer *tracer, QWidget *parent = nullptr);
 };
 
 } // namespace pixelplumb

@@ -12,6 +12,7 @@ class RecentFiles;
 class SceneDocument;
 class SceneExports;
 class SceneFiles;
+class ScenePreviewer;
 class SceneTracer;
 class Scrubber;
 class StepActions;
@@ -22,6 +23,7 @@ struct WindowParts {
     Playhead *playhead = nullptr;
     DisplayOptions *options = nullptr;
     SceneTracer *tracer = nullptr;
+    ScenePreviewer *previewer = nullptr;
     RecentFiles *recent = nullptr;
     SceneFiles *files = nullptr;
     SceneExports *exports = nullptr;

@@ -3,6 +3,8 @@
 
 #include "core/frame/framespec.h"
 
+#include <algorithm>
+#include <span>
 #include <vector>
 
 namespace pixelplumb {
@@ -30,6 +32,14 @@ public:
     // (x, y) must lie inside the frame.
     const Value &at(std::int64_t x, std::int64_t y) const { return m_values[indexOf(x, y)]; }
     Value &at(std::int64_t x, std::int64_t y) { return m_values[indexOf(x, y)]; }
+
+    /// The pixels of a row of the frame, from its first column on.
+    std::span<const Value> row(std::int64_t y) const
+    {
+        return std::span(m_values).subspan(indexOf(m_spec.firstColumn, y),
+                                           std::size_t(m_spec.width));
+    }
+    void fill(const Value &value) { std::ranges::fill(m_values, value); }
 
     friend bool operator==(const FrameMap &, const FrameMap &) = default;
 

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <optional>
 #include <span>
+#include <variant>
 
 namespace pixelplumb {
 
@@ -24,11 +25,16 @@ public:
     }
 
     /// The scene whose primitives stand apart; none where one of them is at fault.
-    std::optional<SceneReading> read(std::span<const QByteArrayView> primitives)
+    /// `goesOn` is asked before each.
+    template <class GoesOn>
+    std::optional<SceneReading> read(std::span<const QByteArrayView> primitives,
+                                     const GoesOn &goesOn)
     {
         readSurroundings();
         for (std::size_t index = 0; index < primitives.size() && !m_json.hasFailed(); ++index) {
             const QByteArrayView piece = primitives[index];
+            if (!goesOn(index, piece))
+                return std::nullopt;
             JsonReader json(QByteArray::fromRawData(piece.data(), piece.size()),
                             elementPath(primitivesKey(), qsizetype(index)));
             if (json.hasFailed())
@@ -196,17 +202,33 @@ private:
     SceneReading m_reading;
 };
 
-constexpr qsizetype largestWholeText = qsizetype(1) << 20; // bytes
+constexpr std::size_t primitivesBetweenProgress = 1024;
 
-std::optional<SceneReading> readByPieces(const QByteArray &text)
+/// How a reading by pieces ended without a scene.
+enum class PiecesEnd { Faulty, Cancelled };
+
+std::variant<SceneReading, PiecesEnd> readByPieces(const QByteArray &text,
+                                                   const ReadOptions &options)
 {
+    const auto mayGoOn = [&](const char *place) {
+        return !options.progress || options.progress(place - text.constData(), text.size());
+    };
+    if (!mayGoOn(text.constData()))
+        return PiecesEnd::Cancelled;
     const std::optional<ScenePieces> pieces = piecesOf(text);
     if (!pieces)
-        return std::nullopt;
+        return PiecesEnd::Faulty;
     JsonReader json(pieces->frame);
     if (json.hasFailed())
-        return std::nullopt;
-    return SceneReader(json).read(pieces->primitives);
+        return PiecesEnd::Faulty;
+    bool isCancelled = false;
+    const auto goesOn = [&](std::size_t index, QByteArrayView piece) {
+        isCancelled = index % primitivesBetweenProgress == 0 && !mayGoOn(piece.data());
+        return !isCancelled;
+    };
+    if (std::optional<SceneReading> reading = SceneReader(json).read(pieces->primitives, goesOn))
+        return std::move(*reading);
+    return isCancelled ? PiecesEnd::Cancelled : PiecesEnd::Faulty;
 }
 
 } // namespace
@@ -217,13 +239,16 @@ QString SnapReport::message() const
         .arg(place, written, coordinateText(snapped.units), toText(snapped.displacement));
 }
 
-Result<SceneReading> readScene(const QByteArray &text)
+Result<SceneReading> readScene(const QByteArray &text, const ReadOptions &options)
 {
     // A scene of a million triangles as one JSON document would take gigabytes. What is wrong with
     // a text is told by reading it as a whole.
     if (text.size() > largestWholeText) {
-        if (std::optional<SceneReading> reading = readByPieces(text))
-            return std::move(*reading);
+        auto reading = readByPieces(text, options);
+        if (auto *scene = std::get_if<SceneReading>(&reading))
+            return std::move(*scene);
+        if (std::get<PiecesEnd>(reading) == PiecesEnd::Cancelled)
+            return InputError{{}, QStringLiteral("the reading was cancelled"), {}};
     }
     JsonReader json(text);
     if (json.hasFailed())
@@ -234,12 +259,12 @@ Result<SceneReading> readScene(const QByteArray &text)
     return reading;
 }
 
-Result<SceneReading> readSceneFile(const QString &path)
+Result<SceneReading> readSceneFile(const QString &path, const ReadOptions &options)
 {
     const Result<QByteArray> text = readFile(path);
     if (!text)
         return text.error();
-    Result<SceneReading> reading = readScene(*text);
+    Result<SceneReading> reading = readScene(*text, options);
     if (reading)
         return reading;
     InputError error = reading.error();

@@ -5,6 +5,7 @@
 #include "core/frame/framemap.h"
 
 #include <array>
+#include <span>
 
 namespace pixelplumb {
 
@@ -29,6 +30,15 @@ public:
     Difference at(std::int64_t x, std::int64_t y) const
     {
         return m_kinds.contains(x, y) ? m_kinds.at(x, y) : Difference::None;
+    }
+    /// The pixels of a row of the frame, from its first column on.
+    std::span<const Difference> row(std::int64_t y) const { return m_kinds.row(y); }
+    /// Takes all differences back and keeps the memory.
+    void clear()
+    {
+        if (total() > 0)
+            m_kinds.fill(Difference::None);
+        m_counts = {};
     }
     void set(std::int64_t x, std::int64_t y, Difference kind)
     {

@@ -5,6 +5,7 @@
 #include "core/scan/choicenames.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace pixelplumb {
 
@@ -142,32 +143,66 @@ void recall(PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x, std::
         attempt.span = trace.span(*span);
 }
 
+/// Whether the truth or the run may have painted the pixel; false is sure, and quick to find.
+bool mayHavePainted(const TracedScene &traced, std::size_t primitive, std::int64_t x,
+                    std::int64_t y)
+{
+    const Primitives &primitives = traced.primitives;
+    if (!primitives.isTriangle(primitive))
+        return true;
+    const auto &[a, b, c] = primitives.triangles[primitive].vertices;
+    const auto isBetween = [](Lattice sample, Lattice p, Lattice q, Lattice r) {
+        return sample >= std::min({p, q, r}) && sample <= std::max({p, q, r});
+    };
+    const LatticePoint sample = latticePixel(x, y);
+    if (isBetween(sample.x, a.position.x, b.position.x, c.position.x)
+        && isBetween(sample.y, a.position.y, b.position.y, c.position.y))
+        return true;
+    return primitive < traced.trace->primitiveCount()
+        && traced.trace->visitOf(primitive, x, y).has_value();
+}
+
+PixelAttempt attemptOf(std::size_t primitive, const TracedScene &traced, std::int64_t x,
+                       std::int64_t y)
+{
+    PixelAttempt attempt;
+    attempt.primitive = primitive;
+    attempt.kind = traced.primitives.kindOf(primitive);
+    judge(attempt, traced, x, y);
+    recall(attempt, *traced.trace, x, y);
+    if (attempt.kind == PrimitiveKind::Triangle)
+        attempt.exactColour = oracle::colourAt(traced.primitives.triangles[primitive], x, y);
+    attempt.reason = reasonOf(attempt, traced);
+    return attempt;
+}
+
 } // namespace
 
-std::vector<PixelAttempt> pixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y,
-                                       std::size_t explainedRefusals)
+std::vector<PixelAttempt> pixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y)
 {
-    std::vector<PixelAttempt> attempts;
+    return briefPixelHistory(traced, x, y, std::numeric_limits<std::size_t>::max()).attempts;
+}
+
+BriefPixelHistory briefPixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y,
+                                    std::size_t listedRefusals)
+{
+    BriefPixelHistory history;
     std::size_t refusals = 0;
     for (std::size_t primitive = 0; primitive < traced.primitives.size(); ++primitive) {
-        PixelAttempt attempt;
-        attempt.primitive = primitive;
-        attempt.kind = traced.primitives.kindOf(primitive);
-        if (!traced.method->draws(attempt.kind))
+        if (!traced.method->draws(traced.primitives.kindOf(primitive)))
             continue;
-        judge(attempt, traced, x, y);
-        recall(attempt, *traced.trace, x, y);
-        const bool isRefusal = !attempt.written && !attempt.verdict.covered;
-        if (isRefusal && ++refusals > explainedRefusals) {
-            attempts.push_back(std::move(attempt));
+        if (refusals >= listedRefusals && !mayHavePainted(traced, primitive, x, y)) {
+            ++history.furtherRefusals;
             continue;
         }
-        if (attempt.kind == PrimitiveKind::Triangle)
-            attempt.exactColour = oracle::colourAt(traced.primitives.triangles[primitive], x, y);
-        attempt.reason = reasonOf(attempt, traced);
-        attempts.push_back(std::move(attempt));
+        PixelAttempt attempt = attemptOf(primitive, traced, x, y);
+        const bool isRefusal = !attempt.written && !attempt.verdict.covered;
+        if (isRefusal && ++refusals > listedRefusals)
+            ++history.furtherRefusals;
+        else
+            history.attempts.push_back(std::move(attempt));
     }
-    return attempts;
+    return history;
 }
 
 } // namespace pixelplumb

@@ -4,8 +4,6 @@
 #include "core/oracle/oracle.h"
 #include "core/trace/tracedscene.h"
 
-#include <limits>
-
 namespace pixelplumb {
 
 /// What one primitive did to one pixel, and what the truth says of it.
@@ -33,11 +31,15 @@ struct PixelAttempt {
     bool hasEdges() const { return kind == PrimitiveKind::Triangle && !verdict.zeroArea; }
 };
 
-/// The attempts of all primitives on a pixel, in drawing order. Of the primitives that rightly
-/// leave it alone only the first `explainedRefusals` get a reason and exact colours: a scene may
-/// hold thousands, and a view lists a few.
-std::vector<PixelAttempt> pixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y,
-                                       std::size_t explainedRefusals
-                                       = std::numeric_limits<std::size_t>::max());
+/// The attempts of all primitives on a pixel, in drawing order.
+std::vector<PixelAttempt> pixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y);
+
+/// The same without most of those that rightly leave it alone: a scene may hold a million.
+struct BriefPixelHistory {
+    std::vector<PixelAttempt> attempts;
+    std::size_t furtherRefusals = 0; ///< that are not among the attempts
+};
+BriefPixelHistory briefPixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y,
+                                    std::size_t listedRefusals);
 
 } // namespace pixelplumb
