@@ -226,21 +226,28 @@ private slots:
 
     void doesNotDependOnTheNumberOfThreads_data()
     {
+        QTest::addColumn<Arithmetic>("arithmetic");
         QTest::addColumn<int>("threads");
-        for (int threads = 1; threads <= 8; ++threads)
-            QTest::addRow("%d threads", threads) << threads;
+        for (const Arithmetic arithmetic : allArithmetics) {
+            for (int threads = 1; threads <= 8; ++threads)
+                QTest::addRow("%s, %d threads", nameOf(arithmetic).data(), threads)
+                    << arithmetic << threads;
+        }
     }
     void doesNotDependOnTheNumberOfThreads()
     {
+        QFETCH(Arithmetic, arithmetic);
         QFETCH(int, threads);
         const std::vector<Triangle> scene = crowd(20'000, 301, 7);
+        const ScanSettings settings{arithmetic, FillRule::Closed, ByteRounding::Nearest};
         for (const RowOrder order : {RowOrder::Ascending, RowOrder::Descending}) {
             const WindowSpec window{297, 283, 3, 5, 7, order};
             GuardedFrame plain(window);
-            drawColumns(scene, {}, plain.view());
+            drawColumns(scene, settings, plain.view());
             GuardedFrame fast(window);
-            const FastReport report = drawFast(scene, {}, fast.view(), {threads, std::nullopt});
-            QCOMPARE(report.threads, threads);
+            const FastReport report
+                = drawFast(scene, settings, fast.view(), {threads, std::nullopt});
+            QCOMPARE(report.threads, arithmetic == Arithmetic::Exact ? threads : 1);
             QVERIFY(fast == plain);
         }
     }

@@ -22,14 +22,15 @@ namespace {
 
 /// The parts of the window that design and README promise to programs.
 const QStringList promisedNames{
-    "canvas",        "columnTable",      "pixelGrid",     "formulaPanel",   "pixelHistory",
-    "stepperBar",    "scrubber",         "methodBox",     "arithmeticBox",  "fillRuleBox",
-    "roundingBox",   "unitBox",          "speedSlider",   "speedBox",       "positionLabel",
-    "messageBar",    "traceProgress",    "cancelTrace",   "statusPixel",    "statusColumn",
-    "statusStep",    "statusSettings",   "formulaDock",   "pixelGridDock",  "pixelHistoryDock",
-    "columnsDock",   "nextColourButton", "compare",       "compareDock",    "agreementMap",
-    "compareReason", "hardCases",        "hardCasesDock", "precision",      "precisionDock",
-    "precisionPlot", "overdrawMap",      "performance",   "performanceDock"};
+    "canvas",        "columnTable",      "pixelGrid",     "formulaPanel",    "pixelHistory",
+    "stepperBar",    "scrubber",         "methodBox",     "arithmeticBox",   "fillRuleBox",
+    "roundingBox",   "unitBox",          "speedSlider",   "speedBox",        "positionLabel",
+    "messageBar",    "traceProgress",    "cancelTrace",   "statusPixel",     "statusColumn",
+    "statusStep",    "statusSettings",   "formulaDock",   "pixelGridDock",   "pixelHistoryDock",
+    "columnsDock",   "nextColourButton", "compare",       "compareDock",     "agreementMap",
+    "compareReason", "hardCases",        "hardCasesDock", "precision",       "precisionDock",
+    "precisionPlot", "overdrawMap",      "performance",   "performanceDock", "loadProgress",
+    "cancelLoad",    "saveProgress"};
 
 /// Keys that act in the same scope, by scope: window-wide, or in one widget.
 QString scopeOf(const QAction &action)

@@ -200,7 +200,9 @@ FastReport drawFast(std::span<const Triangle> triangles, const ScanSettings &set
     report.instructionSet = options.instructionSet.value_or(supportedInstructionSets().back());
     const FastKernels kernels = fastKernelsFor(report.instructionSet);
     const int threads = options.threads > 0 ? options.threads : QThread::idealThreadCount();
-    if (threads > 1 && frame.height > 1 && estimatedCost(triangles, frame) >= worthThreads) {
+    // Where numbers are rounded, a band of the frame would begin its increments anew.
+    const bool isDivisible = settings.arithmetic == Arithmetic::Exact && frame.height > 1;
+    if (threads > 1 && isDivisible && estimatedCost(triangles, frame) >= worthThreads) {
         const FrameBands bands(frame, std::min(threads * bandsPerThread, int(frame.height)));
         report.threads = threads;
         report.bands = bands.count();

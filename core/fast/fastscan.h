@@ -43,8 +43,8 @@ struct FastReport {
 /// The column scan as fast as memory allows: draws triangles (sample coordinates) in order, bit for
 /// bit the plain kernel's picture under its fill rules (closed, half-open-column) and every
 /// arithmetic. Columns stand in the lanes of vectors, so that a row of sixteen columns is one
-/// store; set-up is done for many triangles at once; bands of rows are drawn by several threads.
-/// What no fast kernel covers, the plain one draws.
+/// store; set-up is done for many triangles at once; in exact arithmetic bands of rows are drawn by
+/// several threads. What no fast kernel covers, the plain one draws.
 FastReport drawFast(std::span<const Triangle> triangles, const ScanSettings &settings,
                     FrameView frame, const FastOptions &options = {});
 
