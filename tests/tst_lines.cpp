@@ -209,7 +209,7 @@ private slots:
     void aLineBesideAVeryLongOneIsDrawnAsItIsTraced()
     {
         for (const char *method : {"line-dda", "line-slope-intercept"}) {
-            Scene scene = sceneOf(lineAtUnits({515, 770}, {7700, 5401}), method, windowOf(40, 40));
+            Scene scene = sceneOf(lineAtUnits({515, 770}, {7700, 5401}), method, frameOf(40, 40));
             scene.shapes.push_back(
                 lineAt(-largestPixel, -largestPixel + 3, largestPixel, largestPixel));
             const FrameBuffer drawn(scene.frame);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/frame/framebuffer.h"
-#include "core/methods/method.h"
+#include "core/methods/columnscan.h"
 #include "lineup.h"
 
 #include <optional>
@@ -31,7 +31,7 @@ public:
         m_frame.emplace(frameSpecOf(scene.size));
         m_triangles = scene.triangles;
     }
-    void draw() override { m_method->draw(m_triangles, m_settings, m_frame->view()); }
+    void draw() override { drawColumns(m_triangles, m_settings, m_frame->view()); }
     Picture picture() override
     {
         const QImage image = m_frame->image();
@@ -40,7 +40,6 @@ public:
     }
 
 private:
-    const Method *m_method = methodNamed(u"column-scan");
     ScanSettings m_settings;
     std::optional<FrameBuffer> m_frame;
     std::span<const Triangle> m_triangles;
