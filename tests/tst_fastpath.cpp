@@ -251,6 +251,19 @@ private slots:
             QVERIFY(fast == plain);
         }
     }
+
+    void aFrameThatNoCacheHoldsIsDrawnInBandsByOneThread()
+    {
+        const std::vector<Triangle> scene = crowd(2'000, 2101, 11);
+        const WindowSpec window{2103, 2057, 3, 5, 7, RowOrder::Descending};
+        GuardedFrame plain(window);
+        drawColumns(scene, {}, plain.view());
+        GuardedFrame fast(window);
+        const FastReport report = drawFast(scene, {}, fast.view(), {1, std::nullopt});
+        QCOMPARE(report.threads, 1);
+        QVERIFY(report.bands > 1);
+        QVERIFY(fast == plain);
+    }
 };
 
 QTEST_GUILESS_MAIN(TestFastPath)

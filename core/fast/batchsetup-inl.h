@@ -126,7 +126,9 @@ private:
         hn::Mask<Reals> isSmall; ///< as far as the box tells
         hn::Mask<Reals> isNarrow; ///< at most 8 columns
         hn::Mask<Reals> isBeyondStrip; ///< wider than 16 columns
-        hn::Mask<Reals> isWide; ///< at least four times as wide as high
+        /// At least four times as wide as high, unclipped: in a low window a triangle of any shape
+        /// would be that.
+        hn::Mask<Reals> isWide;
     };
 
     /// ⌈c⌉ … ⌊d⌋, or … ⌈d⌉ − 1 under the half-open rule, clipped to the window.
@@ -161,7 +163,9 @@ private:
         hn::Store(endColumn, integers, m_batch.endColumn.data() + i);
         hn::Store(firstRow, integers, m_batch.firstRow.data() + i);
         hn::Store(endRow, integers, m_batch.endRow.data() + i);
-        const Integer extent = hn::Max(hn::Sub(right, left), hn::Sub(top, bottom));
+        const Integer wholeWidth = hn::Sub(right, left);
+        const Integer wholeHeight = hn::Sub(top, bottom);
+        const Integer extent = hn::Max(wholeWidth, wholeHeight);
         hn::Store(extent, integers, m_batch.extent.data() + i);
         const Real width = hn::PromoteTo(reals, hn::Sub(endColumn, firstColumn));
         const Real height = hn::PromoteTo(reals, hn::Sub(endRow, firstRow));
@@ -175,7 +179,8 @@ private:
                 hn::And(holdsSamples, fits),
                 hn::Le(width, real(8)),
                 hn::Gt(width, real(16)),
-                hn::Ge(width, hn::Mul(height, real(4)))};
+                hn::Ge(hn::PromoteTo(reals, wholeWidth),
+                       hn::Mul(hn::PromoteTo(reals, wholeHeight), real(4)))};
     }
 
     /// Doubled area over the square of the lattice's common step: the least of the corners' lowest

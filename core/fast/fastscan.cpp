@@ -16,8 +16,8 @@ namespace {
 
 constexpr std::int32_t narrowestWindow = 16; ///< the kernels' widest vector, in pixels
 
-/// Below this, threads cost more than they bring. A start takes some 10 to 50 µs.
-constexpr double worthThreads = 200'000; // ns
+/// Below this, bands and threads cost more than they bring. A start takes some 10 to 50 µs.
+constexpr double worthBands = 200'000; // ns
 
 /// A rough cost on one thread, in ns: enough to tell a microsecond from a millisecond. Stops
 /// counting when the answer is known.
@@ -36,7 +36,7 @@ double estimatedCost(std::span<const Triangle> triangles, FrameView frame)
             - std::max<std::int64_t>(ceilPixel(low), frame.firstRow);
         if (columns > 0 && rows > 0)
             cost += perTriangle + perPixel * double(columns) * double(rows) / 2;
-        if (cost >= worthThreads)
+        if (cost >= worthBands)
             break;
     }
     return cost;
@@ -84,11 +84,11 @@ public:
         while (!places.empty()) {
             const std::size_t count = std::min(places.size(), TriangleBatch::capacity);
             const auto rest = places.subspan(count);
-            for (std::size_t i = 0; i < count; ++i)
+            for (std::size_t i = 0; i < count; ++i) {
+                if (i < rest.size()) // arrives while these are drawn
+                    prefetchTriangle(reinterpret_cast<std::uintptr_t>(&scene[rest[i]]));
                 m_gathered[i] = scene[places[i]];
-            // They arrive while these are drawn.
-            for (const std::uint32_t next : rest.first(std::min(rest.size(), count)))
-                prefetchTriangle(reinterpret_cast<std::uintptr_t>(&scene[next]));
+            }
             drawBatch(std::span(m_gathered).first(count));
             places = rest;
         }
@@ -165,6 +165,20 @@ std::vector<FastRouteUse> usesOf(const RouteTally &tally)
 /// Several bands a thread, so that none waits long for the last one.
 constexpr int bandsPerThread = 4;
 
+/// A frame of more bytes does not stay in the caches while triangles all over it are drawn: it is
+/// drawn in bands that do, by a single thread too.
+constexpr std::int64_t largestCachedFrame = std::int64_t(16) << 20;
+constexpr std::int64_t cachedBand = std::int64_t(4) << 20;
+
+/// How many bands are worth their cost: 1 is the frame as it is.
+int bandCountFor(FrameView frame, int threads)
+{
+    const std::int64_t bytes = std::abs(frame.stride) * std::int64_t(sizeof(QRgb)) * frame.height;
+    const std::int64_t forCaches = bytes > largestCachedFrame ? bytes / cachedBand : 1;
+    const std::int64_t forThreads = threads > 1 ? threads * bandsPerThread : 1;
+    return int(std::min<std::int64_t>(std::max(forCaches, forThreads), frame.height));
+}
+
 /// Binned and drawn before the next ones are: while they are still in a cache that the threads
 /// share (4.5 MiB).
 constexpr std::size_t trianglesPerChunk = 65'536;
@@ -201,9 +215,10 @@ FastReport drawFast(std::span<const Triangle> triangles, const ScanSettings &set
     const FastKernels kernels = fastKernelsFor(report.instructionSet);
     const int threads = options.threads > 0 ? options.threads : QThread::idealThreadCount();
     // Where numbers are rounded, a band of the frame would begin its increments anew.
-    const bool isDivisible = settings.arithmetic == Arithmetic::Exact && frame.height > 1;
-    if (threads > 1 && isDivisible && estimatedCost(triangles, frame) >= worthThreads) {
-        const FrameBands bands(frame, std::min(threads * bandsPerThread, int(frame.height)));
+    const int bandCount
+        = settings.arithmetic == Arithmetic::Exact ? bandCountFor(frame, threads) : 1;
+    if (bandCount > 1 && estimatedCost(triangles, frame) >= worthBands) {
+        const FrameBands bands(frame, bandCount);
         report.threads = threads;
         report.bands = bands.count();
         report.uses = usesOf(drawInBands(triangles, settings, bands, kernels, threads));

@@ -36,7 +36,7 @@ struct FastRouteUse {
 struct FastReport {
     InstructionSet instructionSet = InstructionSet::Scalar;
     int threads = 1;
-    int bands = 1; ///< parts of the frame, drawn each by one thread
+    int bands = 1; ///< parts of the frame, each drawn by one thread
     std::vector<FastRouteUse> uses; ///< by kernel, word and reason
 };
 
@@ -44,7 +44,8 @@ struct FastReport {
 /// bit the plain kernel's picture under its fill rules (closed, half-open-column) and every
 /// arithmetic. Columns stand in the lanes of vectors, so that a row of sixteen columns is one
 /// store; set-up is done for many triangles at once; in exact arithmetic bands of rows are drawn by
-/// several threads. What no fast kernel covers, the plain one draws.
+/// several threads, and of a frame that no cache holds by one. What no fast kernel covers, the
+/// plain one draws.
 FastReport drawFast(std::span<const Triangle> triangles, const ScanSettings &settings,
                     FrameView frame, const FastOptions &options = {});
 

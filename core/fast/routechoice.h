@@ -72,7 +72,8 @@ inline Route routeFor(const TriangleBatch &batch, std::size_t i, FillRule rule,
         return {width <= 8 ? FastKernel::Strip8 : FastKernel::Strip16, word, FastReason::NarrowBox};
     if (TriangleBatch::contains(batch.spansRows, i))
         return {FastKernel::RowSpans, word,
-                width >= 4 * height ? FastReason::WideBox : FastReason::LargeFlat};
+                TriangleBatch::contains(batch.flat, i) ? FastReason::LargeFlat
+                                                       : FastReason::WideBox};
     if (width < 64 || widestStrip < 32)
         return {FastKernel::Strip16, word, FastReason::TallBox};
     return {FastKernel::Strip32, word, FastReason::TallBox};
