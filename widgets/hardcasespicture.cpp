@@ -98,7 +98,7 @@ HardCasePicture pictureOf(const HardCase &hardCase, const Method &method,
     const WrittenFrame drawn(scene.frame);
     const WrittenFrame truth(scene.frame);
     const Method &drawnBy = *picture.contender.method;
-    (drawnBy.drawFast ? drawnBy.drawFast : drawnBy.draw)(primitives, scene.settings, drawn.view());
+    drawnBy.drawFastest(primitives, scene.settings, drawn.view());
     drawTruly(primitivesFor(primitives, picture.contender), scene.settings, truth.view());
 
     Focus focus;

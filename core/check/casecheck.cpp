@@ -40,6 +40,21 @@ QString refusalOf(const Candidate &candidate, const HardCase &hardCase)
         : QString();
 }
 
+/// Of the method's plain kernel, and of its fast ones where they do not paint the same.
+QStringList paintingShortfalls(const HardCase &hardCase, const Candidate &candidate)
+{
+    const Method &method = *candidate.method;
+    QStringList shortfalls = shortfallsOf(hardCase, candidate.settings, method.draw);
+    if (!method.drawFast)
+        return shortfalls;
+    const QStringList byFast = shortfallsOf(hardCase, candidate.settings, method.drawFast);
+    if (byFast != shortfalls) {
+        for (const QString &shortfall : byFast)
+            shortfalls += QStringLiteral("fast kernels: ") + shortfall;
+    }
+    return shortfalls;
+}
+
 CandidateVerdict verdictOn(const Candidate &candidate, const HardCase &hardCase)
 {
     CandidateVerdict verdict{candidate, CaseOutcome::Passed, {}};
@@ -54,7 +69,7 @@ CandidateVerdict verdictOn(const Candidate &candidate, const HardCase &hardCase)
         verdict.remarks = {refusal};
         return verdict;
     }
-    verdict.remarks = shortfallsOf(hardCase, candidate.settings, candidate.method->draw);
+    verdict.remarks = paintingShortfalls(hardCase, candidate);
     if (hardCase.kind == HardCaseKind::Attributes)
         verdict.remarks += valueShortfalls(hardCase, candidate.settings, *candidate.method);
     if (!verdict.remarks.isEmpty())

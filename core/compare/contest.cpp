@@ -52,9 +52,8 @@ private:
         if (contender.isTruth()) {
             drawTruly(drawn, contender.settings, run.picture.view());
         } else {
-            const Method &method = *contender.method;
-            const auto drawing = method.drawFast ? method.drawFast : method.draw;
-            drawing(m_contest->primitives, contender.settings, run.picture.view());
+            contender.method->drawFastest(m_contest->primitives, contender.settings,
+                                          run.picture.view());
         }
         count(run);
     }

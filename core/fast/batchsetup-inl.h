@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The set-up of a vector of triangles at once. Compiled once for each instruction set.
+#include "core/fast/batchbox-inl.h"
 #include "core/fast/batchlines-inl.h"
 #include "core/fast/colourplane.h"
 #include "core/fast/pixelvectors-inl.h"
@@ -69,7 +70,7 @@ private:
 
     void setUpFrom(std::size_t i)
     {
-        const Box box = boundBox(i);
+        const BatchBox<Rule, Reals> box(m_batch, i, m_width, m_height);
         const Real x0 = loaded(m_batch.x[0], i);
         const Real y0 = loaded(m_batch.y[0], i);
         const Real x1 = hn::Sub(loaded(m_batch.x[1], i), x0);
@@ -117,70 +118,6 @@ private:
         const auto differs
             = hn::Or(hn::Xor(colour0, packedLevels(1, i)), hn::Xor(colour0, packedLevels(2, i)));
         return hn::Eq(hn::PromoteTo(reals, differs), hn::Zero(reals));
-    }
-
-    struct Box {
-        Real column; ///< first sample, px
-        Real row;
-        Real steps; ///< n + 1 = width + height − 1 at least
-        hn::Mask<Reals> isSmall; ///< as far as the box tells
-        hn::Mask<Reals> isNarrow; ///< at most 8 columns
-        hn::Mask<Reals> isBeyondStrip; ///< wider than 16 columns
-        /// At least four times as wide as high, unclipped: in a low window a triangle of any shape
-        /// would be that.
-        hn::Mask<Reals> isWide;
-    };
-
-    /// ⌈c⌉ … ⌊d⌋, or … ⌈d⌉ − 1 under the half-open rule, clipped to the window.
-    Box boundBox(std::size_t i)
-    {
-        const auto corner = [i](const TriangleBatch::Array<std::int32_t> &array)
-                                HWY_ATTR { return hn::Load(integers, array.data() + i); };
-        const auto least = [&](const TriangleBatch::PerCorner<std::int32_t> &c) HWY_ATTR {
-            return hn::Min(hn::Min(corner(c[0]), corner(c[1])), corner(c[2]));
-        };
-        const auto greatest = [&](const TriangleBatch::PerCorner<std::int32_t> &c) HWY_ATTR {
-            return hn::Max(hn::Max(corner(c[0]), corner(c[1])), corner(c[2]));
-        };
-        const auto firstSample = [](Integer lattice) HWY_ATTR {
-            const Integer up = hn::Add(lattice, hn::Set(integers, 255));
-            return hn::Max(hn::ShiftRight<8>(up), hn::Zero(integers));
-        };
-        const auto endSample = [](Integer lattice, std::int32_t limit) HWY_ATTR {
-            const Integer next
-                = hn::Add(lattice, hn::Set(integers, Rule == FillRule::Closed ? 256 : 255));
-            return hn::Min(hn::ShiftRight<8>(next), hn::Set(integers, limit));
-        };
-        const Integer left = least(m_batch.x);
-        const Integer right = greatest(m_batch.x);
-        const Integer bottom = least(m_batch.y);
-        const Integer top = greatest(m_batch.y);
-        const Integer firstColumn = firstSample(left);
-        const Integer firstRow = firstSample(bottom);
-        const Integer endColumn = endSample(right, m_width);
-        const Integer endRow = endSample(top, m_height);
-        hn::Store(firstColumn, integers, m_batch.firstColumn.data() + i);
-        hn::Store(endColumn, integers, m_batch.endColumn.data() + i);
-        hn::Store(firstRow, integers, m_batch.firstRow.data() + i);
-        hn::Store(endRow, integers, m_batch.endRow.data() + i);
-        const Integer wholeWidth = hn::Sub(right, left);
-        const Integer wholeHeight = hn::Sub(top, bottom);
-        const Integer extent = hn::Max(wholeWidth, wholeHeight);
-        hn::Store(extent, integers, m_batch.extent.data() + i);
-        const Real width = hn::PromoteTo(reals, hn::Sub(endColumn, firstColumn));
-        const Real height = hn::PromoteTo(reals, hn::Sub(endRow, firstRow));
-        const auto holdsSamples = hn::Gt(hn::Min(width, height), real(0));
-        const auto fits
-            = hn::And(hn::Le(width, real(16)),
-                      hn::Lt(hn::PromoteTo(reals, extent), real(TriangleBatch::blockExtent + 0.5)));
-        return {hn::PromoteTo(reals, firstColumn),
-                hn::PromoteTo(reals, firstRow),
-                hn::Add(width, height),
-                hn::And(holdsSamples, fits),
-                hn::Le(width, real(8)),
-                hn::Gt(width, real(16)),
-                hn::Ge(hn::PromoteTo(reals, wholeWidth),
-                       hn::Mul(hn::PromoteTo(reals, wholeHeight), real(4)))};
     }
 
     /// Doubled area over the square of the lattice's common step: the least of the corners' lowest

@@ -56,6 +56,12 @@ struct Method {
     /// The formulas of the step with this index. Null: as the columns describe them.
     Explanation (*explain)(const TracedScene &traced, std::size_t stepIndex) = nullptr;
 
+    /// The picture, by drawFast where there is one.
+    void drawFastest(const Primitives &primitives, const ScanSettings &settings,
+                     FrameView frame) const
+    {
+        (drawFast ? drawFast : draw)(primitives, settings, frame);
+    }
     bool supports(Arithmetic arithmetic) const;
     bool supports(FillRule rule) const;
     bool draws(PrimitiveKind kind) const;

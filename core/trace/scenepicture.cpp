@@ -205,8 +205,7 @@ bool ScenePicture::drawRows(Rows rows, const Scene &scene, const Method &method,
 
 void ScenePicture::drawPiece(const Scene &scene, const Method &method)
 {
-    const auto draw = method.drawFast ? method.drawFast : method.draw;
-    draw(m_piece, scene.settings, m_drawn.view());
+    method.drawFastest(m_piece, scene.settings, m_drawn.view());
     if (m_truthKind != Truth::Compared)
         return;
     const ScanSettings exact{Arithmetic::Exact, scene.settings.fillRule, scene.settings.rounding};

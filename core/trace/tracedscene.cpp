@@ -180,8 +180,7 @@ std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOpt
 void drawScene(const Scene &scene, const FrameBuffer &frame)
 {
     const Method &method = methodOf(scene);
-    const auto draw = method.drawFast ? method.drawFast : method.draw;
-    draw(primitivesOnSamples(scene), scene.settings, frame.view());
+    method.drawFastest(primitivesOnSamples(scene), scene.settings, frame.view());
 }
 
 void drawTruth(const Scene &scene, const FrameBuffer &frame)

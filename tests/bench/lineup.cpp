@@ -5,7 +5,8 @@ namespace pixelplumb::bench {
 
 namespace {
 
-void addAbsence(Lineup &lineup, const char *name, const char *package)
+// Unused where every library was found.
+[[maybe_unused]] void addAbsence(Lineup &lineup, const char *name, const char *package)
 {
     lineup.absent.push_back(
         {QString::fromLatin1(name),

@@ -3,7 +3,17 @@
 
 #include <QProcess>
 
+#include <chrono>
+
 namespace pixelplumb {
+
+namespace {
+
+// Several times what the longest run takes with sanitizers on a busy machine. Without them the
+// limit for a test function, 5 minutes, ends a run that hangs.
+constexpr auto longestRun = std::chrono::minutes(15);
+
+} // namespace
 
 QString program() { return QStringLiteral(PIXELPLUMB_CLI); }
 
@@ -18,7 +28,8 @@ ProgramRun run(const QStringList &arguments, const QByteArray &input)
     process.start(program(), arguments);
     process.write(input);
     process.closeWriteChannel();
-    if (!process.waitForFinished(120'000) || process.exitStatus() != QProcess::NormalExit)
+    if (!process.waitForFinished(int(std::chrono::milliseconds(longestRun).count()))
+        || process.exitStatus() != QProcess::NormalExit)
         return {-1, {}, "did not end by itself"};
     return {process.exitCode(), process.readAllStandardOutput(), process.readAllStandardError()};
 }
