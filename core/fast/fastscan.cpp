@@ -19,13 +19,21 @@ constexpr std::int32_t narrowestWindow = 16; ///< the kernels' widest vector, in
 /// Below this, bands and threads cost more than they bring. A start takes some 10 to 50 µs.
 constexpr double worthBands = 200'000; // ns
 
-/// A rough cost on one thread, in ns: enough to tell a microsecond from a millisecond. Stops
-/// counting when the answer is known.
-double estimatedCost(std::span<const Triangle> triangles, FrameView frame)
+/// A rough cost on one thread, in ns: enough to tell a microsecond from a millisecond.
+struct CostEstimate {
+    double cost = 0;
+    double triangles = 0; ///< that it is of; the first ones, when that told enough
+
+    bool isWorthBands() const { return cost >= worthBands; }
+    /// To sort a triangle into bands costs some 30 ns; the caches save that over some 200 pixels.
+    bool isOfLargeTriangles() const { return cost >= 40 * triangles; }
+};
+
+CostEstimate estimatedCost(std::span<const Triangle> triangles, FrameView frame)
 {
     constexpr double perTriangle = 15;
     constexpr double perPixel = 0.1;
-    double cost = 0;
+    CostEstimate estimate;
     for (const Triangle &triangle : triangles) {
         const auto &v = triangle.vertices;
         const auto [left, right] = std::minmax({v[0].position.x, v[1].position.x, v[2].position.x});
@@ -34,12 +42,14 @@ double estimatedCost(std::span<const Triangle> triangles, FrameView frame)
             - std::max<std::int64_t>(ceilPixel(left), frame.firstColumn);
         const auto rows = std::min(floorPixel(high) + 1, frame.endRow())
             - std::max<std::int64_t>(ceilPixel(low), frame.firstRow);
-        if (columns > 0 && rows > 0)
-            cost += perTriangle + perPixel * double(columns) * double(rows) / 2;
-        if (cost >= worthBands)
+        if (columns > 0 && rows > 0) {
+            estimate.cost += perTriangle + perPixel * double(columns) * double(rows) / 2;
+            ++estimate.triangles;
+        }
+        if (estimate.isWorthBands())
             break;
     }
-    return cost;
+    return estimate;
 }
 
 /// Draws one window's triangles, fed one after another, by one instruction set.
@@ -171,10 +181,17 @@ constexpr std::int64_t largestCachedFrame = std::int64_t(16) << 20;
 constexpr std::int64_t cachedBand = std::int64_t(4) << 20;
 
 /// How many bands are worth their cost: 1 is the frame as it is.
-int bandCountFor(FrameView frame, int threads)
+int bandCountFor(std::span<const Triangle> triangles, FrameView frame, int threads)
 {
     const std::int64_t bytes = std::abs(frame.stride) * std::int64_t(sizeof(QRgb)) * frame.height;
-    const std::int64_t forCaches = bytes > largestCachedFrame ? bytes / cachedBand : 1;
+    const bool isCached = bytes <= largestCachedFrame;
+    if (threads == 1 && isCached)
+        return 1;
+    const CostEstimate estimate = estimatedCost(triangles, frame);
+    if (!estimate.isWorthBands())
+        return 1;
+    const std::int64_t forCaches
+        = isCached || !estimate.isOfLargeTriangles() ? 1 : bytes / cachedBand;
     const std::int64_t forThreads = threads > 1 ? threads * bandsPerThread : 1;
     return int(std::min<std::int64_t>(std::max(forCaches, forThreads), frame.height));
 }
@@ -216,8 +233,8 @@ FastReport drawFast(std::span<const Triangle> triangles, const ScanSettings &set
     const int threads = options.threads > 0 ? options.threads : QThread::idealThreadCount();
     // Where numbers are rounded, a band of the frame would begin its increments anew.
     const int bandCount
-        = settings.arithmetic == Arithmetic::Exact ? bandCountFor(frame, threads) : 1;
-    if (bandCount > 1 && estimatedCost(triangles, frame) >= worthBands) {
+        = settings.arithmetic == Arithmetic::Exact ? bandCountFor(triangles, frame, threads) : 1;
+    if (bandCount > 1) {
         const FrameBands bands(frame, bandCount);
         report.threads = threads;
         report.bands = bands.count();
