@@ -16,6 +16,16 @@ namespace pixelplumb::HWY_NAMESPACE {
 
 namespace hn = hwy::HWY_NAMESPACE;
 
+/// Whether an edge owns the samples on it under the half-open rule: perRow > 0 or (perRow == 0 and
+/// perColumn > 0). One sum, since |perColumn| < 2^25 and perRow is an integer.
+template <class Reals>
+HWY_INLINE hn::Mask<Reals> ownsItsSamples(Reals reals, hn::Vec<Reals> perRow,
+                                          hn::Vec<Reals> perColumn)
+{
+    const auto side = hn::Add(hn::Mul(perRow, hn::Set(reals, 0x1p25)), perColumn);
+    return hn::Gt(side, hn::Zero(reals));
+}
+
 /// The lines of EdgeLines, of a lane's worth of triangles each over its own axis: an interval of
 /// rows in each column, as in the assignment, or an interval of columns in each row. Either way
 /// they are the same samples.
@@ -79,12 +89,8 @@ private:
         const Real lead = hn::IfThenElse(m_spansRows, perColumn, perRow);
         // −1/2 where the edge begins spans and owns its samples, or ends them and does not.
         Real bias = hn::CopySign(real(0.5), hn::Neg(lead));
-        if constexpr (Rule != FillRule::Closed) {
-            // Owned where perRow > 0 or (perRow == 0 and perColumn > 0): one sum, since |perColumn|
-            // < 2^25 and perRow is an integer.
-            const Real side = hn::Add(hn::Mul(perRow, real(0x1p25)), perColumn);
-            bias = hn::IfThenElse(hn::Gt(side, zero()), bias, hn::Neg(bias));
-        }
+        if constexpr (Rule != FillRule::Closed)
+            bias = hn::IfThenElse(ownsItsSamples(reals, perRow, perColumn), bias, hn::Neg(bias));
         const Real inverse = hn::Div(real(1), run);
         const Real numerator = hn::Sub(hn::Mul(across, run), hn::Mul(along, rise));
         const Real positive = hn::Abs(inverse);

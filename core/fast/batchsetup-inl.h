@@ -212,10 +212,7 @@ private:
         const Real perColumn = hn::Mul(sign, hn::Neg(dy));
         Real value = hn::Add(hn::Mul(perRow, up), hn::Mul(perColumn, along));
         if constexpr (Rule != FillRule::Closed) {
-            // Owned where perRow > 0 or (perRow == 0 and perColumn > 0): one sum, since |perColumn|
-            // < 2^25 and perRow is an integer.
-            const Real side = hn::Add(hn::Mul(perRow, real(0x1p25)), perColumn);
-            const auto owned = hn::Gt(side, hn::Zero(reals));
+            const auto owned = ownsItsSamples(reals, perRow, perColumn);
             value = hn::Sub(value, hn::IfThenElse(owned, hn::Zero(reals), real(1)));
         }
         storeSaturated(value, m_batch.edge[edge].data() + i);
