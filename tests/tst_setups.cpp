@@ -212,6 +212,36 @@ private slots:
                                  .section(u'\n', 0, 0);
         QVERIFY2(rows.contains(QStringLiteral("⌊x_L⌋ + 1")), qPrintable(rows));
     }
+
+    void aColumnsFirstLevelsCanBeRecomputedFromItsRow()
+    {
+        Scene scene = defaultSceneIn(Arithmetic::Exact);
+        scene.method = "column-scan";
+        scene.frame.firstRow = 14; // cuts the columns from below
+        scene.frame.height = 20;
+        const auto document
+            = QJsonDocument::fromJson(exported(*traceScene(scene), TableFormat::Json)).object();
+        QString formula;
+        for (const QJsonValue &column : document[QStringLiteral("columns")].toArray()) {
+            if (column[QStringLiteral("id")].toString() == QStringLiteral("first_R"))
+                formula = column[QStringLiteral("formula")].toString();
+        }
+        QCOMPARE(formula, QStringLiteral("first R = R_B + (y_start − y_B)·ΔR"));
+        int compared = 0;
+        for (const QJsonValue &value : document[QStringLiteral("rows")].toArray()) {
+            const QJsonObject row = value.toObject();
+            // Equal bounds have no rate, and columns outside the frame no levels.
+            if (row[QStringLiteral("delta_R")].isNull() || row[QStringLiteral("first_R")].isNull())
+                continue;
+            const double again = numberIn(row, "R_B")
+                + (numberIn(row, "first_drawn_row") - numberIn(row, "y_B"))
+                    * numberIn(row, "delta_R");
+            QVERIFY(std::abs(again - numberIn(row, "first_R")) < 1e-6);
+            QVERIFY(numberIn(row, "first_drawn_row") >= 14);
+            ++compared;
+        }
+        QVERIFY2(compared > 20, qPrintable(QString::number(compared)));
+    }
 };
 
 QTEST_GUILESS_MAIN(TestSetUps)

@@ -125,6 +125,29 @@ void appendPixelCount(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames
          [](const EdgeWalkSpanState &state) { return Quantity::integer(state.drawnSamples()); }});
 }
 
+/// The first sample in the frame, from which the colours start.
+void appendStart(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names)
+{
+    table.push_back(
+        {names.filled({.id = QStringLiteral("first_drawn_{across}"),
+                       .title = QStringLiteral("{a}_start"),
+                       .unit = unit::px(),
+                       .toolTip = QStringLiteral("The first drawn {across}, where the colours "
+                                                 "start: the first covered one, or the frame's."),
+                       .formula = QStringLiteral("{a}_start = max(first {across}, {a}_frame)"),
+                       .group = Group::Span}),
+         [](const EdgeWalkSpanState &state) {
+             return state.drawnSamples() > 0 ? Quantity::integer(state.column.firstDrawnRow)
+                                             : Quantity();
+         },
+         [names](NumberDescription &description, const EdgeWalkSpanState &state) {
+             // Else it is the first covered one, whose formula stands beside it.
+             description.formula = state.start.isClipped
+                 ? names.filled(QStringLiteral("{a}_start = {a}_frame"))
+                 : QString();
+         }});
+}
+
 void appendBiases(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &names)
 {
     for (const bool isLower : {true, false})
@@ -155,6 +178,7 @@ NumberTable<EdgeWalkSpanState> edgeWalkSpanNumbers(const EdgeWalkForm &form)
     appendCoveredSample(table, names, SpanBound::Lower);
     appendCoveredSample(table, names, SpanBound::Upper);
     appendPixelCount(table, names);
+    appendStart(table, names);
     if (form.walk == WalkForm::Direct)
         appendBiases(table, names);
     appendEdgeWalkColours(table, names);
