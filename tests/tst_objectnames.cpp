@@ -30,7 +30,8 @@ const QStringList promisedNames{
     "columnsDock",    "nextColourButton", "compare",        "compareDock",     "agreementMap",
     "compareReason",  "hardCases",        "hardCasesDock",  "precision",       "precisionDock",
     "precisionPlot",  "overdrawMap",      "performance",    "performanceDock", "loadProgress",
-    "cancelLoad",     "saveProgress",     "exportProgress", "cancelExport"};
+    "cancelLoad",     "saveProgress",     "exportProgress", "cancelExport",    "operations",
+    "operationTable", "operationsDock"};
 
 /// Keys that act in the same scope, by scope: window-wide, or in one widget.
 QString scopeOf(const QAction &action)

@@ -7,6 +7,7 @@
 #include "widgets/inspect/pixelhistorypanel.h"
 #include "widgets/studies/comparepanel.h"
 #include "widgets/studies/hardcasespanel.h"
+#include "widgets/studies/operationpanel.h"
 #include "widgets/studies/performancepanel.h"
 #include "widgets/studies/precisionpanel.h"
 
@@ -50,6 +51,8 @@ constexpr Panel table[] = {
      follower<HardCasesPanel>, leftArea, hiddenAtFirst},
     {"performanceDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Performance"),
      follower<PerformancePanel>, leftArea, hiddenAtFirst},
+    {"operationsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Operations"),
+     follower<OperationPanel>, bottomArea, hiddenAtFirst},
 };
 
 } // namespace
