@@ -13,7 +13,7 @@ std::span<const CountedMethod> countedTriangleMethods()
         {"column-scan", countWith<ColumnScanKernel>},
         {"row-walk", countWith<RowWalk>},
         {"column-scan-bias", countWith<BiasScan>},
-        {"column-scan-constant-rate", countWith<ConstantRateScan>},
+        {"column-scan-constant-rate", countWith<ConstantRateWalk<SpanAxis::Column>>},
         {"edge-equations", countWith<EdgeTestKernel<edgeEquationsForm>>},
         {"edge-equations-incremental", countWith<EdgeTestKernel<incrementalEdgeEquationsForm>>},
         {"edge-equations-solved", countWith<EdgeTestKernel<solvedEdgeEquationsForm>>},
