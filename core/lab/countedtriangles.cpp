@@ -14,6 +14,7 @@ std::span<const CountedMethod> countedTriangleMethods()
         {"row-walk", countWith<RowWalk>},
         {"column-scan-bias", countWith<BiasScan>},
         {"column-scan-constant-rate", countWith<ConstantRateWalk<SpanAxis::Column>>},
+        {"row-walk-constant-rate", countWith<ConstantRateWalk<SpanAxis::Row>>},
         {"edge-equations", countWith<EdgeTestKernel<edgeEquationsForm>>},
         {"edge-equations-incremental", countWith<EdgeTestKernel<incrementalEdgeEquationsForm>>},
         {"edge-equations-solved", countWith<EdgeTestKernel<solvedEdgeEquationsForm>>},
