@@ -181,7 +181,10 @@ private:
     {
         if (arguments.front() != QStringLiteral("check"))
             return *readFile(defaultScene());
-        return *readFile(QStringLiteral(PIXELPLUMB_RESOURCES "/../tests/data/more_cases.json"));
+        return "{\"version\": 1, \"cases\": [{\"id\": \"small\", \"kind\": \"triangle\", "
+               "\"scale\": 1, "
+               "\"vertices\": [[0, 0], [4, 0], [0, 4]], \"canvas\": [6, 6], \"origin\": [0, 0], "
+               "\"expected\": {\"closed\": {\"count\": 15}}}]}";
     }
 };
 
