@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
-#include "widgets/mainwindow.h"
-#include "widgets/paletteswitch.h"
-#include "widgets/scenedocument.h"
-#include "widgets/scenefiles.h"
+#include "widgets/files/scenefiles.h"
+#include "widgets/look/paletteswitch.h"
+#include "widgets/model/scenedocument.h"
+#include "widgets/window/mainwindow.h"
 
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QIcon>
 
+#include <algorithm>
+#include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <string_view>
 
 #if defined(__GLIBC__)
 #include <malloc.h>
@@ -46,7 +49,7 @@ struct Options {
     QCommandLineOption fillRule{
         QStringLiteral("fill-rule"),
         QCoreApplication::translate("main",
-                                    "closed, half-open-column, top-left or off-screen-point, "
+                                    "closed, half-open-column, top-left, off-screen-point or open, "
                                     "instead of the scene's."),
         QStringLiteral("name")};
 };
@@ -89,7 +92,7 @@ void overrideSettings(MainWindow &window, const QCommandLineParser &parser, cons
         const auto rule = fillRuleNamed(parser.value(options.fillRule).toStdString());
         if (!rule)
             refuse(QStringLiteral("fill-rule"), parser.value(options.fillRule),
-                   QStringLiteral("closed, half-open-column, top-left or off-screen-point"));
+                   QStringLiteral("closed, half-open-column, top-left, off-screen-point or open"));
         scene.settings.fillRule = *rule;
     }
     if (scene != window.parts().document->scene())
@@ -129,24 +132,15 @@ void open(MainWindow &window, const QCommandLineParser &parser, const Options &o
         take(OpeningMoment::Finished);
 }
 
-} // namespace
-
-int main(int argc, char *argv[])
+void nameApplication()
 {
-#if defined(__GLIBC__)
-    // The blocks of a recorded run (64 KiB each) go back to the system as soon as the run is
-    // dropped, instead of piling up in the workers' heaps.
-    mallopt(M_MMAP_THRESHOLD, 1 << 16);
-#endif
-    QApplication application(argc, argv);
-    QApplication::setOrganizationName(QStringLiteral("Pixelplumb"));
-    QApplication::setApplicationName(QStringLiteral("pixelplumb"));
-    QApplication::setApplicationVersion(QStringLiteral(PIXELPLUMB_VERSION));
-    QApplication::setDesktopFileName(QStringLiteral("org.pixelplumb.Pixelplumb"));
-    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/pixelplumb.svg")));
+    QCoreApplication::setOrganizationName(QStringLiteral("Pixelplumb"));
+    QCoreApplication::setApplicationName(QStringLiteral("pixelplumb"));
+    QCoreApplication::setApplicationVersion(QStringLiteral(PIXELPLUMB_VERSION));
+}
 
-    const Options options;
-    QCommandLineParser parser;
+void describe(QCommandLineParser &parser, const Options &options)
+{
     parser.setApplicationDescription(
         QCoreApplication::translate("main", "See and step through triangle scan conversion."));
     parser.addHelpOption();
@@ -156,6 +150,39 @@ int main(int argc, char *argv[])
                                  QStringLiteral("[scene]"));
     parser.addOptions({options.palette, options.position, options.column, options.method,
                        options.arithmetic, options.fillRule});
+}
+
+/// Help and the version are told without a display, where a QApplication would end the program.
+bool asksForWordsAlone(int argc, char *argv[])
+{
+    constexpr std::array<std::string_view, 6> words
+        = {"--help", "-h", "-?", "--help-all", "--version", "-v"};
+    return std::any_of(argv + 1, argv + argc, [&](const char *argument) {
+        return std::ranges::find(words, std::string_view(argument)) != words.end();
+    });
+}
+
+} // namespace
+
+int main(int argc, char *argv[])
+{
+#if defined(__GLIBC__)
+    // The blocks of a recorded run (64 KiB each) go back to the system as soon as the run is
+    // dropped, instead of piling up in the workers' heaps.
+    mallopt(M_MMAP_THRESHOLD, 1 << 16);
+#endif
+    const Options options;
+    QCommandLineParser parser;
+    describe(parser, options);
+    if (asksForWordsAlone(argc, argv)) {
+        QCoreApplication application(argc, argv);
+        nameApplication();
+        parser.process(application); // prints and ends the program
+    }
+    QApplication application(argc, argv);
+    nameApplication();
+    QApplication::setDesktopFileName(QStringLiteral("org.pixelplumb.Pixelplumb"));
+    QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/pixelplumb.svg")));
     parser.process(application);
     const auto palette = paletteNamed(parser.value(options.palette));
     if (parser.isSet(options.palette) && !palette)

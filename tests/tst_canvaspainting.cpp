@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/canvasbench.h"
-#include "widgets/svgexport.h"
+#include "widgets/files/svgexport.h"
 
 #include <QTest>
 #include <QXmlStreamReader>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/canvasbench.h"
-#include "widgets/vertexdialog.h"
+#include "widgets/dialogs/vertexdialog.h"
 
 #include <QLineEdit>
 #include <QMenu>

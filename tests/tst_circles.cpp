@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/number/wideproduct.h"
+#include "core/runs/tracedscene.h"
 #include "core/scan/circlemidpoint.h"
-#include "core/trace/tracedscene.h"
+#include "core/scan/circleshape.h"
 #include "tests/support/shapes.h"
 
 #include <QRandomGenerator>
@@ -31,19 +31,27 @@ class TestCircles : public QObject {
     Q_OBJECT
 
 private slots:
-    void aWideProductIsTheProduct()
+    void halfAChordIsTheLargestLatticeLengthWithinIt()
     {
         QRandomGenerator random(3);
-        for (int round = 0; round < 1000; ++round) {
-            const UInt128 a = (UInt128(random.generate64()) << 64) | random.generate64();
-            const UInt128 b = (UInt128(random.generate64()) << 64) | random.generate64();
-            // (a + 1)·b = a·b + b, and the low half is the product that 128 bits keep.
-            const WideProduct product = wideProduct(a, b);
-            const WideProduct next = wideProduct(a + 1, b);
-            QVERIFY(product.low == a * b);
-            QVERIFY(next.low == product.low + b);
-            QVERIFY(a + 1 == 0 || next.high == product.high + (next.low < product.low ? 1 : 0));
+        const auto upTo = [&random](Lattice largest) {
+            return Lattice(random.generate64() % std::uint64_t(largest + 1));
+        };
+        for (int round = 0; round < 4000; ++round) {
+            const Lattice largest = Lattice(1) << (1 + round % 39);
+            const Lattice a = 1 + upTo(largest);
+            const Lattice b = upTo(largest);
+            // Near the end of the axis a chord grows fastest.
+            const Lattice distance = round % 2 == 0 ? upTo(a) : a - upTo(std::min<Lattice>(a, 3));
+            const Lattice half = halfChord(a, b, distance);
+            const auto square = [](Int256 number) { return Int256(number * number); };
+            const Int256 chord = square(b) * (square(a) - square(distance));
+            QVERIFY(half >= 0 && square(a) * square(half) <= chord);
+            QVERIFY(square(a) * square(half + 1) > chord);
         }
+        QCOMPARE(halfChord(0, 7, 0), Lattice(7));
+        QCOMPARE(halfChord(5, 5, 3), Lattice(4));
+        QCOMPARE(halfChord(5, 5, -5), Lattice(0));
     }
 
     void theSmallestCirclesAreTheTruth_data()

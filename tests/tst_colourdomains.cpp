@@ -11,7 +11,8 @@ using search::RandomNumbers;
 
 namespace {
 
-/// c₀ + g_x·Δx + g_y·Δy with β = 1/(4A), every operation rounded (numerics.md, 3.3 c and d).
+/// c₀ + g_x·Δx + g_y·Δy with β = 1/(4A), every operation rounded (resources/numerics.md, 3.3 c and
+/// d).
 template <class Float>
 std::int64_t levelByPlane(const ColourPlace &place)
 {
@@ -30,11 +31,12 @@ std::int64_t levelByProduct(const ColourPlace &place)
     const std::array<int, 3> order = sortedByColumn(triangle);
     const auto corner = [&](std::size_t i) { return triangle.vertices[std::size_t(order[i])]; };
     const std::array<Vertex, 3> corners = {corner(0), corner(1), corner(2)};
-    const BiasArithmetic::ColourRamp ramp(corners[0], corners[1], corners[2]);
-    ColumnState<BiasArithmetic> column;
+    using A = BiasArithmetic<BiasOrExactNumber>;
+    const A::ColourRamp ramp(corners[0], corners[1], corners[2]);
+    ColumnState<A> column;
     column.x = 0; // ColourPlace::triangle() lays the sample there
-    const BiasNumber number = ramp.start(column, 0, 0);
-    return number.isExact ? -1 : BiasArithmetic::level(number, ByteRounding::Nearest);
+    const BiasOrExactNumber number = ramp.start(column, 0, 0);
+    return number.isExact ? -1 : A::level(number, ByteRounding::Nearest);
 }
 
 /// A word with F fraction bits at the first sample of the box, to which rounded gradients are added
@@ -142,8 +144,8 @@ QString wrongLevels(std::int64_t (*level)(const ColourPlace &), int bits, std::i
 
 } // namespace
 
-/// The exact colours of numerics.md, 3.3, from both sides: inside the domain that is proved for a
-/// form no byte is wrong, outside some are.
+/// The exact colours of resources/numerics.md, 3.3, from both sides: inside the domain that is
+/// proved for a form no byte is wrong, outside some are.
 class TestColourDomains : public QObject {
     Q_OBJECT
 
@@ -180,7 +182,7 @@ private slots:
     {
         QCOMPARE(wrongLevels(levelByProduct, 40, 256), QString());
     }
-    /// Samples beside a half find what random ones do not: numerics.md measured none at 2^46.
+    /// Samples beside a half find what random ones do not (resources/numerics.md, 3.3 c).
     void float64PlanesFailAt44Bits()
     {
         QVERIFY(wrongLevels(levelByPlane<double>, 44, 256).contains(QLatin1String("wrong")));

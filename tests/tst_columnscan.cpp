@@ -1,15 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/columnrecord.h"
 #include "core/methods/columnscan.h"
-#include "core/methods/formulaexplanation.h"
-#include "core/trace/tracedscene.h"
+#include "core/runs/formulaexplanation.h"
+#include "core/runs/tracedscene.h"
+#include "tests/support/numbernamed.h"
+#include "tests/support/plaincolumnscan.h"
 #include "tests/support/scanning.h"
 
+#include <QRandomGenerator>
 #include <QTest>
+
+#include <random>
 
 using namespace pixelplumb;
 
-/// Each rule of the assignment (seed 004), and what it leaves open.
+namespace {
+
+Triangle randomTriangleIn(std::int64_t side, QRandomGenerator &random)
+{
+    Triangle triangle;
+    for (Vertex &vertex : triangle.vertices) {
+        vertex.position = latticePixel(random.bounded(int(side)), random.bounded(int(side)));
+        for (auto &channel : vertex.colour.channels)
+            channel = std::remove_reference_t<decltype(channel)>(random.bounded(256));
+    }
+    return triangle;
+}
+
+plain::Vertex plainVertex(const Vertex &vertex)
+{
+    const auto &[red, green, blue] = vertex.colour.channels;
+    return {float(vertex.position.x / unitsPerPixel),
+            {float(vertex.position.y / unitsPerPixel), float(red), float(green), float(blue)}};
+}
+
+} // namespace
+
+/// Each rule of the assignment, and what it leaves open.
 class TestColumnScan : public QObject {
     Q_OBJECT
 
@@ -63,6 +89,50 @@ private slots:
         }
     }
 
+    void paintsTheTipWhereRoundedEdgesPassEachOther()
+    {
+        // In float64 L₁₂ comes down to a little less than y₂ = 4, and L₀₂ up to a little more.
+        Drawing drawing(frameOf(48, 40));
+        drawing.drawByMethod(triangleAt(24, 0, 42, 4, 10, 37),
+                             {Arithmetic::Float64, FillRule::Closed, ByteRounding::Nearest});
+        QVERIFY(drawing.at(42, 4) != 0);
+    }
+
+    void takesTheSmallerBoundOfEachColumnAsYBottom_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<Arithmetic>("arithmetic");
+        for (const char *method : {"column-scan", "row-walk", "column-scan-constant-rate"}) {
+            for (const Arithmetic arithmetic : {Arithmetic::Float32, Arithmetic::Float64})
+                QTest::addRow("%s, %s", method, nameOf(arithmetic).data()) << method << arithmetic;
+        }
+    }
+    void takesTheSmallerBoundOfEachColumnAsYBottom()
+    {
+        QFETCH(QString, method);
+        QFETCH(Arithmetic, arithmetic);
+        std::mt19937 random(5);
+        const auto coordinate
+            = [&] { return std::uniform_int_distribution<std::int64_t>(0, 46)(random); };
+        int crossed = 0;
+        for (int i = 0; i < 200; ++i) {
+            Scene scene;
+            scene.frame = frameOf(47, 47);
+            scene.method = method.toStdString();
+            scene.settings.arithmetic = arithmetic;
+            scene.triangles = {triangleAt(coordinate(), coordinate(), coordinate(), coordinate(),
+                                          coordinate(), coordinate())};
+            const auto traced = traceScene(scene);
+            const ScanTrace &trace = *traced->trace;
+            for (std::size_t index = 0; index < trace.spanCount(); ++index) {
+                const SpanRecord span = trace.span(index);
+                QVERIFY(span.lower.toDouble() <= span.upper.toDouble());
+                crossed += int(span.longEdge != trace.setUp(0).longEdge);
+            }
+        }
+        QVERIFY(crossed > 0);
+    }
+
     void drawsTheSamePictureForEveryOrderOfTheVertices()
     {
         const Triangle triangle = triangleAt(2, 1, 29, 11, 13, 27);
@@ -76,6 +146,30 @@ private slots:
             drawing.drawByMethod(permuted, {});
             QVERIFY(drawing == expected);
         } while (std::ranges::next_permutation(order).found);
+    }
+
+    void drawsInFloat32WhatTheAssignmentsPlainLoopDraws()
+    {
+        QRandomGenerator random(20261122);
+        const FrameSpec spec = frameOf(64, 64);
+        std::int64_t pixels = 0;
+        for (int repeat = 0; repeat < 2000; ++repeat) {
+            const Triangle triangle = randomTriangleIn(64, random);
+            const auto &v = triangle.vertices;
+            if (doubledArea(v[0].position, v[1].position, v[2].position) == 0)
+                continue; // the plain loop does not know which of three points in a line is last
+            Drawing drawing(spec);
+            drawing.drawByMethod(triangle,
+                                 {Arithmetic::Float32, FillRule::Closed, ByteRounding::Nearest});
+            Drawing expected(spec);
+            expected.draw([&](FrameView frame) {
+                plain::drawTriangle({plainVertex(v[0]), plainVertex(v[1]), plainVertex(v[2])},
+                                    frame);
+            });
+            pixels += expected.count();
+            QVERIFY2(drawing == expected, qPrintable(QString::number(repeat)));
+        }
+        QVERIFY(pixels > 500000);
     }
 
     void leavesTheCallersTriangleAsItIs()
@@ -168,14 +262,18 @@ private slots:
         scene.triangles = {triangleAtUnits({1024, 1280}, {14848, 3072}, {6784, 11264})};
         const auto traced = traceScene(scene);
         for (std::size_t i = 0; i < traced->trace->spanCount(); ++i) {
-            const ColumnRecord column(traced->trace->span(i));
-            if (column.span().drawnSamples() == 0)
+            const SpanRecord column = traced->trace->span(i);
+            if (column.drawnSamples() == 0)
                 continue;
             for (std::size_t channel = 0; channel < 3; ++channel) {
-                const double expected = column.colourBottom(channel).toDouble()
-                    + (double(column.span().firstSample) - column.yBottom().toDouble())
-                        * column.colourRate(channel).toDouble();
-                QVERIFY(qAbs(column.firstColour(channel).toDouble() - expected) < 1e-9);
+                const QString letter = channelLetters[channel];
+                const double expected
+                    = spanNumber(*traced, i, letter + QStringLiteral("_B")).toDouble()
+                    + (double(column.firstSample) - column.lower.toDouble())
+                        * spanNumber(*traced, i, QStringLiteral("delta_") + letter).toDouble();
+                QVERIFY(qAbs(spanNumber(*traced, i, QStringLiteral("first_") + letter).toDouble()
+                             - expected)
+                        < 1e-9);
             }
         }
     }

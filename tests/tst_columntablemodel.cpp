@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/columnrecord.h"
+#include "core/export/numbertext.h"
 #include "core/oracle/oracle.h"
 #include "tests/support/defaultscene.h"
 #include "tests/support/tablecolumns.h"
-#include "widgets/numberformat.h"
-#include "widgets/playhead.h"
+#include "widgets/look/numberformat.h"
+#include "widgets/model/playhead.h"
 
 #include <QAbstractItemModelTester>
 #include <QElapsedTimer>
@@ -98,19 +98,19 @@ void TestColumnTableModel::roundedNumbersStandBesideExactOnesAndErrors()
     const int row = 30;
     const QModelIndex used = model.index(row, columnNamed(model, "y_B"));
 
-    const ColumnRecord record(playhead.traced()->trace->span(row));
+    const SpanRecord record = playhead.traced()->trace->span(row);
     const auto exact = oracle::columnAt(playhead.traced()->primitives.triangles[0],
-                                        FillRule::Closed, record.x());
+                                        FillRule::Closed, record.place.coordinate);
 
     QVERIFY(model.isRounding());
-    QCOMPARE(used.data(ColumnTableModel::UsedTextRole).toString(), displayText(record.yBottom()));
+    QCOMPARE(used.data(ColumnTableModel::UsedTextRole).toString(), displayText(record.lower));
     QCOMPARE(used.data(ColumnTableModel::ExactTextRole).toString(), displayText(exact->yBottom));
     QCOMPARE(used.data(ColumnTableModel::ErrorTextRole).toString(),
-             displayError(record.yBottom(), exact->yBottom));
+             displayError(record.lower, exact->yBottom));
     QCOMPARE(model.index(row, columnNamed(model, "y_B_exact")).data().toString(),
              displayText(exact->yBottom));
     QCOMPARE(model.index(row, columnNamed(model, "y_B_error")).data().toString(),
-             displayError(record.yBottom(), exact->yBottom));
+             displayError(record.lower, exact->yBottom));
     QVERIFY(used.data(ColumnTableModel::MarkedDigitRole).toInt() > 0);
     QVERIFY(used.data(Qt::ToolTipRole).toString().contains(displayText(exact->yBottom)));
 }
@@ -122,11 +122,11 @@ void TestColumnTableModel::canonicalTextIsThatOfTheTrace()
     for (const Arithmetic arithmetic : allArithmetics) {
         playhead.setTraced(traceScene(defaultSceneIn(arithmetic)));
         for (int row = 0; row < model.rowCount(); ++row) {
-            const ColumnRecord record(playhead.traced()->trace->span(std::size_t(row)));
+            const SpanRecord record = playhead.traced()->trace->span(std::size_t(row));
             QCOMPARE(model.index(row, columnNamed(model, "y_T"))
                          .data(ColumnTableModel::CanonicalTextRole)
                          .toString(),
-                     toText(record.yTop()));
+                     decimalText(record.upper));
         }
     }
 }

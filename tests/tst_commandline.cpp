@@ -5,6 +5,7 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QJsonObject>
 #include <QTest>
 
 using namespace pixelplumb;
@@ -33,11 +34,16 @@ private slots:
                                << "Usage: pixelplumb-cli pixel [options] SCENE X Y\n"
                                << "--json";
         QTest::newRow("methods") << QStringList{"methods", "--help"}
-                                 << "Usage: pixelplumb-cli methods [options]\n"
+                                 << "Usage: pixelplumb-cli methods [options] [NAME]\n"
                                  << "--json";
         QTest::newRow("check") << QStringList{"check", "--help"}
                                << "Usage: pixelplumb-cli check [options] CASES\n"
                                << "--arithmetic";
+        QTest::newRow("help alone") << QStringList{"help"} << "Usage: pixelplumb-cli COMMAND"
+                                    << "help ";
+        QTest::newRow("help of help")
+            << QStringList{"help", "help"} << "Usage: pixelplumb-cli COMMAND"
+            << "help COMMAND";
         QTest::newRow("version") << QStringList{"--version"} << "pixelplumb-cli "
                                  << "0";
     }
@@ -54,6 +60,24 @@ private slots:
         QVERIFY2(output.startsWith(beginning) && output.contains(within),
                  result.output.constData());
         QCOMPARE(result.messages, QByteArray());
+    }
+
+    void helpOfACommandIsWhatItSaysItself()
+    {
+        const QString all = QString::fromUtf8(run({"help"}).output);
+        QCOMPARE(all.toUtf8(), run({"--help"}).output);
+        int commands = 0;
+        const QString list = all.section(QStringLiteral("Commands:\n"), 1).section("\n\n", 0, 0);
+        for (const QString &row : list.split(u'\n')) {
+            const QString command = row.simplified().section(u' ', 0, 0);
+            const ProgramRun help = run({"help", command});
+
+            QCOMPARE(help.exitCode, 0);
+            QVERIFY(help.output.startsWith("Usage: pixelplumb-cli "));
+            QCOMPARE(help.output, run({command, "--help"}).output);
+            ++commands;
+        }
+        QVERIFY(commands >= 7);
     }
 
     void refusesAWrongCommandLineWithAHint_data()
@@ -75,7 +99,9 @@ private slots:
         row("no scene", {"render", "--ascii"}, "SCENE is missing");
         row("one too many", {"render", defaultScene(), "again", "--ascii"},
             "unexpected argument “again”");
-        row("methods takes none", {"methods", "all"}, "unexpected argument “all”");
+        row("no such method", {"methods", "colum-scan"},
+            "unknown method “colum-scan”; did you mean column-scan?");
+        row("methods takes one", {"methods", "column-scan", "all"}, "unexpected argument “all”");
         row("value missing", {"render", defaultScene(), "-o"}, "Missing value after '-o'");
         row("nothing to do", {"render", defaultScene()},
             "nothing to do; expected -o FILE, --ascii or both");
@@ -95,12 +121,23 @@ private slots:
             {"trace", defaultScene(), "--fill-rule", "top-left"},
             "cannot keep the fill rule “top-left”: a column ends at its two bounds whatever edge "
             "they "
-            "belong to; it keeps closed, half-open-column");
+            "belong to; it keeps closed, half-open-column, open");
         row("rounding", {"trace", defaultScene(), "--rounding", "down"},
             "expected one of nearest, truncate");
-        row("level", {"trace", defaultScene(), "--level", "row"}, "expected column or pixel");
+        row("level", {"trace", defaultScene(), "--level", "row"}, "expected setup, column, pixel");
         row("format", {"trace", defaultScene(), "--format", "cvs"},
-            "did you mean csv?; expected csv or json");
+            "did you mean csv?; expected text, csv, json");
+        row("column", {"trace", defaultScene(), "--columns", "x,y_Q"},
+            "--columns: unknown column “y_Q”; did you mean y_B?; expected one of step, ");
+        row("no column", {"trace", defaultScene(), "--columns", ""},
+            "--columns: a name is missing; expected names separated by commas, of step, ");
+        row("no column after a comma", {"trace", defaultScene(), "--columns", "x, "},
+            "--columns: a name is missing");
+        row("column twice", {"trace", defaultScene(), "--columns", "x,y_B, x"},
+            "--columns: “x” is named twice; expected each column once");
+        row("help of nothing known", {"help", "trase"},
+            "help: unknown command “trase”; did you mean trace?");
+        row("help of two", {"help", "trace", "render"}, "help: unexpected argument “render”");
         row("no row", {"pixel", defaultScene(), "3"}, "Y is missing: the pixel's row");
         row("x is no number", {"pixel", defaultScene(), "three", "4"},
             "X: “three” is no whole number; expected 0 … 63");
@@ -183,6 +220,25 @@ private slots:
             QStringLiteral("fixed16.16")));
         QVERIFY(list[0][QStringLiteral("fillRules")].toArray().contains(
             QStringLiteral("half-open-column")));
+    }
+
+    void tellsOneMethodWhole()
+    {
+        const ProgramRun text = run({"methods", "barycentric-all"});
+        QCOMPARE(text.exitCode, 0);
+        QVERIFY(text.output.startsWith("barycentric-all: "));
+        QVERIFY(text.output.contains("\n  numbers of a sample\n"));
+        QVERIFY(text.output.contains("\n  operations in float32, the triangle "));
+        QVERIFY(text.output.contains("\n    divisions "));
+
+        const ProgramRun json = run({"methods", "barycentric-all", "--json"});
+        const QJsonObject whole = QJsonDocument::fromJson(json.output).object();
+        QCOMPARE(whole[QStringLiteral("id")].toString(), QStringLiteral("barycentric-all"));
+        // Three arithmetics, two triangles.
+        const QJsonArray operations = whole[QStringLiteral("operations")].toArray();
+        QCOMPARE(operations.size(), qsizetype(6));
+        QCOMPARE(operations[0][QStringLiteral("arithmetic")].toString(), QStringLiteral("exact"));
+        QVERIFY(operations[0][QStringLiteral("pixel")][QStringLiteral("comparisons")].toInt() > 0);
     }
 };
 

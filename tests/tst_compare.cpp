@@ -204,22 +204,6 @@ private slots:
         QVERIFY(fixed->agreement.differing() > 0);
     }
 
-    void namesTheMethodWhereItPassesOverAPrimitive()
-    {
-        Scene scene = sceneWith({latticePixel(2, 2), latticePixel(20, 4), latticePixel(9, 20)}, {});
-        scene.shapes.push_back({PrimitiveKind::Point,
-                                {{latticePixel(40, 40), {{255, 255, 255}}}},
-                                {},
-                                ShapeFill::Outline,
-                                {},
-                                0});
-
-        const auto contest = compareContenders(scene, {columnScan(Arithmetic::Exact), truth()});
-
-        QCOMPARE(contest->agreement.differing(), 1);
-        QCOMPARE(contest->agreement.reasonAt(40, 40), Disagreement::Method);
-    }
-
     void agreesWithTheTraceWhateverTheOrderOfTheContenders()
     {
         const std::vector<Contender> contenders
@@ -241,7 +225,7 @@ private slots:
     {
         ContestOptions options;
         int calls = 0;
-        options.progress = [&calls](const QString &) { return ++calls < 3; };
+        options.progress = [&calls](const JobProgress &) { return ++calls < 3; };
 
         QVERIFY(!compareContenders(
             tenths(), {columnScan(Arithmetic::Exact), columnScan(Arithmetic::Float32)}, options));
@@ -277,10 +261,10 @@ private slots:
     {
         QFETCH(QString, formula);
         QFETCH(bool, incremental);
-        TraceColumn column;
-        column.formula = formula;
+        NumberDescription number;
+        number.formula = formula;
 
-        QCOMPARE(isIncremental(column), incremental);
+        QCOMPARE(isIncremental(number), incremental);
     }
 };
 

@@ -12,6 +12,12 @@ namespace {
 
 const QString tiesScene = sceneFile(QStringLiteral("ties-at-tenths.json"));
 
+const QByteArray triangleAndLine
+    = R"({ "pixelplumb": 1, "frame": { "width": 16, "height": 12 }, "method": "column-scan",
+  "primitives": [
+    { "triangle": [[1, 1], [9, 2], [3, 9]], "colors": ["#ff0000", "#00ff00", "#0000ff"] },
+    { "line": [[0, 0], [15, 11]], "colors": ["#ffffff", "#ffffff"] } ] })";
+
 ProgramRun compare(const QString &scene, const QStringList &options, const QByteArray &input = {})
 {
     return run(QStringList{"compare", scene} + options, input);
@@ -93,6 +99,45 @@ private slots:
         QVERIFY2(result.output.contains("\n1 column-scan float32 closed "),
                  result.output.constData());
         QVERIFY2(result.output.contains("\n2 truth top-left "), result.output.constData());
+    }
+
+    void countsAndNamesWhatAMethodDoesNotDraw()
+    {
+        const QStringList options = {"--methods", "column-scan:exact,line-dda:exact,truth"};
+
+        const QString text = QString::fromUtf8(compare("-", options, triangleAndLine).output);
+        const QJsonValue column = QJsonDocument::fromJson(
+            compare("-", options + QStringList{"--json"}, triangleAndLine).output)["contenders"][0];
+
+        QVERIFY2(text.startsWith(QStringLiteral("contender                   pixels  missing  "
+                                                "extra  colour  undrawn ")),
+                 qPrintable(text));
+        QVERIFY(text.contains(QStringLiteral("\n1 does not draw line: ")));
+        QVERIFY(text.contains(QStringLiteral("\n2 does not draw triangle: ")));
+        QVERIFY(!text.contains(QStringLiteral("\n3 does not draw")));
+        QCOMPARE(column["kindsNotDrawn"].toArray(), QJsonArray{"line"});
+        QCOMPARE(column["undrawn"], column["differsFrom"][2]);
+        QVERIFY(column["undrawn"].toInt() > 0);
+    }
+
+    void hasTheTruthThatPixelTells()
+    {
+        const QByteArray compared
+            = compare("-", {"--methods", "column-scan,truth", "--json", "--limit", "1000"},
+                      triangleAndLine)
+                  .output;
+        const QJsonArray pixels = QJsonDocument::fromJson(compared)["pixels"].toArray();
+        QVERIFY(pixels.size() > 5);
+        for (const QJsonValue &pixel : pixels) {
+            const QByteArray told = run({"pixel", "-", QString::number(pixel["x"].toInt()),
+                                         QString::number(pixel["y"].toInt()), "--json"},
+                                        triangleAndLine)
+                                        .output;
+            const QJsonDocument history = QJsonDocument::fromJson(told);
+            QCOMPARE(history["truth"], pixel["contenders"][1]["colour"]);
+            QCOMPARE(history["notDrawn"].toArray(), QJsonArray{"line 1"});
+            QVERIFY(pixel["contenders"][0]["words"].toString().contains("line 1"));
+        }
     }
 
     void readsTheSceneFromStandardInput()

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
-#include "widgets/agreementview.h"
-#include "widgets/canvas.h"
-#include "widgets/comparepane.h"
-#include "widgets/comparepanel.h"
-#include "widgets/compareview.h"
-#include "widgets/overdrawoverlay.h"
-#include "widgets/playhead.h"
-#include "widgets/windowdocks.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/canvas/overdrawoverlay.h"
+#include "widgets/model/playhead.h"
+#include "widgets/studies/agreementview.h"
+#include "widgets/studies/comparepane.h"
+#include "widgets/studies/comparepanel.h"
+#include "widgets/studies/compareview.h"
+#include "widgets/window/windowdocks.h"
 
 #include <QComboBox>
 #include <QDockWidget>

@@ -61,7 +61,7 @@ Rows rowsByProduct(const Place &place)
 {
     const Vertex a = {{place.xa, place.ya}, {}};
     const Vertex b = {{place.xa + place.dx, place.ya + place.dy}, {}};
-    const BiasNumber y = BiasArithmetic::edgeOrdinate(a, b, place.column);
+    const BiasOrExactNumber y = BiasArithmetic<BiasOrExactNumber>::edgeOrdinate(a, b, place.column);
     if (y.isExact || place.scale != unitsPerPixel)
         return {1, 0}; // right nowhere
     return {y.floor(), y.ceil()};
@@ -185,8 +185,8 @@ constexpr int placeCount = 200000;
 
 } // namespace
 
-/// The half-quantum bias theorem (numerics.md, 3.2) from both sides: inside the domain that is
-/// proved for an arithmetic no ⌈y⌉ and no ⌊y⌋ is wrong, outside some are.
+/// The half-quantum bias theorem (resources/numerics.md, 3.2) from both sides: inside the domain
+/// that is proved for an arithmetic no ⌈y⌉ and no ⌊y⌋ is wrong, outside some are.
 class TestDomains : public QObject {
     Q_OBJECT
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/columnrecord.h"
-#include "core/trace/tracedscene.h"
+#include "core/runs/tracedscene.h"
+#include "tests/support/numbernamed.h"
 #include "tests/support/scanning.h"
 
 #include <QTest>
 
 using namespace pixelplumb;
 
-/// The rounding forms fail where numerics.md says that they do, and are right where it says so: the
-/// checks of the exact form can fail.
+/// The rounding forms fail where resources/numerics.md, 2.1 and 2.2, say that they do, and are
+/// right where they say so: the checks of the exact form can fail.
 class TestDrift : public QObject {
     Q_OBJECT
 
@@ -91,10 +91,10 @@ private slots:
             scene.settings.arithmetic = arithmetic;
             scene.triangles = {triangleAt(2, 5, 12, 1, 12, 11)};
             const auto traced = traceScene(scene);
-            const ColumnRecord tip(traced->trace->span(0));
-            QCOMPARE(tip.yBottom(), tip.yTop());
-            for (std::size_t channel = 0; channel < 3; ++channel)
-                QVERIFY(tip.firstColour(channel).isFinite());
+            const SpanRecord tip = traced->trace->span(0);
+            QCOMPARE(tip.lower, tip.upper);
+            for (const QChar letter : channelLetters)
+                QVERIFY(spanNumber(*traced, 0, QStringLiteral("first_") + letter).isFinite());
             QCOMPARE(traced->trace->changes()[0].after, packed(red));
         }
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fast/fastscan.h"
-#include "core/methods/columnscan.h"
+#include "core/scan/columndrawing.h"
 #include "tests/support/guardedframe.h"
 #include "tests/support/scanning.h"
 
@@ -86,7 +86,7 @@ rc::Gen<ScanSettings> settingsIn(Arithmetic arithmetic)
     return rc::gen::build<ScanSettings>(
         rc::gen::set(&ScanSettings::arithmetic, rc::gen::just(arithmetic)),
         rc::gen::set(&ScanSettings::fillRule,
-                     rc::gen::element(FillRule::Closed, FillRule::HalfOpenColumn)),
+                     rc::gen::element(FillRule::Closed, FillRule::HalfOpenColumn, FillRule::Open)),
         rc::gen::set(&ScanSettings::rounding,
                      rc::gen::element(ByteRounding::Nearest, ByteRounding::Truncate)));
 }

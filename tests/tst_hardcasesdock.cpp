@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/bounderrors.h"
+#include "core/scene/fileaccess.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
-#include "widgets/canvas.h"
-#include "widgets/comparepanel.h"
-#include "widgets/hardcasesdetails.h"
-#include "widgets/hardcasespanel.h"
-#include "widgets/playhead.h"
-#include "widgets/precisionpanel.h"
-#include "widgets/scenedocument.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
+#include "widgets/studies/comparepanel.h"
+#include "widgets/studies/hardcasesdetails.h"
+#include "widgets/studies/hardcasespanel.h"
+#include "widgets/studies/precisionpanel.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -46,7 +47,15 @@ private slots:
     {
         open();
 
-        QVERIFY(m_panel->cases().size() >= 150);
+        // Of each file, the cases with coordinates that are refused apart.
+        for (const char *name : {"hard_cases.json", "more_cases.json", "shape_cases.json"}) {
+            const QString path = QStringLiteral(PIXELPLUMB_RESOURCES "/../tests/data/") + name;
+            const auto cases = readHardCases(*readFile(path));
+            QVERIFY(cases.isOk() && cases->size() >= 60);
+            for (const HardCase &each : *cases)
+                QVERIFY2(m_panel->choose(each.id) || each.kind == HardCaseKind::Invalid,
+                         qPrintable(each.id));
+        }
         for (const GalleryCase &each : m_panel->cases()) {
             QVERIFY2(!each.family.isEmpty() && !each.hardCase.stresses.isEmpty(),
                      qPrintable(each.hardCase.id));
@@ -127,10 +136,10 @@ private slots:
 
         QTRY_VERIFY_WITH_TIMEOUT(!m_details->verdicts().empty() && !m_details->isChecking(), 60000);
 
-        for (const CandidateVerdict &verdict : m_details->verdicts()) {
-            if (verdict.candidate.method->isStableIn(verdict.candidate.settings.arithmetic))
+        for (const ContenderVerdict &verdict : m_details->verdicts()) {
+            if (verdict.contender.method->isStableIn(verdict.contender.settings.arithmetic))
                 QVERIFY2(verdict.outcome != CaseOutcome::FellShort,
-                         qPrintable(verdict.candidate.name()));
+                         qPrintable(verdict.contender.name()));
         }
     }
 

@@ -23,6 +23,10 @@ for file in \
     share/man/man1/pixelplumb.1 \
     share/man/man1/pixelplumb-cli.1 \
     share/doc/pixelplumb/GPL-3.0-or-later.txt \
+    share/doc/pixelplumb/misprints.md \
+    share/doc/pixelplumb/numerics.md \
+    share/doc/pixelplumb/scene-file.md \
+    share/doc/pixelplumb/sources.md \
     share/pixelplumb/scenes/default.json; do
     [[ -s $scratch/$file ]] || fail "$file is not installed"
 done
@@ -36,5 +40,11 @@ bin/pixelplumb-cli render share/pixelplumb/scenes/default.json -o default.png \
 
 version=$(bin/pixelplumb-cli --version) || fail "pixelplumb-cli --version ended with $?"
 [[ $version == *[0-9].[0-9]* ]] || fail "pixelplumb-cli --version printed '$version'"
+
+# The window's program is asked where there is no display.
+for words in --version --help; do
+    env -u DISPLAY -u WAYLAND_DISPLAY -u QT_QPA_PLATFORM bin/pixelplumb $words | grep -q pixelplumb \
+        || fail "pixelplumb $words without a display"
+done
 
 echo "PASS: installed to $scratch"

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/tracedscene.h"
 #include "core/scene/scenefile.h"
-#include "core/trace/tracedscene.h"
 #include "tests/support/polygons.h"
 
 #include <QTest>
@@ -84,7 +84,8 @@ std::vector<ChannelValues> valuesOf(const TracedScene &traced)
 
 } // namespace
 
-/// Interpolation over a triangle (seed 003): the three forms against each other and the truth.
+/// Interpolation over a triangle (Scan Conversion slides, "Interpolation During Scan Conversion"):
+/// the three forms against each other and the truth.
 class TestInterpolation : public QObject {
     Q_OBJECT
 
@@ -263,12 +264,12 @@ private slots:
                         = tracedBy(anyScene(seed), form, FillRule::Closed, arithmetic);
                     const ScanTrace &trace = *traced->trace;
                     const Method &method = *traced->method;
-                    QCOMPARE(trace.setUp(0).cells.size(), method.setUpColumns.size());
+                    QCOMPARE(trace.setUp(0).cells.size(), method.setUpNumbers.size());
                     FrameBuffer replayed(traced->scene.frame);
                     for (std::size_t span = 0; span < trace.spanCount(); ++span) {
-                        QCOMPARE(trace.span(span).cells.size(), method.spanColumns.size());
+                        QCOMPARE(trace.span(span).cells.size(), method.spanNumbers.size());
                         for (const SampleRecord &sample : trace.samples(span)) {
-                            QCOMPARE(sample.cells.size(), method.sampleColumns.size());
+                            QCOMPARE(sample.cells.size(), method.sampleNumbers.size());
                             const auto byte = [&](std::size_t i) {
                                 return int(std::clamp<std::int64_t>(sample.level[i], 0, 255));
                             };

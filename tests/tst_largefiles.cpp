@@ -2,11 +2,9 @@
 #include "core/scene/scenefile.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/largescenes.h"
-#include "widgets/messagebar.h"
-#include "widgets/playhead.h"
-#include "widgets/scenefiles.h"
-#include "widgets/sceneloader.h"
-#include "widgets/scenesaver.h"
+#include "widgets/files/scenefiles.h"
+#include "widgets/look/messagebar.h"
+#include "widgets/model/playhead.h"
 
 #include <QFile>
 #include <QProgressBar>
@@ -96,7 +94,7 @@ private slots:
 
         QTest::mouseClick(window->findChild<QWidget *>("cancelLoad"), Qt::LeftButton);
 
-        QVERIFY(ended.wait(timeout));
+        QCOMPARE(ended.size(), 1);
         QCOMPARE(window->parts().document->scene(), before);
         QVERIFY(!window->parts().files->isLoading());
     }
@@ -171,7 +169,7 @@ private slots:
         auto window = windowWith({});
         window->openScene(path);
         QVERIFY(window->close());
-        window.reset(); // waits for the reader, which is told to stop
+        window.reset(); // the reader is told to stop
     }
 
     void aLargeSceneIsSavedBesideTheWindow()
@@ -202,7 +200,7 @@ private slots:
         QVERIFY(window->parts().files->saveTo(path));
         document->addTriangle(triangleAt(1, 2, 30, 4, 5, 61));
 
-        QTRY_VERIFY_WITH_TIMEOUT(!window->parts().files->saver()->isRunning(), timeout);
+        QTRY_VERIFY_WITH_TIMEOUT(!window->parts().files->saving().isRunning(), timeout);
         QVERIFY(document->isModified());
         QVERIFY(readSceneFile(path)->scene == saved);
     }
@@ -215,7 +213,7 @@ private slots:
         const QString path = m_settings.folder() + "/saved.json";
         QVERIFY(files->saveTo(path));
         QVERIFY(files->mayReplace()); // waits in a dialog
-        QVERIFY(!files->saver()->isRunning());
+        QVERIFY(!files->saving().isRunning());
 
         document->addTriangle(triangleAt(1, 2, 30, 4, 5, 60));
         files->askAboutChanges = [] { return UnsavedChanges::Save; };
@@ -229,7 +227,7 @@ private slots:
         window->parts().document->addTriangle(triangleAt(1, 2, 30, 4, 5, 60));
         window->parts().files->askAboutChanges = [] { return UnsavedChanges::Discard; };
         QVERIFY(window->parts().files->saveTo(m_settings.folder() + "/no/such/folder.json"));
-        QTRY_VERIFY_WITH_TIMEOUT(!window->parts().files->saver()->isRunning(), timeout);
+        QTRY_VERIFY_WITH_TIMEOUT(!window->parts().files->saving().isRunning(), timeout);
         QVERIFY(window->parts().document->isModified());
         QVERIFY(window->parts().messageBar->text().contains("folder.json"));
     }
@@ -238,20 +236,17 @@ private slots:
     {
         const QByteArray text = writeScene(crowd(12'000, 100, exact));
         QVERIFY(text.size() > largestWholeText);
-        std::vector<qsizetype> told;
-        ReadOptions options;
-        options.progress = [&](qsizetype bytesRead, qsizetype bytes) {
-            told.push_back(bytesRead);
-            return bytes == text.size();
-        };
-        QVERIFY(readScene(text, options));
+        std::vector<std::int64_t> told;
+        QVERIFY(readScene(text, [&](const JobProgress &progress) {
+            told.push_back(progress.done);
+            return progress.phase == JobPhase::Reading && progress.total == text.size();
+        }));
         QVERIFY(told.size() > 5);
         QVERIFY(std::ranges::is_sorted(told));
         QVERIFY(told.back() > text.size() / 2 && told.back() < text.size());
 
         int calls = 0;
-        options.progress = [&](qsizetype, qsizetype) { return ++calls < 4; };
-        QVERIFY(!readScene(text, options));
+        QVERIFY(!readScene(text, [&](const JobProgress &) { return ++calls < 4; }));
         QCOMPARE(calls, 4);
     }
 

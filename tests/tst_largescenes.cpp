@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trace/tracedscene.h"
+#include "core/runs/tracedscene.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/largescenes.h"
-#include "widgets/canvas.h"
-#include "widgets/messagebar.h"
-#include "widgets/playhead.h"
-#include "widgets/scenepreviewer.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/look/messagebar.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenepreviewer.h"
 
 #include <QApplication>
 #include <QElapsedTimer>

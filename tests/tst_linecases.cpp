@@ -28,10 +28,9 @@ private slots:
         QTest::newRow("DDA, exact") << "line-dda" << Arithmetic::Exact << QStringList();
         QTest::newRow("DDA, float32 drifts") << "line-dda" << Arithmetic::Float32
                                              << QStringList({QStringLiteral("line_long_16381")});
-        QTest::newRow("Bresenham, ties by direction")
-            << "line-bresenham" << Arithmetic::Exact
-            << QStringList({QStringLiteral("line_tie_half")});
-        QTest::newRow("Bresenham, same both ways")
+        QTest::newRow("Bresenham, from the left end")
+            << "line-bresenham" << Arithmetic::Exact << QStringList();
+        QTest::newRow("Bresenham, ties up")
             << "line-bresenham-symmetric" << Arithmetic::Exact << QStringList();
         QTest::newRow("y = mx + b: casts, gaps, no slope")
             << "line-slope-intercept" << Arithmetic::Exact

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/formulaexplanation.h"
-#include "core/trace/tracedscene.h"
+#include "core/runs/formulaexplanation.h"
+#include "core/runs/tracedscene.h"
 #include "tests/support/shapes.h"
 
 #include <QTest>
@@ -21,7 +21,7 @@ QStringList tableOf(const Scene &scene, const QStringList &ids)
         QStringList cells;
         for (const QString &id : ids) {
             for (std::size_t i = 0; i < record.cells.size(); ++i) {
-                if (traced->method->spanColumns[i].id == id)
+                if (traced->method->spanNumbers[i].id == id)
                     cells.append(record.cells[i].isNone() ? QStringLiteral("-")
                                                           : toText(record.cells[i]));
             }
@@ -44,7 +44,7 @@ private slots:
             = tableOf(sceneOf(lineAt(20, 41, 30, 44), "line-slope-intercept", slideFrame),
                       {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("y_r")});
 
-        // Seed 002, "Example": from x = 21 on; the first end point needs no computing.
+        // Rasterization slides, "Example": from x = 21 on; the first end point needs no computing.
         QCOMPARE(table.mid(1),
                  QStringList({QStringLiteral("21 41 3/10 41"), QStringLiteral("22 41 3/5 42"),
                               QStringLiteral("23 41 9/10 42"), QStringLiteral("24 42 1/5 42"),
@@ -60,10 +60,10 @@ private slots:
 
         const auto traced = traceScene(scene);
 
-        // Seed 002, "Example 2": m = 5, b = −59, and the one row 21 46.
+        // Rasterization slides, "Example 2": m = 5, b = −59, and the one row 21 46.
         const SetUpRecord setUp = traced->trace->setUp(0);
-        QCOMPARE(toText(setUp.cells[1]), QStringLiteral("5"));
-        QCOMPARE(toText(setUp.cells[2]), QStringLiteral("-59"));
+        QCOMPARE(toText(setUp.cells[4]), QStringLiteral("5"));
+        QCOMPARE(toText(setUp.cells[5]), QStringLiteral("-59"));
         QCOMPARE(tableOf(scene, {QStringLiteral("x"), QStringLiteral("y_r")}),
                  QStringList({QStringLiteral("20 41"), QStringLiteral("21 46")}));
         QCOMPARE(traced->differences.count(Difference::Missing), std::int64_t(4));
@@ -86,8 +86,8 @@ private slots:
             scene,
             {QStringLiteral("k"), QStringLiteral("p_k"), QStringLiteral("x"), QStringLiteral("y")});
 
-        // Seed 002, "Bresenham: Example". The tie p₄ = 0 goes up, whatever the rule beside it
-        // prints.
+        // Rasterization slides, "Bresenham: Example". The tie p₄ = 0 goes up, whatever the rule
+        // beside it prints.
         QCOMPARE(table,
                  QStringList({QStringLiteral("- - 20 41"), QStringLiteral("0 -4 21 41"),
                               QStringLiteral("1 2 22 42"), QStringLiteral("2 -12 23 42"),
@@ -114,6 +114,44 @@ private slots:
               };
         QVERIFY(has(setUp, "p₀ = 2Δy − Δx", "6 − 10"));
         QVERIFY(has(second, "p_k ← p_k₊₁′", "2"));
+        QVERIFY(has(second, "Δp = 2Δy − 2Δx", "−14"));
+    }
+
+    void aStepIsSpokenOfByWhatDecidedIt_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<int>("span");
+        QTest::addColumn<QString>("sentence");
+
+        const auto row = [](const char *method, int span, const char *sentence) {
+            QTest::addRow("%s, %d", method, span)
+                << QString::fromLatin1(method) << span << QString::fromUtf8(sentence);
+        };
+        row("line-bresenham", 0,
+            "The line starts at the pixel (20, 41) without a decision; p_k₊₁ = −4 < 0 decides "
+            "about the next one.");
+        row("line-bresenham", 1,
+            "p_k = −4 < 0: stay in the row, at the pixel (21, 41); Δp = 2Δy = 6.");
+        row("line-bresenham", 2,
+            "p_k = 2 > 0: step diagonally to the pixel (22, 42); Δp = 2Δy − 2Δx = −14.");
+        row("line-bresenham-symmetric", 5,
+            "p_k = 0, a tie: step diagonally to the pixel (25, 43); Δp = 2Δy − 2Δx = −14.");
+        row("line-dda", 1,
+            "On the column 21 the line is at y = 41 3/10, which rounds to the pixel (21, 41).");
+        row("line-slope-intercept", 2,
+            "On the column 22 the line is at y = 41 3/5, which rounds to the pixel (22, 42).");
+    }
+    void aStepIsSpokenOfByWhatDecidedIt()
+    {
+        QFETCH(QString, method);
+        QFETCH(int, span);
+        QFETCH(QString, sentence);
+
+        const auto traced = traceScene(
+            sceneOf(lineAt(20, 41, 30, 44), method.toLatin1().constData(), slideFrame));
+
+        QCOMPARE(explainStep(*traced, traced->trace->indexOfSpan(std::size_t(span))).sentence,
+                 sentence);
     }
 
     void pointsAreWrittenToTheirAddress()
@@ -128,7 +166,7 @@ private slots:
         const QStringList table
             = tableOf(scene, {QStringLiteral("x"), QStringLiteral("y"), QStringLiteral("addr")});
 
-        // Seed 002, "Point Plotting": (3, 2) in a frame of width 6 is at 2·6 + 3.
+        // Rasterization slides, "Point Plotting": (3, 2) in a frame of width 6 is at 2·6 + 3.
         QCOMPARE(table,
                  QStringList(
                      {QStringLiteral("3 2 15"), QStringLiteral("5 0 5"), QStringLiteral("9 9 -")}));

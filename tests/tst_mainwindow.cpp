@@ -3,10 +3,10 @@
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
-#include "widgets/columntable.h"
-#include "widgets/columntablemodel.h"
-#include "widgets/playhead.h"
-#include "widgets/scenedocument.h"
+#include "widgets/inspect/columntable.h"
+#include "widgets/model/columntablemodel.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
 
 #include <QApplication>
 #include <QBuffer>

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/tracerows.h"
+#include "core/methods/rejectiontext.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
-#include "widgets/columntable.h"
-#include "widgets/columntablemodel.h"
-#include "widgets/playhead.h"
-#include "widgets/scenedocument.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/inspect/columntable.h"
+#include "widgets/look/messagebar.h"
+#include "widgets/model/columntablemodel.h"
+#include "widgets/model/placinghint.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
 
 #include <QApplication>
 #include <QComboBox>
@@ -34,6 +38,17 @@ QStringList rowTexts(const MainWindow &window, int row)
     for (int column = 0; column < model.columnCount(); ++column)
         texts.append(model.index(row, column).data(ColumnTableModel::CanonicalTextRole).toString());
     return texts;
+}
+
+/// What the columns of the table are called in files.
+QStringList fileNames(const MainWindow &window)
+{
+    const auto &model = *qobject_cast<const ColumnTableModel *>(
+        named<ColumnTable>(window, "columnTable")->model());
+    QStringList names;
+    for (int column = 0; column < model.columnCount(); ++column)
+        names.append(model.fileName(column));
+    return names;
 }
 
 } // namespace
@@ -116,12 +131,72 @@ private slots:
         scene.triangles = {triangleAt(4, 5, 58, 12, 26, 44)};
         scene.settings.fillRule = FillRule::HalfOpenColumn;
         const auto window = openedWindow(scene);
+        const QRect canvas = window->parts().canvas->geometry();
         choose(*window, QStringLiteral("row-walk"));
+
+        const MessageBar &bar = *window->parts().messageBar;
+        QVERIFY(bar.isVisible());
+        QCOMPARE(named<QLabel>(bar, "messageKind")->text(), QStringLiteral("Note"));
+        QVERIFY2(bar.text().startsWith(methodNamed(u"row-walk")->title), qPrintable(bar.text()));
+        QVERIFY2(!bar.text().contains("row-walk"), qPrintable(bar.text()));
+        QCOMPARE(window->parts().canvas->geometry(), canvas);
+        choose(*window, QStringLiteral("barycentric-all"));
+        QVERIFY(!bar.isVisible());
+        window->parts().document->undoStack()->undo();
         const Scene &drawn = window->parts().document->scene();
         QCOMPARE(drawn.method, std::string("row-walk"));
         QVERIFY(methodNamed(u"row-walk")->supports(drawn.settings.fillRule));
         window->parts().document->undoStack()->undo();
         QCOMPARE(window->parts().document->scene(), scene);
+    }
+
+    void aSceneOfAnotherKindNamesAMethodThatDrawsIt_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<QString>("drawing"); ///< a method that draws what is there
+        QTest::newRow("triangle by a line's method") << "default.json"
+                                                     << "line-bresenham"
+                                                     << "column-scan";
+        QTest::newRow("lines by a triangle's method") << "lines.json"
+                                                      << "column-scan"
+                                                      << "line-dda";
+    }
+    void aSceneOfAnotherKindNamesAMethodThatDrawsIt()
+    {
+        QFETCH(QString, file);
+        QFETCH(QString, method);
+        QFETCH(QString, drawing);
+        const auto window = openedWindow(file);
+        QVERIFY(foreignSceneHint(window->parts().document->scene()).isEmpty());
+
+        choose(*window, method);
+
+        const QString hint = foreignSceneHint(window->parts().document->scene());
+        QVERIFY2(hint.contains(methodNamed(method)->title), qPrintable(hint));
+        QVERIFY2(hint.contains(methodNamed(drawing)->title), qPrintable(hint));
+        const QString sentence = named<QLabel>(*window, "formulaSentence")->text();
+        QVERIFY2(sentence.contains(hint.left(20)), qPrintable(sentence));
+    }
+
+    void whatTheKernelRejectsIsSaidWithItsReason()
+    {
+        Scene scene;
+        scene.method = "line-slope-intercept";
+        Shape line;
+        line.kind = PrimitiveKind::Line;
+        line.vertices = {{latticePixel(5, 2), {}}, {latticePixel(5, 9), {}}};
+        scene.shapes = {line};
+        const auto window = openedWindow(scene);
+        const QString reason = rejectionText(PrimitiveRejection::VerticalLine);
+
+        const MessageBar &bar = *window->parts().messageBar;
+        QVERIFY(bar.isVisible());
+        QCOMPARE(bar.text(), QStringLiteral("Line 0: ") + reason);
+        window->parts().playhead->pick({5, 4});
+        QCOMPARE(named<QLabel>(*window, "pixelHistoryReason")->text(), reason);
+        window->parts().document->moveVertex({0, 1}, latticePixel(9, 9), 1);
+        QVERIFY(!bar.isVisible());
     }
 
     void steppingARowMethodGoesByRowsAndSaysSo()
@@ -135,10 +210,11 @@ private slots:
         playhead.step(StepUnit::Span, StepDirection::Forward);
         QVERIFY(playhead.placeInHand().has_value());
         QVERIFY(playhead.placeInHand()->axis == SpanAxis::Row);
-        // The seed walks down from the uppermost point.
+        // Edge walking goes down from the uppermost point.
         QCOMPARE(playhead.placeInHand()->coordinate, std::int64_t(44));
         QCOMPARE(action(*window, "nextColumn")->iconText(), QStringLiteral("row"));
-        QCOMPARE(named<QLabel>(*window, "statusColumn")->text(), QStringLiteral("row 44"));
+        QCOMPARE(named<QLabel>(*window, "statusColumn")->text(),
+                 QStringLiteral("row 44, first trapezoid"));
     }
 
     void theTableAgreesWithTheExportUnderEveryMethod_data()
@@ -160,17 +236,12 @@ private slots:
         const TracedScene &traced = *window->parts().playhead->traced();
         QVERIFY(traced.trace->spanCount() > 0);
         for (const std::size_t span : {std::size_t(0), traced.trace->spanCount() / 2}) {
-            QStringList exported = spanCells(traced, span);
-            exported.removeFirst(); // the step
-            if (scene.settings.arithmetic == Arithmetic::Exact) {
-                QStringList used;
-                std::size_t cell = 0;
-                for (const TraceColumn &column : traced.method->spanColumns) {
-                    used.append(exported[qsizetype(cell)]);
-                    cell += column.comparison == Comparison::WithExact ? 3 : 1;
-                }
-                exported = used;
-            }
+            const TraceTable<SpanRow> table
+                = spanTable(traced.method->spanNumbers).only(fileNames(*window));
+            const std::vector<Cell> cells = table.cells(spanRow(traced, span));
+            QStringList exported;
+            for (std::size_t i = 0; i < cells.size(); ++i)
+                exported.append(fileText(table.fields()[i], cells[i]));
             QCOMPARE(rowTexts(*window, int(span)), exported);
         }
     }

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/numberformat.h"
-#include "widgets/numberlayout.h"
-#include "widgets/symboltext.h"
+#include "core/methods/method.h"
+#include "widgets/look/numberformat.h"
+#include "widgets/look/numberlayout.h"
+#include "widgets/look/numbertooltip.h"
+#include "widgets/look/symboltext.h"
 
+#include <QRegularExpression>
 #include <QTest>
 
 #include <limits>
@@ -19,6 +22,9 @@ private slots:
     void fixedPointIsShownInDecimals();
     void decimalsAreDigitsOfTheNumberAndNotRounded_data();
     void decimalsAreDigitsOfTheNumberAndNotRounded();
+    void decimalsBesideANumberEqualItAreNearItOrSayNothing_data();
+    void decimalsBesideANumberEqualItAreNearItOrSayNothing();
+    void toolTipsSetTheSubscriptsOfEveryNumber();
     void errorsCarryTheirSign_data();
     void errorsCarryTheirSign();
     void findsTheFirstDigitThatDiffers_data();
@@ -99,6 +105,38 @@ void TestNumberFormat::decimalsAreDigitsOfTheNumberAndNotRounded()
     QTEST(displayDecimal(quantity, places), "expected");
 }
 
+void TestNumberFormat::decimalsBesideANumberEqualItAreNearItOrSayNothing_data()
+{
+    QTest::addColumn<Quantity>("quantity");
+    QTest::addColumn<Arithmetic>("arithmetic");
+    QTest::addColumn<QString>("expected");
+    const auto none = Quantity();
+    QTest::newRow("nothing") << none << Arithmetic::Exact << QString();
+    QTest::newRow("integer") << Quantity::integer(255) << Arithmetic::Exact << QString();
+    QTest::newRow("float") << Quantity::of(0.1F) << Arithmetic::Float32 << QString();
+    QTest::newRow("eighths") << Quantity::rational(255, 8) << Arithmetic::Exact
+                             << QStringLiteral("= 31.875");
+    QTest::newRow("negative half")
+        << Quantity::rational(-1, 2) << Arithmetic::Exact << QStringLiteral("= −0.5");
+    QTest::newRow("six places") << Quantity::rational(1, 64) << Arithmetic::Exact
+                                << QStringLiteral("= 0.015625");
+    QTest::newRow("seven places") << Quantity::rational(1, 128) << Arithmetic::Exact
+                                  << QStringLiteral("≈ 0.007812…");
+    QTest::newRow("thirds") << Quantity::rational(17, 3) << Arithmetic::Exact
+                            << QStringLiteral("≈ 5.666666…");
+    QTest::newRow("decimals already")
+        << Quantity::rational(1, 1'000'003) << Arithmetic::Exact << QString();
+    QTest::newRow("fixed point") << Quantity::rational(21845, 65536) << Arithmetic::Fixed16
+                                 << QString();
+}
+
+void TestNumberFormat::decimalsBesideANumberEqualItAreNearItOrSayNothing()
+{
+    QFETCH(const Quantity, quantity);
+    QFETCH(const Arithmetic, arithmetic);
+    QTEST(decimalBeside(quantity, arithmetic), "expected");
+}
+
 void TestNumberFormat::errorsCarryTheirSign_data()
 {
     QTest::addColumn<Quantity>("used");
@@ -109,6 +147,10 @@ void TestNumberFormat::errorsCarryTheirSign_data()
                            << QStringLiteral("+2.5e-01");
     QTest::newRow("below") << Quantity::of(0.25F) << Quantity::rational(1, 2)
                            << QStringLiteral("−2.5e-01");
+    QTest::newRow("a row too many")
+        << Quantity::integer(7) << Quantity::integer(6) << QStringLiteral("+1");
+    QTest::newRow("two rows too few")
+        << Quantity::integer(4) << Quantity::integer(6) << QStringLiteral("−2");
     QTest::newRow("nothing to compare") << Quantity::of(0.5) << Quantity() << QString();
 }
 
@@ -181,6 +223,25 @@ void TestNumberFormat::lowersWhatFollowsAnUnderscore()
 {
     QFETCH(const QString, text);
     QTEST(SymbolText(text).html(), "expected");
+}
+
+void TestNumberFormat::toolTipsSetTheSubscriptsOfEveryNumber()
+{
+    static const QRegularExpression lowered(QStringLiteral("_[\\p{L}\\p{N}]+"));
+    int subscripts = 0;
+    for (const Method &method : methods()) {
+        for (const auto &numbers :
+             {method.setUpNumbers, method.spanNumbers, method.sampleNumbers}) {
+            for (const NumberDescription &number : numbers) {
+                const QString written = number.toolTip + number.formula;
+                const QString shown = numberToolTip(number);
+                QVERIFY2(!shown.contains(lowered), qPrintable(shown));
+                QCOMPARE(shown.count(QStringLiteral("<sub>")), written.count(lowered));
+                subscripts += int(written.count(lowered));
+            }
+        }
+    }
+    QVERIFY(subscripts > 100);
 }
 
 QTEST_MAIN(TestNumberFormat)

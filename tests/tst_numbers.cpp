@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/number/quantity.h"
+#include "core/number/wideinteger.h"
 
 #include <QTest>
 
 #include <cmath>
+#include <limits>
+#include <random>
 
 using namespace pixelplumb;
 
@@ -81,6 +84,54 @@ private slots:
         // A large whole part does not swallow the difference: 2^-28 of 2^30.
         const Quantity large = Quantity::rational((Int128(1) << 58) + 1, Int128(1) << 28);
         QCOMPARE(errorOf(large, Quantity::integer(1 << 30)), 1.0 / (1 << 28));
+    }
+
+    void aRationalIsTheDoubleNearestToIt()
+    {
+        using Rational = boost::multiprecision::cpp_rational;
+        std::mt19937_64 random(7);
+        const auto someInteger = [&random] {
+            const Int128 wide = Int128(random() >> 1) << 63 | Int128(random() >> 1);
+            return (wide >> int(random() % 126)) + 1;
+        };
+        const auto asRational = [](Int128 value) { return Rational(Int256(value)); };
+        for (int run = 0; run < 20'000; ++run) {
+            const Int128 numerator = random() % 2 == 0 ? someInteger() : -someInteger();
+            const Int128 denominator = someInteger();
+            const Rational exact = asRational(numerator) / asRational(denominator);
+            const auto distance
+                = [&exact](double value) -> Rational { return abs(Rational(value) - exact); };
+
+            const double nearest = Quantity::rational(numerator, denominator).toDouble();
+
+            const double infinity = std::numeric_limits<double>::infinity();
+            QVERIFY(distance(nearest) <= distance(std::nextafter(nearest, infinity)));
+            QVERIFY(distance(nearest) <= distance(std::nextafter(nearest, -infinity)));
+        }
+        QCOMPARE(Quantity::rational(-2, 99).toDouble(), -2.0 / 99);
+        QCOMPARE(Quantity().toDouble(), 0.0);
+    }
+
+    void tellsTheNearestDoubleOfEveryError()
+    {
+        using Rational = boost::multiprecision::cpp_rational;
+        std::mt19937_64 random(9);
+        for (int run = 0; run < 5'000; ++run) {
+            const Quantity exact
+                = Quantity::rational(Int128(random() >> 4) - (Int128(1) << 59),
+                                     (Int128(random() >> 20) << (random() % 60)) + 1);
+            // An ulp or some from it.
+            double used = exact.toDouble();
+            for (std::uint64_t step = random() % 4; step > 0; --step)
+                used = std::nextafter(used, random() % 2 == 0 ? 1e30 : -1e30);
+            const Rational error = Rational(used)
+                - Rational(Int256(exact.numerator())) / Rational(Int256(exact.denominator()));
+
+            const double told = errorOf(Quantity::of(used), exact);
+
+            const Rational off = abs(Rational(Rational(told) - error));
+            QVERIFY(off * (Int256(1) << 53) <= abs(error));
+        }
     }
 
     void knowsIntegersExactly()

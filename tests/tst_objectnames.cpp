@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/isolatedsettings.h"
-#include "widgets/appearance.h"
-#include "widgets/canvas.h"
-#include "widgets/keysheet.h"
-#include "widgets/mainwindow.h"
-#include "widgets/signs.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/dialogs/keysheet.h"
+#include "widgets/look/appearance.h"
+#include "widgets/look/signs.h"
+#include "widgets/window/mainwindow.h"
 
 #include <QAbstractItemView>
 #include <QAccessible>
@@ -22,15 +22,16 @@ namespace {
 
 /// The parts of the window that design and README promise to programs.
 const QStringList promisedNames{
-    "canvas",        "columnTable",      "pixelGrid",     "formulaPanel",    "pixelHistory",
-    "stepperBar",    "scrubber",         "methodBox",     "arithmeticBox",   "fillRuleBox",
-    "roundingBox",   "unitBox",          "speedSlider",   "speedBox",        "positionLabel",
-    "messageBar",    "traceProgress",    "cancelTrace",   "statusPixel",     "statusColumn",
-    "statusStep",    "statusSettings",   "formulaDock",   "pixelGridDock",   "pixelHistoryDock",
-    "columnsDock",   "nextColourButton", "compare",       "compareDock",     "agreementMap",
-    "compareReason", "hardCases",        "hardCasesDock", "precision",       "precisionDock",
-    "precisionPlot", "overdrawMap",      "performance",   "performanceDock", "loadProgress",
-    "cancelLoad",    "saveProgress"};
+    "canvas",         "columnTable",      "pixelGrid",      "formulaPanel",    "pixelHistory",
+    "stepperBar",     "scrubber",         "methodBox",      "arithmeticBox",   "fillRuleBox",
+    "roundingBox",    "unitBox",          "speedSlider",    "speedBox",        "positionLabel",
+    "messageBar",     "traceProgress",    "cancelTrace",    "statusPixel",     "statusColumn",
+    "statusStep",     "statusSettings",   "formulaDock",    "pixelGridDock",   "pixelHistoryDock",
+    "columnsDock",    "nextColourButton", "compare",        "compareDock",     "agreementMap",
+    "compareReason",  "hardCases",        "hardCasesDock",  "precision",       "precisionDock",
+    "precisionPlot",  "overdrawMap",      "performance",    "performanceDock", "loadProgress",
+    "cancelLoad",     "saveProgress",     "exportProgress", "cancelExport",    "operations",
+    "operationTable", "operationsDock"};
 
 /// Keys that act in the same scope, by scope: window-wide, or in one widget.
 QString scopeOf(const QAction &action)

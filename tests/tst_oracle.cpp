@@ -70,6 +70,7 @@ private slots:
         QTest::addColumn<FillRule>("rule");
         QTest::newRow("closed") << FillRule::Closed;
         QTest::newRow("half-open-column") << FillRule::HalfOpenColumn;
+        QTest::newRow("open") << FillRule::Open;
     }
     void agreesWithTheScanOnEveryTriangleOfAnEightByEightLattice()
     {
@@ -121,7 +122,8 @@ private slots:
             const Triangle triangle = *triangles({extent, grid, window});
             const int edge = *rc::gen::inRange(0, 3);
             const int sixteenths = *rc::gen::inRange(0, 17);
-            const FillRule rule = *rc::gen::element(FillRule::Closed, FillRule::HalfOpenColumn);
+            const FillRule rule
+                = *rc::gen::element(FillRule::Closed, FillRule::HalfOpenColumn, FillRule::Open);
             const ByteRounding rounding
                 = *rc::gen::element(ByteRounding::Nearest, ByteRounding::Truncate);
             RC_ASSERT(

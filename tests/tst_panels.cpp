@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/tracerows.h"
-#include "core/methods/formulaexplanation.h"
+#include "core/runs/formulaexplanation.h"
 #include "tests/support/defaultscene.h"
 #include "tests/support/tablecolumns.h"
-#include "widgets/columntable.h"
-#include "widgets/columntablepanel.h"
-#include "widgets/formulapanel.h"
-#include "widgets/numberformat.h"
-#include "widgets/playhead.h"
+#include "widgets/inspect/columntable.h"
+#include "widgets/inspect/columntablepanel.h"
+#include "widgets/inspect/formulapanel.h"
+#include "widgets/look/numberformat.h"
+#include "widgets/model/playhead.h"
 
 #include <QAction>
 #include <QApplication>
@@ -106,14 +106,16 @@ void TestPanels::copiedRowsAgreeWithTheExportedTrace()
     const QStringList names = lines[0].split(u'\t');
     const QStringList copied = lines[1].split(u'\t');
     QCOMPARE(copied.size(), names.size());
-    const std::vector<Field> fields = spanFields(*playhead.traced()->method);
-    const QStringList exported = spanCells(*playhead.traced(), std::size_t(rowOf(33)));
+    const TraceTable<SpanRow> exported = spanTable(playhead.traced()->method->spanNumbers);
+    const std::vector<Field> &fields = exported.fields();
+    const std::vector<Cell> cells
+        = exported.cells(spanRow(*playhead.traced(), std::size_t(rowOf(33))));
     int compared = 0;
     for (std::size_t i = 0; i < fields.size(); ++i) {
         const qsizetype place = names.indexOf(fields[i].name);
         if (place < 0)
             continue;
-        QCOMPARE(copied[place], exported[qsizetype(i)]);
+        QCOMPARE(copied[place], fileText(fields[i], cells[i]));
         ++compared;
     }
     QCOMPARE(compared, names.size());
@@ -131,7 +133,7 @@ void TestPanels::switchesShowAndHideGroupsOfColumns()
     const auto press
         = [&](const char *name) { panel.findChild<QToolButton *>(QLatin1String(name))->click(); };
 
-    QVERIFY(isShown("R_B") && !isShown("R_B_exact") && !isShown("triangle"));
+    QVERIFY(isShown("R_B") && !isShown("R_B_exact") && !isShown("primitive"));
     press("showExactButton");
     QVERIFY(isShown("R_B_exact") && !isShown("R_B_error"));
     press("showEdgeColoursButton");

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/measure/scenetiming.h"
-#include "core/trace/tracedscene.h"
+#include "core/runs/tracedscene.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
-#include "widgets/performancecachelines.h"
-#include "widgets/performancepanel.h"
-#include "widgets/playhead.h"
+#include "widgets/model/playhead.h"
+#include "widgets/studies/performancecachelines.h"
+#include "widgets/studies/performancepanel.h"
 
 #include <QLabel>
 #include <QPushButton>
@@ -107,7 +107,7 @@ private slots:
     {
         TimingOptions options;
         int calls = 0;
-        options.progress = [&calls](int, int) { return ++calls < 5; };
+        options.progress = [&calls](const JobProgress &) { return ++calls < 5; };
         QVERIFY(!timeScene(twoTriangles(), options));
         QCOMPARE(calls, 5);
     }

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/columnrecord.h"
 #include "tests/support/defaultscene.h"
-#include "widgets/displayoptions.h"
-#include "widgets/pixelgrid.h"
-#include "widgets/pixelgridscene.h"
-#include "widgets/playhead.h"
+#include "widgets/inspect/pixelgrid.h"
+#include "widgets/look/displayoptions.h"
+#include "widgets/model/playhead.h"
 
 #include <QApplication>
 #include <QTest>
@@ -36,79 +34,19 @@ struct GridBench {
 
 } // namespace
 
+/// The pixel grid as a widget: what it paints, and what clicks, keys and the wheel do.
 class TestPixelGrid : public QObject {
     Q_OBJECT
 
 private slots:
-    void everyCellIsAWholeNumberOfDevicePixels_data();
-    void everyCellIsAWholeNumberOfDevicePixels();
-    void rowsGrowInTheDirectionOfTheFrame_data();
-    void rowsGrowInTheDirectionOfTheFrame();
     void cellsShowTheFrameAtThePosition();
     void leftClickPicksAndGoesToTheWrite();
     void rightClickOnlyPicks();
     void arrowKeysNudgeAsTheFrameIsSeen_data();
     void arrowKeysNudgeAsTheFrameIsSeen();
     void wheelAndKeysChangeTheNumberOfCells();
-    void candidatesAreTheRowsThatAreNotWrittenYet();
-    void differencesAreShownOnceTheyAreDecided();
-    void tiesAreMarkedWhereASampleLiesOnAnEdge();
+    void boundsStandBesideTheCellsAtEveryScale();
 };
-
-void TestPixelGrid::everyCellIsAWholeNumberOfDevicePixels_data()
-{
-    QTest::addColumn<QSize>("area");
-    QTest::addColumn<int>("count");
-    QTest::newRow("fits") << QSize(90, 90) << 9;
-    QTest::newRow("scale 1.5") << QSize(691, 377) << 9;
-    QTest::newRow("scale 2") << QSize(921, 501) << 33;
-    QTest::newRow("higher than wide") << QSize(200, 700) << 5;
-    QTest::newRow("too small for its cells") << QSize(20, 20) << 33;
-}
-
-void TestPixelGrid::everyCellIsAWholeNumberOfDevicePixels()
-{
-    QFETCH(const QSize, area);
-    QFETCH(const int, count);
-
-    const PixelGridMapping mapping(area, {}, count, QPoint(40, 20), FrameOrigin::BottomLeft);
-
-    QVERIFY(mapping.cellSize() >= 1);
-    QCOMPARE(mapping.grid().size(), QSize(1, 1) * mapping.cellSize() * count);
-    QCOMPARE(mapping.firstColumn(), 40 - count / 2);
-    for (int x = mapping.firstColumn(); x < mapping.endColumn(); ++x) {
-        for (int y = mapping.firstRow(); y < mapping.endRow(); ++y) {
-            const QPoint pixel(x, y);
-            const QRect cell = mapping.cell(pixel);
-            QCOMPARE(mapping.pixelAt(cell.topLeft()), pixel);
-            QCOMPARE(mapping.pixelAt(cell.bottomRight()), pixel);
-            QCOMPARE(mapping.pixelAt(mapping.sample(pixel)), pixel);
-        }
-    }
-    QVERIFY(!mapping.pixelAt(mapping.grid().topLeft() - QPoint(1, 0)));
-}
-
-void TestPixelGrid::rowsGrowInTheDirectionOfTheFrame_data()
-{
-    QTest::addColumn<FrameOrigin>("origin");
-    QTest::addColumn<int>("upward");
-    QTest::newRow("bottom left") << FrameOrigin::BottomLeft << 1;
-    QTest::newRow("top left") << FrameOrigin::TopLeft << -1;
-}
-
-void TestPixelGrid::rowsGrowInTheDirectionOfTheFrame()
-{
-    QFETCH(const FrameOrigin, origin);
-    QFETCH(const int, upward);
-
-    const PixelGridMapping mapping(QSize(90, 90), {}, 9, QPoint(40, 20), origin);
-
-    const QRect middle = mapping.cell(QPoint(40, 20));
-    QCOMPARE(middle, QRect(40, 40, 10, 10));
-    QCOMPARE(mapping.cell(QPoint(41, 20 + upward)), middle.translated(10, -10));
-    QCOMPARE(mapping.sample(QPoint(40, 20)), QPointF(45, 45));
-    QCOMPARE(mapping.position(40.5, 20 + 0.5 * upward), QPointF(50, 40));
-}
 
 void TestPixelGrid::cellsShowTheFrameAtThePosition()
 {
@@ -163,7 +101,10 @@ void TestPixelGrid::rightClickOnlyPicks()
 
 void TestPixelGrid::arrowKeysNudgeAsTheFrameIsSeen_data()
 {
-    rowsGrowInTheDirectionOfTheFrame_data();
+    QTest::addColumn<FrameOrigin>("origin");
+    QTest::addColumn<int>("upward");
+    QTest::newRow("bottom left") << FrameOrigin::BottomLeft << 1;
+    QTest::newRow("top left") << FrameOrigin::TopLeft << -1;
 }
 
 void TestPixelGrid::arrowKeysNudgeAsTheFrameIsSeen()
@@ -208,77 +149,20 @@ void TestPixelGrid::wheelAndKeysChangeTheNumberOfCells()
     QCOMPARE(grid.cellCount(), PixelGrid::fewestCells);
 }
 
-void TestPixelGrid::candidatesAreTheRowsThatAreNotWrittenYet()
+void TestPixelGrid::boundsStandBesideTheCellsAtEveryScale()
 {
-    Playhead playhead;
-    DisplayOptions options;
-    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
-    const PixelGridMapping mapping(QSize(90, 90), {}, 9, QPoint(33, 10), FrameOrigin::BottomLeft);
-    playhead.seekToSpan(std::size_t(rowOf(33)));
-    const ColumnRecord column(playhead.traced()->trace->span(std::size_t(rowOf(33))));
+    GridBench bench;
+    bench.playhead.seekToSpan(*bench.playhead.traced()->trace->spanOn(0, SpanAxis::Column, 27));
 
-    const PixelGridScene entered = pixelGridScene(playhead, options, mapping);
-    QCOMPARE(entered.firstCandidate, column.span().firstDrawn);
-    QCOMPARE(entered.endCandidate, column.span().endDrawn);
-    QVERIFY(!entered.pixelInHand);
+    const QImage image = bench.grid.grab().toImage();
 
-    playhead.step(StepUnit::Sample, StepDirection::Forward);
-    const PixelGridScene stepped = pixelGridScene(playhead, options, mapping);
-    QCOMPARE(stepped.firstCandidate, column.span().firstDrawn + 1);
-    QCOMPARE(stepped.pixelInHand, QPoint(33, int(column.span().firstDrawn)));
-}
-
-void TestPixelGrid::differencesAreShownOnceTheyAreDecided()
-{
-    // 16.16 loses the edge's last bits over a long run and colours other pixels than the truth.
-    Scene scene = defaultSceneIn(Arithmetic::Fixed16);
-    scene.frame.width = 2048;
-    scene.frame.height = 700;
-    scene.triangles = {{{vertexAt(0, 0, {{0, 0, 0}}), vertexAt(2047, 0, {{255, 200, 1}}),
-                         vertexAt(2047, 683, {{3, 9, 255}})}}};
-    Playhead playhead;
-    DisplayOptions options;
-    playhead.setTraced(traceScene(scene));
-    const DifferenceMap &differences = playhead.traced()->differences;
-    std::optional<QPoint> wrong;
-    for (int x = 0; x < scene.frame.width && !wrong; ++x) {
-        for (int y = 0; y < scene.frame.height && !wrong; ++y) {
-            if (differences.at(x, y) != Difference::None)
-                wrong = QPoint(x, y);
-        }
-    }
-    QVERIFY(wrong);
-    const PixelGridMapping mapping(QSize(90, 90), {}, 9, *wrong, FrameOrigin::BottomLeft);
-    const auto signsThere = [&] {
-        for (const GridCell &cell : pixelGridScene(playhead, options, mapping).cells) {
-            if (cell.pixel == *wrong)
-                return cell.signs.size();
-        }
-        return std::size_t(0);
-    };
-
-    playhead.seek(playhead.traced()->decidedAt(wrong->x(), wrong->y()) - 1);
-    QCOMPARE(signsThere(), std::size_t(0));
-    playhead.seek(playhead.traced()->decidedAt(wrong->x(), wrong->y()));
-    QCOMPARE(signsThere(), std::size_t(1));
-    options.setDifferencesShown(false);
-    QCOMPARE(signsThere(), std::size_t(0));
-}
-
-void TestPixelGrid::tiesAreMarkedWhereASampleLiesOnAnEdge()
-{
-    Playhead playhead;
-    DisplayOptions options;
-    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
-    const PixelGridMapping mapping(QSize(90, 90), {}, 9, QPoint(4, 5), FrameOrigin::BottomLeft);
-
-    QList<QPoint> ties;
-    for (const GridCell &cell : pixelGridScene(playhead, options, mapping).cells) {
-        if (std::ranges::find(cell.signs, Sign::Tie) != cell.signs.end())
-            ties.append(cell.pixel);
-    }
-
-    QCOMPARE(ties, QList<QPoint>{QPoint(4, 5)}); // P0 itself
+    const QRect cells = bench.grid.mapping().grid();
+    const QRect beside(cells.right() + 3, 0, image.width() - cells.right() - 3, image.height());
+    const QImage labels = image.copy(beside);
+    QImage empty(labels.size(), labels.format());
+    empty.fill(bench.grid.palette().color(QPalette::Window));
+    QVERIFY(beside.width() > 60);
+    QVERIFY(labels != empty);
 }
 
 QTEST_MAIN(TestPixelGrid)

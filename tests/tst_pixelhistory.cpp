@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/defaultscene.h"
-#include "widgets/numberformat.h"
-#include "widgets/pixelhistorymodel.h"
-#include "widgets/pixelhistorypanel.h"
-#include "widgets/playhead.h"
+#include "widgets/inspect/pixelhistorypanel.h"
+#include "widgets/look/numberformat.h"
+#include "widgets/model/pixelhistorymodel.h"
+#include "widgets/model/playhead.h"
 
 #include <QAbstractItemModelTester>
 #include <QLabel>
@@ -18,6 +18,7 @@ class TestPixelHistory : public QObject {
 private slots:
     void historyKeepsTheModelContract();
     void historyOfAWrittenPixelListsChannels();
+    void theChannelsOfAWriteChangeWithIt();
     void historyOfARefusedPixelListsEdges();
     void historyCountsTheRefusalsThatItDoesNotList();
     void historyRunsToTheWritesOfThePickedPixel();
@@ -62,6 +63,28 @@ void TestPixelHistory::historyOfAWrittenPixelListsChannels()
 
     model.setPosition(0);
     QCOMPARE(model.decisiveRow().data().toString(), QStringLiteral("△ 0 will write it"));
+}
+
+void TestPixelHistory::theChannelsOfAWriteChangeWithIt()
+{
+    PixelHistoryModel model;
+    model.setPixel(traceScene(defaultSceneIn(Arithmetic::Exact)), QPoint(27, 20));
+    const QModelIndex attempt = model.index(0, 0);
+    const std::size_t step = attempt.data(PixelHistoryModel::StepRole).toULongLong();
+    model.setPosition(step);
+    QStringList wasAhead;
+    connect(&model, &QAbstractItemModel::dataChanged, this,
+            [&](const QModelIndex &first, const QModelIndex &last) {
+                for (int row = first.row(); first.parent().isValid() && row <= last.row(); ++row) {
+                    const QModelIndex channel = first.siblingAtRow(row);
+                    if (!channel.data(PixelHistoryModel::IsAheadRole).toBool())
+                        wasAhead += channel.data().toString();
+                }
+            });
+
+    model.setPosition(step + 1);
+
+    QCOMPARE(wasAhead, QStringList({"R", "G", "B"}));
 }
 
 void TestPixelHistory::historyOfARefusedPixelListsEdges()

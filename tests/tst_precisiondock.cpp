@@ -2,10 +2,10 @@
 #include "core/compare/bounderrors.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
-#include "widgets/canvas.h"
-#include "widgets/playhead.h"
-#include "widgets/precisionpanel.h"
-#include "widgets/precisionplot.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/model/playhead.h"
+#include "widgets/studies/precisionpanel.h"
+#include "widgets/studies/precisionplot.h"
 
 #include <QLabel>
 #include <QTest>
@@ -66,10 +66,10 @@ private slots:
                 QVERIFY(std::abs(error.upper) <= error.limit);
             }
         }
-        QCOMPARE(errorLimit(Arithmetic::Fixed16, 10, 1), 10 * std::ldexp(1.0, -17));
-        QCOMPARE(errorLimit(Arithmetic::Fixed32, 10, 1), 10 * std::ldexp(1.0, -33));
-        QCOMPARE(errorLimit(Arithmetic::Float32, 2, 1024.0), std::ldexp(1.0, -13));
-        QCOMPARE(errorLimit(Arithmetic::Float64, 2, 1024.0), std::ldexp(1.0, -42));
+        QCOMPARE(errorLimit(Arithmetic::Fixed16, 10, 1, 1), 11 * std::ldexp(1.0, -17));
+        QCOMPARE(errorLimit(Arithmetic::Fixed32, 10, 1, 1), 11 * std::ldexp(1.0, -33));
+        QCOMPARE(errorLimit(Arithmetic::Float32, 2, 1024.0, 0), std::ldexp(1.0, -13));
+        QCOMPARE(errorLimit(Arithmetic::Float64, 2, 1024.0, 0), std::ldexp(1.0, -42));
     }
 
     void findsTheFirstColumnThatLosesAPixel()
@@ -99,7 +99,8 @@ private slots:
 
     void stopsWhenItIsTold()
     {
-        QVERIFY(!boundErrorsOf(m_playhead->traced()->scene, 0, [] { return false; }));
+        QVERIFY(!boundErrorsOf(m_playhead->traced()->scene, 0,
+                               [](const JobProgress &) { return false; }));
     }
 
     void plotsEveryArithmeticOfTheMethod()

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/tracedscene.h"
+#include "core/scene/fileaccess.h"
 #include "core/scene/scenefile.h"
-#include "core/trace/tracedscene.h"
 #include "tests/support/programrun.h"
 
 #include <QImage>
@@ -8,6 +9,8 @@
 #include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <unistd.h>
 
 using namespace pixelplumb;
 
@@ -154,15 +157,69 @@ private slots:
                  result.messages.constData());
     }
 
-    void saysThatStandardOutputIsFull()
+    void neverWritesOverItsInput_data()
     {
+        QTest::addColumn<QStringList>("arguments"); // %1 the input, %2 the output
+        QTest::addColumn<QString>("target");
+        const auto rows = [](const char *command, const QStringList &arguments) {
+            for (const char *target : {"scene.json", "./scene.json", "symlink.png", "hardlink.png"})
+                QTest::addRow("%s, %s", command, target)
+                    << arguments << QString::fromLatin1(target);
+        };
+        rows("trace", {"trace", "%1", "-o", "%2"});
+        rows("trace of standard input", {"trace", "-", "-o", "%2"});
+        rows("trace by pixels", {"trace", "%1", "--level", "pixel", "-o", "%2"});
+        rows("render", {"render", "%1", "-o", "%2"});
+    }
+    void neverWritesOverItsInput()
+    {
+        QFETCH(QStringList, arguments);
+        QFETCH(QString, target);
+        const QTemporaryDir folder;
+        const QString scene = folder.filePath(QStringLiteral("scene.json"));
+        QVERIFY(QFile::copy(defaultScene(), scene));
+        QVERIFY(QFile::link(scene, folder.filePath(QStringLiteral("symlink.png"))));
+        QVERIFY(
+            ::link(QFile::encodeName(scene).constData(),
+                   QFile::encodeName(folder.filePath(QStringLiteral("hardlink.png"))).constData())
+            == 0);
+        const QByteArray before = *readFile(scene);
+        arguments.replaceInStrings(QStringLiteral("%1"), scene)
+            .replaceInStrings(QStringLiteral("%2"), folder.path() + u'/' + target);
+
         QProcess process;
-        process.setStandardOutputFile(QStringLiteral("/dev/full"));
-        process.start(program(), {"render", defaultScene(), "--ascii"});
+        process.setStandardInputFile(scene);
+        process.start(program(), arguments);
         QVERIFY(process.waitForFinished());
 
         QCOMPARE(process.exitCode(), 2);
-        QVERIFY(process.readAllStandardError().contains("standard output cannot be written"));
+        const QByteArray messages = process.readAllStandardError();
+        // A picture cannot be called .json.
+        QVERIFY2(messages.contains("is the input, which it would replace")
+                     || messages.contains("unknown kind of picture"),
+                 messages.constData());
+        QCOMPARE(*readFile(scene), before);
+    }
+
+    void namesTheReasonWhenTheDiskIsFull_data()
+    {
+        QTest::addColumn<QString>("ending");
+        for (const char *ending : {"png", "bmp", "ppm"})
+            QTest::newRow(ending) << QString::fromLatin1(ending);
+    }
+    void namesTheReasonWhenTheDiskIsFull()
+    {
+        QFETCH(QString, ending);
+        const QString path = m_folder.filePath(QStringLiteral("full.") + ending);
+        QVERIFY(QFile::link(QStringLiteral("/dev/full"), path));
+
+        const ProgramRun result = run({"render", defaultScene(), "-o", path});
+
+        QCOMPARE(result.exitCode, 2);
+        QCOMPARE(QString::fromUtf8(result.messages),
+                 QStringLiteral("pixelplumb-cli render: %1: cannot be written: No space left on "
+                                "device\n")
+                     .arg(path));
     }
 
 private:

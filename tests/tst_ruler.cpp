@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/framepainter.h"
-#include "widgets/ruler.h"
+#include "widgets/canvas/ruler.h"
+#include "widgets/look/framepainter.h"
 
 #include <QTest>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trace/scenepicture.h"
-#include "core/trace/tracedscene.h"
+#include "core/runs/scenepicture.h"
+#include "core/runs/tracedscene.h"
 #include "tests/support/scanning.h"
-#include "widgets/scenepreviewer.h"
+#include "widgets/model/scenepreviewer.h"
 
 #include <QSignalSpy>
 #include <QTest>
@@ -13,7 +13,7 @@ using namespace pixelplumb;
 
 namespace {
 
-const ScenePicture::GoesOn always = [] { return true; };
+const ProgressListener always;
 
 /// Triangles that overlap each other and the frame's border, some in the background's colour.
 Scene scatteredScene(unsigned seed, const ScanSettings &settings, const QString &method)
@@ -105,12 +105,12 @@ private slots:
         QVERIFY(picture.draw(shared(scene), always));
 
         QVERIFY(picture.drawn().copy() == drawn.copy());
-        if (!picture.truth()) {
+        if (!picture.exactTwin()) {
             QVERIFY(!columnScan().supports(scene.settings.fillRule));
             QCOMPARE(picture.differences().total(), 0);
             return;
         }
-        QVERIFY(picture.truth()->copy() == traced->truth.copy());
+        QVERIFY(picture.exactTwin()->copy() == traced->truth.copy());
         QCOMPARE(rasterOf(picture.differences(), scene.frame),
                  rasterOf(traced->differences, scene.frame));
     }
@@ -190,7 +190,7 @@ private slots:
             QVERIFY(fresh.draw(shared(scene), always));
             const QByteArray when = QStringLiteral("move %1").arg(move).toUtf8();
             QVERIFY2(dragged.drawn().copy() == fresh.drawn().copy(), when);
-            QVERIFY2(dragged.truth()->copy() == fresh.truth()->copy(), when);
+            QVERIFY2(dragged.exactTwin()->copy() == fresh.exactTwin()->copy(), when);
             QCOMPARE(rasterOf(dragged.differences(), scene.frame),
                      rasterOf(fresh.differences(), scene.frame));
             QCOMPARE(dragged.differences().total(), fresh.differences().total());
@@ -204,7 +204,7 @@ private slots:
         ScenePicture picture(scene.frame);
         QVERIFY(picture.draw(shared(scene), always));
         scene.triangles[0].vertices[0].position = latticePixel(1, 60);
-        QVERIFY(!picture.draw(shared(scene), [] { return false; }));
+        QVERIFY(!picture.draw(shared(scene), [](const JobProgress &) { return false; }));
         QVERIFY(picture.draw(shared(scene), always));
         FrameBuffer drawn(scene.frame);
         drawScene(scene, drawn);
@@ -234,7 +234,7 @@ private slots:
     {
         const Scene scene = scatteredScene(3, {}, "column-scan");
         ScenePicture picture(scene.frame);
-        QVERIFY(!picture.draw(shared(scene), [] { return false; }));
+        QVERIFY(!picture.draw(shared(scene), [](const JobProgress &) { return false; }));
     }
 
     void ofManyRequestsTheNewestIsShownLast()

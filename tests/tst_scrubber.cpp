@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scanning.h"
-#include "widgets/scrubber.h"
+#include "widgets/stepping/scrubber.h"
 
 #include <QAccessible>
 #include <QSignalSpy>

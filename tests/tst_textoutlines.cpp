@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/polygons/textoutlines.h"
+#include "core/runs/rejectedprimitives.h"
 #include "tests/support/polygons.h"
 
 #include <QTest>
@@ -22,7 +23,7 @@ Shape textOf(const char *words, const LatticePoint &start, Lattice height)
 
 } // namespace
 
-/// Text as outlines (seed 002, "Output Primitives"), filled by the polygon's kernel.
+/// Text as outlines (Rasterization slides, "Output Primitives"), filled by the polygon's kernel.
 class TestTextOutlines : public QObject {
     Q_OBJECT
 
@@ -44,6 +45,18 @@ private slots:
                 QVERIFY(traced->trace->writtenCount() > 10);
                 QCOMPARE(drawn(scene), truthOf(scene));
             }
+        }
+    }
+
+    void aTextWithoutAMarkIsSaidToHaveNoOutline()
+    {
+        for (const char *words : {"", " ", "   ", "\u2003"}) {
+            const Scene scene
+                = sceneOf({textOf(words, {300, 2200}, 2304)}, frameOf(60, 40), "text-outlines");
+            const auto rejected = rejectedPrimitives(scene);
+            QCOMPARE(rejected.size(), std::size_t(1));
+            QVERIFY(rejected.front().rejection == PrimitiveRejection::NoOutline);
+            QVERIFY(rejected.front().message().contains(QStringLiteral("has no outline")));
         }
     }
 
@@ -169,7 +182,7 @@ private slots:
                  PrimitiveRejection::NotRepresentable);
         QCOMPARE(rejectionOfText(textOf("W", {largestCoordinate, 0}, 256)),
                  PrimitiveRejection::NotRepresentable);
-        QCOMPARE(rejectionOfText(textOf("", {0, 0}, 256)), PrimitiveRejection::ZeroArea);
+        QCOMPARE(rejectionOfText(textOf("", {0, 0}, 256)), PrimitiveRejection::NoOutline);
     }
 };
 

@@ -4,6 +4,7 @@
 
 #include <QJsonArray>
 #include <QJsonDocument>
+#include <QJsonObject>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -30,6 +31,31 @@ private slots:
         QCOMPARE(written.output, QByteArray());
     }
 
+    void columnsMayBeNamedWithBlanks()
+    {
+        const ProgramRun close = run({"trace", defaultScene(), "--columns", "x,y_B,y_T_error"});
+        const ProgramRun wide = run({"trace", defaultScene(), "--columns", " x, y_B , y_T_error"});
+
+        QCOMPARE(wide.exitCode, 0);
+        QVERIFY(wide.output.startsWith("x,y_B,y_T_error\r\n"));
+        QCOMPARE(wide.output, close.output);
+    }
+
+    void jsonDescribesTheChosenColumnsAlone()
+    {
+        const ProgramRun result = run(
+            {"trace", defaultScene(), "--format", "json", "--columns", "pixels,step,y_T_error"});
+
+        const QJsonDocument document = QJsonDocument::fromJson(result.output);
+        QStringList described;
+        for (const QJsonValue &column : document[QStringLiteral("columns")].toArray())
+            described.append(column[QStringLiteral("id")].toString());
+        // In the table's order; the step is no number of the method.
+        QCOMPARE(described, (QStringList{"y_T", "pixels"}));
+        QCOMPARE(document[QStringLiteral("rows")][0].toObject().keys(),
+                 (QStringList{"pixels", "step", "y_T_error"}));
+    }
+
     void leavesNoFileBehindThatCannotBeFinished()
     {
         const QString path = m_folder.filePath(QStringLiteral("none/trace.csv"));
@@ -52,6 +78,18 @@ private slots:
             QString::fromUtf8(result.output).contains(QStringLiteral("R = 100 1255/1299 → 101")));
     }
 
+    void namesTheSpanAsTheWindowDoes()
+    {
+        const auto lineOf = [](const char *method, const char *x, const char *y) {
+            const ProgramRun result = run({"pixel", defaultScene(), x, y, "--method", method});
+            return QString::fromUtf8(result.output).section(u'\n', 2, 2).section(u':', 0, 0);
+        };
+
+        QCOMPARE(lineOf("column-scan", "20", "19"), QStringLiteral("    column 20, first half"));
+        QCOMPARE(lineOf("column-scan", "50", "19"), QStringLiteral("    column 50, second half"));
+        QCOMPARE(lineOf("row-walk", "27", "30"), QStringLiteral("    row 30, first trapezoid"));
+    }
+
     void tellsWhichEdgeRefusesAPixel()
     {
         const ProgramRun result = run({"pixel", defaultScene(), "0", "0", "--json"});
@@ -64,8 +102,10 @@ private slots:
         QCOMPARE(attempt[QStringLiteral("edges")].toArray().size(), qsizetype(3));
         QCOMPARE(attempt[QStringLiteral("edges")][0][QStringLiteral("accepts")].toBool(true),
                  false);
-        QCOMPARE(attempt[QStringLiteral("edges")][0][QStringLiteral("alongColumn")].toString(),
-                 QStringLiteral("-4 13/27"));
+        const QJsonValue distance
+            = attempt[QStringLiteral("edges")][0][QStringLiteral("alongColumn")];
+        QCOMPARE(distance[QStringLiteral("fraction")].toString(), QStringLiteral("-121/27"));
+        QCOMPARE(distance[QStringLiteral("decimal")].toDouble(), -121.0 / 27);
     }
 
     void takesNegativeCoordinates()

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/trace/tracedscene.h"
+#include "core/runs/tracedscene.h"
 #include "tests/support/trianglepictures.h"
 
 #include <QTest>
@@ -171,7 +171,7 @@ private slots:
             scene.triangles = {triangle};
             return traceScene(scene)->trace->setUp(0).cells.back();
         };
-        QCOMPARE(method.setUpColumns.back().title, QStringLiteral("proved₀₂"));
+        QCOMPARE(method.setUpNumbers.back().title, QStringLiteral("proved₀₂"));
         // W'·H' = 2^20 · 2^20 and one row more.
         QCOMPARE(isProved(triangleOf({{{0, 0}, {1 << 20, 1 << 20}, {0, 300}}})),
                  Quantity::integer(1));

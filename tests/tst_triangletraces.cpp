@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/formulaexplanation.h"
+#include "core/runs/tracedscene.h"
 #include "core/trace/tracecursor.h"
-#include "core/trace/tracedscene.h"
-#include "tests/support/formulavalue.h"
 #include "tests/support/trianglepictures.h"
 
 #include <QTest>
@@ -81,12 +79,11 @@ private slots:
         QCOMPARE(trace.primitiveCount(), traced->primitives.size());
         QVERIFY(trace.writtenCount() > 100);
         for (std::size_t primitive = 0; primitive < trace.primitiveCount(); ++primitive) {
-            if (trace.setUp(primitive).rejection != PrimitiveRejection::NotRepresentable)
-                QCOMPARE(trace.setUp(primitive).cells.size(), method.setUpColumns.size());
+            QCOMPARE(trace.setUp(primitive).cells.size(), method.setUpNumbers.size());
         }
         for (std::size_t span = 0; span < trace.spanCount(); ++span) {
             const SpanRecord record = trace.span(span);
-            QCOMPARE(record.cells.size(), method.spanColumns.size());
+            QCOMPARE(record.cells.size(), method.spanNumbers.size());
             const std::vector<SampleRecord> samples = trace.samples(span);
             QCOMPARE(samples.size(), std::size_t(record.drawnSamples()));
             for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -98,41 +95,9 @@ private slots:
                 QCOMPARE(isRow ? samples[i].x : samples[i].y, record.firstDrawn + std::int64_t(i));
                 QCOMPARE(isRow ? samples[i].y : samples[i].x, record.place.coordinate);
                 QVERIFY(samples[i].cells.empty()
-                        || samples[i].cells.size() == method.sampleColumns.size());
+                        || samples[i].cells.size() == method.sampleNumbers.size());
             }
         }
-    }
-
-    void everyFormulaComesOutAtTheNumberThatItExplains_data()
-    {
-        QTest::addColumn<QString>("id");
-        QTest::addColumn<ScanSettings>("settings");
-        for (const Method *method : triangleMethods()) {
-            if (method->explain)
-                continue;
-            const ScanSettings settings{Arithmetic::Exact, method->fillRules.front(),
-                                        ByteRounding::Nearest};
-            QTest::newRow(rowName(*method, settings).c_str()) << method->id << settings;
-        }
-    }
-    void everyFormulaComesOutAtTheNumberThatItExplains()
-    {
-        QFETCH(QString, id);
-        QFETCH(ScanSettings, settings);
-        const auto traced = traceScene(tracedSceneOf(id, settings));
-        int evaluated = 0;
-        for (std::size_t step = 0; step < traced->trace->indexOfSetUp(1); ++step) {
-            for (const FormulaLine &line : explainStep(*traced, step).lines) {
-                const std::optional<double> value = FormulaValue::of(line.substituted);
-                if (!value)
-                    continue;
-                QVERIFY2(std::abs(*value - line.used.toDouble())
-                             <= 1e-9 * (1 + std::abs(line.used.toDouble())),
-                         qPrintable(line.symbols + QStringLiteral(": ") + line.substituted));
-                ++evaluated;
-            }
-        }
-        QVERIFY2(evaluated > 200, qPrintable(QString::number(evaluated)));
     }
 
     void barycentricOverAllPixelsVisitsThemAll()
@@ -177,7 +142,7 @@ private slots:
 
     void constantRateScanKeepsSliversColoursWithinTheirRange()
     {
-        // A sliver on which the seed's ΔR blows up in float32.
+        // A sliver on which the assignment's ΔR blows up in float32.
         Scene scene;
         scene.frame.width = 256;
         scene.frame.height = 224;
@@ -190,7 +155,7 @@ private slots:
         const auto stable = traceScene(scene);
         QVERIFY(literal->trace->spanCount() == stable->trace->spanCount());
         const auto rateOf = [](const TracedScene &traced, std::size_t span) {
-            const auto &columns = traced.method->spanColumns;
+            const auto &columns = traced.method->spanNumbers;
             for (std::size_t i = 0; i < columns.size(); ++i) {
                 if (columns[i].title == QStringLiteral("ΔR"))
                     return traced.trace->span(span).cells[i].toDouble();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scanning.h"
-#include "widgets/scenedocument.h"
+#include "widgets/model/scenedocument.h"
 
 #include <QSignalSpy>
 #include <QTest>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/framespec.h"
 #include "tests/support/viewratios.h"
-#include "widgets/viewmapping.h"
+#include "widgets/look/viewmapping.h"
 
 #include <QTest>
 

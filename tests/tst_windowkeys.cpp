@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
-#include "widgets/canvas.h"
-#include "widgets/displayoptions.h"
-#include "widgets/playhead.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/look/displayoptions.h"
+#include "widgets/model/playhead.h"
 
 #include <QTest>
 

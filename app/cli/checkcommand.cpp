@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
+#include "app/cli/input.h"
 #include "app/cli/progress.h"
 #include "app/cli/sceneoptions.h"
 #include "app/cli/suggestion.h"
@@ -19,7 +20,7 @@ const QString allArithmeticsWord = QStringLiteral("all");
 /// Every method, arithmetic and rule that the options leave: all methods, all their rules. What
 /// they leave open is answered by what a method claims: its stable arithmetics, or exact arithmetic
 /// where a single method is asked for.
-Result<std::vector<Candidate>> candidatesFor(const CommandLine &line)
+Result<std::vector<Contender>> contendersFor(const CommandLine &line)
 {
     const Result<const Method *> method = chosenMethod(line, methods().front().id);
     if (!method)
@@ -36,7 +37,7 @@ Result<std::vector<Candidate>> candidatesFor(const CommandLine &line)
 
     const bool chooses
         = line.isSet(QStringLiteral("method")) || line.isSet(QStringLiteral("arithmetic"));
-    std::vector<Candidate> candidates;
+    std::vector<Contender> contenders;
     for (const Method &each : methods()) {
         if (line.isSet(QStringLiteral("method")) && &each != *method)
             continue;
@@ -46,14 +47,14 @@ Result<std::vector<Candidate>> candidatesFor(const CommandLine &line)
                 continue;
             for (const FillRule rule : each.fillRules) {
                 if (!line.isSet(QStringLiteral("fill-rule")) || rule == *fillRule)
-                    candidates.push_back({&each, {number, rule, ByteRounding::Nearest}});
+                    contenders.push_back({&each, {number, rule, ByteRounding::Nearest}});
             }
         }
     }
-    if (candidates.empty())
+    if (contenders.empty())
         return InputError{
             {}, QStringLiteral("no method draws in this arithmetic under this rule"), {}};
-    return candidates;
+    return contenders;
 }
 
 void printReport(const CaseReport &report)
@@ -66,11 +67,11 @@ void printReport(const CaseReport &report)
     if (!report.remarks.isEmpty())
         text += QStringLiteral("  ") + report.remarks.join(QStringLiteral("; "));
     printLine(text);
-    for (const CandidateVerdict &verdict : report.verdicts) {
+    for (const ContenderVerdict &verdict : report.verdicts) {
         if (verdict.outcome == CaseOutcome::FellShort) {
             printLine(
                 QStringLiteral("      %1: %2")
-                    .arg(verdict.candidate.name(), verdict.remarks.join(QStringLiteral("; "))));
+                    .arg(verdict.contender.name(), verdict.remarks.join(QStringLiteral("; "))));
         }
     }
 }
@@ -78,12 +79,12 @@ void printReport(const CaseReport &report)
 QJsonObject jsonOf(const CaseReport &report)
 {
     QJsonArray verdicts;
-    for (const CandidateVerdict &verdict : report.verdicts) {
-        const Candidate &candidate = verdict.candidate;
+    for (const ContenderVerdict &verdict : report.verdicts) {
+        const Contender &contender = verdict.contender;
         verdicts.append(QJsonObject{
-            {QStringLiteral("method"), candidate.method->id},
-            {QStringLiteral("arithmetic"), nameText(nameOf(candidate.settings.arithmetic))},
-            {QStringLiteral("fillRule"), nameText(nameOf(candidate.settings.fillRule))},
+            {QStringLiteral("method"), contender.method->id},
+            {QStringLiteral("arithmetic"), nameText(nameOf(contender.settings.arithmetic))},
+            {QStringLiteral("fillRule"), nameText(nameOf(contender.settings.fillRule))},
             {QStringLiteral("outcome"), nameOf(verdict.outcome).toLower()},
             {QStringLiteral("remarks"), QJsonArray::fromStringList(verdict.remarks)}});
     }
@@ -127,9 +128,9 @@ ExitCode check(const Command &command, const QStringList &arguments)
     if (const auto ended = line.parse(arguments))
         return *ended;
 
-    const Result<std::vector<Candidate>> candidates = candidatesFor(line);
-    if (!candidates)
-        return line.refuse(candidates.error());
+    const Result<std::vector<Contender>> contenders = contendersFor(line);
+    if (!contenders)
+        return line.refuse(contenders.error());
     const Result<QByteArray> text = readInput(line.argument(0));
     if (!text)
         return line.refuse(text.error());
@@ -145,7 +146,7 @@ ExitCode check(const Command &command, const QStringList &arguments)
                           .arg(tally.total() + 1)
                           .arg(cases->size())
                           .arg(hardCase.id));
-        const CaseReport report = checkCase(hardCase, *candidates);
+        const CaseReport report = checkCase(hardCase, *contenders);
         tally.add(report.summary());
         if (line.isSet(jsonOption))
             reports.append(jsonOf(report));

@@ -53,7 +53,9 @@ std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
     }
     const QStringList positionals = m_parser.positionalArguments();
     const auto expected = qsizetype(m_positionals.size());
-    if (positionals.size() < expected) {
+    if (positionals.size() < expected
+        && m_positionals[std::size_t(positionals.size())].presence
+            == Positional::Presence::Required) {
         const Positional &missing = m_positionals[std::size_t(positionals.size())];
         return refuse(QStringLiteral("%1 is missing: %2").arg(missing.name, missing.meaning));
     }
@@ -92,7 +94,9 @@ void CommandLine::printHelp() const
 {
     QStringList words = {QCoreApplication::applicationName(), m_name, QStringLiteral("[options]")};
     for (const Positional &positional : m_positionals)
-        words.append(positional.name);
+        words.append(positional.presence == Positional::Presence::Required
+                         ? positional.name
+                         : u'[' + positional.name + u']');
     // The parser begins its help with the path by which the program was called; ours says the
     // command.
     const QString help = m_parser.helpText();

@@ -18,13 +18,16 @@ struct Command {
     ExitCode (*run)(const Command &command, const QStringList &arguments);
 };
 
-/// A word that must follow the command.
+/// A word that follows the command.
 struct Positional {
+    enum class Presence { Required, Optional };
+
     QString name; ///< "SCENE"
     QString meaning;
+    Presence presence = Presence::Required; ///< optional ones stand last
 };
 
-/// The words after a command: options, and exactly the positional arguments that the command names.
+/// The words after a command: options, and the positional arguments that the command names.
 /// Whatever is wrong with them is said on stderr with the word in question.
 class CommandLine {
 public:
@@ -36,7 +39,8 @@ public:
 
     bool isSet(const QString &option) const { return m_parser.isSet(option); }
     QString value(const QString &option) const { return m_parser.value(option); }
-    /// The positional argument at a place; negative numbers are arguments, not options.
+    /// The positional argument at a place, empty where an optional one is left out; negative
+    /// numbers are arguments, not options.
     QString argument(qsizetype index) const;
 
     /// Says what is wrong with the command line or its input.

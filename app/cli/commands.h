@@ -12,5 +12,6 @@ ExitCode pixel(const Command &command, const QStringList &arguments);
 ExitCode listMethods(const Command &command, const QStringList &arguments);
 ExitCode check(const Command &command, const QStringList &arguments);
 ExitCode compare(const Command &command, const QStringList &arguments);
+ExitCode help(const Command &command, const QStringList &arguments);
 
 } // namespace pixelplumb::cli

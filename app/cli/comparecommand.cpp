@@ -3,6 +3,7 @@
 #include "app/cli/comparecontenders.h"
 #include "app/cli/comparereport.h"
 #include "app/cli/progress.h"
+#include "app/cli/rejectionreport.h"
 #include "app/cli/sceneoptions.h"
 
 #include <QJsonDocument>
@@ -57,11 +58,13 @@ ExitCode compare(const Command &command, const QStringList &arguments)
 
     Progress progress;
     ContestOptions options;
-    options.progress = [&progress](const QString &state) {
-        progress.show(state);
-        return true;
-    };
+    options.progress = progress.listener();
     const auto contest = compareContenders(*scene, *contenders, options);
+    for (const Contender &contender : *contenders) {
+        if (!contender.isTruth())
+            reportRejections(line.argument(0) + QStringLiteral(", ") + contender.name(),
+                             rejectedPrimitives(sceneFor(*scene, contender)));
+    }
 
     const CompareReport report{*contest, *limit};
     if (line.isSet(jsonOption)) {

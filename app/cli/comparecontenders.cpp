@@ -2,6 +2,7 @@
 #include "app/cli/comparecontenders.h"
 
 #include "app/cli/suggestion.h"
+#include "core/compare/contest.h"
 #include "core/scan/choicenames.h"
 
 #include <QStringList>
@@ -10,7 +11,7 @@ namespace pixelplumb::cli {
 
 namespace {
 
-const QString place = QStringLiteral("--methods");
+const QString methodsOption = QStringLiteral("--methods");
 const QString truthWord = QStringLiteral("truth");
 
 QStringList contenderNames()
@@ -30,13 +31,13 @@ std::optional<InputError> apply(const QString &word, Contender &contender)
         return std::nullopt;
     }
     if (contender.isTruth())
-        return unknownName(place, QStringLiteral("fill rule of the truth"), word,
+        return unknownName(methodsOption, QStringLiteral("fill rule of the truth"), word,
                            namesOf(allFillRules));
     if (const auto arithmetic = arithmeticNamed(name)) {
         contender.settings.arithmetic = *arithmetic;
         return std::nullopt;
     }
-    return unknownName(place, QStringLiteral("arithmetic or fill rule"), word,
+    return unknownName(methodsOption, QStringLiteral("arithmetic or fill rule"), word,
                        namesOf(allArithmetics) + namesOf(allFillRules));
 }
 
@@ -47,7 +48,8 @@ Result<Contender> contenderNamed(const QString &entry, const ScanSettings &ofSce
     if (words.front() != truthWord) {
         const Method *method = methodNamed(words.front());
         if (!method)
-            return unknownName(place, QStringLiteral("method"), words.front(), contenderNames());
+            return unknownName(methodsOption, QStringLiteral("method"), words.front(),
+                               contenderNames());
         contender = contenderFor(*method, ofScene);
     }
     for (const QString &word : words.sliced(1)) {
@@ -57,7 +59,7 @@ Result<Contender> contenderNamed(const QString &entry, const ScanSettings &ofSce
     if (!contender.isTruth()) {
         const QString refusal = contender.method->refusal(contender.settings);
         if (!refusal.isEmpty())
-            return InputError{place, refusal, {}};
+            return InputError{methodsOption, refusal, {}};
     }
     return contender;
 }
@@ -69,7 +71,7 @@ Result<std::vector<Contender>> contendersNamed(const QString &list, const ScanSe
     const QStringList entries = list.split(u',', Qt::SkipEmptyParts);
     const auto count = std::size_t(entries.size());
     if (count < fewestContenders || count > mostContenders)
-        return InputError{place,
+        return InputError{methodsOption,
                           count == 1 ? QStringLiteral("1 contender")
                                      : QStringLiteral("%1 contenders").arg(count),
                           QStringLiteral("%1 to %2, separated by commas")

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/compare/contender.h"
+#include "core/runs/contender.h"
 #include "core/scene/result.h"
 
 namespace pixelplumb::cli {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/comparereport.h"
 
+#include "core/runs/undrawn.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/colourtext.h"
 
@@ -54,11 +55,37 @@ QStringList aligned(const std::vector<QStringList> &rows)
     return lines;
 }
 
+/// The kinds of primitives of the scene that a contender leaves out.
+QStringList kindsUndrawnBy(const ContenderRun &run, const Contest &contest)
+{
+    return run.contender.isTruth() ? QStringList()
+                                   : kindsUndrawn(contest.primitives, *run.contender.method);
+}
+
+/// A line for each contender that leaves out kinds; then the table has a column for their pixels.
+QStringList undrawnLines(const Contest &contest)
+{
+    QStringList lines;
+    for (std::size_t i = 0; i < contest.runs.size(); ++i) {
+        const QStringList kinds = kindsUndrawnBy(contest.runs[i], contest);
+        if (!kinds.isEmpty())
+            lines.append(
+                QStringLiteral(
+                    "%1 does not draw %2: missing, extra and colour are those of the rest.")
+                    .arg(i + 1)
+                    .arg(kinds.join(QStringLiteral(", "))));
+    }
+    return lines;
+}
+
 QStringList contenderTable(const Contest &contest)
 {
+    const QStringList undrawn = undrawnLines(contest);
     QStringList head
         = {QStringLiteral("contender"), QStringLiteral("pixels"), QStringLiteral("missing"),
            QStringLiteral("extra"), QStringLiteral("colour")};
+    if (!undrawn.isEmpty())
+        head.append(QStringLiteral("undrawn"));
     for (std::size_t i = 1; i <= contest.runs.size(); ++i)
         head.append(QStringLiteral("≠%1").arg(i));
     std::vector<QStringList> rows = {head};
@@ -69,11 +96,13 @@ QStringList contenderTable(const Contest &contest)
         QStringList row = {QStringLiteral("%1 %2").arg(i + 1).arg(run.contender.name()),
                            number(run.tally.written), against(Difference::Missing),
                            against(Difference::Extra), against(Difference::Colour)};
+        if (!undrawn.isEmpty())
+            row.append(number(run.tally.undrawn));
         for (std::size_t j = 0; j < contest.runs.size(); ++j)
             row.append(i == j ? QStringLiteral("–") : number(run.tally.differsFrom[j]));
         rows.push_back(row);
     }
-    return aligned(rows);
+    return aligned(rows) + undrawn;
 }
 
 QStringList agreementTable(const AgreementMap &agreement)
@@ -130,7 +159,7 @@ QJsonObject jsonOf(const PixelComparison &pixel)
             {QStringLiteral("contenders"), opinions}};
 }
 
-QJsonObject jsonOf(const ContenderRun &run)
+QJsonObject jsonOf(const ContenderRun &run, const Contest &contest)
 {
     const auto against
         = [&run](Difference kind) { return qint64(run.tally.againstTruth[std::size_t(kind)]); };
@@ -148,6 +177,8 @@ QJsonObject jsonOf(const ContenderRun &run)
         {QStringLiteral("missing"), against(Difference::Missing)},
         {QStringLiteral("extra"), against(Difference::Extra)},
         {QStringLiteral("colour"), against(Difference::Colour)},
+        {QStringLiteral("undrawn"), qint64(run.tally.undrawn)},
+        {QStringLiteral("kindsNotDrawn"), QJsonArray::fromStringList(kindsUndrawnBy(run, contest))},
         {QStringLiteral("differsFrom"), differs}};
 }
 
@@ -177,7 +208,7 @@ QJsonObject jsonOf(const CompareReport &report)
     const AgreementMap &agreement = report.contest.agreement;
     QJsonArray contenders;
     for (const ContenderRun &run : report.contest.runs)
-        contenders.append(jsonOf(run));
+        contenders.append(jsonOf(run, report.contest));
     QJsonArray agreeing; // pixels on which 1, 2, … agree
     for (int count = 1; count <= agreement.contenderCount(); ++count)
         agreeing.append(qint64(agreement.countAgreeing(count)));

@@ -4,6 +4,7 @@
 
 #include <QCoreApplication>
 
+#include <algorithm>
 #include <cstdio>
 #include <exception>
 
@@ -17,16 +18,32 @@ const std::vector<Command> &commands()
          trace},
         {QStringLiteral("pixel"), QStringLiteral("Tell who wrote a pixel, or what refuses it."),
          pixel},
-        {QStringLiteral("methods"), QStringLiteral("List the methods of scan conversion."),
-         listMethods},
+        {QStringLiteral("methods"),
+         QStringLiteral("List the methods of scan conversion, or tell one whole."), listMethods},
         {QStringLiteral("check"), QStringLiteral("Run a file of hard cases."), check},
         {QStringLiteral("compare"), QStringLiteral("Tell where methods disagree, and why."),
          compare},
+        {QStringLiteral("help"), QStringLiteral("Show this help, or a command's: help COMMAND."),
+         help},
     };
     return table;
 }
 
 namespace {
+
+QStringList commandNames()
+{
+    QStringList names;
+    for (const Command &command : commands())
+        names.append(command.name);
+    return names;
+}
+
+const Command *commandNamed(const QString &name)
+{
+    const auto found = std::ranges::find(commands(), name, &Command::name);
+    return found == commands().end() ? nullptr : &*found;
+}
 
 QString helpText()
 {
@@ -68,20 +85,35 @@ ExitCode run(const QStringList &arguments)
                   + QCoreApplication::applicationVersion());
         return ExitCode::Done;
     }
-    QStringList names;
-    for (const Command &command : commands()) {
-        if (command.name == word)
-            return command.run(command, arguments.sliced(1));
-        names.append(command.name);
-    }
+    if (const Command *command = commandNamed(word))
+        return command->run(*command, arguments.sliced(1));
     if (word.startsWith(u'-')) {
         const QStringList options = {QStringLiteral("--help"), QStringLiteral("--version")};
         return refuse(QStringLiteral("unknown option %1").arg(word) + suggestion(word, options));
     }
-    return refuse(QStringLiteral("unknown command “%1”").arg(word) + suggestion(word, names));
+    return refuse(QStringLiteral("unknown command “%1”").arg(word)
+                  + suggestion(word, commandNames()));
 }
 
 } // namespace
+
+ExitCode help(const Command &command, const QStringList &arguments)
+{
+    const QString option = QStringLiteral("--help");
+    const QString word = arguments.value(0, option);
+    // Of `help help` there is no more to tell.
+    if (word == command.name || word == option || word == QStringLiteral("-h")) {
+        printLine(helpText());
+        return ExitCode::Done;
+    }
+    if (arguments.size() > 1)
+        return refuse(QStringLiteral("help: unexpected argument “%1”").arg(arguments[1]));
+    const Command *explained = commandNamed(word);
+    if (!explained)
+        return refuse(QStringLiteral("help: unknown command “%1”").arg(word)
+                      + suggestion(word, commandNames()));
+    return explained->run(*explained, {option});
+}
 
 } // namespace pixelplumb::cli
 
@@ -95,9 +127,10 @@ int main(int argc, char *argv[])
     QCoreApplication::setApplicationVersion(QStringLiteral(PIXELPLUMB_VERSION));
     try {
         ExitCode code = pixelplumb::cli::run(QCoreApplication::arguments().sliced(1));
-        // A full disk behind stdout shows only now.
-        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
-            sayLine(QStringLiteral("pixelplumb-cli: standard output cannot be written"));
+        // A full disk behind stdout shows only now, unless a command has told of it.
+        const bool isFull = std::fflush(stdout) != 0 || std::ferror(stdout) != 0;
+        if (isFull && code != ExitCode::Usage) {
+            sayLine(QStringLiteral("pixelplumb-cli: standard output: cannot be written"));
             code = ExitCode::Usage;
         }
         return int(code);

@@ -1,54 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
-#include "core/methods/method.h"
-#include "core/scan/choicenames.h"
+#include "app/cli/methodreport.h"
+#include "app/cli/suggestion.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QJsonObject>
 
 namespace pixelplumb::cli {
 
 namespace {
 
-QStringList kindsOf(const Method &method)
+void printMethods()
 {
-    QStringList kinds;
-    for (const PrimitiveKind kind : method.kinds)
-        kinds.append(nameOf(kind));
-    return kinds;
+    for (const Method &method : methods())
+        printMethod(method);
 }
 
-QJsonObject jsonOf(const Method &method)
+QStringList methodNames()
 {
-    return {
-        {QStringLiteral("id"), method.id},
-        {QStringLiteral("family"), titleOf(method.family)},
-        {QStringLiteral("draws"), QJsonArray::fromStringList(kindsOf(method))},
-        {QStringLiteral("stable"), QJsonArray::fromStringList(namesOf(method.stableArithmetics))},
-        {QStringLiteral("title"), method.title},
-        {QStringLiteral("summary"), method.summary},
-        {QStringLiteral("source"), method.source},
-        {QStringLiteral("arithmetics"), QJsonArray::fromStringList(namesOf(method.arithmetics))},
-        {QStringLiteral("fillRules"), QJsonArray::fromStringList(namesOf(method.fillRules))},
-        {QStringLiteral("effects"), QJsonArray::fromStringList(method.effects)}};
+    QStringList names;
+    for (const Method &method : methods())
+        names.append(method.id);
+    return names;
 }
 
-void printMethod(const Method &method)
+void printJson(const QJsonDocument &document)
 {
-    const QString separator = QStringLiteral(", ");
-    printLine(QStringLiteral("%1: %2").arg(method.id, method.title));
-    printLine(QStringLiteral("  %1").arg(method.summary));
-    printLine(QStringLiteral("  draws        %1").arg(kindsOf(method).join(separator)));
-    printLine(QStringLiteral("  source       %1").arg(method.source));
-    printLine(QStringLiteral("  arithmetics  %1").arg(namesOf(method.arithmetics).join(separator)));
-    if (!method.stableArithmetics.empty())
-        printLine(QStringLiteral("  true in      %1")
-                      .arg(namesOf(method.stableArithmetics).join(separator)));
-    printLine(QStringLiteral("  fill rules   %1").arg(namesOf(method.fillRules).join(separator)));
-    if (!method.fillRuleReason.isEmpty())
-        printLine(QStringLiteral("  no others:   %1").arg(method.fillRuleReason));
-    printLine(QStringLiteral("  effects      %1").arg(method.effects.join(separator)));
+    printLine(QString::fromUtf8(document.toJson().chopped(1)));
 }
 
 } // namespace
@@ -56,19 +34,32 @@ void printMethod(const Method &method)
 ExitCode listMethods(const Command &command, const QStringList &arguments)
 {
     const QString jsonOption = QStringLiteral("json");
-    CommandLine line(command, {});
+    CommandLine line(command,
+                     {{QStringLiteral("NAME"),
+                       QStringLiteral("One method, whole: its numbers and its operations, too."),
+                       Positional::Presence::Optional}});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     if (const auto ended = line.parse(arguments))
         return *ended;
-    QJsonArray list;
-    for (const Method &method : methods()) {
+    if (const QString name = line.argument(0); !name.isEmpty()) {
+        const Method *method = methodNamed(name);
+        if (!method)
+            return line.refuse(
+                unknownName(QStringLiteral("NAME"), QStringLiteral("method"), name, methodNames()));
         if (line.isSet(jsonOption))
-            list.append(jsonOf(method));
+            printJson(QJsonDocument(jsonOfWhole(*method)));
         else
-            printMethod(method);
+            printWholeMethod(*method);
+        return ExitCode::Done;
     }
-    if (line.isSet(jsonOption))
-        printLine(QString::fromUtf8(QJsonDocument(list).toJson().chopped(1)));
+    if (!line.isSet(jsonOption)) {
+        printMethods();
+        return ExitCode::Done;
+    }
+    QJsonArray list;
+    for (const Method &method : methods())
+        list.append(jsonOf(method));
+    printJson(QJsonDocument(list));
     return ExitCode::Done;
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/output.h"
 
+#include "core/scene/fileaccess.h"
+
 #include <QFile>
 #include <QFileInfo>
 #include <QSaveFile>
@@ -10,8 +12,9 @@
 
 namespace pixelplumb::cli {
 
-Output::Output(QString path)
+Output::Output(QString path, QString input)
     : m_path(std::move(path))
+    , m_input(std::move(input))
 {
 }
 
@@ -21,7 +24,13 @@ std::optional<InputError> Output::open()
 {
     const QFileInfo target(m_path);
     bool opened = false;
-    if (m_path == QStringLiteral("-")) {
+    const bool toStandardOutput = m_path == QStringLiteral("-");
+    const QString inputPath
+        = m_input == QStringLiteral("-") ? QStringLiteral("/dev/stdin") : m_input;
+    if (!toStandardOutput && isSameFile(m_path, inputPath))
+        return InputError{m_path, QStringLiteral("is the input, which it would replace"),
+                          QStringLiteral("another file")};
+    if (toStandardOutput) {
         auto standardOutput = std::make_unique<QFile>();
         opened = standardOutput->open(stdout, QIODevice::WriteOnly);
         m_file = std::move(standardOutput);
@@ -33,7 +42,7 @@ std::optional<InputError> Output::open()
         m_file = std::make_unique<QSaveFile>(m_path);
         opened = m_file->open(QIODevice::WriteOnly);
     }
-    return opened ? std::nullopt : std::optional(error());
+    return opened ? std::nullopt : std::optional(error(m_file->errorString()));
 }
 
 std::optional<InputError> Output::finish()
@@ -41,14 +50,17 @@ std::optional<InputError> Output::finish()
     bool finished = m_file->flush();
     if (auto *file = qobject_cast<QSaveFile *>(m_file.get()))
         finished = file->commit() && finished;
-    return finished ? std::nullopt : std::optional(error());
+    return finished ? std::nullopt : std::optional(error(m_file->errorString()));
 }
 
-InputError Output::error() const
+InputError Output::error(const QString &otherwise) const
 {
     const QString place
         = m_path == QStringLiteral("-") ? QStringLiteral("standard output") : m_path;
-    return {place, QStringLiteral("cannot be written: ") + m_file->errorString(), {}};
+    const bool hasFailed = m_file->error() != QFileDevice::NoError;
+    return {place,
+            QStringLiteral("cannot be written: ") + (hasFailed ? m_file->errorString() : otherwise),
+            {}};
 }
 
 } // namespace pixelplumb::cli

@@ -11,10 +11,11 @@
 namespace pixelplumb::cli {
 
 /// Where a result is written as it is made: standard output for "-", else a file that appears whole
-/// or not at all.
+/// or not at all. A file that the command has read (its `input`, "-" for standard input) is never
+/// written to.
 class Output {
 public:
-    explicit Output(QString path);
+    Output(QString path, QString input);
     ~Output();
     Q_DISABLE_COPY_MOVE(Output)
 
@@ -24,10 +25,12 @@ public:
     /// Makes it permanent; without it a file is left as it was.
     std::optional<InputError> finish();
 
-private:
-    InputError error() const;
+    /// Why it cannot be written: what the device says, else `otherwise`.
+    InputError error(const QString &otherwise) const;
 
+private:
     QString m_path;
+    QString m_input;
     std::unique_ptr<QFileDevice> m_file;
 };
 

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/pixelreport.h"
+#include "app/cli/rejectionreport.h"
 #include "app/cli/sceneoptions.h"
-#include "core/export/rowwriter.h"
 #include "core/scene/colourtext.h"
-#include "core/trace/pixelhistory.h"
 
 #include <QJsonDocument>
 
@@ -53,6 +52,8 @@ ExitCode pixel(const Command &command, const QStringList &arguments)
         return line.refuse(y.error());
 
     const auto traced = traceScene(*scene);
+    reportRejections(line.argument(0) + QStringLiteral(", ") + traced->method->id,
+                     rejectedPrimitives(traced->primitives, *traced->trace));
     const PixelReport report{*traced, *x, *y, pixelHistory(*traced, *x, *y)};
     if (line.isSet(jsonOption)) {
         printLine(QString::fromUtf8(QJsonDocument(jsonOf(report)).toJson().chopped(1)));

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/pixelreport.h"
 
-#include "core/export/rowwriter.h"
+#include "core/check/casepicture.h"
+#include "core/export/numbertext.h"
+#include "core/runs/undrawn.h"
 #include "core/scene/colourtext.h"
 
 #include <QJsonArray>
@@ -43,17 +45,38 @@ Colour trueColour(const PixelReport &report)
     return unpacked(*report.traced.truth.view().at(report.x, report.y));
 }
 
-QString edgeText(const oracle::EdgeVerdict &edge)
+/// Of all primitives of the scene.
+Colour trueColourOfAll(const PixelReport &report)
+{
+    const TracedScene &traced = report.traced;
+    FrameSpec pixel = traced.scene.frame;
+    pixel.width = pixel.height = 1;
+    pixel.firstColumn = int(report.x);
+    pixel.firstRow = int(report.y);
+    const FrameBuffer frame(pixel);
+    FrameView view = frame.view();
+    // The default point off the screen is that of the whole frame.
+    view.offScreenPoint = traced.truth.view().offScreenPoint;
+    drawTruly(traced.primitives, traced.scene.settings, view);
+    return unpacked(*view.at(report.x, report.y));
+}
+
+QStringList undrawnAt(const PixelReport &report)
+{
+    const TracedScene &traced = report.traced;
+    return undrawnAt(traced.primitives, *traced.method, boundaryRuleOf(traced.scene), report.x,
+                     report.y);
+}
+
+QString edgeText(const QString &name, const oracle::EdgeVerdict &edge)
 {
     QStringList distances;
     if (!edge.distanceAlongColumn.isNone())
         distances.append(toText(edge.distanceAlongColumn) + QStringLiteral(" px along the column"));
     if (!edge.distanceAlongRow.isNone())
         distances.append(toText(edge.distanceAlongRow) + QStringLiteral(" px along the row"));
-    return QStringLiteral("    edge %1–%2 %3: %4")
-        .arg(edge.from)
-        .arg(edge.to)
-        .arg(edge.accepts ? QStringLiteral("accepts") : QStringLiteral("refuses"),
+    return QStringLiteral("    edge %1 %2: %3")
+        .arg(name, edge.accepts ? QStringLiteral("accepts") : QStringLiteral("refuses"),
              distances.isEmpty() ? QStringLiteral("a point")
                                  : distances.join(QStringLiteral(", ")));
 }
@@ -78,13 +101,17 @@ SpanWords wordsFor(SpanAxis axis)
     return {QStringLiteral("step"), {}, {}, QStringLiteral("samples")};
 }
 
-QString spanText(const SpanRecord &span)
+/// The window's words: "column 27, second half".
+QString placeText(const PixelAttempt &attempt)
 {
+    return attempt.spanHeading.left(1).toLower() + attempt.spanHeading.sliced(1);
+}
+
+QString spanText(const PixelAttempt &attempt)
+{
+    const SpanRecord &span = *attempt.span;
     const SpanWords words = wordsFor(span.place.axis);
-    QString text = QStringLiteral("    %1 %2, part %3")
-                       .arg(words.place)
-                       .arg(span.place.coordinate)
-                       .arg(span.place.part + 1);
+    QString text = QStringLiteral("    ") + placeText(attempt);
     if (!span.lower.isNone())
         text += QStringLiteral(": %1 = %2, %3 = %4, %5 %6 … %7")
                     .arg(words.lower, toText(span.lower), words.upper, toText(span.upper),
@@ -115,29 +142,36 @@ QJsonValue jsonOf(double value)
     return std::isfinite(value) ? QJsonValue(value) : QJsonValue(realText(value));
 }
 
+/// As a number, and exactly: {"decimal": 5.129…, "fraction": "277/54"}.
 QJsonValue jsonOf(const Quantity &quantity)
 {
-    return quantity.isNone() ? QJsonValue() : QJsonValue(toText(quantity));
+    if (quantity.isNone())
+        return {};
+    return QJsonObject{{QStringLiteral("decimal"), jsonOf(quantity.toDouble())},
+                       {QStringLiteral("fraction"), fractionText(quantity)}};
 }
 
-QJsonObject jsonOf(const SpanRecord &span)
+QJsonObject spanJson(const PixelAttempt &attempt)
 {
+    const SpanRecord &span = *attempt.span;
     const SpanWords words = wordsFor(span.place.axis);
     QJsonObject json{{QStringLiteral("along"), words.place},
                      {QStringLiteral("at"), qint64(span.place.coordinate)},
-                     {QStringLiteral("part"), span.place.part + 1}};
+                     {QStringLiteral("part"), span.place.part + 1},
+                     {QStringLiteral("place"), placeText(attempt)}};
     if (span.lower.isNone())
         return json;
-    json[words.lower] = toText(span.lower);
-    json[words.upper] = toText(span.upper);
+    json[words.lower] = jsonOf(span.lower);
+    json[words.upper] = jsonOf(span.upper);
     json[QStringLiteral("first")] = qint64(span.firstSample);
     json[QStringLiteral("last")] = qint64(span.endSample - 1);
     return json;
 }
 
-QJsonObject jsonOf(const oracle::EdgeVerdict &edge)
+QJsonObject jsonOf(const QString &name, const oracle::EdgeVerdict &edge)
 {
-    return {{QStringLiteral("from"), edge.from},
+    return {{QStringLiteral("edge"), name},
+            {QStringLiteral("from"), edge.from},
             {QStringLiteral("to"), edge.to},
             {QStringLiteral("accepts"), edge.accepts},
             {QStringLiteral("edgeFunction"), toText(edge.edgeFunction)},
@@ -154,11 +188,11 @@ QJsonObject jsonOf(const PixelAttempt &attempt)
                      {QStringLiteral("covered"), attempt.verdict.covered},
                      {QStringLiteral("reason"), attempt.reason}};
     if (attempt.span)
-        json[QStringLiteral("span")] = jsonOf(*attempt.span);
+        json[QStringLiteral("span")] = spanJson(attempt);
     if (attempt.hasEdges()) {
         QJsonArray edges;
-        for (const oracle::EdgeVerdict &edge : attempt.verdict.edges)
-            edges.append(jsonOf(edge));
+        for (std::size_t edge = 0; edge < attempt.edgeNames.size(); ++edge)
+            edges.append(jsonOf(attempt.edgeNames[edge], attempt.verdict.edges[edge]));
         json[QStringLiteral("edges")] = edges;
     }
     if (!attempt.written)
@@ -184,15 +218,24 @@ QJsonObject jsonOf(const PixelAttempt &attempt)
 
 QStringList textOf(const PixelReport &report)
 {
-    const Difference difference = report.traced.differences.at(report.x, report.y);
+    const TracedScene &traced = report.traced;
+    const Difference difference = traced.differences.at(report.x, report.y);
+    const QStringList undrawn = undrawnAt(report);
+    const QString truth = undrawn.isEmpty()
+        ? QStringLiteral("the truth")
+        : QStringLiteral("the truth of what %1 draws").arg(traced.method->id);
     QString heading = QStringLiteral("pixel (%1, %2) %3")
                           .arg(report.x)
                           .arg(report.y)
                           .arg(colourText(finalColour(report)));
     heading += difference == Difference::None
-        ? QStringLiteral(", as the truth")
-        : QStringLiteral(", differs from the truth %1: %2")
-              .arg(colourText(trueColour(report)), nameOfDifference(difference));
+        ? QStringLiteral(", as %1").arg(truth)
+        : QStringLiteral(", differs from %1, %2: %3")
+              .arg(truth, colourText(trueColour(report)), nameOfDifference(difference));
+    if (!undrawn.isEmpty())
+        heading
+            += QStringLiteral("; the truth of the scene is %1, for %2 covers it too")
+                   .arg(colourText(trueColourOfAll(report)), undrawn.join(QStringLiteral(", ")));
     QStringList lines = {heading};
     if (report.attempts.empty())
         lines.append(QStringLiteral("the scene has nothing that the method draws"));
@@ -205,13 +248,13 @@ QStringList textOf(const PixelReport &report)
             line.insert(line.indexOf(u':'), QStringLiteral(", step %1").arg(attempt.step + 1));
         lines.append(line);
         if (attempt.span)
-            lines.append(spanText(*attempt.span));
+            lines.append(spanText(attempt));
         for (std::size_t channel = 0; attempt.written && channel < 3; ++channel)
             lines.append(channelText(attempt, channel));
         if (!attempt.hasEdges())
             continue;
-        for (const oracle::EdgeVerdict &edge : attempt.verdict.edges)
-            lines.append(edgeText(edge));
+        for (std::size_t edge = 0; edge < attempt.edgeNames.size(); ++edge)
+            lines.append(edgeText(attempt.edgeNames[edge], attempt.verdict.edges[edge]));
     }
     return lines;
 }
@@ -224,9 +267,11 @@ QJsonObject jsonOf(const PixelReport &report)
     return {{QStringLiteral("x"), qint64(report.x)},
             {QStringLiteral("y"), qint64(report.y)},
             {QStringLiteral("colour"), colourText(finalColour(report))},
-            {QStringLiteral("truth"), colourText(trueColour(report))},
+            {QStringLiteral("truth"), colourText(trueColourOfAll(report))},
+            {QStringLiteral("truthOfWhatIsDrawn"), colourText(trueColour(report))},
             {QStringLiteral("difference"),
              nameOfDifference(report.traced.differences.at(report.x, report.y))},
+            {QStringLiteral("notDrawn"), QJsonArray::fromStringList(undrawnAt(report))},
             {QStringLiteral("attempts"), attempts}};
 }
 

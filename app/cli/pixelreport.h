@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/trace/pixelhistory.h"
+#include "core/runs/pixelhistory.h"
 
 #include <QJsonObject>
 #include <QStringList>

@@ -12,6 +12,17 @@ namespace {
 constexpr qint64 betweenShows = 100; // ms
 constexpr const char *eraseLine = "\r\033[K";
 
+/// "recording: 512", "writing: 40 of 512".
+QString textOf(const JobProgress &progress)
+{
+    const std::string_view name = nameOf(progress.phase);
+    QString text = QLatin1String(name.data(), qsizetype(name.size()));
+    text += QStringLiteral(": %1").arg(progress.done);
+    if (progress.total > 0)
+        text += QStringLiteral(" of %1").arg(progress.total);
+    return text;
+}
+
 } // namespace
 
 Progress::Progress()
@@ -26,13 +37,24 @@ Progress::~Progress()
         std::fputs(eraseLine, stderr);
 }
 
+bool Progress::isDue() const { return m_onTerminal && m_sinceStart.elapsed() >= m_nextShow; }
+
 void Progress::show(const QString &state)
 {
-    if (!m_onTerminal || m_sinceStart.elapsed() < m_nextShow)
+    if (!isDue())
         return;
     std::fputs((eraseLine + state.toUtf8()).constData(), stderr);
     m_shown = true;
     m_nextShow = m_sinceStart.elapsed() + betweenShows;
+}
+
+ProgressListener Progress::listener()
+{
+    return [this](const JobProgress &progress) {
+        if (isDue())
+            show(textOf(progress));
+        return true;
+    };
 }
 
 } // namespace pixelplumb::cli

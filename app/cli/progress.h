@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/number/jobprogress.h"
+
 #include <QElapsedTimer>
 #include <QString>
 
@@ -15,8 +17,12 @@ public:
     Q_DISABLE_COPY_MOVE(Progress)
 
     void show(const QString &state);
+    /// Shows what it hears; it must not outlive this.
+    ProgressListener listener();
 
 private:
+    bool isDue() const;
+
     bool m_onTerminal = false;
     bool m_shown = false;
     QElapsedTimer m_sinceStart;

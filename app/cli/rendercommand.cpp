@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/output.h"
+#include "app/cli/rejectionreport.h"
 #include "app/cli/sceneoptions.h"
 #include "core/frame/framebuffer.h"
+#include "core/runs/tracedscene.h"
 #include "core/scene/asciiraster.h"
-#include "core/trace/tracedscene.h"
 
 #include <QFileInfo>
 #include <QImageWriter>
@@ -21,17 +22,15 @@ const QStringList &pictureFormats()
     return formats;
 }
 
-std::optional<InputError> writePicture(const Scene &scene, const QString &path,
-                                       const QString &format)
+std::optional<InputError> writePicture(const Scene &scene, Output &output, const QString &format)
 {
     const FrameBuffer frame(scene.frame);
     drawScene(scene, frame);
-    Output output(path);
     if (auto error = output.open())
         return error;
     QImageWriter writer(&output.device(), format.toLatin1());
     if (!writer.write(frame.image()))
-        return InputError{path, QStringLiteral("cannot be written: ") + writer.errorString(), {}};
+        return output.error(writer.errorString());
     return output.finish();
 }
 
@@ -75,8 +74,11 @@ ExitCode render(const Command &command, const QStringList &arguments)
     const Result<Scene> scene = readScene(line);
     if (!scene)
         return line.refuse(scene.error());
+    reportRejections(line.argument(0) + QStringLiteral(", ") + scene->method.c_str(),
+                     rejectedPrimitives(*scene));
     if (wantsPicture) {
-        if (const auto error = writePicture(*scene, path, format))
+        Output output(path, line.argument(0));
+        if (const auto error = writePicture(*scene, output, format))
             return line.refuse(*error);
     }
     if (wantsAscii)

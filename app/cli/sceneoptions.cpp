@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/sceneoptions.h"
 
+#include "app/cli/input.h"
 #include "app/cli/suggestion.h"
 #include "core/scan/choicenames.h"
-#include "core/scene/fileaccess.h"
 #include "core/scene/scenefile.h"
-
-#include <QFile>
 
 #include <algorithm>
 #include <array>
@@ -100,16 +98,6 @@ void addSettingOptions(CommandLine &line)
                     QStringLiteral("How a level becomes a byte: ")
                         + namesOf(allByteRoundings).join(QStringLiteral(", ")) + u'.',
                     name});
-}
-
-Result<QByteArray> readInput(const QString &path)
-{
-    if (path != QStringLiteral("-"))
-        return readFile(path);
-    QFile input;
-    if (!input.open(stdin, QIODevice::ReadOnly))
-        return InputError{QStringLiteral("standard input"), input.errorString(), {}};
-    return input.readAll();
 }
 
 Result<const Method *> chosenMethod(const CommandLine &line, const QString &unset)

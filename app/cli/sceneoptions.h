@@ -17,9 +17,6 @@ void addSettingOptions(CommandLine &line);
 /// Vertices that had to be snapped are reported on stderr.
 Result<Scene> readScene(const CommandLine &line);
 
-/// The content of a file, or of stdin for "-".
-Result<QByteArray> readInput(const QString &path);
-
 /// What an option chooses, or an error that lists the choices; unset keeps the default.
 Result<const Method *> chosenMethod(const CommandLine &line, const QString &unset);
 Result<Arithmetic> chosenArithmetic(const CommandLine &line, Arithmetic unset);

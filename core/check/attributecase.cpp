@@ -28,10 +28,10 @@ Quantity fraction(JsonReader &json, const JsonNode &node)
 /// The place of the sample column with this title; none where the method has no such column.
 std::optional<std::size_t> columnTitled(const Method &method, const QString &title)
 {
-    const auto found = std::ranges::find(method.sampleColumns, title, &TraceColumn::title);
-    if (found == method.sampleColumns.end())
+    const auto found = std::ranges::find(method.sampleNumbers, title, &NumberDescription::title);
+    if (found == method.sampleNumbers.end())
         return std::nullopt;
-    return std::size_t(found - method.sampleColumns.begin());
+    return std::size_t(found - method.sampleNumbers.begin());
 }
 
 /// The record of the sample at a point; none where the trace did not visit it.

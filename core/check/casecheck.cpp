@@ -5,7 +5,6 @@
 #include "core/check/linecase.h"
 #include "core/check/shapecase.h"
 #include "core/check/trianglecase.h"
-#include "core/scan/choicenames.h"
 
 #include <algorithm>
 
@@ -32,22 +31,37 @@ QString subjectOf(const HardCase &hardCase)
         + nameOf(shape.kind);
 }
 
-/// Why the candidate refuses what the case draws; empty where it does not.
-QString refusalOf(const Candidate &candidate, const HardCase &hardCase)
+/// Why none of the contenders draws what the case has: there is no such method, or those that there
+/// are have not been chosen.
+QString whyNoneDraws(const HardCase &hardCase)
+{
+    QStringList able;
+    for (const Method &method : methods()) {
+        if (draws(method, hardCase))
+            able.append(method.id);
+    }
+    const QString none = QStringLiteral("none of the methods checked draws ") + subjectOf(hardCase);
+    return able.isEmpty()
+        ? none
+        : none + QStringLiteral("; by name can be checked: ") + able.join(QStringLiteral(", "));
+}
+
+/// Why the contender refuses what the case draws; empty where it does not.
+QString refusalOf(const Contender &contender, const HardCase &hardCase)
 {
     return hardCase.kind == HardCaseKind::Polygon
-        ? shapeRefusal(hardCase, candidate.settings, *candidate.method)
+        ? shapeRefusal(hardCase, contender.settings, *contender.method)
         : QString();
 }
 
 /// Of the method's plain kernel, and of its fast ones where they do not paint the same.
-QStringList paintingShortfalls(const HardCase &hardCase, const Candidate &candidate)
+QStringList paintingShortfalls(const HardCase &hardCase, const Contender &contender)
 {
-    const Method &method = *candidate.method;
-    QStringList shortfalls = shortfallsOf(hardCase, candidate.settings, method.draw);
+    const Method &method = *contender.method;
+    QStringList shortfalls = shortfallsOf(hardCase, contender.settings, method.draw);
     if (!method.drawFast)
         return shortfalls;
-    const QStringList byFast = shortfallsOf(hardCase, candidate.settings, method.drawFast);
+    const QStringList byFast = shortfallsOf(hardCase, contender.settings, method.drawFast);
     if (byFast != shortfalls) {
         for (const QString &shortfall : byFast)
             shortfalls += QStringLiteral("fast kernels: ") + shortfall;
@@ -55,23 +69,23 @@ QStringList paintingShortfalls(const HardCase &hardCase, const Candidate &candid
     return shortfalls;
 }
 
-CandidateVerdict verdictOn(const Candidate &candidate, const HardCase &hardCase)
+ContenderVerdict verdictOn(const Contender &contender, const HardCase &hardCase)
 {
-    CandidateVerdict verdict{candidate, CaseOutcome::Passed, {}};
-    if (!hardCase.facts.contains(candidate.settings.fillRule)) {
+    ContenderVerdict verdict{contender, CaseOutcome::Passed, {}};
+    if (!hardCase.facts.contains(contender.settings.fillRule)) {
         verdict.outcome = CaseOutcome::Skipped;
         verdict.remarks = {QStringLiteral("the case has no facts under this rule")};
         return verdict;
     }
-    const QString refusal = refusalOf(candidate, hardCase);
+    const QString refusal = refusalOf(contender, hardCase);
     if (!refusal.isEmpty()) {
         verdict.outcome = CaseOutcome::Skipped;
         verdict.remarks = {refusal};
         return verdict;
     }
-    verdict.remarks = paintingShortfalls(hardCase, candidate);
+    verdict.remarks = paintingShortfalls(hardCase, contender);
     if (hardCase.kind == HardCaseKind::Attributes)
-        verdict.remarks += valueShortfalls(hardCase, candidate.settings, *candidate.method);
+        verdict.remarks += valueShortfalls(hardCase, contender.settings, *contender.method);
     if (!verdict.remarks.isEmpty())
         verdict.outcome = CaseOutcome::FellShort;
     return verdict;
@@ -92,16 +106,9 @@ QString nameOf(CaseOutcome outcome)
     return {};
 }
 
-QString Candidate::name() const
-{
-    return QStringList{method->id, nameText(nameOf(settings.arithmetic)),
-                       nameText(nameOf(settings.fillRule))}
-        .join(u' ');
-}
-
 std::int64_t CaseReport::count(CaseOutcome of) const
 {
-    return std::ranges::count(verdicts, of, &CandidateVerdict::outcome);
+    return std::ranges::count(verdicts, of, &ContenderVerdict::outcome);
 }
 
 CaseOutcome CaseReport::summary() const
@@ -135,7 +142,7 @@ QStringList shortfallsOf(const HardCase &hardCase, const ScanSettings &settings,
     return {};
 }
 
-CaseReport checkCase(const HardCase &hardCase, const std::vector<Candidate> &candidates)
+CaseReport checkCase(const HardCase &hardCase, const std::vector<Contender> &contenders)
 {
     CaseReport report;
     report.id = hardCase.id;
@@ -152,14 +159,13 @@ CaseReport checkCase(const HardCase &hardCase, const std::vector<Candidate> &can
         report.remarks = {QStringLiteral("compared with the truth after snapping ")
                           + hardCase.displacements.join(QStringLiteral(", "))};
     }
-    for (const Candidate &candidate : candidates) {
-        if (draws(*candidate.method, hardCase))
-            report.verdicts.push_back(verdictOn(candidate, hardCase));
+    for (const Contender &contender : contenders) {
+        if (draws(*contender.method, hardCase))
+            report.verdicts.push_back(verdictOn(contender, hardCase));
     }
     if (report.verdicts.empty()) {
         report.outcome = CaseOutcome::Skipped;
-        report.remarks.append(
-            QStringLiteral("none of the methods draws %1").arg(subjectOf(hardCase)));
+        report.remarks.append(whyNoneDraws(hardCase));
     }
     return report;
 }

@@ -3,7 +3,7 @@
 
 #include "core/check/casepicture.h"
 #include "core/check/hardcase.h"
-#include "core/methods/method.h"
+#include "core/runs/contender.h"
 
 #include <QStringList>
 
@@ -16,37 +16,29 @@ enum class CaseOutcome { Passed, FellShort, Skipped };
 QStringList shortfallsOf(const HardCase &hardCase, const ScanSettings &settings,
                          const Drawing &drawing);
 
-/// A way to draw that is put to the test.
-struct Candidate {
-    const Method *method = nullptr;
-    ScanSettings settings;
-
-    /// "column-scan exact closed"
-    QString name() const;
-};
-
-/// How one candidate did at a case.
-struct CandidateVerdict {
-    Candidate candidate;
+/// How one contender did at a case.
+struct ContenderVerdict {
+    Contender contender;
     CaseOutcome outcome = CaseOutcome::Passed;
     QStringList remarks; ///< what falls short, or why it was skipped
 };
 
-/// How all candidates did at a case.
+/// How all contenders did at a case.
 struct CaseReport {
     QString id;
-    /// Of the case itself: skipped where no candidate draws its kind; passed or not for invalid
+    /// Of the case itself: skipped where no contender draws its kind; passed or not for invalid
     /// input, which is refused before any method sees it.
     CaseOutcome outcome = CaseOutcome::Passed;
     QStringList remarks;
-    std::vector<CandidateVerdict> verdicts; ///< of the candidates that draw the case's kind
+    std::vector<ContenderVerdict> verdicts; ///< of the contenders that draw the case's kind
 
     std::int64_t count(CaseOutcome of) const;
     /// The worst of the case's own outcome and its verdicts; skipped when nothing else was done.
     CaseOutcome summary() const;
 };
 
-CaseReport checkCase(const HardCase &hardCase, const std::vector<Candidate> &candidates);
+/// None of the contenders is the truth.
+CaseReport checkCase(const HardCase &hardCase, const std::vector<Contender> &contenders);
 
 /// "pass", "FAIL" or "skip"
 QString nameOf(CaseOutcome outcome);

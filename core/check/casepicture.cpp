@@ -21,16 +21,10 @@ FrameSpec mirrored(FrameSpec canvas)
 
 void drawTruly(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
 {
-    FrameSpec spec;
-    spec.width = frame.width;
-    spec.height = frame.height;
-    spec.firstColumn = frame.firstColumn;
-    spec.firstRow = frame.firstRow;
-    CoverageMask coverage(spec);
     for (const Triangle &triangle : primitives.triangles)
-        oracle::draw(triangle, settings.fillRule, settings.rounding, frame, coverage);
+        oracle::draw(triangle, {settings, frame}, settings.rounding, frame);
     for (const Shape &shape : primitives.shapes)
-        oracle::draw(shape, settings.rounding, frame, coverage);
+        oracle::draw(shape, settings.rounding, frame);
 }
 
 CasePicture::CasePicture(const FrameSpec &canvas, FillRule rule)

@@ -117,7 +117,7 @@ QString shapeRefusal(const HardCase &hardCase, const ScanSettings &settings, con
     const std::unique_ptr<ScanTrace> trace
         = method.trace(Primitives{{}, hardCase.shapes}, settings, frame.view(), {});
     for (std::size_t shape = 0; shape < trace->primitiveCount(); ++shape) {
-        const std::optional<PrimitiveRejection> rejection = trace->setUp(shape).rejection;
+        const std::optional<Rejection> rejection = trace->setUp(shape).rejection;
         if (rejection == PrimitiveRejection::NotConvex
             || rejection == PrimitiveRejection::SelfCrossing)
             return rejectionText(*rejection);

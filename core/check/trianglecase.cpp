@@ -68,25 +68,27 @@ QStringList singleShortfalls(const HardCase &hardCase, const ScanSettings &setti
     return shortfalls;
 }
 
-QStringList meshShortfalls(const HardCase &hardCase, const ScanSettings &settings,
-                           const Drawing &drawing)
+/// How many pixels the triangles cover once, twice, … when each is drawn alone.
+std::map<int, std::int64_t> meshHistogram(const HardCase &hardCase, const ScanSettings &settings,
+                                          const Drawing &drawing)
 {
     CoverageTimes times;
     for (const Triangle &triangle : hardCase.triangles)
         addCoverage(times, pictureOf(triangle, hardCase.canvas, settings, drawing));
-    QStringList shortfalls;
-    compareHistogram(shortfalls, histogramOf(times),
-                     hardCase.facts.at(settings.fillRule).histogram);
-    return shortfalls;
+    return histogramOf(times);
 }
 
-QStringList sequenceShortfalls(const HardCase &hardCase, const ScanSettings &settings,
-                               const Drawing &drawing)
+/// What the frames of a sequence paint.
+struct SequenceTally {
+    std::vector<std::int64_t> counts; ///< pixels of each frame
+    std::int64_t toggles = 0; ///< pixels that change between frames
+};
+
+SequenceTally tallyOfSequence(const HardCase &hardCase, const ScanSettings &settings,
+                              const Drawing &drawing)
 {
-    const ExpectedFacts &facts = hardCase.facts.at(settings.fillRule);
     using Pixels = std::set<std::array<std::int64_t, 2>>;
-    std::vector<std::int64_t> counts;
-    std::int64_t toggles = 0;
+    SequenceTally tally;
     Pixels before;
     for (const Triangle &triangle : hardCase.triangles) {
         Pixels pixels;
@@ -94,25 +96,66 @@ QStringList sequenceShortfalls(const HardCase &hardCase, const ScanSettings &set
             .forEachWritten([&](std::int64_t x, std::int64_t y) {
                 pixels.insert({x, y});
             });
-        if (!counts.empty()) {
+        if (!tally.counts.empty()) {
             std::vector<Pixels::value_type> toggled;
             std::ranges::set_symmetric_difference(before, pixels, std::back_inserter(toggled));
-            toggles += std::int64_t(toggled.size());
+            tally.toggles += std::int64_t(toggled.size());
         }
-        counts.push_back(std::int64_t(pixels.size()));
+        tally.counts.push_back(std::int64_t(pixels.size()));
         before = std::move(pixels);
     }
+    return tally;
+}
+
+/// What is expected of the vertices that are drawn: the case's facts, or where these hold for
+/// vertices off the lattice, what the truth paints.
+ExpectedFacts factsOf(const HardCase &hardCase, const ScanSettings &settings)
+{
+    if (hardCase.displacements.isEmpty())
+        return hardCase.facts.at(settings.fillRule);
+    ExpectedFacts facts;
+    if (hardCase.kind == HardCaseKind::Mesh)
+        facts.histogram = meshHistogram(hardCase, settings, drawTruly);
+    if (hardCase.kind == HardCaseKind::Sequence) {
+        const SequenceTally tally = tallyOfSequence(hardCase, settings, drawTruly);
+        facts.frameCounts = tally.counts;
+        facts.toggles = tally.toggles;
+    }
+    if (hardCase.kind == HardCaseKind::Translation) {
+        // A move by whole pixels moves the truth and nothing else.
+        facts.pixelCount
+            = pictureOf(hardCase.triangles.front(), hardCase.canvas, settings, drawTruly)
+                  .pixelCount();
+        facts.distinctPictures = 1;
+    }
+    return facts;
+}
+
+QStringList meshShortfalls(const HardCase &hardCase, const ScanSettings &settings,
+                           const Drawing &drawing)
+{
     QStringList shortfalls;
-    compare(shortfalls, QStringLiteral("pixel counts"), numbersText(counts),
+    compareHistogram(shortfalls, meshHistogram(hardCase, settings, drawing),
+                     factsOf(hardCase, settings).histogram);
+    return shortfalls;
+}
+
+QStringList sequenceShortfalls(const HardCase &hardCase, const ScanSettings &settings,
+                               const Drawing &drawing)
+{
+    const ExpectedFacts facts = factsOf(hardCase, settings);
+    const SequenceTally tally = tallyOfSequence(hardCase, settings, drawing);
+    QStringList shortfalls;
+    compare(shortfalls, QStringLiteral("pixel counts"), numbersText(tally.counts),
             numbersText(facts.frameCounts));
-    compare(shortfalls, QStringLiteral("toggles"), toggles, facts.toggles);
+    compare(shortfalls, QStringLiteral("toggles"), tally.toggles, facts.toggles);
     return shortfalls;
 }
 
 QStringList translationShortfalls(const HardCase &hardCase, const ScanSettings &settings,
                                   const Drawing &drawing)
 {
-    const ExpectedFacts &facts = hardCase.facts.at(settings.fillRule);
+    const ExpectedFacts facts = factsOf(hardCase, settings);
     QStringList shortfalls;
     using PlacedColour = std::array<std::int64_t, 5>; // x, y from the canvas' corner, R, G, B
     std::set<std::vector<PlacedColour>> pictures;

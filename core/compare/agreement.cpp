@@ -10,6 +10,8 @@ QString nameOf(Disagreement reason)
         return QStringLiteral("agreed");
     case Disagreement::TieRule:
         return QStringLiteral("tie rule");
+    case Disagreement::Undrawn:
+        return QStringLiteral("kind not drawn");
     case Disagreement::Rounding:
         return QStringLiteral("rounding");
     case Disagreement::Drift:
@@ -32,6 +34,9 @@ QString textOf(Disagreement reason)
     case Disagreement::TieRule:
         return QStringLiteral("The sample lies exactly on an edge, and the fill rules give it to "
                               "different sides.");
+    case Disagreement::Undrawn:
+        return QStringLiteral("A primitive of a kind that one of the methods does not draw covers "
+                              "the pixel.");
     case Disagreement::Rounding:
         return QStringLiteral("The same coverage; a level close to a rounding limit fell to the "
                               "other side.");

@@ -15,6 +15,7 @@ namespace pixelplumb {
 enum class Disagreement : std::uint8_t {
     None, ///< they agree
     TieRule, ///< they keep different fill rules, and the sample lies exactly on an edge
+    Undrawn, ///< a primitive of a kind that one of the methods does not draw covers the pixel
     Rounding, ///< the same coverage; a byte is off by one, for a level close to a rounding limit
     Drift, ///< accumulated increments are off, although the start and the number type are good
     Precision, ///< the number type cannot hold the number that decides
@@ -22,9 +23,9 @@ enum class Disagreement : std::uint8_t {
     NotRecorded, ///< a recording ended at its limit before the pixel
 };
 
-inline constexpr std::array allDisagreements
-    = {Disagreement::TieRule,   Disagreement::Rounding, Disagreement::Drift,
-       Disagreement::Precision, Disagreement::Method,   Disagreement::NotRecorded};
+inline constexpr std::array allDisagreements = {
+    Disagreement::TieRule,   Disagreement::Undrawn, Disagreement::Rounding,   Disagreement::Drift,
+    Disagreement::Precision, Disagreement::Method,  Disagreement::NotRecorded};
 
 /// "tie rule", "rounding", …
 QString nameOf(Disagreement reason);

@@ -2,6 +2,7 @@
 #include "core/compare/bounderrors.h"
 
 #include "core/compare/exactbounds.h"
+#include "core/scan/interval.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,15 +12,41 @@ namespace pixelplumb {
 
 namespace {
 
-/// The largest magnitude that a bound of the triangle can have along an axis, px.
-double largestBound(const Triangle &triangle, SpanAxis axis)
-{
-    double largest = 0;
-    for (const Vertex &vertex : triangle.vertices) {
-        const Lattice coordinate = axis == SpanAxis::Column ? vertex.position.y : vertex.position.x;
-        largest = std::max(largest, std::abs(double(coordinate)) / unitsPerPixel);
+/// Where the bounds of a triangle's columns or rows can be, px.
+struct BoundRange {
+    double lowest = std::numeric_limits<double>::infinity();
+    double highest = -std::numeric_limits<double>::infinity();
+
+    BoundRange(const Triangle &triangle, SpanAxis axis)
+    {
+        for (const Vertex &vertex : triangle.vertices) {
+            const LatticePoint &point = vertex.position;
+            const double bound
+                = double(axis == SpanAxis::Column ? point.y : point.x) / unitsPerPixel;
+            lowest = std::min(lowest, bound);
+            highest = std::max(highest, bound);
+        }
     }
-    return largest;
+    double largest() const { return std::max(std::abs(lowest), std::abs(highest)); }
+    double extent() const { return highest - lowest; }
+};
+
+template <class Float>
+double floatErrorLimit(double additions, double largest, double extent)
+{
+    constexpr double unit = double(std::numeric_limits<Float>::epsilon()) / 2;
+    const auto halfUlp = [](double magnitude) {
+        const Float number = Float(magnitude);
+        return (double(std::nextafter(number, std::numeric_limits<Float>::infinity()))
+                - double(number))
+            / 2;
+    };
+    // Five roundings make the pre-step times the slope, three of them the slope: with what they
+    // multiply of each other below one per mille.
+    const double slope = 5.005 * unit * extent;
+    // Errors may take the number past a power of two, where an ulp is twice as long.
+    const double reached = largest + additions * halfUlp(largest) + slope;
+    return additions * halfUlp(reached) + slope;
 }
 
 /// The first column or row of the triangle, inside the frame or not: the increments start there.
@@ -34,13 +61,15 @@ std::int64_t firstPlace(const Triangle &triangle, SpanAxis axis)
 /// The samples that a span covers by exact bounds: along the span, half-open.
 std::pair<std::int64_t, std::int64_t> exactSamples(const ExactBounds &bounds, FillRule rule)
 {
-    const auto ceiling = [](const Quantity &bound) {
+    const auto floorOf = [](const Quantity &bound) {
+        return std::int64_t(floorDivide(bound.numerator(), bound.denominator()));
+    };
+    const auto ceilOf = [](const Quantity &bound) {
         return std::int64_t(ceilDivide(bound.numerator(), bound.denominator()));
     };
-    const std::int64_t end = rule == FillRule::Closed
-        ? std::int64_t(floorDivide(bounds.upper.numerator(), bounds.upper.denominator())) + 1
-        : ceiling(bounds.upper);
-    return {ceiling(bounds.lower), end};
+    const Interval interval = columnIntervals(rule).rows;
+    return {ownsFirst(interval) ? ceilOf(bounds.lower) : floorOf(bounds.lower) + 1,
+            ownsLast(interval) ? floorOf(bounds.upper) + 1 : ceilOf(bounds.upper)};
 }
 
 /// The method's own spans in exact numbers where it has them, else the oracle's.
@@ -64,14 +93,13 @@ bool coversOtherSamples(const SpanRecord &span, const ExactBounds &bounds, FillR
 
 std::unique_ptr<ScanTrace> spansOf(const Scene &scene, const Method &method,
                                    const Primitives &primitives, Arithmetic arithmetic,
-                                   const std::function<bool()> &goesOn)
+                                   const ProgressListener &listener)
 {
     ScanSettings settings = scene.settings;
     settings.arithmetic = arithmetic;
     TraceOptions options;
     options.detail = TraceDetail::Spans;
-    if (goesOn)
-        options.progress = [&goesOn](std::size_t) { return goesOn(); };
+    options.progress = listener;
     const FrameBuffer unseen(scene.frame);
     return method.trace(primitives, settings, unseen.view(), options);
 }
@@ -91,8 +119,8 @@ BoundErrors errorsOf(const ScanTrace &trace, const Triangle &triangle, const Sca
         error.upper = errorOf(span.upper, exact->upper);
         const auto additions
             = double(span.place.coordinate - firstPlace(triangle, span.place.axis) + 1);
-        error.limit
-            = errorLimit(errors.arithmetic, additions, largestBound(triangle, span.place.axis));
+        const BoundRange range(triangle, span.place.axis);
+        error.limit = errorLimit(errors.arithmetic, additions, range.largest(), range.extent());
         error.isWrong = coversOtherSamples(span, *exact, trace.settings().fillRule, exactRun);
         if (error.isWrong) {
             ++errors.wrongCount;
@@ -107,7 +135,7 @@ BoundErrors errorsOf(const ScanTrace &trace, const Triangle &triangle, const Sca
 } // namespace
 
 std::optional<std::vector<BoundErrors>> boundErrorsOf(const Scene &scene, std::size_t triangle,
-                                                      const std::function<bool()> &goesOn)
+                                                      const ProgressListener &listener)
 {
     const Method *method = methodNamed(QString::fromStdString(scene.method));
     std::vector<BoundErrors> all;
@@ -119,14 +147,14 @@ std::optional<std::vector<BoundErrors>> boundErrorsOf(const Scene &scene, std::s
     alone.attributes.clear();
     std::unique_ptr<ScanTrace> exactRun;
     if (method->supports(Arithmetic::Exact)) {
-        exactRun = spansOf(scene, *method, alone, Arithmetic::Exact, goesOn);
+        exactRun = spansOf(scene, *method, alone, Arithmetic::Exact, listener);
         if (!exactRun)
             return std::nullopt;
     }
     for (const Arithmetic arithmetic : method->arithmetics) {
         if (arithmetic == Arithmetic::Exact)
             continue;
-        const auto trace = spansOf(scene, *method, alone, arithmetic, goesOn);
+        const auto trace = spansOf(scene, *method, alone, arithmetic, listener);
         if (!trace)
             return std::nullopt;
         BoundErrors errors = errorsOf(*trace, alone.triangles.front(), exactRun.get());
@@ -136,23 +164,19 @@ std::optional<std::vector<BoundErrors>> boundErrorsOf(const Scene &scene, std::s
     return all;
 }
 
-double errorLimit(Arithmetic arithmetic, double additions, double largest)
+double errorLimit(Arithmetic arithmetic, double additions, double largest, double extent)
 {
     switch (arithmetic) {
     case Arithmetic::Exact:
         return 0;
-    case Arithmetic::Float32: {
-        const float above = std::nextafter(float(largest), std::numeric_limits<float>::infinity());
-        return additions * double(above - float(largest)) / 2;
-    }
-    case Arithmetic::Float64: {
-        const double above = std::nextafter(largest, std::numeric_limits<double>::infinity());
-        return additions * (above - largest) / 2;
-    }
+    case Arithmetic::Float32:
+        return floatErrorLimit<float>(additions, largest, extent);
+    case Arithmetic::Float64:
+        return floatErrorLimit<double>(additions, largest, extent);
     case Arithmetic::Fixed16:
-        return std::ldexp(additions, -17);
+        return std::ldexp(additions + 1, -17);
     case Arithmetic::Fixed32:
-        return std::ldexp(additions, -33);
+        return std::ldexp(additions + 1, -33);
     }
     return 0;
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/trace/tracedscene.h"
+#include "core/runs/tracedscene.h"
 
 namespace pixelplumb {
 
@@ -25,13 +25,15 @@ struct BoundErrors {
 };
 
 /// Those of every rounding arithmetic that the scene's method has, for a triangle of the scene.
-/// Empty where the method's spans have no bounds. `goesOn` is asked at every span; none when it
-/// says no.
+/// Empty where the method's spans have no bounds. The listener hears of every span; none when it
+/// ended the job.
 std::optional<std::vector<BoundErrors>> boundErrorsOf(const Scene &scene, std::size_t triangle,
-                                                      const std::function<bool()> &goesOn = {});
+                                                      const ProgressListener &listener = {});
 
-/// The largest error that n additions make by rounding, px: n·ulp(largest)/2 in floating point,
-/// n·2⁻¹⁷ in 16.16 and n·2⁻³³ in 32.32, for a number of that magnitude (numerics.md, 2.2 and 3.4).
-double errorLimit(Arithmetic arithmetic, double additions, double largest);
+/// What an edge walked by its rounded slope may err by, px (resources/numerics.md, 2.2).
+/// `additions`: those of the slope and the one of the start; `largest`: the magnitude that no
+/// vertex exceeds along the edge's values; `extent`: the largest distance of two vertices along
+/// them.
+double errorLimit(Arithmetic arithmetic, double additions, double largest, double extent);
 
 } // namespace pixelplumb

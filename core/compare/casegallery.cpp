@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/casegallery.h"
 
-#include "core/compare/contender.h"
+#include "core/runs/contender.h"
 
 #include <QHash>
 #include <QJsonArray>
@@ -19,7 +19,7 @@ struct Reason {
     const char *sentences;
 };
 
-/// By family. What the words rest on: numerics.md, sections 2 and 3.
+/// By family. What the words rest on: resources/numerics.md, 1.1 to 3.4.
 constexpr std::array familyReasons = {
     Reason{"sliver",
            "The triangle is thinner than a pixel, so a bound that is off by a little less than its "
@@ -103,6 +103,25 @@ constexpr std::array familyReasons = {
         "Along its longer axis a line has exactly one pixel a step, the nearest one. Accumulated "
         "steps drift, ties between two pixels need a rule that does not change when the line is "
         "reversed, and steps along the shorter axis leave gaps."},
+    Reason{"circle",
+           "Along its arc a circle has one nearest pixel a step, and where it runs level with the "
+           "samples many of them are almost equally near. A centre or a radius off the pixels "
+           "breaks the symmetry on which the fast methods rest."},
+    Reason{"polygon",
+           "Whether a sample is inside is decided by every edge, not by three. Vertices that touch "
+           "other edges, contours that cross or are gone round twice, and edges on samples count "
+           "once too often or not at all when one of them is rounded."},
+    Reason{"far-mesh",
+           "The triangles share their edges far from the origin, where floating-point coordinates "
+           "have few digits left behind the point. Each rounds the shared edge for itself, and a "
+           "row of holes or of pixels drawn twice opens along it."},
+    Reason{"sliver-motion",
+           "A triangle thinner than a pixel slides by less than one, so that single samples come "
+           "and go with its exact place. What rounding adds to that place is seen as flicker."},
+    Reason{"interpolation",
+           "More than colour hangs on the vertices here: depth, texture coordinates, normals. Each "
+           "of them divides by the same area, and levels that are large beside their change lose "
+           "the change first."},
     Reason{"frame",
            "The triangle touches or crosses the border of the frame. Bounds that are off by one "
            "there read or write beside it, or lose the last row."},
@@ -209,10 +228,12 @@ Scene sceneOf(const HardCase &hardCase, const Method &method, const ScanSettings
     scene.attributes = hardCase.attributes;
     if (hardCase.kind == HardCaseKind::Sequence)
         scene.triangles.resize(1);
-    const PrimitiveKind kind
-        = scene.triangles.empty() ? scene.shapes.front().kind : PrimitiveKind::Triangle;
-    const Contender contender
-        = contenderFor(method.draws(kind) ? method : firstMethodFor(kind), settings);
+    const bool isShape = scene.triangles.empty();
+    const bool isDrawn
+        = isShape ? method.draws(scene.shapes.front()) : method.draws(PrimitiveKind::Triangle);
+    const Method &able
+        = isShape ? firstMethodFor(scene.shapes.front()) : firstMethodFor(PrimitiveKind::Triangle);
+    const Contender contender = contenderFor(isDrawn ? method : able, settings);
     scene.method = contender.method->id.toStdString();
     scene.settings = contender.settings;
     return scene;

@@ -3,6 +3,7 @@
 
 #include "core/check/casepicture.h"
 #include "core/compare/exactbounds.h"
+#include "core/runs/undrawn.h"
 
 #include <algorithm>
 
@@ -12,7 +13,7 @@ namespace {
 
 constexpr std::int64_t differencesBetweenProgress = 16;
 
-/// Thrown through the drawing when the progress function says so.
+/// Thrown through the drawing when the listener says so.
 struct Cancelled { };
 
 class Comparer {
@@ -27,28 +28,34 @@ public:
 
     std::shared_ptr<const Contest> run(const std::vector<Contender> &contenders)
     {
-        for (const Contender &contender : contenders)
-            draw(contender);
-        for (ContenderRun &each : m_contest->runs)
-            record(each);
+        const auto count = std::int64_t(contenders.size());
+        for (std::int64_t i = 0; i < count; ++i) {
+            tell({JobPhase::Drawing, i, count});
+            draw(contenders[std::size_t(i)]);
+        }
+        for (std::int64_t i = 0; i < count; ++i)
+            record(m_contest->runs[std::size_t(i)], {JobPhase::Recording, i, count});
         m_contest->agreement = AgreementMap(m_contest->scene.frame, int(contenders.size()));
         findAgreement();
         return m_contest;
     }
 
 private:
-    void tell(const QString &state) const
+    void tell(const JobProgress &progress) const
     {
-        if (m_options.progress && !m_options.progress(state))
+        if (!goesOn(m_options.progress, progress))
             throw Cancelled{};
     }
 
     void draw(const Contender &contender)
     {
-        tell(QStringLiteral("drawing: ") + contender.name());
         ContenderRun &run = m_contest->runs.emplace_back(contender, m_contest->scene.frame);
         const Primitives drawn = primitivesFor(m_contest->primitives, contender);
         drawTruly(drawn, contender.settings, run.truth.view());
+        if (drawn.size() < m_contest->primitives.size()) {
+            run.wholeTruth.emplace(m_contest->scene.frame);
+            drawTruly(m_contest->primitives, contender.settings, run.wholeTruth->view());
+        }
         if (contender.isTruth()) {
             drawTruly(drawn, contender.settings, run.picture.view());
         } else {
@@ -64,6 +71,7 @@ private:
         forEachPixel([&](std::int64_t x, std::int64_t y) {
             run.tally.written += run.picture.isWritten(x, y) ? 1 : 0;
             ++run.tally.againstTruth[std::size_t(differenceAt(judged, x, y))];
+            run.tally.undrawn += run.isUndrawn(x, y) ? 1 : 0;
         });
     }
 
@@ -74,15 +82,14 @@ private:
                            [](std::int64_t count) { return count > 0; });
     }
 
-    void record(ContenderRun &run) const
+    void record(ContenderRun &run, const JobProgress &progress) const
     {
         const bool departs = departsFromTruth(run);
         if (run.contender.isTruth() || (!departs && m_options.recorded == Recorded::WhereNeeded))
             return;
-        const QString state = QStringLiteral("recording: ") + run.contender.name();
         TraceOptions recording;
         recording.progress
-            = [&](std::size_t) { return !m_options.progress || m_options.progress(state); };
+            = [&](const JobProgress &) { return goesOn(m_options.progress, progress); };
         run.traced = traceScene(sceneFor(m_contest->scene, run.contender), recording);
         if (!run.traced)
             throw Cancelled{};
@@ -126,7 +133,8 @@ private:
                     runs[i].tally.differsFrom[j] += values[i] != values[j] ? 1 : 0;
             }
             if (found++ % differencesBetweenProgress == 0)
-                tell(QStringLiteral("explaining: column %1").arg(x));
+                tell({JobPhase::Explaining, x - m_contest->scene.frame.firstColumn,
+                      m_contest->scene.frame.width});
             m_contest->agreement.set(x, y, agreeing, reasonAt(x, y));
         });
     }
@@ -141,6 +149,9 @@ private:
         if (reason != Disagreement::None)
             return reason;
         // Each is right by its own rule: the rules differ, or what the methods draw at all.
+        const auto leavesOut = [x, y](const ContenderRun &run) { return run.isUndrawn(x, y); };
+        if (std::ranges::any_of(m_contest->runs, leavesOut))
+            return Disagreement::Undrawn;
         const bool isTie = std::ranges::any_of(
             m_contest->primitives.triangles,
             [x, y](const Triangle &triangle) { return liesOnBoundary(triangle, x, y); });
@@ -150,6 +161,13 @@ private:
     const ContestOptions &m_options;
     std::shared_ptr<Contest> m_contest;
 };
+
+QString undrawnText(const Method &method, const QStringList &primitives)
+{
+    return QStringLiteral("%1 does not draw %2, which %3 here.")
+        .arg(method.id, primitives.join(QStringLiteral(", ")),
+             primitives.size() == 1 ? QStringLiteral("stands") : QStringLiteral("stand"));
+}
 
 } // namespace
 
@@ -182,11 +200,17 @@ PixelComparison comparePixel(const Contest &contest, std::int64_t x, std::int64_
         opinion.written = run.picture.isWritten(x, y);
         if (opinion.written)
             opinion.colour = run.picture.colourAt(x, y);
-        if (!run.traced)
-            continue;
-        const JudgedRun judged = contest.judged(i);
-        opinion.deviation = deviationAt(judged, x, y);
-        opinion.words = textOf(opinion.deviation, judged, x, y);
+        if (run.traced) {
+            const JudgedRun judged = contest.judged(i);
+            opinion.deviation = deviationAt(judged, x, y);
+            opinion.words = textOf(opinion.deviation, judged, x, y);
+        }
+        if (opinion.words.isEmpty() && run.isUndrawn(x, y)) {
+            const BoundaryRule rule(run.contender.settings, run.truth.view());
+            opinion.words
+                = undrawnText(*run.contender.method,
+                              undrawnAt(contest.primitives, *run.contender.method, rule, x, y));
+        }
     }
     return pixel;
 }

@@ -2,16 +2,21 @@
 #pragma once
 
 #include "core/compare/agreement.h"
-#include "core/compare/contender.h"
 #include "core/compare/deviation.h"
+#include "core/runs/contender.h"
 
 namespace pixelplumb {
+
+inline constexpr std::size_t fewestContenders = 2;
+inline constexpr std::size_t mostContenders = 4;
 
 /// How one contender did.
 struct ContenderTally {
     std::int64_t written = 0; ///< pixels
     /// Against the truth under the contender's own rule, by Difference.
     std::array<std::int64_t, 4> againstTruth = {};
+    /// Pixels at which primitives of kinds that the method does not draw make another truth.
+    std::int64_t undrawn = 0;
     std::vector<std::int64_t> differsFrom; ///< pixels, by contender
 };
 
@@ -24,10 +29,18 @@ struct ContenderRun {
     {
     }
 
+    /// Whether what the method does not draw makes a difference at the pixel.
+    bool isUndrawn(std::int64_t x, std::int64_t y) const
+    {
+        return wholeTruth && *wholeTruth->view().at(x, y) != *truth.view().at(x, y);
+    }
+
     Contender contender;
     ContenderTally tally;
     WrittenFrame picture;
-    WrittenFrame truth; ///< under its own rule
+    WrittenFrame truth; ///< under its own rule, of the primitives that the method draws
+    /// Of all primitives, where the method does not draw every kind.
+    std::optional<WrittenFrame> wholeTruth;
     std::optional<WrittenFrame> inExactArithmetic; ///< see JudgedRun
     std::shared_ptr<const TracedScene> traced; ///< null for the truth, and where it was not asked
 };
@@ -40,8 +53,7 @@ enum class Recorded {
 
 struct ContestOptions {
     Recorded recorded = Recorded::WhereNeeded;
-    /// Called now and then; returning false cancels.
-    std::function<bool(const QString &state)> progress;
+    ProgressListener progress;
 };
 
 /// The same scene by several contenders, and where their pictures part. A value that views receive

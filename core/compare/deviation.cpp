@@ -4,6 +4,7 @@
 #include "core/compare/exactbounds.h"
 #include "core/oracle/oracle.h"
 #include "core/oracle/shapeoracle.h"
+#include "core/scan/interval.h"
 
 #include <algorithm>
 #include <cmath>
@@ -31,10 +32,10 @@ bool isTrulyCovered(const JudgedRun &run, std::size_t primitive, std::int64_t x,
     if (!run.traced->method->draws(primitives.kindOf(primitive)))
         return false;
     if (!primitives.isTriangle(primitive))
-        return oracle::covers(primitives.shape(primitive), x, y);
+        return oracle::covers(primitives.shape(primitive), run.traced->scene.frame.origin, x, y);
     const Triangle &triangle = primitives.triangles[primitive];
     return isInBox(triangle, x, y)
-        && oracle::covers(triangle, run.traced->scene.settings.fillRule, x, y);
+        && oracle::covers(triangle, boundaryRuleOf(run.traced->scene), x, y);
 }
 
 bool isWrittenBy(const JudgedRun &run, std::size_t primitive, std::int64_t x, std::int64_t y)
@@ -85,14 +86,14 @@ bool holdsVertices(Arithmetic arithmetic, const Triangle &triangle)
     });
 }
 
-/// Whether a bound lets a sample in. Lower bounds own what lies on them under every rule that
-/// spans with bounds can keep, upper ones under the closed rule alone.
+/// Whether a bound lets a sample in; along their spans all rules of row walks are rules of columns.
 bool letsIn(SpanBound side, const Quantity &bound, std::int64_t sample, FillRule rule)
 {
     const double above = errorOf(bound, Quantity::integer(sample)); // bound − sample
+    const Interval interval = columnIntervals(rule).rows;
     if (side == SpanBound::Lower)
-        return above <= 0;
-    return above > 0 || (above == 0 && rule == FillRule::Closed);
+        return above < 0 || (above == 0 && ownsFirst(interval));
+    return above > 0 || (above == 0 && ownsLast(interval));
 }
 
 /// The bound that decided wrongly: used and exact disagree on the sample.
@@ -187,22 +188,22 @@ Deviation deviationAt(const JudgedRun &run, std::int64_t x, std::int64_t y)
     return deviation;
 }
 
-bool isIncremental(const TraceColumn &column)
+bool isIncremental(const NumberDescription &number)
 {
-    const qsizetype arrow = column.formula.indexOf(u'←');
+    const qsizetype arrow = number.formula.indexOf(u'←');
     if (arrow < 0)
         return false;
-    const QString name = column.formula.first(arrow).trimmed();
-    return !name.isEmpty() && column.formula.sliced(arrow + 1).contains(name);
+    const QString name = number.formula.first(arrow).trimmed();
+    return !name.isEmpty() && number.formula.sliced(arrow + 1).contains(name);
 }
 
 bool isIncremental(const Method &method)
 {
-    const auto accumulates = [](const TraceColumn &column) {
-        return column.comparison == Comparison::WithExact && isIncremental(column);
+    const auto accumulates = [](const NumberDescription &number) {
+        return number.comparison == Comparison::WithExact && isIncremental(number);
     };
-    return std::ranges::any_of(method.spanColumns, accumulates)
-        || std::ranges::any_of(method.sampleColumns, accumulates);
+    return std::ranges::any_of(method.spanNumbers, accumulates)
+        || std::ranges::any_of(method.sampleNumbers, accumulates);
 }
 
 Quantity roundedTo(Arithmetic arithmetic, const Quantity &exact)

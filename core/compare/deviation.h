@@ -3,7 +3,7 @@
 
 #include "core/compare/agreement.h"
 #include "core/frame/writtenframe.h"
-#include "core/trace/tracedscene.h"
+#include "core/runs/tracedscene.h"
 
 namespace pixelplumb {
 
@@ -41,7 +41,7 @@ Deviation deviationAt(const JudgedRun &run, std::int64_t x, std::int64_t y);
 QString textOf(const Deviation &deviation, const JudgedRun &run, std::int64_t x, std::int64_t y);
 
 /// True when each step of the number is made from the one before: its formula names itself.
-bool isIncremental(const TraceColumn &column);
+bool isIncremental(const NumberDescription &number);
 /// True where any number of the method's spans or samples that rounding can part from the exact
 /// one is made by increments.
 bool isIncremental(const Method &method);

@@ -79,6 +79,7 @@ QString causeText(const Deviation &deviation, const JudgedRun &run)
     switch (deviation.reason) {
     case Disagreement::None:
     case Disagreement::TieRule:
+    case Disagreement::Undrawn:
         return {};
     case Disagreement::Rounding:
         return QStringLiteral("the rounding of one level");

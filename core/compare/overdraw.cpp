@@ -2,6 +2,7 @@
 #include "core/compare/overdraw.h"
 
 #include "core/compare/exactbounds.h"
+#include "core/frame/writtenframe.h"
 #include "core/oracle/oracle.h"
 
 #include <algorithm>
@@ -85,19 +86,18 @@ OverdrawMap overdrawOf(const TracedScene &traced)
 
     const std::vector<Triangle> &triangles = traced.primitives.triangles;
     const ScanSettings &settings = trace.settings();
-    FrameBuffer unseen(traced.scene.frame);
-    CoverageMask owned(traced.scene.frame);
-    CoverageMask touched(traced.scene.frame);
+    const WrittenFrame owned(traced.scene.frame);
+    const WrittenFrame touched(traced.scene.frame);
     for (const Triangle &triangle : triangles) {
-        oracle::draw(triangle, settings.fillRule, settings.rounding, unseen.view(), owned);
-        oracle::draw(triangle, FillRule::Closed, settings.rounding, unseen.view(), touched);
+        oracle::draw(triangle, boundaryRuleOf(traced.scene), settings.rounding, owned.view());
+        oracle::draw(triangle, FillRule::Closed, settings.rounding, touched.view());
     }
-    const FrameView window = unseen.view();
+    const FrameView window = owned.view();
     for (std::int64_t y = window.firstRow; y < window.endRow(); ++y) {
         for (std::int64_t x = window.firstColumn; x < window.endColumn(); ++x) {
-            if (map.writesAt(x, y) > 0 || !touched.covers(x, y))
+            if (map.writesAt(x, y) > 0 || !touched.isWritten(x, y))
                 continue;
-            if (owned.covers(x, y) || isSurrounded(triangles, x, y))
+            if (owned.isWritten(x, y) || isSurrounded(triangles, x, y))
                 map.setGap(x, y);
         }
     }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/frame/framemap.h"
-#include "core/trace/tracedscene.h"
+#include "core/runs/tracedscene.h"
 
 namespace pixelplumb {
 

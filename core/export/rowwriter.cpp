@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/rowwriter.h"
 
+#include "core/export/numbertext.h"
+
 #include <QJsonArray>
 #include <QJsonDocument>
-#include <QLocale>
 
-#include <cmath>
 #include <utility>
 
 namespace pixelplumb {
@@ -31,20 +31,26 @@ public:
 
     void begin(const std::vector<Field> &fields) override
     {
-        QStringList names;
-        for (const Field &field : fields)
-            names.append(field.name);
-        writeRow(names);
-    }
-    void writeRow(const QStringList &cells) override
-    {
+        m_fields = fields;
         QByteArray line;
-        for (const QString &cell : cells)
-            line += csvCell(cell) + ',';
-        line.chop(1);
-        put(line + "\r\n");
+        for (const Field &field : fields)
+            line += csvCell(field.name) + ',';
+        putLine(line);
+    }
+    void writeRow(const std::vector<Cell> &cells) override
+    {
+        Q_ASSERT(cells.size() == m_fields.size());
+        QByteArray line;
+        for (std::size_t i = 0; i < m_fields.size(); ++i)
+            line += csvCell(fileText(m_fields[i], cells[i])) + ',';
+        putLine(line);
     }
     void end() override { }
+
+private:
+    void putLine(const QByteArray &cells) { put(cells.chopped(1) + "\r\n"); }
+
+    std::vector<Field> m_fields;
 };
 
 class JsonWriter final : public RowWriter {
@@ -63,36 +69,30 @@ public:
             text += "  " + jsonString(member.name) + ": " + member.json + ",\n";
         put(text + "  \"rows\": [");
     }
-    void writeRow(const QStringList &cells) override
+    void writeRow(const std::vector<Cell> &cells) override
     {
+        Q_ASSERT(cells.size() == m_fields.size());
         QByteArray line = m_first ? "\n    {" : ",\n    {";
         m_first = false;
         for (std::size_t index = 0; index < m_fields.size(); ++index) {
             if (index != 0)
                 line += ", ";
-            line += jsonString(m_fields[index].name) + ": "
-                + value(m_fields[index].kind, cells[qsizetype(index)]);
+            line += jsonString(m_fields[index].name) + ": " + value(m_fields[index], cells[index]);
         }
         put(line + '}');
     }
     void end() override { put(m_first ? "]\n}\n" : "\n  ]\n}\n"); }
 
 private:
-    static QByteArray value(Field::Kind kind, const QString &cell)
+    static QByteArray value(const Field &field, const Cell &cell)
     {
-        if (cell.isEmpty())
+        const QString text = fileText(field, cell);
+        if (text.isEmpty())
             return "null";
-        switch (kind) {
-        case Field::Kind::Integer:
-        case Field::Kind::Boolean:
-            return cell.toUtf8();
-        case Field::Kind::Real:
-            // JSON has no NaN and no infinity.
-            return std::isfinite(cell.toDouble()) ? cell.toUtf8() : jsonString(cell);
-        case Field::Kind::Text:
-            break;
-        }
-        return jsonString(cell);
+        const auto *quantity = std::get_if<Quantity>(&cell);
+        // JSON has no NaN and no infinity.
+        const bool isNumber = quantity && field.kind != Field::Kind::Exact && quantity->isFinite();
+        return isNumber || std::holds_alternative<bool>(cell) ? text.toUtf8() : jsonString(text);
     }
 
     std::vector<PreambleMember> m_preamble;
@@ -102,27 +102,30 @@ private:
 
 } // namespace
 
-std::unique_ptr<RowWriter> makeRowWriter(TableFormat format, QIODevice &device,
-                                         const std::vector<PreambleMember> &preamble)
+std::unique_ptr<RowWriter> makeCsvWriter(QIODevice &device)
 {
-    if (format == TableFormat::Csv)
-        return std::make_unique<CsvWriter>(device);
-    return std::make_unique<JsonWriter>(device, preamble);
+    return std::make_unique<CsvWriter>(device);
+}
+
+std::unique_ptr<RowWriter> makeJsonWriter(QIODevice &device, std::vector<PreambleMember> preamble)
+{
+    return std::make_unique<JsonWriter>(device, std::move(preamble));
+}
+
+QString fileText(const Field &field, const Cell &cell)
+{
+    if (const auto *text = std::get_if<QString>(&cell))
+        return *text;
+    if (const auto *truth = std::get_if<bool>(&cell))
+        return *truth ? QStringLiteral("true") : QStringLiteral("false");
+    const auto &quantity = std::get<Quantity>(cell);
+    return field.kind == Field::Kind::Exact ? fractionText(quantity) : decimalText(quantity);
 }
 
 QByteArray jsonString(const QString &text)
 {
     const QByteArray array = QJsonDocument(QJsonArray{text}).toJson(QJsonDocument::Compact);
     return array.sliced(1, array.size() - 2);
-}
-
-QString realText(double value)
-{
-    if (std::isnan(value))
-        return QStringLiteral("nan");
-    if (std::isinf(value))
-        return value < 0 ? QStringLiteral("-inf") : QStringLiteral("inf");
-    return QString::number(value, 'g', QLocale::FloatingPointShortest);
 }
 
 } // namespace pixelplumb

@@ -1,25 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/number/quantity.h"
+
 #include <QByteArray>
 #include <QIODevice>
-#include <QStringList>
 
 #include <memory>
+#include <variant>
 #include <vector>
 
 namespace pixelplumb {
 
-enum class TableFormat { Csv, Json };
+enum class TableFormat {
+    Text, ///< aligned, for people
+    Csv,
+    Json,
+};
 
 /// One column of a table that is written to a file.
 struct Field {
-    /// Text keeps every digit of a rational or a float; Integer and Real are JSON numbers.
-    enum class Kind { Text, Integer, Real, Boolean };
+    enum class Kind {
+        Text,
+        Number, ///< as the kernel held it; in files a decimal, in JSON a number
+        Exact, ///< the exact number for which it stands; in files a fraction, "277/54", as text
+        Error, ///< used − exact; a decimal
+        Boolean,
+    };
 
-    QString name; ///< "y_B_error"
+    QString name; ///< "y_B_error": the only one of this name in its table
     Kind kind = Kind::Text;
+    QString title = {}; ///< in a text table's header: "⌈y_B⌉"; empty: the name
 };
+
+/// What stands in a row under a field: a quantity under Number, Exact and Error; an empty text or a
+/// quantity that is none is an empty cell.
+using Cell = std::variant<QString, Quantity, bool>;
 
 /// Writes a table row by row, so that a table of millions of rows needs no memory. An empty cell is
 /// an empty CSV field and JSON's null.
@@ -27,9 +43,10 @@ class RowWriter {
 public:
     virtual ~RowWriter() = default;
 
+    /// No two of the fields have one name.
     virtual void begin(const std::vector<Field> &fields) = 0;
     /// As many cells as there are fields.
-    virtual void writeRow(const QStringList &cells) = 0;
+    virtual void writeRow(const std::vector<Cell> &cells) = 0;
     virtual void end() = 0;
 
     /// False after the device refused something.
@@ -47,19 +64,20 @@ private:
     bool m_ok = true;
 };
 
-/// CSV after RFC 4180, with a header line. JSON as an object whose members are those of `preamble`,
-/// then "rows", an array with one object a row.
+/// CSV after RFC 4180, with a header line.
+std::unique_ptr<RowWriter> makeCsvWriter(QIODevice &device);
+
+/// JSON as an object whose members are those of `preamble`, then "rows", an array with one object a
+/// row.
 struct PreambleMember {
     QString name;
     QByteArray json; ///< its value
 };
-std::unique_ptr<RowWriter> makeRowWriter(TableFormat format, QIODevice &device,
-                                         const std::vector<PreambleMember> &preamble);
+std::unique_ptr<RowWriter> makeJsonWriter(QIODevice &device, std::vector<PreambleMember> preamble);
 
+/// How a cell is spelled in files: see Field::Kind.
+QString fileText(const Field &field, const Cell &cell);
 /// A string in JSON, with its quotes.
 QByteArray jsonString(const QString &text);
-/// The shortest decimal that reads back as the same double; "nan", "inf" and "-inf" for what has
-/// none.
-QString realText(double value);
 
 } // namespace pixelplumb

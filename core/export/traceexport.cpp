@@ -2,6 +2,7 @@
 #include "core/export/traceexport.h"
 
 #include "core/export/tracerows.h"
+#include "core/runs/spanheadings.h"
 #include "core/scan/choicenames.h"
 
 namespace pixelplumb {
@@ -10,53 +11,158 @@ namespace {
 
 QByteArray jsonName(std::string_view name) { return jsonString(nameText(name)); }
 
+QString nameOf(TraceLevel level)
+{
+    switch (level) {
+    case TraceLevel::SetUp:
+        return QStringLiteral("setup");
+    case TraceLevel::Column:
+        return QStringLiteral("column");
+    case TraceLevel::Pixel:
+        break;
+    }
+    return QStringLiteral("pixel");
+}
+
+std::vector<NumberDescription> descriptionsOf(const TracedScene &traced, TraceLevel level)
+{
+    switch (level) {
+    case TraceLevel::SetUp:
+        return traced.method->setUpNumbers;
+    case TraceLevel::Column:
+        return spanHeadings(traced);
+    case TraceLevel::Pixel:
+        break;
+    }
+    return traced.method->sampleNumbers;
+}
+
+/// A kernel sees pixel (x, y) as the point (x, y), wherever the scene has its centre.
+QString coordinatesText(const TracedScene &traced)
+{
+    return traced.scene.frame.pixelCentre == PixelCentre::Half
+        ? QStringLiteral("counted from the centre of pixel (0, 0): 1/2 px less than the scene's")
+        : QStringLiteral("the scene's");
+}
+
+/// Whether a number is written, or its exact value or its error.
+bool isWritten(const NumberDescription &number, const QStringList &columns)
+{
+    return columns.isEmpty() || columns.contains(number.id)
+        || columns.contains(exactName(number.id)) || columns.contains(errorName(number.id));
+}
+
 /// What a reader has to know about the table: how it was drawn, and what the columns mean.
-std::vector<PreambleMember> preambleOf(const TracedScene &traced, TraceLevel level)
+std::vector<PreambleMember> preambleOf(const TracedScene &traced, const TraceExportOptions &options)
 {
     const ScanSettings &settings = traced.trace->settings();
-    std::vector<PreambleMember> members
-        = {{QStringLiteral("pixelplumbTrace"), "1"},
-           {QStringLiteral("level"), level == TraceLevel::Column ? "\"column\"" : "\"pixel\""},
-           {QStringLiteral("method"), jsonString(traced.method->id)},
-           {QStringLiteral("arithmetic"), jsonName(nameOf(settings.arithmetic))},
-           {QStringLiteral("fillRule"), jsonName(nameOf(settings.fillRule))},
-           {QStringLiteral("rounding"), jsonName(nameOf(settings.rounding))},
-           {QStringLiteral("cut"), traced.trace->isCut() ? "true" : "false"}};
-    if (level == TraceLevel::Pixel)
-        return members;
     QByteArray columns = "[";
-    for (const TraceColumn &column : traced.method->spanColumns) {
+    for (const NumberDescription &number : descriptionsOf(traced, options.level)) {
+        if (!isWritten(number, options.columns))
+            continue;
         columns += columns.size() == 1 ? "\n" : ",\n";
-        columns += "    {\"id\": " + jsonString(column.id) + ", \"unit\": "
-            + jsonString(column.unit) + ", \"formula\": " + jsonString(column.formula)
-            + ", \"meaning\": " + jsonString(column.toolTip) + '}';
+        columns += "    {\"id\": " + jsonString(number.id) + ", \"unit\": "
+            + jsonString(number.unit) + ", \"formula\": " + jsonString(number.formula)
+            + ", \"meaning\": " + jsonString(number.toolTip) + '}';
     }
-    members.push_back({QStringLiteral("columns"), columns + "\n  ]"});
-    return members;
+    return {{QStringLiteral("pixelplumbTrace"), "2"},
+            {QStringLiteral("level"), jsonString(nameOf(options.level))},
+            {QStringLiteral("method"), jsonString(traced.method->id)},
+            {QStringLiteral("arithmetic"), jsonName(nameOf(settings.arithmetic))},
+            {QStringLiteral("fillRule"), jsonName(nameOf(settings.fillRule))},
+            {QStringLiteral("rounding"), jsonName(nameOf(settings.rounding))},
+            {QStringLiteral("coordinates"), jsonString(coordinatesText(traced))},
+            {QStringLiteral("cut"), traced.trace->isCut() ? "true" : "false"},
+            {QStringLiteral("columns"), columns + (columns.size() == 1 ? "]" : "\n  ]")}};
+}
+
+std::unique_ptr<RowWriter> writerFor(const TracedScene &traced, const TraceExportOptions &options,
+                                     QIODevice &device)
+{
+    switch (options.format) {
+    case TableFormat::Text:
+        return makeTextWriter(device, options.textNumbers);
+    case TableFormat::Csv:
+        return makeCsvWriter(device);
+    case TableFormat::Json:
+        break;
+    }
+    return makeJsonWriter(device, preambleOf(traced, options));
+}
+
+template <class Row>
+TraceTable<Row> chosenColumns(const TraceTable<Row> &whole, const TraceExportOptions &options)
+{
+    if (!options.columns.isEmpty())
+        return whole.only(options.columns);
+    return options.format == TableFormat::Text ? whole.withoutComparisons() : whole;
+}
+
+/// Writes the rows that `rowsAt(index)` gives for each index below `count`.
+template <class Row, class RowsAt>
+bool writeTable(const TraceTable<Row> &table, std::size_t count, const RowsAt &rowsAt,
+                const TraceExportOptions &options, RowWriter &writer)
+{
+    const TraceTable<Row> chosen = chosenColumns(table, options);
+    writer.begin(chosen.fields());
+    for (std::size_t index = 0; index < count; ++index) {
+        if (!goesOn(options.progress,
+                    {JobPhase::Writing, std::int64_t(index), std::int64_t(count)}))
+            return false;
+        for (const Row &row : rowsAt(index))
+            writer.writeRow(chosen.cells(row));
+        if (!writer.isOk())
+            return false;
+    }
+    writer.end();
+    return writer.isOk();
+}
+
+template <class Row>
+QStringList namesOf(const TraceTable<Row> &table)
+{
+    QStringList names;
+    for (const Field &field : table.fields())
+        names.append(field.name);
+    return names;
 }
 
 } // namespace
 
+QStringList traceColumnNames(const Method &method, TraceLevel level)
+{
+    switch (level) {
+    case TraceLevel::SetUp:
+        return namesOf(setUpTable(method));
+    case TraceLevel::Column:
+        return namesOf(spanTable(method.spanNumbers));
+    case TraceLevel::Pixel:
+        break;
+    }
+    return namesOf(sampleTable(method));
+}
+
 bool exportTrace(const TracedScene &traced, const TraceExportOptions &options, QIODevice &device)
 {
-    const auto writer = makeRowWriter(options.format, device, preambleOf(traced, options.level));
-    const bool byPixel = options.level == TraceLevel::Pixel;
-    writer->begin(byPixel ? sampleFields(*traced.method) : spanFields(*traced.method));
-    const std::size_t spanCount = traced.trace->spanCount();
-    for (std::size_t span = 0; span < spanCount; ++span) {
-        if (options.progress && !options.progress(double(span) / double(spanCount)))
-            return false;
-        if (byPixel) {
-            forEachSampleRow(traced, span,
-                             [&](const QStringList &cells) { writer->writeRow(cells); });
-        } else {
-            writer->writeRow(spanCells(traced, span));
-        }
-        if (!writer->isOk())
-            return false;
+    const Method &method = *traced.method;
+    const ScanTrace &trace = *traced.trace;
+    const auto writer = writerFor(traced, options, device);
+    switch (options.level) {
+    case TraceLevel::SetUp:
+        return writeTable(
+            setUpTable(method), trace.primitiveCount(),
+            [&](std::size_t primitive) { return std::array{setUpRow(traced, primitive)}; }, options,
+            *writer);
+    case TraceLevel::Column:
+        return writeTable(
+            spanTable(spanHeadings(traced)), trace.spanCount(),
+            [&](std::size_t span) { return std::array{spanRow(traced, span)}; }, options, *writer);
+    case TraceLevel::Pixel:
+        break;
     }
-    writer->end();
-    return writer->isOk();
+    return writeTable(
+        sampleTable(method), trace.spanCount(),
+        [&](std::size_t span) { return sampleRows(traced, span); }, options, *writer);
 }
 
 } // namespace pixelplumb

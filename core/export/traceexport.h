@@ -1,31 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/export/rowwriter.h"
-#include "core/trace/tracedscene.h"
+#include "core/export/textwriter.h"
+#include "core/number/jobprogress.h"
+#include "core/runs/tracedscene.h"
 
-#include <functional>
+#include <QStringList>
 
 namespace pixelplumb {
 
-/// A row a column of the scan, or a row a written pixel.
-enum class TraceLevel { Column, Pixel };
+/// What a row of the table is.
+enum class TraceLevel {
+    SetUp, ///< a primitive
+    Column, ///< a span: a column, a row or a step of the method
+    Pixel, ///< a visited sample
+};
 
 struct TraceExportOptions {
     TraceLevel level = TraceLevel::Column;
     TableFormat format = TableFormat::Csv;
-    /// Called now and then with the share of the rows that is done, 0 … 1; returning false ends the
-    /// export.
-    std::function<bool(double done)> progress;
+    ProgressListener progress = {}; ///< hears of each row of the run
+    /// The columns that are written, by name and in this order; empty: all of them, in a text table
+    /// without the exact numbers and the errors.
+    QStringList columns = {};
+    TextNumbers textNumbers = TextNumbers::Mixed;
 };
+
+/// The names of all columns that a method's traces have at a level.
+QStringList traceColumnNames(const Method &method, TraceLevel level);
 
 /// Writes the numbers that the kernel used, with the exact ones and the errors beside them.
 ///
-/// Column level: "step" (counted from 1, as in the window), then each of the method's trace columns
-/// under its id; where there is an exact value, "<id>_exact" and "<id>_error" (used − exact)
-/// follow. Pixel level: "step", "triangle", "x", "y"; for R, G and B the used value, "_exact",
-/// "_error", "_level" (rounded, before clamping) and "_byte"; "clamped", "before" and "after".
-/// False when the device refused to take it or the progress function ended it.
+/// All levels begin with "step" (counted from 1, as in the window) and "primitive" (from 0). Set-up
+/// and column level: each of the method's numbers under its id; where there is an exact value,
+/// "<id>_exact" and "<id>_error" (used − exact) follow. Pixel level: "x", "y"; for R, G and B the
+/// used value, "_exact", "_error", "_level" (rounded, before clamping) and "_byte"; "clamped",
+/// "before", "after" and "fate", then the method's own numbers. False when the device refused to
+/// take it or options.progress ended it.
 bool exportTrace(const TracedScene &traced, const TraceExportOptions &options, QIODevice &device);
 
 } // namespace pixelplumb

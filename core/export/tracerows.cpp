@@ -1,130 +1,178 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/tracerows.h"
 
+#include "core/methods/rejectiontext.h"
 #include "core/scene/colourtext.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pixelplumb {
 
 namespace {
 
-/// The exact value and the error in their cells; both empty where there is no exact value.
-void appendComparison(QStringList &cells, const Quantity &used, const Quantity &exact)
+using Kind = Field::Kind;
+
+/// A record has fewer cells than its method describes where nothing was computed: of a rejected
+/// primitive, of a sample of a triangle without an area.
+Quantity cellAt(const std::vector<Quantity> &cells, std::size_t index)
 {
-    const bool comparable = !used.isNone() && !exact.isNone();
-    cells.append(toText(exact));
-    cells.append(comparable ? realText(errorOf(used, exact)) : QString());
+    return index < cells.size() ? cells[index] : Quantity();
 }
 
-/// Positions and counts are whole numbers in every arithmetic.
-bool isCount(const TraceColumn &column)
-{
-    return column.group == TraceColumnGroup::Position || column.unit.isEmpty();
-}
+Quantity integer(std::int64_t value) { return Quantity::integer(value); }
 
 /// As the window counts: 1 for the first step.
-QString stepNumber(std::size_t index) { return QString::number(index + 1); }
+Quantity stepNumber(std::size_t index) { return Quantity::integer(Int128(index) + 1); }
+
+Quantity errorCell(const Quantity &used, const Quantity &exact)
+{
+    const bool isComparable = !used.isNone() && !exact.isNone();
+    return isComparable ? Quantity::of(errorOf(used, exact)) : Quantity();
+}
+
+/// A number as it was used, with the exact one and the error.
+template <class Row>
+void addCompared(TraceTable<Row> &table, const QString &name, const QString &title,
+                 const std::function<Quantity(const Row &)> &used,
+                 const std::function<Quantity(const Row &)> &exact)
+{
+    table.add({name, Kind::Number, title}, used);
+    table.add({exactName(name), Kind::Exact, title + QStringLiteral(" exact")}, exact);
+    table.add({errorName(name), Kind::Error, title + QStringLiteral(" error")},
+              [used, exact](const Row &row) { return errorCell(used(row), exact(row)); });
+}
+
+/// The numbers that a method describes. `exactCells` reads a row's exact numbers.
+template <class Row, class ExactCells>
+void addDescribed(TraceTable<Row> &table, const std::vector<NumberDescription> &numbers,
+                  const ExactCells &exactCells)
+{
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        // A number that stands there already is this one: R, G and B of a sample.
+        if (table.contains(numbers[i].id))
+            continue;
+        const auto used = [i](const Row &row) { return cellAt(row.record.cells, i); };
+        if (numbers[i].comparison == Comparison::None)
+            table.add({numbers[i].id, Kind::Number, numbers[i].title}, used);
+        else
+            addCompared<Row>(
+                table, numbers[i].id, numbers[i].title, used,
+                [i, exactCells](const Row &row) { return cellAt(exactCells(row), i); });
+    }
+}
 
 } // namespace
 
-std::vector<Field> spanFields(const Method &method)
+TraceTable<SetUpRow> setUpTable(const Method &method)
 {
-    std::vector<Field> fields = {{QStringLiteral("step"), Field::Kind::Integer}};
-    for (const TraceColumn &column : method.spanColumns) {
-        if (column.comparison == Comparison::None) {
-            fields.push_back(
-                {column.id, isCount(column) ? Field::Kind::Integer : Field::Kind::Text});
-            continue;
-        }
-        fields.push_back({column.id, Field::Kind::Text});
-        fields.push_back({column.id + QStringLiteral("_exact"), Field::Kind::Text});
-        fields.push_back({column.id + QStringLiteral("_error"), Field::Kind::Real});
-    }
-    return fields;
+    TraceTable<SetUpRow> table;
+    table.add({QStringLiteral("step"), Kind::Number},
+              [](const SetUpRow &row) { return stepNumber(row.step); });
+    table.add({QStringLiteral("primitive"), Kind::Number},
+              [](const SetUpRow &row) { return integer(std::int64_t(row.record.primitive)); });
+    table.add({QStringLiteral("kind"), Kind::Text},
+              [](const SetUpRow &row) { return nameOf(row.kind); });
+    table.add({QStringLiteral("zero_area"), Kind::Boolean},
+              [](const SetUpRow &row) { return row.record.zeroArea; });
+    table.add({QStringLiteral("rejection"), Kind::Text}, [](const SetUpRow &row) {
+        return row.record.rejection ? rejectionText(*row.record.rejection) : QString();
+    });
+    addDescribed(
+        table, method.setUpNumbers, [](const SetUpRow &row) -> const auto & { return row.exact; });
+    return table;
 }
 
-QStringList spanCells(const TracedScene &traced, std::size_t span)
+SetUpRow setUpRow(const TracedScene &traced, std::size_t primitive)
 {
     const ScanTrace &trace = *traced.trace;
-    const std::vector<Quantity> used = trace.span(span).cells;
-    const std::vector<Quantity> exact = exactSpanCells(traced, span);
-    QStringList cells = {stepNumber(trace.indexOfSpan(span))};
-    const std::vector<TraceColumn> &columns = traced.method->spanColumns;
-    for (std::size_t i = 0; i < columns.size(); ++i) {
-        cells.append(toText(used[i]));
-        if (columns[i].comparison == Comparison::WithExact)
-            appendComparison(cells, used[i], exact[i]);
-    }
-    return cells;
+    SetUpRow row{trace.indexOfSetUp(primitive),
+                 traced.primitives.kindOf(primitive),
+                 trace.setUp(primitive),
+                 {}};
+    // Where nothing was computed the cells are what the numbers began with.
+    if (row.record.rejection)
+        row.record.cells.clear();
+    else
+        row.exact = exactSetUpCells(traced, primitive);
+    return row;
 }
 
-std::vector<Field> sampleFields(const Method &method)
+TraceTable<SpanRow> spanTable(const std::vector<NumberDescription> &numbers)
 {
-    std::vector<Field> fields = {{QStringLiteral("step"), Field::Kind::Integer},
-                                 {QStringLiteral("primitive"), Field::Kind::Integer},
-                                 {QStringLiteral("x"), Field::Kind::Integer},
-                                 {QStringLiteral("y"), Field::Kind::Integer}};
-    for (const QChar channel : channelLetters) {
-        const QString name = QChar(channel);
-        fields.push_back({name, Field::Kind::Text});
-        fields.push_back({name + QStringLiteral("_exact"), Field::Kind::Text});
-        fields.push_back({name + QStringLiteral("_error"), Field::Kind::Real});
-        fields.push_back({name + QStringLiteral("_level"), Field::Kind::Integer});
-        fields.push_back({name + QStringLiteral("_byte"), Field::Kind::Integer});
-    }
-    fields.push_back({QStringLiteral("clamped"), Field::Kind::Boolean});
-    fields.push_back({QStringLiteral("before"), Field::Kind::Text});
-    fields.push_back({QStringLiteral("after"), Field::Kind::Text});
-    fields.push_back({QStringLiteral("fate"), Field::Kind::Text});
-    for (const TraceColumn &column : method.sampleColumns) {
-        fields.push_back({column.id, Field::Kind::Text});
-        if (column.comparison == Comparison::None)
-            continue;
-        fields.push_back({column.id + QStringLiteral("_exact"), Field::Kind::Text});
-        fields.push_back({column.id + QStringLiteral("_error"), Field::Kind::Real});
-    }
-    return fields;
+    TraceTable<SpanRow> table;
+    table.add({QStringLiteral("step"), Kind::Number},
+              [](const SpanRow &row) { return stepNumber(row.step); });
+    table.add({QStringLiteral("primitive"), Kind::Number},
+              [](const SpanRow &row) { return integer(std::int64_t(row.record.primitive)); });
+    addDescribed(
+        table, numbers, [](const SpanRow &row) -> const auto & { return row.exact; });
+    return table;
 }
 
-void forEachSampleRow(const TracedScene &traced, std::size_t span,
-                      const std::function<void(const QStringList &cells)> &write)
+SpanRow spanRow(const TracedScene &traced, std::size_t span)
+{
+    return {traced.trace->indexOfSpan(span), traced.trace->span(span),
+            exactSpanCells(traced, span)};
+}
+
+TraceTable<SampleRow> sampleTable(const Method &method)
+{
+    using Row = SampleRow;
+    TraceTable<Row> table;
+    table.add({QStringLiteral("step"), Kind::Number},
+              [](const Row &row) { return stepNumber(row.step); });
+    table.add({QStringLiteral("primitive"), Kind::Number},
+              [](const Row &row) { return integer(std::int64_t(row.primitive)); });
+    table.add({QStringLiteral("x"), Kind::Number},
+              [](const Row &row) { return integer(row.record.x); });
+    table.add({QStringLiteral("y"), Kind::Number},
+              [](const Row &row) { return integer(row.record.y); });
+    for (std::size_t channel = 0; channel < channelLetters.size(); ++channel) {
+        const QString name = QChar(channelLetters[channel]);
+        addCompared<Row>(
+            table, name, name, [channel](const Row &row) { return row.record.colour[channel]; },
+            [channel](const Row &row) { return row.exact.colour[channel]; });
+        table.add({name + QStringLiteral("_level"), Kind::Number}, [channel](const Row &row) {
+            return row.change.isWritten() ? integer(row.record.level[channel]) : Quantity();
+        });
+        table.add({name + QStringLiteral("_byte"), Kind::Number}, [channel](const Row &row) {
+            return row.change.isWritten() ? integer(unpacked(row.change.after).channels[channel])
+                                          : Quantity();
+        });
+    }
+    table.add({QStringLiteral("clamped"), Kind::Boolean},
+              [](const Row &row) { return row.record.clamped; });
+    table.add({QStringLiteral("before"), Kind::Text},
+              [](const Row &row) { return colourText(unpacked(row.change.before)); });
+    table.add({QStringLiteral("after"), Kind::Text}, [](const Row &row) {
+        return colourText(unpacked(row.change.isWritten() ? row.change.after : row.change.before));
+    });
+    table.add({QStringLiteral("fate"), Kind::Text}, [](const Row &row) {
+        return row.change.isWritten() ? QStringLiteral("written") : QStringLiteral("refused");
+    });
+    addDescribed(
+        table, method.sampleNumbers,
+        [](const Row &row) -> const auto & { return row.exact.cells; });
+    return table;
+}
+
+std::vector<SampleRow> sampleRows(const TracedScene &traced, std::size_t span)
 {
     const ScanTrace &trace = *traced.trace;
     const std::size_t first = trace.firstSampleOf(span);
-    const std::size_t end = trace.endSampleOf(span);
-    if (first == end)
-        return;
+    const std::size_t visited = trace.endSampleOf(span) - first;
+    std::vector<SampleRow> rows;
+    if (visited == 0)
+        return rows;
     const std::vector<SampleRecord> samples = trace.samples(span);
-    const std::vector<TraceColumn> &columns = traced.method->sampleColumns;
-    // A trace that was cut may hold fewer samples than its last span has.
-    const std::size_t count = std::min(end - first, samples.size());
-    for (std::size_t index = 0; index < count; ++index) {
-        const SampleRecord &sample = samples[index];
-        const PixelChange &change = trace.changes()[first + index];
-        const bool isWritten = change.isWritten();
-        const Colour after = unpacked(isWritten ? change.after : change.before);
-        const ExactSample exact = exactSampleOf(traced, span, sample);
-        QStringList cells = {stepNumber(trace.indexOfSample(first + index)),
-                             QString::number(trace.primitiveOf(span)), QString::number(sample.x),
-                             QString::number(sample.y)};
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            cells.append(toText(sample.colour[channel]));
-            appendComparison(cells, sample.colour[channel], exact.colour[channel]);
-            cells.append(isWritten ? QString::number(sample.level[channel]) : QString());
-            cells.append(isWritten ? QString::number(int(after.channels[channel])) : QString());
-        }
-        cells.append(sample.clamped ? QStringLiteral("true") : QStringLiteral("false"));
-        cells.append(colourText(unpacked(change.before)));
-        cells.append(colourText(after));
-        cells.append(isWritten ? QStringLiteral("written") : QStringLiteral("refused"));
-        for (std::size_t i = 0; i < columns.size(); ++i) {
-            cells.append(toText(sample.cells[i]));
-            if (columns[i].comparison == Comparison::WithExact)
-                appendComparison(cells, sample.cells[i], exact.cells[i]);
-        }
-        write(cells);
+    std::vector<ExactSample> exact = exactSamplesOf(traced, span, samples);
+    for (std::size_t index = 0; index < std::min(visited, samples.size()); ++index) {
+        const std::size_t sample = first + index;
+        rows.push_back({trace.indexOfSample(sample), trace.primitiveOf(span), samples[index],
+                        trace.changes()[sample], std::move(exact[index])});
     }
+    return rows;
 }
 
 } // namespace pixelplumb

@@ -1,20 +1,41 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/export/rowwriter.h"
-#include "core/trace/tracedscene.h"
-
-#include <functional>
+#include "core/export/tracetable.h"
+#include "core/runs/tracedscene.h"
 
 namespace pixelplumb {
 
-/// The table of a trace by spans: a row a column, a row or a step of the method.
-std::vector<Field> spanFields(const Method &method);
-QStringList spanCells(const TracedScene &traced, std::size_t span);
+/// The record of a primitive's set-up, beside the exact numbers.
+struct SetUpRow {
+    std::size_t step = 0; ///< index
+    PrimitiveKind kind = PrimitiveKind::Triangle;
+    SetUpRecord record;
+    std::vector<Quantity> exact; ///< by Method::setUpNumbers; may be shorter
+};
+TraceTable<SetUpRow> setUpTable(const Method &method);
+SetUpRow setUpRow(const TracedScene &traced, std::size_t primitive);
 
-/// The table of a trace by samples. Calls `write` for each sample of a span in order.
-std::vector<Field> sampleFields(const Method &method);
-void forEachSampleRow(const TracedScene &traced, std::size_t span,
-                      const std::function<void(const QStringList &cells)> &write);
+/// The record of a span: a column, a row or a step of the method.
+struct SpanRow {
+    std::size_t step = 0; ///< index
+    SpanRecord record;
+    std::vector<Quantity> exact; ///< by Method::spanNumbers
+};
+/// By the method's descriptions, or by a run's headings.
+TraceTable<SpanRow> spanTable(const std::vector<NumberDescription> &numbers);
+SpanRow spanRow(const TracedScene &traced, std::size_t span);
+
+/// The record of a sample, and what became of its pixel.
+struct SampleRow {
+    std::size_t step = 0; ///< index
+    std::size_t primitive = 0;
+    SampleRecord record;
+    PixelChange change;
+    ExactSample exact;
+};
+TraceTable<SampleRow> sampleTable(const Method &method);
+/// A span's samples in order; fewer than it has where the trace was cut.
+std::vector<SampleRow> sampleRows(const TracedScene &traced, std::size_t span);
 
 } // namespace pixelplumb

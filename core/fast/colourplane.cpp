@@ -44,7 +44,7 @@ std::optional<ColourPlane> ColourPlane::wide(const TriangleBatch &batch, std::si
         const Int128 c2 = level(2) - c0;
         const Int128 gradientX = sign * (c1 * y2 - c2 * y1);
         const Int128 gradientY = sign * (c2 * x1 - c1 * x2);
-        // |numerators| < 2^60 (numerics.md, 3.3), times 2^56: below 2^127.
+        // |numerators| < 2^58 (resources/numerics.md, 3.3), times 2^56: below 2^114.
         plane.start[channel]
             = wordOf(c0 * area + gradientX * along + gradientY * up, area) + half + steps;
         plane.perColumn[channel] = wordOf(gradientX * unitsPerPixel, area);

@@ -8,9 +8,10 @@
 
 namespace pixelplumb {
 
-/// The colour plane of a triangle in fixed point, exact by the half-quantum bias (numerics.md, 3.3
-/// (b)). Each number is a 64-bit word whose top byte is the level and whose other bits are its
-/// fraction; additions wrap, so that what lies outside the triangle may overflow unharmed.
+/// The colour plane of a triangle in fixed point, exact by the half-quantum bias
+/// (resources/numerics.md, 3.3 b). Each number is a 64-bit word whose top byte is the level and
+/// whose other bits are its fraction; additions wrap, so that what lies outside the triangle may
+/// overflow unharmed.
 ///
 /// Let t be the level, plus 1/2 where the byte is rounded to nearest: a multiple of 1/(2A'), A' the
 /// doubled area on the coarsest lattice of the corners. A word of F fraction bits holds t + β with

@@ -54,6 +54,8 @@ std::string_view textOf(FastReason reason)
         return "zero area paints nothing under this fill rule";
     case FastReason::NoFastArithmetic:
         return "only exact and float32 arithmetic have fast kernels";
+    case FastReason::NoFastRule:
+        return "in exact arithmetic only the rules closed and half-open-column have fast kernels";
     case FastReason::SmallFrame:
         return "the frame has fewer than 16 columns";
     case FastReason::FarAway:

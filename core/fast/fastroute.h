@@ -26,6 +26,7 @@ enum class FastReason {
     OutsideFrame, ///< no sample of the frame in its bounding box
     ZeroAreaPaintsNothing,
     NoFastArithmetic,
+    NoFastRule,
     SmallFrame,
     FarAway,
     ZeroAreaSegment,
@@ -48,7 +49,7 @@ enum class ColourWord {
 };
 
 inline constexpr std::size_t fastKernelCount = 9;
-inline constexpr std::size_t fastReasonCount = 13;
+inline constexpr std::size_t fastReasonCount = 14;
 inline constexpr std::size_t colourWordCount = 5;
 
 std::string_view nameOf(FastKernel kernel);

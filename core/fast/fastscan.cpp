@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fast/fastscan.h"
 
+#include "core/fast/crew.h"
 #include "core/fast/fastkernels.h"
 #include "core/fast/floatcolumns.h"
 #include "core/fast/framebands.h"
-#include "core/methods/columnscan.h"
-
-#include <QThread>
+#include "core/scan/columndrawing.h"
 
 #include <algorithm>
+#include <thread>
 
 namespace pixelplumb {
 
@@ -111,7 +111,11 @@ private:
                     task.window);
     }
 
-    bool isBatched() const { return !m_isNarrow && m_settings.arithmetic == Arithmetic::Exact; }
+    bool isBatched() const
+    {
+        return !m_isNarrow && m_settings.arithmetic == Arithmetic::Exact
+            && m_settings.fillRule != FillRule::Open;
+    }
 
     void drawBatch(std::span<const Triangle> triangles)
     {
@@ -127,18 +131,16 @@ private:
         else if (m_settings.arithmetic == Arithmetic::Float32)
             drawFloats(triangle);
         else
-            drawByPlainKernel(triangle, FastReason::NoFastArithmetic);
+            drawByPlainKernel(triangle,
+                              m_settings.arithmetic == Arithmetic::Exact
+                                  ? FastReason::NoFastRule
+                                  : FastReason::NoFastArithmetic);
     }
 
     void drawFloats(const Triangle &triangle)
     {
         m_tally.count(FastKernel::FloatStrip16, ColourWord::Other, FastReason::FloatIncrements);
-        if (m_settings.fillRule == FillRule::HalfOpenColumn)
-            drawFloatTriangle<FillRule::HalfOpenColumn>(triangle, m_settings.rounding,
-                                                        m_task.window, m_kernels);
-        else
-            drawFloatTriangle<FillRule::Closed>(triangle, m_settings.rounding, m_task.window,
-                                                m_kernels);
+        drawFloatTriangle(triangle, m_settings, m_task.window, m_kernels);
     }
 
     void drawByPlainKernel(const Triangle &triangle, FastReason reason)
@@ -200,17 +202,21 @@ int bandCountFor(std::span<const Triangle> triangles, FrameView frame, int threa
 /// share (4.5 MiB).
 constexpr std::size_t trianglesPerChunk = 65'536;
 
+/// That the system lets this process have, 1 or more.
+int threadsOfMachine() { return int(std::max(1U, std::thread::hardware_concurrency())); }
+
 RouteTally drawInBands(std::span<const Triangle> triangles, const ScanSettings &settings,
                        const FrameBands &bands, const FastKernels &kernels, int threads)
 {
     std::vector<RouteTally> tallies(std::size_t(bands.count()));
     BandBins bins(bands);
+    Crew crew(threads);
     while (!triangles.empty()) {
         const auto chunk = triangles.first(std::min(triangles.size(), trianglesPerChunk));
         triangles = triangles.subspan(chunk.size());
         const int pieces = bins.begin(chunk);
-        doInParallel(pieces, threads, [&](int piece) { bins.gather(piece); });
-        doInParallel(bands.count(), threads, [&](int band) {
+        crew.share(pieces, [&](int piece) { bins.gather(piece); });
+        crew.share(bands.count(), [&](int band) {
             WindowDrawing drawing(kernels, settings, bands.band(band), tallies[std::size_t(band)]);
             bins.forEach(
                 band, [&](std::span<const std::uint32_t> places) { drawing.draw(chunk, places); });
@@ -230,7 +236,7 @@ FastReport drawFast(std::span<const Triangle> triangles, const ScanSettings &set
     FastReport report;
     report.instructionSet = options.instructionSet.value_or(supportedInstructionSets().back());
     const FastKernels kernels = fastKernelsFor(report.instructionSet);
-    const int threads = options.threads > 0 ? options.threads : QThread::idealThreadCount();
+    const int threads = options.threads > 0 ? options.threads : threadsOfMachine();
     // Where numbers are rounded, a band of the frame would begin its increments anew.
     const int bandCount
         = settings.arithmetic == Arithmetic::Exact ? bandCountFor(triangles, frame, threads) : 1;

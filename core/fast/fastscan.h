@@ -41,7 +41,7 @@ struct FastReport {
 };
 
 /// The column scan as fast as memory allows: draws triangles (sample coordinates) in order, bit for
-/// bit the plain kernel's picture under its fill rules (closed, half-open-column) and every
+/// bit the plain kernel's picture under its fill rules (closed, half-open-column, open) and every
 /// arithmetic. Columns stand in the lanes of vectors, so that a row of sixteen columns is one
 /// store; set-up is done for many triangles at once; in exact arithmetic bands of rows are drawn by
 /// several threads, and of a frame that no cache holds by one. What no fast kernel covers, the

@@ -79,14 +79,14 @@ inline void fillColumn(const ColumnState<RoundedArithmetic<float>> &column, Byte
         taker.columns->take(column, rounding);
 }
 
-template <FillRule Rule>
-void drawFloatTriangle(const Triangle &triangle, ByteRounding rounding, FrameView window,
-                       const FastKernels &kernels)
+inline void drawFloatTriangle(const Triangle &triangle, const ScanSettings &settings,
+                              FrameView window, const FastKernels &kernels)
 {
     FloatColumns columns(kernels, window);
     FloatColumnTaker taker;
     taker.columns = &columns;
-    ColumnScan<RoundedArithmetic<float>, Rule, FloatColumnTaker>(triangle, rounding, window, taker)
+    ColumnScan<RoundedArithmetic<float>, FloatColumnTaker>(
+        triangle, columnIntervals(settings.fillRule), settings.rounding, window, taker)
         .run();
     columns.flush();
 }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fast/framebands.h"
 
-#include <QSemaphore>
-#include <QThreadPool>
-
 #include <algorithm>
-#include <atomic>
 
 namespace pixelplumb {
 
@@ -63,27 +59,6 @@ void BandBins::gather(int piece)
         for (int band = touched.first; band <= touched.last; ++band)
             bins[std::size_t(band)].push_back(std::uint32_t(i));
     }
-}
-
-void doInParallel(int count, int threads, const std::function<void(int job)> &job)
-{
-    std::atomic<int> next = 0;
-    const auto work = [&] {
-        for (int mine = next++; mine < count; mine = next++)
-            job(mine);
-    };
-    QSemaphore finished;
-    int started = 0;
-    while (started < threads - 1 && started < count - 1) {
-        if (!QThreadPool::globalInstance()->tryStart([&] {
-                work();
-                finished.release();
-            }))
-            break;
-        ++started;
-    }
-    work();
-    finished.acquire(started);
 }
 
 } // namespace pixelplumb

@@ -4,7 +4,6 @@
 #include "core/frame/frameview.h"
 #include "core/geometry/triangle.h"
 
-#include <functional>
 #include <span>
 #include <vector>
 
@@ -68,10 +67,5 @@ private:
     std::vector<Piece> m_pieces;
     std::size_t m_pieceCount = 0; ///< of m_pieces, in use
 };
-
-/// Does jobs 0 … count − 1, each once, on the calling thread and up to `threads` − 1 more of Qt's
-/// global pool, and returns when all are done. Where the pool has no thread free the caller does
-/// the work alone.
-void doInParallel(int count, int threads, const std::function<void(int job)> &job);
 
 } // namespace pixelplumb

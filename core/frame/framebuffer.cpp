@@ -38,6 +38,8 @@ FrameBuffer::FrameBuffer(const FrameSpec &spec)
     m_view.firstRow = spec.firstRow;
     m_view.width = spec.width;
     m_view.height = spec.height;
+    m_view.origin = spec.origin;
+    m_view.offScreenPoint = offScreenSample(spec);
     clear();
 }
 

@@ -11,8 +11,8 @@
 namespace pixelplumb {
 
 /// The frame's memory (Format_RGB32) and the QImage that shows it. Rows are padded so that a walk
-/// down a column does not fall on the same few cache sets (numerics.md, 0.3: 1.8 instead of 10.6 ns
-/// a pixel); each begins on a cache line.
+/// down a column does not fall on the same few cache sets (resources/numerics.md, 2.4: 1.8 instead
+/// of 10.6 ns a pixel); each begins on a cache line.
 class FrameBuffer {
 public:
     explicit FrameBuffer(const FrameSpec &spec);

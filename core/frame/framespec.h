@@ -2,15 +2,18 @@
 #pragma once
 
 #include "core/geometry/colour.h"
+#include "core/geometry/lattice.h"
 
 #include <cstdint>
+#include <optional>
 
 namespace pixelplumb {
 
-/// Where pixel (0, 0) is and which way y grows. The assignment (seed 004) draws y upward.
+/// Where pixel (0, 0) is and which way y grows. The assignment draws y upward.
 enum class FrameOrigin { BottomLeft, TopLeft };
 
-/// Where in its cell a pixel is sampled: at (x, y), or at (x + 1/2, y + 1/2) as in seed 000.
+/// Where in its cell a pixel is sampled: at (x, y), or at (x + 1/2, y + 1/2) as in the
+/// Triangle Rasterization slides.
 enum class PixelCentre { Integer, Half };
 
 inline constexpr std::int32_t largestFrameSide = 32768;
@@ -26,8 +29,26 @@ struct FrameSpec {
     /// The pixel with the smallest coordinates that the frame shows, |each| <= 2^30 px.
     std::int32_t firstColumn = 0;
     std::int32_t firstRow = 0;
+    /// The point of the rule off-screen-point, in the scene's coordinates whatever the pixel
+    /// centre. None: 1 px before the first pixel along both axes, off the screen in every frame.
+    std::optional<LatticePoint> offScreenPoint = {};
 
     friend bool operator==(const FrameSpec &, const FrameSpec &) = default;
 };
+
+/// What to add to a sample coordinate to get the scene's: 0, or 128 units (1/2 px) for half
+/// centres.
+constexpr Lattice sampleOffset(const FrameSpec &spec)
+{
+    return spec.pixelCentre == PixelCentre::Half ? halfPixel : 0;
+}
+
+/// The off-screen point that is in force, in sample coordinates.
+constexpr LatticePoint offScreenSample(const FrameSpec &spec)
+{
+    const LatticePoint point = spec.offScreenPoint.value_or(
+        latticePixel(std::int64_t(spec.firstColumn) - 1, std::int64_t(spec.firstRow) - 1));
+    return {point.x - sampleOffset(spec), point.y - sampleOffset(spec)};
+}
 
 } // namespace pixelplumb

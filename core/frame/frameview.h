@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/framespec.h"
+
 #include <QRgb>
 
 #include <cstddef>
-#include <cstdint>
 
 namespace pixelplumb {
 
 /// The pixels that a kernel may write: a window [firstColumn, endColumn) x [firstRow, endRow) of
-/// the sample lattice. As in the seed (002, "Point Plotting", addr = y * width + x), but with a
-/// stride of its own that is negative where row 0 is the lowest line of the picture.
+/// the sample lattice. As in the Rasterization slides, "Point Plotting" (addr = y * width + x), but
+/// with a stride of its own that is negative where row 0 is the lowest line of the picture.
 struct FrameView {
     QRgb *base = nullptr; ///< the pixel (firstColumn, firstRow)
     std::ptrdiff_t stride = 0; ///< pixels from a row to the next higher y
@@ -18,6 +19,9 @@ struct FrameView {
     std::int32_t firstRow = 0;
     std::int32_t width = 0;
     std::int32_t height = 0;
+    // What fill rules look at.
+    FrameOrigin origin = FrameOrigin::BottomLeft; ///< which way y points as seen
+    LatticePoint offScreenPoint = latticePixel(-1, -1); ///< sample coordinates
 
     constexpr std::int64_t endColumn() const { return std::int64_t(firstColumn) + width; }
     constexpr std::int64_t endRow() const { return std::int64_t(firstRow) + height; }

@@ -8,8 +8,8 @@
 
 namespace pixelplumb {
 
-/// What a vertex may carry beside its colour (seed 003, "Interpolation During Scan Conversion"), in
-/// units of 1/256 and within ±2^30, as coordinates are.
+/// What a vertex may carry beside its colour (Scan Conversion slides, "Interpolation During Scan
+/// Conversion"), in units of 1/256 and within ±2^30, as coordinates are.
 struct VertexAttributes {
     Lattice z = 0; ///< depth
     std::array<Lattice, 2> texture = {}; ///< u, v

@@ -10,7 +10,8 @@
 
 namespace pixelplumb {
 
-/// Red, green and blue, 0 … 255 each, interpolated as plain numbers (seed 004, "Smoothly shading").
+/// Red, green and blue, 0 … 255 each, interpolated as plain numbers (Assignment (Borst),
+/// "Smoothly shading the triangle").
 struct Colour {
     std::array<std::uint8_t, 3> channels = {0, 0, 0};
 

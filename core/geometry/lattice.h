@@ -11,12 +11,13 @@ namespace pixelplumb {
 using Lattice = std::int64_t;
 
 inline constexpr Lattice unitsPerPixel = 256;
+inline constexpr Lattice halfPixel = unitsPerPixel / 2;
 
 /// The largest coordinate in magnitude: 2^30 px. Larger ones never reach a kernel.
 inline constexpr Lattice largestPixel = Lattice(1) << 30;
 inline constexpr Lattice largestCoordinate = largestPixel * unitsPerPixel;
 
-/// Up to here (2^15 px) all exact products fit 64 bits (numerics.md, 3.1 and 3.3).
+/// Up to here (2^15 px) all exact products fit 64 bits (resources/numerics.md, 3.1 and 3.3).
 inline constexpr Lattice largestNarrowCoordinate = (Lattice(1) << 15) * unitsPerPixel;
 
 /// A point on the lattice; ordered by x, then y, as the column scan sorts its vertices.
@@ -47,6 +48,12 @@ constexpr std::int64_t floorPixel(Lattice coordinate)
 constexpr bool isWithinRange(const LatticePoint &point)
 {
     return absolute(point.x) <= largestCoordinate && absolute(point.y) <= largestCoordinate;
+}
+
+constexpr bool isNarrow(const LatticePoint &point)
+{
+    return absolute(point.x) <= largestNarrowCoordinate
+        && absolute(point.y) <= largestNarrowCoordinate;
 }
 
 } // namespace pixelplumb

@@ -11,7 +11,7 @@
 
 namespace pixelplumb {
 
-/// What a primitive of a scene is (seed 002, "Output Primitives").
+/// What a primitive of a scene is (Rasterization slides, "Output Primitives").
 enum class PrimitiveKind : std::uint8_t {
     Triangle,
     Point,
@@ -65,6 +65,8 @@ struct Primitives {
     {
         return isTriangle(primitive) ? PrimitiveKind::Triangle : shape(primitive).kind;
     }
+
+    friend bool operator==(const Primitives &, const Primitives &) = default;
 };
 
 } // namespace pixelplumb

@@ -55,15 +55,13 @@ constexpr std::array<int, 3> sortedByColumn(const Triangle &triangle)
     return order;
 }
 
-/// Which integer width the exact kernel needs for a primitive; chosen per primitive, shown in the
-/// plan.
+/// Which integer width the exact kernel needs for a primitive; chosen per primitive.
 enum class IntegerWidth { Bits64, Bits128 };
 
 constexpr IntegerWidth integerWidthFor(std::span<const Vertex> vertices)
 {
     for (const Vertex &vertex : vertices) {
-        if (absolute(vertex.position.x) > largestNarrowCoordinate
-            || absolute(vertex.position.y) > largestNarrowCoordinate)
+        if (!isNarrow(vertex.position))
             return IntegerWidth::Bits128;
     }
     return IntegerWidth::Bits64;

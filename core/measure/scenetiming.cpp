@@ -3,7 +3,8 @@
 
 #include "core/frame/framebuffer.h"
 #include "core/measure/writecount.h"
-#include "core/methods/columnscan.h"
+#include "core/methods/method.h"
+#include "core/scan/columndrawing.h"
 
 #include <chrono>
 #include <cmath>
@@ -69,7 +70,7 @@ public:
         , m_fast(scene.frame)
     {
         m_timing.settings = scene.settings;
-        if (scene.settings.fillRule != FillRule::Closed)
+        if (!methodNamed(u"column-scan")->supports(scene.settings.fillRule))
             m_timing.settings.fillRule = FillRule::HalfOpenColumn;
     }
 
@@ -79,8 +80,8 @@ public:
             return m_timing;
         if (!chooseTriangles())
             return std::nullopt;
-        const auto pixels = countWrites(m_drawn, m_timing.settings.fillRule, m_spec,
-                                        [this] { return goesOn(0, 1); });
+        const auto pixels
+            = countWrites(m_drawn, m_timing.settings.fillRule, m_spec, m_options.progress);
         if (!pixels)
             return std::nullopt;
         m_timing.pixels = *pixels;
@@ -93,9 +94,10 @@ public:
     }
 
 private:
-    bool goesOn(int done, int all) const
+    /// `all`: 0 while nobody knows.
+    bool mayGoOn(int done, int all) const
     {
-        return !m_options.progress || m_options.progress(done, all);
+        return goesOn(m_options.progress, {JobPhase::Measuring, done, all});
     }
     FastReport drawFastOn(int threads)
     {
@@ -109,7 +111,7 @@ private:
         constexpr std::size_t first = 16;
         m_drawn = std::span<const Triangle>(m_triangles).first(std::min(first, m_triangles.size()));
         while (m_drawn.size() < m_triangles.size()) {
-            if (!goesOn(0, 1))
+            if (!mayGoOn(0, 0))
                 return false;
             const double time = std::max(timeOf([this] { drawPlain(); }, 1), 1.0);
             if (2 * time > m_options.longestDraw)
@@ -148,7 +150,7 @@ private:
 
         const int all = m_options.rounds * int(contenders.size());
         for (Contender &contender : contenders) {
-            if (!goesOn(0, all))
+            if (!mayGoOn(0, all))
                 return false;
             const double time = std::max(timeOf(contender.draw, 1), 1.0);
             contender.drawsPerSample
@@ -158,7 +160,7 @@ private:
         for (int round = 0; round < m_options.rounds; ++round) {
             // Each round begins with another one: nobody always follows the same neighbour.
             for (std::size_t turn = 0; turn < contenders.size(); ++turn) {
-                if (!goesOn(done++, all))
+                if (!mayGoOn(done++, all))
                     return false;
                 Contender &contender = contenders[(turn + std::size_t(round)) % contenders.size()];
                 contender.samples.push_back(timeOf(contender.draw, contender.drawsPerSample)

@@ -3,9 +3,9 @@
 
 #include "core/fast/fastscan.h"
 #include "core/measure/spread.h"
+#include "core/number/jobprogress.h"
 #include "core/scene/scene.h"
 
-#include <functional>
 #include <optional>
 
 namespace pixelplumb {
@@ -14,8 +14,7 @@ struct TimingOptions {
     int rounds = 11;
     double sampleNanoseconds = 2e6; ///< a sample draws as often as fills this
     double longestDraw = 100e6; ///< ns; of a scene that takes longer the first triangles are drawn
-    /// Hears how many of all samples are taken; false ends the measurement.
-    std::function<bool(int done, int all)> progress;
+    ProgressListener progress; ///< hears how many of all samples are taken
 };
 
 /// One who draws, and how long it took.

@@ -2,7 +2,7 @@
 #include "core/measure/writecount.h"
 
 #include "core/frame/framebuffer.h"
-#include "core/methods/columnscan.h"
+#include "core/scan/columndrawing.h"
 
 #include <algorithm>
 
@@ -11,7 +11,7 @@ namespace pixelplumb {
 namespace {
 
 constexpr std::uint32_t colours = 0xffffff; ///< besides black, which the frame is cleared to
-constexpr std::size_t trianglesPerQuestion = 1024;
+constexpr std::size_t trianglesBetweenProgress = 1024;
 
 /// The pixels of one colour in the triangle's bounding box.
 std::uint64_t countInBox(const Triangle &triangle, QRgb colour, const FrameView &frame)
@@ -34,7 +34,7 @@ std::uint64_t countInBox(const Triangle &triangle, QRgb colour, const FrameView 
 } // namespace
 
 std::optional<std::uint64_t> countWrites(std::span<const Triangle> triangles, FillRule rule,
-                                         const FrameSpec &spec, const std::function<bool()> &goesOn)
+                                         const FrameSpec &spec, const ProgressListener &listener)
 {
     FrameSpec black = spec;
     black.background = {};
@@ -43,7 +43,7 @@ std::optional<std::uint64_t> countWrites(std::span<const Triangle> triangles, Fi
     std::uint64_t writes = 0;
     // Each triangle is drawn in a colour of its own, and its pixels are those that have it then.
     for (std::size_t i = 0; i < triangles.size(); ++i) {
-        if (i % trianglesPerQuestion == 0 && !goesOn())
+        if (i % trianglesBetweenProgress == 0 && !goesOn(listener, {JobPhase::Measuring, 0, 0}))
             return std::nullopt;
         const auto number = std::uint32_t(i % colours);
         if (number == 0)

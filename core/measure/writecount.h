@@ -3,9 +3,9 @@
 
 #include "core/frame/framespec.h"
 #include "core/geometry/triangle.h"
+#include "core/number/jobprogress.h"
 #include "core/scan/scansettings.h"
 
-#include <functional>
 #include <optional>
 #include <span>
 
@@ -13,9 +13,8 @@ namespace pixelplumb {
 
 /// How many pixels the column scan writes for the triangles (sample coordinates) under a fill rule
 /// of its own, in exact arithmetic: a pixel counts once for each triangle that covers it. Nothing
-/// where `goesOn`, asked now and then, says no.
+/// where the listener ended it.
 std::optional<std::uint64_t> countWrites(std::span<const Triangle> triangles, FillRule rule,
-                                         const FrameSpec &spec,
-                                         const std::function<bool()> &goesOn);
+                                         const FrameSpec &spec, const ProgressListener &listener);
 
 } // namespace pixelplumb

@@ -1,38 +1,26 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/methods/curvenumbers.h"
 #include "core/methods/flatrecording.h"
-#include "core/scan/circleexplicit.h"
-#include "core/scan/circlefill.h"
-#include "core/scan/circlemidpoint.h"
-#include "core/scan/circleparametric.h"
 
 namespace pixelplumb {
 
-/// The centre and the radii: what all methods of circles begin with.
-struct RoundRecording : FlatRecording {
-    static void recordRound(const Round &round, SetUpRecord &record)
-    {
-        record.cells
-            = {px(round.centre.x), px(round.centre.y), px(round.radiusX), px(round.radiusY)};
-    }
-};
-
-struct CircleFillRecording : CircleFillNumbers, RoundRecording {
+struct CircleFillRecording : CircleFillNumbers, FlatRecording {
     using FlatRecording::record;
 
+    static const auto &setUpNumbers() { return roundSetUpNumbers(); }
+    static const auto &spanNumbers() { return circleFillNumbers(); }
+
     static SpanPlace placeOf(const Span &row) { return {SpanAxis::Row, row.y, 0}; }
-    static void record(const Round &round, SetUpRecord &record) { recordRound(round, record); }
     static void record(const Span &row, SpanRecord &record)
     {
-        record.lower = px(row.left);
-        record.upper = px(row.right);
+        record.lower = Quantity::rational(row.left, unitsPerPixel);
+        record.upper = Quantity::rational(row.right, unitsPerPixel);
         record.firstSample = row.firstSample;
         record.endSample = row.endSample;
         record.firstDrawn = row.firstDrawn;
         record.endDrawn = row.endDrawn;
-        record.cells = {Quantity::integer(row.y), record.lower, record.upper,
-                        Quantity::integer(row.firstSample), Quantity::integer(row.endSample - 1)};
     }
     template <class Observer>
     static void walk(const Round &, const Span &row, const ScanSettings &, Observer observer)
@@ -49,69 +37,39 @@ struct CircleFillRecording : CircleFillNumbers, RoundRecording {
 };
 
 template <class A>
-struct CircleExplicitRecording : CircleExplicitNumbers<A>, RoundRecording {
+struct CircleExplicitRecording : CircleExplicitNumbers<A>, FlatRecording {
     using Span = CircleExplicitStep<A>;
-    using FlatRecording::record;
+    using FlatRecording::stateOf;
+
+    static const auto &setUpNumbers() { return roundSetUpNumbers(); }
+    static const auto &spanNumbers() { return circleExplicitNumbers(); }
+    static auto stateOf(const SpanInHand<Round, Span> &step)
+    {
+        return circleStateOf(step.span, step.setUp);
+    }
 
     static SpanPlace placeOf(const Span &step) { return freeStep(step.number); }
-    static void record(const Round &round, SetUpRecord &record) { recordRound(round, record); }
-    static void record(const Span &step, SpanRecord &record)
-    {
-        record.cells = {Quantity::integer(step.x), px(step.distance), rootOf(step.root),
-                        Quantity::integer(step.above), Quantity::integer(step.below)};
-    }
-
-private:
-    static Quantity rootOf(Lattice root) { return px(root); }
-    template <std::floating_point Float>
-    static Quantity rootOf(Float root)
-    {
-        return Quantity::of(root);
-    }
 };
 
 template <class Float>
-struct CircleParametricRecording : CircleParametricNumbers<Float>, RoundRecording {
-    using FlatRecording::record;
+struct CircleParametricRecording : CircleParametricNumbers<Float>, FlatRecording {
+    using SetUp = CircleParametricSetUp<Float>;
+    using Span = CircleParametricStep<Float>;
+    using FlatRecording::stateOf;
 
-    static SpanPlace placeOf(const CircleParametricStep<Float> &step)
-    {
-        return freeStep(step.number);
-    }
-    static void record(const CircleParametricSetUp<Float> &setUp, SetUpRecord &record)
-    {
-        recordRound(setUp.round, record);
-        record.cells.push_back(Quantity::of(setUp.angleStep));
-    }
-    static void record(const CircleParametricStep<Float> &step, SpanRecord &record)
-    {
-        record.cells = {Quantity::integer(step.number), Quantity::of(step.angle),
-                        Quantity::of(step.curveX),      Quantity::of(step.curveY),
-                        Quantity::integer(step.x),      Quantity::integer(step.y)};
-    }
+    static const auto &setUpNumbers() { return circleParametricSetUpNumbers(); }
+    static const auto &spanNumbers() { return circleParametricNumbers(); }
+    static auto stateOf(const SetUpInHand<SetUp> &step) { return circleStateOf(step.setUp); }
+    static auto stateOf(const SpanInHand<SetUp, Span> &step) { return circleStateOf(step.span); }
+
+    static SpanPlace placeOf(const Span &step) { return freeStep(step.number); }
 };
 
 struct MidpointRecording : MidpointNumbers, FlatRecording {
-    using FlatRecording::record;
+    static const auto &setUpNumbers() { return midpointSetUpNumbers(); }
+    static const auto &spanNumbers() { return circleMidpointNumbers(); }
 
     static SpanPlace placeOf(const Span &step) { return freeStep(step.x, step.arc); }
-    static void record(const MidpointSetUp &setUp, SetUpRecord &record)
-    {
-        record.cells = {Quantity::integer(setUp.centre.x), Quantity::integer(setUp.centre.y),
-                        Quantity::integer(setUp.radiusX), Quantity::integer(setUp.radiusY)};
-    }
-    static void record(const Span &step, SpanRecord &record)
-    {
-        const auto decision = [&](Int128 number, bool exists) {
-            return exists ? Quantity::rational(number, step.decisionUnit) : Quantity();
-        };
-        record.cells = {Quantity::integer(step.arc + 1),
-                        decision(step.decision, step.hasDecision),
-                        Quantity::integer(step.x),
-                        Quantity::integer(step.y),
-                        decision(step.nextDecision - step.decision, step.hasDecision),
-                        decision(step.nextDecision, true)};
-    }
 };
 
 } // namespace pixelplumb

@@ -5,10 +5,6 @@
 
 namespace pixelplumb {
 
-/// Draws triangles (sample coordinates) in order by the plain kernel, column by column.
-void drawColumns(std::span<const Triangle> triangles, const ScanSettings &settings,
-                 FrameView frame);
-
 /// The row of the table of methods for the assignment's column scan.
 Method columnScanMethod();
 

@@ -10,8 +10,9 @@ Method edgeEquationsMethod()
     Method method = edgeTestMethod<edgeEquationsForm>();
     method.id = QStringLiteral("edge-equations");
     method.title = QStringLiteral("Edge equations");
-    method.source = QStringLiteral("seed 000, slides 17–21; seed 003, slides “Implicit Equation "
-                                   "for a 2D line” and “Edge Equations: Code”");
+    method.source = QStringLiteral("Triangle Rasterization slides, “Edge equation” and “Edge "
+                                   "sidedness”; Scan Conversion slides, “Implicit Equation for "
+                                   "a 2D line” and “Edge Equations: Code”");
     method.summary
         = QStringLiteral("Evaluates E = a·x + b·y + c of the three edges at every sample of the "
                          "clipped bounding box, with the sides flipped to be positive inside; "
@@ -24,8 +25,9 @@ Method incrementalEdgeEquationsMethod()
     Method method = edgeTestMethod<incrementalEdgeEquationsForm>();
     method.id = QStringLiteral("edge-equations-incremental");
     method.title = QStringLiteral("Edge equations, incremental");
-    method.source = QStringLiteral("seed 000, slide 22; seed 003, slide “Edge Equations: Code”, "
-                                   "the more efficient inner loop");
+    method.source = QStringLiteral("Triangle Rasterization slides, “Triangle rasterization "
+                                   "implementation guidelines”; Scan Conversion slides, “Edge "
+                                   "Equations: Code”, the more efficient inner loop");
     method.summary = QStringLiteral("Adds a to each edge function along a row and b from row to "
                                     "row, so that a sample costs three additions and rounding "
                                     "errors add up.");
@@ -37,8 +39,8 @@ Method solvedEdgeEquationsMethod()
     Method method = edgeTestMethod<solvedEdgeEquationsForm>();
     method.id = QStringLiteral("edge-equations-solved");
     method.title = QStringLiteral("Edge equations, solved system");
-    method.source = QStringLiteral("seed 002, slides “Edge Equations”, “Given 2 points, compute "
-                                   "A,B,C” and “Testing Pixels”");
+    method.source = QStringLiteral("Rasterization slides, “Edge Equations”, “Given 2 points, "
+                                   "compute A,B,C” and “Testing Pixels”");
     method.summary
         = QStringLiteral("Solves A and B of each edge from its two points with C = −1 chosen; an "
                          "edge whose line passes through (0, 0) has no such solution and gets "
@@ -52,7 +54,8 @@ Method canonicalEdgeEquationsMethod()
     method.id = QStringLiteral("edge-equations-canonical");
     method.title = QStringLiteral("Edge equations, canonical end");
     method.family = MethodFamily::StableForms;
-    method.source = QStringLiteral("the stable form of seed 003, slide “Shared Edge Ordering”");
+    method.source = QStringLiteral("stable form of the Scan Conversion slides, “Triangle "
+                                   "Rasterization Issues: Shared Edge Ordering”");
     method.summary
         = QStringLiteral("Evaluates every edge from its end point that is smaller in (x, y) order "
                          "and flips the sign, so that the two triangles of a shared edge see the "

@@ -1,16 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/methods/edgetestcolumns.h"
 #include "core/methods/edgetestrecording.h"
 #include "core/methods/kernelmethod.h"
-#include "core/methods/method.h"
 
 namespace pixelplumb {
 
 template <EdgeTestForm form>
 struct EdgeTestKernel : TriangleKernel,
-                        InExactOrFloat<ExactPlane, FloatPlane<float>, FloatPlane<double>> {
+                        InExactOrFloat<ExactPlane<std::int64_t>, ExactPlane<Int128>,
+                                       FloatPlane<float>, FloatPlane<double>> {
+    /// Samples anywhere in the frame are tested, and the off-screen point.
+    static IntegerWidth widthFor(const Triangle &triangle, const FrameView &frame)
+    {
+        const LatticePoint first = latticePixel(frame.firstColumn, frame.firstRow);
+        const LatticePoint end = latticePixel(frame.endColumn(), frame.endRow());
+        const bool fits = integerWidthFor(triangle) == IntegerWidth::Bits64 && isNarrow(first)
+            && isNarrow(end) && isNarrow(frame.offScreenPoint);
+        return fits ? IntegerWidth::Bits64 : IntegerWidth::Bits128;
+    }
+
     template <class A>
     using Recording = EdgeTestRecording<A, form>;
 
@@ -26,16 +35,11 @@ struct EdgeTestKernel : TriangleKernel,
 template <EdgeTestForm form>
 Method edgeTestMethod()
 {
-    Method method;
+    Method method = methodOf<EdgeTestKernel<form>>();
     method.effects = {QStringLiteral("smooth colour"), QStringLiteral("clipping to the frame")};
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
     method.stableArithmetics = {Arithmetic::Exact};
     method.fillRules.assign(allFillRules.begin(), allFillRules.end());
-    method.setUpColumns = edgeTestSetUpColumns(form);
-    method.spanColumns = edgeTestSpanColumns(form);
-    method.sampleColumns = edgeTestSampleColumns(form);
-    method.draw = drawWith<EdgeTestKernel<form>>;
-    method.trace = traceWith<EdgeTestKernel<form>>;
     return method;
 }
 

@@ -40,9 +40,17 @@ QString EdgeTestNames::vertexId(std::size_t vertex) const
     return QStringLiteral("_") + QChar(char16_t(first.unicode() + vertex));
 }
 
+QString EdgeTestNames::vertexName(std::size_t vertex) const
+{
+    return m_form.isBarycentric() ? vertexId(vertex).sliced(1)
+                                  : QStringLiteral("P") + digits[vertex];
+}
+
 QString EdgeTestNames::filled(QString text, std::size_t line) const
 {
     const EdgeEnds ends = edgeEndsOf(m_form, line);
+    text.replace(QStringLiteral("{edge}"), vertexName(ends.from) + vertexName(ends.to));
+    text.replace(QStringLiteral("{facing}"), vertexName(ends.opposite));
     const bool isCramer = m_form.inside == InsideTest::Cramer;
     text.replace(QStringLiteral("{value}"),
                  m_form.isBarycentric() ? QStringLiteral("f{l}") : QStringLiteral("E{l}"));

@@ -21,9 +21,12 @@ public:
     /// What stands after a coordinate or a level of a vertex: "₀", "_a"; in files "_0", "_a".
     QString vertex(std::size_t vertex) const;
     QString vertexId(std::size_t vertex) const;
+    /// The vertex in a sentence: "P₀", "a".
+    QString vertexName(std::size_t vertex) const;
 
     /// A text with {l} put in for the line, {from}, {to} and {opp} for its vertices, {w} for the
-    /// weight and {value} for its value.
+    /// weight and {value} for its value; in sentences {edge} for the edge's name, "P₀P₁" or "bc",
+    /// and {facing} for that of the vertex that faces it.
     QString filled(QString text, std::size_t line) const;
     QString filledId(QString text, std::size_t line) const;
 

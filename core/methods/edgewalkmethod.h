@@ -1,25 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/methods/edgewalkcolumns.h"
 #include "core/methods/edgewalkrecording.h"
 #include "core/methods/kernelmethod.h"
-#include "core/methods/method.h"
 
 namespace pixelplumb {
 
-template <EdgeWalkTable walkTable>
+template <EdgeWalkForm form>
 struct EdgeWalkKernel : TriangleKernel, InAnyArithmetic {
-    static constexpr EdgeWalkTable table = walkTable;
-
     template <class A>
-    using Recording = EdgeWalkRecording<A, table.axis, table.form>;
+    using Recording = EdgeWalkRecording<A, form>;
 
     template <class A, class Observer>
     static void scan(const Triangle &triangle, const ScanSettings &settings, FrameView frame,
                      Observer observer)
     {
-        walkEdges<A, table.axis>(triangle, settings, frame, table.form, observer);
+        walkEdges<A, form.axis>(triangle, settings, frame, observer);
     }
 };
 
@@ -27,13 +23,8 @@ struct EdgeWalkKernel : TriangleKernel, InAnyArithmetic {
 template <class Kernel>
 Method edgeWalkMethod()
 {
-    Method method;
+    Method method = methodOf<Kernel>();
     method.effects = {QStringLiteral("smooth colour"), QStringLiteral("clipping to the frame")};
-    method.setUpColumns = edgeWalkSetUpColumns(Kernel::table);
-    method.spanColumns = edgeWalkSpanColumns(Kernel::table);
-    method.sampleColumns = edgeWalkSampleColumns();
-    method.draw = drawWith<Kernel>;
-    method.trace = traceWith<Kernel>;
     return method;
 }
 

@@ -1,15 +1,54 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/methods/curvewords.h"
 #include "core/scan/flatpixel.h"
 #include "core/trace/tracerecorder.h"
 
 namespace pixelplumb {
 
-/// How the pixels of one colour become records, and what recordings of lattice numbers share.
+/// How the pixels of one colour become records. The rows of these methods read the kernels' own
+/// numbers, unless a recording has another stateOf().
 struct FlatRecording {
+    template <class SetUp>
+    static const SetUp &stateOf(const SetUpInHand<SetUp> &step)
+    {
+        return step.setUp;
+    }
+    template <class SetUp, class Span>
+    static const Span &stateOf(const SpanInHand<SetUp, Span> &step)
+    {
+        return step.span;
+    }
+    template <class SetUp, class Span>
+    static const FlatSample &stateOf(const SampleInHand<SetUp, Span, FlatSample> &step)
+    {
+        return step.sample;
+    }
+
+    /// All numbers of a step stand in its span.
+    static const NumberTable<FlatSample> &sampleNumbers()
+    {
+        static const NumberTable<FlatSample> none;
+        return none;
+    }
+
+    template <class State>
+    static auto tell(StepWords &words, const State &state) -> decltype(tellCurve(words, state))
+    {
+        tellCurve(words, state);
+    }
+
     static bool isClamped(const FlatSample &) { return false; }
 
+    template <class SetUp>
+    static void record(const SetUp &, SetUpRecord &)
+    {
+    }
+    template <class Span>
+    static void record(const Span &, SpanRecord &)
+    {
+    }
     static void record(const FlatSample &sample, SampleRecord &record)
     {
         for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -19,7 +58,6 @@ struct FlatRecording {
     }
 
 protected:
-    static Quantity px(Lattice units) { return Quantity::rational(units, unitsPerPixel); }
     static SpanPlace freeStep(std::int64_t number, int part = 0)
     {
         return {SpanAxis::Free, number, part};

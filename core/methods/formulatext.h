@@ -6,7 +6,8 @@
 
 namespace pixelplumb {
 
-/// A number inside a formula: exact text while it is short, else decimals.
+/// A number inside a formula or a sentence: exact text while it is short, else decimals and "…";
+/// with a minus sign, not a hyphen.
 QString term(const Quantity &quantity);
 
 /// A term that may be negative or a mixed number, as a factor or after an operator.

@@ -5,8 +5,8 @@
 
 namespace pixelplumb {
 
-/// Colour, depth, texture coordinates and normals over a triangle, in the three forms of seed 003,
-/// "Interpolation During Scan Conversion". The picture shows the colour.
+/// Colour, depth, texture coordinates and normals over a triangle, in the three forms of the
+/// Scan Conversion slides, "Interpolation During Scan Conversion". The picture shows the colour.
 Method bilinearInterpolationMethod();
 Method planeInterpolationMethod();
 Method barycentricInterpolationMethod();

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/number/quantity.h"
-#include "core/scan/interpolationscan.h"
+#include "core/methods/interpolationnumbers.h"
+#include "core/methods/interpolationwords.h"
 #include "core/trace/tracerecorder.h"
 
 namespace pixelplumb {
@@ -13,6 +13,41 @@ struct InterpolationRecording : InterpolationNumbers<Number> {
     using typename InterpolationNumbers<Number>::SetUp;
     using typename InterpolationNumbers<Number>::Span;
     using typename InterpolationNumbers<Number>::Sample;
+
+    static const NumberTable<InterpolationSetUpState> &setUpNumbers()
+    {
+        static const auto table = interpolationSetUpNumbers(Form);
+        return table;
+    }
+    static const NumberTable<InterpolationSpanState> &spanNumbers()
+    {
+        static const auto table = interpolationSpanNumbers(Form);
+        return table;
+    }
+    static const NumberTable<InterpolationSampleState> &sampleNumbers()
+    {
+        static const auto table = interpolationSampleNumbers(Form);
+        return table;
+    }
+
+    static InterpolationSetUpState stateOf(const SetUpInHand<SetUp> &step)
+    {
+        return interpolationStateOf<Form>(step.setUp);
+    }
+    static InterpolationSpanState stateOf(const SpanInHand<SetUp, Span> &step)
+    {
+        return interpolationStateOf<Number>(step);
+    }
+    static InterpolationSampleState stateOf(const SampleInHand<SetUp, Span, Sample> &step)
+    {
+        return interpolationStateOf<Number>(step);
+    }
+    template <class State>
+    static auto tell(StepWords &words, const State &state)
+        -> decltype(tellInterpolation(words, state, Form))
+    {
+        tellInterpolation(words, state, Form);
+    }
 
     static SpanPlace placeOf(const Span &column)
     {
@@ -25,19 +60,6 @@ struct InterpolationRecording : InterpolationNumbers<Number> {
         record.order = setUp.order;
         record.longEdge = setUp.longEdge;
         record.zeroArea = setUp.zeroArea;
-        // Without an area there is no plane and there are no weights.
-        if constexpr (Form == InterpolationForm::Plane) {
-            for (const auto &coefficients : setUp.plane)
-                append(record.cells, coefficients, setUp.zeroArea);
-        } else if constexpr (Form == InterpolationForm::Barycentric) {
-            for (const auto &coefficients : setUp.weight)
-                append(record.cells, coefficients, setUp.zeroArea);
-            for (std::size_t channel = 0; channel < channelCount; ++channel) {
-                for (const ChannelVertex &vertex : setUp.vertices)
-                    record.cells.push_back(
-                        Quantity::rational(vertex.channels[channel], unitsPerPixel));
-            }
-        }
     }
     static void record(const Span &column, SpanRecord &record)
     {
@@ -47,26 +69,11 @@ struct InterpolationRecording : InterpolationNumbers<Number> {
         record.endSample = column.endRow;
         record.firstDrawn = column.firstDrawn;
         record.endDrawn = column.endDrawn;
-        record.cells = {Quantity::integer(Int128(record.primitive)),
-                        Quantity::integer(column.x),
-                        Quantity::integer(column.half == ColumnHalf::First ? 1 : 2),
-                        Quantity::integer(column.firstRow),
-                        Quantity::integer(column.endRow - 1),
-                        Quantity::integer(record.drawnSamples())};
-        if constexpr (Form == InterpolationForm::Bilinear) {
-            record.cells.push_back(quantityOf(column.yBottom));
-            record.cells.push_back(quantityOf(column.yTop));
-            for (const auto *numbers : {&column.bottom, &column.top, &column.rate})
-                append(record.cells, *numbers, false);
-        }
     }
     static void record(const Sample &sample, SampleRecord &record)
     {
-        if constexpr (Form == InterpolationForm::Barycentric)
-            append(record.cells, sample.weight, false);
-        append(record.cells, sample.value, false);
         for (std::size_t i = 0; i < 3; ++i)
-            record.colour[i] = quantityOf(sample.value[i]);
+            record.colour[i] = Quantity::of(sample.value[i]);
         record.level = sample.level;
     }
 
@@ -83,25 +90,6 @@ struct InterpolationRecording : InterpolationNumbers<Number> {
             pixels.data(),       1, std::int32_t(column.x), std::int32_t(column.firstDrawn), 1,
             std::int32_t(height)};
         fillInterpolated<Form>(setUp, column, settings.rounding, frame, observer);
-    }
-
-private:
-    static Quantity quantityOf(const Ratio &ratio)
-    {
-        return Quantity::rational(ratio.numerator, ratio.denominator);
-    }
-    template <std::floating_point Float>
-    static Quantity quantityOf(Float value)
-    {
-        return Quantity::of(value);
-    }
-
-    template <std::size_t Count>
-    static void append(std::vector<Quantity> &cells, const std::array<Number, Count> &numbers,
-                       bool areNone)
-    {
-        for (const Number &number : numbers)
-            cells.push_back(areNone ? Quantity() : quantityOf(number));
     }
 };
 

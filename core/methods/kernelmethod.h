@@ -3,20 +3,21 @@
 
 #include "core/frame/frameview.h"
 #include "core/geometry/shape.h"
-#include "core/methods/kernelnumbers.h"
+#include "core/methods/method.h"
+#include "core/scan/kernelnumbers.h"
 #include "core/scan/scanobserver.h"
 #include "core/trace/tracerecorder.h"
 
 #include <memory>
 
-/// How a kernel becomes a method: drawWith<Kernel> and traceWith<Kernel> are its Method::draw and
-/// Method::trace. A kernel says, in static members,
+/// How a kernel becomes a method: methodOf<Kernel>() draws, traces and describes its numbers by it.
+/// A kernel says, in static members,
 ///   draws(primitives, index)       whether a primitive is of its kind;
 ///   geometryOf(primitives, index)  what is scanned of it;
-///   widthFor(geometry)             which integers hold the exact products of that;
+///   widthFor(geometry, frame)      which integers hold the exact products of that;
 ///   withNumbers(settings, width, function)
 ///                                  calls function.operator()<A>(), A being what it computes in;
-///   Recording<A>                   how these numbers become records;
+///   Recording<A>                   how these numbers become records (trace/recording.h);
 ///   scan<A>(geometry, settings, frame, observer).
 /// The first two are mostly a TriangleKernel's or a ShapeKernel's, the next two one of
 /// kernelnumbers.h.
@@ -49,7 +50,7 @@ struct ShapeKernel {
 template <class Kernel, class Geometry>
 void drawGeometry(const Geometry &geometry, const ScanSettings &settings, FrameView frame)
 {
-    Kernel::withNumbers(settings, Kernel::widthFor(geometry), [&]<class A>() {
+    Kernel::withNumbers(settings, Kernel::widthFor(geometry, frame), [&]<class A>() {
         Kernel::template scan<A>(geometry, settings, frame, NullObserver{});
     });
 }
@@ -66,11 +67,12 @@ void drawWith(const Primitives &primitives, const ScanSettings &settings, FrameV
 /// One trace has one number type: 128 bits as soon as one primitive needs them. The numbers are the
 /// same.
 template <class Kernel>
-IntegerWidth widestFor(const Primitives &primitives)
+IntegerWidth widestFor(const Primitives &primitives, const FrameView &frame)
 {
     for (std::size_t index = 0; index < primitives.size(); ++index) {
         if (Kernel::draws(primitives, index)
-            && Kernel::widthFor(Kernel::geometryOf(primitives, index)) == IntegerWidth::Bits128)
+            && Kernel::widthFor(Kernel::geometryOf(primitives, index), frame)
+                == IntegerWidth::Bits128)
             return IntegerWidth::Bits128;
     }
     return IntegerWidth::Bits64;
@@ -80,7 +82,7 @@ template <class Kernel>
 std::unique_ptr<ScanTrace> traceWith(const Primitives &primitives, const ScanSettings &settings,
                                      FrameView frame, const TraceOptions &options)
 {
-    return Kernel::withNumbers(settings, widestFor<Kernel>(primitives), [&]<class A>() {
+    return Kernel::withNumbers(settings, widestFor<Kernel>(primitives, frame), [&]<class A>() {
         return recordTrace<typename Kernel::template Recording<A>>(
             primitives.size(), settings, options,
             [&](std::size_t index) { return Kernel::draws(primitives, index); },
@@ -89,6 +91,24 @@ std::unique_ptr<ScanTrace> traceWith(const Primitives &primitives, const ScanSet
                                          recorder);
             });
     });
+}
+
+/// A method that draws, traces and describes its numbers by the kernel; its names and its choices
+/// are left to be filled in.
+template <class Kernel>
+Method methodOf()
+{
+    Method method;
+    method.draw = drawWith<Kernel>;
+    method.trace = traceWith<Kernel>;
+    // The descriptions are the same in every arithmetic.
+    Kernel::withNumbers(ScanSettings{}, IntegerWidth::Bits64, [&]<class A>() {
+        using Recording = typename Kernel::template Recording<A>;
+        method.setUpNumbers = descriptionsOf(Recording::setUpNumbers());
+        method.spanNumbers = descriptionsOf(Recording::spanNumbers());
+        method.sampleNumbers = descriptionsOf(Recording::sampleNumbers());
+    });
+    return method;
 }
 
 } // namespace pixelplumb

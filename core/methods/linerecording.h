@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/scan/linedda.h"
-#include "core/scan/lineslopeintercept.h"
-#include "core/scan/linesymmetric.h"
+#include "core/methods/linenumbers.h"
+#include "core/methods/linewords.h"
 #include "core/trace/tracerecorder.h"
 
 namespace pixelplumb {
@@ -31,8 +30,7 @@ struct LineStepRecording : Numbers {
 
     static void record(const Sample &fragment, SampleRecord &record)
     {
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            record.colour[channel] = Quantity::of(fragment.colour[channel]);
+        record.colour = quantitiesOf(fragment.colour);
         record.level = fragment.level;
     }
 
@@ -49,8 +47,8 @@ struct LineStepRecording : Numbers {
         plot<A>(place, step.colour, settings.rounding, frame, observer);
     }
 
-protected:
-    static void recordPlace(const Span &step, SpanRecord &record)
+    static void record(const SetUp &, SetUpRecord &) { }
+    static void record(const Span &step, SpanRecord &record)
     {
         const LinePlace &place = placeIn(step);
         record.firstSample = place.across;
@@ -58,114 +56,49 @@ protected:
         record.firstDrawn = place.across;
         record.endDrawn = place.across + (place.isInFrame ? 1 : 0);
     }
-    template <class Cells, class Number>
-    static void append(Cells &cells, const std::array<Number, 3> &numbers)
-    {
-        for (const Number &number : numbers)
-            cells.push_back(Quantity::of(number));
-    }
-    static Quantity quantity(const ExactRatio &ratio)
-    {
-        return Quantity::rational(ratio.numerator, ratio.denominator);
-    }
-    template <class Number>
-    static Quantity quantity(const Number &number)
-    {
-        return Quantity::of(number);
-    }
-    static Quantity px(Lattice units) { return Quantity::rational(units, unitsPerPixel); }
-};
 
-template <class A>
-struct DdaRecording : LineStepRecording<A, DdaNumbers<A>> {
-    using Base = LineStepRecording<A, DdaNumbers<A>>;
-    using Base::record;
-
-    static void record(const DdaSetUp<A> &setUp, SetUpRecord &record)
+    /// All numbers of a step stand in its span.
+    static const NumberTable<Sample> &sampleNumbers()
     {
-        record.cells
-            = {Base::px(setUp.start.x), Base::px(setUp.start.y), Quantity::of(setUp.slope)};
-        Base::append(record.cells, setUp.colourRate);
+        static const NumberTable<Sample> none;
+        return none;
     }
-    static void record(const DdaStep<A> &step, SpanRecord &record)
+    static auto stateOf(const SetUpInHand<SetUp> &step) { return lineStateOf(step.setUp); }
+    static auto stateOf(const SpanInHand<SetUp, Span> &step)
     {
-        Base::recordPlace(step, record);
-        record.cells = {Quantity::integer(step.place.x()), Quantity::integer(step.place.y()),
-                        Quantity::integer(step.place.along), Quantity::of(step.ordinate),
-                        Quantity::integer(step.place.across)};
-        Base::append(record.cells, step.colour);
+        return lineStateOf(step.setUp, step.span);
+    }
+    static const Sample &stateOf(const SampleInHand<SetUp, Span, Sample> &step)
+    {
+        return step.sample;
+    }
+    template <class State>
+    static auto tell(StepWords &words, const State &state) -> decltype(tellLine(words, state))
+    {
+        tellLine(words, state);
     }
 };
 
 template <class A>
 struct SlopeInterceptRecording : LineStepRecording<A, SlopeInterceptNumbers<A>> {
-    using Base = LineStepRecording<A, SlopeInterceptNumbers<A>>;
-    using Base::record;
+    static const auto &setUpNumbers() { return slopeInterceptSetUpNumbers(); }
+    static const auto &spanNumbers() { return slopeInterceptNumbers(); }
+};
 
-    static void record(const SlopeInterceptSetUp<A> &setUp, SetUpRecord &record)
-    {
-        record.cells = {Base::px(setUp.startX), Base::quantity(setUp.slope),
-                        Base::quantity(setUp.intercept)};
-    }
-    static void record(const SlopeInterceptStep<A> &step, SpanRecord &record)
-    {
-        Base::recordPlace(step, record);
-        record.cells = {Quantity::integer(step.place.along), Base::quantity(step.ordinate),
-                        Quantity::integer(step.place.across)};
-        Base::append(record.cells, step.colour);
-    }
+template <class A>
+struct DdaRecording : LineStepRecording<A, DdaNumbers<A>> {
+    static const auto &setUpNumbers() { return ddaSetUpNumbers(); }
+    static const auto &spanNumbers() { return ddaNumbers(); }
 };
 
 struct BresenhamRecording : LineStepRecording<BresenhamArithmetic, BresenhamNumbers> {
-    using LineStepRecording::record;
-
-    static void record(const BresenhamSetUp &setUp, SetUpRecord &record)
-    {
-        record.cells
-            = {Quantity::integer(setUp.deltaX), Quantity::integer(setUp.deltaY),
-               Quantity::integer(setUp.stayIncrement()), Quantity::integer(setUp.moveIncrement()),
-               Quantity::integer(setUp.firstDecision())};
-    }
-    static void record(const BresenhamSpan &span, SpanRecord &record)
-    {
-        recordPlace(span, record);
-        const BresenhamStep &step = span.step;
-        const auto unlessStart = [&](std::int64_t number) {
-            return step.isStart() ? Quantity() : Quantity::integer(number);
-        };
-        record.cells = {unlessStart(step.k),
-                        unlessStart(step.decision),
-                        Quantity::integer(step.place.x()),
-                        Quantity::integer(step.place.y()),
-                        unlessStart(step.increment),
-                        Quantity::integer(step.nextDecision)};
-    }
+    static const auto &setUpNumbers() { return bresenhamSetUpNumbers(); }
+    static const auto &spanNumbers() { return decisionNumbers(); }
 };
 
 struct SymmetricRecording : LineStepRecording<ExactArithmetic<Int128>, SymmetricNumbers> {
-    using LineStepRecording::record;
-
-    static void record(const SymmetricSetUp &setUp, SetUpRecord &record)
-    {
-        record.cells = {px(setUp.deltaX), px(setUp.deltaY), decision(setUp.stayIncrement()),
-                        decision(setUp.moveIncrement())};
-    }
-    static void record(const SymmetricStep &step, SpanRecord &record)
-    {
-        recordPlace(step, record);
-        const auto unlessFirst
-            = [&](const Quantity &number) { return step.isFirst ? Quantity() : number; };
-        record.cells
-            = {unlessFirst(Quantity::integer(step.k)), unlessFirst(decision(step.decision)),
-               Quantity::integer(step.place.x()),      Quantity::integer(step.place.y()),
-               unlessFirst(decision(step.increment)),  decision(step.nextDecision)};
-    }
-
-private:
-    static Quantity decision(Int128 number)
-    {
-        return Quantity::rational(number, SymmetricSetUp::decisionUnit());
-    }
+    static const auto &setUpNumbers() { return symmetricSetUpNumbers(); }
+    static const auto &spanNumbers() { return decisionNumbers(); }
 };
 
 } // namespace pixelplumb

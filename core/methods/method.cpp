@@ -22,6 +22,12 @@ QString quoted(std::string_view name) { return u'“' + nameText(name) + u'”';
 
 } // namespace
 
+QString spanRuleReason(SpanAxis axis)
+{
+    return QStringLiteral("a %1 ends at its two bounds whatever edge they belong to")
+        .arg(axis == SpanAxis::Row ? QStringLiteral("row") : QStringLiteral("column"));
+}
+
 bool Method::supports(Arithmetic arithmetic) const
 {
     return std::ranges::find(arithmetics, arithmetic) != arithmetics.end();
@@ -48,17 +54,23 @@ bool Method::isStableIn(Arithmetic arithmetic) const
     return std::ranges::find(stableArithmetics, arithmetic) != stableArithmetics.end();
 }
 
-QString Method::refusal(const ScanSettings &settings) const
+QString Method::objection(const ScanSettings &settings) const
 {
     if (!supports(settings.arithmetic))
-        return QStringLiteral("method “%1” does not compute in %2; it knows %3")
-            .arg(id, quoted(nameOf(settings.arithmetic)),
+        return QStringLiteral("does not compute in %1; it knows %2")
+            .arg(quoted(nameOf(settings.arithmetic)),
                  namesOf(arithmetics).join(QStringLiteral(", ")));
     if (!supports(settings.fillRule))
-        return QStringLiteral("method “%1” cannot keep the fill rule %2: %3; it keeps %4")
-            .arg(id, quoted(nameOf(settings.fillRule)), fillRuleReason,
+        return QStringLiteral("cannot keep the fill rule %1: %2; it keeps %3")
+            .arg(quoted(nameOf(settings.fillRule)), fillRuleReason,
                  namesOf(fillRules).join(QStringLiteral(", ")));
     return {};
+}
+
+QString Method::refusal(const ScanSettings &settings) const
+{
+    const QString why = objection(settings);
+    return why.isEmpty() ? why : QStringLiteral("method “%1” %2").arg(id, why);
 }
 
 ScanSettings Method::adapted(const ScanSettings &settings) const

@@ -3,8 +3,7 @@
 
 #include "core/frame/frameview.h"
 #include "core/geometry/shape.h"
-#include "core/methods/explanation.h"
-#include "core/methods/tracecolumn.h"
+#include "core/trace/numberdescription.h"
 #include "core/trace/tracerecorder.h"
 
 #include <QStringList>
@@ -13,8 +12,6 @@
 #include <span>
 
 namespace pixelplumb {
-
-struct TracedScene;
 
 /// The families under which menus and listings gather the methods.
 enum class MethodFamily { Triangles, StableForms, Interpolation, Lines, Curves, Polygons, Others };
@@ -25,7 +22,7 @@ struct Method {
     QString id; ///< "column-scan"
     QString title; ///< "Column scan"
     MethodFamily family = MethodFamily::Triangles;
-    QString source; ///< seed and slide
+    QString source; ///< course text and slide, by the names of resources/sources.md
     QString summary; ///< one sentence
     QStringList effects; ///< what it meets: "smooth colour"
     std::vector<PrimitiveKind> kinds = {PrimitiveKind::Triangle}; ///< what it draws
@@ -35,11 +32,12 @@ struct Method {
     /// Those of its arithmetics in which every picture is the truth, by proof.
     std::vector<Arithmetic> stableArithmetics = {};
     std::vector<FillRule> fillRules;
-    /// Why it keeps no other fill rules; empty when it keeps all four.
+    /// Why it keeps no other fill rules; empty when it keeps all.
     QString fillRuleReason = {};
-    std::vector<TraceColumn> setUpColumns = {}; ///< what SetUpRecord::cells are
-    std::vector<TraceColumn> spanColumns = {}; ///< what SpanRecord::cells are: the table's columns
-    std::vector<TraceColumn> sampleColumns = {}; ///< what SampleRecord::cells are
+    std::vector<NumberDescription> setUpNumbers = {}; ///< what SetUpRecord::cells are
+    std::vector<NumberDescription> spanNumbers
+        = {}; ///< what SpanRecord::cells are: the table's columns
+    std::vector<NumberDescription> sampleNumbers = {}; ///< what SampleRecord::cells are
 
     /// Draws the primitives of its kinds (sample coordinates) in order.
     void (*draw)(const Primitives &primitives, const ScanSettings &settings, FrameView frame);
@@ -50,12 +48,6 @@ struct Method {
     /// Draws and records. Null when options.progress cancelled it.
     std::unique_ptr<ScanTrace> (*trace)(const Primitives &primitives, const ScanSettings &settings,
                                         FrameView frame, const TraceOptions &options);
-    /// The exact numbers for which a span's cells stand, in the same order, none where there is
-    /// nothing to compare. Null: those of the method's own run in exact arithmetic.
-    std::vector<Quantity> (*exactSpan)(const TracedScene &traced, std::size_t span) = nullptr;
-    /// The formulas of the step with this index. Null: as the columns describe them.
-    Explanation (*explain)(const TracedScene &traced, std::size_t stepIndex) = nullptr;
-
     /// The picture, by drawFast where there is one.
     void drawFastest(const Primitives &primitives, const ScanSettings &settings,
                      FrameView frame) const
@@ -68,11 +60,18 @@ struct Method {
     bool draws(const Shape &shape) const;
     /// True where every picture under the arithmetic is the truth, by proof.
     bool isStableIn(Arithmetic arithmetic) const;
-    /// Why the method cannot draw under these settings; empty when it can.
+    /// Why the method cannot draw under these settings, to be read after its name: "does not
+    /// compute in …"; empty when it can.
+    QString objection(const ScanSettings &settings) const;
+    /// The same after its id; empty when it can.
     QString refusal(const ScanSettings &settings) const;
     /// The settings with what the method refuses replaced by its first choice.
     ScanSettings adapted(const ScanSettings &settings) const;
 };
+
+/// Why a method that draws columns or rows from bound to bound keeps no rule that asks on which
+/// edge a sample lies.
+QString spanRuleReason(SpanAxis axis);
 
 /// Every method, in the order of the method box and of the keys 1…9.
 std::span<const Method> methods();

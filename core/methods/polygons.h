@@ -13,7 +13,8 @@ Method polygonFanMethod();
 /// triangulation.
 Method polygonDelaunayMethod();
 
-/// What the methods of polygons have in common: one rule for samples on the boundary, and why.
-Method polygonMethod();
+/// Adds to a kernel's method what the methods of polygons have in common: one rule for samples on
+/// the boundary, and why.
+Method polygonMethod(Method method);
 
 } // namespace pixelplumb

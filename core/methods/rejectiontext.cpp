@@ -3,9 +3,30 @@
 
 namespace pixelplumb {
 
-QString rejectionText(PrimitiveRejection rejection)
+namespace {
+
+/// " at vertex 4"
+QString placeText(const std::vector<std::size_t> &vertices)
 {
-    switch (rejection) {
+    return vertices.empty() ? QString() : QStringLiteral(" at vertex %1").arg(vertices.front());
+}
+
+/// "Its edges 2–3 and 5–6 cross"
+QString crossingText(const std::vector<std::size_t> &vertices)
+{
+    return vertices.size() != 4 ? QStringLiteral("Edges of it cross")
+                                : QStringLiteral("Its edges %1–%2 and %3–%4 cross")
+                                      .arg(vertices[0])
+                                      .arg(vertices[1])
+                                      .arg(vertices[2])
+                                      .arg(vertices[3]);
+}
+
+} // namespace
+
+QString rejectionText(const Rejection &rejection)
+{
+    switch (rejection.reason) {
     case PrimitiveRejection::ZeroArea:
         return QStringLiteral("It has no area: its vertices lie on one line, and only the closed "
                               "rule paints a segment. Nothing is drawn.");
@@ -18,12 +39,17 @@ QString rejectionText(PrimitiveRejection rejection)
     case PrimitiveRejection::NotOfThisMethod:
         return QStringLiteral("This method does not draw primitives of its kind.");
     case PrimitiveRejection::NotConvex:
-        return QStringLiteral("It is not convex: only a single contour that turns one way and goes "
-                              "round once is tiled by a fan of triangles. Nothing is drawn.");
+        return QStringLiteral("It is not convex%1: only a single contour that turns one way and "
+                              "goes round once is tiled by a fan of triangles. Nothing is drawn.")
+            .arg(placeText(rejection.vertices));
     case PrimitiveRejection::SelfCrossing:
-        return QStringLiteral("Edges of it cross between their vertices: no corner of a triangle "
-                              "can stand there, because crossings are no lattice points. Nothing "
-                              "is drawn.");
+        return crossingText(rejection.vertices)
+            + QStringLiteral(" between their vertices: no corner of a triangle can stand there, "
+                             "because crossings are no lattice points. Nothing is drawn.");
+    case PrimitiveRejection::NoOutline:
+        return QStringLiteral(
+            "The text has no outline: it is empty, or nothing but blanks. Nothing "
+            "is drawn.");
     case PrimitiveRejection::FontMissing:
         return QStringLiteral("The font DejaVu Sans, from which the outlines come, is not "
                               "installed (Debian: fonts-dejavu-core), or the program has no font "

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/scan/scanobserver.h"
+#include "core/geometry/primitiverejection.h"
 
 #include <QString>
 
 namespace pixelplumb {
 
-/// Why a primitive draws nothing, in a sentence or two.
-QString rejectionText(PrimitiveRejection rejection);
+/// Why a primitive draws nothing, and where that is seen, in a sentence or two.
+QString rejectionText(const Rejection &rejection);
 
 } // namespace pixelplumb

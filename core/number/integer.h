@@ -6,7 +6,8 @@
 namespace pixelplumb {
 
 /// 128-bit two's complement integer: wide enough for every exact product of lattice coordinates
-/// (|coordinate| <= 2^38 units, doubled area <= 2^78, colour numerators < 2^88; numerics.md, 3).
+/// (|coordinate| <= 2^38 units, doubled area <= 2^78, colour numerators < 2^88;
+/// resources/numerics.md, 3.1 and 3.3).
 __extension__ typedef __int128 Int128;
 __extension__ typedef unsigned __int128 UInt128;
 

@@ -1,16 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/number/integer.h"
+#include "core/number/numbersbeside.h"
 
 namespace pixelplumb {
 
 /// An exact rational as a student writes it: whole + remainder / denominator, 17 3/8.
 /// Invariant: 0 <= remainder < denominator. Adding a rate of the same denominator needs no
-/// division: add the wholes, add the remainders, carry at most once (numerics.md, 3.1, proof).
+/// division: add the wholes, add the remainders, carry at most once (resources/numerics.md, 3.1,
+/// proof).
 template <class Integer>
 struct MixedNumber {
-    std::int64_t whole = 0;
+    using Whole = NarrowBeside<Integer>;
+
+    Whole whole = 0;
     Integer remainder = 0;
     Integer denominator = 1;
 
@@ -18,7 +21,7 @@ struct MixedNumber {
     static constexpr MixedNumber fromFraction(Integer numerator, Integer denominator)
     {
         const Integer whole = floorDivide(numerator, denominator);
-        return {std::int64_t(whole), numerator - whole * denominator, denominator};
+        return {Whole(whole), numerator - whole * denominator, denominator};
     }
 
     static constexpr MixedNumber fromWhole(std::int64_t whole) { return {whole, 0, 1}; }
@@ -34,8 +37,8 @@ struct MixedNumber {
         }
     }
 
-    constexpr std::int64_t floor() const { return whole; }
-    constexpr std::int64_t ceil() const { return whole + std::int64_t(remainder != 0); }
+    constexpr std::int64_t floor() const { return std::int64_t(whole); }
+    constexpr std::int64_t ceil() const { return std::int64_t(whole + Whole(remainder != 0)); }
 
     friend constexpr bool operator==(const MixedNumber &, const MixedNumber &) = default;
 };

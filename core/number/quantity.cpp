@@ -1,14 +1,56 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/number/quantity.h"
 
+#include "core/number/wideinteger.h"
+
 #include <algorithm>
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
+#include <limits>
 
 namespace pixelplumb {
 
-using LongDouble = long double;
+namespace {
+
+/// In whatever terms.
+struct WideFraction {
+    BigInteger numerator;
+    BigInteger denominator; ///< > 0
+};
+
+/// Of what is finite.
+WideFraction exactlyOf(const Quantity &quantity)
+{
+    if (quantity.isRational())
+        return {quantity.numerator(), quantity.denominator()};
+    constexpr int bits = std::numeric_limits<double>::digits;
+    int exponent = 0;
+    const double mantissa = std::ldexp(std::frexp(quantity.toDouble(), &exponent), bits);
+    exponent -= bits;
+    return {BigInteger(std::int64_t(mantissa)) << std::max(exponent, 0),
+            BigInteger(1) << std::max(-exponent, 0)};
+}
+
+/// Rounded once.
+double nearestDouble(const WideFraction &fraction)
+{
+    if (fraction.numerator == 0)
+        return 0;
+    // Two bits more than a double has, or three, and a last one that stands for all that follow.
+    const BigInteger size = abs(fraction.numerator);
+    const int shift
+        = std::numeric_limits<double>::digits + 2 + int(msb(fraction.denominator)) - int(msb(size));
+    BigInteger quotient, remainder;
+    divide_qr(BigInteger(size << std::max(shift, 0)),
+              BigInteger(fraction.denominator << std::max(-shift, 0)), quotient, remainder);
+    const auto bits = quotient.convert_to<std::uint64_t>() | std::uint64_t(remainder != 0);
+    const double nearest = std::ldexp(double(bits), -shift);
+    return fraction.numerator < 0 ? -nearest : nearest;
+}
+
+} // namespace
 
 Quantity Quantity::rational(Int128 numerator, Int128 denominator)
 {
@@ -46,9 +88,10 @@ double Quantity::toDouble() const
 {
     if (!isRational())
         return m_binary;
-    const Int128 whole = floorDivide(m_numerator, m_denominator);
-    const Int128 remainder = m_numerator - whole * m_denominator;
-    return double(LongDouble(whole) + LongDouble(remainder) / LongDouble(m_denominator));
+    constexpr Int128 exactIntegers = Int128(1) << std::numeric_limits<double>::digits;
+    if (absolute(m_numerator) <= exactIntegers && m_denominator <= exactIntegers)
+        return double(m_numerator) / double(m_denominator);
+    return nearestDouble(exactlyOf(*this));
 }
 
 bool Quantity::isInteger() const
@@ -60,20 +103,14 @@ bool Quantity::isInteger() const
 
 double errorOf(const Quantity &used, const Quantity &exact)
 {
-    // Subtract the exact part's whole first: what is left is small, and long double holds it.
-    const auto split = [](const Quantity &quantity) {
-        const Int128 whole = floorDivide(quantity.numerator(), quantity.denominator());
-        const Int128 remainder = quantity.numerator() - whole * quantity.denominator();
-        return std::pair(whole, LongDouble(remainder) / LongDouble(quantity.denominator()));
-    };
     if (used == exact)
         return 0;
-    const auto [exactWhole, exactPart] = split(exact);
-    if (used.isRational()) {
-        const auto [usedWhole, usedPart] = split(used);
-        return double(LongDouble(usedWhole - exactWhole) + (usedPart - exactPart));
-    }
-    return double((LongDouble(used.m_binary) - LongDouble(exactWhole)) - exactPart);
+    if (!used.isFinite())
+        return used.toDouble();
+    const WideFraction a = exactlyOf(used);
+    const WideFraction b = exactlyOf(exact);
+    return nearestDouble(
+        {a.numerator * b.denominator - b.numerator * a.denominator, a.denominator * b.denominator});
 }
 
 QString toText(Int128 value)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/number/commonfraction.h"
 #include "core/number/fixedpoint.h"
 #include "core/number/mixednumber.h"
 
@@ -22,6 +23,10 @@ public:
     static Quantity rational(Int128 numerator, Int128 denominator);
     static Quantity of(float value);
     static Quantity of(double value);
+    static Quantity of(const CommonFraction &fraction)
+    {
+        return rational(fraction.numerator, fraction.denominator);
+    }
     template <class Integer>
     static Quantity of(const MixedNumber<Integer> &number)
     {
@@ -41,13 +46,11 @@ public:
     Int128 numerator() const { return m_numerator; } ///< of a rational
     Int128 denominator() const { return m_denominator; } ///< of a rational, > 0
 
-    /// Nearest double; for drawing and for plots, never for a decision.
+    /// The nearest double; for drawing, for plots and for files, never for a decision.
     double toDouble() const;
     /// An integer in the exact sense: 17, but not 17.0000001.
     bool isInteger() const;
 
-    /// used − exact, for an exact rational: correctly signed, relative error below 1e-15 of it.
-    friend double errorOf(const Quantity &used, const Quantity &exact);
     friend bool operator==(const Quantity &, const Quantity &) = default;
 
 private:
@@ -57,6 +60,7 @@ private:
     double m_binary = 0;
 };
 
+/// used − exact, the double nearest to it: 0 where they are equal, and nowhere else.
 double errorOf(const Quantity &used, const Quantity &exact);
 
 /// The one spelling of a quantity in tables, files and on the command line: rationals as "17 3/8",

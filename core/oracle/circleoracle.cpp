@@ -1,32 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/oracle/circleoracle.h"
 
-#include "core/number/wideproduct.h"
+#include "core/number/wideinteger.h"
 #include "core/oracle/truepixel.h"
 
 #include <algorithm>
+#include <array>
 
 namespace pixelplumb::oracle {
 
 namespace {
 
-constexpr Lattice halfPixel = unitsPerPixel / 2;
+/// Whether a product of two numbers is at most that of two others.
+template <class Wide>
+bool isAtMost(const std::array<Int128, 2> &product, const std::array<Int128, 2> &other)
+{
+    return Wide(product[0]) * Wide(product[1]) <= Wide(other[0]) * Wide(other[1]);
+}
 
 /// The arcs along one axis: `a` is the radius along it, `b` the one across.
 struct Arcs {
     Lattice a = 0;
     Lattice b = 0;
 
-    /// Whether height <= h, h = b·√(1 − along²/a²) >= 0: squares of products, because a²·b² has up
-    /// to 152 bits.
+    /// Whether height <= h, h = b·√(1 − along²/a²) >= 0.
     bool reaches(Lattice along, Lattice height) const
     {
         if (height <= 0)
             return true;
         if (a == 0)
             return height <= b;
-        return wideSquare(Int128(a) * height)
-            <= wideProduct(UInt128(Int128(b) * (a - along)), UInt128(Int128(b) * (a + along)));
+        return isProductAtMost({Int128(a) * height, Int128(a) * height},
+                               {Int128(b) * (a - along), Int128(b) * (a + along)});
     }
     /// Whether the arcs with |slope| <= 1, which end at a²/√(a² + b²), come nearest to this column.
     bool haveColumn(Lattice along) const
@@ -35,8 +40,8 @@ struct Arcs {
             return false;
         const Int128 beyond = along - halfPixel;
         return beyond <= 0
-            || wideProduct(UInt128(beyond * beyond), UInt128(Int128(a) * a + Int128(b) * b))
-            <= wideSquare(Int128(a) * a);
+            || isProductAtMost({beyond * beyond, Int128(a) * a + Int128(b) * b},
+                               {Int128(a) * a, Int128(a) * a});
     }
     /// Whether the pixel is the one nearest to the upper or to the lower arc on its column.
     bool hold(Lattice along, Lattice across) const
@@ -45,6 +50,17 @@ struct Arcs {
             return reaches(along, height - halfPixel) && !reaches(along, height + halfPixel);
         };
         return haveColumn(along) && (isNearest(across) || isNearest(-across));
+    }
+
+private:
+    /// The products have up to 156 bits; as long as their factors have 62, 128 hold them.
+    static bool isProductAtMost(const std::array<Int128, 2> &product,
+                                const std::array<Int128, 2> &other)
+    {
+        constexpr Int128 narrow = Int128(1) << 62;
+        const bool isNarrow
+            = product[0] < narrow && product[1] < narrow && other[0] < narrow && other[1] < narrow;
+        return isNarrow ? isAtMost<Int128>(product, other) : isAtMost<Int256>(product, other);
     }
 };
 
@@ -78,7 +94,7 @@ bool ellipseCovers(const Shape &shape, std::int64_t x, std::int64_t y)
     return shape.fill == ShapeFill::Outline ? truth.outlineHolds(x, y) : truth.contains(x, y);
 }
 
-void drawEllipse(const Shape &shape, FrameView frame, CoverageMask &coverage)
+void drawEllipse(const Shape &shape, FrameView frame)
 {
     const TrueEllipse truth(shape);
     const LatticePoint centre = shape.vertices[0].position;
@@ -95,7 +111,7 @@ void drawEllipse(const Shape &shape, FrameView frame, CoverageMask &coverage)
             const bool covered = shape.fill == ShapeFill::Outline ? truth.outlineHolds(x, y)
                                                                   : truth.contains(x, y);
             if (covered)
-                writeTruePixel(frame, coverage, x, y, shape.vertices[0].colour);
+                writeTruePixel(frame, x, y, shape.vertices[0].colour);
         }
     }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/frame/coveragemask.h"
 #include "core/frame/frameview.h"
 #include "core/geometry/shape.h"
 
@@ -30,6 +29,6 @@ private:
 
 bool ellipseCovers(const Shape &shape, std::int64_t x, std::int64_t y);
 /// In the first vertex's colour.
-void drawEllipse(const Shape &shape, FrameView frame, CoverageMask &coverage);
+void drawEllipse(const Shape &shape, FrameView frame);
 
 } // namespace pixelplumb::oracle

@@ -1,104 +1,156 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/oracle/curveoracle.h"
 
+#include "core/oracle/curvecells.h"
+#include "core/oracle/lineoracle.h"
 #include "core/oracle/truepixel.h"
-
-#include <algorithm>
-#include <array>
-#include <span>
 
 namespace pixelplumb::oracle {
 
 namespace {
 
-constexpr int deepest = 33;
+using Integer = CurveControls::Integer;
 
-/// One coordinate of the control points of a piece.
-using Controls = std::array<Int128, 4>;
-
-/// The window of pixels whose neighbourhood matters. Coordinates are counted from its first pixel,
-/// so that a piece near it has small ones and 128 bits hold every fraction.
+/// The window of pixels that are asked for. Pixels are counted from its first one.
 struct Window {
+    std::int64_t firstColumn = 0;
+    std::int64_t firstRow = 0;
     std::int64_t columns = 0;
     std::int64_t rows = 0;
 };
 
-/// The left half of the control points by averages of averages, scaled by 2^degree; the right half
-/// is the left half of the points in reverse.
-Controls leftHalf(Controls points, std::size_t count)
+/// A piece of the curve in a = x + y and b = y − x, moved by ½ px, so that the squares begin at
+/// whole pixels.
+struct Piece {
+    CurveControls a, b;
+    int depth = 0; ///< halvings
+
+    Integer pixel() const { return Integer(unitsPerPixel) << (a.degree() * std::size_t(depth)); }
+    Piece leftHalf() const { return {a.leftHalf(), b.leftHalf(), depth + 1}; }
+    Piece rightHalf() const { return {a.rightHalf(), b.rightHalf(), depth + 1}; }
+};
+
+/// After so many halvings what looks like one parameter value is one. Counted from any border that
+/// a coordinate meets, the power coefficients are at most 8 times its extent in all (their norm is
+/// M's bound), the product of two has n ≤ 6, and 6^4/√3 < 2^10.
+int deepest(const CurveControls &a, const CurveControls &b)
 {
-    Controls half = {};
-    for (std::size_t level = 0; level < count; ++level) {
-        half[level] = points[0] << (count - 1 - level);
-        for (std::size_t i = 0; i + level + 1 < count; ++i)
-            points[i] += points[i + 1];
-    }
-    return half;
+    const auto bits = [](const CurveControls &controls) {
+        const Integer extent = controls.highest() - controls.lowest();
+        return 3 + 1 + (extent > 0 ? int(msb(extent)) : 0);
+    };
+    return 10 + 5 * (bits(a) + bits(b));
 }
 
-Controls reversed(Controls points, std::size_t count)
-{
-    std::reverse(points.begin(), points.begin() + std::ptrdiff_t(count));
-    return points;
-}
-
-/// Calls a function with the pixel nearest to each end of each smallest piece near the window.
+/// Calls a function with every pixel of the curve in a window, and some twice.
 template <class Function>
-class Subdivision {
+class CurveWalk {
 public:
-    Subdivision(std::size_t count, Window window, const Function &function)
-        : m_count(count)
-        , m_window(window)
+    CurveWalk(const Piece &whole, const Window &window, const Function &function)
+        : m_window(window)
+        , m_deepest(deepest(whole.a, whole.b))
         , m_function(function)
     {
     }
 
-    void run(const Controls &x, const Controls &y, int depth)
+    void walk(const Piece &piece)
     {
-        const Int128 pixel = Int128(unitsPerPixel) << (int(m_count - 1) * depth);
-        const auto [left, right] = std::ranges::minmax(std::span(x).first(m_count));
-        const auto [bottom, top] = std::ranges::minmax(std::span(y).first(m_count));
-        if (right < -pixel || left > m_window.columns * pixel || top < -pixel
-            || bottom > m_window.rows * pixel)
+        const Integer pixel = piece.pixel();
+        const CurveExtent a(piece.a, pixel);
+        const CurveExtent b(piece.b, pixel);
+        if (isFar(a.cells(), b.cells()))
             return;
-        const Int128 quarter = pixel / 4;
-        if ((right - left <= quarter && top - bottom <= quarter) || depth == deepest) {
-            for (const std::size_t end : {std::size_t(0), m_count - 1})
-                m_function(nearest(x[end], pixel), nearest(y[end], pixel));
-            return;
+        if (piece.depth == m_deepest || meetAtOnce(piece, a, b)) {
+            tellEnds(a, b);
+            tell(a.cells().last, b.cells().last, a.meetsBorder() && b.meetsBorder());
+        } else if (isSimple(piece.a, a, b) || isSimple(piece.b, b, a)) {
+            tellEnds(a, b);
+            for (std::int64_t i = a.cells().first; i <= a.cells().last; ++i) {
+                for (std::int64_t j = b.cells().first; j <= b.cells().last; ++j)
+                    tell(i, j, false);
+            }
+        } else {
+            walk(piece.leftHalf());
+            walk(piece.rightHalf());
         }
-        run(leftHalf(x, m_count), leftHalf(y, m_count), depth + 1);
-        run(rightHalf(x), rightHalf(y), depth + 1);
     }
 
 private:
-    Controls rightHalf(const Controls &points) const
+    /// x = (a − b)/2 and y = (a + b)/2; a corner may tell of a pixel one further.
+    bool isFar(const CellRange &a, const CellRange &b) const
     {
-        return reversed(leftHalf(reversed(points, m_count), m_count), m_count);
-    }
-    static std::int64_t nearest(Int128 coordinate, Int128 pixel)
-    {
-        return std::int64_t(floorDivide<Int128>(coordinate + pixel / 2, pixel));
+        return a.last - b.first < -2 || a.first - b.last > 2 * m_window.columns
+            || a.last + b.last < -2 || a.first + b.first > 2 * m_window.rows;
     }
 
-    std::size_t m_count;
+    /// One coordinate goes through its cells while the other stays within one: with the other clear
+    /// of its border, no corner is on the way but at the ends.
+    static bool isSimple(const CurveControls &moving, const CurveExtent &across,
+                         const CurveExtent &other)
+    {
+        return other.cells().isOne()
+            && (across.cells().isOne() || (moving.isMonotone() && other.isClearOfLowBorder()));
+    }
+    /// Both cross the first border that they come to, and are as far from it all the time.
+    static bool meetAtOnce(const Piece &piece, const CurveExtent &a, const CurveExtent &b)
+    {
+        const auto crossesOne = [](const CurveExtent &extent) {
+            return extent.cells().last == extent.cells().first + 1;
+        };
+        return crossesOne(a) && crossesOne(b) && piece.a.isMonotone() && piece.a.runsAlike(piece.b)
+            && borderDistance(piece.a, a, piece) == borderDistance(piece.b, b, piece);
+    }
+    static Integer borderDistance(const CurveControls &controls, const CurveExtent &extent,
+                                  const Piece &piece)
+    {
+        return abs(controls.first() - extent.cells().last * piece.pixel());
+    }
+
+    void tellEnds(const CurveExtent &a, const CurveExtent &b) const
+    {
+        tell(a.atFirst(), b.atFirst(), a.isFirstOnBorder() && b.isFirstOnBorder());
+        tell(a.atLast(), b.atLast(), a.isLastOnBorder() && b.isLastOnBorder());
+    }
+    /// A square that the curve visits, perhaps at its lowest corner, which is the left corner of
+    /// the square below in b. Every second square is a pixel's, the others lie between four.
+    void tell(std::int64_t a, std::int64_t b, bool isAtCorner) const
+    {
+        if ((a + b) % 2 == 0)
+            tellPixel((a - b) / 2, (a + b) / 2);
+        else if (isAtCorner)
+            tellPixel((a - b + 1) / 2, (a + b - 1) / 2);
+    }
+    void tellPixel(std::int64_t right, std::int64_t up) const
+    {
+        if (right >= 0 && right < m_window.columns && up >= 0 && up < m_window.rows)
+            m_function(m_window.firstColumn + right, m_window.firstRow + up);
+    }
+
     Window m_window;
+    int m_deepest;
     const Function &m_function;
 };
 
-/// Calls a function with the curve's pixels in a window from (firstX, firstY), counted from there.
 template <class Function>
-void forEachPixel(const Shape &curve, std::int64_t firstX, std::int64_t firstY, Window window,
-                  const Function &function)
+void forEachPixel(const Shape &curve, const Window &window, const Function &function)
 {
-    Controls x = {};
-    Controls y = {};
     const std::size_t count = std::min<std::size_t>(curve.vertices.size(), 4);
+    std::array<Integer, 4> a, b;
     for (std::size_t i = 0; i < count; ++i) {
-        x[i] = curve.vertices[i].position.x - firstX * unitsPerPixel;
-        y[i] = curve.vertices[i].position.y - firstY * unitsPerPixel;
+        const Lattice x = curve.vertices[i].position.x - window.firstColumn * unitsPerPixel;
+        const Lattice y = curve.vertices[i].position.y - window.firstRow * unitsPerPixel;
+        a[i] = x + y + unitsPerPixel / 2;
+        b[i] = y - x + unitsPerPixel / 2;
     }
-    Subdivision(count, window, function).run(x, y, 0);
+    const Piece whole{CurveControls(a, count), CurveControls(b, count)};
+    CurveWalk(whole, window, function).walk(whole);
+    for (const std::size_t end : {std::size_t(0), count - 1}) {
+        const LatticePoint pixel = nearestPixel(curve.vertices[end].position);
+        const std::int64_t right = pixel.x - window.firstColumn;
+        const std::int64_t up = pixel.y - window.firstRow;
+        if (right >= 0 && right < window.columns && up >= 0 && up < window.rows)
+            function(pixel.x, pixel.y);
+    }
 }
 
 } // namespace
@@ -106,18 +158,15 @@ void forEachPixel(const Shape &curve, std::int64_t firstX, std::int64_t firstY, 
 bool curveCovers(const Shape &curve, std::int64_t x, std::int64_t y)
 {
     bool covered = false;
-    forEachPixel(curve, x, y, {1, 1}, [&](std::int64_t right, std::int64_t up) {
-        covered = covered || (right == 0 && up == 0);
-    });
+    forEachPixel(curve, {x, y, 1, 1}, [&](std::int64_t, std::int64_t) { covered = true; });
     return covered;
 }
 
-void drawCurve(const Shape &curve, FrameView frame, CoverageMask &coverage)
+void drawCurve(const Shape &curve, FrameView frame)
 {
-    forEachPixel(curve, frame.firstColumn, frame.firstRow, {frame.width, frame.height},
-                 [&](std::int64_t right, std::int64_t up) {
-                     writeTruePixel(frame, coverage, frame.firstColumn + right, frame.firstRow + up,
-                                    curve.vertices[0].colour);
+    forEachPixel(curve, {frame.firstColumn, frame.firstRow, frame.width, frame.height},
+                 [&](std::int64_t x, std::int64_t y) {
+                     writeTruePixel(frame, x, y, curve.vertices[0].colour);
                  });
 }
 

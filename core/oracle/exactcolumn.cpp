@@ -116,7 +116,7 @@ std::optional<ExactColumn> columnAt(const Triangle &triangle, FillRule rule, std
         else
             column.colourRate[channel] = Quantity::integer(0);
     }
-    column.firstRow = ceilOf(column.yBottom);
+    column.firstRow = rule == FillRule::Open ? floorOf(column.yBottom) + 1 : ceilOf(column.yBottom);
     column.endRow = rule == FillRule::Closed ? floorOf(column.yTop) + 1 : ceilOf(column.yTop);
     return column;
 }

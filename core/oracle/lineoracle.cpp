@@ -7,12 +7,6 @@
 
 namespace pixelplumb::oracle {
 
-namespace {
-
-constexpr Lattice halfPixel = unitsPerPixel / 2;
-
-} // namespace
-
 LatticePoint nearestPixel(const LatticePoint &position)
 {
     return {floorPixel(position.x + halfPixel), floorPixel(position.y + halfPixel)};
@@ -69,7 +63,7 @@ bool lineCovers(const Shape &line, std::int64_t x, std::int64_t y)
     return along >= truth.first() && along < truth.end() && truth.nearestAt(along) == across;
 }
 
-void drawLine(const Shape &line, ByteRounding rounding, FrameView frame, CoverageMask &coverage)
+void drawLine(const Shape &line, ByteRounding rounding, FrameView frame)
 {
     const TrueLine truth(line.vertices[0], line.vertices[1]);
     const bool isSteep = truth.isSteep();
@@ -78,7 +72,7 @@ void drawLine(const Shape &line, ByteRounding rounding, FrameView frame, Coverag
     const std::int64_t end = std::min(truth.end(), isSteep ? frame.endRow() : frame.endColumn());
     for (std::int64_t along = first; along < end; ++along) {
         const std::int64_t across = truth.nearestAt(along);
-        writeTruePixel(frame, coverage, isSteep ? across : along, isSteep ? along : across,
+        writeTruePixel(frame, isSteep ? across : along, isSteep ? along : across,
                        truth.colourAt(along, rounding));
     }
 }
@@ -90,11 +84,11 @@ bool pointsCover(const Shape &points, std::int64_t x, std::int64_t y)
     });
 }
 
-void drawPoints(const Shape &points, FrameView frame, CoverageMask &coverage)
+void drawPoints(const Shape &points, FrameView frame)
 {
     for (const Vertex &vertex : points.vertices) {
         const LatticePoint pixel = nearestPixel(vertex.position);
-        writeTruePixel(frame, coverage, pixel.x, pixel.y, vertex.colour);
+        writeTruePixel(frame, pixel.x, pixel.y, vertex.colour);
     }
 }
 

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/frame/coveragemask.h"
 #include "core/frame/frameview.h"
 #include "core/geometry/shape.h"
 #include "core/scan/scansettings.h"
@@ -14,11 +13,11 @@ namespace pixelplumb::oracle {
 /// The pixel nearest to a lattice point; the upper, the right one of two that are equally near.
 LatticePoint nearestPixel(const LatticePoint &position);
 
-/// A line as one equation. A line is steep where |Δy| ≥ |Δx| (seed 002, “DDA”: iterate along x if
-/// |m| < 1, otherwise along y). It has one pixel for each column, each row where it is steep, that
-/// lies between its end points, both included: the pixel nearest to it there, the upper (the right)
-/// one of two that are equally near. Its colour changes evenly along that axis from end to end.
-/// Nothing depends on which end is named first.
+/// A line as one equation. A line is steep where |Δy| ≥ |Δx| (Rasterization slides, "DDA
+/// Line-Drawing Algorithm": iterate along x if |m| < 1, otherwise along y). It has one pixel for
+/// each column, each row where it is steep, that lies between its end points, both included: the
+/// pixel nearest to it there, the upper (the right) one of two that are equally near. Its colour
+/// changes evenly along that axis from end to end. Nothing depends on which end is named first.
 class TrueLine {
 public:
     TrueLine(const Vertex &a, const Vertex &b);
@@ -37,9 +36,9 @@ private:
 };
 
 bool lineCovers(const Shape &line, std::int64_t x, std::int64_t y);
-void drawLine(const Shape &line, ByteRounding rounding, FrameView frame, CoverageMask &coverage);
+void drawLine(const Shape &line, ByteRounding rounding, FrameView frame);
 
 bool pointsCover(const Shape &points, std::int64_t x, std::int64_t y);
-void drawPoints(const Shape &points, FrameView frame, CoverageMask &coverage);
+void drawPoints(const Shape &points, FrameView frame);
 
 } // namespace pixelplumb::oracle

@@ -40,21 +40,25 @@ public:
 
     /// Whether a sample exactly on the edge's line counts as inside: the sign of the function's
     /// change under the rule's infinitely small displacement.
-    bool ownsBoundary(std::size_t edge, FillRule rule) const
+    bool ownsBoundary(std::size_t edge, const BoundaryRule &rule) const
     {
         const Point<Integer> &a = m_corners[edge];
         const Point<Integer> &b = m_corners[(edge + 1) % 3];
         const Integer perX = -m_sign * (b.y - a.y); // change of the function per unit of x
         const Integer perY = m_sign * (b.x - a.x);
-        switch (rule) {
+        switch (rule.rule) {
         case FillRule::Closed:
             return true;
         case FillRule::HalfOpenColumn: // (+ε², +ε)
             return perY != 0 ? perY > 0 : perX > 0;
-        case FillRule::TopLeft: // (+ε, −ε²)
-            return perX != 0 ? perX > 0 : perY < 0;
-        case FillRule::OffScreenPoint: // towards (−1, −1) px
-            return value(edge, {-unitsPerPixel, -unitsPerPixel}) > 0;
+        case FillRule::TopLeft: // (+ε, ε² down as seen)
+            if (perX != 0)
+                return perX > 0;
+            return rule.origin == FrameOrigin::TopLeft ? perY > 0 : perY < 0;
+        case FillRule::OffScreenPoint:
+            return value(edge, {rule.offScreenPoint.x, rule.offScreenPoint.y}) > 0;
+        case FillRule::Open:
+            return false;
         }
         return false;
     }
@@ -149,7 +153,7 @@ PixelBox boxWithin(const Triangle &triangle, FrameView frame)
 }
 
 void drawSegment(const Triangle &triangle, ByteRounding rounding, const PixelBox &box,
-                 FrameView frame, CoverageMask &coverage)
+                 FrameView frame)
 {
     const Segment segment(triangle);
     for (std::int64_t y = box.firstY; y < box.endY; ++y) {
@@ -157,14 +161,13 @@ void drawSegment(const Triangle &triangle, ByteRounding rounding, const PixelBox
             if (!segment.contains(x, y))
                 continue;
             *frame.at(x, y) = packed(byteColourAt(triangle, x, y, rounding));
-            coverage.cover(x, y);
         }
     }
 }
 
 template <class Integer>
-void drawTriangle(const Triangle &triangle, FillRule rule, ByteRounding rounding,
-                  const PixelBox &box, FrameView frame, CoverageMask &coverage)
+void drawTriangle(const Triangle &triangle, const BoundaryRule &rule, ByteRounding rounding,
+                  const PixelBox &box, FrameView frame)
 {
     const EdgeFunctions<Integer> edges(triangle);
     std::array<Integer, 3> least; // the smallest value that is inside
@@ -182,14 +185,14 @@ void drawTriangle(const Triangle &triangle, FillRule rule, ByteRounding rounding
                                            rounding));
             };
             *frame.at(x, y) = qRgb(byte(0), byte(1), byte(2));
-            coverage.cover(x, y);
         }
     }
 }
 
 } // namespace
 
-SampleVerdict judge(const Triangle &triangle, FillRule rule, std::int64_t x, std::int64_t y)
+SampleVerdict judge(const Triangle &triangle, const BoundaryRule &rule, std::int64_t x,
+                    std::int64_t y)
 {
     SampleVerdict verdict;
     const EdgeFunctions<Int128> edges(triangle);
@@ -217,11 +220,11 @@ SampleVerdict judge(const Triangle &triangle, FillRule rule, std::int64_t x, std
                 / double(unitsPerPixel);
     }
     if (verdict.zeroArea)
-        verdict.covered = rule == FillRule::Closed && Segment(triangle).contains(x, y);
+        verdict.covered = rule.rule == FillRule::Closed && Segment(triangle).contains(x, y);
     return verdict;
 }
 
-bool covers(const Triangle &triangle, FillRule rule, std::int64_t x, std::int64_t y)
+bool covers(const Triangle &triangle, const BoundaryRule &rule, std::int64_t x, std::int64_t y)
 {
     return judge(triangle, rule, x, y).covered;
 }
@@ -256,17 +259,17 @@ Colour byteColourAt(const Triangle &triangle, std::int64_t x, std::int64_t y, By
     return colour;
 }
 
-void draw(const Triangle &triangle, FillRule rule, ByteRounding rounding, FrameView frame,
-          CoverageMask &coverage)
+void draw(const Triangle &triangle, const BoundaryRule &rule, ByteRounding rounding,
+          FrameView frame)
 {
     const PixelBox box = boxWithin(triangle, frame);
     if (doubledArea(triangle) == 0) {
-        if (rule == FillRule::Closed)
-            drawSegment(triangle, rounding, box, frame, coverage);
+        if (rule.rule == FillRule::Closed)
+            drawSegment(triangle, rounding, box, frame);
     } else if (integerWidthFor(triangle) == IntegerWidth::Bits64) {
-        drawTriangle<std::int64_t>(triangle, rule, rounding, box, frame, coverage);
+        drawTriangle<std::int64_t>(triangle, rule, rounding, box, frame);
     } else {
-        drawTriangle<Int128>(triangle, rule, rounding, box, frame, coverage);
+        drawTriangle<Int128>(triangle, rule, rounding, box, frame);
     }
 }
 

@@ -1,17 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/frame/coveragemask.h"
 #include "core/frame/frameview.h"
 #include "core/geometry/triangle.h"
 #include "core/number/quantity.h"
-#include "core/scan/scansettings.h"
+#include "core/scan/boundaryrule.h"
 
 #include <optional>
 
 /// The truth: coverage and colour by edge functions in integers, for every pixel by itself. Nothing
-/// is incremental and nothing is shared with the kernels but the vertex type, so that a fault of
-/// one is not a fault of the other. Coordinates are sample coordinates.
+/// is incremental, and nothing is shared with the kernels but the vertex and the statement of the
+/// rule (BoundaryRule, FrameView): which way y points and where the point off the screen is. So a
+/// fault of one is not a fault of the other; what both read is tested by itself (tst_fillrules).
+/// Coordinates are sample coordinates.
 namespace pixelplumb::oracle {
 
 /// How one edge of the triangle, from vertex index to vertex index, sees a sample.
@@ -37,12 +38,12 @@ struct SampleVerdict {
     std::array<EdgeVerdict, 3> edges; ///< the edges 0–1, 1–2, 2–0
 };
 
-/// Coverage under any of the four rules in a y-upward frame; the off-screen point is (−1, −1) px,
-/// as in seed 001. Any lattice coordinates, any sample within ±2^30 px.
-bool covers(const Triangle &triangle, FillRule rule, std::int64_t x, std::int64_t y);
+/// Coverage under a rule. Any lattice coordinates, any sample within ±2^30 px.
+bool covers(const Triangle &triangle, const BoundaryRule &rule, std::int64_t x, std::int64_t y);
 
 /// Coverage with the reasons of all three edges.
-SampleVerdict judge(const Triangle &triangle, FillRule rule, std::int64_t x, std::int64_t y);
+SampleVerdict judge(const Triangle &triangle, const BoundaryRule &rule, std::int64_t x,
+                    std::int64_t y);
 
 /// The exact colour levels of the triangle's plane (or segment) at a sample; inside and outside.
 std::array<Quantity, 3> colourAt(const Triangle &triangle, std::int64_t x, std::int64_t y);
@@ -67,8 +68,9 @@ std::optional<ExactColumn> columnAt(const Triangle &triangle, FillRule rule, std
 /// part).
 bool hasTie(const Triangle &triangle, std::int64_t x);
 
-/// Draws the true picture of a triangle over what the frame holds and notes what it covers.
-void draw(const Triangle &triangle, FillRule rule, ByteRounding rounding, FrameView frame,
-          CoverageMask &coverage);
+/// Draws the true picture of a triangle over what the frame holds: opaque pixels, so that
+/// what was written shows on a transparent one (WrittenFrame).
+void draw(const Triangle &triangle, const BoundaryRule &rule, ByteRounding rounding,
+          FrameView frame);
 
 } // namespace pixelplumb::oracle

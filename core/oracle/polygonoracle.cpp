@@ -13,9 +13,12 @@ struct UpwardEdge {
     LatticePoint high;
     int turn = 0; ///< +1 where the contour runs upward, −1 where it runs downward
 
-    /// The rows that it crosses lie in (low.y, high.y]: displaced by −ε², a sample level with the
-    /// lower end is below the edge, and one level with the upper end is not above it.
-    bool crossesHeight(Lattice y) const { return low.y < y && y <= high.y; }
+    /// Displaced down as seen, a sample level with the end that is lower as seen is below the edge,
+    /// and one level with the other end is not above it.
+    bool crossesHeight(Lattice y, FrameOrigin origin) const
+    {
+        return origin == FrameOrigin::TopLeft ? low.y <= y && y < high.y : low.y < y && y <= high.y;
+    }
 
     /// Displaced by +ε, a sample exactly on the edge is to the right of it.
     bool isLeftOf(const LatticePoint &sample) const
@@ -50,12 +53,13 @@ std::vector<UpwardEdge> upwardEdgesOf(const Shape &polygon)
     return edges;
 }
 
-bool isInside(const std::vector<UpwardEdge> &edges, ShapeFill fill, const LatticePoint &sample)
+bool isInside(const std::vector<UpwardEdge> &edges, ShapeFill fill, FrameOrigin origin,
+              const LatticePoint &sample)
 {
     std::int64_t crossings = 0;
     std::int64_t winding = 0;
     for (const UpwardEdge &edge : edges) {
-        if (!edge.crossesHeight(sample.y) || !edge.isLeftOf(sample))
+        if (!edge.crossesHeight(sample.y, origin) || !edge.isLeftOf(sample))
             continue;
         ++crossings;
         winding += edge.turn;
@@ -65,12 +69,12 @@ bool isInside(const std::vector<UpwardEdge> &edges, ShapeFill fill, const Lattic
 
 } // namespace
 
-bool polygonCovers(const Shape &polygon, std::int64_t x, std::int64_t y)
+bool polygonCovers(const Shape &polygon, FrameOrigin origin, std::int64_t x, std::int64_t y)
 {
-    return isInside(upwardEdgesOf(polygon), polygon.fill, latticePixel(x, y));
+    return isInside(upwardEdgesOf(polygon), polygon.fill, origin, latticePixel(x, y));
 }
 
-void drawPolygon(const Shape &polygon, FrameView frame, CoverageMask &coverage)
+void drawPolygon(const Shape &polygon, FrameView frame)
 {
     if (polygon.vertices.empty())
         return;
@@ -84,14 +88,13 @@ void drawPolygon(const Shape &polygon, FrameView frame, CoverageMask &coverage)
     for (std::int64_t y = frame.firstRow; y < frame.endRow(); ++y) {
         // Only the edges that any sample of this row can cross, so that thousands cost little.
         atHeight.clear();
-        std::ranges::copy_if(edges, std::back_inserter(atHeight), [y](const UpwardEdge &edge) {
-            return edge.crossesHeight(y * unitsPerPixel);
+        std::ranges::copy_if(edges, std::back_inserter(atHeight), [&](const UpwardEdge &edge) {
+            return edge.crossesHeight(y * unitsPerPixel, frame.origin);
         });
         for (std::int64_t x = firstX; x < endX && !atHeight.empty(); ++x) {
-            if (!isInside(atHeight, polygon.fill, latticePixel(x, y)))
+            if (!isInside(atHeight, polygon.fill, frame.origin, latticePixel(x, y)))
                 continue;
             *frame.at(x, y) = packed(polygon.vertices.front().colour);
-            coverage.cover(x, y);
         }
     }
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/frame/coveragemask.h"
 #include "core/frame/frameview.h"
 #include "core/geometry/shape.h"
 
@@ -10,17 +9,17 @@
 /// downward (non-zero). A crossing is the sign of a product of differences in 128 bits: no slope,
 /// no quotient, nothing that goes from one row to the next.
 ///
-/// A sample on the boundary is taken as if displaced by (+ε, −ε²) with y upward: the rule
+/// A sample on the boundary is taken as if displaced right and, less, down as seen: the rule
 /// top-left. A displaced sample lies on no edge and on no vertex, so that its parity and its
 /// winding number are certain, and so that polygons which share an edge cover each of its samples
 /// once.
 namespace pixelplumb::oracle {
 
 /// Sample coordinates; any sample within ±2^30 px.
-bool polygonCovers(const Shape &polygon, std::int64_t x, std::int64_t y);
+bool polygonCovers(const Shape &polygon, FrameOrigin origin, std::int64_t x, std::int64_t y);
 
 /// Draws the true picture in the first vertex's colour over what the frame holds and notes what it
 /// covers.
-void drawPolygon(const Shape &polygon, FrameView frame, CoverageMask &coverage);
+void drawPolygon(const Shape &polygon, FrameView frame);
 
 } // namespace pixelplumb::oracle

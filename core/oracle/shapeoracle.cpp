@@ -9,7 +9,7 @@
 
 namespace pixelplumb::oracle {
 
-bool covers(const Shape &shape, std::int64_t x, std::int64_t y)
+bool covers(const Shape &shape, FrameOrigin origin, std::int64_t x, std::int64_t y)
 {
     switch (shape.kind) {
     case PrimitiveKind::Point:
@@ -22,36 +22,36 @@ bool covers(const Shape &shape, std::int64_t x, std::int64_t y)
     case PrimitiveKind::Bezier:
         return curveCovers(shape, x, y);
     case PrimitiveKind::Polygon:
-        return polygonCovers(shape, x, y);
+        return polygonCovers(shape, origin, x, y);
     case PrimitiveKind::Text:
-        return polygonCovers(outlinesOf(shape).polygon, x, y);
+        return polygonCovers(outlinesOf(shape).polygon, origin, x, y);
     case PrimitiveKind::Triangle: // never a shape
         break;
     }
     return false;
 }
 
-void draw(const Shape &shape, ByteRounding rounding, FrameView frame, CoverageMask &coverage)
+void draw(const Shape &shape, ByteRounding rounding, FrameView frame)
 {
     switch (shape.kind) {
     case PrimitiveKind::Point:
-        drawPoints(shape, frame, coverage);
+        drawPoints(shape, frame);
         break;
     case PrimitiveKind::Line:
-        drawLine(shape, rounding, frame, coverage);
+        drawLine(shape, rounding, frame);
         break;
     case PrimitiveKind::Circle:
     case PrimitiveKind::Ellipse:
-        drawEllipse(shape, frame, coverage);
+        drawEllipse(shape, frame);
         break;
     case PrimitiveKind::Bezier:
-        drawCurve(shape, frame, coverage);
+        drawCurve(shape, frame);
         break;
     case PrimitiveKind::Polygon:
-        drawPolygon(shape, frame, coverage);
+        drawPolygon(shape, frame);
         break;
     case PrimitiveKind::Text:
-        drawPolygon(outlinesOf(shape).polygon, frame, coverage);
+        drawPolygon(outlinesOf(shape).polygon, frame);
         break;
     case PrimitiveKind::Triangle: // never a shape
         break;

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/frame/coveragemask.h"
 #include "core/frame/frameview.h"
 #include "core/geometry/shape.h"
 #include "core/scan/scansettings.h"
@@ -14,12 +13,13 @@ namespace pixelplumb::oracle {
 /// of a line, on each column (on each row where it is steep) the pixel nearest to it, the upper one
 /// (the right one) of two that are equally near (lineoracle.h); of an outlined circle or ellipse,
 /// the same on its x-major and y-major arcs, but ties away from the centre; of a filled one, the
-/// samples inside or on the boundary (circleoracle.h); of a Bézier curve, the pixels that its
-/// points come nearest to (curveoracle.h); of a polygon, the samples inside, those on the boundary
-/// by the top-left rule (polygonoracle.h); of a text, the samples inside its outlines.
-bool covers(const Shape &shape, std::int64_t x, std::int64_t y);
+/// samples inside or on the boundary (circleoracle.h); of a Bézier curve, the pixels that it comes
+/// nearer to than ½ px (curveoracle.h); of a polygon, the samples inside, those on the boundary by
+/// the top-left rule, for which the frame's origin says what is down (polygonoracle.h); of a text,
+/// the samples inside its outlines.
+bool covers(const Shape &shape, FrameOrigin origin, std::int64_t x, std::int64_t y);
 
-/// Draws the true picture of a shape over what the frame holds and notes what it covers.
-void draw(const Shape &shape, ByteRounding rounding, FrameView frame, CoverageMask &coverage);
+/// Draws the true picture of a shape over what the frame holds, in opaque pixels.
+void draw(const Shape &shape, ByteRounding rounding, FrameView frame);
 
 } // namespace pixelplumb::oracle

@@ -45,10 +45,8 @@ ContourBox boxAround(std::span<const ContourEdge> edges)
 
 IntegerWidth integerWidthFor(std::span<const ContourEdge> edges)
 {
-    const bool isWide = std::ranges::any_of(edges, [](const ContourEdge &edge) {
-        return absolute(edge.from.x) > largestNarrowCoordinate
-            || absolute(edge.from.y) > largestNarrowCoordinate;
-    });
+    const bool isWide
+        = std::ranges::any_of(edges, [](const ContourEdge &edge) { return !isNarrow(edge.from); });
     return isWide ? IntegerWidth::Bits128 : IntegerWidth::Bits64;
 }
 

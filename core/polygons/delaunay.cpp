@@ -77,6 +77,39 @@ void spread(const Mesh &mesh, const Mesh::Face_handle &start, Side side)
     }
 }
 
+/// Whether the inner parts of two edges cross.
+bool cross(const ContourEdge &a, const ContourEdge &b)
+{
+    const auto parts = [](const ContourEdge &edge, const LatticePoint &p, const LatticePoint &q) {
+        const Int128 left = doubledArea(edge.from, edge.to, p);
+        const Int128 right = doubledArea(edge.from, edge.to, q);
+        return (left < 0 && right > 0) || (left > 0 && right < 0);
+    };
+    return parts(a, b.from, b.to) && parts(b, a.from, a.to);
+}
+
+/// Where an edge ends: the next vertex, or its contour's first one.
+std::size_t endOf(const Contours &contours, std::size_t edge)
+{
+    const LatticePoint &end = contours.edges[edge].to;
+    if (edge + 1 < contours.edges.size() && contours.edges[edge + 1].from == end)
+        return edge + 1;
+    std::size_t first = edge;
+    while (first > 0 && contours.edges[first - 1].to == contours.edges[first].from)
+        --first;
+    return first;
+}
+
+/// The ends of the first edge that crosses a later one, and of that.
+std::vector<std::size_t> crossingBefore(const Contours &contours, std::size_t later)
+{
+    for (std::size_t edge = 0; edge < later; ++edge) {
+        if (cross(contours.edges[edge], contours.edges[later]))
+            return {edge, endOf(contours, edge), later, endOf(contours, later)};
+    }
+    return {};
+}
+
 } // namespace
 
 Triangulation delaunayOf(const Contours &contours)
@@ -91,13 +124,16 @@ Triangulation delaunayOf(const Contours &contours)
     for (const ContourEdge &edge : contours.edges)
         points.push_back(pointAt(edge.from));
     mesh.insert(points.begin(), points.end());
+    std::size_t inserted = 0;
     try {
-        for (const ContourEdge &edge : contours.edges) {
+        for (; inserted < contours.edges.size(); ++inserted) {
+            const ContourEdge &edge = contours.edges[inserted];
             if (edge.from != edge.to)
                 mesh.insert_constraint(pointAt(edge.from), pointAt(edge.to));
         }
     } catch (const Mesh::Intersection_of_constraints_exception &) {
-        triangulation.rejection = PrimitiveRejection::SelfCrossing;
+        triangulation.rejection
+            = Rejection(PrimitiveRejection::SelfCrossing, crossingBefore(contours, inserted));
         return triangulation;
     }
     if (mesh.dimension() < 2) {

@@ -5,23 +5,41 @@ namespace pixelplumb {
 
 namespace {
 
-/// The vertices of the first contour, each once where several follow one another in one place.
-std::vector<LatticePoint> distinctVertices(const Contours &contours)
+/// The numbers of the contours' vertices, one of several that follow one another in one place.
+std::vector<std::size_t> distinctVertices(const Contours &contours)
 {
-    std::vector<LatticePoint> vertices;
-    for (const ContourEdge &edge : contours.edges) {
-        if (edge.from != edge.to)
-            vertices.push_back(edge.from);
+    std::vector<std::size_t> vertices;
+    for (std::size_t i = 0; i < contours.edges.size(); ++i) {
+        if (contours.edges[i].from != contours.edges[i].to)
+            vertices.push_back(i);
     }
     return vertices;
 }
 
+std::vector<LatticePoint> positionsOf(const Contours &contours,
+                                      const std::vector<std::size_t> &vertices)
+{
+    std::vector<LatticePoint> positions;
+    for (const std::size_t vertex : vertices)
+        positions.push_back(contours.edges[vertex].from);
+    return positions;
+}
+
+/// Positive of a contour that goes round counter-clockwise.
+Int128 areaOf(const std::vector<LatticePoint> &vertices)
+{
+    Int128 area = 0;
+    for (std::size_t i = 1; i + 1 < vertices.size(); ++i)
+        area += doubledArea(vertices[0], vertices[i], vertices[i + 1]);
+    return area;
+}
+
 int signOf(Int128 value) { return value > 0 ? 1 : value < 0 ? -1 : 0; }
 
-/// Where the contour turns both ways, or back, it is not convex.
-bool turnsOneWay(const std::vector<LatticePoint> &vertices)
+/// The first vertex at which the contour turns against the way that it goes round, or back.
+std::optional<std::size_t> wrongTurn(const std::vector<LatticePoint> &vertices)
 {
-    int turn = 0;
+    int turn = signOf(areaOf(vertices));
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         const LatticePoint &a = vertices[i];
         const LatticePoint &b = vertices[(i + 1) % vertices.size()];
@@ -30,11 +48,11 @@ bool turnsOneWay(const std::vector<LatticePoint> &vertices)
         const bool goesBack
             = here == 0 && Int128(b.x - a.x) * (c.x - b.x) + Int128(b.y - a.y) * (c.y - b.y) < 0;
         if (goesBack || (here != 0 && turn != 0 && here != turn))
-            return false;
+            return (i + 1) % vertices.size();
         if (here != 0)
             turn = here;
     }
-    return true;
+    return std::nullopt;
 }
 
 /// A contour that turns one way goes round once if it changes between leftward and rightward twice.
@@ -61,12 +79,21 @@ bool goesRoundOnce(const std::vector<LatticePoint> &vertices)
 Triangulation fanOf(const Contours &contours)
 {
     Triangulation fan;
-    const std::vector<LatticePoint> vertices = distinctVertices(contours);
+    const std::vector<std::size_t> numbers = distinctVertices(contours);
+    const std::vector<LatticePoint> vertices = positionsOf(contours, numbers);
     if (boxAround(contours.edges).isFlat()) {
         fan.rejection = PrimitiveRejection::ZeroArea;
         return fan;
     }
-    if (contours.count != 1 || !turnsOneWay(vertices) || !goesRoundOnce(vertices)) {
+    if (contours.count != 1) {
+        fan.rejection = PrimitiveRejection::NotConvex;
+        return fan;
+    }
+    if (const auto turn = wrongTurn(vertices)) {
+        fan.rejection = Rejection(PrimitiveRejection::NotConvex, {numbers[*turn]});
+        return fan;
+    }
+    if (!goesRoundOnce(vertices)) {
         fan.rejection = PrimitiveRejection::NotConvex;
         return fan;
     }

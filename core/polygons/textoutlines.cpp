@@ -125,6 +125,8 @@ TextOutlines outlinesOf(const Shape &text)
         outlines.rejection = PrimitiveRejection::NotRepresentable;
         outlines.polygon.vertices.clear();
         outlines.polygon.laterContours.clear();
+    } else if (outlines.polygon.vertices.empty()) {
+        outlines.rejection = PrimitiveRejection::NoOutline;
     }
     return outlines;
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/primitiverejection.h"
 #include "core/geometry/shape.h"
-#include "core/scan/scanobserver.h"
 
 #include <QString>
 
@@ -22,7 +22,8 @@ struct TextOutlines {
 /// arithmetic on the font's own units, unhinted, with each point brought to the nearest lattice
 /// point, so that the same text has the same outlines everywhere. Curves become chains of chords
 /// that leave them by 1/32 px at most.
-/// Rejected: FontMissing, and NotRepresentable where a point lies beyond ±2^30 px.
+/// Rejected: FontMissing, NoOutline where no character leaves a mark, and NotRepresentable where a
+/// point lies beyond ±2^30 px.
 TextOutlines outlinesOf(const Shape &text);
 
 /// The file of DejaVu Sans among the system's and the user's fonts; empty where there is none.

@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/primitiverejection.h"
 #include "core/polygons/contours.h"
-#include "core/scan/scanobserver.h"
 
 #include <array>
 #include <optional>
 
 namespace pixelplumb {
 
-/// A polygon broken into triangles whose corners are vertices of the polygon (seed 003, "From
-/// Polygons to Triangles"; seed 002, "Triangulation"). They tile what the polygon covers; some may
-/// have no area.
+/// A polygon broken into triangles whose corners are vertices of the polygon (Scan Conversion
+/// slides, "From Polygons to Triangles"; Rasterization slides, "Triangulation"). They tile what the
+/// polygon covers; some may have no area.
 struct Triangulation {
     std::vector<std::array<LatticePoint, 3>> triangles;
-    std::optional<PrimitiveRejection> rejection; ///< then there are no triangles
+    std::optional<Rejection> rejection; ///< then there are no triangles
 };
 
 /// The triangles from the first vertex to each edge that does not touch it. Only of a polygon of

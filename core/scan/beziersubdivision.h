@@ -1,40 +1,31 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/shape.h"
+#include "core/scan/bezierdiamonds.h"
 #include "core/scan/flatpixel.h"
-#include "core/scan/linebresenham.h"
+#include "core/scan/scanobserver.h"
 
 /// A quadratic or cubic Bézier curve by recursive subdivision: de Casteljau's algorithm cuts the
-/// curve in its middle, again and again, until a piece is as good as straight; then a line is drawn
-/// between its ends. The curve is one of the seeds' "other curves & free form surfaces" (seed 002,
-/// "Output Primitives"; seed 003, "Splines, mathematical functions").
+/// curve in its middle, again and again, until the pixels of a piece are decided: those of its two
+/// ends are all it has. The curve is one of the "other curves" (Rasterization slides, "Output
+/// Primitives") and of the splines (Scan Conversion slides, "Polygons"). All numbers are exact, so
+/// that no rounding of a piece's ends moves the curve.
 namespace pixelplumb {
-
-/// The control points of a piece in units of 1/(256·2^(degree·depth)) px: each cut is exact.
-struct BezierPiece {
-    std::array<Int128, 4> x = {};
-    std::array<Int128, 4> y = {};
-    std::size_t count = 3; ///< control points: 3 or 4
-    int depth = 0; ///< cuts that led here
-
-    int degree() const { return int(count) - 1; }
-    /// What 1 px is in the units of the control points.
-    Int128 pixel() const { return Int128(unitsPerPixel) << (degree() * depth); }
-};
 
 struct BezierSetUp {
     std::size_t count = 3; ///< control points
+    int deepest = 0; ///< the most cuts that lead to a piece
 };
 
 /// One piece that was looked at.
 struct BezierStep {
     std::int64_t number = 0;
     BezierPiece piece;
-    /// No point of the piece is farther from its chord: n·(n − 1)/8 times the largest second
-    /// difference of control points, 8ths of the piece's units.
-    Int128 flatness = 0;
-    bool isFlat = false;
-    LatticePoint from, to; ///< px: the ends of the line that a flat piece is drawn as
+    BezierVerdict verdict = BezierVerdict::Undecided;
+    /// Of a decided piece, where there are any: the pixels of its two ends, px.
+    std::optional<LatticePoint> from, to;
+    std::optional<LatticePoint> corner; ///< of a piece through a corner
 };
 
 struct BezierNumbers {
@@ -43,37 +34,24 @@ struct BezierNumbers {
     using Sample = FlatSample;
 };
 
-/// The bound on the distance from the chord, in 8ths of the piece's units.
-inline Int128 flatnessOf(const BezierPiece &piece)
+/// After so many cuts a piece meets what it meets at one parameter (resources/numerics.md, 3.6).
+inline int deepestCut(const BezierPiece &whole)
 {
-    Int128 largest = 0;
-    for (std::size_t i = 0; i + 2 < piece.count; ++i) {
-        for (const auto &c : {piece.x, piece.y})
-            largest = std::max(largest, absolute(c[i] - 2 * c[i + 1] + c[i + 2]));
-    }
-    return largest * piece.degree() * (piece.degree() - 1);
-}
-
-/// The two halves of one coordinate's control points, both scaled by 2^degree.
-inline void halve(const std::array<Int128, 4> &whole, std::size_t count,
-                  std::array<Int128, 4> &left, std::array<Int128, 4> &right)
-{
-    std::array<Int128, 4> sums = whole; // sums[i]: of level + 1 neighbours, binomially weighted
-    for (std::size_t level = 0; level < count; ++level) {
-        const Int128 scale = Int128(1) << (count - 1 - level);
-        left[level] = sums[0] * scale;
-        right[count - 1 - level] = sums[count - 1 - level] * scale;
-        for (std::size_t i = 0; i + level + 1 < count; ++i)
-            sums[i] += sums[i + 1];
-    }
+    const auto bits = [&](int sign) {
+        BezierControls sums;
+        for (std::size_t i = 0; i < whole.count; ++i)
+            sums[i] = whole.y[i] + sign * whole.x[i];
+        const auto [low, high]
+            = std::minmax_element(sums.begin(), sums.begin() + std::ptrdiff_t(whole.count));
+        const BigInteger extent = *high - *low;
+        return extent > 0 ? 4 + int(msb(extent)) : 4;
+    };
+    return 10 + 5 * (bits(1) + bits(-1));
 }
 
 template <ScanObserver<BezierNumbers> Observer>
 class BezierScan {
 public:
-    /// A piece is flat that lies within 1/4 px of its chord.
-    static constexpr int flatParts = 4;
-
     BezierScan(const Shape &curve, FrameView frame, Observer observer)
         : m_curve(curve)
         , m_frame(frame)
@@ -89,7 +67,8 @@ public:
             whole.x[i] = m_curve.vertices[i].position.x;
             whole.y[i] = m_curve.vertices[i].position.y;
         }
-        m_observer.primitiveBegun(BezierSetUp{whole.count});
+        m_deepest = deepestCut(whole);
+        m_observer.primitiveBegun(BezierSetUp{whole.count, m_deepest});
         if (!mayTouchFrame(whole)) {
             m_observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
             return;
@@ -102,66 +81,64 @@ private:
     {
         if (!mayTouchFrame(piece))
             return;
+        const BezierStep step = stepFor(piece);
+        m_observer.spanEntered(step);
+        if (step.verdict == BezierVerdict::Undecided) {
+            for (const BezierPiece &half : halvesOf(piece))
+                scan(half);
+            return;
+        }
+        for (const auto &pixel : {step.from, step.corner, step.to}) {
+            if (pixel && pixel != m_last)
+                writeFlat(pixel->x, pixel->y, m_curve.vertices[0].colour, m_frame, m_observer);
+            if (pixel)
+                m_last = pixel;
+        }
+    }
+
+    BezierStep stepFor(const BezierPiece &piece)
+    {
+        const BezierDiamonds diamonds(piece);
         BezierStep step;
         step.number = m_steps++;
         step.piece = piece;
-        step.flatness = flatnessOf(piece);
-        step.isFlat = step.flatness * flatParts <= 8 * piece.pixel();
-        step.from = pixelAt(piece, 0);
-        step.to = pixelAt(piece, piece.count - 1);
-        m_observer.spanEntered(step);
-        if (step.isFlat) {
-            drawLine(step.from, step.to);
-            return;
-        }
-        BezierPiece left = piece;
-        left.depth = piece.depth + 1;
-        BezierPiece right = left;
-        halve(piece.x, piece.count, left.x, right.x);
-        halve(piece.y, piece.count, left.y, right.y);
-        scan(left);
-        scan(right);
+        step.verdict = diamonds.verdict(piece);
+        if (step.verdict == BezierVerdict::Undecided && piece.depth == m_deepest)
+            step.verdict = BezierVerdict::ThroughCorner;
+        if (step.verdict == BezierVerdict::Undecided)
+            return step;
+        // An end of the curve has its nearest pixel even between diamonds.
+        step.from = piece.isFirst() ? nearest(m_curve.vertices.front()) : diamonds.firstPixel();
+        step.to = piece.isLast() ? nearest(m_curve.vertices.back()) : diamonds.lastPixel();
+        if (step.verdict == BezierVerdict::ThroughCorner)
+            step.corner = diamonds.cornerPixel();
+        return step;
     }
 
     /// A curve lies within the bounding box of its control points.
     bool mayTouchFrame(const BezierPiece &piece) const
     {
-        const Int128 pixel = piece.pixel();
-        const auto meets
-            = [&](const std::array<Int128, 4> &c, std::int64_t first, std::int64_t end) {
-                  const auto [low, high]
-                      = std::minmax_element(c.begin(), c.begin() + std::ptrdiff_t(piece.count));
-                  return *high >= (first - 1) * pixel && *low <= end * pixel;
-              };
+        const BigInteger pixel = piece.pixel();
+        const auto meets = [&](const BezierControls &c, std::int64_t first, std::int64_t end) {
+            const auto [low, high]
+                = std::minmax_element(c.begin(), c.begin() + std::ptrdiff_t(piece.count));
+            return *high >= (first - 1) * pixel && *low <= end * pixel;
+        };
         return meets(piece.x, m_frame.firstColumn, m_frame.endColumn())
             && meets(piece.y, m_frame.firstRow, m_frame.endRow());
     }
-    static LatticePoint pixelAt(const BezierPiece &piece, std::size_t control)
+    static LatticePoint nearest(const Vertex &vertex)
     {
-        const Int128 pixel = piece.pixel();
-        const auto nearest = [&](Int128 coordinate) {
-            return std::int64_t(floorDivide<Int128>(coordinate + pixel / 2, pixel));
-        };
-        return {nearest(piece.x[control]), nearest(piece.y[control])};
-    }
-    void drawLine(const LatticePoint &from, const LatticePoint &to)
-    {
-        const BresenhamSetUp line = bresenhamSetUp(from, to);
-        const StepRange pixels = bresenhamPixelsIn(line, m_frame);
-        if (pixels.isEmpty())
-            return;
-        BresenhamStep step = bresenhamStepAt(line, pixels.first);
-        for (std::int64_t pixel = pixels.first; pixel < pixels.end; ++pixel) {
-            writeFlat(step.place.x(), step.place.y(), m_curve.vertices[0].colour, m_frame,
-                      m_observer);
-            advance(line, step);
-        }
+        return {floorPixel(vertex.position.x + halfPixel),
+                floorPixel(vertex.position.y + halfPixel)};
     }
 
     const Shape &m_curve;
     FrameView m_frame;
     Observer m_observer;
     std::int64_t m_steps = 0;
+    int m_deepest = 0;
+    std::optional<LatticePoint> m_last; ///< so that where two pieces meet is written once
 };
 
 } // namespace pixelplumb

@@ -6,10 +6,11 @@
 #include "core/scan/flatpixel.h"
 #include "core/scan/roundedarithmetic.h"
 #include "core/scan/scanobserver.h"
+#include "core/scan/workstage.h"
 
-/// The explicit form of the circle, y = ±√(r² − x²) (seed 003, "Lines and Curves: Explicit"), and
-/// of the ellipse, y = ±(b/a)·√(a² − x²): two pixels for each column, and gaps where the curve is
-/// steep.
+/// The explicit form of the circle, y = ±√(r² − x²) (Scan Conversion slides, "Lines and Curves:
+/// Explicit"), and of the ellipse, y = ±(b/a)·√(a² − x²): two pixels for each column, and gaps
+/// where the curve is steep.
 namespace pixelplumb {
 
 /// The root in one arithmetic, and the rounding of centre ± root.
@@ -23,7 +24,7 @@ struct ExplicitRoot<ExactArithmetic<Integer>> {
 
     static Number root(const Round &round, Lattice distance)
     {
-        return halfChord(round.radiusX, round.radiusY, distance);
+        return halfChord<WideBeside<Integer>>(round.radiusX, round.radiusY, distance);
     }
     static std::int64_t above(Lattice centre, Number root)
     {
@@ -35,7 +36,7 @@ struct ExplicitRoot<ExactArithmetic<Integer>> {
     }
 };
 
-template <std::floating_point Float>
+template <FloatingNumber Float>
 struct ExplicitRoot<RoundedArithmetic<Float>> {
     using Number = Float;
     using Traits = NumberTraits<Float>;
@@ -45,7 +46,8 @@ struct ExplicitRoot<RoundedArithmetic<Float>> {
         const Number a = Traits::fromLattice(round.radiusX);
         const Number x = Traits::fromLattice(distance);
         const Number square = a * a - x * x;
-        const Number chord = std::sqrt(std::max(square, Number(0)));
+        using std::sqrt;
+        const Number chord = sqrt(std::max(square, Number(0)));
         if (round.isCircle())
             return chord;
         const Number b = Traits::fromLattice(round.radiusY);
@@ -90,6 +92,7 @@ void scanCircleExplicitly(const Shape &shape, FrameView frame, Observer observer
     }
     const Colour colour = shape.vertices[0].colour;
     for (std::int64_t x = columns.first; x < columns.end; ++x) {
+        [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
         CircleExplicitStep<A> step;
         step.number = x - round.columns().first;
         step.x = x;

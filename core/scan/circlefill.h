@@ -4,9 +4,10 @@
 #include "core/scan/circleshape.h"
 #include "core/scan/flatpixel.h"
 #include "core/scan/scanobserver.h"
+#include "core/scan/workstage.h"
 
 /// A filled circle or ellipse by spans: on each row the samples from x_L to x_R, where the row
-/// meets the curve (seed 003, "Edge Walking", with a curve for its edges).
+/// meets the curve (Scan Conversion slides, "Edge Walking", with a curve for its edges).
 namespace pixelplumb {
 
 struct CircleFillRow {
@@ -32,7 +33,7 @@ void fillRow(const CircleFillRow &row, FrameView frame, Observer observer)
         writeFlat(x, row.y, row.colour, frame, observer);
 }
 
-template <ScanObserver<CircleFillNumbers> Observer>
+template <class Integer, ScanObserver<CircleFillNumbers> Observer>
 void fillCircle(const Shape &shape, FrameView frame, Observer observer)
 {
     const Round round = Round::of(shape);
@@ -43,13 +44,14 @@ void fillCircle(const Shape &shape, FrameView frame, Observer observer)
         return;
     }
     for (std::int64_t y = rows.first; y < rows.end; ++y) {
+        [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
         CircleFillRow row;
         row.y = y;
         row.colour = shape.vertices[0].colour;
         const Lattice half
-            = halfChord(round.radiusY, round.radiusX, y * unitsPerPixel - round.centre.y);
-        row.left = round.centre.x - half;
-        row.right = round.centre.x + half;
+            = halfChord<Integer>(round.radiusY, round.radiusX, y * unitsPerPixel - round.centre.y);
+        row.left = Lattice(Integer(round.centre.x) - half);
+        row.right = Lattice(Integer(round.centre.x) + half);
         row.firstSample = ceilPixel(row.left);
         row.endSample = floorPixel(row.right) + 1;
         const StepRange drawn = StepRange{row.firstSample, row.endSample}.clippedTo(

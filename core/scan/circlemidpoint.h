@@ -4,36 +4,39 @@
 #include "core/scan/circleshape.h"
 #include "core/scan/flatpixel.h"
 #include "core/scan/scanobserver.h"
+#include "core/scan/workstage.h"
 
 #include <vector>
 
-/// The midpoint circle and ellipse: Bresenham's idea on the implicit form (seed 003, "Lines and
-/// Curves: Implicit", F(x, y) = x² + y² − r²; seed 002, "Adaptable to circles, other curves"). From
-/// the top, each step goes one column along, and the sign of F half-way between two rows tells
-/// which of them is nearer. What is found in one octant of a circle is mirrored into all eight; an
-/// ellipse has two kinds of arcs, each mirrored into four. Centre and radii are whole pixels.
+/// The midpoint circle and ellipse: Bresenham's idea on the implicit form (Scan Conversion slides,
+/// "Lines and Curves: Implicit", F(x, y) = x² + y² − r²; Rasterization slides, "Résumé":
+/// adaptable to circles, other curves). From the top, each step goes one column along, and the sign
+/// of F half-way between two rows tells which of them is nearer. What is found in one octant of a
+/// circle is mirrored into all eight; an ellipse has two kinds of arcs, each mirrored into four.
+/// Centre and radii are whole pixels.
 namespace pixelplumb {
 
 /// An arc from where it crosses an axis to where its slope is ±1, seen so that it is flat.
 /// F(x, y) = b²x² + a²y² − a²b²; decisions are 4·F, which is an integer between two rows.
-struct MidpointArc {
+template <class Integer>
+struct MidpointArcOf {
     std::int64_t a = 0; ///< radius along the arc, px
     std::int64_t b = 0; ///< radius across, px
+    Integer aa = Integer(a) * a; ///< a²
+    Integer bb = Integer(b) * b; ///< b²
 
     /// 4·F(x, y − 1/2): positive where the midpoint below row y is outside, so that y − 1 is
     /// nearer.
-    Int128 decision(std::int64_t x, std::int64_t y) const
+    Integer decision(std::int64_t x, std::int64_t y) const
     {
-        const Int128 aa = Int128(a) * a;
-        const Int128 bb = Int128(b) * b;
-        return 4 * bb * x * x + aa * (2 * Int128(y) - 1) * (2 * y - 1) - 4 * aa * bb;
+        const Integer between = 2 * Integer(y) - 1;
+        return 4 * bb * x * x + aa * between * between - 4 * aa * bb;
     }
     /// Whether the arc comes nearest to this column: up to x = a²/√(a² + b²), rounded.
     bool reaches(std::int64_t x) const
     {
-        const Int128 beyond = 2 * Int128(x) - 1;
-        const Int128 aa = Int128(a) * a;
-        return x <= a && (x == 0 || beyond * beyond * (aa + Int128(b) * b) <= 4 * aa * aa);
+        const Integer beyond = 2 * Integer(x) - 1;
+        return x <= a && (x == 0 || beyond * beyond * (aa + bb) <= 4 * aa * aa);
     }
     /// One past the last column.
     std::int64_t endColumn() const
@@ -44,6 +47,7 @@ struct MidpointArc {
         return last + 1;
     }
 };
+using MidpointArc = MidpointArcOf<Int128>;
 
 struct MidpointSetUp {
     LatticePoint centre; ///< px
@@ -51,33 +55,46 @@ struct MidpointSetUp {
     std::int64_t radiusY = 0;
 
     bool isCircle() const { return radiusX == radiusY; }
-    MidpointArc arc(int number) const
+    template <class Integer = Int128>
+    MidpointArcOf<Integer> arc(int number) const
     {
-        return number == 0 ? MidpointArc{radiusX, radiusY} : MidpointArc{radiusY, radiusX};
+        if (number == 0)
+            return {radiusX, radiusY};
+        return {radiusY, radiusX};
     }
 };
 
-struct MidpointStep {
+template <class Integer>
+struct MidpointStepOf {
     int arc = 0; ///< of an ellipse: 0 flat, 1 steep
     std::int64_t x = 0; ///< x_k from the centre along the arc, px
     std::int64_t y = 0; ///< y_k from the centre across the arc, px
     bool hasDecision = false; ///< a decision led here: not at an arc's first step
-    Int128 decision = 0; ///< p_k−1 in units of decisionUnit
-    Int128 nextDecision = 0; ///< p_k
+    std::int64_t down = 0; ///< rows that the decision led inwards
+    Integer decision = 0; ///< p_k−1 in units of decisionUnit
+    Integer nextDecision = 0; ///< p_k
     /// What 1 is in a decision: 4, and 4·r² of a circle, whose F is x² + y² − r².
     Int128 decisionUnit = 4;
-};
 
-struct MidpointNumbers {
+    /// Whether decisions are of F = x² + y² − r², not of F = b²x² + a²y² − a²b².
+    bool isScaled() const { return decisionUnit != 4; }
+};
+using MidpointStep = MidpointStepOf<Int128>;
+
+template <class Integer>
+struct MidpointNumbersOf {
     using SetUp = MidpointSetUp;
-    using Span = MidpointStep;
+    using Span = MidpointStepOf<Integer>;
     using Sample = FlatSample;
 };
+using MidpointNumbers = MidpointNumbersOf<Int128>;
 
 /// A step of the arc without the ones before it: the row by bisection.
-inline MidpointStep midpointStepAt(const MidpointArc &arc, int number, std::int64_t x)
+template <class Integer>
+MidpointStepOf<Integer> midpointStepAt(const MidpointArcOf<Integer> &arc, int number,
+                                       std::int64_t x)
 {
-    MidpointStep step;
+    MidpointStepOf<Integer> step;
     step.arc = number;
     step.x = x;
     step.decisionUnit = 4 * (arc.a == arc.b ? std::max<Int128>(1, Int128(arc.a) * arc.a) : 1);
@@ -91,22 +108,23 @@ inline MidpointStep midpointStepAt(const MidpointArc &arc, int number, std::int6
 
 /// One column on; a row down while the midpoint is outside. Past slope 1 and on slim ellipses it
 /// may be more than one.
-inline void advance(const MidpointArc &arc, MidpointStep &step)
+template <class Integer>
+void advance(const MidpointArcOf<Integer> &arc, MidpointStepOf<Integer> &step)
 {
-    const Int128 aa = Int128(arc.a) * arc.a;
-    const Int128 bb = Int128(arc.b) * arc.b;
     step.hasDecision = true;
     step.decision = step.nextDecision;
     ++step.x;
+    const std::int64_t before = step.y;
     for (; step.nextDecision > 0 && step.y > 0; --step.y)
-        step.nextDecision -= 8 * aa * (step.y - 1);
-    step.nextDecision += 4 * bb * (2 * Int128(step.x) + 1);
+        step.nextDecision -= 8 * arc.aa * (step.y - 1);
+    step.down = before - step.y;
+    step.nextDecision += 4 * arc.bb * (2 * Integer(step.x) + 1);
 }
 
 /// Writes the step's pixel and its mirror images, each once.
-template <class Observer>
-void writeMirrored(const MidpointSetUp &setUp, const MidpointStep &step, const Colour &colour,
-                   FrameView frame, Observer observer)
+template <class Integer, class Observer>
+void writeMirrored(const MidpointSetUp &setUp, const MidpointStepOf<Integer> &step,
+                   const Colour &colour, FrameView frame, Observer observer)
 {
     std::array<LatticePoint, 8> written;
     std::size_t count = 0;
@@ -129,10 +147,13 @@ void writeMirrored(const MidpointSetUp &setUp, const MidpointStep &step, const C
 }
 
 /// The steps of an arc that touch the frame's columns (rows for the steep arcs), ascending.
-inline std::vector<StepRange> midpointStepsIn(const MidpointSetUp &setUp, int arc, FrameView frame)
+template <class Integer>
+std::vector<StepRange> midpointStepsIn(const MidpointSetUp &setUp,
+                                       const MidpointArcOf<Integer> &arcShape, int arc,
+                                       FrameView frame)
 {
     std::vector<StepRange> ranges;
-    const StepRange whole = {0, setUp.arc(arc).endColumn()};
+    const StepRange whole = {0, arcShape.endColumn()};
     const auto add = [&](StepRange shown, std::int64_t centre) {
         for (const StepRange range :
              {StepRange{shown.first - centre, shown.end - centre},
@@ -156,7 +177,7 @@ inline std::vector<StepRange> midpointStepsIn(const MidpointSetUp &setUp, int ar
     return merged;
 }
 
-template <ScanObserver<MidpointNumbers> Observer>
+template <class Integer, ScanObserver<MidpointNumbersOf<Integer>> Observer>
 void scanCircleByMidpoint(const Shape &shape, FrameView frame, Observer observer)
 {
     const Round round = Round::of(shape);
@@ -171,12 +192,14 @@ void scanCircleByMidpoint(const Shape &shape, FrameView frame, Observer observer
         return;
     }
     for (int number = 0; number < (setUp.isCircle() ? 1 : 2); ++number) {
-        const MidpointArc arc = setUp.arc(number);
-        for (const StepRange &range : midpointStepsIn(setUp, number, frame)) {
-            MidpointStep step = midpointStepAt(arc, number, range.first);
-            for (; step.x < range.end; advance(arc, step)) {
+        const MidpointArcOf<Integer> arc = setUp.arc<Integer>(number);
+        for (const StepRange &range : midpointStepsIn(setUp, arc, number, frame)) {
+            MidpointStepOf<Integer> step = midpointStepAt(arc, number, range.first);
+            while (step.x < range.end) {
+                [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
                 observer.spanEntered(step);
                 writeMirrored(setUp, step, shape.vertices[0].colour, frame, observer);
+                advance(arc, step);
             }
         }
     }

@@ -5,13 +5,14 @@
 #include "core/scan/flatpixel.h"
 #include "core/scan/roundedarithmetic.h"
 #include "core/scan/scanobserver.h"
+#include "core/scan/workstage.h"
 
 #include <cmath>
 #include <numbers>
 
-/// The parametric form of the circle, x = r·cos θ and y = r·sin θ (seed 003, "Lines and Curves:
-/// Parametric"), in steps of 1/r: one pixel of arc. An ellipse goes in steps of one over its larger
-/// radius, which are at most as long.
+/// The parametric form of the circle, x = r·cos θ and y = r·sin θ (Scan Conversion slides, "Lines
+/// and Curves: Parametric"), in steps of 1/r: one pixel of arc. An ellipse goes in steps of one
+/// over its larger radius, which are at most as long.
 namespace pixelplumb {
 
 template <class Float>
@@ -36,18 +37,20 @@ struct CircleParametricNumbers {
     using Sample = FlatSample;
 };
 
-template <std::floating_point Float>
+template <FloatingNumber Float>
 CircleParametricStep<Float> parametricStepAt(const CircleParametricSetUp<Float> &setUp,
                                              std::int64_t number)
 {
+    using std::cos;
+    using std::sin;
     using Traits = NumberTraits<Float>;
     CircleParametricStep<Float> step;
     step.number = number;
     step.angle = Float(number) * setUp.angleStep;
     step.curveX = Traits::fromLattice(setUp.round.centre.x)
-        + Traits::fromLattice(setUp.round.radiusX) * std::cos(step.angle);
+        + Traits::fromLattice(setUp.round.radiusX) * cos(step.angle);
     step.curveY = Traits::fromLattice(setUp.round.centre.y)
-        + Traits::fromLattice(setUp.round.radiusY) * std::sin(step.angle);
+        + Traits::fromLattice(setUp.round.radiusY) * sin(step.angle);
     step.x = Traits::floor(step.curveX + Float(0.5));
     step.y = Traits::floor(step.curveY + Float(0.5));
     return step;
@@ -56,13 +59,14 @@ CircleParametricStep<Float> parametricStepAt(const CircleParametricSetUp<Float> 
 /// Walks the steps [first, end). A run of steps whose middle is farther from the frame than the
 /// run is long draws nothing and is left out, so that the part of a huge circle that passes the
 /// frame is found by halving.
-template <std::floating_point Float, class Observer>
+template <FloatingNumber Float, class Observer>
 void walkParametricSteps(const CircleParametricSetUp<Float> &setUp, std::int64_t first,
                          std::int64_t end, const Colour &colour, FrameView frame,
                          Observer &observer)
 {
     if (first >= end)
         return;
+    [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
     const std::int64_t middle = first + (end - first) / 2;
     const CircleParametricStep<Float> step = parametricStepAt(setUp, middle);
     // Arc is never shorter than chord; the rounding of huge coordinates is granted as much again.
@@ -79,7 +83,7 @@ void walkParametricSteps(const CircleParametricSetUp<Float> &setUp, std::int64_t
     walkParametricSteps(setUp, middle + 1, end, colour, frame, observer);
 }
 
-template <std::floating_point Float, ScanObserver<CircleParametricNumbers<Float>> Observer>
+template <FloatingNumber Float, ScanObserver<CircleParametricNumbers<Float>> Observer>
 void scanCircleParametrically(const Shape &shape, FrameView frame, Observer observer)
 {
     CircleParametricSetUp<Float> setUp;

@@ -2,17 +2,25 @@
 #pragma once
 
 #include "core/frame/frameview.h"
+#include "core/frame/levelpixel.h"
 #include "core/scan/columnstate.h"
 #include "core/scan/exactarithmetic.h"
+#include "core/scan/interval.h"
 #include "core/scan/roundedarithmetic.h"
 #include "core/scan/scanobserver.h"
+#include "core/scan/workstage.h"
 
 #include <algorithm>
 
-/// Column-wise scan conversion of a smoothly shaded triangle (seed 004). Walk the columns from left
-/// to right; on each, the triangle is the interval from y_B to y_T between two edges; colour its
-/// samples. Everything that changes from column to column or from row to row changes by adding an
-/// increment.
+/// Column-wise scan conversion of a smoothly shaded triangle (Assignment (Borst), "The Triangle
+/// Awakens"). Walk the columns from left to right; on each, the triangle is the interval from y_B
+/// to y_T between two edges; colour its samples. From column to column y and the colour of each
+/// edge change by adding an increment, from row to row the colour does. What begins a column is
+/// computed anew: which rows it covers, the colour's increment (Δcolour/Δy, a division) and the
+/// colour of its first row. An edge is begun anew at its first column.
+///
+/// This is the traced and the plain drawing. Untraced pictures in exact arithmetic and in float32
+/// come from core/fast, whose kernels are tested to write the same bytes.
 namespace pixelplumb {
 
 /// One edge under way: y and the colour where it meets the current column.
@@ -50,16 +58,14 @@ void fillColumn(const ColumnState<A> &column, ByteRounding rounding, View frame,
 {
     if (column.firstDrawnRow >= column.endDrawnRow)
         return;
+    [[maybe_unused]] const WorkScope samples(observer, WorkStage::Pixel);
     Fragment<A> fragment;
     fragment.colour = column.firstColour;
     QRgb *pixel = frame.at(column.x, column.firstDrawnRow);
     for (std::int64_t row = column.firstDrawnRow; row < column.endDrawnRow; ++row) {
         for (std::size_t channel = 0; channel < 3; ++channel)
             fragment.level[channel] = A::level(fragment.colour[channel], rounding);
-        const auto byte = [&](std::size_t channel) {
-            return int(std::clamp<std::int64_t>(fragment.level[channel], 0, 255));
-        };
-        const QRgb after = qRgb(byte(0), byte(1), byte(2));
+        const QRgb after = pixelOfLevels(fragment.level);
         observer.pixelWritten(column.x, row, *pixel, after, fragment);
         *pixel = after;
         pixel += frame.stride;
@@ -70,14 +76,13 @@ void fillColumn(const ColumnState<A> &column, ByteRounding rounding, View frame,
 
 /// The scan of one triangle into one frame under one rule. The view is a FrameView, or one that
 /// shows a frame turned, so that its rows are scanned as columns.
-template <class A, FillRule Rule, ScanObserver<ColumnScanNumbers<A>> Observer,
-          class View = FrameView>
+template <class A, ScanObserver<ColumnScanNumbers<A>> Observer, class View = FrameView>
 class ColumnScan {
-    static_assert(Rule == FillRule::Closed || Rule == FillRule::HalfOpenColumn);
-
 public:
-    ColumnScan(const Triangle &triangle, ByteRounding rounding, View frame, Observer observer)
-        : m_setUp(setUpFor(triangle))
+    ColumnScan(const Triangle &triangle, ScanIntervals intervals, ByteRounding rounding, View frame,
+               Observer observer)
+        : m_intervals(intervals)
+        , m_setUp(setUpFor(triangle, intervals.columns))
         , m_p0(triangle.vertices[std::size_t(m_setUp.order[0])])
         , m_p1(triangle.vertices[std::size_t(m_setUp.order[1])])
         , m_p2(triangle.vertices[std::size_t(m_setUp.order[2])])
@@ -97,7 +102,7 @@ public:
         }
         computeRates();
         m_observer.primitiveBegun(m_setUp);
-        if (m_setUp.zeroArea && Rule != FillRule::Closed) {
+        if (m_setUp.zeroArea && m_intervals.columns != Interval::Closed) {
             m_observer.primitiveRejected(PrimitiveRejection::ZeroArea);
             return;
         }
@@ -118,7 +123,7 @@ public:
     }
 
 private:
-    static ColumnSetUp<A> setUpFor(const Triangle &triangle)
+    static ColumnSetUp<A> setUpFor(const Triangle &triangle, Interval columns)
     {
         ColumnSetUp<A> setUp;
         setUp.order = sortedByColumn(triangle);
@@ -128,10 +133,9 @@ private:
         const Int128 area = doubledArea(position(0), position(1), position(2));
         setUp.zeroArea = area == 0;
         setUp.longEdge = area >= 0 ? LongEdge::Above : LongEdge::Below;
-        setUp.firstColumn = ceilPixel(position(0).x);
+        setUp.firstColumn = firstSampleFrom(position(0).x, columns);
         setUp.middleColumn = ceilPixel(position(1).x);
-        setUp.endColumn
-            = Rule == FillRule::Closed ? floorPixel(position(2).x) + 1 : ceilPixel(position(2).x);
+        setUp.endColumn = endSampleAt(position(2).x, columns);
         return setUp;
     }
 
@@ -162,12 +166,15 @@ private:
     }
 
     /// Zero area, closed rule: both bounds of every column are L₀₂; a vertical segment, where every
-    /// edge stays at its first vertex, is the one column from P0 to P2.
+    /// edge stays at its first vertex, is the one column from P0 to P2. Where x₀ = x₁ there is no
+    /// first half.
     void scanSegment(std::int64_t first, std::int64_t end)
     {
         const Vertex &upper = m_p0.position.x == m_p2.position.x ? m_p2 : m_p0;
         EdgeWalker<A> longEdge(upper, m_p2, first);
-        scanHalf(ColumnHalf::First, first, end, EdgeWalker<A>(m_p0, m_p2, first), longEdge);
+        const ColumnHalf half
+            = m_p0.position.x == m_p1.position.x ? ColumnHalf::Second : ColumnHalf::First;
+        scanHalf(half, first, end, EdgeWalker<A>(m_p0, m_p2, first), longEdge);
     }
 
     /// The columns [first, end) between L₀₂ and the short edge of this half. L₀₂ is not started
@@ -175,26 +182,45 @@ private:
     void scanHalf(ColumnHalf half, std::int64_t first, std::int64_t end, EdgeWalker<A> shortEdge,
                   EdgeWalker<A> &longEdge)
     {
-        const bool longAbove = m_setUp.longEdge == LongEdge::Above;
         for (std::int64_t x = first; x < end; ++x) {
-            scanColumn(half, x, longAbove ? shortEdge : longEdge, longAbove ? longEdge : shortEdge);
+            [[maybe_unused]] const WorkScope span(m_observer, WorkStage::Span);
+            scanColumn(half, x, shortEdge, longEdge);
             shortEdge.stepToNextColumn();
             longEdge.stepToNextColumn();
         }
     }
 
-    void scanColumn(ColumnHalf half, std::int64_t x, const EdgeWalker<A> &bottom,
-                    const EdgeWalker<A> &top)
+    /// The assignment has y_B ≤ y_T in each column: where rounding has taken the edges past each
+    /// other, as it does near the last vertex, the column reaches from the one to the other all the
+    /// same. Under the other rules such a column holds no sample.
+    LongEdge sideOfLongEdge(const EdgeWalker<A> &shortEdge, const EdgeWalker<A> &longEdge) const
+    {
+        if constexpr (A::boundsMayCross) {
+            const bool isClosed = m_intervals.rows == Interval::Closed;
+            if (isClosed && longEdge.y < shortEdge.y)
+                return LongEdge::Below;
+            if (isClosed && shortEdge.y < longEdge.y)
+                return LongEdge::Above;
+        }
+        return m_setUp.longEdge;
+    }
+
+    void scanColumn(ColumnHalf half, std::int64_t x, const EdgeWalker<A> &shortEdge,
+                    const EdgeWalker<A> &longEdge)
     {
         ColumnState<A> column;
         column.x = x;
         column.half = half;
+        column.longEdge = sideOfLongEdge(shortEdge, longEdge);
+        const bool longAbove = column.longEdge == LongEdge::Above;
+        const EdgeWalker<A> &bottom = longAbove ? shortEdge : longEdge;
+        const EdgeWalker<A> &top = longAbove ? longEdge : shortEdge;
         column.yBottom = bottom.y;
         column.yTop = top.y;
         column.colourBottom = bottom.colour;
         column.colourTop = top.colour;
-        column.firstRow = A::ceil(bottom.y);
-        column.endRow = Rule == FillRule::Closed ? A::floor(top.y) + 1 : A::ceil(top.y);
+        column.firstRow = ownsFirst(m_intervals.rows) ? A::ceil(bottom.y) : A::floor(bottom.y) + 1;
+        column.endRow = ownsLast(m_intervals.rows) ? A::floor(top.y) + 1 : A::ceil(top.y);
         column.firstDrawnRow = std::max<std::int64_t>(column.firstRow, m_frame.firstRow);
         column.endDrawnRow = std::min(column.endRow, m_frame.endRow());
         for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -205,6 +231,7 @@ private:
         fillColumn(column, m_rounding, m_frame, m_observer);
     }
 
+    ScanIntervals m_intervals;
     ColumnSetUp<A> m_setUp;
     const Vertex &m_p0;
     const Vertex &m_p1;
@@ -214,5 +241,15 @@ private:
     View m_frame;
     Observer m_observer;
 };
+
+/// Scans a triangle under the fill rule of the settings.
+template <class A, class Observer>
+void scanColumns(const Triangle &triangle, const ScanSettings &settings, FrameView frame,
+                 Observer observer)
+{
+    ColumnScan<A, Observer>(triangle, columnIntervals(settings.fillRule), settings.rounding, frame,
+                            observer)
+        .run();
+}
 
 } // namespace pixelplumb

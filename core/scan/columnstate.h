@@ -24,7 +24,7 @@ struct ColumnSetUp {
     std::array<int, 3> order = {}; ///< indices of P0, P1, P2 in the caller's triangle
     LongEdge longEdge = LongEdge::Above;
     bool zeroArea = false;
-    std::int64_t firstColumn = 0; ///< ⌈x₀⌉
+    std::int64_t firstColumn = 0; ///< ⌈x₀⌉, or ⌊x₀⌋ + 1 where x₀ itself is not scanned
     std::int64_t middleColumn = 0; ///< ⌈x₁⌉: the first column of the second half
     std::int64_t endColumn = 0; ///< one past the last column
     std::array<typename A::Number, 3> slope
@@ -40,12 +40,13 @@ struct ColumnState {
 
     std::int64_t x = 0; ///< px
     ColumnHalf half = ColumnHalf::First;
+    LongEdge longEdge = LongEdge::Above; ///< the side of the span that L₀₂ bounds in this column
     Number yBottom = {}; ///< y_B, px
     Number yTop = {}; ///< y_T, px
     std::array<Number, 3> colourBottom = {}; ///< R_B G_B B_B, levels
     std::array<Number, 3> colourTop = {}; ///< R_T G_T B_T, levels
     std::array<Number, 3> colourRate = {}; ///< Δ_R Δ_G Δ_B, levels per row
-    std::int64_t firstRow = 0; ///< ⌈y_B⌉
+    std::int64_t firstRow = 0; ///< ⌈y_B⌉, or ⌊y_B⌋ + 1 where y_B itself is not covered
     std::int64_t endRow = 0; ///< one past the last covered row: ⌊y_T⌋ + 1 or ⌈y_T⌉
     std::int64_t firstDrawnRow = 0; ///< the same, clipped to the frame
     std::int64_t endDrawnRow = 0;

@@ -31,28 +31,30 @@ struct RoundedFraction<FixedPoint<Raw, Product, FractionBits>> {
 
 /// The assignment's increments with one change: ΔR is not taken anew from each column's two
 /// drifting bounds, where thin triangles divide rounding errors by almost nothing, but once from
-/// the plane through the three vertices, of which it is the same for all columns (numerics.md,
-/// 3.3).
+/// the plane through the three vertices, of which it is the same for all columns
+/// (resources/numerics.md, 3.3).
 template <class Base>
 struct ConstantRateArithmetic : Base {
     using typename Base::Number;
 
     class ColourRamp {
+        using Integer = WideBeside<Number>;
+
     public:
         ColourRamp(const Vertex &p0, const Vertex &p1, const Vertex &p2)
             : m_ofColumn(p0, p1, p2)
         {
-            const Int128 x1 = p1.position.x - p0.position.x;
-            const Int128 y1 = p1.position.y - p0.position.y;
-            const Int128 x2 = p2.position.x - p0.position.x;
-            const Int128 y2 = p2.position.y - p0.position.y;
-            const Int128 area = x1 * y2 - x2 * y1;
+            const Integer x1 = Integer(p1.position.x) - p0.position.x;
+            const Integer y1 = Integer(p1.position.y) - p0.position.y;
+            const Integer x2 = Integer(p2.position.x) - p0.position.x;
+            const Integer y2 = Integer(p2.position.y) - p0.position.y;
+            const Integer area = x1 * y2 - x2 * y1;
             m_hasPlane = area != 0;
             for (std::size_t channel = 0; channel < 3 && m_hasPlane; ++channel) {
-                const Int128 c0 = p0.colour.channels[channel];
-                const Int128 c1 = p1.colour.channels[channel] - c0;
-                const Int128 c2 = p2.colour.channels[channel] - c0;
-                const Int128 rise = (c2 * x1 - c1 * x2) * unitsPerPixel;
+                const Integer c0 = p0.colour.channels[channel];
+                const Integer c1 = p1.colour.channels[channel] - c0;
+                const Integer c2 = p2.colour.channels[channel] - c0;
+                const Integer rise = (c2 * x1 - c1 * x2) * unitsPerPixel;
                 m_rate[channel]
                     = RoundedFraction<Number>::of(area < 0 ? -rise : rise, area < 0 ? -area : area);
             }

@@ -9,20 +9,22 @@
 namespace pixelplumb {
 
 /// How the line through two vertices becomes an equation. In exact numbers all are the same; they
-/// differ in what rounding leaves of them.
+/// differ in what rounding leaves of them. Absolute: Scan Conversion slides, "Implicit Equation for
+/// a 2D line". Solved: Rasterization slides, "Given 2 points, compute A,B,C". CommonVertex:
+/// Rasterization slides, "Cramer's Rule".
 enum class LineForm {
-    Absolute, ///< a·x + b·y + c with c computed from the coordinates (seed 003)
-    Solved, ///< the same with a and b from the 2×2 system, c chosen as −1 (seed 002)
+    Absolute, ///< a·x + b·y + c with c computed from the coordinates
+    Solved, ///< the same with a and b from the 2×2 system, c chosen as −1
     CanonicalEnd, ///< a·(x − u) + b·(y − v) from the end point that is smaller in (x, y) order
     FirstEnd, ///< the same from the edge's first end point
-    CommonVertex, ///< the same from the triangle's last vertex (seed 002, Cramer's rule)
+    CommonVertex, ///< the same from the triangle's last vertex
 };
 
 inline constexpr Int128 squareUnitsPerPixel = Int128(unitsPerPixel) * unitsPerPixel;
 
 /// The line through two vertices as a function of the plane: 0 on the line, of one sign on each of
-/// its sides. A = y₁ − y₀, B = x₀ − x₁, C = x₁y₀ − x₀y₁ (seed 003, its misprint put right), times
-/// `sign`.
+/// its sides. A = y₁ − y₀, B = x₀ − x₁, C = x₁y₀ − x₀y₁ (Scan Conversion slides, "Implicit
+/// Equation for a 2D line", its misprint put right), times `sign`.
 template <class A>
 struct EdgeLine {
     using Number = typename A::Number;
@@ -32,7 +34,7 @@ struct EdgeLine {
     Number c = {}; ///< the value at (0, 0), where the form has it
     LatticePoint origin; ///< (u, v), where the form has it
     Number determinant = {}; ///< x₀y₁ − y₀x₁, of the solved form
-    Int128 unit = squareUnitsPerPixel; ///< of an exact value: what stands for 1
+    WideBeside<Number> unit = squareUnitsPerPixel; ///< of an exact value: what stands for 1
     int sign = 1; ///< −1 after a flip
 
     EdgeLine() = default;
@@ -74,10 +76,11 @@ struct EdgeLine {
             return a * (A::length(point.x) - A::length(origin.x))
                 + b * (A::length(point.y) - A::length(origin.y));
         else
-            return a * A::length(point.x - origin.x) + b * A::length(point.y - origin.y);
+            return a * A::distance(origin.x, point.x) + b * A::distance(origin.y, point.y);
     }
 
-    /// Exchanges the sides (seed 002, "Reverse spaces by multiplication by −1").
+    /// Exchanges the sides (Rasterization slides, "Edge Equations": "Reverse spaces by
+    /// multiplication by −1").
     void flip()
     {
         // Not −a, which would make a negative zero of a zero.
@@ -99,8 +102,8 @@ private:
 
     void setRelative(const LatticePoint &from, const LatticePoint &to)
     {
-        a = A::length(to.y - from.y);
-        b = A::length(from.x - to.x);
+        a = A::distance(from.y, to.y);
+        b = A::distance(to.x, from.x);
         origin = from;
     }
 

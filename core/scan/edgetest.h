@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/levelpixel.h"
+#include "core/number/three.h"
 #include "core/scan/edgetestsetup.h"
 #include "core/scan/scanobserver.h"
+#include "core/scan/workstage.h"
 
-/// Scan conversion by testing samples: each is inside or outside by three edge functions (seed 003)
-/// or by the three weights that they give (seeds 001 and 002). One kernel; a form says which of the
-/// slides' variants it is.
+/// Scan conversion by testing samples: each is inside or outside by three edge functions (Scan
+/// Conversion slides, "Edge Equations: Code") or by the three weights that they give (Triangles
+/// slides, "for all x do for all y do"; Rasterization slides, "Barycentric Coordinates of P (2D)").
+/// One kernel; a form says which of the slides' variants it is.
 namespace pixelplumb {
 
 /// The value of one line at every step along a span, as the form computes it.
@@ -29,10 +33,6 @@ public:
     Sample sampleAt(std::int64_t x, std::int64_t y, const EdgeTestSpan<A> &numbers) const
     {
         Sample sample;
-        if (m_setUp.zeroArea) {
-            decideBySegment(sample, x, y);
-            return sample;
-        }
         if constexpr (isIncremental) {
             sample.value = numbers.value;
             sample.weight = numbers.weight;
@@ -40,8 +40,6 @@ public:
         } else {
             evaluate(sample, x, y);
         }
-        for (std::size_t line = 0; line < 3; ++line)
-            sample.unit[line] = m_setUp.lines[line].unit;
         sample.covered = covers(sample);
         if constexpr (!(isIncremental && form.isBarycentric())) {
             if (sample.covered)
@@ -76,16 +74,18 @@ private:
     void evaluate(Sample &sample, std::int64_t x, std::int64_t y) const
     {
         const LatticePoint point = latticePixel(x, y);
-        for (std::size_t line = 0; line < 3; ++line)
-            sample.value[line] = m_setUp.lines[line].template valueAt<form.line>(point);
+        sample.value = threeOf([&](std::size_t line) {
+            return m_setUp.lines[line].template valueAt<form.line>(point);
+        });
         if constexpr (form.isBarycentric())
             evaluateWeights(sample);
     }
 
     void evaluateWeights(Sample &sample) const
     {
-        for (std::size_t line = 0; line < 3; ++line)
-            sample.weight[line] = A::ratio(sample.value[line], m_setUp.atOpposite[line]);
+        sample.weight = threeOf([&](std::size_t line) {
+            return A::ratio(sample.value[line], m_setUp.atOpposite[line]);
+        });
         if constexpr (form.inside == InsideTest::Cramer)
             sample.weight[2] = 1 - sample.weight[0] - sample.weight[1];
     }
@@ -95,20 +95,8 @@ private:
     {
         if constexpr (!form.isBarycentric())
             evaluateWeights(sample);
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            sample.colour[channel] = weightedLevel<A, form>(m_setUp, sample.weight, channel);
-    }
-
-    void decideBySegment(Sample &sample, std::int64_t x, std::int64_t y) const
-    {
-        sample.ofSegment = true;
-        sample.covered = m_setUp.segment.covers(x, y);
-        if (!sample.covered)
-            return;
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            const auto [numerator, denominator] = m_setUp.segment.level(channel, x, y);
-            sample.colour[channel] = A::fraction(numerator, denominator);
-        }
+        sample.colour = threeOf(
+            [&](std::size_t channel) { return weightedLevel(m_setUp, sample.weight, channel); });
     }
 
     bool covers(const Sample &sample) const
@@ -121,13 +109,14 @@ private:
             return acceptsSign(sample.weight[0], 0) && acceptsSign(sample.weight[1], 1)
                 && (sum < 1 || (sum == 1 && m_setUp.ownsTie[2]));
         } else {
-            bool inside = true;
-            for (std::size_t line = 0; line < 3; ++line) {
-                inside = inside && acceptsSign(sample.weight[line], line);
-                if constexpr (form.inside == InsideTest::UnitInterval)
-                    inside = inside && sample.weight[line] <= 1;
-            }
-            return inside;
+            const auto accepts = [&](std::size_t line) {
+                if constexpr (form.inside == InsideTest::UnitInterval) {
+                    if (!(sample.weight[line] <= 1))
+                        return false;
+                }
+                return acceptsSign(sample.weight[line], line);
+            };
+            return accepts(0) && accepts(1) && accepts(2);
         }
     }
 
@@ -140,19 +129,59 @@ private:
     void step(EdgeTestSpan<A> &numbers, typename A::Number EdgeLine<A>::*rate,
               const std::array<Ratio, 3> &weightRate, const std::array<Ratio, 3> &colourRate) const
     {
-        for (std::size_t i = 0; i < 3; ++i) {
-            if constexpr (form.isBarycentric()) {
-                numbers.weight[i] = numbers.weight[i] + weightRate[i];
-                numbers.colour[i] = numbers.colour[i] + colourRate[i];
-            } else {
-                numbers.value[i]
-                    = numbers.value[i] + m_setUp.lines[i].*rate * A::length(unitsPerPixel);
-            }
+        if constexpr (form.isBarycentric()) {
+            numbers.weight
+                = threeOf([&](std::size_t i) { return numbers.weight[i] + weightRate[i]; });
+            numbers.colour
+                = threeOf([&](std::size_t i) { return numbers.colour[i] + colourRate[i]; });
+        } else {
+            numbers.value = threeOf([&](std::size_t i) {
+                return numbers.value[i] + m_setUp.lines[i].*rate * A::length(unitsPerPixel);
+            });
         }
     }
 
     const SetUp &m_setUp;
 };
+
+/// What is made of a sample of a triangle of zero area, of which edge functions say nothing.
+template <class A>
+TestedSample<A> segmentSampleAt(const EdgeTestSetUp<A> &setUp, std::int64_t x, std::int64_t y)
+{
+    TestedSample<A> sample;
+    sample.ofSegment = true;
+    sample.covered = setUp.segment.covers(x, y);
+    if (!sample.covered)
+        return sample;
+    sample.colour = threeOf([&](std::size_t channel) {
+        const auto [numerator, denominator] = setUp.segment.level(channel, x, y);
+        return A::fraction(numerator, denominator);
+    });
+    return sample;
+}
+
+/// Colours those samples of a span that are inside.
+template <class A, EdgeTestForm form, class Observer, class SampleAt>
+void colourSpan(const EdgeTestSpan<A> &span, ByteRounding rounding, FrameView frame,
+                Observer observer, SampleAt sampleAt)
+{
+    constexpr bool isRow = form.order == LoopOrder::RowByRow;
+    for (std::int64_t along = span.firstTested; along < span.endTested; ++along) {
+        const std::int64_t x = isRow ? along : span.coordinate;
+        const std::int64_t y = isRow ? span.coordinate : along;
+        TestedSample<A> sample = sampleAt(x, y);
+        QRgb *pixel = frame.at(x, y);
+        if (sample.covered) {
+            sample.level = threeOf(
+                [&](std::size_t channel) { return A::level(sample.colour[channel], rounding); });
+            const QRgb after = pixelOfLevels(sample.level);
+            observer.pixelWritten(x, y, *pixel, after, sample);
+            *pixel = after;
+        } else {
+            observer.sampleRejected(x, y, *pixel, sample);
+        }
+    }
+}
 
 /// Tests the samples of one span and colours those inside. The set-up and the span's numbers are
 /// all it reads, so that a span can be walked again, alone, with the same numbers.
@@ -160,34 +189,26 @@ template <class A, EdgeTestForm form, class Observer>
 void testSpan(const EdgeTestSetUp<A> &setUp, const EdgeTestSpan<A> &span, ByteRounding rounding,
               FrameView frame, Observer observer)
 {
+    [[maybe_unused]] const WorkScope samples(observer, WorkStage::Pixel);
+    if (setUp.zeroArea) {
+        colourSpan<A, form>(span, rounding, frame, observer, [&](std::int64_t x, std::int64_t y) {
+            return segmentSampleAt(setUp, x, y);
+        });
+        return;
+    }
     using Walker = SpanWalker<A, form>;
     const Walker walker(setUp);
-    constexpr bool isRow = form.order == LoopOrder::RowByRow;
     EdgeTestSpan<A> numbers = span;
-    for (std::int64_t along = span.firstTested; along < span.endTested; ++along) {
-        const std::int64_t x = isRow ? along : span.coordinate;
-        const std::int64_t y = isRow ? span.coordinate : along;
-        TestedSample<A> sample = walker.sampleAt(x, y, numbers);
-        QRgb *pixel = frame.at(x, y);
-        if (sample.covered) {
-            std::array<int, 3> byte;
-            for (std::size_t channel = 0; channel < 3; ++channel) {
-                sample.level[channel] = A::level(sample.colour[channel], rounding);
-                byte[channel] = int(std::clamp<std::int64_t>(sample.level[channel], 0, 255));
-            }
-            const QRgb after = qRgb(byte[0], byte[1], byte[2]);
-            observer.pixelWritten(x, y, *pixel, after, sample);
-            *pixel = after;
-        } else {
-            observer.sampleRejected(x, y, *pixel, sample);
-        }
+    colourSpan<A, form>(span, rounding, frame, observer, [&](std::int64_t x, std::int64_t y) {
+        const TestedSample<A> sample = walker.sampleAt(x, y, numbers);
         if constexpr (Walker::isIncremental) {
-            if constexpr (isRow)
+            if constexpr (form.order == LoopOrder::RowByRow)
                 walker.stepX(numbers);
             else
                 walker.stepY(numbers);
         }
-    }
+        return sample;
+    });
 }
 
 /// The test of one triangle's samples.
@@ -195,7 +216,7 @@ template <class A, EdgeTestForm form, ScanObserver<EdgeTestNumbers<A>> Observer>
 void testSamples(const Triangle &triangle, const ScanSettings &settings, FrameView frame,
                  Observer observer)
 {
-    const EdgeTestSetUp<A> setUp = edgeTestSetUp<A, form>(triangle, settings.fillRule, frame);
+    const EdgeTestSetUp<A> setUp = edgeTestSetUp<A, form>(triangle, {settings, frame}, frame);
     observer.primitiveBegun(setUp);
     if (setUp.zeroArea && settings.fillRule != FillRule::Closed) {
         observer.primitiveRejected(PrimitiveRejection::ZeroArea);
@@ -219,6 +240,7 @@ void testSamples(const Triangle &triangle, const ScanSettings &settings, FrameVi
     const std::int64_t end = isRow ? box.endY : box.endX;
     for (span.coordinate = isRow ? box.firstY : box.firstX; span.coordinate < end;
          ++span.coordinate) {
+        [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
         observer.spanEntered(span);
         testSpan<A, form>(setUp, span, settings.rounding, frame, observer);
         if constexpr (Walker::isIncremental) {

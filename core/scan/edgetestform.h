@@ -9,12 +9,14 @@ namespace pixelplumb {
 enum class Evaluation { EverySample, Increments };
 
 /// What says that a sample is inside. Every test but the first divides each edge's value by its
-/// value at the opposite vertex, which gives the weight of that vertex.
+/// value at the opposite vertex, which gives the weight of that vertex. Signs: Scan Conversion
+/// slides, "Edge Equations: Code". UnitInterval and NonNegative: Triangles slides, "Optimizations?"
+/// before and after. Cramer: Rasterization slides, "Cramer's Rule".
 enum class InsideTest {
-    Signs, ///< E₀, E₁ and E₂ not negative, their sides flipped to be positive inside (seed 003)
-    UnitInterval, ///< α, β and γ within [0, 1] (seed 001)
-    NonNegative, ///< α, β and γ not negative (seed 001, "Optimizations?")
-    Cramer, ///< u ≥ 0, v ≥ 0 and u + v ≤ 1 (seed 002)
+    Signs, ///< E₀, E₁ and E₂ not negative, their sides flipped to be positive inside
+    UnitInterval, ///< α, β and γ within [0, 1]
+    NonNegative, ///< α, β and γ not negative
+    Cramer, ///< u ≥ 0, v ≥ 0 and u + v ≤ 1
 };
 
 /// Which samples are visited.
@@ -25,8 +27,8 @@ enum class VisitedSamples {
 
 /// What the outer loop runs over.
 enum class LoopOrder {
-    RowByRow, ///< for y, for x (seed 003)
-    ColumnByColumn, ///< for x, for y (seed 001)
+    RowByRow, ///< for y, for x: as edge equations are printed
+    ColumnByColumn, ///< for x, for y: as barycentric coordinates are printed
 };
 
 /// A method that tests samples one by one: what the literal and the stable ones differ in.
@@ -42,13 +44,14 @@ struct EdgeTestForm {
     friend constexpr bool operator==(const EdgeTestForm &, const EdgeTestForm &) = default;
 };
 
-// Seed 003, "Edge Equations: Code", and what keeps it exact.
+// Scan Conversion slides, "Edge Equations: Code", and what keeps it exact.
 inline constexpr EdgeTestForm edgeEquationsForm = {};
 inline constexpr EdgeTestForm incrementalEdgeEquationsForm = {.evaluation = Evaluation::Increments};
 inline constexpr EdgeTestForm solvedEdgeEquationsForm = {.line = LineForm::Solved};
 inline constexpr EdgeTestForm canonicalEdgeEquationsForm = {.line = LineForm::CanonicalEnd};
 
-// Seed 001, "Triangle rasterization", and what keeps it exact.
+// Triangles slides, "for all x do for all y do" to "dealing with shared triangle edges", and what
+// keeps it exact.
 inline constexpr EdgeTestForm allSamplesBarycentricForm = {.inside = InsideTest::UnitInterval,
                                                            .visited = VisitedSamples::Frame,
                                                            .order = LoopOrder::ColumnByColumn};

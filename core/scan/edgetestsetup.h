@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/scan/boundaryrule.h"
 #include "core/scan/edgeteststate.h"
 
 namespace pixelplumb {
 
 /// Which edge a line of the set-up is, from vertex to vertex, and which vertex faces it. Edge
-/// equations count E₀ = [P₀P₁], E₁ = [P₁P₂], E₂ = [P₂P₀] (seed 003); barycentric coordinates count
-/// by the vertex that a weight belongs to: α faces bc, β faces ca, γ faces ab (seed 001).
+/// equations count E₀ = [P₀P₁], E₁ = [P₁P₂], E₂ = [P₂P₀] (Scan Conversion slides, "Edge
+/// Equations"); barycentric coordinates count by the vertex that a weight belongs to: α faces bc, β
+/// faces ca, γ faces ab (Triangles slides).
 struct EdgeEnds {
     std::size_t from, to, opposite;
 };
@@ -18,51 +20,48 @@ constexpr EdgeEnds edgeEndsOf(const EdgeTestForm &form, std::size_t line)
     return {from, (from + 1) % 3, (from + 2) % 3};
 }
 
-/// The off-screen point of seed 001.
-inline constexpr LatticePoint offScreenPoint = latticePixel(-1, -1);
-
 template <class Number>
 constexpr int signOf(Number number)
 {
     return int(number > Number(0)) - int(number < Number(0));
 }
 
-/// Whether a sample exactly on a line is inside. The closed rule draws it; the others look to which
-/// side the rule's displacement takes it, or on which side of the line the off-screen point lies.
+/// Whether a sample exactly on a line is inside. The closed rule draws it, the open one does not;
+/// the others look to which side the rule's displacement takes it, or on which side of the line the
+/// off-screen point lies.
 template <class A, EdgeTestForm form>
-bool ownsTie(const EdgeTestSetUp<A> &setUp, std::size_t line, FillRule rule)
+bool ownsTie(const EdgeTestSetUp<A> &setUp, std::size_t line, const BoundaryRule &rule)
 {
     const EdgeLine<A> &edge = setUp.lines[line];
     const int inside = signOf(setUp.atOpposite[line]);
     const int perX = inside * signOf(edge.a);
     const int perY = inside * signOf(edge.b);
-    switch (rule) {
+    switch (rule.rule) {
     case FillRule::Closed:
         return true;
     case FillRule::HalfOpenColumn: // (+ε², +ε)
         return perY != 0 ? perY > 0 : perX > 0;
-    case FillRule::TopLeft: // (+ε, −ε²): a left edge, or a top edge exactly along the row
-        return perX != 0 ? perX > 0 : perY < 0;
+    case FillRule::TopLeft: // (+ε, ε² down): a left edge, or a top edge exactly along the row
+        return perX != 0 ? perX > 0 : perY * rule.down() > 0;
     case FillRule::OffScreenPoint: // f_bc(a)·f_bc(r) > 0
-        return inside * signOf(edge.template valueAt<form.line>(offScreenPoint)) > 0;
+        return inside * signOf(edge.template valueAt<form.line>(rule.offScreenPoint)) > 0;
+    case FillRule::Open:
+        return false;
     }
     return false;
 }
 
 /// A level of the vertices weighted: α·R_a + β·R_b + γ·R_c.
-template <class A, EdgeTestForm form>
+template <class A>
 typename A::Ratio weightedLevel(const EdgeTestSetUp<A> &setUp,
                                 const std::array<typename A::Ratio, 3> &weight, std::size_t channel)
 {
-    const auto term = [&](std::size_t line) {
-        const Vertex &vertex = setUp.vertices[edgeEndsOf(form, line).opposite];
-        return weight[line] * int(vertex.colour.channels[channel]);
-    };
-    return term(0) + term(1) + term(2);
+    return weight[0] * setUp.facing[0][channel] + weight[1] * setUp.facing[1][channel]
+        + weight[2] * setUp.facing[2][channel];
 }
 
 /// What one step of x and of y adds to the weights and the levels.
-template <class A, EdgeTestForm form>
+template <class A>
 void setIncrements(EdgeTestSetUp<A> &setUp)
 {
     const typename A::Number step = A::length(unitsPerPixel);
@@ -72,18 +71,19 @@ void setIncrements(EdgeTestSetUp<A> &setUp)
         setUp.weightPerY[line] = A::ratio(setUp.lines[line].b * step, whole);
     }
     for (std::size_t channel = 0; channel < 3; ++channel) {
-        setUp.colourPerX[channel] = weightedLevel<A, form>(setUp, setUp.weightPerX, channel);
-        setUp.colourPerY[channel] = weightedLevel<A, form>(setUp, setUp.weightPerY, channel);
+        setUp.colourPerX[channel] = weightedLevel(setUp, setUp.weightPerX, channel);
+        setUp.colourPerY[channel] = weightedLevel(setUp, setUp.weightPerY, channel);
     }
 }
 
 template <class A, EdgeTestForm form>
-EdgeTestSetUp<A> edgeTestSetUp(const Triangle &triangle, FillRule rule, FrameView frame)
+EdgeTestSetUp<A> edgeTestSetUp(const Triangle &triangle, const BoundaryRule &rule, FrameView frame)
 {
     EdgeTestSetUp<A> setUp;
     setUp.vertices = triangle.vertices;
     setUp.zeroArea = doubledArea(triangle) == 0;
-    setUp.segment = DegenerateSegment(triangle);
+    if (setUp.zeroArea)
+        setUp.segment = DegenerateSegment(triangle);
     setUp.visited
         = form.visited == VisitedSamples::Frame ? samplesOf(frame) : boundingBoxOf(triangle);
     setUp.tested = intersection(setUp.visited, samplesOf(frame));
@@ -92,6 +92,9 @@ EdgeTestSetUp<A> edgeTestSetUp(const Triangle &triangle, FillRule rule, FrameVie
         const EdgeEnds ends = edgeEndsOf(form, line);
         EdgeLine<A> &edge = setUp.lines[line];
         edge = EdgeLine<A>(form.line, position(ends.from), position(ends.to), position(2));
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            setUp.facing[line][channel] =
+                typename A::Level(triangle.vertices[ends.opposite].colour.channels[channel]);
         setUp.atOpposite[line] = edge.template valueAt<form.line>(position(ends.opposite));
         if (!form.isBarycentric() && setUp.atOpposite[line] < typename A::Number(0)) {
             edge.flip();
@@ -100,7 +103,7 @@ EdgeTestSetUp<A> edgeTestSetUp(const Triangle &triangle, FillRule rule, FrameVie
         setUp.ownsTie[line] = ownsTie<A, form>(setUp, line, rule);
     }
     if (form.isBarycentric() && form.evaluation == Evaluation::Increments && !setUp.zeroArea)
-        setIncrements<A, form>(setUp);
+        setIncrements(setUp);
     return setUp;
 }
 

@@ -30,7 +30,8 @@ inline SampleBox samplesOf(FrameView frame)
     return {frame.firstColumn, frame.endColumn(), frame.firstRow, frame.endRow()};
 }
 
-/// "Clip to window by clipping the bbox to the window" (seed 003).
+/// Scan Conversion slides, "Using Edge Equations": clip to window by clipping the bbox to the
+/// window.
 inline SampleBox intersection(const SampleBox &a, const SampleBox &b)
 {
     return {std::max(a.firstX, b.firstX), std::min(a.endX, b.endX), std::max(a.firstY, b.firstY),
@@ -50,6 +51,7 @@ struct EdgeTestSetUp {
     SampleBox tested; ///< clipped to the frame
     std::array<EdgeLine<A>, 3> lines;
     std::array<Number, 3> atOpposite = {}; ///< each line's value at the vertex that faces it
+    std::array<std::array<typename A::Level, 3>, 3> facing = {}; ///< that vertex's R G B
     std::array<bool, 3> ownsTie = {}; ///< whether a sample exactly on the line is inside
     // Where weights and colours are incremental: their changes for each step of x and of y.
     std::array<Ratio, 3> weightPerX = {}, weightPerY = {};
@@ -60,7 +62,6 @@ struct EdgeTestSetUp {
 template <class A>
 struct TestedSample {
     std::array<typename A::Number, 3> value = {}; ///< of each line
-    std::array<Int128, 3> unit = {1, 1, 1}; ///< of exact values: what stands for 1
     std::array<typename A::Ratio, 3> weight = {}; ///< of the vertex that faces each line
     std::array<typename A::Ratio, 3> colour = {}; ///< levels, of a covered sample
     std::array<std::int64_t, 3> level = {}; ///< rounded, before clamping to 0 … 255

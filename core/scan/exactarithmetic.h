@@ -8,12 +8,14 @@
 namespace pixelplumb {
 
 /// The column scan's numbers as integer quotients and remainders: the assignment's increments
-/// without rounding. Integer is std::int64_t up to 2^15 px and Int128 beyond (numerics.md, 3.1
-/// and 3.3).
+/// without rounding. Integer is std::int64_t up to 2^15 px and Int128 beyond
+/// (resources/numerics.md, 3.1 and 3.3).
 template <class Integer>
 struct ExactArithmetic {
     using Number = MixedNumber<Integer>;
     static constexpr Arithmetic arithmetic = Arithmetic::Exact;
+    /// Whether rounding can take the two bounds of a column past each other.
+    static constexpr bool boundsMayCross = false;
 
     /// Every lattice point is an integer; which width holds the products is chosen by the caller.
     static constexpr bool represents(const LatticePoint &) { return true; }
@@ -65,7 +67,7 @@ struct ExactArithmetic {
     {
         const bool up = rounding == ByteRounding::Nearest
             && number.remainder >= number.denominator - number.remainder;
-        return number.whole + std::int64_t(up);
+        return std::int64_t(number.whole + std::int64_t(up));
     }
 
     /// The three vertices' colour plane R(x, y) = (c0·A + GX·(x·S − X0) + GY·(y·S − Y0)) / A.
@@ -77,10 +79,10 @@ struct ExactArithmetic {
             : m_p0(&p0)
             , m_p2(&p2)
         {
-            const Integer x1 = p1.position.x - p0.position.x;
-            const Integer y1 = p1.position.y - p0.position.y;
-            const Integer x2 = p2.position.x - p0.position.x;
-            const Integer y2 = p2.position.y - p0.position.y;
+            const Integer x1 = Integer(p1.position.x) - p0.position.x;
+            const Integer y1 = Integer(p1.position.y) - p0.position.y;
+            const Integer x2 = Integer(p2.position.x) - p0.position.x;
+            const Integer y2 = Integer(p2.position.y) - p0.position.y;
             const Integer signedArea = x1 * y2 - x2 * y1;
             const Integer sign = signedArea < 0 ? -1 : 1;
             m_area = signedArea * sign;
@@ -90,6 +92,9 @@ struct ExactArithmetic {
                 const Integer c2 = p2.colour.channels[channel] - c0;
                 m_perColumn[channel] = sign * (c1 * y2 - c2 * y1);
                 m_perRow[channel] = sign * (c2 * x1 - c1 * x2);
+                if (m_area != 0)
+                    m_rate[channel]
+                        = Number::fromFraction(m_perRow[channel] * unitsPerPixel, m_area);
             }
         }
 
@@ -98,7 +103,7 @@ struct ExactArithmetic {
         Number rate(const ColumnState &column, std::size_t channel) const
         {
             if (m_area != 0)
-                return Number::fromFraction(m_perRow[channel] * unitsPerPixel, m_area);
+                return m_rate[channel];
             const Integer height = m_p2->position.y - m_p0->position.y;
             if (m_p0->position.x != m_p2->position.x || height == 0)
                 return Number::fromFraction(0, column.colourBottom[channel].denominator);
@@ -131,6 +136,7 @@ struct ExactArithmetic {
         Integer m_area = 0; ///< doubled, without sign, in square lattice units
         std::array<Integer, 3> m_perColumn = {}; ///< GX: change of the numerator per unit of x
         std::array<Integer, 3> m_perRow = {}; ///< GY: change of the numerator per unit of y
+        std::array<Number, 3> m_rate = {}; ///< ΔR ΔG ΔB, levels per row
     };
 };
 

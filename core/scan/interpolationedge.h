@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/number/widerinteger.h"
 #include "core/scan/interpolationnumbers.h"
-
-#include <boost/multiprecision/cpp_int.hpp>
 
 namespace pixelplumb {
 
@@ -31,16 +30,20 @@ struct ChannelEdge {
 private:
     /// A number at the column, from its values at a and b in units of 1/256, and its rate per
     /// column; a vertical edge stays at a.
-    static void start(Ratio &value, Ratio &perColumn, Lattice atA, Lattice atB,
-                      const ChannelVertex &a, const ChannelVertex &b, std::int64_t column)
+    template <class Integer>
+    static void start(FractionOf<Integer> &value, FractionOf<Integer> &perColumn, Lattice atA,
+                      Lattice atB, const ChannelVertex &a, const ChannelVertex &b,
+                      std::int64_t column)
     {
-        const Int128 width = b.position.x - a.position.x;
-        const Int128 run = Int128(column) * unitsPerPixel - a.position.x;
-        const Int128 denominator = (width == 0 ? 1 : width) * unitsPerPixel;
-        value = {width == 0 ? Int128(atA) : atA * width + run * (atB - atA), denominator};
-        perColumn = {width == 0 ? Int128(0) : Int128(atB - atA) * unitsPerPixel, denominator};
+        const Integer width = Integer(b.position.x) - a.position.x;
+        const Integer run = Integer(column) * unitsPerPixel - a.position.x;
+        const Integer rise = Integer(atB) - atA;
+        const bool isVertical = width == 0;
+        const Integer denominator = isVertical ? Integer(unitsPerPixel) : width * unitsPerPixel;
+        value = {isVertical ? Integer(atA) : atA * width + run * rise, denominator};
+        perColumn = {isVertical ? Integer(0) : rise * unitsPerPixel, denominator};
     }
-    template <std::floating_point Float>
+    template <FloatingNumber Float>
     static void start(Float &value, Float &perColumn, Lattice atA, Lattice atB,
                       const ChannelVertex &a, const ChannelVertex &b, std::int64_t column)
     {
@@ -59,34 +62,37 @@ private:
 /// Q = n_T·d_B − n_B·d_T, and the value N/Q with N = m_B(n_T − y·d_T) + m_T(y·d_B − n_B), up to
 /// the units. Both are written over the doubled area, which they have as a denominator because they
 /// belong to a plane: the divisions leave no remainder. The products take up to 236 bits.
-inline void interpolateColumn(const ChannelEdge<Ratio> &bottom, const ChannelEdge<Ratio> &top,
-                              Int128 area, InterpolationColumn<Ratio> &column)
+template <class Integer>
+void interpolateColumn(const ChannelEdge<FractionOf<Integer>> &bottom,
+                       const ChannelEdge<FractionOf<Integer>> &top, Int128 doubledArea,
+                       InterpolationColumn<FractionOf<Integer>> &column)
 {
-    using Wide = boost::multiprecision::int256_t;
-    const Wide bottomWidth = bottom.y.denominator / unitsPerPixel;
-    const Wide topWidth = top.y.denominator / unitsPerPixel;
-    const Wide bottomY = bottom.y.numerator;
-    const Wide topY = top.y.numerator;
-    const Wide height = topY * bottomWidth - bottomY * topWidth;
-    const Wide row = Wide(column.firstDrawn) * unitsPerPixel;
+    using Wider = TwiceAsWide<Integer>;
+    const Integer area = doubledArea;
+    const Wider bottomWidth = bottom.y.denominator / unitsPerPixel;
+    const Wider topWidth = top.y.denominator / unitsPerPixel;
+    const Wider bottomY = bottom.y.numerator;
+    const Wider topY = top.y.numerator;
+    const Wider height = topY * bottomWidth - bottomY * topWidth;
+    const Wider row = Wider(column.firstDrawn) * unitsPerPixel;
     for (std::size_t i = 0; i < channelCount; ++i) {
         if (height == 0) {
-            column.rate[i] = {0, bottom.channel[i].denominator};
+            column.rate[i] = {Integer(0), bottom.channel[i].denominator};
             column.first[i] = bottom.channel[i];
             continue;
         }
-        const Wide low = bottom.channel[i].numerator;
-        const Wide high = top.channel[i].numerator;
-        const Wide rate = (high * bottomWidth - low * topWidth) * area / height;
-        const Wide first = (low * (topY - row * topWidth) + high * (row * bottomWidth - bottomY))
-            * area / height;
-        column.rate[i] = {Int128(rate) * unitsPerPixel, area * unitsPerPixel};
-        column.first[i] = {Int128(first), area * unitsPerPixel};
+        const Wider low = bottom.channel[i].numerator;
+        const Wider high = top.channel[i].numerator;
+        const Wider rate = (high * bottomWidth - low * topWidth) * Wider(area) / height;
+        const Wider first = (low * (topY - row * topWidth) + high * (row * bottomWidth - bottomY))
+            * Wider(area) / height;
+        column.rate[i] = {Integer(rate) * unitsPerPixel, area * unitsPerPixel};
+        column.first[i] = {Integer(first), area * unitsPerPixel};
     }
 }
 
 /// The same to the letter, in numbers that round; 0 where y_B = y_T.
-template <std::floating_point Float>
+template <FloatingNumber Float>
 void interpolateColumn(const ChannelEdge<Float> &bottom, const ChannelEdge<Float> &top, Int128,
                        InterpolationColumn<Float> &column)
 {

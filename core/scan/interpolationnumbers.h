@@ -3,6 +3,7 @@
 
 #include "core/geometry/attributes.h"
 #include "core/geometry/triangle.h"
+#include "core/number/commonfraction.h"
 #include "core/number/mixednumber.h"
 #include "core/scan/columnstate.h"
 #include "core/scan/roundedarithmetic.h"
@@ -35,12 +36,6 @@ constexpr ChannelVertex channelVertex(const Vertex &vertex, const VertexAttribut
     return result;
 }
 
-/// An exact number, not in lowest terms: numbers that are added to each other share a denominator.
-struct Ratio {
-    Int128 numerator = 0;
-    Int128 denominator = 1; ///< > 0
-};
-
 /// What is computed once for a triangle.
 template <class Number>
 struct InterpolationSetUp {
@@ -59,7 +54,7 @@ template <class Number>
 struct InterpolationColumn {
     std::int64_t x = 0;
     ColumnHalf half = ColumnHalf::First;
-    MixedNumber<Int128> lower, upper; ///< where the edges meet the column, exactly, px
+    MixedNumber<WideBeside<Number>> lower, upper; ///< where the edges meet the column, exactly, px
     std::int64_t firstRow = 0, endRow = 0; ///< covered: between the two
     std::int64_t firstDrawn = 0, endDrawn = 0; ///< the same, clipped to the frame
     Number yBottom = {}, yTop = {}; ///< px; of the bilinear form, as it has them
@@ -89,12 +84,10 @@ struct InterpolationNumbers {
 };
 
 /// A level's byte before clamping.
-inline std::int64_t levelOf(const Ratio &value, ByteRounding rounding)
+template <class Integer>
+std::int64_t levelOf(const FractionOf<Integer> &value, ByteRounding rounding)
 {
-    if (rounding == ByteRounding::Truncate)
-        return std::int64_t(floorDivide(value.numerator, value.denominator));
-    return std::int64_t(
-        floorDivide<Int128>(2 * value.numerator + value.denominator, 2 * value.denominator));
+    return std::int64_t(rounding == ByteRounding::Truncate ? value.floor() : value.nearest());
 }
 
 template <std::floating_point Float>
@@ -103,9 +96,13 @@ std::int64_t levelOf(Float value, ByteRounding rounding)
     return RoundedArithmetic<Float>::level(value, rounding);
 }
 
-inline void advance(Ratio &value, const Ratio &rate) { value.numerator += rate.numerator; }
+template <class Integer>
+void advance(FractionOf<Integer> &value, const FractionOf<Integer> &rate)
+{
+    value.numerator += rate.numerator;
+}
 
-template <std::floating_point Float>
+template <FloatingNumber Float>
 void advance(Float &value, Float rate)
 {
     value = value + rate;

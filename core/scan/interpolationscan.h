@@ -2,14 +2,18 @@
 #pragma once
 
 #include "core/frame/frameview.h"
+#include "core/frame/levelpixel.h"
 #include "core/scan/exactarithmetic.h"
 #include "core/scan/interpolationcoefficients.h"
 #include "core/scan/interpolationedge.h"
+#include "core/scan/interval.h"
 #include "core/scan/scanobserver.h"
+#include "core/scan/workstage.h"
 
-/// Interpolation during scan conversion (seed 003): three forms that are the same in exact
-/// numbers. What is covered is decided exactly, column by column, whatever the channels are
-/// computed in, so that forms and arithmetics differ in their values alone.
+/// Interpolation during scan conversion (Scan Conversion slides, "Interpolation During Scan
+/// Conversion"): three forms that are the same in exact numbers. What is covered is decided
+/// exactly, column by column, whatever the channels are computed in, so that forms and arithmetics
+/// differ in their values alone.
 namespace pixelplumb {
 
 enum class InterpolationForm {
@@ -61,6 +65,7 @@ void fillInterpolated(const InterpolationSetUp<Number> &setUp,
                       const InterpolationColumn<Number> &column, ByteRounding rounding,
                       FrameView frame, Observer observer)
 {
+    [[maybe_unused]] const WorkScope samples(observer, WorkStage::Pixel);
     InterpolationSample<Number> sample;
     sample.value = column.first;
     for (std::int64_t y = column.firstDrawn; y < column.endDrawn; ++y) {
@@ -72,10 +77,8 @@ void fillInterpolated(const InterpolationSetUp<Number> &setUp,
         }
         for (std::size_t i = 0; i < 3; ++i)
             sample.level[i] = levelOf(sample.value[i], rounding);
-        const auto byte
-            = [&](std::size_t i) { return int(std::clamp<std::int64_t>(sample.level[i], 0, 255)); };
         QRgb *pixel = frame.at(column.x, y);
-        const QRgb after = qRgb(byte(0), byte(1), byte(2));
+        const QRgb after = pixelOfLevels(sample.level);
         observer.pixelWritten(column.x, y, *pixel, after, sample);
         *pixel = after;
         if (Form == InterpolationForm::Bilinear && !setUp.zeroArea) {
@@ -93,6 +96,7 @@ public:
                       const ScanSettings &settings, FrameView frame, Observer observer)
         : m_triangle(triangle)
         , m_settings(settings)
+        , m_intervals(columnIntervals(settings.fillRule))
         , m_frame(frame)
         , m_observer(observer)
     {
@@ -110,15 +114,14 @@ public:
         if (!m_setUp.zeroArea)
             computeCoefficients();
         m_observer.primitiveBegun(m_setUp);
-        if (m_setUp.zeroArea && !isClosed()) {
+        if (m_setUp.zeroArea && m_intervals.columns != Interval::Closed) {
             m_observer.primitiveRejected(PrimitiveRejection::ZeroArea);
             return;
         }
-        const std::int64_t lastX = at(2).position.x;
         const std::int64_t end
-            = std::min(isClosed() ? floorPixel(lastX) + 1 : ceilPixel(lastX), m_frame.endColumn());
-        const std::int64_t first
-            = std::max<std::int64_t>(ceilPixel(at(0).position.x), m_frame.firstColumn);
+            = std::min(endSampleAt(at(2).position.x, m_intervals.columns), m_frame.endColumn());
+        const std::int64_t first = std::max<std::int64_t>(
+            firstSampleFrom(at(0).position.x, m_intervals.columns), m_frame.firstColumn);
         const auto [low, high]
             = std::minmax({at(0).position.y, at(1).position.y, at(2).position.y});
         if (first >= end || ceilPixel(low) >= m_frame.endRow()
@@ -129,7 +132,9 @@ public:
         const bool isVertical = at(0).position.x == at(2).position.x;
         if (m_setUp.zeroArea) {
             // Both bounds are L₀₂; a vertical segment goes from P0 to P2 in one column.
-            scanHalf(ColumnHalf::First, first, end, {0, 2}, {std::size_t(isVertical ? 2 : 0), 2});
+            const ColumnHalf half
+                = at(0).position.x == at(1).position.x ? ColumnHalf::Second : ColumnHalf::First;
+            scanHalf(half, first, end, {0, 2}, {std::size_t(isVertical ? 2 : 0), 2});
             return;
         }
         const std::int64_t middle = std::clamp(ceilPixel(at(1).position.x), first, end);
@@ -140,9 +145,9 @@ public:
 
 private:
     using Corners = std::array<std::size_t, 2>; ///< of an edge, in column order
-    using Exact = ExactArithmetic<Int128>;
+    using Integer = WideBeside<Number>;
+    using Exact = ExactArithmetic<Integer>;
 
-    bool isClosed() const { return m_settings.fillRule == FillRule::Closed; }
     std::size_t indexAt(std::size_t corner) const { return std::size_t(m_setUp.order[corner]); }
     const ChannelVertex &at(std::size_t corner) const { return m_setUp.vertices[indexAt(corner)]; }
 
@@ -159,7 +164,7 @@ private:
 
     /// An edge's exact y, which decides what is covered, and its channels.
     struct Walker {
-        MixedNumber<Int128> y, slope;
+        MixedNumber<Integer> y, slope;
         ChannelEdge<Number> channels;
 
         void stepToNextColumn()
@@ -188,6 +193,7 @@ private:
             m_longWalker = walkerOn(longEdge, first);
         const bool longAbove = m_setUp.longEdge == LongEdge::Above;
         for (std::int64_t x = first; x < end; ++x) {
+            [[maybe_unused]] const WorkScope span(m_observer, WorkStage::Span);
             scanColumn(half, x, longAbove ? shortWalker : *m_longWalker,
                        longAbove ? *m_longWalker : shortWalker);
             shortWalker.stepToNextColumn();
@@ -202,8 +208,8 @@ private:
         column.half = half;
         column.lower = bottom.y;
         column.upper = top.y;
-        column.firstRow = bottom.y.ceil();
-        column.endRow = isClosed() ? top.y.floor() + 1 : top.y.ceil();
+        column.firstRow = ownsFirst(m_intervals.rows) ? bottom.y.ceil() : bottom.y.floor() + 1;
+        column.endRow = ownsLast(m_intervals.rows) ? top.y.floor() + 1 : top.y.ceil();
         column.firstDrawn = std::max<std::int64_t>(column.firstRow, m_frame.firstRow);
         column.endDrawn = std::min(column.endRow, m_frame.endRow());
         if constexpr (Form == InterpolationForm::Bilinear) {
@@ -220,6 +226,7 @@ private:
 
     const Triangle &m_triangle;
     ScanSettings m_settings;
+    ScanIntervals m_intervals;
     FrameView m_frame;
     Observer m_observer;
     InterpolationSetUp<Number> m_setUp;

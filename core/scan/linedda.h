@@ -4,14 +4,15 @@
 #include "core/scan/columnscan.h"
 #include "core/scan/linestep.h"
 
-/// The digital differential analyzer (seed 002, "DDA Line-Drawing Algorithm"): along the longer
-/// side from pixel to pixel, the other coordinate by adding the slope, rounded for each pixel.
+/// The digital differential analyzer (Rasterization slides, "DDA Line-Drawing Algorithm"): along
+/// the longer side from pixel to pixel, the other coordinate by adding the slope, rounded for each
+/// pixel.
 namespace pixelplumb {
 
 template <class A>
 struct DdaSetUp {
     LineAxis axis = LineAxis::X;
-    LatticePoint start; ///< the end with the smaller coordinate along the line, exchanged
+    Vertex start, end; ///< exchanged; start.position.x <= end.position.x
     typename A::Number slope = {}; ///< m: px across the line per step
     std::array<typename A::Number, 3> colourRate = {}; ///< levels per step
 };
@@ -39,7 +40,8 @@ void scanLineByDda(const Shape &line, ByteRounding rounding, FrameView frame, Ob
     Vertex b = exchanged(line.vertices[1], setUp.axis);
     if (b.position.x < a.position.x)
         std::swap(a, b);
-    setUp.start = a.position;
+    setUp.start = a;
+    setUp.end = b;
     if (!A::represents(a.position) || !A::represents(b.position)) {
         observer.primitiveBegun(setUp);
         observer.primitiveRejected(PrimitiveRejection::NotRepresentable);
@@ -62,6 +64,7 @@ void scanLineByDda(const Shape &line, ByteRounding rounding, FrameView frame, Ob
     }
     EdgeWalker<A> walker(a, b, steps.first);
     for (std::int64_t along = steps.first; along < steps.end; ++along) {
+        [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
         // ⌊v + 1/2⌋: what rounding a level to the nearest byte does.
         const std::int64_t across = A::level(walker.y, ByteRounding::Nearest);
         DdaStep<A> step = {{setUp.axis, along, across}, walker.y, walker.colour};

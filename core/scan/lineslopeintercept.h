@@ -1,45 +1,42 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/number/commonfraction.h"
 #include "core/scan/exactarithmetic.h"
 #include "core/scan/linestep.h"
 #include "core/scan/roundedarithmetic.h"
 #include "core/scan/scanobserver.h"
 
-/// The line equation to the letter (seed 002, "Line-Drawing Algorithms"): y = m·x + b for each
-/// column, and (int)(y + 1/2), which is what a C program writes for rounding and which rounds
-/// negative numbers the wrong way. One pixel a column: a line with |m| > 1 has gaps, a vertical one
-/// has no m.
+/// The line equation to the letter (Rasterization slides, "Line-Drawing Algorithms"): y = m·x + b
+/// for each column, and (int)(y + 1/2), which is what a C program writes for rounding and which
+/// rounds negative numbers the wrong way. One pixel a column: a line with |m| > 1 has gaps, a
+/// vertical one has no m.
 namespace pixelplumb {
 
 /// m, b and y in one arithmetic.
 template <class A>
 struct LineEquation;
 
-/// A rational; b of a steep line does not fit a mixed number's 64-bit whole.
-struct ExactRatio {
-    Int128 numerator = 0;
-    Int128 denominator = 1; ///< > 0
-};
-
+/// b of a steep line does not fit a mixed number's 64-bit whole.
 template <class Integer>
 struct LineEquation<ExactArithmetic<Integer>> {
-    using Number = ExactRatio;
+    using Wide = WideBeside<Integer>;
+    using Number = FractionOf<Wide>;
 
     static Number slope(const LatticePoint &a, const LatticePoint &b)
     {
-        return {b.y - a.y, b.x - a.x};
+        return {Wide(b.y) - a.y, Wide(b.x) - a.x};
     }
-    static Number intercept(const LatticePoint &a, const LatticePoint &b)
+    static Number intercept(const LatticePoint &a, const LatticePoint &b, const Number &)
     {
         return ordinate(a, b, {}, {}, 0);
     }
     static Number ordinate(const LatticePoint &a, const LatticePoint &b, const Number &,
                            const Number &, std::int64_t x)
     {
-        const Int128 width = b.x - a.x;
-        const Int128 run = Int128(x) * unitsPerPixel - a.x;
-        return {a.y * width + run * (b.y - a.y), width * unitsPerPixel};
+        const Wide width = Wide(b.x) - a.x;
+        const Wide run = Wide(x) * unitsPerPixel - a.x;
+        return {a.y * width + run * (Wide(b.y) - a.y), width * unitsPerPixel};
     }
     /// (int)(y + 1/2): the quotient of two integers drops its fraction, as the cast does.
     static std::int64_t rounded(const Number &y)
@@ -57,9 +54,9 @@ struct LineEquation<RoundedArithmetic<Value>> {
     {
         return RoundedArithmetic<Value>::edgeSlope({a, {}}, {b, {}});
     }
-    static Number intercept(const LatticePoint &a, const LatticePoint &b)
+    static Number intercept(const LatticePoint &a, const LatticePoint &, const Number &m)
     {
-        return Traits::fromLattice(a.y) - slope(a, b) * Traits::fromLattice(a.x);
+        return Traits::fromLattice(a.y) - m * Traits::fromLattice(a.x);
     }
     static Number ordinate(const LatticePoint &, const LatticePoint &, const Number &m,
                            const Number &b, std::int64_t x)
@@ -77,7 +74,7 @@ template <class A>
 struct SlopeInterceptSetUp {
     typename LineEquation<A>::Number slope = {}; ///< m
     typename LineEquation<A>::Number intercept = {}; ///< b, px
-    Lattice startX = 0; ///< x₀: the left end's
+    Vertex start, end; ///< from left to right
 };
 
 template <class A>
@@ -103,12 +100,13 @@ void scanLineBySlopeIntercept(const Shape &line, ByteRounding rounding, FrameVie
         line.vertices[0], line.vertices[1],
         [](const Vertex &left, const Vertex &right) { return left.position.x < right.position.x; });
     SlopeInterceptSetUp<A> setUp;
-    setUp.startX = a.position.x;
+    setUp.start = a;
+    setUp.end = b;
     const bool isVertical = a.position.x == b.position.x;
     const bool isRepresentable = A::represents(a.position) && A::represents(b.position);
     if (!isVertical && isRepresentable) {
         setUp.slope = Equation::slope(a.position, b.position);
-        setUp.intercept = Equation::intercept(a.position, b.position);
+        setUp.intercept = Equation::intercept(a.position, b.position, setUp.slope);
     }
     observer.primitiveBegun(setUp);
     const StepRange columns
@@ -124,6 +122,7 @@ void scanLineBySlopeIntercept(const Shape &line, ByteRounding rounding, FrameVie
         return;
     }
     for (std::int64_t x = columns.first; x < columns.end; ++x) {
+        [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
         SlopeInterceptStep<A> step;
         step.ordinate = Equation::ordinate(a.position, b.position, setUp.slope, setUp.intercept, x);
         step.place = {LineAxis::X, x, Equation::rounded(step.ordinate)};

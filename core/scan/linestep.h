@@ -2,10 +2,10 @@
 #pragma once
 
 #include "core/frame/frameview.h"
+#include "core/frame/levelpixel.h"
 #include "core/geometry/shape.h"
 #include "core/scan/columnstate.h"
-
-#include <algorithm>
+#include "core/scan/workstage.h"
 
 /// What all line methods share. A line is walked along its longer side, one pixel a step: column by
 /// column, or row by row where it is steep. The methods compute with a line whose x and y are
@@ -15,7 +15,8 @@ namespace pixelplumb {
 /// Which coordinate changes by one at each step of a line.
 enum class LineAxis : std::uint8_t { X, Y };
 
-/// Seed 002, "DDA": "check if |m| < 1, iterate along x, otherwise iterate along y".
+/// Rasterization slides, "DDA Line-Drawing Algorithm": "check if |m| < 1, iterate along x,
+/// otherwise iterate along y".
 constexpr LineAxis lineAxisOf(const LatticePoint &a, const LatticePoint &b)
 {
     return absolute(b.y - a.y) < absolute(b.x - a.x) ? LineAxis::X : LineAxis::Y;
@@ -69,15 +70,13 @@ void plot(const LinePlace &place, const std::array<typename A::Number, 3> &colou
 {
     if (!place.isInFrame)
         return;
+    [[maybe_unused]] const WorkScope pixels(observer, WorkStage::Pixel);
     Fragment<A> fragment;
     fragment.colour = colour;
     for (std::size_t channel = 0; channel < 3; ++channel)
         fragment.level[channel] = A::level(colour[channel], rounding);
-    const auto byte = [&](std::size_t channel) {
-        return int(std::clamp<std::int64_t>(fragment.level[channel], 0, 255));
-    };
     QRgb *pixel = frame.at(place.x(), place.y());
-    const QRgb after = qRgb(byte(0), byte(1), byte(2));
+    const QRgb after = pixelOfLevels(fragment.level);
     observer.pixelWritten(place.x(), place.y(), *pixel, after, fragment);
     *pixel = after;
 }

@@ -3,98 +3,110 @@
 
 #include "core/scan/linebresenham.h"
 
-/// Bresenham's line with a rule for ties that does not know directions, and from any lattice point
-/// to any other. It is always walked along growing coordinates, and of two pixels that are equally
+/// Bresenham's line with a rule for ties that does not know slopes, and from any lattice point to
+/// any other. It is always walked along growing coordinates, and of two pixels that are equally
 /// near it takes the upper one (the right one where the line is steep). The decision parameter is
 /// the same number as Bresenham's, in units of 1/S² so that it stays an integer between pixels.
 namespace pixelplumb {
 
-struct SymmetricSetUp {
+template <class Integer>
+struct SymmetricSetUpOf {
     LineAxis axis = LineAxis::X;
     Vertex start, end; ///< exchanged; start.position.x <= end.position.x
     int acrossStep = 1; ///< +1 or −1: where a step across leads
     Lattice deltaX = 0; ///< Δx >= 0, lattice units
     Lattice deltaY = 0; ///< Δy, without its sign
+    Integer stayIncrement = 0; ///< 2Δy·S
+    Integer moveIncrement = 0; ///< (2Δy − 2Δx)·S
 
-    constexpr Int128 stayIncrement() const { return Int128(2) * deltaY * unitsPerPixel; }
-    constexpr Int128 moveIncrement() const
-    {
-        return stayIncrement() - Int128(2) * deltaX * unitsPerPixel;
-    }
     /// S²: what 1 is in a decision parameter.
     static constexpr Int128 decisionUnit() { return Int128(unitsPerPixel) * unitsPerPixel; }
 };
+using SymmetricSetUp = SymmetricSetUpOf<Int128>;
 
 /// One pixel, and what decides about the next one.
-struct SymmetricStep {
+template <class Integer>
+struct SymmetricStepOf {
     LinePlace place;
     bool isFirst = true; ///< placed by a division: no decision led here
     std::int64_t k = -1; ///< the number of the decision that led here
-    Int128 decision = 0; ///< p_k; of the first pixel, none
-    Int128 increment = 0;
-    Int128 nextDecision = 0;
-    std::array<ExactArithmetic<Int128>::Number, 3> colour = {}; ///< levels
+    Integer decision = 0; ///< p_k; of the first pixel, none
+    Integer increment = 0;
+    Integer nextDecision = 0;
+    std::array<MixedNumber<Integer>, 3> colour = {}; ///< levels
 };
+using SymmetricStep = SymmetricStepOf<Int128>;
 
-struct SymmetricNumbers {
-    using SetUp = SymmetricSetUp;
-    using Span = SymmetricStep;
-    using Sample = Fragment<ExactArithmetic<Int128>>;
+template <class Integer>
+struct SymmetricNumbersOf {
+    using SetUp = SymmetricSetUpOf<Integer>;
+    using Span = SymmetricStepOf<Integer>;
+    using Sample = Fragment<ExactArithmetic<Integer>>;
 };
+using SymmetricNumbers = SymmetricNumbersOf<Int128>;
 
-constexpr SymmetricSetUp symmetricSetUp(const Shape &line)
+template <class Integer = Int128>
+constexpr SymmetricSetUpOf<Integer> symmetricSetUp(const Shape &line)
 {
-    SymmetricSetUp setUp;
+    SymmetricSetUpOf<Integer> setUp;
     setUp.axis = lineAxisOf(line.vertices[0].position, line.vertices[1].position);
     setUp.start = exchanged(line.vertices[0], setUp.axis);
     setUp.end = exchanged(line.vertices[1], setUp.axis);
     if (setUp.end.position.x < setUp.start.position.x)
         std::swap(setUp.start, setUp.end);
     setUp.acrossStep = setUp.end.position.y < setUp.start.position.y ? -1 : 1;
-    setUp.deltaX = setUp.end.position.x - setUp.start.position.x;
-    setUp.deltaY = absolute(setUp.end.position.y - setUp.start.position.y);
+    const Integer deltaX = Integer(setUp.end.position.x) - setUp.start.position.x;
+    const Integer deltaY
+        = absolute<Integer>(Integer(setUp.end.position.y) - setUp.start.position.y);
+    setUp.deltaX = Lattice(deltaX);
+    setUp.deltaY = Lattice(deltaY);
+    setUp.stayIncrement = 2 * deltaY * unitsPerPixel;
+    setUp.moveIncrement = setUp.stayIncrement - 2 * deltaX * unitsPerPixel;
     return setUp;
 }
 
 /// The pixel on a column of the line, by one division, and the decision about the next column's:
 /// p = 2·s·(y(x + 1) − y_k)·Δx·S² − Δx·S², s the sign of the slope.
-constexpr SymmetricStep symmetricStepAt(const SymmetricSetUp &setUp, std::int64_t along)
+template <class Integer>
+constexpr SymmetricStepOf<Integer> symmetricStepAt(const SymmetricSetUpOf<Integer> &setUp,
+                                                   std::int64_t along)
 {
-    const Int128 width = setUp.deltaX == 0 ? 1 : setUp.deltaX; // of a point: any
-    const Int128 rise = Int128(setUp.acrossStep) * setUp.deltaY;
+    const Integer width = setUp.deltaX == 0 ? 1 : setUp.deltaX; // of a point: any
+    const Integer rise = Integer(setUp.acrossStep) * setUp.deltaY;
     const LatticePoint &start = setUp.start.position;
     // y·ΔX·S, the line's ordinate at this column and at the next.
-    const Int128 ordinate = start.y * width + (Int128(along) * unitsPerPixel - start.x) * rise;
-    const Int128 next = ordinate + rise * unitsPerPixel;
-    const Int128 unit = width * unitsPerPixel;
-    SymmetricStep step;
+    const Integer ordinate = start.y * width + (Integer(along) * unitsPerPixel - start.x) * rise;
+    const Integer next = ordinate + rise * unitsPerPixel;
+    const Integer unit = width * unitsPerPixel;
+    SymmetricStepOf<Integer> step;
     step.place
-        = {setUp.axis, along, std::int64_t(floorDivide<Int128>(2 * ordinate + unit, 2 * unit))};
+        = {setUp.axis, along, std::int64_t(floorDivide<Integer>(2 * ordinate + unit, 2 * unit))};
     step.k = along - ceilPixel(start.x) - 1;
-    step.nextDecision = Int128(setUp.acrossStep) * 2 * (next - step.place.across * unit) - unit;
+    step.nextDecision = Integer(setUp.acrossStep) * 2 * (next - step.place.across * unit) - unit;
     return step;
 }
 
 /// From the pixel of a step to the next one. A tie, p = 0, goes up: it moves where the line rises
 /// and stays where it falls.
-constexpr void advance(const SymmetricSetUp &setUp, SymmetricStep &step)
+template <class Integer>
+constexpr void advance(const SymmetricSetUpOf<Integer> &setUp, SymmetricStepOf<Integer> &step)
 {
     step.isFirst = false;
     ++step.k;
     ++step.place.along;
     step.decision = step.nextDecision;
     const bool moves = setUp.acrossStep > 0 ? step.decision >= 0 : step.decision > 0;
-    step.increment = moves ? setUp.moveIncrement() : setUp.stayIncrement();
+    step.increment = moves ? setUp.moveIncrement : setUp.stayIncrement;
     step.place.across += moves ? setUp.acrossStep : 0;
     step.nextDecision = step.decision + step.increment;
 }
 
-template <ScanObserver<SymmetricNumbers> Observer>
+template <class Integer, ScanObserver<SymmetricNumbersOf<Integer>> Observer>
 void scanLineSymmetrically(const Shape &line, ByteRounding rounding, FrameView frame,
                            Observer observer)
 {
-    using A = ExactArithmetic<Int128>;
-    const SymmetricSetUp setUp = symmetricSetUp(line);
+    using A = ExactArithmetic<Integer>;
+    const SymmetricSetUpOf<Integer> setUp = symmetricSetUp<Integer>(line);
     observer.primitiveBegun(setUp);
     const StepRange columns
         = StepRange{ceilPixel(setUp.start.position.x), floorPixel(setUp.end.position.x) + 1}
@@ -103,14 +115,20 @@ void scanLineSymmetrically(const Shape &line, ByteRounding rounding, FrameView f
         observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
         return;
     }
-    SymmetricStep step = symmetricStepAt(setUp, columns.first);
+    SymmetricStepOf<Integer> step = symmetricStepAt(setUp, columns.first);
+    std::array<MixedNumber<Integer>, 3> colourRate;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        step.colour[channel] = A::edgeColour(setUp.start, setUp.end, channel, columns.first);
+        colourRate[channel] = A::edgeColourRate(setUp.start, setUp.end, channel);
+    }
     for (std::int64_t along = columns.first; along < columns.end; ++along) {
+        [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
         step.place.findIn(frame);
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            step.colour[channel] = A::edgeColour(setUp.start, setUp.end, channel, along);
         observer.spanEntered(step);
         plot<A>(step.place, step.colour, rounding, frame, observer);
         advance(setUp, step);
+        for (std::size_t channel = 0; channel < 3; ++channel)
+            A::advance(step.colour[channel], colourRate[channel]);
     }
 }
 

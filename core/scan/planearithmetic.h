@@ -2,54 +2,31 @@
 #pragma once
 
 #include "core/geometry/lattice.h"
+#include "core/number/commonfraction.h"
 #include "core/number/quantity.h"
+#include "core/number/wholenumber.h"
 #include "core/scan/scansettings.h"
 
-#include <cmath>
 #include <concepts>
 
 namespace pixelplumb {
 
-/// A fraction that meets only integers and fractions of its own denominator, so that adding needs
-/// no common multiple: all weights of a triangle have its doubled area below.
-struct CommonFraction {
-    Int128 numerator = 0;
-    Int128 denominator = 1; ///< > 0
-
-    friend constexpr CommonFraction operator+(CommonFraction a, const CommonFraction &b)
-    {
-        return {a.numerator + b.numerator, a.denominator};
-    }
-    friend constexpr CommonFraction operator-(CommonFraction a, const CommonFraction &b)
-    {
-        return {a.numerator - b.numerator, a.denominator};
-    }
-    friend constexpr CommonFraction operator-(int whole, const CommonFraction &a)
-    {
-        return {whole * a.denominator - a.numerator, a.denominator};
-    }
-    friend constexpr CommonFraction operator*(CommonFraction a, int factor)
-    {
-        return {a.numerator * factor, a.denominator};
-    }
-    friend constexpr bool operator==(const CommonFraction &a, int whole)
-    {
-        return a.numerator == whole * a.denominator;
-    }
-    friend constexpr auto operator<=>(const CommonFraction &a, int whole)
-    {
-        return a.numerator <=> whole * a.denominator;
-    }
-};
-
 /// Edge functions and weights in integers: lengths in lattice units, products in square lattice
-/// units, |product| < 2^80; ratios are fractions. Nothing is rounded.
+/// units; ratios are fractions. Nothing is rounded. In Int128, |product| < 2^80. In std::int64_t,
+/// where triangle, samples and off-screen point lie within 2^15 px (isNarrow()), values stay below
+/// 2^50 and twice a sum of three of them times levels below 2^60.
+template <class Integer>
 struct ExactPlane {
-    using Number = Int128;
-    using Ratio = CommonFraction;
+    using Number = Integer;
+    using Ratio = FractionOf<Integer>;
+    using Level = int; ///< of a vertex
     static constexpr Arithmetic arithmetic = Arithmetic::Exact;
 
     static constexpr Number length(Lattice units) { return units; }
+    static constexpr Number distance(Lattice from, Lattice to)
+    {
+        return NarrowBeside<Integer>(to) - from;
+    }
     /// The divisor of a triangle without area is 0 and never used; it must only not trap.
     static constexpr Ratio ratio(Number a, Number b)
     {
@@ -59,14 +36,11 @@ struct ExactPlane {
     }
     static constexpr Ratio fraction(Int128 numerator, Int128 denominator)
     {
-        return {numerator, denominator};
+        return {Integer(numerator), Integer(denominator)};
     }
     static std::int64_t level(const Ratio &level, ByteRounding rounding)
     {
-        if (rounding == ByteRounding::Truncate)
-            return std::int64_t(floorDivide(level.numerator, level.denominator));
-        return std::int64_t(
-            floorDivide(2 * level.numerator + level.denominator, 2 * level.denominator));
+        return std::int64_t(rounding == ByteRounding::Truncate ? level.floor() : level.nearest());
     }
 
     /// What a number stands for, by what stands for 1; and a change for each step of a pixel.
@@ -76,7 +50,7 @@ struct ExactPlane {
     }
     static Quantity quantityOfRate(Number number, Int128 unit)
     {
-        return Quantity::rational(number * unitsPerPixel, unit);
+        return Quantity::rational(Int128(number) * unitsPerPixel, unit);
     }
     static Quantity quantityOf(const Ratio &ratio)
     {
@@ -89,10 +63,13 @@ template <std::floating_point Float>
 struct FloatPlane {
     using Number = Float;
     using Ratio = Float;
+    using Level = Float;
     static constexpr Arithmetic arithmetic
         = sizeof(Float) == sizeof(float) ? Arithmetic::Float32 : Arithmetic::Float64;
 
     static Number length(Lattice units) { return Float(units) / Float(unitsPerPixel); }
+    /// Subtracted on the lattice, where nothing rounds.
+    static Number distance(Lattice from, Lattice to) { return length(to - from); }
     static Ratio ratio(Number a, Number b) { return a / b; }
     static Ratio fraction(Int128 numerator, Int128 denominator)
     {
@@ -101,12 +78,7 @@ struct FloatPlane {
     /// NaN counts as far below: a byte of 0.
     static std::int64_t level(Ratio level, ByteRounding rounding)
     {
-        constexpr auto limit = Float(std::int64_t(1) << 40);
-        const Float floor
-            = std::floor(rounding == ByteRounding::Nearest ? level + Float(0.5) : level);
-        if (!(floor > -limit))
-            return -(std::int64_t(1) << 40);
-        return floor < limit ? std::int64_t(floor) : std::int64_t(1) << 40;
+        return floorOf(rounding == ByteRounding::Nearest ? level + Float(0.5) : level);
     }
 
     static Quantity quantityOf(Number number, Int128) { return Quantity::of(number); }

@@ -4,8 +4,9 @@
 #include "core/geometry/shape.h"
 #include "core/scan/flatpixel.h"
 #include "core/scan/scanobserver.h"
+#include "core/scan/workstage.h"
 
-/// Points by their address (seed 002, "Point Plotting"): M[addr] = colour with
+/// Points by their address (Rasterization slides, "Point Plotting"): M[addr] = colour with
 /// addr = y·width + x, counted from the frame's first pixel.
 namespace pixelplumb {
 
@@ -30,17 +31,19 @@ struct PointNumbers {
     using Sample = FlatSample;
 };
 
-template <ScanObserver<PointNumbers> Observer>
+template <class Integer, ScanObserver<PointNumbers> Observer>
 void plotPoints(const Shape &points, FrameView frame, Observer observer)
 {
     observer.primitiveBegun(PointSetUp{frame.width, frame.firstColumn, frame.firstRow});
     PointStep step;
     for (const Vertex &vertex : points.vertices) {
+        [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
         step.x = floorPixel(vertex.position.x + unitsPerPixel / 2);
         step.y = floorPixel(vertex.position.y + unitsPerPixel / 2);
         step.isInFrame = frame.contains(step.x, step.y);
         step.address = step.isInFrame
-            ? (step.y - frame.firstRow) * frame.width + (step.x - frame.firstColumn)
+            ? std::int64_t((Integer(step.y) - frame.firstRow) * frame.width
+                           + (Integer(step.x) - frame.firstColumn))
             : 0;
         observer.spanEntered(step);
         // The memory's own layout may pad its rows: the pixel is found from the address alone.

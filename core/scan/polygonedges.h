@@ -9,13 +9,14 @@
 namespace pixelplumb {
 
 /// The edge table: all edges but the horizontal ones, from their lower ends to their upper ends, by
-/// the first row that they cross. A sample is taken as if displaced by (+ε, −ε²), so an edge
-/// crosses the rows in (y of its lower end, y of its upper end].
+/// the first row that they cross. A sample is taken as if displaced to the right and, less, down as
+/// seen, so an edge crosses the rows of rowsCrossed().
 template <class A>
 class EdgeTable {
 public:
-    explicit EdgeTable(std::span<const ContourEdge> edges)
+    EdgeTable(std::span<const ContourEdge> edges, FrameOrigin origin)
     {
+        const Interval rows = rowsCrossed(origin);
         for (std::size_t index = 0; index < edges.size(); ++index) {
             const LatticePoint &from = edges[index].from;
             const LatticePoint &to = edges[index].to;
@@ -25,7 +26,7 @@ public:
             const LatticePoint &low = upward ? from : to;
             const LatticePoint &high = upward ? to : from;
             m_entries.push_back({mirrored(low), mirrored(high), index, upward ? 1 : -1,
-                                 floorPixel(low.y) + 1, floorPixel(high.y) + 1});
+                                 firstSampleFrom(low.y, rows), endSampleAt(high.y, rows)});
         }
         std::ranges::stable_sort(m_entries, {}, &Entry::firstRow);
     }
@@ -107,7 +108,7 @@ public:
                       [row](const Crossing<A> &crossing) { return crossing.endRow <= row + 1; });
         for (Crossing<A> &crossing : m_crossings) {
             crossing.base = crossing.x;
-            crossing.rise = oneRow();
+            crossing.rise = m_oneRow;
             A::advance(crossing.x, crossing.slope);
             crossing.firstRight = A::ceil(crossing.x);
         }
@@ -128,14 +129,15 @@ private:
         if constexpr (A::arithmetic == Arithmetic::Exact) {
             if (a.x.whole != b.x.whole)
                 return a.x.whole < b.x.whole;
-            return Int128(a.x.remainder) * b.x.denominator
-                < Int128(b.x.remainder) * a.x.denominator;
+            using Wide = WideBeside<typename A::Number>;
+            return Wide(a.x.remainder) * b.x.denominator < Wide(b.x.remainder) * a.x.denominator;
         } else {
             const bool bIsNumber = b.x == b.x;
             return a.x < b.x || (bIsNumber && a.x != a.x);
         }
     }
 
+    typename A::Number m_oneRow = oneRow();
     std::vector<Crossing<A>> m_crossings;
 };
 

@@ -8,16 +8,17 @@ namespace pixelplumb {
 
 /// The scan of a polygon that is broken into triangles: the rows of one triangle after the other,
 /// each between its left and its right edge. A sample on an edge of two triangles belongs to the
-/// one on the side of its displacement (+ε, −ε²), so none is left out and none is drawn twice.
+/// one on the side of its displacement, right and a little down, so none is left out and none is
+/// drawn twice.
 template <class A, ScanObserver<PolygonNumbers<A>> Observer>
 void scanTriangles(const Contours &contours, const Triangulation &triangulation, FrameView frame,
                    Observer observer)
 {
-    PolygonSetUp setUp = polygonSetUpFor(contours);
+    PolygonSetUp setUp = polygonSetUpFor(contours, frame.origin);
     setUp.pieceCount = triangulation.triangles.size();
     setUp.fill = ShapeFill::NonZero;
     observer.primitiveBegun(setUp);
-    std::optional<PrimitiveRejection> rejection = polygonRejection<A>(contours, frame);
+    std::optional<Rejection> rejection = polygonRejection<A>(contours, frame);
     if (!rejection)
         rejection = triangulation.rejection;
     if (rejection) {

@@ -4,11 +4,21 @@
 #include "core/frame/frameview.h"
 #include "core/polygons/contours.h"
 #include "core/scan/exactarithmetic.h"
+#include "core/scan/interval.h"
 #include "core/scan/roundedarithmetic.h"
 #include "core/scan/scanobserver.h"
+#include "core/scan/workstage.h"
 
-/// What the general scan conversion of polygons (seed 003, "A General Algorithm") computes with.
+/// What the general scan conversion of polygons (Scan Conversion slides, "Scan Conversion: A
+/// General Algorithm") computes with.
 namespace pixelplumb {
+
+/// The rows that an edge crosses from y of its lower end to y of its upper one, when samples are
+/// displaced down as seen.
+constexpr Interval rowsCrossed(FrameOrigin origin)
+{
+    return origin == FrameOrigin::TopLeft ? Interval::ClosedOpen : Interval::OpenClosed;
+}
 
 /// What was computed once for a polygon.
 struct PolygonSetUp {
@@ -33,7 +43,8 @@ struct Crossing {
     Number base = {}; ///< x at the lower end, then x on the row before
     Number rise = {}; ///< rows from there to this row: a pre-step, then 1
     Number x = {}; ///< base + rise · slope, px
-    std::int64_t firstRight = 0; ///< ⌈x⌉: the first sample to the right of the edge, or on it
+    NarrowBeside<Number> firstRight
+        = 0; ///< ⌈x⌉: the first sample to the right of the edge, or on it
 };
 
 /// One row: its crossings from left to right.
@@ -67,6 +78,7 @@ template <class A, class Observer>
 void fillRow(const PolygonRow<A> &row, const PolygonSetUp &setUp, FrameView frame,
              Observer observer)
 {
+    [[maybe_unused]] const WorkScope samples(observer, WorkStage::Pixel);
     PolygonSample sample;
     sample.colour = setUp.colour;
     auto next = row.crossings.begin();

@@ -4,14 +4,14 @@
 #include "core/frame/frameview.h"
 #include "core/scan/polygonedges.h"
 
-/// General scan conversion (seed 003, "Scan Conversion: A General Algorithm"): intersect each row
-/// with all edges, sort the intersections in x, and fill where their parity is odd (or the winding
-/// number is not zero). Row-to-row coherence: edges wait in a table until their first row, and an
-/// active edge moves by adding its slope.
+/// General scan conversion (Scan Conversion slides, "Scan Conversion: A General Algorithm"):
+/// intersect each row with all edges, sort the intersections in x, and fill where their parity is
+/// odd (or the winding number is not zero). Row-to-row coherence: edges wait in a table until their
+/// first row, and an active edge moves by adding its slope.
 namespace pixelplumb {
 
 /// What a polygon is before its rows are walked.
-inline PolygonSetUp polygonSetUpFor(const Contours &contours)
+inline PolygonSetUp polygonSetUpFor(const Contours &contours, FrameOrigin origin)
 {
     PolygonSetUp setUp;
     setUp.contourCount = contours.count;
@@ -21,8 +21,8 @@ inline PolygonSetUp polygonSetUpFor(const Contours &contours)
     for (const ContourEdge &edge : contours.edges)
         setUp.horizontalEdges += std::size_t(edge.from.y == edge.to.y);
     const ContourBox box = boxAround(contours.edges);
-    setUp.firstRow = floorPixel(box.first.y) + 1;
-    setUp.endRow = floorPixel(box.last.y) + 1;
+    setUp.firstRow = firstSampleFrom(box.first.y, rowsCrossed(origin));
+    setUp.endRow = endSampleAt(box.last.y, rowsCrossed(origin));
     return setUp;
 }
 
@@ -48,21 +48,23 @@ template <class A, ScanObserver<PolygonNumbers<A>> Observer>
 void scanRows(std::span<const ContourEdge> edges, const PolygonSetUp &setUp, int piece,
               FrameView frame, Observer observer)
 {
-    EdgeTable<A> table(edges);
+    EdgeTable<A> table(edges, frame.origin);
     ActiveEdges<A> active;
     if (table.size() == 0)
         return;
     const std::int64_t first = std::max<std::int64_t>(table.firstRow(), frame.firstRow);
-    const std::int64_t end = std::min(floorPixel(boxAround(edges).last.y) + 1, frame.endRow());
+    const std::int64_t end
+        = std::min(endSampleAt(boxAround(edges).last.y, rowsCrossed(frame.origin)), frame.endRow());
     PolygonRow<A> row;
     row.piece = piece;
     for (row.y = first; row.y < end; ++row.y) {
+        [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
         active.enterRow(row.y, table);
         if (active.crossings().empty())
             continue; // between two contours
         row.crossings = active.crossings();
-        row.firstSample = row.crossings.front().firstRight;
-        row.endSample = row.crossings.back().firstRight;
+        row.firstSample = std::int64_t(row.crossings.front().firstRight);
+        row.endSample = std::int64_t(row.crossings.back().firstRight);
         row.firstDrawn = std::max<std::int64_t>(row.firstSample, frame.firstColumn);
         row.endDrawn = std::min(row.endSample, frame.endColumn());
         observer.spanEntered(row);
@@ -75,7 +77,7 @@ void scanRows(std::span<const ContourEdge> edges, const PolygonSetUp &setUp, int
 template <class A, ScanObserver<PolygonNumbers<A>> Observer>
 void scanPolygon(const Contours &contours, FrameView frame, Observer observer)
 {
-    const PolygonSetUp setUp = polygonSetUpFor(contours);
+    const PolygonSetUp setUp = polygonSetUpFor(contours, frame.origin);
     observer.primitiveBegun(setUp);
     if (const auto rejection = polygonRejection<A>(contours, frame)) {
         observer.primitiveRejected(*rejection);

@@ -3,9 +3,9 @@
 
 #include "core/geometry/triangle.h"
 #include "core/number/fixedpoint.h"
+#include "core/number/wholenumber.h"
 #include "core/scan/scansettings.h"
 
-#include <cmath>
 #include <concepts>
 
 namespace pixelplumb {
@@ -18,22 +18,11 @@ template <std::floating_point Float>
 struct NumberTraits<Float> {
     static constexpr Arithmetic arithmetic
         = sizeof(Float) == sizeof(float) ? Arithmetic::Float32 : Arithmetic::Float64;
-    /// Beyond every frame and every coordinate, and safe to convert.
-    static constexpr Float limit = Float(std::int64_t(1) << 40);
-
     static bool represents(Lattice) { return true; }
     static Float fromInteger(std::int64_t integer) { return Float(integer); }
     static Float fromLattice(Lattice units) { return Float(units) / Float(unitsPerPixel); }
-    static std::int64_t floor(Float value) { return toInteger(std::floor(value)); }
-    static std::int64_t ceil(Float value) { return toInteger(std::ceil(value)); }
-
-private:
-    static std::int64_t toInteger(Float value)
-    {
-        if (!(value > -limit)) // NaN too
-            return -(std::int64_t(1) << 40);
-        return value < limit ? std::int64_t(value) : std::int64_t(1) << 40;
-    }
+    static std::int64_t floor(Float value) { return floorOf(value); }
+    static std::int64_t ceil(Float value) { return ceilOf(value); }
 };
 
 template <class Raw, class Product, int FractionBits>
@@ -59,12 +48,13 @@ struct NumberTraits<FixedPoint<Raw, Product, FractionBits>> {
 
 /// The assignment's increments to the letter in a number that rounds: slope and colour rates are
 /// precomputed quotients, each column adds them, ΔR = (R_T − R_B)/(y_T − y_B), and R starts at
-/// R_B + (⌈y_B⌉ − y_B)·ΔR (seed 004).
+/// R_B + (⌈y_B⌉ − y_B)·ΔR.
 template <class Value>
 struct RoundedArithmetic {
     using Number = Value;
     using Traits = NumberTraits<Value>;
     static constexpr Arithmetic arithmetic = Traits::arithmetic;
+    static constexpr bool boundsMayCross = true;
 
     static bool represents(const LatticePoint &point)
     {

@@ -4,23 +4,30 @@
 #include "core/frame/frameview.h"
 #include "core/geometry/triangle.h"
 
-/// Edge walking row by row (seeds 002 and 003) is the column scan of the plane turned by a quarter
-/// to (u, v) = (−y, x): columns from left to right are rows from the top down, and rules,
-/// trapezoids and increments are the column scan's own. The rule (+ε², +ε) there is (+ε, −ε²) here:
-/// top-left.
+/// Edge walking row by row (Rasterization slides and Scan Conversion slides, "Edge Walking") is the
+/// column scan of the plane turned by a quarter to (u, v) = (−y, x): columns from left to right are
+/// rows from the highest y to the lowest, and rules, trapezoids and increments are the column
+/// scan's own. The rule (±ε², +ε) there is (+ε, ∓ε²) here: top-left, with the upper signs where y
+/// points up.
 namespace pixelplumb {
 
 constexpr LatticePoint turned(const LatticePoint &point) { return {-point.y, point.x}; }
 
 /// A triangle of zero area keeps the two vertices that design says it lies between, the extreme
 /// ones in (x, y) order: turned, their order could be another where vertices coincide.
-constexpr Triangle turned(const Triangle &triangle)
+constexpr Triangle betweenExtremes(const Triangle &triangle)
 {
     Triangle result = triangle;
     if (doubledArea(triangle) == 0) {
         const std::array<int, 3> order = sortedByColumn(triangle);
         result.vertices[std::size_t(order[1])] = result.vertices[std::size_t(order[2])];
     }
+    return result;
+}
+
+constexpr Triangle turned(const Triangle &triangle)
+{
+    Triangle result = triangle;
     for (Vertex &vertex : result.vertices)
         vertex.position = turned(vertex.position);
     return result;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/primitiverejection.h"
+
 #include <QRgb>
 
 #include <concepts>
@@ -8,30 +10,14 @@
 
 namespace pixelplumb {
 
-/// Why a primitive draws nothing.
-enum class PrimitiveRejection {
-    ZeroArea, ///< no colour plane, and only the closed rule paints a segment or a point
-    OutsideFrame, ///< no sample of the frame lies within its bounding box
-    NotRepresentable, ///< a coordinate does not fit the arithmetic (fixed 16.16: |c| < 2^15 px)
-    VerticalLine, ///< y = m·x + b has no m
-    NotOfThisMethod, ///< the method draws other kinds of primitives
-    NotConvex, ///< a polygon that no fan of triangles tiles
-    SelfCrossing, ///< edges of a polygon cross between vertices
-    FontMissing, ///< no outlines for a text
-};
-
 /// What hears a kernel at work: a closed list of events, each announced before the change that it
 /// names. A span is the run of samples that a kernel walks together: a column, a row, or one step
 /// of a curve. `Numbers` names the kernel's SetUp, Span and Sample. Observers are passed by value
 /// and return nothing; one that does nothing compiles to nothing.
 template <class Observer, class Numbers>
-concept ScanObserver
-    = std::copy_constructible<Observer> && requires(Observer observer,
-                                                    const typename Numbers::SetUp &setUp,
-                                                    const typename Numbers::Span &span,
-                                                    const typename Numbers::Sample &sample,
-                                                    PrimitiveRejection reason,
-                                                    std::int64_t coordinate, QRgb pixel)
+concept ScanObserver = std::copy_constructible<Observer> && requires(
+    Observer observer, const typename Numbers::SetUp &setUp, const typename Numbers::Span &span,
+    const typename Numbers::Sample &sample, Rejection reason, std::int64_t coordinate, QRgb pixel)
 {
     {
         observer.primitiveBegun(setUp)
@@ -56,7 +42,7 @@ struct NullObserver {
     void primitiveBegun(const SetUp &)
     {
     }
-    void primitiveRejected(PrimitiveRejection) { }
+    void primitiveRejected(const Rejection &) { }
     template <class Span>
     void spanEntered(const Span &)
     {

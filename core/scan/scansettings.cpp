@@ -28,6 +28,8 @@ std::string_view nameOf(FillRule rule)
         return "top-left";
     case FillRule::OffScreenPoint:
         return "off-screen-point";
+    case FillRule::Open:
+        return "open";
     }
     return {};
 }

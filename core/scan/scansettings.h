@@ -7,14 +7,16 @@
 
 namespace pixelplumb {
 
-/// Who owns a sample that lies exactly on an edge. Each rule but the closed one takes the sample as
-/// if it were displaced by an infinitely small vector, so every sample of a mesh has exactly one
-/// owner.
+/// Who owns a sample that lies exactly on an edge. All rules but the closed and the open one take
+/// the sample as if it were displaced by an infinitely small vector, so that every sample of a mesh
+/// has exactly one owner; under the rule of the off-screen point, which displaces towards a point,
+/// only where no edge's line passes through that point.
 enum class FillRule {
-    Closed, ///< not displaced: the boundary belongs to the triangle (the assignment, seed 004)
+    Closed, ///< not displaced: the boundary belongs to the triangle (the assignment)
     HalfOpenColumn, ///< (+ε², +ε): rows ⌈y_B⌉ … ⌈y_T⌉−1, columns ⌈x₀⌉ … ⌈x₂⌉−1
-    TopLeft, ///< (+ε, −ε²) in a y-upward frame: Direct3D; seed 003, "left or top edge"
-    OffScreenPoint, ///< towards a chosen off-screen point (seed 001, shared triangle edges)
+    TopLeft, ///< (+ε, ε² down as seen): Direct3D, and the slides' "left or top edge"
+    OffScreenPoint, ///< towards a chosen off-screen point (Triangles slides)
+    Open, ///< not displaced: the boundary belongs to nobody, E > 0 (the slides' printed tests)
 };
 
 /// What the increments are computed in.
@@ -30,7 +32,8 @@ enum class Arithmetic {
 enum class ByteRounding { Nearest, Truncate };
 
 inline constexpr std::array allFillRules
-    = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::TopLeft, FillRule::OffScreenPoint};
+    = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::TopLeft, FillRule::OffScreenPoint,
+       FillRule::Open};
 inline constexpr std::array allArithmetics
     = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64, Arithmetic::Fixed16,
        Arithmetic::Fixed32};

@@ -5,6 +5,8 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
+#include <filesystem>
+
 namespace pixelplumb {
 
 namespace {
@@ -37,6 +39,14 @@ Result<QByteArray> readFile(const QString &path)
     if (content.size() > largestFile)
         return refusal(QStringLiteral("it is larger than 256 MiB"));
     return content;
+}
+
+bool isSameFile(const QString &path, const QString &other)
+{
+    const std::filesystem::path first(path.toStdU16String());
+    std::error_code error;
+    return std::filesystem::is_regular_file(first, error)
+        && std::filesystem::equivalent(first, other.toStdU16String(), error);
 }
 
 std::optional<InputError> writeFile(const QString &path, const QByteArray &content)

@@ -12,6 +12,10 @@ namespace pixelplumb {
 /// The content of a file of up to 256 MiB.
 Result<QByteArray> readFile(const QString &path);
 
+/// Whether two paths lead to one regular file (same device and inode), through links too; false
+/// where one of them does not exist.
+bool isSameFile(const QString &path, const QString &other);
+
 /// Replaces a file in one step (QSaveFile): after an error the old content stands. What is no
 /// regular file (a device, a pipe) is written to as it is.
 std::optional<InputError> writeFile(const QString &path, const QByteArray &content);

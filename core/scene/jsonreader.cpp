@@ -26,26 +26,33 @@ JsonNode JsonNode::operator[](qsizetype index) const
             elementPath(path, index)};
 }
 
-JsonReader::JsonReader(const QByteArray &text, const QString &rootPath)
+JsonReader::JsonReader(const QByteArray &text, const JsonExcerpt &excerpt)
     : m_text(text)
+    , m_excerpt(excerpt)
 {
-    m_root.path = rootPath;
+    m_root.path = excerpt.path;
     if (text.trimmed().isEmpty()) {
         m_error = InputError{{}, QStringLiteral("the input is empty"), QStringLiteral("JSON")};
+        return;
+    }
+    // QJsonDocument reads no number or string by itself; an element of an array may be one.
+    if (!m_root.path.isEmpty() && text[0] != '{' && text[0] != '[') {
+        m_root.value = QJsonDocument::fromJson('[' + text + ']').array().at(0);
         return;
     }
     QJsonParseError parseError;
     const QJsonDocument document = QJsonDocument::fromJson(text, &parseError);
     if (parseError.error != QJsonParseError::NoError) {
-        m_error = InputError{linePlace(text, parseError.offset), parseError.errorString(),
-                             QStringLiteral("JSON")};
+        m_error = InputError{linePlace(excerpt.whole, excerpt.offsetInWhole(parseError.offset)),
+                             parseError.errorString(), QStringLiteral("JSON")};
         return;
     }
     m_root.value
         = document.isArray() ? QJsonValue(document.array()) : QJsonValue(document.object());
     if (const auto repeated = repeatedJsonKey(text))
-        failAt(repeated->offset, repeated->path, QStringLiteral("the key is there twice"),
-               QStringLiteral("every key once"));
+        failAt(repeated->offset,
+               m_root.path.isEmpty() ? repeated->path : memberPath(m_root.path, repeated->path),
+               QStringLiteral("the key is there twice"), QStringLiteral("every key once"));
 }
 
 void JsonReader::fail(const JsonNode &node, const QString &found, const QString &expected)
@@ -53,18 +60,26 @@ void JsonReader::fail(const JsonNode &node, const QString &found, const QString 
     if (m_error)
         return;
     // A key that is missing has no place of its own: its object has.
-    std::optional<qsizetype> offset = offsetOfJsonValue(m_text, node.path);
-    for (QString path = node.path; !offset && !path.isEmpty();) {
+    std::optional<qsizetype> offset = offsetOf(node.path);
+    for (QString path = node.path; !offset && path.size() > m_root.path.size();) {
         path.truncate(qMax(qsizetype(0), qMax(path.lastIndexOf(u'.'), path.lastIndexOf(u'['))));
-        offset = offsetOfJsonValue(m_text, path);
+        offset = offsetOf(path);
     }
     failAt(offset.value_or(0), node.path, found, expected);
+}
+
+std::optional<qsizetype> JsonReader::offsetOf(const QString &path) const
+{
+    QString inExcerpt = path.sliced(m_root.path.size());
+    if (!m_root.path.isEmpty() && inExcerpt.startsWith(u'.'))
+        inExcerpt.remove(0, 1);
+    return offsetOfJsonValue(m_text, inExcerpt);
 }
 
 void JsonReader::failAt(qsizetype offset, const QString &path, const QString &found,
                         const QString &expected)
 {
-    const QString line = linePlace(m_text, offset);
+    const QString line = linePlace(m_excerpt.whole, m_excerpt.offsetInWhole(offset));
     m_error
         = InputError{path.isEmpty() ? line : line + QStringLiteral(", ") + path, found, expected};
 }

@@ -7,6 +7,7 @@
 #include <QJsonValue>
 #include <QStringList>
 
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -23,14 +24,33 @@ struct JsonNode {
     JsonNode operator[](qsizetype index) const;
 };
 
+/// Where a text stands that was cut out of a larger one, so that errors name places in that.
+struct JsonExcerpt {
+    const QByteArray &whole; ///< outlives the reader
+    QString path; ///< of the excerpt's root in the whole; empty for the root
+    qsizetype offset = 0; ///< of the excerpt's first byte in the whole
+    /// From this byte of the excerpt on, `gap` more bytes of the whole were left out.
+    qsizetype gapAt = std::numeric_limits<qsizetype>::max();
+    qsizetype gap = 0;
+
+    qsizetype offsetInWhole(qsizetype inExcerpt) const
+    {
+        return offset + inExcerpt + (inExcerpt >= gapAt ? gap : 0);
+    }
+};
+
 /// Reads a JSON text step by step and remembers the first thing that is wrong with it. After an
 /// error every reading function still returns a value of its type, so that a reader is
 /// straight-line code that looks once, at its end, whether it succeeded.
 class JsonReader {
 public:
-    /// The root's path is that of a text which is part of a larger one. A text that is no JSON, or
-    /// that has a key twice in one object, is an error from the start.
-    explicit JsonReader(const QByteArray &text, const QString &rootPath = {});
+    /// A text that is no JSON, or that has a key twice in one object, is an error from the start.
+    explicit JsonReader(const QByteArray &text)
+        : JsonReader(text, JsonExcerpt{text, {}})
+    {
+    }
+    /// An excerpt below the root is a value of a text that is known to be JSON.
+    JsonReader(const QByteArray &text, const JsonExcerpt &excerpt);
 
     bool hasFailed() const { return m_error.has_value(); }
     const InputError &error() const { return *m_error; }
@@ -50,7 +70,11 @@ private:
     void failAt(qsizetype offset, const QString &path, const QString &found,
                 const QString &expected);
 
+    /// Of the value at a path of the whole, in the excerpt.
+    std::optional<qsizetype> offsetOf(const QString &path) const;
+
     QByteArray m_text;
+    JsonExcerpt m_excerpt;
     JsonNode m_root;
     std::optional<InputError> m_error;
 };

@@ -17,16 +17,11 @@ QByteArray coordinate(Lattice units)
     return text.contains('/') ? '"' + text + '"' : text;
 }
 
-QByteArray point(const LatticePoint &position)
-{
-    return '[' + coordinate(position.x) + ", " + coordinate(position.y) + ']';
-}
-
 QByteArray points(std::span<const Vertex> vertices)
 {
     QByteArray text = "[";
     for (const Vertex &vertex : vertices)
-        text += (text.size() > 1 ? ", " : "") + point(vertex.position);
+        text += (text.size() > 1 ? ", " : "") + jsonPointText(vertex.position);
     return text + ']';
 }
 
@@ -68,7 +63,7 @@ QByteArray roundText(const Shape &shape)
     const QByteArray radius = shape.kind == PrimitiveKind::Circle
         ? ", \"radius\": " + radiusX
         : ", \"radii\": [" + radiusX + ", " + radiusY + ']';
-    return "{ \"centre\": " + point(centre) + radius + " }";
+    return "{ \"centre\": " + jsonPointText(centre) + radius + " }";
 }
 
 QByteArray polygonText(const Shape &shape)
@@ -101,7 +96,7 @@ QByteArray valueText(const Shape &shape)
         return polygonText(shape) + colourOfAll(shape) + fillText(shape);
     case PrimitiveKind::Text:
         return quotedText(QByteArray::fromStdString(shape.text))
-            + ", \"at\": " + point(shape.vertices.front().position)
+            + ", \"at\": " + jsonPointText(shape.vertices.front().position)
             + ", \"height\": " + coordinate(shape.textHeight) + colourOfAll(shape);
     case PrimitiveKind::Bezier:
     case PrimitiveKind::Triangle: // never a shape
@@ -111,6 +106,11 @@ QByteArray valueText(const Shape &shape)
 }
 
 } // namespace
+
+QByteArray jsonPointText(const LatticePoint &position)
+{
+    return '[' + coordinate(position.x) + ", " + coordinate(position.y) + ']';
+}
 
 QByteArray primitiveText(const Triangle &triangle)
 {

@@ -11,6 +11,9 @@ namespace pixelplumb {
 QByteArray primitiveText(const Triangle &triangle);
 QByteArray primitiveText(const Shape &shape);
 
+/// "[26, "53/2"]".
+QByteArray jsonPointText(const LatticePoint &position);
+
 /// A text between quotation marks, as JSON has it.
 QByteArray quotedText(const QByteArray &utf8);
 

@@ -3,11 +3,6 @@
 
 namespace pixelplumb {
 
-Lattice sampleOffset(const FrameSpec &spec)
-{
-    return spec.pixelCentre == PixelCentre::Half ? unitsPerPixel / 2 : 0;
-}
-
 Primitives primitivesOnSamples(const Scene &scene)
 {
     Primitives primitives{scene.triangles, scene.shapes, scene.attributes};
@@ -29,6 +24,11 @@ Primitives primitivesOnSamples(const Scene &scene)
     for (Shape &shape : primitives.shapes)
         shift(shape.vertices);
     return primitives;
+}
+
+BoundaryRule boundaryRuleOf(const Scene &scene)
+{
+    return {scene.settings.fillRule, scene.frame.origin, offScreenSample(scene.frame)};
 }
 
 } // namespace pixelplumb

@@ -3,7 +3,7 @@
 
 #include "core/frame/framespec.h"
 #include "core/geometry/shape.h"
-#include "core/scan/scansettings.h"
+#include "core/scan/boundaryrule.h"
 
 #include <string>
 #include <vector>
@@ -29,8 +29,7 @@ struct Scene {
 /// The scene's primitives in sample coordinates: pixel (x, y) is the sample at (x, y).
 Primitives primitivesOnSamples(const Scene &scene);
 
-/// What to add to a sample coordinate to get the scene's: 0, or 128 units (1/2 px) for half
-/// centres.
-Lattice sampleOffset(const FrameSpec &spec);
+/// The scene's fill rule as its frame sees it, for sample coordinates.
+BoundaryRule boundaryRuleOf(const Scene &scene);
 
 } // namespace pixelplumb

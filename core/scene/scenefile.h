@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/number/jobprogress.h"
 #include "core/scene/coordinatetext.h"
 #include "core/scene/scene.h"
 
-#include <functional>
 #include <vector>
 
 namespace pixelplumb {
@@ -29,19 +29,13 @@ struct SceneReading {
     std::vector<SnapReport> snaps;
 };
 
-/// Company of a reading.
-struct ReadOptions {
-    /// Called now and then with how many of the text's bytes are read, while a large text is read
-    /// piece by piece; returning false ends the reading with an error that says so.
-    std::function<bool(qsizetype bytesRead, qsizetype bytes)> progress;
-};
-
 /// Reads a scene in JSON: "pixelplumb", "frame" with "width" and "height", and "primitives" must be
 /// there; everything else has a default: the method is the first that draws the first primitive,
 /// arithmetic and fill rule are exact and closed, or the method's first where it keeps neither.
-/// Unknown and repeated keys are errors.
-Result<SceneReading> readScene(const QByteArray &text, const ReadOptions &options = {});
-Result<SceneReading> readSceneFile(const QString &path, const ReadOptions &options = {});
+/// Unknown and repeated keys are errors. The listener hears how many bytes are read while a large
+/// text is read piece by piece; when it ends the reading, an error says so.
+Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &listener = {});
+Result<SceneReading> readSceneFile(const QString &path, const ProgressListener &listener = {});
 
 /// Texts that are larger are read piece by piece.
 inline constexpr qsizetype largestWholeText = qsizetype(1) << 20; // bytes

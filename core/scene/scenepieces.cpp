@@ -99,6 +99,8 @@ std::optional<ScenePieces> piecesOf(const QByteArray &text)
     }
     if (walk.depth() != 0 || walk.position() > content.size())
         return std::nullopt;
+    pieces.gapAt = *array + 1; // the closing bracket
+    pieces.gap = walk.position() - 2;
     pieces.frame = text.first(*array) + "[]" + text.sliced(*array + walk.position());
     return pieces;
 }

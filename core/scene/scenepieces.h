@@ -15,6 +15,8 @@ namespace pixelplumb {
 /// with it.
 struct ScenePieces {
     QByteArray frame; ///< the text with an empty array of primitives
+    qsizetype gapAt = 0; ///< the byte of `frame` from which on it is the text, …
+    qsizetype gap = 0; ///< … so many bytes later
     std::vector<QByteArrayView> primitives; ///< views of the text
 };
 

@@ -4,13 +4,14 @@
 #include "core/scene/fileaccess.h"
 #include "core/scene/framenames.h"
 #include "core/scene/jsonplaces.h"
+#include "core/scene/jsonsyntax.h"
+#include "core/scene/positionreader.h"
 #include "core/scene/primitivereader.h"
 #include "core/scene/scenepieces.h"
 
 #include <algorithm>
 #include <optional>
 #include <span>
-#include <variant>
 
 namespace pixelplumb {
 
@@ -24,27 +25,31 @@ public:
     {
     }
 
-    /// The scene whose primitives stand apart; none where one of them is at fault.
-    /// `goesOn` is asked before each.
-    template <class GoesOn>
-    std::optional<SceneReading> read(std::span<const QByteArrayView> primitives,
-                                     const GoesOn &goesOn)
+    /// The scene whose primitives stand apart in the text; none where `mayRead`, which is asked
+    /// before each, ended the reading.
+    template <class MayRead>
+    std::optional<Result<SceneReading>> read(const QByteArray &text,
+                                             std::span<const QByteArrayView> primitives,
+                                             const MayRead &mayRead)
     {
         readSurroundings();
         for (std::size_t index = 0; index < primitives.size() && !m_json.hasFailed(); ++index) {
             const QByteArrayView piece = primitives[index];
-            if (!goesOn(index, piece))
+            if (!mayRead(index, piece))
                 return std::nullopt;
-            JsonReader json(QByteArray::fromRawData(piece.data(), piece.size()),
-                            elementPath(primitivesKey(), qsizetype(index)));
+            const JsonExcerpt excerpt{text, elementPath(primitivesKey(), qsizetype(index)),
+                                      piece.data() - text.constData()};
+            JsonReader json(QByteArray::fromRawData(piece.data(), piece.size()), excerpt);
             if (json.hasFailed())
-                return std::nullopt;
+                return json.error();
             PrimitiveReader(json, m_reading).read(json.root());
             if (json.hasFailed())
-                return std::nullopt;
+                return json.error();
         }
         chooseMethod(m_json.root());
-        return m_json.hasFailed() ? std::nullopt : std::optional(std::move(m_reading));
+        if (m_json.hasFailed())
+            return m_json.error();
+        return Result<SceneReading>(std::move(m_reading));
     }
 
     SceneReading read()
@@ -66,10 +71,13 @@ private:
         m_json.expectObject(root,
                             {QStringLiteral("pixelplumb"), QStringLiteral("frame"),
                              QStringLiteral("method"), QStringLiteral("arithmetic"),
-                             QStringLiteral("fillRule"), QStringLiteral("rounding"),
-                             primitivesKey()});
+                             QStringLiteral("fillRule"), QStringLiteral("offScreenPoint"),
+                             QStringLiteral("rounding"), primitivesKey()});
         readFrame(root[QStringLiteral("frame")]);
         readSettings(root);
+        if (const JsonNode point = root[QStringLiteral("offScreenPoint")]; !point.isMissing())
+            m_reading.scene.frame.offScreenPoint
+                = PositionReader(m_json, m_reading.snaps).position(point);
     }
 
     /// First of all: a newer file may have keys that this program does not know.
@@ -204,31 +212,28 @@ private:
 
 constexpr std::size_t primitivesBetweenProgress = 1024;
 
-/// How a reading by pieces ended without a scene.
-enum class PiecesEnd { Faulty, Cancelled };
-
-std::variant<SceneReading, PiecesEnd> readByPieces(const QByteArray &text,
-                                                   const ReadOptions &options)
+/// A document of a million triangles would take gigabytes: its primitives are read one by one.
+/// None where the text has no primitives that could be told apart.
+std::optional<Result<SceneReading>> readByPieces(const QByteArray &text,
+                                                 const ProgressListener &listener)
 {
+    const InputError cancelled{{}, QStringLiteral("the reading was cancelled"), {}};
     const auto mayGoOn = [&](const char *place) {
-        return !options.progress || options.progress(place - text.constData(), text.size());
+        return goesOn(listener, {JobPhase::Reading, place - text.constData(), text.size()});
     };
     if (!mayGoOn(text.constData()))
-        return PiecesEnd::Cancelled;
+        return cancelled;
     const std::optional<ScenePieces> pieces = piecesOf(text);
     if (!pieces)
-        return PiecesEnd::Faulty;
-    JsonReader json(pieces->frame);
+        return std::nullopt;
+    JsonReader json(pieces->frame, {text, {}, 0, pieces->gapAt, pieces->gap});
     if (json.hasFailed())
-        return PiecesEnd::Faulty;
-    bool isCancelled = false;
-    const auto goesOn = [&](std::size_t index, QByteArrayView piece) {
-        isCancelled = index % primitivesBetweenProgress == 0 && !mayGoOn(piece.data());
-        return !isCancelled;
+        return json.error();
+    const auto mayRead = [&](std::size_t index, QByteArrayView piece) {
+        return index % primitivesBetweenProgress != 0 || mayGoOn(piece.data());
     };
-    if (std::optional<SceneReading> reading = SceneReader(json).read(pieces->primitives, goesOn))
-        return std::move(*reading);
-    return isCancelled ? PiecesEnd::Cancelled : PiecesEnd::Faulty;
+    const auto reading = SceneReader(json).read(text, pieces->primitives, mayRead);
+    return reading ? reading : cancelled;
 }
 
 } // namespace
@@ -239,16 +244,14 @@ QString SnapReport::message() const
         .arg(place, written, coordinateText(snapped.units), toText(snapped.displacement));
 }
 
-Result<SceneReading> readScene(const QByteArray &text, const ReadOptions &options)
+Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &listener)
 {
-    // A scene of a million triangles as one JSON document would take gigabytes. What is wrong with
-    // a text is told by reading it as a whole.
     if (text.size() > largestWholeText) {
-        auto reading = readByPieces(text, options);
-        if (auto *scene = std::get_if<SceneReading>(&reading))
-            return std::move(*scene);
-        if (std::get<PiecesEnd>(reading) == PiecesEnd::Cancelled)
-            return InputError{{}, QStringLiteral("the reading was cancelled"), {}};
+        // Where it is no JSON that is known at once, before anything is built of it.
+        if (const auto error = jsonSyntaxError(text))
+            return *error;
+        if (auto reading = readByPieces(text, listener))
+            return std::move(*reading);
     }
     JsonReader json(text);
     if (json.hasFailed())
@@ -259,12 +262,12 @@ Result<SceneReading> readScene(const QByteArray &text, const ReadOptions &option
     return reading;
 }
 
-Result<SceneReading> readSceneFile(const QString &path, const ReadOptions &options)
+Result<SceneReading> readSceneFile(const QString &path, const ProgressListener &listener)
 {
     const Result<QByteArray> text = readFile(path);
     if (!text)
         return text.error();
-    Result<SceneReading> reading = readScene(*text, options);
+    Result<SceneReading> reading = readScene(*text, listener);
     if (reading)
         return reading;
     InputError error = reading.error();

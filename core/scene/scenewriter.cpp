@@ -33,6 +33,14 @@ QByteArray frameText(const FrameSpec &frame)
     return text + " }";
 }
 
+/// Written where the scene has a point of its own.
+QByteArray offScreenText(const FrameSpec &frame)
+{
+    return frame.offScreenPoint
+        ? ",\n    \"offScreenPoint\": " + jsonPointText(*frame.offScreenPoint)
+        : QByteArray();
+}
+
 } // namespace
 
 QByteArray writeScene(const Scene &scene)
@@ -42,8 +50,8 @@ QByteArray writeScene(const Scene &scene)
         + ",\n    \"method\": " + quoted(std::string_view(scene.method))
         + ",\n    \"arithmetic\": " + quoted(nameOf(scene.settings.arithmetic))
         + ",\n    \"fillRule\": " + quoted(nameOf(scene.settings.fillRule))
-        + ",\n    \"rounding\": " + quoted(nameOf(scene.settings.rounding))
-        + ",\n    \"primitives\": [";
+        + offScreenText(scene.frame) + ",\n    \"rounding\": "
+        + quoted(nameOf(scene.settings.rounding)) + ",\n    \"primitives\": [";
     const char *separator = "\n        ";
     const auto append = [&](const QByteArray &primitive) {
         text += separator + primitive;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/trace/pixelchanges.h"
+#include "core/trace/stepwords.h"
 #include "core/trace/tracerecords.h"
 
 #include <vector>
@@ -54,6 +55,8 @@ public:
     const PixelChanges &changes() const { return m_samples; }
     /// The samples whose levels left 0 … 255, ascending.
     const std::vector<std::size_t> &clampedSamples() const { return m_clampedSamples; }
+    /// The primitives of which nothing is drawn, ascending; setUp() says why.
+    const std::vector<std::size_t> &rejectedPrimitives() const { return m_rejected; }
     std::size_t firstSpanOf(std::size_t primitive) const
     {
         return m_primitives[primitive].firstSpan;
@@ -76,6 +79,12 @@ public:
     /// The span's samples in order: the kernel's own loop run again from the span's recorded
     /// state.
     virtual std::vector<SampleRecord> samples(std::size_t span) const = 0;
+
+    /// What the numbers of these records are called in the state in hand, and what is said of it.
+    virtual StepWords setUpWords(std::size_t primitive) const = 0;
+    virtual StepWords spanWords(std::size_t span) const = 0;
+    /// The sample with this place in the span, from 0.
+    virtual StepWords sampleWords(std::size_t span, std::size_t place) const = 0;
 
 protected:
     struct PrimitiveEntry {
@@ -101,6 +110,7 @@ protected:
     PixelChanges m_samples;
     std::size_t m_refusals = 0;
     std::vector<std::size_t> m_clampedSamples;
+    std::vector<std::size_t> m_rejected;
 };
 
 } // namespace pixelplumb

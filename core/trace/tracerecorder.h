@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/trace/scantrace.h"
-
-#include <functional>
+#include "core/number/jobprogress.h"
+#include "core/trace/typedtrace.h"
 
 namespace pixelplumb {
 
@@ -16,8 +15,8 @@ struct TraceOptions {
     std::size_t sampleLimit = std::size_t(1) << 24;
     /// The same for spans (about 400 bytes each).
     std::size_t spanLimit = std::size_t(1) << 18;
-    /// Called at every span with the spans entered so far; returning false cancels the recording.
-    std::function<bool(std::size_t spansEntered)> progress;
+    /// Hears at every span how many were entered so far; nobody knows how many there will be.
+    ProgressListener progress;
     TraceDetail detail = TraceDetail::Samples;
 };
 
@@ -26,127 +25,6 @@ struct TraceOptions {
 /// undoing.
 struct RecordingEnded {
     enum class Why { Cancelled, LimitReached } why;
-};
-
-/// How a kernel's numbers become records. A recording names
-///   SetUp, Span, Sample    the kernel's numbers, as its observers hear them;
-///   placeOf(span)          where the span lies;
-///   record(…)              fills a SetUpRecord, SpanRecord or SampleRecord with them;
-///   isClamped(sample)      whether a level left 0 … 255;
-/// and, where the samples of a span can be walked again from its state,
-///   walk(setUp, span, settings, observer)
-/// which calls the kernel's own loop with the observer. Where there is no such function the
-/// samples themselves are kept.
-template <class R>
-concept Recording = requires(const typename R::SetUp &setUp, const typename R::Span &span,
-                             const typename R::Sample &sample, SetUpRecord &setUpRecord,
-                             SpanRecord &spanRecord, SampleRecord &sampleRecord)
-{
-    R::record(setUp, setUpRecord);
-    R::record(span, spanRecord);
-    R::record(sample, sampleRecord);
-    {
-        R::placeOf(span)
-        } -> std::same_as<SpanPlace>;
-    {
-        R::isClamped(sample)
-        } -> std::same_as<bool>;
-};
-
-/// Hears one span being walked and keeps its samples.
-template <Recording R>
-struct SampleCollector {
-    std::vector<SampleRecord> *samples;
-
-    void primitiveBegun(const typename R::SetUp &) { }
-    void primitiveRejected(PrimitiveRejection) { }
-    void spanEntered(const typename R::Span &) { }
-    void sampleRejected(std::int64_t x, std::int64_t y, QRgb, const typename R::Sample &sample)
-    {
-        collect(x, y, SampleFate::Refused, sample);
-    }
-    void pixelWritten(std::int64_t x, std::int64_t y, QRgb, QRgb, const typename R::Sample &sample)
-    {
-        collect(x, y, SampleFate::Written, sample);
-    }
-
-private:
-    void collect(std::int64_t x, std::int64_t y, SampleFate fate, const typename R::Sample &sample)
-    {
-        SampleRecord &record = samples->emplace_back();
-        record.x = x;
-        record.y = y;
-        record.fate = fate;
-        record.clamped = fate == SampleFate::Written && R::isClamped(sample);
-        R::record(sample, record);
-    }
-};
-
-/// True where the samples of a span can be walked again.
-template <class R>
-concept Rewalkable = requires(const typename R::SetUp &setUp, const typename R::Span &span,
-                              const ScanSettings &settings, SampleCollector<R> observer)
-{
-    R::walk(setUp, span, settings, observer);
-};
-
-template <Recording R>
-class TraceRecorder;
-
-/// A trace in the very numbers of one kernel.
-template <Recording R>
-class TypedTrace final : public ScanTrace {
-public:
-    explicit TypedTrace(const ScanSettings &settings)
-        : ScanTrace(settings)
-    {
-    }
-
-    SetUpRecord setUp(std::size_t primitive) const override
-    {
-        SetUpRecord record;
-        record.primitive = primitive;
-        record.rejection = m_setUps[primitive].rejection;
-        R::record(m_setUps[primitive].setUp, record);
-        return record;
-    }
-    SpanRecord span(std::size_t span) const override
-    {
-        SpanRecord record;
-        record.primitive = primitiveOf(span);
-        record.place = placeOf(span);
-        R::record(m_states[span], record);
-        return record;
-    }
-    std::vector<SampleRecord> samples(std::size_t span) const override
-    {
-        std::vector<SampleRecord> records;
-        SampleCollector<R> collector{&records};
-        if constexpr (Rewalkable<R>) {
-            R::walk(m_setUps[primitiveOf(span)].setUp, m_states[span], m_settings, collector);
-        } else {
-            for (std::size_t sample = firstSampleOf(span); sample < endSampleOf(span); ++sample) {
-                const PixelChange &change = changes()[sample];
-                if (change.isWritten())
-                    collector.pixelWritten(change.x, change.y, change.before, change.after,
-                                           m_kept[sample]);
-                else
-                    collector.sampleRejected(change.x, change.y, change.before, m_kept[sample]);
-            }
-        }
-        return records;
-    }
-
-private:
-    friend class TraceRecorder<R>;
-
-    struct TypedSetUp {
-        typename R::SetUp setUp;
-        std::optional<PrimitiveRejection> rejection;
-    };
-    std::vector<TypedSetUp> m_setUps;
-    std::vector<typename R::Span> m_states;
-    std::vector<typename R::Sample> m_kept; ///< by sample, where spans cannot be walked again
 };
 
 /// The observer that writes a trace.
@@ -164,13 +42,15 @@ public:
         m_trace->m_primitives.push_back({m_trace->stepCount(), m_trace->spanCount()});
         m_trace->m_setUps.push_back({setUp, std::nullopt});
     }
-    void primitiveRejected(PrimitiveRejection reason)
+    void primitiveRejected(const Rejection &rejection)
     {
-        m_trace->m_setUps.back().rejection = reason;
+        m_trace->m_setUps.back().rejection = rejection;
+        m_trace->m_rejected.push_back(m_trace->primitiveCount() - 1);
     }
     void spanEntered(const typename R::Span &span)
     {
-        if (m_options->progress && !m_options->progress(m_trace->spanCount()))
+        if (!goesOn(m_options->progress,
+                    {JobPhase::Recording, std::int64_t(m_trace->spanCount()), 0}))
             throw RecordingEnded{RecordingEnded::Why::Cancelled};
         if (m_trace->spanCount() >= m_options->spanLimit)
             endAtLimit();
@@ -201,7 +81,7 @@ private:
     {
         if (m_trace->sampleCount() >= m_options->sampleLimit)
             endAtLimit();
-        if constexpr (!Rewalkable<R>)
+        if constexpr (!canWalkAgain<R>)
             m_trace->m_kept.push_back(sample);
         m_trace->m_samples.append(change);
     }

@@ -5,6 +5,7 @@
 #include "core/scan/columnstate.h"
 #include "core/scan/scanobserver.h"
 #include "core/scan/scansettings.h"
+#include "core/scan/spanaxis.h"
 
 #include <algorithm>
 #include <array>
@@ -12,13 +13,6 @@
 #include <vector>
 
 namespace pixelplumb {
-
-/// Which coordinate the samples of a span share.
-enum class SpanAxis : std::uint8_t {
-    Column, ///< x
-    Row, ///< y
-    Free, ///< neither: a step of a curve, a point
-};
 
 /// Where a span lies.
 struct SpanPlace {
@@ -35,14 +29,14 @@ struct SpanPlace {
 /// What was computed once for a primitive, in any arithmetic.
 struct SetUpRecord {
     std::size_t primitive = 0;
-    std::optional<PrimitiveRejection> rejection;
+    std::optional<Rejection> rejection;
     /// Of a triangle that is sorted: the indices of P0, P1, P2 in the caller's triangle.
     std::array<int, 3> order = {0, 1, 2};
     /// Of a sorted triangle: the side that L₀₂ bounds; none where no edge is an upper or lower
     /// bound.
     std::optional<LongEdge> longEdge;
     bool zeroArea = false;
-    std::vector<Quantity> cells; ///< by Method::setUpColumns
+    std::vector<Quantity> cells; ///< by Method::setUpNumbers
 };
 
 /// The numbers of one span, in any arithmetic.
@@ -52,9 +46,12 @@ struct SpanRecord {
     /// Where the bounds meet the column (y_B, y_T) or the row (x_L, x_R), px; none in methods that
     /// test every sample.
     Quantity lower, upper;
+    /// The side that L₀₂ bounds here: that of the set-up, but where rounding has taken the bounds
+    /// past each other; none in methods whose bounds are no walked edges.
+    std::optional<LongEdge> longEdge;
     std::int64_t firstSample = 0, endSample = 0; ///< along the span, unclipped
     std::int64_t firstDrawn = 0, endDrawn = 0; ///< along the span, clipped to the frame
-    std::vector<Quantity> cells; ///< by Method::spanColumns
+    std::vector<Quantity> cells; ///< by Method::spanNumbers
 
     std::int64_t drawnSamples() const { return std::max<std::int64_t>(0, endDrawn - firstDrawn); }
 };
@@ -67,7 +64,7 @@ struct SampleRecord {
     std::array<Quantity, 3> colour; ///< levels, before rounding
     std::array<std::int64_t, 3> level = {}; ///< rounded, before clamping
     bool clamped = false;
-    std::vector<Quantity> cells; ///< by Method::sampleColumns
+    std::vector<Quantity> cells; ///< by Method::sampleNumbers
 };
 
 } // namespace pixelplumb

@@ -5,7 +5,7 @@
 
 #include <cmath>
 
-/// The assignment (seed 004) as a student hands it in: floats, increments, QImage::setPixel. It is
+/// The assignment (Borst) as a student hands it in: floats, increments, QImage::setPixel. It is
 /// written for nothing but to be recognised, and shares nothing with the kernels.
 namespace pixelplumb::bench {
 

@@ -10,6 +10,7 @@ namespace pixelplumb::bench {
 
 enum class Role {
     Ours,
+    Straight, ///< what a plain kernel is measured by: its arithmetic as one loop
     Student, ///< the assignment, written without a thought for speed
     Limit, ///< what the memory takes, no drawing
     Peer,
@@ -20,6 +21,12 @@ enum class Shading {
     Flat, ///< gets the triangles in one colour each
 };
 
+/// A plain kernel: what the window steps through, with nothing listening.
+struct PlainKernel {
+    QString method = QStringLiteral("column-scan");
+    ScanSettings settings;
+};
+
 /// What a renderer is and what it promises of its picture.
 struct ContenderInfo {
     QString id; ///< "agg", for --filter and JSON
@@ -27,15 +34,16 @@ struct ContenderInfo {
     Role role = Role::Peer;
     Shading shading = Shading::Smooth;
     int threads = 1;
-    /// The settings under which the plain kernel draws the same picture, bit for bit; in exact
-    /// arithmetic that is the truth. None where nothing is promised.
-    std::optional<ScanSettings> sameAsPlain;
+    /// The plain kernel that draws the same picture, bit for bit; in exact arithmetic that is the
+    /// truth. None where nothing is promised.
+    std::optional<PlainKernel> sameAsPlain;
+    QString twinId = {}; ///< of a plain kernel: the straight loop that it is measured by
 
     /// The rule under which the oracle has to agree in every byte.
     std::optional<FillRule> exactUnder() const
     {
-        if (sameAsPlain && sameAsPlain->arithmetic == Arithmetic::Exact)
-            return sameAsPlain->fillRule;
+        if (sameAsPlain && sameAsPlain->settings.arithmetic == Arithmetic::Exact)
+            return sameAsPlain->settings.fillRule;
         return std::nullopt;
     }
     /// Where the renderer's samples lie beside ours, lattice units, y upward; its picture is

@@ -84,7 +84,7 @@ void add(Lineup &lineup, const Variant &variant)
     info.role = Role::Ours;
     info.shading = variant.shading;
     info.threads = variant.threads;
-    info.sameAsPlain = variant.settings;
+    info.sameAsPlain.emplace().settings = variant.settings;
     FastOptions options;
     options.threads = variant.threads;
     options.instructionSet = variant.instructionSet;

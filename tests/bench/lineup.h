@@ -24,7 +24,7 @@ struct Lineup {
 Lineup makeLineup();
 
 /// The plain kernel's picture of a scene.
-Picture plainPicture(const Scene &scene, const ScanSettings &settings);
+Picture plainPicture(const Scene &scene, const PlainKernel &kernel);
 
 // One adapter a file. Each appends its contenders, or the reason why it has none.
 

@@ -142,6 +142,28 @@ void writeOverview(QTextStream &out, const Report &report)
            "see below.\n\n";
 }
 
+/// Each plain kernel in times its straight loop.
+void writeTwins(QTextStream &out, const Report &report)
+{
+    QStringList lines;
+    for (const WorkloadReport &workload : report.workloads) {
+        for (const ReportRow &row : workload.rows) {
+            const ContenderInfo &info = row.result.contender->info();
+            const ReportRow *twin = workload.row(info.twinId);
+            if (twin == nullptr)
+                continue;
+            const Quartiles times = ratio(row.result, twin->result);
+            lines << QStringLiteral("| %1 | %2 | %3 | %4 |")
+                         .arg(workload.id, info.name, numberText(times.median), spread(times));
+        }
+    }
+    if (lines.isEmpty())
+        return;
+    out << "## Plain kernels, times their straight loops\n\n"
+           "| workload | kernel | times | quartiles |\n|---|---|--:|--:|\n"
+        << lines.join(QLatin1Char('\n')) << "\n\n";
+}
+
 void writeRow(QTextStream &out, const WorkloadReport &workload, const ReportRow &row,
               const Report &report)
 {
@@ -178,6 +200,7 @@ QString markdown(const Report &report)
     writeHeader(out, report);
     writeLegend(out, report);
     writeOverview(out, report);
+    writeTwins(out, report);
     out << "## Everything\n\n"
            "Used: processors that the threads had; `~`: they lost one to another program in most "
            "samples, while the wall clock ran on. Pictures: the rule that comes nearest, and the "

@@ -87,9 +87,8 @@ Picture truthOf(FrameSize size, std::span<const Triangle> triangles, const TieRu
     spec.width = size.width;
     spec.height = size.height;
     FrameBuffer frame(spec);
-    CoverageMask coverage(spec);
     for (const Triangle &triangle : triangles)
-        oracle::draw(triangle, rule.rule, ByteRounding::Nearest, frame.view(), coverage);
+        oracle::draw(triangle, rule.rule, ByteRounding::Nearest, frame.view());
     const QImage image = frame.image();
     Picture seen = pictureOfLines(size, image.constBits(), image.bytesPerLine());
     if (!rule.mirrorsColumns && !rule.mirrorsRows)

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/frame/framebuffer.h"
-#include "core/methods/columnscan.h"
+#include "core/methods/method.h"
 #include "lineup.h"
+#include "straight/straightloop.h"
 
 #include <optional>
 
+/// The plain kernels, each beside the straight loop that it is measured by.
 namespace pixelplumb::bench {
 
 namespace {
@@ -17,60 +19,130 @@ FrameSpec frameSpecOf(FrameSize size)
     return spec;
 }
 
-/// The plain kernel: what the window steps through, with nothing listening.
-class PlainKernel final : public Contender {
+class FrameContender : public Contender {
 public:
-    PlainKernel(const ContenderInfo &info, const ScanSettings &settings)
-        : Contender(info)
-        , m_settings(settings)
-    {
-    }
+    using Contender::Contender;
 
-    void load(const Scene &scene) override
-    {
-        m_frame.emplace(frameSpecOf(scene.size));
-        m_triangles = scene.triangles;
-    }
-    void draw() override { drawColumns(m_triangles, m_settings, m_frame->view()); }
-    Picture picture() override
+    Picture picture() final
     {
         const QImage image = m_frame->image();
         return pictureOfLines({image.width(), image.height()}, image.constBits(),
                               image.bytesPerLine());
     }
 
+protected:
+    void setFrame(FrameSize size) { m_frame.emplace(frameSpecOf(size)); }
+    FrameView view() { return m_frame->view(); }
+
 private:
-    ScanSettings m_settings;
     std::optional<FrameBuffer> m_frame;
-    std::span<const Triangle> m_triangles;
 };
+
+class PlainContender final : public FrameContender {
+public:
+    explicit PlainContender(const ContenderInfo &info)
+        : FrameContender(info)
+        , m_method(methodNamed(info.sameAsPlain->method))
+    {
+    }
+
+    void load(const Scene &scene) override
+    {
+        setFrame(scene.size);
+        m_primitives.triangles.assign(scene.triangles.begin(), scene.triangles.end());
+    }
+    void draw() override { m_method->draw(m_primitives, info().sameAsPlain->settings, view()); }
+
+private:
+    const Method *m_method;
+    Primitives m_primitives;
+};
+
+class StraightContender final : public FrameContender {
+public:
+    StraightContender(const ContenderInfo &info, const StraightLoop &loop)
+        : FrameContender(info)
+        , m_loop(loop)
+    {
+    }
+
+    void load(const Scene &scene) override
+    {
+        setFrame(scene.size);
+        m_triangles.assign(scene.triangles.begin(), scene.triangles.end());
+        if (!m_loop.isRowWalk)
+            return;
+        for (Triangle &triangle : m_triangles) {
+            for (Vertex &vertex : triangle.vertices)
+                vertex.position = {-vertex.position.y, vertex.position.x};
+        }
+    }
+    void draw() override
+    {
+        const FrameView frame = view();
+        const RawFrame raw = m_loop.isRowWalk ? RawFrame{frame.base, -frame.stride, 1}
+                                              : RawFrame{frame.base, 1, frame.stride};
+        for (const Triangle &triangle : m_triangles)
+            m_loop.draw(triangle, raw);
+    }
+
+private:
+    const StraightLoop &m_loop;
+    std::vector<Triangle> m_triangles;
+};
+
+QString textOf(std::string_view text)
+{
+    return QString::fromLatin1(text.data(), qsizetype(text.size()));
+}
+
+/// plain-row-walk-float32, and straight-row-walk-float32 beside it.
+ContenderInfo infoOf(const StraightLoop &loop, Role role)
+{
+    const bool isPlain = role == Role::Ours;
+    const QString what
+        = QString::fromLatin1(loop.method) + QLatin1Char('-') + textOf(nameOf(loop.arithmetic));
+    ContenderInfo info;
+    info.id = (isPlain ? QStringLiteral("plain-") : QStringLiteral("straight-")) + what;
+    info.name = (isPlain ? QStringLiteral("ours, plain kernel, %1, %2, closed")
+                         : QStringLiteral("straight loop, %1, %2, closed"))
+                    .arg(QLatin1String(loop.method), textOf(nameOf(loop.arithmetic)));
+    info.role = role;
+    if (isPlain)
+        info.twinId = QStringLiteral("straight-") + what;
+    info.sameAsPlain = {QString::fromLatin1(loop.method),
+                        {loop.arithmetic, FillRule::Closed, ByteRounding::Nearest}};
+    return info;
+}
 
 } // namespace
 
-Picture plainPicture(const Scene &scene, const ScanSettings &settings)
+Picture plainPicture(const Scene &scene, const PlainKernel &kernel)
 {
-    PlainKernel kernel({}, settings);
-    kernel.load(scene);
-    kernel.draw();
-    return kernel.picture();
+    ContenderInfo info;
+    info.sameAsPlain = kernel;
+    PlainContender contender(info);
+    contender.load(scene);
+    contender.draw();
+    return contender.picture();
 }
 
 void addPlain(Lineup &lineup)
 {
-    const auto add = [&](const char *id, const char *name, Arithmetic arithmetic, FillRule rule) {
-        ContenderInfo info;
-        info.id = QString::fromLatin1(id);
-        info.name = QString::fromLatin1(name);
-        info.role = Role::Ours;
-        const ScanSettings settings = {arithmetic, rule, ByteRounding::Nearest};
-        info.sameAsPlain = settings;
-        lineup.contenders.push_back(std::make_unique<PlainKernel>(info, settings));
-    };
-    add("plain-half-open", "ours, plain kernel, exact", Arithmetic::Exact,
-        FillRule::HalfOpenColumn);
-    add("plain-closed", "ours, plain kernel, exact, closed", Arithmetic::Exact, FillRule::Closed);
-    add("plain-float32", "ours, plain kernel, float32, closed", Arithmetic::Float32,
-        FillRule::Closed);
+    ContenderInfo halfOpen;
+    halfOpen.id = QStringLiteral("plain-half-open");
+    halfOpen.name = QStringLiteral("ours, plain kernel, exact");
+    halfOpen.role = Role::Ours;
+    halfOpen.sameAsPlain.emplace().settings
+        = {Arithmetic::Exact, FillRule::HalfOpenColumn, ByteRounding::Nearest};
+    lineup.contenders.push_back(std::make_unique<PlainContender>(halfOpen));
+    for (const auto loops : {straightColumns(), straightSamples(), straightInterpolations()}) {
+        for (const StraightLoop &loop : loops) {
+            lineup.contenders.push_back(std::make_unique<PlainContender>(infoOf(loop, Role::Ours)));
+            lineup.contenders.push_back(
+                std::make_unique<StraightContender>(infoOf(loop, Role::Straight), loop));
+        }
+    }
 }
 
 } // namespace pixelplumb::bench

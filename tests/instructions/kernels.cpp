@@ -23,10 +23,7 @@ template <class A>
     for (std::int64_t row = column.firstDrawnRow; row < column.endDrawnRow; ++row) {
         for (std::size_t channel = 0; channel < 3; ++channel)
             fragment.level[channel] = A::level(fragment.colour[channel], rounding);
-        const auto byte = [&](std::size_t channel) {
-            return int(std::clamp<std::int64_t>(fragment.level[channel], 0, 255));
-        };
-        *pixel = qRgb(byte(0), byte(1), byte(2));
+        *pixel = pixelOfLevels(fragment.level);
         pixel += frame.stride;
         for (std::size_t channel = 0; channel < 3; ++channel)
             A::advance(fragment.colour[channel], column.colourRate[channel]);

@@ -104,12 +104,13 @@ template <class A>
 void printScan(const char *name)
 {
     print(name, "closed", [](const Triangle &triangle, FrameView frame) {
-        ColumnScan<A, FillRule::Closed, NullObserver>(triangle, ByteRounding::Nearest, frame, {})
+        ColumnScan<A, NullObserver>(triangle, columnIntervals(FillRule::Closed),
+                                    ByteRounding::Nearest, frame, {})
             .run();
     });
     print(name, "half-open-column", [](const Triangle &triangle, FrameView frame) {
-        ColumnScan<A, FillRule::HalfOpenColumn, NullObserver>(triangle, ByteRounding::Truncate,
-                                                              frame, {})
+        ColumnScan<A, NullObserver>(triangle, columnIntervals(FillRule::HalfOpenColumn),
+                                    ByteRounding::Truncate, frame, {})
             .run();
     });
 }
@@ -117,13 +118,7 @@ void printScan(const char *name)
 void printOracle(const char *rule, FillRule fillRule, ByteRounding rounding)
 {
     print("oracle", rule, [&](const Triangle &triangle, FrameView frame) {
-        FrameSpec spec;
-        spec.width = frame.width;
-        spec.height = frame.height;
-        spec.firstColumn = frame.firstColumn;
-        spec.firstRow = frame.firstRow;
-        CoverageMask coverage(spec);
-        oracle::draw(triangle, fillRule, rounding, frame, coverage);
+        oracle::draw(triangle, fillRule, rounding, frame);
     });
 }
 

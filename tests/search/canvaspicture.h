@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/frame/coveragemask.h"
 #include "core/frame/frameview.h"
 #include "core/oracle/oracle.h"
 #include "core/scan/columnscan.h"
@@ -16,7 +15,7 @@ struct ClampCounter {
     std::int64_t *clamped;
 
     void primitiveBegun(const ColumnSetUp<A> &) { }
-    void primitiveRejected(PrimitiveRejection) { }
+    void primitiveRejected(const Rejection &) { }
     void spanEntered(const ColumnState<A> &) { }
     void sampleRejected(std::int64_t, std::int64_t, QRgb, const Fragment<A> &) { }
     void pixelWritten(std::int64_t, std::int64_t, QRgb, QRgb, const Fragment<A> &fragment)
@@ -38,8 +37,7 @@ public:
     void drawTruly(const Triangle &triangle, FillRule rule,
                    ByteRounding rounding = ByteRounding::Nearest)
     {
-        CoverageMask coverage(m_canvas);
-        oracle::draw(triangle, rule, rounding, view(), coverage);
+        oracle::draw(triangle, rule, rounding, view());
     }
     /// Returns the number of clamped pixels.
     std::int64_t drawByScan(const Triangle &triangle, const ScanSettings &settings)
@@ -81,14 +79,9 @@ private:
     {
         using Counter = ClampCounter<A>;
         std::int64_t clamped = 0;
-        if (settings.fillRule == FillRule::HalfOpenColumn)
-            ColumnScan<A, FillRule::HalfOpenColumn, Counter>(triangle, settings.rounding, view(),
-                                                             Counter{&clamped})
-                .run();
-        else
-            ColumnScan<A, FillRule::Closed, Counter>(triangle, settings.rounding, view(),
-                                                     Counter{&clamped})
-                .run();
+        ColumnScan<A, Counter>(triangle, columnIntervals(settings.fillRule), settings.rounding,
+                               view(), Counter{&clamped})
+            .run();
         return clamped;
     }
 

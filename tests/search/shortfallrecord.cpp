@@ -41,11 +41,11 @@ QString countsText(const Shortfall &shortfall)
 
 /// What the facts say first of a case of lines or other shapes: how many pixels differ. Of a line
 /// also of its reverse.
-QString shapeText(const HardCase &hardCase, const Candidate &candidate)
+QString shapeText(const HardCase &hardCase, const Contender &contender)
 {
-    const CaseReport report = checkCase(hardCase, {candidate});
+    const CaseReport report = checkCase(hardCase, {contender});
     QStringList texts;
-    for (const CandidateVerdict &verdict : report.verdicts) {
+    for (const ContenderVerdict &verdict : report.verdicts) {
         if (verdict.outcome != CaseOutcome::FellShort)
             continue;
         const auto isOfReverse
@@ -65,9 +65,9 @@ bool draws(const Method &method, const HardCase &hardCase)
                                    : method.draws(hardCase.shapes.front());
 }
 
-std::vector<Candidate> candidatesFor(const HardCase &hardCase, FillRule rule, QStringView methodId)
+std::vector<Contender> contendersFor(const HardCase &hardCase, FillRule rule, QStringView methodId)
 {
-    std::vector<Candidate> candidates;
+    std::vector<Contender> contenders;
     for (const Method &method : methods()) {
         if (!draws(method, hardCase) || !method.supports(rule))
             continue;
@@ -75,13 +75,13 @@ std::vector<Candidate> candidatesFor(const HardCase &hardCase, FillRule rule, QS
             continue;
         for (const Arithmetic arithmetic : method.arithmetics) {
             if (!method.isStableIn(arithmetic))
-                candidates.push_back({&method, {arithmetic, rule, ByteRounding::Nearest}});
+                contenders.push_back({&method, {arithmetic, rule, ByteRounding::Nearest}});
         }
     }
-    return candidates;
+    return contenders;
 }
 
-QByteArray quoted(const QString &text)
+QByteArray jsonString(const QString &text)
 {
     // The text of an array of this one string, without its brackets.
     return QJsonDocument(QJsonArray{text}).toJson(QJsonDocument::Compact).chopped(1).mid(1);
@@ -94,34 +94,34 @@ CaseRecord shortfallsOf(const HardCase &hardCase, QStringView methodId)
     CaseRecord record;
     for (const auto &[rule, facts] : hardCase.facts) {
         const CaseTruth truth(hardCase, rule);
-        for (const Candidate &candidate : candidatesFor(hardCase, rule, methodId)) {
+        for (const Contender &contender : contendersFor(hardCase, rule, methodId)) {
             const QString text = hardCase.triangles.empty()
-                ? shapeText(hardCase, candidate)
-                : countsText(truth.shortfallOf(candidate.method->draw, candidate.settings));
+                ? shapeText(hardCase, contender)
+                : countsText(truth.shortfallOf(contender.method->draw, contender.settings));
             if (!text.isEmpty())
-                record[text].append(candidate.name());
+                record[text].append(contender.name());
         }
     }
-    for (auto &[text, candidates] : record)
-        candidates.sort();
+    for (auto &[text, contenders] : record)
+        contenders.sort();
     return record;
 }
 
 QByteArray textOf(const ShortfallRecord &record)
 {
-    QByteArray text = "{\n" + quoted(aboutKey) + ": " + quoted(aboutText);
+    QByteArray text = "{\n" + jsonString(aboutKey) + ": " + jsonString(aboutText);
     for (const auto &[file, cases] : record) {
-        text += ",\n" + quoted(file) + ": {";
+        text += ",\n" + jsonString(file) + ": {";
         QByteArray betweenCases = "\n";
         for (const auto &[id, shortfalls] : cases) {
             if (shortfalls.empty())
                 continue;
-            text += betweenCases + " " + quoted(id) + ": {";
+            text += betweenCases + " " + jsonString(id) + ": {";
             betweenCases = ",\n";
             QByteArray between = "\n";
-            for (const auto &[what, candidates] : shortfalls) {
-                text += between + "  " + quoted(what) + ": "
-                    + QJsonDocument(QJsonArray::fromStringList(candidates))
+            for (const auto &[what, contenders] : shortfalls) {
+                text += between + "  " + jsonString(what) + ": "
+                    + QJsonDocument(QJsonArray::fromStringList(contenders))
                           .toJson(QJsonDocument::Compact);
                 between = ",\n";
             }
@@ -151,9 +151,9 @@ QStringList linesOf(const FileRecord &file)
 {
     QStringList lines;
     for (const auto &[id, shortfalls] : file) {
-        for (const auto &[what, candidates] : shortfalls) {
-            for (const QString &candidate : candidates)
-                lines.append(id + QStringLiteral(": ") + candidate + QStringLiteral(": ") + what);
+        for (const auto &[what, contenders] : shortfalls) {
+            for (const QString &contender : contenders)
+                lines.append(id + QStringLiteral(": ") + contender + QStringLiteral(": ") + what);
         }
     }
     lines.sort();

@@ -12,7 +12,7 @@
 /// that the case has facts for and that is not claimed stable. One that is right has no entry.
 namespace pixelplumb::search {
 
-/// The candidates that fall short of one case, by what they get wrong:
+/// The contenders that fall short of one case, by what they get wrong:
 /// "2 missing, 3 extra" → "column-scan float32 closed".
 using CaseRecord = std::map<QString, QStringList>;
 /// By the case's id.
@@ -20,7 +20,7 @@ using FileRecord = std::map<QString, CaseRecord>;
 /// By the name of the file of cases.
 using ShortfallRecord = std::map<QString, FileRecord>;
 
-/// Measures every candidate on the case, or those of the method with this id.
+/// Measures every contender on the case, or those of the method with this id.
 CaseRecord shortfallsOf(const HardCase &hardCase, QStringView methodId = {});
 
 /// The record as JSON, a line for each case and shortfall.

@@ -24,13 +24,13 @@ private slots:
     void isRightInExactArithmeticUnderBothRules()
     {
         QFETCH(QString, name);
-        std::vector<Candidate> candidates;
+        std::vector<Contender> contenders;
         for (const FillRule rule : {FillRule::Closed, FillRule::HalfOpenColumn})
-            candidates.push_back({methodNamed(u"column-scan"), {Arithmetic::Exact, rule}});
+            contenders.push_back({methodNamed(u"column-scan"), {Arithmetic::Exact, rule}});
         QStringList shortfalls;
         for (const HardCase &hardCase : casesOf(name)) {
-            const CaseReport report = checkCase(hardCase, candidates);
-            for (const CandidateVerdict &verdict : report.verdicts) {
+            const CaseReport report = checkCase(hardCase, contenders);
+            for (const ContenderVerdict &verdict : report.verdicts) {
                 if (verdict.outcome == CaseOutcome::FellShort)
                     shortfalls.append(hardCase.id + QStringLiteral(": ")
                                       + verdict.remarks.join(QStringLiteral("; ")));
@@ -74,7 +74,9 @@ private slots:
             if (search::shortfallsOf(hardCase, u"column-scan").empty())
                 easy.append(hardCase.id);
         }
-        QVERIFY2(easy.isEmpty(), qPrintable(easy.join(u' ')));
+        // Found where the lower edge was chosen once for the triangle; chosen in each column, as
+        // the assignment says, its tip is painted in every arithmetic. It stays as a guard of that.
+        QCOMPARE(easy, QStringList(QStringLiteral("tie_fixed16_16")));
     }
 
     void measuresTheKnownFiguresOfTieTenths()

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/canvas.h"
-#include "widgets/displayoptions.h"
-#include "widgets/playhead.h"
-#include "widgets/scenedocument.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/look/displayoptions.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
 
 #include <QEvent>
 

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "tests/support/scanning.h"
-#include "widgets/mainwindow.h"
-#include "widgets/scenedocument.h"
-#include "widgets/scenetracer.h"
+#include "widgets/model/scenedocument.h"
+#include "widgets/model/scenetracer.h"
+#include "widgets/window/mainwindow.h"
 
 #include <QCoreApplication>
 #include <QDeadlineTimer>

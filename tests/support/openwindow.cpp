@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/openwindow.h"
 
-#include "widgets/appearance.h"
-#include "widgets/canvas.h"
-#include "widgets/scenedocument.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/look/appearance.h"
+#include "widgets/model/scenedocument.h"
 
 #include <QTest>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/mainwindow.h"
+#include "widgets/window/mainwindow.h"
 
 #include <QAction>
 

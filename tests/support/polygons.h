@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/oracle/polygonoracle.h"
-#include "core/trace/tracedscene.h"
+#include "core/runs/tracedscene.h"
 #include "tests/support/colours.h"
 #include "tests/support/framespec.h"
 
@@ -128,7 +128,7 @@ inline Shape moved(Shape shape, const LatticePoint &by)
 }
 
 /// Why a method draws nothing of a polygon.
-inline std::optional<PrimitiveRejection> rejectionOf(const Shape &shape, const char *method)
+inline std::optional<Rejection> rejectionOf(const Shape &shape, const char *method)
 {
     return traceScene(sceneOf({shape}, frameOf(22, 22), method))->trace->setUp(0).rejection;
 }

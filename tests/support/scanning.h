@@ -35,7 +35,6 @@ class Drawing {
 public:
     explicit Drawing(const FrameSpec &spec)
         : m_frame(spec)
-        , m_coverage(spec)
     {
         clear();
     }
@@ -48,13 +47,19 @@ public:
                 *view.at(x, y) = 0;
         }
     }
+    /// By anything that draws into a FrameView.
+    template <class Drawer>
+    void draw(const Drawer &drawer)
+    {
+        drawer(m_frame.view());
+    }
     void drawByMethod(const Triangle &triangle, const ScanSettings &settings)
     {
         columnScan().draw(Primitives{{triangle}, {}}, settings, m_frame.view());
     }
     void drawByOracle(const Triangle &triangle, const ScanSettings &settings)
     {
-        oracle::draw(triangle, settings.fillRule, settings.rounding, m_frame.view(), m_coverage);
+        oracle::draw(triangle, settings.fillRule, settings.rounding, m_frame.view());
     }
     QRgb at(std::int64_t x, std::int64_t y) const { return *m_frame.view().at(x, y); }
     const FrameSpec &spec() const { return m_frame.spec(); }
@@ -87,7 +92,6 @@ public:
 
 private:
     FrameBuffer m_frame;
-    CoverageMask m_coverage;
 };
 
 inline QString coverageText(const Triangle &triangle, const FrameSpec &spec,

@@ -57,6 +57,8 @@ Scene randomScene(quint32 seed)
         for (Vertex &vertex : triangle.vertices)
             vertex = {{coordinate(), coordinate()}, colour()};
     }
+    if (random.bounded(2) == 0)
+        scene.frame.offScreenPoint = {coordinate(), coordinate()};
     return scene;
 }
 

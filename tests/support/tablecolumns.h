@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/columntablemodel.h"
+#include "widgets/model/columntablemodel.h"
 
 namespace pixelplumb {
 

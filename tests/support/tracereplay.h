@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/methods/method.h"
-#include "core/trace/tracedscene.h"
+#include "core/runs/tracedscene.h"
 
 /// What the tests of traces share that hold for every method of a family.
 namespace pixelplumb {

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/frame/coveragemask.h"
 #include "core/methods/method.h"
 #include "core/oracle/oracle.h"
 #include "tests/support/framespec.h"
@@ -43,8 +42,7 @@ public:
     }
     void drawTruth(const Triangle &triangle, const ScanSettings &settings)
     {
-        CoverageMask coverage(m_spec);
-        oracle::draw(triangle, settings.fillRule, settings.rounding, view(), coverage);
+        oracle::draw(triangle, settings.fillRule, settings.rounding, view());
     }
 
     friend bool operator==(const WindowPicture &a, const WindowPicture &b)

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/methodreport.h"
+
+#include "app/cli/console.h"
+#include "core/lab/operationtable.h"
+#include "core/lab/standardexamples.h"
+#include "core/scan/choicenames.h"
+
+#include <QJsonArray>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+QStringList kindsOf(const Method &method)
+{
+    QStringList kinds;
+    for (const PrimitiveKind kind : method.kinds)
+        kinds.append(nameOf(kind));
+    return kinds;
+}
+
+void printNumbers(const QString &title, const std::vector<NumberDescription> &numbers)
+{
+    if (numbers.empty())
+        return;
+    printLine(QStringLiteral("  numbers of %1").arg(title));
+    for (const NumberDescription &number : numbers) {
+        const QString unit = number.unit.isEmpty() ? QString() : QStringLiteral(", ") + number.unit;
+        printLine(QStringLiteral("    %1%2: %3").arg(number.title, unit, number.toolTip));
+    }
+}
+
+QJsonArray jsonOf(const std::vector<NumberDescription> &numbers)
+{
+    QJsonArray list;
+    for (const NumberDescription &number : numbers)
+        list.append(QJsonObject{{QStringLiteral("id"), number.id},
+                                {QStringLiteral("title"), number.title},
+                                {QStringLiteral("unit"), number.unit},
+                                {QStringLiteral("meaning"), number.toolTip},
+                                {QStringLiteral("formula"), number.formula}});
+    return list;
+}
+
+/// How much of the work of a small triangle is its set-up, beside that of the large one.
+void printShares(const Method &method, Arithmetic arithmetic,
+                 const std::vector<StandardExample> &examples)
+{
+    QStringList shares;
+    for (const StandardExample &example : examples) {
+        const auto counts = countOperations(method, arithmetic, example);
+        shares.append(QStringLiteral("%1 % on %2")
+                          .arg(100 * counts->setUpShare(), 0, 'f', 1)
+                          .arg(example.name.section(QStringLiteral(" in "), 0, 0)));
+    }
+    printLine(QStringLiteral("    share of the set-up: %1").arg(shares.join(QStringLiteral(", "))));
+}
+
+void printOperations(const Method &method)
+{
+    if (!isCounted(method)) {
+        printLine(QStringLiteral("  operations   %1")
+                      .arg(countingGap(method, method.arithmetics.front())));
+        return;
+    }
+    const std::vector<StandardExample> examples = standardExamplesFor(method);
+    for (const Arithmetic arithmetic : method.arithmetics) {
+        const auto counts = countOperations(method, arithmetic, examples.front());
+        printLine(QStringLiteral("  operations in %1, %2")
+                      .arg(QString::fromLatin1(nameOf(arithmetic).data()), examples.front().name));
+        printLine(QStringLiteral("    %1").arg(countsText(*counts)));
+        for (const QString &row : operationTableText(*counts))
+            printLine(QStringLiteral("    %1").arg(row));
+        printShares(method, arithmetic, examples);
+        if (const QString gap = countingGap(method, arithmetic); !gap.isEmpty())
+            printLine(QStringLiteral("    %1").arg(gap));
+    }
+}
+
+QJsonObject jsonOf(const OperationCounts &counts)
+{
+    QJsonObject object;
+    for (const WorkStage stage : allWorkStages) {
+        QJsonObject kinds;
+        for (const Operation operation : allOperations)
+            kinds.insert(QString::fromLatin1(nameOf(operation).data()),
+                         qint64(counts.of(stage, operation)));
+        object.insert(QString::fromLatin1(nameOf(stage).data()), kinds);
+    }
+    object.insert(QStringLiteral("set-ups"), qint64(counts.primitives));
+    object.insert(QStringLiteral("spans"), qint64(counts.spans));
+    object.insert(QStringLiteral("pixels"), qint64(counts.pixels));
+    object.insert(QStringLiteral("refused"), qint64(counts.refused));
+    return object;
+}
+
+QJsonArray operationsJson(const Method &method)
+{
+    QJsonArray list;
+    for (const StandardExample &example : standardExamplesFor(method)) {
+        for (const Arithmetic arithmetic : method.arithmetics) {
+            const auto counts = countOperations(method, arithmetic, example);
+            if (!counts)
+                continue;
+            QJsonObject object = jsonOf(*counts);
+            object.insert(QStringLiteral("example"), example.name);
+            object.insert(QStringLiteral("arithmetic"),
+                          QString::fromLatin1(nameOf(arithmetic).data()));
+            object.insert(QStringLiteral("gap"), countingGap(method, arithmetic));
+            list.append(object);
+        }
+    }
+    return list;
+}
+
+} // namespace
+
+QJsonObject jsonOf(const Method &method)
+{
+    return {
+        {QStringLiteral("id"), method.id},
+        {QStringLiteral("family"), titleOf(method.family)},
+        {QStringLiteral("draws"), QJsonArray::fromStringList(kindsOf(method))},
+        {QStringLiteral("stable"), QJsonArray::fromStringList(namesOf(method.stableArithmetics))},
+        {QStringLiteral("title"), method.title},
+        {QStringLiteral("summary"), method.summary},
+        {QStringLiteral("source"), method.source},
+        {QStringLiteral("arithmetics"), QJsonArray::fromStringList(namesOf(method.arithmetics))},
+        {QStringLiteral("fillRules"), QJsonArray::fromStringList(namesOf(method.fillRules))},
+        {QStringLiteral("effects"), QJsonArray::fromStringList(method.effects)}};
+}
+
+void printMethod(const Method &method)
+{
+    const QString separator = QStringLiteral(", ");
+    printLine(QStringLiteral("%1: %2").arg(method.id, method.title));
+    printLine(QStringLiteral("  %1").arg(method.summary));
+    printLine(QStringLiteral("  draws        %1").arg(kindsOf(method).join(separator)));
+    printLine(QStringLiteral("  source       %1").arg(method.source));
+    printLine(QStringLiteral("  arithmetics  %1").arg(namesOf(method.arithmetics).join(separator)));
+    if (!method.stableArithmetics.empty())
+        printLine(QStringLiteral("  true in      %1")
+                      .arg(namesOf(method.stableArithmetics).join(separator)));
+    printLine(QStringLiteral("  fill rules   %1").arg(namesOf(method.fillRules).join(separator)));
+    if (!method.fillRuleReason.isEmpty())
+        printLine(QStringLiteral("  no others:   %1").arg(method.fillRuleReason));
+    printLine(QStringLiteral("  effects      %1").arg(method.effects.join(separator)));
+}
+
+void printWholeMethod(const Method &method)
+{
+    printMethod(method);
+    printNumbers(QStringLiteral("the set-up"), method.setUpNumbers);
+    printNumbers(QStringLiteral("a span"), method.spanNumbers);
+    printNumbers(QStringLiteral("a sample"), method.sampleNumbers);
+    printOperations(method);
+}
+
+QJsonObject jsonOfWhole(const Method &method)
+{
+    QJsonObject object = jsonOf(method);
+    object.insert(QStringLiteral("fillRuleReason"), method.fillRuleReason);
+    object.insert(QStringLiteral("setUpNumbers"), jsonOf(method.setUpNumbers));
+    object.insert(QStringLiteral("spanNumbers"), jsonOf(method.spanNumbers));
+    object.insert(QStringLiteral("sampleNumbers"), jsonOf(method.sampleNumbers));
+    object.insert(QStringLiteral("operations"), operationsJson(method));
+    return object;
+}
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/method.h"
+
+#include <QJsonObject>
+
+namespace pixelplumb::cli {
+
+/// What a list says of each method.
+void printMethod(const Method &method);
+QJsonObject jsonOf(const Method &method);
+
+/// The same with its numbers and, for each arithmetic, the résumé of its operations on the standard
+/// example (core/lab/standardexamples.h).
+void printWholeMethod(const Method &method);
+QJsonObject jsonOfWhole(const Method &method);
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/export/rowwriter.h"
+
+namespace pixelplumb {
+
+/// How a text table spells rationals.
+enum class TextNumbers {
+    Mixed, ///< "5 7/54"
+    Decimal, ///< "5.129630", six digits after the point
+};
+
+/// An aligned table for people: titles above, numbers with their whole parts below each other. Rows
+/// are gathered to blocks; a column grows where a later block needs it and never shrinks.
+std::unique_ptr<RowWriter> makeTextWriter(QIODevice &device, TextNumbers numbers);
+
+} // namespace pixelplumb

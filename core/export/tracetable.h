@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/export/rowwriter.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <functional>
+
+namespace pixelplumb {
+
+/// The columns beside that of a number which has an exact one: that, and used − exact.
+inline QString exactName(const QString &number) { return number + QStringLiteral("_exact"); }
+inline QString errorName(const QString &number) { return number + QStringLiteral("_error"); }
+
+/// A table's columns, each with its name and how its cell is read from a row, in one place.
+template <class Row>
+class TraceTable {
+public:
+    using Read = std::function<Cell(const Row &row)>;
+
+    /// A number that is there already under this name is not written a second time.
+    void add(Field field, Read read)
+    {
+        if (contains(field.name))
+            return;
+        m_fields.push_back(std::move(field));
+        m_reads.push_back(std::move(read));
+    }
+
+    const std::vector<Field> &fields() const { return m_fields; }
+    bool contains(const QString &name) const { return placeOf(name) < m_fields.size(); }
+    std::vector<Cell> cells(const Row &row) const
+    {
+        std::vector<Cell> cells;
+        cells.reserve(m_reads.size());
+        for (const Read &read : m_reads)
+            cells.push_back(read(row));
+        return cells;
+    }
+
+    /// The columns of these names, in their order; names that it does not have are left out.
+    TraceTable only(const QStringList &names) const
+    {
+        TraceTable chosen;
+        for (const QString &name : names) {
+            if (const std::size_t place = placeOf(name); place < m_fields.size())
+                chosen.add(m_fields[place], m_reads[place]);
+        }
+        return chosen;
+    }
+    /// The numbers as the kernel held them, without the exact ones and the errors.
+    TraceTable withoutComparisons() const
+    {
+        TraceTable chosen;
+        for (std::size_t i = 0; i < m_fields.size(); ++i) {
+            const Field::Kind kind = m_fields[i].kind;
+            if (kind != Field::Kind::Exact && kind != Field::Kind::Error)
+                chosen.add(m_fields[i], m_reads[i]);
+        }
+        return chosen;
+    }
+
+private:
+    std::size_t placeOf(const QString &name) const
+    {
+        return std::size_t(std::ranges::find(m_fields, name, &Field::name) - m_fields.begin());
+    }
+
+    std::vector<Field> m_fields;
+    std::vector<Read> m_reads;
+};
+
+} // namespace pixelplumb

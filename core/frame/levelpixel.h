@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QRgb>
+
+#include <algorithm>
+#include <array>
+#include <cstdint>
+
+namespace pixelplumb {
+
+/// A level as a byte, 0 … 255.
+constexpr int clampedByte(std::int64_t level)
+{
+    return int(std::clamp<std::int64_t>(level, 0, 255));
+}
+
+/// The pixel of three levels R G B, each clamped. One test for all three, because nearly every
+/// level is a byte already. Inlined by order: a call would keep the kernel's innermost numbers in
+/// memory.
+[[gnu::always_inline]] inline constexpr QRgb pixelOfLevels(const std::array<std::int64_t, 3> &level)
+{
+    const auto [red, green, blue] = level;
+    if (std::uint64_t(red | green | blue) <= 255) [[likely]]
+        return QRgb(0xff000000U | unsigned(red) << 16U | unsigned(green) << 8U | unsigned(blue));
+    return qRgb(clampedByte(red), clampedByte(green), clampedByte(blue));
+}
+
+} // namespace pixelplumb

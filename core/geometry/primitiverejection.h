@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstddef>
+#include <utility>
+#include <vector>
+
+namespace pixelplumb {
+
+/// Why a primitive draws nothing.
+enum class PrimitiveRejection {
+    ZeroArea, ///< no colour plane, and only the closed rule paints a segment or a point
+    OutsideFrame, ///< no sample of the frame lies within its bounding box
+    NotRepresentable, ///< a coordinate does not fit the arithmetic (fixed 16.16: |c| < 2^15 px)
+    VerticalLine, ///< y = m·x + b has no m
+    NotOfThisMethod, ///< the method draws other kinds of primitives
+    NotConvex, ///< a polygon that no fan of triangles tiles
+    SelfCrossing, ///< edges of a polygon cross between vertices
+    NoOutline, ///< a text without a character that leaves a mark
+    FontMissing, ///< no outlines for a text
+};
+
+/// The reason, and where in the primitive it is seen.
+struct Rejection {
+    // NOLINTNEXTLINE(google-explicit-constructor): most reasons are seen nowhere in particular.
+    Rejection(PrimitiveRejection why)
+        : reason(why)
+    {
+    }
+    Rejection(PrimitiveRejection why, std::vector<std::size_t> where)
+        : reason(why)
+        , vertices(std::move(where))
+    {
+    }
+
+    PrimitiveRejection reason;
+    /// The vertex at which a polygon is not convex; the ends of one edge and of the other that
+    /// cross. Counted from 0, as the scene's file has them; empty where no place is known.
+    std::vector<std::size_t> vertices;
+
+    friend bool operator==(const Rejection &, const Rejection &) = default;
+    friend bool operator==(const Rejection &rejection, PrimitiveRejection other)
+    {
+        return rejection.reason == other;
+    }
+};
+
+} // namespace pixelplumb

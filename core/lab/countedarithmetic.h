@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/countednumber.h"
+#include "core/scan/circleexplicit.h"
+#include "core/scan/constantratearithmetic.h"
+#include "core/scan/exactarithmetic.h"
+#include "core/scan/lineslopeintercept.h"
+#include "core/scan/roundedarithmetic.h"
+
+/// The arithmetics of the walks in counting numbers.
+namespace pixelplumb {
+
+/// A coordinate becomes a number by one conversion; that it is scaled by a power of two is part of
+/// it. So is taking the integer of a rounding.
+template <class T>
+struct NumberTraits<Counted<T>> {
+    using Plain = NumberTraits<T>;
+    static constexpr Arithmetic arithmetic = Plain::arithmetic;
+
+    static bool represents(Lattice units) { return Plain::represents(units); }
+    static Counted<T> fromInteger(std::int64_t integer)
+    {
+        OperationTally::count(Operation::Conversion);
+        return Plain::fromInteger(integer);
+    }
+    static Counted<T> fromLattice(Lattice units)
+    {
+        OperationTally::count(Operation::Conversion);
+        return Plain::fromLattice(units);
+    }
+    static std::int64_t floor(const Counted<T> &value)
+    {
+        OperationTally::count(Operation::Rounding);
+        return Plain::floor(value.plain());
+    }
+    static std::int64_t ceil(const Counted<T> &value)
+    {
+        OperationTally::count(Operation::Rounding);
+        return Plain::ceil(value.plain());
+    }
+};
+
+/// The increments in a number that rounds: an edge's quotients and its pre-step are taken once.
+template <class T>
+struct CountedRounded : RoundedArithmetic<Counted<T>> {
+    using Base = RoundedArithmetic<Counted<T>>;
+    using typename Base::Number;
+    using typename Base::Traits;
+
+    static Number edgeSlope(const Vertex &a, const Vertex &b)
+    {
+        const OncePerEdge once(a, b, OncePerEdge::slope);
+        return Base::edgeSlope(a, b);
+    }
+    static Number edgeColourRate(const Vertex &a, const Vertex &b, std::size_t channel)
+    {
+        const OncePerEdge once(a, b, int(channel));
+        if (a.position.x != b.position.x)
+            OperationTally::count(Operation::IntegerAddition); // of the two levels
+        return Base::edgeColourRate(a, b, channel);
+    }
+    static Number edgeOrdinate(const Vertex &a, const Vertex &b, std::int64_t column)
+    {
+        return Traits::fromLattice(a.position.y) + preStep(a, b, column) * edgeSlope(a, b);
+    }
+    static Number edgeColour(const Vertex &a, const Vertex &b, std::size_t channel,
+                             std::int64_t column)
+    {
+        return Traits::fromInteger(a.colour.channels[channel])
+            + preStep(a, b, column) * edgeColourRate(a, b, channel);
+    }
+    /// One rounding, of the half that makes it the nearest level too.
+    static std::int64_t level(const Number &number, ByteRounding rounding)
+    {
+        OperationTally::count(Operation::Rounding);
+        return RoundedArithmetic<T>::level(number.plain(), rounding);
+    }
+
+private:
+    static Number preStep(const Vertex &a, const Vertex &b, std::int64_t column)
+    {
+        const OncePerEdge once(a, b, OncePerEdge::preStep);
+        return Traits::fromInteger(column) - Traits::fromLattice(a.position.x);
+    }
+};
+
+/// Quotients and remainders of counting integers.
+template <class Integer>
+struct CountedExact : ExactArithmetic<Counted<Integer>> {
+    using Base = ExactArithmetic<Counted<Integer>>;
+    using typename Base::Number;
+
+    static Number edgeSlope(const Vertex &a, const Vertex &b)
+    {
+        const OncePerEdge once(a, b, OncePerEdge::slope);
+        return Base::edgeSlope(a, b);
+    }
+    static Number edgeColourRate(const Vertex &a, const Vertex &b, std::size_t channel)
+    {
+        const OncePerEdge once(a, b, int(channel));
+        return Base::edgeColourRate(a, b, channel);
+    }
+};
+
+/// A fixed-point quotient is rounded to nearest within the division.
+template <class T>
+struct RoundedFraction<Counted<T>> {
+    static Counted<T> of(const Counted<Int128> &numerator, const Counted<Int128> &denominator)
+    {
+        OperationTally::count(Operation::Conversion, std::floating_point<T> ? 2 : 0);
+        OperationTally::count(Operation::Division);
+        return RoundedFraction<T>::of(numerator.plain(), denominator.plain());
+    }
+};
+
+template <class Integer>
+struct ConstantRateArithmetic<CountedExact<Integer>> : CountedExact<Integer> {
+};
+
+template <class T>
+struct LineEquation<CountedRounded<T>> : LineEquation<RoundedArithmetic<Counted<T>>> {
+    /// (int)(y + 1/2) is one rounding.
+    static std::int64_t rounded(const Counted<T> &y)
+    {
+        OperationTally::count(Operation::Rounding);
+        return LineEquation<RoundedArithmetic<T>>::rounded(y.plain());
+    }
+};
+template <class Integer>
+struct LineEquation<CountedExact<Integer>> : LineEquation<ExactArithmetic<Counted<Integer>>> {
+};
+
+template <class T>
+struct ExplicitRoot<CountedRounded<T>> : ExplicitRoot<RoundedArithmetic<Counted<T>>> {
+};
+template <class Integer>
+struct ExplicitRoot<CountedExact<Integer>> : ExplicitRoot<ExactArithmetic<Counted<Integer>>> {
+};
+
+} // namespace pixelplumb

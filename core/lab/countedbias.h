@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/operationtally.h"
+#include "core/scan/biasarithmetic.h"
+
+namespace pixelplumb {
+
+/// The half-quantum arithmetic, its operations told beside each step: y = y₀ + run·m, rounded with
+/// the bias. What it computes in integers outside its proved domain, and the proof that it may
+/// stay, are not counted.
+struct CountedBias : BiasArithmetic<BiasOrExactNumber> {
+    using Base = BiasArithmetic<BiasOrExactNumber>;
+
+    /// Two differences, each made a double; one quotient.
+    static Number edgeSlope(const Vertex &a, const Vertex &b)
+    {
+        const OncePerEdge once(a, b, OncePerEdge::slope);
+        if (isCounted(a, b) && once.isFirst())
+            countQuotient();
+        return Base::edgeSlope(a, b);
+    }
+    /// y₀ and x − x₀ become doubles; β is a quotient.
+    static Number edgeOrdinate(const Vertex &a, const Vertex &b, std::int64_t column)
+    {
+        if (isInDomain(a, b)) {
+            countPreStep(a, b);
+            countOrigin();
+        }
+        return Base::edgeOrdinate(a, b, column);
+    }
+    static Number edgeColourRate(const Vertex &a, const Vertex &b, std::size_t channel)
+    {
+        const OncePerEdge once(a, b, int(channel));
+        if (isCounted(a, b) && once.isFirst())
+            countQuotient();
+        return Base::edgeColourRate(a, b, channel);
+    }
+    static Number edgeColour(const Vertex &a, const Vertex &b, std::size_t channel,
+                             std::int64_t column)
+    {
+        if (isInDomain(a, b)) {
+            countPreStep(a, b);
+            countOrigin();
+        }
+        return Base::edgeColour(a, b, channel, column);
+    }
+
+    static std::int64_t floor(const Number &number)
+    {
+        countRounded(number);
+        return Base::floor(number);
+    }
+    static std::int64_t ceil(const Number &number)
+    {
+        countRounded(number);
+        return Base::ceil(number);
+    }
+    /// One step farther: run + 1.
+    static void advance(Number &number, const Number &rate)
+    {
+        if (!number.isExact)
+            OperationTally::count(Operation::FloatAddition);
+        Base::advance(number, rate);
+    }
+    /// The half belongs to the rounding, as in every arithmetic.
+    static std::int64_t level(const Number &number, ByteRounding rounding)
+    {
+        countRounded(number);
+        return Base::level(number, rounding);
+    }
+
+    class ColourRamp : public Base::ColourRamp {
+    public:
+        /// The plane: four differences of coordinates and two products make its area, which the
+        /// bias divides; two differences of levels, four products and two additions a channel's two
+        /// numerators, each scaled, made a double, and divided.
+        ColourRamp(const Vertex &p0, const Vertex &p1, const Vertex &p2)
+            : Base::ColourRamp(p0, p1, p2)
+            , m_hasPlane(doubledArea(p0.position, p1.position, p2.position) != 0)
+        {
+            if (!biasdomain::containsPlane({{p0, p1, p2}}))
+                return;
+            OperationTally::count(Operation::IntegerAddition, 5);
+            OperationTally::count(Operation::Multiplication, 2);
+            OperationTally::count(Operation::Conversion);
+            if (!m_hasPlane)
+                return;
+            OperationTally::count(Operation::Division);
+            OperationTally::count(Operation::IntegerAddition, 3 * 4);
+            OperationTally::count(Operation::Multiplication, 3 * 6);
+            OperationTally::count(Operation::Conversion, 3 * 2);
+            OperationTally::count(Operation::Division, 3 * 2);
+        }
+        /// c₀, the way to the row and to the column become doubles; c₀ + g_x·Δx is computed.
+        template <class ColumnState>
+        Number start(const ColumnState &column, std::size_t channel, std::int64_t row) const
+        {
+            const Number number = Base::ColourRamp::start(column, channel, row);
+            if (!number.isExact && m_hasPlane) {
+                OperationTally::count(Operation::IntegerAddition, 2);
+                OperationTally::count(Operation::Conversion, 3);
+                OperationTally::count(Operation::Multiplication);
+                OperationTally::count(Operation::FloatAddition);
+            }
+            return number;
+        }
+
+    private:
+        bool m_hasPlane = false;
+    };
+
+private:
+    static bool isInDomain(const Vertex &a, const Vertex &b)
+    {
+        return biasdomain::containsEdge(a.position, b.position);
+    }
+    static bool isCounted(const Vertex &a, const Vertex &b)
+    {
+        return isInDomain(a, b) && a.position.x != b.position.x;
+    }
+    static void countQuotient()
+    {
+        OperationTally::count(Operation::IntegerAddition, 2);
+        OperationTally::count(Operation::Conversion, 2);
+        OperationTally::count(Operation::Division);
+    }
+    static void countPreStep(const Vertex &a, const Vertex &b)
+    {
+        const OncePerEdge once(a, b, OncePerEdge::preStep);
+        OperationTally::count(Operation::IntegerAddition);
+        OperationTally::count(Operation::Conversion);
+    }
+    /// The value at the first vertex, and β.
+    static void countOrigin()
+    {
+        OperationTally::count(Operation::Conversion, 2);
+        OperationTally::count(Operation::Division);
+    }
+    /// origin + run·rate ± bias, to an integer.
+    static void countRounded(const Number &number)
+    {
+        if (number.isExact)
+            return;
+        OperationTally::count(Operation::Multiplication);
+        OperationTally::count(Operation::FloatAddition, 2);
+        OperationTally::count(Operation::Rounding);
+    }
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/countedkernel.h"
+#include "core/methods/curvekernels.h"
+#include "core/methods/linekernels.h"
+#include "core/methods/polygonkernels.h"
+
+namespace pixelplumb {
+
+std::span<const CountedMethod> countedShapeMethods()
+{
+    static constexpr CountedMethod table[] = {
+        {"line-dda", countWith<DdaKernel>},
+        {"line-slope-intercept", countWith<SlopeInterceptKernel>},
+        {"line-bresenham", countWith<BresenhamKernel>},
+        {"line-bresenham-symmetric", countWith<SymmetricKernel>},
+        {"circle-midpoint", countWith<MidpointKernel>},
+        {"circle-explicit", countWith<ExplicitKernel>},
+        {"circle-parametric", countWith<ParametricKernel>},
+        {"circle-fill", countWith<FillKernel>},
+        {"polygon-parity", countWith<ParityKernel>},
+        {"polygon-fan", countWith<TriangulationKernel<fanOf>>},
+        {"polygon-delaunay", countWith<TriangulationKernel<delaunayOf>>},
+        {"point-address", countWith<PointKernel>},
+        {"text-outlines", countWith<TextKernel>},
+    };
+    return table;
+}
+
+} // namespace pixelplumb

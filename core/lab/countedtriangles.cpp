@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/countedkernel.h"
+#include "core/methods/edgetestmethod.h"
+#include "core/methods/edgewalkkernels.h"
+#include "core/methods/interpolationkernel.h"
+
+namespace pixelplumb {
+
+std::span<const CountedMethod> countedTriangleMethods()
+{
+    using enum InterpolationForm;
+    static constexpr CountedMethod table[] = {
+        {"column-scan", countWith<ColumnScanKernel>},
+        {"row-walk", countWith<RowWalk>},
+        {"column-scan-bias", countWith<BiasScan>},
+        {"column-scan-constant-rate", countWith<ConstantRateScan>},
+        {"edge-equations", countWith<EdgeTestKernel<edgeEquationsForm>>},
+        {"edge-equations-incremental", countWith<EdgeTestKernel<incrementalEdgeEquationsForm>>},
+        {"edge-equations-solved", countWith<EdgeTestKernel<solvedEdgeEquationsForm>>},
+        {"edge-equations-canonical", countWith<EdgeTestKernel<canonicalEdgeEquationsForm>>},
+        {"barycentric-all", countWith<EdgeTestKernel<allSamplesBarycentricForm>>},
+        {"barycentric-rectangle", countWith<EdgeTestKernel<rectangleBarycentricForm>>},
+        {"barycentric-incremental", countWith<EdgeTestKernel<incrementalBarycentricForm>>},
+        {"barycentric-cramer", countWith<EdgeTestKernel<cramerBarycentricForm>>},
+        {"barycentric-off-screen", countWith<EdgeTestKernel<offScreenBarycentricForm>>},
+        {"barycentric-relative", countWith<EdgeTestKernel<relativeBarycentricForm>>},
+        {"interpolate-bilinear", countWith<InterpolationKernel<Bilinear>>},
+        {"interpolate-plane", countWith<InterpolationKernel<Plane>>},
+        {"interpolate-barycentric", countWith<InterpolationKernel<Barycentric>>},
+    };
+    return table;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scan/workstage.h"
+
+#include <array>
+#include <cstdint>
+#include <string_view>
+
+namespace pixelplumb {
+
+/// The kinds of operations of a résumé (Rasterization slides, "Résumé": "Division, Round, Floating
+/// point operation"). A subtraction is an addition; a change of sign is none; a remainder belongs
+/// to its quotient's division.
+enum class Operation : std::uint8_t {
+    Division,
+    Rounding, ///< floor, ceil or nearest of a number that rounds, to an integer, its half included
+    FloatAddition,
+    IntegerAddition, ///< of fixed point too
+    Multiplication,
+    Comparison,
+    Conversion, ///< of an integer or a lattice coordinate to a number that rounds, or back
+    Function, ///< a root, a sine or a cosine
+};
+
+inline constexpr std::array allOperations
+    = {Operation::Division,        Operation::Rounding,       Operation::FloatAddition,
+       Operation::IntegerAddition, Operation::Multiplication, Operation::Comparison,
+       Operation::Conversion,      Operation::Function};
+inline constexpr std::array allWorkStages = {WorkStage::SetUp, WorkStage::Span, WorkStage::Pixel};
+
+/// The names in tables and files: "divisions", "float additions", …
+constexpr std::string_view nameOf(Operation operation)
+{
+    switch (operation) {
+    case Operation::Division:
+        return "divisions";
+    case Operation::Rounding:
+        return "roundings";
+    case Operation::FloatAddition:
+        return "float additions";
+    case Operation::IntegerAddition:
+        return "integer additions";
+    case Operation::Multiplication:
+        return "multiplications";
+    case Operation::Comparison:
+        return "comparisons";
+    case Operation::Conversion:
+        return "conversions";
+    case Operation::Function:
+        return "functions";
+    }
+    return {};
+}
+
+/// "set-up", "span", "pixel"
+constexpr std::string_view nameOf(WorkStage stage)
+{
+    switch (stage) {
+    case WorkStage::SetUp:
+        return "set-up";
+    case WorkStage::Span:
+        return "span";
+    case WorkStage::Pixel:
+        return "pixel";
+    }
+    return {};
+}
+
+} // namespace pixelplumb

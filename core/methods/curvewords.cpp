@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/curvewords.h"
+
+#include "core/methods/beziernumbers.h"
+#include "core/methods/formulatext.h"
+
+#include <QStringList>
+
+namespace pixelplumb {
+
+namespace {
+
+QString pairText(std::int64_t x, std::int64_t y)
+{
+    return QStringLiteral("(%1, %2)").arg(x).arg(y);
+}
+
+QString pixelText(const LatticePoint &pixel)
+{
+    return QStringLiteral("the pixel ") + pairText(pixel.x, pixel.y);
+}
+
+/// Which side of the circle the midpoint is on, by the sign of F there.
+QString midpointSignText(const Quantity &decision)
+{
+    if (decision.numerator() == 0)
+        return QStringLiteral("0");
+    return term(decision)
+        + (decision.numerator() < 0 ? QStringLiteral(" < 0") : QStringLiteral(" > 0"));
+}
+
+QString sideText(const Quantity &decision)
+{
+    if (decision.numerator() == 0)
+        return QStringLiteral("on the curve");
+    return decision.numerator() < 0 ? QStringLiteral("inside") : QStringLiteral("outside");
+}
+
+/// How Δp follows from the branch that was taken. Several rows at once have no short form.
+QString incrementFormula(const MidpointStep &step)
+{
+    if (step.down > 1)
+        return {};
+    if (step.isScaled())
+        return step.down == 0 ? QStringLiteral("2x_k + 1 = ")
+                              : QStringLiteral("2x_k + 1 − 2y_k = ");
+    const QString along = step.arc == 0 ? QStringLiteral("r_x") : QStringLiteral("r_y");
+    const QString across = step.arc == 0 ? QStringLiteral("r_y") : QStringLiteral("r_x");
+    const QString stays = across + QStringLiteral("²·(2x_k + 1)");
+    return step.down == 0 ? stays + QStringLiteral(" = ")
+                          : stays + QStringLiteral(" − 2") + along + QStringLiteral("²·y_k = ");
+}
+
+QString branchText(const MidpointStep &step)
+{
+    if (step.down == 0)
+        return QStringLiteral("y_k stays %1").arg(step.y);
+    return step.down == 1
+        ? QStringLiteral("y_k goes a row inwards, to %1").arg(step.y)
+        : QStringLiteral("y_k goes %1 rows inwards, to %2").arg(step.down).arg(step.y);
+}
+
+/// "is halved", "stays within the diamond of the pixel (3, 2)".
+QString verdictText(const BezierStep &step)
+{
+    switch (step.verdict) {
+    case BezierVerdict::Undecided:
+        return QStringLiteral("may have pixels that its ends do not have: it is halved.");
+    case BezierVerdict::WithinSquare:
+        return QStringLiteral("stays within one diamond, or between four.");
+    case BezierVerdict::AcrossBorder:
+        return QStringLiteral("passes one side of one diamond.");
+    case BezierVerdict::ThroughCorner:
+        return QStringLiteral("meets a side or a corner of diamonds at one point.");
+    }
+    return {};
+}
+
+/// The pixels that a decided piece has, each once, in the curve's order.
+QString pixelsText(const BezierStep &step)
+{
+    QStringList pixels;
+    for (const auto &pixel : {step.from, step.corner, step.to}) {
+        if (pixel && !pixels.contains(pixelText(*pixel)))
+            pixels.append(pixelText(*pixel));
+    }
+    if (pixels.isEmpty())
+        return QStringLiteral("No pixel is within ½ px of it.");
+    return QStringLiteral("It has %1.").arg(pixels.join(QStringLiteral(" and ")));
+}
+
+} // namespace
+
+void tellCurve(StepWords &words, const PointStep &step)
+{
+    words.sentence = step.isInFrame
+        ? QStringLiteral("The point is nearest to %1, whose address is %2.")
+              .arg(pixelText({step.x, step.y}))
+              .arg(step.address)
+        : QStringLiteral("The point is nearest to %1, outside the frame: nothing is written.")
+              .arg(pixelText({step.x, step.y}));
+}
+
+void tellCurve(StepWords &words, const CircleExplicitState &step)
+{
+    const QString place
+        = QStringLiteral(
+              "On the column %1 the curve is h = %2 above and below y_c, which rounds to ")
+              .arg(QString::number(step.x), term(step.root));
+    words.sentence = step.above == step.below
+        ? place + QStringLiteral("the row %1.").arg(step.above)
+        : place + QStringLiteral("the rows %1 and %2.").arg(step.above).arg(step.below);
+}
+
+void tellCurve(StepWords &words, const CircleParametricState &step)
+{
+    words.sentence = QStringLiteral("At θ = %1 the curve is at (%2, %3), which rounds to %4.")
+                         .arg(term(step.angle), term(step.curveX), term(step.curveY),
+                              pixelText({step.x, step.y}));
+}
+
+void tellCurve(StepWords &words, const MidpointStep &step)
+{
+    const Quantity next = Quantity::rational(step.nextDecision, step.decisionUnit);
+    if (!step.hasDecision) {
+        words.sentence
+            = QStringLiteral("The arc starts at (x_k, y_k) = %1 from the centre, without "
+                             "a decision; p_k₊₁ = %2 decides about the next step.")
+                  .arg(pairText(step.x, step.y), midpointSignText(next));
+        return;
+    }
+    const Quantity decision = Quantity::rational(step.decision, step.decisionUnit);
+    const Quantity increment
+        = Quantity::rational(step.nextDecision - step.decision, step.decisionUnit);
+    words.sentence = QStringLiteral("p_k = %1: the midpoint is %2, so %3; Δp = %4%5.")
+                         .arg(midpointSignText(decision), sideText(decision), branchText(step),
+                              incrementFormula(step), term(increment));
+}
+
+void tellCurve(StepWords &words, const BezierStep &step)
+{
+    const BezierPiece &piece = step.piece;
+    words.sentence = QStringLiteral("From t = %1 to t = %2 the curve %3")
+                         .arg(term(dyadic(piece.part, piece.depth)),
+                              term(dyadic(piece.part + 1, piece.depth)), verdictText(step));
+    if (step.verdict != BezierVerdict::Undecided)
+        words.sentence += u' ' + pixelsText(step);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/circlestate.h"
+#include "core/scan/beziersubdivision.h"
+#include "core/scan/circlemidpoint.h"
+#include "core/scan/pointaddress.h"
+#include "core/trace/stepwords.h"
+
+namespace pixelplumb {
+
+/// What the methods of points, circles and curves say of their steps: which pixels, and what led to
+/// them.
+void tellCurve(StepWords &words, const PointStep &step);
+void tellCurve(StepWords &words, const CircleExplicitState &step);
+void tellCurve(StepWords &words, const CircleParametricState &step);
+void tellCurve(StepWords &words, const MidpointStep &step);
+void tellCurve(StepWords &words, const BezierStep &step);
+
+} // namespace pixelplumb

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/edgetestnumbers.h"
+
+#include "core/methods/channelnumbers.h"
+#include "core/methods/edgetestnames.h"
+#include "core/methods/placenumbers.h"
+#include "core/methods/units.h"
+
+namespace pixelplumb {
+
+namespace {
+
+using Group = NumberGroup;
+
+/// Along the segment of a triangle without an area, whose tests are all 0/0.
+QString segmentFormula(const EdgeTestNames &names, const EdgeTestSampleState &sample)
+{
+    const std::array<int, 3> order = sortedByColumn(Triangle{sample.vertices});
+    const auto first = std::size_t(order[0]), last = std::size_t(order[2]);
+    const LatticePoint &from = sample.vertices[first].position;
+    const LatticePoint &to = sample.vertices[last].position;
+    QString formula = from == to ? QStringLiteral("% = %#")
+                                 : QStringLiteral("% = %# + (@ − @#)·(%& − %#)/(@& − @#)");
+    return formula.replace(u'@', from.x == to.x ? u'y' : u'x')
+        .replace(u'#', names.vertex(first))
+        .replace(u'&', names.vertex(last));
+}
+
+} // namespace
+
+NumberTable<EdgeTestSpanState> edgeTestSpanNumbers(const EdgeTestForm &form)
+{
+    using State = EdgeTestSpanState;
+    const EdgeTestNames names(form);
+    const bool isRow = form.order == LoopOrder::RowByRow;
+    const QChar across = isRow ? u'y' : u'x';
+    const QChar along = isRow ? u'x' : u'y';
+    NumberTable<EdgeTestSpanState> table
+        = {{triangleNumber(),
+            [](const State &state) { return Quantity::integer(Int128(state.primitive)); }},
+           {{.id = across,
+             .title = across,
+             .unit = unit::px(),
+             .toolTip = isRow ? QStringLiteral("The row.") : QStringLiteral("The column."),
+             .formula = {}},
+            [](const State &state) { return Quantity::integer(state.coordinate); }},
+           {{.id = along + QStringLiteral("_min"),
+             .title = along + QStringLiteral("_min"),
+             .unit = unit::px(),
+             .toolTip = QStringLiteral("The first sample that is tested."),
+             .formula = {},
+             .group = Group::Span},
+            [](const State &state) { return Quantity::integer(state.firstTested); }},
+           {{.id = along + QStringLiteral("_max"),
+             .title = along + QStringLiteral("_max"),
+             .unit = unit::px(),
+             .toolTip = QStringLiteral("The last sample that is tested."),
+             .formula = {},
+             .group = Group::Span},
+            [](const State &state) { return Quantity::integer(state.endTested - 1); }}};
+    if (form.evaluation == Evaluation::EverySample)
+        return table;
+    if (!form.isBarycentric()) {
+        for (std::size_t line = 0; line < 3; ++line)
+            table.push_back(
+                {{.id = names.filledId(QStringLiteral("e{l}"), line),
+                  .title = names.filled(QStringLiteral("e{l}"), line),
+                  .unit = unit::squarePx(),
+                  .toolTip = names.filled(
+                      QStringLiteral("The edge function of {edge} at the row's first sample."),
+                      line),
+                  .formula = names.filled(QStringLiteral("e{l} ← e{l}′ + b{l}"), line),
+                  .startFormula
+                  = names.filled(QStringLiteral("e{l} = a{l}·x_min + b{l}·y + c{l}"), line),
+                  .group = Group::Span,
+                  .comparison = Comparison::WithExact},
+                 [line](const State &state) { return state.value[line]; }});
+        return table;
+    }
+    for (std::size_t line = 0; line < 3; ++line)
+        table.push_back(
+            {{.id = names.filledId(QStringLiteral("{w}_s"), line),
+              .title = names.filled(QStringLiteral("{w}_s"), line),
+              .unit = {},
+              .toolTip = names.filled(
+                  QStringLiteral("The weight of vertex {facing} at the column's first sample."),
+                  line),
+              .formula = names.filled(QStringLiteral("{w}_s ← {w}_s′ + Δ{w}_x"), line),
+              .startFormula
+              = names.filled(QStringLiteral("{w}_s = (a{l}·x + b{l}·y_min + c{l})/f{opp}"), line),
+              .group = Group::Span,
+              .comparison = Comparison::WithExact},
+             [line](const State &state) { return state.weight[line]; }});
+    appendChannels(table,
+                   {.id = QStringLiteral("%_s"),
+                    .title = QStringLiteral("%_s"),
+                    .unit = unit::levels(),
+                    .toolTip = QStringLiteral("Level of % at the column's first sample."),
+                    .formula = QStringLiteral("%_s ← %_s′ + Δ%_x"),
+                    .startFormula = QStringLiteral("%_s = α_s·%_a + β_s·%_b + γ_s·%_c"),
+                    .group = Group::FirstColour,
+                    .comparison = Comparison::WithExact},
+                   [](const State &state, std::size_t channel) { return state.colour[channel]; });
+    return table;
+}
+
+NumberTable<EdgeTestSampleState> edgeTestSampleNumbers(const EdgeTestForm &form)
+{
+    using State = EdgeTestSampleState;
+    const EdgeTestNames names(form);
+    NumberTable<EdgeTestSampleState> table;
+    const bool hasIncrements = form.evaluation == Evaluation::Increments;
+    const bool showsValues
+        = !form.isBarycentric() || (form.inside != InsideTest::Cramer && !hasIncrements);
+    for (std::size_t line = 0; line < 3 && showsValues; ++line) {
+        const bool decides = !form.isBarycentric();
+        table.push_back(
+            {{.id = names.filledId(QStringLiteral("{value}"), line),
+              .title = names.filled(QStringLiteral("{value}"), line),
+              .unit = form.line == LineForm::Solved ? QString() : unit::squarePx(),
+              .toolTip
+              = names.filled(QStringLiteral("The edge function of {edge} at the sample."), line),
+              .formula = hasIncrements
+                  ? names.filled(QStringLiteral("E{l} ← E{l}′ + a{l}"), line)
+                  : names.filled(QStringLiteral("{value} = ")
+                                     + names.lineAt(QStringLiteral("x"), QStringLiteral("y")),
+                                 line),
+              .startFormula
+              = hasIncrements ? names.filled(QStringLiteral("E{l} ← e{l}"), line) : QString(),
+              .group = decides ? Group::Decision : Group::Span,
+              .comparison = Comparison::WithExact},
+             [line](const State &state) { return state.value[line]; }});
+    }
+    for (std::size_t line = 0; line < 3 && form.isBarycentric(); ++line)
+        table.push_back(
+            {{.id = names.filledId(QStringLiteral("{w}"), line),
+              .title = names.filled(QStringLiteral("{w}"), line),
+              .unit = {},
+              .toolTip
+              = names.filled(QStringLiteral("The weight of vertex {facing} at the sample."), line),
+              .formula = names.weightFormula(line),
+              .startFormula
+              = hasIncrements ? names.filled(QStringLiteral("{w} ← {w}_s"), line) : QString(),
+              .group = Group::Decision,
+              .comparison = Comparison::WithExact},
+             [line](const State &state) { return state.weight[line]; }});
+    const bool stepsColours = hasIncrements && form.isBarycentric();
+    appendChannels(
+        table,
+        {.id = QStringLiteral("%"),
+         .title = QStringLiteral("%"),
+         .unit = unit::levels(),
+         .toolTip = QStringLiteral("Level of % at the sample."),
+         .formula = names.levelFormula(),
+         .startFormula = stepsColours ? QStringLiteral("% ← %_s") : QString(),
+         .group = Group::FirstColour,
+         .comparison = Comparison::WithExact},
+        [](const State &state, std::size_t channel) { return state.colour[channel]; },
+        [names](NumberDescription &description, const State &state) {
+            if (!state.ofSegment)
+                return;
+            description.formula = segmentFormula(names, state);
+            description.startFormula.clear();
+        });
+    return table;
+}
+
+} // namespace pixelplumb

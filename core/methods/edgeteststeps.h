@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scan/edgetestsetup.h"
+#include "core/trace/stepinhand.h"
+
+/// What the tables of edge tests read: the kernel's numbers as quantities, so that one table serves
+/// every arithmetic.
+namespace pixelplumb {
+
+using ThreeQuantities = std::array<Quantity, 3>;
+
+struct EdgeTestLineState {
+    Quantity determinant; ///< of the solved form; 0 where the line passes through (0, 0)
+    Quantity u, v; ///< the end point from which the form computes, px
+    Quantity sign; ///< −1 after a flip, else 1
+    Quantity a, b, c;
+    Quantity atOpposite;
+
+    /// Whether the solved form found no solution.
+    bool passesOrigin() const { return determinant.toDouble() == 0; }
+};
+
+struct EdgeTestSetUpState {
+    std::array<Vertex, 3> vertices;
+    ThreeQuantities x, y; ///< of the vertices, px
+    std::array<EdgeTestLineState, 3> lines;
+    std::array<bool, 3> ownsTie = {};
+    Quantity xAC, yAC, xBC, yBC; ///< of Cramer's rule, px
+    Quantity determinant; ///< |A − C, B − C|, px²
+    ThreeQuantities weightPerX, weightPerY; ///< [line]
+    ThreeQuantities colourPerX, colourPerY; ///< [channel], levels/px
+};
+
+struct EdgeTestSpanState {
+    std::size_t primitive = 0;
+    std::int64_t coordinate = 0;
+    std::int64_t firstTested = 0, endTested = 0;
+    ThreeQuantities value, weight, colour; ///< at the first tested sample, where incremental
+};
+
+/// The numbers of a sample; none where a segment decided, but for the colour.
+struct EdgeTestSampleState {
+    ThreeQuantities value, weight;
+    ThreeQuantities colour; ///< levels, before rounding
+    bool ofSegment = false;
+    std::array<Vertex, 3> vertices;
+};
+
+template <class A>
+ThreeQuantities quantitiesIn(const std::array<typename A::Ratio, 3> &ratios)
+{
+    return {A::quantityOf(ratios[0]), A::quantityOf(ratios[1]), A::quantityOf(ratios[2])};
+}
+
+template <class A>
+EdgeTestLineState edgeTestStateOf(const EdgeLine<A> &edge, typename A::Number atOpposite)
+{
+    const auto length
+        = [](Lattice units) { return A::quantityOf(A::length(units), unitsPerPixel); };
+    return {A::quantityOf(edge.determinant, squareUnitsPerPixel),
+            length(edge.origin.x),
+            length(edge.origin.y),
+            Quantity::integer(edge.sign),
+            A::quantityOfRate(edge.a, edge.unit),
+            A::quantityOfRate(edge.b, edge.unit),
+            A::quantityOf(edge.c, edge.unit),
+            A::quantityOf(atOpposite, edge.unit)};
+}
+
+template <class A>
+EdgeTestSetUpState edgeTestStateOf(const EdgeTestSetUp<A> &setUp)
+{
+    const auto length
+        = [](typename A::Number number) { return A::quantityOf(number, unitsPerPixel); };
+    EdgeTestSetUpState state;
+    state.vertices = setUp.vertices;
+    for (std::size_t i = 0; i < 3; ++i) {
+        state.x[i] = length(A::length(setUp.vertices[i].position.x));
+        state.y[i] = length(A::length(setUp.vertices[i].position.y));
+        state.lines[i] = edgeTestStateOf(setUp.lines[i], setUp.atOpposite[i]);
+    }
+    state.ownsTie = setUp.ownsTie;
+    // Of Cramer's rule the lines bc and ca are what A − C and B − C span.
+    const typename A::Number zero(0);
+    state.xAC = length(zero - setUp.lines[1].b);
+    state.yAC = length(setUp.lines[1].a);
+    state.xBC = length(setUp.lines[0].b);
+    state.yBC = length(zero - setUp.lines[0].a);
+    state.determinant = A::quantityOf(zero - setUp.atOpposite[0], squareUnitsPerPixel);
+    if (setUp.zeroArea)
+        return state;
+    state.weightPerX = quantitiesIn<A>(setUp.weightPerX);
+    state.weightPerY = quantitiesIn<A>(setUp.weightPerY);
+    state.colourPerX = quantitiesIn<A>(setUp.colourPerX);
+    state.colourPerY = quantitiesIn<A>(setUp.colourPerY);
+    return state;
+}
+
+template <class A>
+EdgeTestSpanState edgeTestStateOf(const SpanInHand<EdgeTestSetUp<A>, EdgeTestSpan<A>> &step)
+{
+    const EdgeTestSpan<A> &span = step.span;
+    EdgeTestSpanState state;
+    state.primitive = step.primitive;
+    state.coordinate = span.coordinate;
+    state.firstTested = span.firstTested;
+    state.endTested = span.endTested;
+    if (step.setUp.zeroArea)
+        return state; // no edge tests a segment
+    for (std::size_t line = 0; line < 3; ++line)
+        state.value[line] = A::quantityOf(span.value[line], squareUnitsPerPixel);
+    state.weight = quantitiesIn<A>(span.weight);
+    state.colour = quantitiesIn<A>(span.colour);
+    return state;
+}
+
+/// A sample has a colour where it is covered; where colours are stepped like weights, everywhere.
+template <class A, EdgeTestForm form>
+ThreeQuantities edgeTestColourOf(const TestedSample<A> &sample)
+{
+    constexpr bool isStepped = form.evaluation == Evaluation::Increments && form.isBarycentric();
+    const bool isColoured = sample.covered || (isStepped && !sample.ofSegment);
+    return isColoured ? quantitiesIn<A>(sample.colour) : ThreeQuantities();
+}
+
+template <class A, EdgeTestForm form>
+EdgeTestSampleState edgeTestStateOf(
+    const SampleInHand<EdgeTestSetUp<A>, EdgeTestSpan<A>, TestedSample<A>> &step)
+{
+    const TestedSample<A> &sample = step.sample;
+    EdgeTestSampleState state;
+    state.ofSegment = sample.ofSegment;
+    state.vertices = step.setUp.vertices;
+    state.colour = edgeTestColourOf<A, form>(sample);
+    if (sample.ofSegment)
+        return state;
+    for (std::size_t line = 0; line < 3; ++line)
+        state.value[line] = A::quantityOf(sample.value[line], step.setUp.lines[line].unit);
+    state.weight = quantitiesIn<A>(sample.weight);
+    return state;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/edgewalkmethod.h"
+#include "core/scan/biasarithmetic.h"
+#include "core/scan/constantratearithmetic.h"
+
+/// The kernels of the edge walks as kernelmethod.h wants them.
+namespace pixelplumb {
+
+using ColumnScanKernel
+    = EdgeWalkKernel<EdgeWalkForm{SpanAxis::Column, WalkForm::Accumulated, ColourRate::Bilinear}>;
+
+using RowWalk
+    = EdgeWalkKernel<EdgeWalkForm{SpanAxis::Row, WalkForm::Accumulated, ColourRate::Bilinear}>;
+
+struct ConstantRateScan
+    : EdgeWalkKernel<EdgeWalkForm{SpanAxis::Column, WalkForm::Accumulated, ColourRate::Plane}> {
+    template <class Function>
+    static decltype(auto) withNumbers(const ScanSettings &settings, IntegerWidth width,
+                                      const Function &function)
+    {
+        return InAnyArithmetic::withNumbers(settings, width, [&]<class A>() {
+            return function.template operator()<ConstantRateArithmetic<A>>();
+        });
+    }
+};
+
+struct BiasScan
+    : EdgeWalkKernel<EdgeWalkForm{SpanAxis::Column, WalkForm::Direct, ColourRate::Plane}> {
+    /// Narrow is also what the bias is proved for.
+    static IntegerWidth widthFor(const Triangle &triangle, const FrameView &)
+    {
+        return biasdomain::contains(triangle) ? integerWidthFor(triangle) : IntegerWidth::Bits128;
+    }
+    template <class Function>
+    static decltype(auto) withNumbers(const ScanSettings &settings, IntegerWidth width,
+                                      const Function &function)
+    {
+        const bool isNarrow = width == IntegerWidth::Bits64;
+        if (settings.arithmetic == Arithmetic::Float64) {
+            if (isNarrow)
+                return function.template operator()<BiasArithmetic<BiasNumber>>();
+            return function.template operator()<BiasArithmetic<BiasOrExactNumber>>();
+        }
+        if (isNarrow)
+            return function.template operator()<ExactArithmetic<std::int64_t>>();
+        return function.template operator()<ExactArithmetic<Int128>>();
+    }
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/edgewalknames.h"
+
+namespace pixelplumb {
+
+QString subscriptOf(SortedEdge edge)
+{
+    const auto &ends = sortedEdgeEnds[std::size_t(edge)];
+    return QString(vertexDigits[ends[0]]) + vertexDigits[ends[1]];
+}
+
+QString nameOf(SortedEdge edge) { return u'L' + subscriptOf(edge); }
+
+QString EdgeWalkNames::filled(QString text) const
+{
+    const auto put = [&](const char *name, const QString &inColumn, const QString &inRow) {
+        text.replace(QLatin1String(name), isRow() ? inRow : inColumn);
+    };
+    put("{a}", QStringLiteral("y"), QStringLiteral("x"));
+    put("{c}", QStringLiteral("x"), QStringLiteral("y"));
+    put("{lo}", QStringLiteral("B"), QStringLiteral("L"));
+    put("{hi}", QStringLiteral("T"), QStringLiteral("R"));
+    put("{span}", QStringLiteral("column"), QStringLiteral("row"));
+    put("{across}", QStringLiteral("row"), QStringLiteral("column"));
+    put("{half}", QStringLiteral("half"), QStringLiteral("trapezoid"));
+    put("{lower}", QStringLiteral("lower"), QStringLiteral("left"));
+    put("{upper}", QStringLiteral("upper"), QStringLiteral("right"));
+    return text;
+}
+
+NumberDescription EdgeWalkNames::filled(NumberDescription description) const
+{
+    for (QString *text : {&description.id, &description.title, &description.unit,
+                          &description.toolTip, &description.formula, &description.startFormula})
+        *text = filled(*text);
+    if (isRow() && description.subject == NumberSubject::LowerEdge)
+        description.subject = NumberSubject::LeftEdge;
+    if (isRow() && description.subject == NumberSubject::UpperEdge)
+        description.subject = NumberSubject::RightEdge;
+    return description;
+}
+
+QString EdgeWalkNames::way(std::size_t corner) const
+{
+    // Rows are walked from the top down, columns from left to right.
+    return (isRow() ? QStringLiteral("(y%1 − y)") : QStringLiteral("(x − x%1)"))
+        .arg(vertexDigits[corner]);
+}
+
+QString EdgeWalkNames::way(std::size_t from, std::size_t to) const
+{
+    const QString pattern = isRow() ? QStringLiteral("(y%1 − y%2)") : QStringLiteral("(x%2 − x%1)");
+    return pattern.arg(vertexDigits[from]).arg(vertexDigits[to]);
+}
+
+QString EdgeWalkNames::coveredSample(SpanBound bound, Interval covered) const
+{
+    if (bound == SpanBound::Lower)
+        return filled(ownsFirst(covered) ? QStringLiteral("⌈{a}_{lo}⌉")
+                                         : QStringLiteral("⌊{a}_{lo}⌋ + 1"));
+    return filled(ownsLast(covered) ? QStringLiteral("⌊{a}_{hi}⌋")
+                                    : QStringLiteral("⌈{a}_{hi}⌉ − 1"));
+}
+
+QString EdgeWalkNames::biased(QString rounding) const
+{
+    if (m_form.walk == WalkForm::Accumulated)
+        return rounding;
+    const QString bound = rounding.contains(filled(QStringLiteral("_{lo}")))
+        ? filled(QStringLiteral("β_{lo}"))
+        : filled(QStringLiteral("β_{hi}"));
+    return rounding.replace(u'⌉', QStringLiteral(" − %1⌉").arg(bound))
+        .replace(u'⌋', QStringLiteral(" + %1⌋").arg(bound));
+}
+
+QString EdgeWalkNames::exchanged(QString title) const
+{
+    const QString lower = filled(QStringLiteral("_{lo}"));
+    const QString upper = filled(QStringLiteral("_{hi}"));
+    return title.contains(lower) ? title.replace(lower, upper) : title.replace(upper, lower);
+}
+
+QString EdgeWalkNames::boundFormula(const EdgeWalkSpanState &state, SpanBound bound,
+                                    const QString &title, const QString &value,
+                                    const QString &rate) const
+{
+    const SortedEdge edge = bound == SpanBound::Lower ? state.lower : state.upper;
+    const QString slope = rate + subscriptOf(edge);
+    // L₀₂ goes on through the middle vertex; a short edge does not.
+    const bool goesOn = m_form.walk == WalkForm::Accumulated && !state.isFirst
+        && (edge == SortedEdge::L02 || !state.beginsHalf);
+    if (goesOn)
+        return QStringLiteral("%1 ← %2′ + %3")
+            .arg(title, state.isCrossed ? exchanged(title) : title, slope);
+    const bool isAlong = hasNoSlope(state.corners, edge);
+    // A segment along the span lies in one of them, from P0 to P2.
+    const bool isSegmentsEnd = !state.start.hasPlane && isAlong && bound == SpanBound::Upper;
+    const std::size_t from = isSegmentsEnd ? 2 : sortedEdgeEnds[std::size_t(edge)][0];
+    const QString start = value + vertexDigits[from];
+    if (isAlong || state.column.x * unitsPerPixel == across(state.corners[from]))
+        return QStringLiteral("%1 ← %2").arg(title, start);
+    return QStringLiteral("%1 ← %2 + %3·%4").arg(title, start, way(from), slope);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/edgewalkform.h"
+#include "core/methods/edgewalkstate.h"
+#include "core/trace/numberdescription.h"
+
+#include <array>
+
+namespace pixelplumb {
+
+/// One of the two bounds of a span: B and T of a column, L and R of a row.
+enum class SpanBound { Lower, Upper };
+
+inline constexpr std::array<QChar, 3> vertexDigits = {u'₀', u'₁', u'₂'};
+
+/// The two vertices of an edge, by SortedEdge.
+inline constexpr std::array<std::array<std::size_t, 2>, 3> sortedEdgeEnds
+    = {{{0, 1}, {1, 2}, {0, 2}}};
+
+/// "₀₁".
+QString subscriptOf(SortedEdge edge);
+/// "L₀₁".
+QString nameOf(SortedEdge edge);
+
+/// The letters of an edge walk. In its texts {a} runs along the span and {c} across the spans; {lo}
+/// and {hi} are the bounds; {span}, {half}, {lower} and {upper} are words.
+class EdgeWalkNames {
+public:
+    explicit EdgeWalkNames(const EdgeWalkForm &form)
+        : m_form(form)
+    {
+    }
+
+    const EdgeWalkForm &form() const { return m_form; }
+    bool isRow() const { return m_form.axis == SpanAxis::Row; }
+
+    QString filled(QString text) const;
+    NumberDescription filled(NumberDescription description) const;
+
+    /// The part of a text that says the way from a vertex to the span, px: "(x − x₀)".
+    QString way(std::size_t corner) const;
+    /// The same between two vertices: "(x₁ − x₀)".
+    QString way(std::size_t from, std::size_t to) const;
+
+    /// The coordinate across the spans, turned as the scan turns it, lattice units.
+    Lattice across(const Vertex &corner) const
+    {
+        return isRow() ? -corner.position.y : corner.position.x;
+    }
+    /// True where the edge lies along the spans and has no slope.
+    bool hasNoSlope(const std::array<Vertex, 3> &corners, SortedEdge edge) const
+    {
+        const auto &ends = sortedEdgeEnds[std::size_t(edge)];
+        return across(corners[ends[0]]) == across(corners[ends[1]]);
+    }
+
+    /// The first or last covered sample of a span: "⌈y_B⌉", "⌈y_T⌉ − 1" where y_T is not covered.
+    QString coveredSample(SpanBound bound, Interval covered) const;
+    /// The same with the bias that the direct form adds before it rounds: "⌈y_B − β_B⌉".
+    QString biased(QString rounding) const;
+
+    /// Where a bound's position or colour comes from in this span: `title` is the number's, `value`
+    /// its letter at a vertex and `rate` that of its change ("y_B", "y", "m").
+    QString boundFormula(const EdgeWalkSpanState &state, SpanBound bound, const QString &title,
+                         const QString &value, const QString &rate) const;
+
+private:
+    /// The number's title at the other bound.
+    QString exchanged(QString title) const;
+
+    EdgeWalkForm m_form;
+};
+
+} // namespace pixelplumb

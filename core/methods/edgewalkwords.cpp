@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/edgewalkwords.h"
+
+#include "core/methods/formulatext.h"
+
+#include <QStringList>
+
+namespace pixelplumb {
+
+void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSetUpState &state) const
+{
+    const ColumnSetUp<AnyArithmetic> &scan = state.walk.scan;
+    QStringList points;
+    for (std::size_t corner = 0; corner < 3; ++corner) {
+        // Between its extreme vertices a row walk knows of no third one.
+        if (scan.zeroArea && m_names.isRow() && corner == 1)
+            continue;
+        points.append((scan.zeroArea && m_names.isRow()
+                           ? QStringLiteral("P%1 = %2").arg(vertexDigits[corner])
+                           : QStringLiteral("P%1 = vertex %2 %3")
+                                 .arg(vertexDigits[corner])
+                                 .arg(scan.order[corner]))
+                          .arg(pointText(state.walk.corners[corner].position)));
+    }
+    QString sentence = (m_names.isRow() ? QStringLiteral("Sorted by y, the highest first: %1.")
+                                        : QStringLiteral("Sorted by x: %1."))
+                           .arg(points.join(QStringLiteral(", ")));
+    if (scan.zeroArea) {
+        words.sentence = sentence
+            + QStringLiteral(" It has no area: the closed rule paints the samples on its segment, "
+                             "coloured along L₀₂.");
+        return;
+    }
+    const bool isAbove = scan.longEdge == LongEdge::Above;
+    if (m_names.isRow())
+        sentence += isAbove ? QStringLiteral(" L₀₁ and L₁₂ give x_L, L₀₂ gives x_R.")
+                            : QStringLiteral(" L₀₂ gives x_L, L₀₁ and L₁₂ give x_R.");
+    else
+        sentence += isAbove ? QStringLiteral(" L₀₁ and L₁₂ give y_B, L₀₂ gives y_T.")
+                            : QStringLiteral(" L₀₂ gives y_B, L₀₁ and L₁₂ give y_T.");
+    if (m_names.hasNoSlope(state.walk.corners, SortedEdge::L01))
+        sentence += m_names.filled(
+            QStringLiteral(" {c}₀ = {c}₁: L₀₁ has no slope, and the first {half} is skipped."));
+    else if (m_names.hasNoSlope(state.walk.corners, SortedEdge::L12))
+        sentence += m_names.filled(QStringLiteral(
+            " {c}₁ = {c}₂: L₁₂ has no slope, and the second {half} is one {span} at most."));
+    words.sentence = sentence;
+}
+
+QString EdgeWalkWords::turnSentence(const EdgeWalkSpanState &state) const
+{
+    if (!state.start.hasPlane || !state.beginsHalf || state.column.half == ColumnHalf::First)
+        return {};
+    return m_names.filled(
+        state.isFirst
+            ? QStringLiteral("The scan starts in the second {half}, between L₁₂ and L₀₂. ")
+            : QStringLiteral("At {c}₁ the scan stops tracking L₀₁ and starts L₁₂ at P₁. "));
+}
+
+QString EdgeWalkWords::coverSentence(const EdgeWalkSpanState &state) const
+{
+    const QString lower = term(state.column.yBottom);
+    const QString upper = term(state.column.yTop);
+    const std::int64_t count = state.drawnSamples();
+    if (count == 0)
+        return m_names
+            .filled(QStringLiteral(
+                "No sample of the frame lies between {a}_{lo} = %1 and {a}_{hi} = %2."))
+            .arg(lower, upper);
+    const QString pattern = count == 1
+        ? QStringLiteral("{a}_{lo} = %1 and {a}_{hi} = %2 cover the {across} %3.")
+        : QStringLiteral("{a}_{lo} = %1 and {a}_{hi} = %2 cover the {across}s %3 to %4.");
+    const QString text = m_names.filled(pattern).arg(lower, upper).arg(state.column.firstDrawnRow);
+    return count == 1 ? text : text.arg(state.column.endDrawnRow - 1);
+}
+
+void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSpanState &state) const
+{
+    const bool isFirstHalf = state.column.half == ColumnHalf::First;
+    const QString half
+        = isFirstHalf ? QStringLiteral("first {half}") : QStringLiteral("second {half}");
+    words.heading = m_names.isRow() ? QStringLiteral("Row %1, ").arg(-state.column.x)
+                                    : QStringLiteral("Column %1, ").arg(state.column.x);
+    words.heading += m_names.filled(half);
+    words.sentence = turnSentence(state) + coverSentence(state);
+    if (state.start.isPoint && state.drawnSamples() > 0
+        && m_names.form().rate == ColourRate::Bilinear)
+        words.sentence += m_names.filled(
+            QStringLiteral(" Between equal bounds there is no change to share out, and no Δ."));
+    if (state.start.hasPlane && !isFirstHalf && state.beginsHalf)
+        words.event = m_names.filled(
+            state.isFirst ? QStringLiteral("the second {half} comes first: L₁₂ and L₀₂")
+                          : QStringLiteral("{c}₁ reached: L₁₂ takes over from L₀₁"));
+}
+
+void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSampleState &state) const
+{
+    if (state.isFirst)
+        words.sentence = m_names.filled(
+            QStringLiteral("The {span}'s first pixel takes R, G and B as they start."));
+    else
+        words.sentence = m_names.isRow()
+            ? QStringLiteral("The next column: each level changes by its Δ.")
+            : QStringLiteral("The next row: each level changes by its Δ.");
+}
+
+} // namespace pixelplumb

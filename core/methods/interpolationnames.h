@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scan/interpolationnumbers.h"
+#include "core/trace/numberdescription.h"
+
+/// What the channels of an interpolation, and the numbers made from them, are called.
+namespace pixelplumb {
+
+/// "R", "z", "N_x".
+const QString &channelName(std::size_t channel);
+QString channelUnit(std::size_t channel);
+/// "R_B", "N_xB".
+QString withSubscript(const QString &name, const QString &subscript);
+/// "a_R", "a_Nx".
+QString coefficientOf(const QString &coefficient, QString name);
+/// "α"; in files "alpha".
+QString weightTitle(std::size_t vertex);
+QString weightId(std::size_t vertex);
+
+/// A number that stands beside the exact one.
+NumberDescription comparedNumber(const QString &id, const QString &title, const QString &unit,
+                                 const QString &toolTip, const QString &formula, NumberGroup group);
+
+} // namespace pixelplumb

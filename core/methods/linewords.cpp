@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/linewords.h"
+
+#include "core/methods/formulatext.h"
+
+namespace pixelplumb {
+
+namespace {
+
+QString pixelText(const LinePlace &place)
+{
+    const QString pixel = QStringLiteral("the pixel (%1, %2)").arg(place.x()).arg(place.y());
+    return place.isInFrame ? pixel : pixel + QStringLiteral(", outside the frame");
+}
+
+/// Where the line is, not rounded, and the pixel that is taken for it.
+QString roundingSentence(const LinePlace &place, const Quantity &ordinate)
+{
+    const bool isSteep = place.axis == LineAxis::Y;
+    return QStringLiteral("On the %1 %2 the line is at %3 = %4, which rounds to %5.")
+        .arg(isSteep ? QStringLiteral("row") : QStringLiteral("column"))
+        .arg(place.along)
+        .arg(isSteep ? QStringLiteral("x") : QStringLiteral("y"), term(ordinate), pixelText(place));
+}
+
+QString signText(const Quantity &decision)
+{
+    if (decision.numerator() == 0)
+        return QStringLiteral("0, a tie");
+    return term(decision)
+        + (decision.numerator() < 0 ? QStringLiteral(" < 0") : QStringLiteral(" > 0"));
+}
+
+/// "p_k = 2 > 0: step diagonally to the pixel (3, 2); Δp = 2Δy − 2Δx = −14."
+QString decisionSentence(const DecisionState &state)
+{
+    if (!state.isLedByDecision())
+        return QStringLiteral("The line starts at %1 without a decision; p_k₊₁ = %2 decides about "
+                              "the next one.")
+            .arg(pixelText(state.place), signText(state.nextDecision));
+    const bool isSteep = state.place.axis == LineAxis::Y;
+    const QString stay = isSteep ? QStringLiteral("stay in the column, at")
+                                 : QStringLiteral("stay in the row, at");
+    return QStringLiteral("p_k = %1: %2 %3; Δp = %4 = %5.")
+        .arg(signText(state.decision),
+             state.movesAcross ? QStringLiteral("step diagonally to") : stay,
+             pixelText(state.place),
+             state.movesAcross ? QStringLiteral("2Δy − 2Δx") : QStringLiteral("2Δy"),
+             term(state.increment));
+}
+
+QString pairText(const Quantity &first, const Quantity &second)
+{
+    return QStringLiteral("(%1, %2)").arg(term(first), term(second));
+}
+
+/// The ends as the method stores them. Of a steep line the pairs are exchanged, and so are the
+/// letters by which the slides call them.
+QString endsSentence(LineAxis axis, const QString &letters, const std::array<Quantity, 2> &start,
+                     const std::array<Quantity, 2> &end)
+{
+    const auto named = [&](QChar digit) {
+        return QStringLiteral("(%1%3, %2%3)").arg(letters[0]).arg(letters[1]).arg(digit);
+    };
+    if (axis == LineAxis::X)
+        return QStringLiteral("The left end is stored first: %1 = %2, %3 = %4.")
+            .arg(named(u'₀'), pairText(start[0], start[1]), named(u'₁'), pairText(end[0], end[1]));
+    return QStringLiteral("The line is steep, |Δy| ≥ |Δx|: x and y are exchanged, and it is walked "
+                          "along y. The lower end %1 is stored first: %2 = %3, %4 = %5.")
+        .arg(pairText(start[1], start[0]), named(u'₀'), pairText(start[0], start[1]), named(u'₁'),
+             pairText(end[0], end[1]));
+}
+
+std::array<Quantity, 2> coordinatesOf(const Vertex &vertex)
+{
+    return {pixels(vertex.position.x), pixels(vertex.position.y)};
+}
+
+} // namespace
+
+void tellLine(StepWords &words, const SlopeInterceptSetUpState &state)
+{
+    words.sentence = endsSentence(LineAxis::X, QStringLiteral("xy"), coordinatesOf(state.start),
+                                  coordinatesOf(state.end));
+}
+
+void tellLine(StepWords &words, const DdaSetUpState &state)
+{
+    words.sentence = endsSentence(state.axis, QStringLiteral("uv"), coordinatesOf(state.start),
+                                  coordinatesOf(state.end));
+}
+
+void tellLine(StepWords &words, const DecisionSetUpState &state)
+{
+    words.sentence = endsSentence(state.axis, QStringLiteral("xy"), {state.startX, state.startY},
+                                  {state.endX, state.endY});
+}
+
+void tellLine(StepWords &words, const SlopeInterceptState &state)
+{
+    words.sentence = roundingSentence(state.place, state.ordinate);
+}
+
+void tellLine(StepWords &words, const DdaState &state)
+{
+    words.sentence = roundingSentence(state.place, state.ordinate);
+}
+
+void tellLine(StepWords &words, const DecisionState &state)
+{
+    words.sentence = decisionSentence(state);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/linestate.h"
+#include "core/trace/stepwords.h"
+
+namespace pixelplumb {
+
+/// What a line method says: which end it stores first and whether x and y are exchanged; of a step,
+/// which pixel, and what led to it.
+void tellLine(StepWords &words, const SlopeInterceptSetUpState &state);
+void tellLine(StepWords &words, const DdaSetUpState &state);
+void tellLine(StepWords &words, const DecisionSetUpState &state);
+void tellLine(StepWords &words, const SlopeInterceptState &state);
+void tellLine(StepWords &words, const DdaState &state);
+void tellLine(StepWords &words, const DecisionState &state);
+
+} // namespace pixelplumb

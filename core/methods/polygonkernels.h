@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/kernelmethod.h"
+#include "core/methods/polygonrecording.h"
+#include "core/polygons/textoutlines.h"
+#include "core/scan/polygonpieces.h"
+
+/// The kernels of polygons and texts as kernelmethod.h wants them.
+namespace pixelplumb {
+
+struct ParityKernel : ShapeKernel<PrimitiveKind::Polygon>, InAnyArithmetic {
+    template <class A>
+    using Recording = PolygonRecording<A, PolygonForm::Whole>;
+
+    static Contours geometryOf(const Primitives &primitives, std::size_t index)
+    {
+        return contoursOf(primitives.shape(index));
+    }
+    static IntegerWidth widthFor(const Contours &contours, const FrameView &)
+    {
+        return integerWidthFor(contours.edges);
+    }
+    template <class A, class Observer>
+    static void scan(const Contours &contours, const ScanSettings &, FrameView frame,
+                     Observer observer)
+    {
+        scanPolygon<A>(contours, frame, observer);
+    }
+};
+
+using Triangulate = Triangulation (*)(const Contours &);
+
+/// The triangles of a triangulation are as many as the polygon's vertices; 128 bits for all of them
+/// cost less than a second code path.
+template <Triangulate triangulate>
+struct TriangulationKernel : ShapeKernel<PrimitiveKind::Polygon>, InIntegers {
+    template <class A>
+    using Recording = PolygonRecording<A, PolygonForm::Triangles>;
+
+    static Contours geometryOf(const Primitives &primitives, std::size_t index)
+    {
+        return contoursOf(primitives.shape(index));
+    }
+    template <class A, class Observer>
+    static void scan(const Contours &contours, const ScanSettings &, FrameView frame,
+                     Observer observer)
+    {
+        scanTriangles<A>(contours, triangulate(contours), frame, observer);
+    }
+};
+
+/// What is scanned of a text.
+struct TextContours {
+    explicit TextContours(const Shape &text)
+    {
+        const TextOutlines outlines = outlinesOf(text);
+        contours = contoursOf(outlines.polygon);
+        rejection = outlines.rejection;
+    }
+
+    Contours contours;
+    std::optional<PrimitiveRejection> rejection;
+};
+
+struct TextKernel : ShapeKernel<PrimitiveKind::Text>, InAnyArithmetic {
+    template <class A>
+    using Recording = PolygonRecording<A, PolygonForm::Whole>;
+
+    static TextContours geometryOf(const Primitives &primitives, std::size_t index)
+    {
+        return TextContours(primitives.shape(index));
+    }
+    static IntegerWidth widthFor(const TextContours &text, const FrameView &)
+    {
+        return integerWidthFor(text.contours.edges);
+    }
+    template <class A, class Observer>
+    static void scan(const TextContours &text, const ScanSettings &, FrameView frame,
+                     Observer observer)
+    {
+        if (!text.rejection) {
+            scanPolygon<A>(text.contours, frame, observer);
+            return;
+        }
+        observer.primitiveBegun(polygonSetUpFor(text.contours, frame.origin));
+        observer.primitiveRejected(*text.rejection);
+    }
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/polygonnumbers.h"
+
+namespace pixelplumb {
+
+namespace {
+
+using Group = NumberGroup;
+
+/// The numbers of the crossing at this place; % stands for the subscript in titles, # for it in
+/// identifiers.
+void appendCrossing(NumberTable<PolygonRowState> &table, std::size_t place,
+                    const QString &subscript, const QString &id)
+{
+    using Shown = Crossing<AnyArithmetic>;
+    const NumberTable<Shown> pattern = {
+        {{.id = QStringLiteral("x_#"),
+          .title = QStringLiteral("x%"),
+          .unit = QStringLiteral("px"),
+          .toolTip = QStringLiteral("Where edge e% meets the row; crossings ascend in x."),
+          .formula = QStringLiteral("x% = b% + t%·m%"),
+          .group = Group::Span,
+          .comparison = Comparison::WithExact},
+         [](const Shown &crossing) { return crossing.x; }},
+        {{.id = QStringLiteral("edge_#"),
+          .title = QStringLiteral("e%"),
+          .unit = {},
+          .toolTip = QStringLiteral("The edge that crosses at x%: its place in the contours, "
+                                    "from 0."),
+          .formula = {},
+          .group = Group::Span},
+         [](const Shown &crossing) { return Quantity::integer(Int128(crossing.edge)); }},
+        {{.id = QStringLiteral("base_#"),
+          .title = QStringLiteral("b%"),
+          .unit = QStringLiteral("px"),
+          .toolTip = QStringLiteral("x of edge e% on the row before; on its first row, x of its "
+                                    "lower end."),
+          .formula = {},
+          .group = Group::Decision,
+          .comparison = Comparison::WithExact},
+         [](const Shown &crossing) { return crossing.base; }},
+        {{.id = QStringLiteral("rise_#"),
+          .title = QStringLiteral("t%"),
+          .unit = QStringLiteral("rows"),
+          .toolTip = QStringLiteral("Rows from b% to this row: 1; on the first row of edge e%, "
+                                    "the pre-step from its lower end."),
+          .formula = {},
+          .group = Group::Decision,
+          .comparison = Comparison::WithExact},
+         [](const Shown &crossing) { return crossing.rise; }},
+        {{.id = QStringLiteral("slope_#"),
+          .title = QStringLiteral("m%"),
+          .unit = QStringLiteral("px/row"),
+          .toolTip = QStringLiteral("What x of edge e% gains from row to row."),
+          .formula = {},
+          .group = Group::Decision,
+          .comparison = Comparison::WithExact},
+         [](const Shown &crossing) { return crossing.slope; }},
+    };
+    for (const NumberRow<Shown> &row : pattern) {
+        NumberDescription number = row.description;
+        number.id.replace(u'#', id);
+        number.title.replace(QStringLiteral("%"), subscript);
+        number.formula.replace(QStringLiteral("%"), subscript);
+        number.toolTip.replace(QStringLiteral("%"), subscript);
+        table.push_back({number, [place, read = row.read](const PolygonRowState &state) {
+                             return place < state.crossings.size() ? read(state.crossings[place])
+                                                                   : Quantity();
+                         }});
+    }
+}
+
+NumberDescription count(const QString &id, const QString &title, const QString &toolTip)
+{
+    return {.id = id, .title = title, .unit = {}, .toolTip = toolTip, .formula = {}};
+}
+
+} // namespace
+
+NumberTable<PolygonSetUp> polygonSetUpNumbers(PolygonForm form)
+{
+    NumberTable<PolygonSetUp> numbers = {
+        {count(QStringLiteral("contours"), QStringLiteral("contours"),
+               QStringLiteral("Closed chains of edges: outlines and holes.")),
+         [](const PolygonSetUp &setUp) { return Quantity::integer(Int128(setUp.contourCount)); }},
+        {count(QStringLiteral("edges"), QStringLiteral("edges"),
+               QStringLiteral("Edges of all contours.")),
+         [](const PolygonSetUp &setUp) { return Quantity::integer(Int128(setUp.edgeCount)); }},
+        {count(
+             QStringLiteral("horizontal"), QStringLiteral("horizontal"),
+             QStringLiteral("Edges that no row crosses, because they are horizontal; they are not "
+                            "in the edge table.")),
+         [](const PolygonSetUp &setUp) {
+             return Quantity::integer(Int128(setUp.horizontalEdges));
+         }},
+    };
+    if (form == PolygonForm::Triangles)
+        numbers.push_back({count(QStringLiteral("triangles"), QStringLiteral("triangles"),
+                                 QStringLiteral("Triangles that the polygon is broken into.")),
+                           [](const PolygonSetUp &setUp) {
+                               return Quantity::integer(Int128(setUp.pieceCount));
+                           }});
+    numbers.push_back(
+        {{.id = QStringLiteral("first_row"),
+          .title = QStringLiteral("y_first"),
+          .unit = QStringLiteral("px"),
+          .toolTip = QStringLiteral("The first row that an edge crosses."),
+          .formula = {}},
+         [](const PolygonSetUp &setUp) { return Quantity::integer(setUp.firstRow); }});
+    numbers.push_back(
+        {{.id = QStringLiteral("last_row"),
+          .title = QStringLiteral("y_last"),
+          .unit = QStringLiteral("px"),
+          .toolTip = QStringLiteral("The last row that an edge crosses."),
+          .formula = {}},
+         [](const PolygonSetUp &setUp) { return Quantity::integer(setUp.endRow - 1); }});
+    return numbers;
+}
+
+NumberTable<PolygonRowState> polygonRowNumbers(PolygonForm form)
+{
+    NumberTable<PolygonRowState> numbers = {
+        {count(QStringLiteral("polygon"), QStringLiteral("poly"),
+               QStringLiteral("The primitive's place in drawing order, from 0.")),
+         [](const PolygonRowState &row) { return Quantity::integer(Int128(row.primitive)); }},
+        {{.id = QStringLiteral("y"),
+          .title = QStringLiteral("y"),
+          .unit = QStringLiteral("px"),
+          .toolTip = QStringLiteral("The row."),
+          .formula = {}},
+         [](const PolygonRowState &row) { return Quantity::integer(row.y); }},
+    };
+    if (form == PolygonForm::Triangles) {
+        numbers.push_back(
+            {count(QStringLiteral("triangle"), QStringLiteral("tri"),
+                   QStringLiteral("Which of the polygon's triangles the row belongs to, from 0.")),
+             [](const PolygonRowState &row) { return Quantity::integer(row.piece); }});
+        numbers.push_back(
+            {{.id = QStringLiteral("pixels"),
+              .title = QStringLiteral("px"),
+              .unit = {},
+              .toolTip = QStringLiteral("Pixels written in this row of the triangle, "
+                                        "inside the frame: from ⌈x_L⌉ to ⌈x_R⌉ − 1."),
+              .formula = {},
+              .group = Group::Span},
+             [](const PolygonRowState &row) { return Quantity::integer(row.drawnSamples()); }});
+        appendCrossing(numbers, 0, QStringLiteral("_L"), QStringLiteral("L"));
+        appendCrossing(numbers, 1, QStringLiteral("_R"), QStringLiteral("R"));
+        return numbers;
+    }
+    numbers.push_back(
+        {{.id = QStringLiteral("active"),
+          .title = QStringLiteral("n"),
+          .unit = {},
+          .toolTip = QStringLiteral("Active edges: those that the row crosses. The "
+                                    "first %1 stand in the table.")
+                         .arg(shownCrossings(form)),
+          .formula = {},
+          .group = Group::Span},
+         [](const PolygonRowState &row) { return Quantity::integer(Int128(row.crossingCount)); }});
+    for (std::size_t i = 0; i < shownCrossings(form); ++i)
+        appendCrossing(numbers, i, QChar(u'₀' + char16_t(i)), QString::number(i));
+    return numbers;
+}
+
+NumberTable<PolygonSampleState> polygonSampleNumbers(PolygonForm form)
+{
+    if (form == PolygonForm::Triangles)
+        return {};
+    return {
+        {{.id = QStringLiteral("crossings"),
+          .title = QStringLiteral("c"),
+          .unit = {},
+          .toolTip = QStringLiteral("Crossings of the row at or to the left of the sample."),
+          .formula = {},
+          .group = Group::Decision,
+          .comparison = Comparison::WithExact},
+         [](const PolygonSampleState &sample) { return Quantity::integer(sample.crossings); }},
+        {{.id = QStringLiteral("parity"),
+          .title = QStringLiteral("p"),
+          .unit = {},
+          .toolTip
+          = QStringLiteral("Their parity; by even-odd the sample is inside where it is 1."),
+          .formula = QStringLiteral("p = c mod 2"),
+          .group = Group::Decision,
+          .comparison = Comparison::WithExact},
+         [](const PolygonSampleState &sample) { return Quantity::integer(sample.crossings % 2); }},
+        {{.id = QStringLiteral("winding"),
+          .title = QStringLiteral("w"),
+          .unit = {},
+          .toolTip
+          = QStringLiteral("Crossings by upward edges minus crossings by downward ones; by "
+                           "non-zero the sample is inside where it is not 0."),
+          .formula = {},
+          .group = Group::Decision,
+          .comparison = Comparison::WithExact},
+         [](const PolygonSampleState &sample) { return Quantity::integer(sample.winding); }},
+    };
+}
+
+} // namespace pixelplumb

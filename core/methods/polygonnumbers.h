@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/polygonstate.h"
+#include "core/trace/numberrow.h"
+
+#include <cstddef>
+
+namespace pixelplumb {
+
+/// Whether a polygon is scanned as it is or broken into triangles first.
+enum class PolygonForm { Whole, Triangles };
+
+/// How many of a row's crossings are shown. A whole polygon's row may have more.
+constexpr std::size_t shownCrossings(PolygonForm form)
+{
+    return form == PolygonForm::Triangles ? 2 : 6;
+}
+
+NumberTable<PolygonSetUp> polygonSetUpNumbers(PolygonForm form);
+NumberTable<PolygonRowState> polygonRowNumbers(PolygonForm form);
+/// None of a polygon in triangles: between its bounds every sample is inside.
+NumberTable<PolygonSampleState> polygonSampleNumbers(PolygonForm form);
+
+} // namespace pixelplumb

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/anyarithmetic.h"
+#include "core/scan/polygonscan.h"
+#include "core/trace/stepinhand.h"
+
+namespace pixelplumb {
+
+/// A row of a polygon with its numbers as quantities: what the tables of polygons read.
+struct PolygonRowState {
+    std::size_t primitive = 0;
+    std::int64_t y = 0; ///< px
+    int piece = 0; ///< which triangle of a polygon that is broken into them
+    ShapeFill fill = ShapeFill::EvenOdd;
+    std::int64_t firstDrawn = 0, endDrawn = 0; ///< inside the frame
+    std::size_t crossingCount = 0; ///< active edges
+    std::vector<Crossing<AnyArithmetic>> crossings; ///< the first of them, as many as are shown
+
+    std::int64_t drawnSamples() const { return std::max<std::int64_t>(0, endDrawn - firstDrawn); }
+};
+
+/// A sample of a polygon with what its row says of it.
+struct PolygonSampleState {
+    std::int64_t crossings = 0; ///< to its left, or through it
+    std::int64_t winding = 0; ///< upward ones minus downward ones
+    ShapeFill fill = ShapeFill::EvenOdd;
+    bool isInside = false;
+    std::vector<std::size_t> edges; ///< that cross there, as the row meets them
+};
+
+template <class A>
+PolygonRowState polygonStateOf(const SpanInHand<PolygonSetUp, PolygonRow<A>> &step,
+                               std::size_t shown)
+{
+    const PolygonRow<A> &row = step.span;
+    PolygonRowState state;
+    state.primitive = step.primitive;
+    state.y = row.y;
+    state.piece = row.piece;
+    state.fill = step.setUp.fill;
+    state.firstDrawn = row.firstDrawn;
+    state.endDrawn = row.endDrawn;
+    state.crossingCount = row.crossings.size();
+    for (std::size_t i = 0; i < std::min(shown, row.crossings.size()); ++i) {
+        const Crossing<A> &crossing = row.crossings[i];
+        state.crossings.push_back({crossing.edge, crossing.turn, crossing.endRow,
+                                   quantityOf(crossing.slope), quantityOf(crossing.base),
+                                   quantityOf(crossing.rise), quantityOf(crossing.x),
+                                   crossing.firstRight});
+    }
+    return state;
+}
+
+template <class A>
+PolygonSampleState polygonStateOf(
+    const SampleInHand<PolygonSetUp, PolygonRow<A>, PolygonSample> &step)
+{
+    PolygonSampleState state;
+    state.crossings = step.sample.crossings;
+    state.winding = step.sample.winding;
+    state.fill = step.setUp.fill;
+    state.isInside = step.fate == SampleFate::Written;
+    for (const Crossing<A> &crossing : step.span.crossings) {
+        if (crossing.firstRight <= step.x)
+            state.edges.push_back(crossing.edge);
+    }
+    return state;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/polygonwords.h"
+
+#include "core/methods/formulatext.h"
+
+#include <QStringList>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr std::size_t namedEdges = 6;
+
+QString timesText(std::int64_t count)
+{
+    return count == 1 ? QStringLiteral("once") : QStringLiteral("%1 times").arg(count);
+}
+
+/// "2, 5 and 7"; those of a long list that come first.
+QString listText(QStringList parts, std::size_t size)
+{
+    if (std::size_t(parts.size()) < size)
+        return parts.join(QStringLiteral(", ")) + QStringLiteral(", …");
+    if (parts.size() < 2)
+        return parts.join(QString());
+    const QString last = parts.takeLast();
+    return parts.join(QStringLiteral(", ")) + QStringLiteral(" and ") + last;
+}
+
+QString edgesText(const std::vector<std::size_t> &edges)
+{
+    QStringList numbers;
+    for (std::size_t i = 0; i < std::min(edges.size(), namedEdges); ++i)
+        numbers.append(QString::number(edges[i]));
+    return (edges.size() == 1 ? QStringLiteral("at the edge ") : QStringLiteral("at the edges "))
+        + listText(numbers, edges.size());
+}
+
+QString verdictText(const PolygonSampleState &sample)
+{
+    if (sample.fill == ShapeFill::NonZero)
+        return sample.isInside
+            ? QStringLiteral(": winding number %1, inside.").arg(sample.winding)
+            : QStringLiteral(", as often upward as downward: winding number 0, outside.");
+    return sample.isInside ? QStringLiteral(": an odd number, inside.")
+                           : QStringLiteral(": an even number, outside.");
+}
+
+} // namespace
+
+void tellPolygon(StepWords &words, const PolygonSetUp &setUp)
+{
+    words.sentence = setUp.fill == ShapeFill::NonZero
+        ? QStringLiteral("Non-zero decides: a sample is inside where its winding number w, the "
+                         "upward crossings to its left minus the downward ones, is not 0.")
+        : QStringLiteral("Even-odd decides: a sample is inside where the parity p of the crossings "
+                         "to its left is 1.");
+}
+
+void tellPolygon(StepWords &words, const PolygonRowState &row)
+{
+    QStringList places;
+    for (const auto &crossing : row.crossings)
+        places.append(term(crossing.x));
+    const QString meets
+        = QStringLiteral("The row crosses %1 edges, at x = %2.")
+              .arg(QString::number(row.crossingCount), listText(places, row.crossingCount));
+    if (row.drawnSamples() == 0) {
+        words.sentence = meets + QStringLiteral(" No sample of the frame lies between them.");
+        return;
+    }
+    const QString inside = row.fill == ShapeFill::NonZero
+        ? QStringLiteral("where upward and downward edges to its left differ in number")
+        : QStringLiteral("where an odd number of edges is to its left");
+    words.sentence = meets
+        + QStringLiteral(" Of the columns %1 to %2 a sample is inside %3.")
+              .arg(row.firstDrawn)
+              .arg(row.endDrawn - 1)
+              .arg(inside);
+}
+
+void tellPolygon(StepWords &words, const PolygonSampleState &sample)
+{
+    const QString ray = QStringLiteral("the ray to the left meets the contours %1, %2")
+                            .arg(timesText(sample.crossings), edgesText(sample.edges));
+    words.sentence = (sample.isInside ? u'T' + ray.sliced(1) : QStringLiteral("Refused: ") + ray)
+        + verdictText(sample);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/text.h"
+
+#include "core/methods/polygonkernels.h"
+#include "core/methods/polygons.h"
+
+namespace pixelplumb {
+
+Method textOutlinesMethod()
+{
+    Method method = polygonMethod(methodOf<TextKernel>());
+    method.id = QStringLiteral("text-outlines");
+    method.title = QStringLiteral("Text as outlines");
+    method.family = MethodFamily::Others;
+    method.source = QStringLiteral("Rasterization slides, “Output Primitives” (characters); "
+                                   "Scan Conversion slides, “Scan Conversion: A General "
+                                   "Algorithm”");
+    method.summary = QStringLiteral("Takes the outlines of the glyphs from a font and fills them "
+                                    "as one polygon by winding number.");
+    method.effects += {QStringLiteral("text"), QStringLiteral("non-zero")};
+    method.kinds = {PrimitiveKind::Text};
+    method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
+    return method;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/number/integer.h"
+
+#include <compare>
+
+namespace pixelplumb {
+
+/// A fraction, not in lowest terms, that meets only integers and fractions of its own denominator,
+/// so that adding needs no common multiple: all weights of a triangle have its doubled area below.
+template <class Integer>
+struct FractionOf {
+    Integer numerator = 0;
+    Integer denominator = 1; ///< > 0
+
+    constexpr Integer floor() const { return floorDivide<Integer>(numerator, denominator); }
+    /// The nearest integer; the upper one of two that are equally near.
+    constexpr Integer nearest() const
+    {
+        return floorDivide<Integer>(2 * numerator + denominator, 2 * denominator);
+    }
+
+    friend constexpr FractionOf operator+(FractionOf a, const FractionOf &b)
+    {
+        return {a.numerator + b.numerator, a.denominator};
+    }
+    friend constexpr FractionOf operator-(FractionOf a, const FractionOf &b)
+    {
+        return {a.numerator - b.numerator, a.denominator};
+    }
+    friend constexpr FractionOf operator-(int whole, const FractionOf &a)
+    {
+        return {whole * a.denominator - a.numerator, a.denominator};
+    }
+    friend constexpr FractionOf operator*(FractionOf a, int factor)
+    {
+        return {a.numerator * factor, a.denominator};
+    }
+    friend constexpr bool operator==(const FractionOf &a, int whole)
+    {
+        return a.numerator == whole * a.denominator;
+    }
+    friend constexpr auto operator<=>(const FractionOf &a, int whole)
+    {
+        return a.numerator <=> whole * a.denominator;
+    }
+};
+
+using CommonFraction = FractionOf<Int128>;
+
+} // namespace pixelplumb

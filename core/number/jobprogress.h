@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <string_view>
+
+namespace pixelplumb {
+
+/// What a long job is doing just now, for a person who waits.
+enum class JobPhase {
+    Reading, ///< counts bytes
+    Drawing, ///< counts primitives, or pictures where there are several
+    Recording, ///< counts spans, or runs where there are several
+    RecordingExactly, ///< the same run in exact arithmetic; counts spans
+    Judging, ///< draws the truth; counts rows
+    Explaining, ///< where pictures part; counts columns
+    Measuring, ///< counts samples of time
+    Writing, ///< counts spans
+    Checking, ///< counts methods
+};
+
+constexpr std::string_view nameOf(JobPhase phase)
+{
+    switch (phase) {
+    case JobPhase::Reading:
+        return "reading";
+    case JobPhase::Drawing:
+        return "drawing";
+    case JobPhase::Recording:
+        return "recording";
+    case JobPhase::RecordingExactly:
+        return "recording in exact numbers";
+    case JobPhase::Judging:
+        return "judging";
+    case JobPhase::Explaining:
+        return "explaining";
+    case JobPhase::Measuring:
+        return "measuring";
+    case JobPhase::Writing:
+        return "writing";
+    case JobPhase::Checking:
+        return "checking";
+    }
+    return {};
+}
+
+/// How far a job is in its phase.
+struct JobProgress {
+    JobPhase phase = JobPhase::Drawing;
+    std::int64_t done = 0;
+    std::int64_t total = 0; ///< 0: nobody knows
+
+    friend bool operator==(const JobProgress &, const JobProgress &) = default;
+};
+
+/// Hears now and then, in the job's thread, how far it is; returning false ends the job.
+using ProgressListener = std::function<bool(const JobProgress &progress)>;
+
+/// Tells the listener, where there is one. False when the job is to end.
+inline bool goesOn(const ProgressListener &listener, const JobProgress &progress)
+{
+    return !listener || listener(progress);
+}
+
+} // namespace pixelplumb

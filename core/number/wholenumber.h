@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <concepts>
+#include <cstdint>
+
+namespace pixelplumb {
+
+/// Beyond every frame, every coordinate and every level, and safe to convert.
+inline constexpr std::int64_t largestWhole = std::int64_t(1) << 40;
+
+/// ⌊value⌋, within ±2^40; the lower limit for NaN. Compilers for every x86-64 make a call of
+/// std::floor, which costs more than the pixel that it is for.
+template <std::floating_point Float>
+constexpr std::int64_t floorOf(Float value)
+{
+    constexpr auto limit = Float(largestWhole);
+    if (value >= Float(0) && value < limit) [[likely]]
+        return std::int64_t(value);
+    if (!(value > -limit))
+        return -largestWhole;
+    if (!(value < limit))
+        return largestWhole;
+    const auto towardsZero = std::int64_t(value);
+    return towardsZero - std::int64_t(Float(towardsZero) > value);
+}
+
+/// ⌈value⌉, with the same limits.
+template <std::floating_point Float>
+constexpr std::int64_t ceilOf(Float value)
+{
+    const std::int64_t floor = floorOf(value);
+    return floor + std::int64_t(floor < largestWhole && Float(floor) < value);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+namespace pixelplumb {
+
+/// For comparisons and quotients of what 128 bits cannot hold: squares of products of lattice
+/// coordinates (154 bits), products along two edges (236 bits).
+using Int256 = boost::multiprecision::int256_t;
+
+/// For what no fixed width bounds well: a curve halved until its pixels are decided. It allocates
+/// beyond 128 bits alone.
+using BigInteger = boost::multiprecision::cpp_int;
+
+} // namespace pixelplumb

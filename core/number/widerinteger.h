@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/number/integer.h"
+#include "core/number/wideinteger.h"
+
+namespace pixelplumb {
+
+/// The integers that hold products of two of these.
+template <class Integer>
+struct WiderInteger;
+template <>
+struct WiderInteger<Int128> {
+    using Type = Int256;
+};
+template <class Integer>
+using TwiceAsWide = typename WiderInteger<Integer>::Type;
+
+} // namespace pixelplumb

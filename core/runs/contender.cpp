@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/contender.h"
+
+#include "core/scan/choicenames.h"
+
+namespace pixelplumb {
+
+QString Contender::name() const
+{
+    if (isTruth())
+        return QStringLiteral("truth ") + nameText(nameOf(settings.fillRule));
+    return QStringList{method->id, nameText(nameOf(settings.arithmetic)),
+                       nameText(nameOf(settings.fillRule))}
+        .join(u' ');
+}
+
+Contender contenderFor(const Method &method, const ScanSettings &wanted)
+{
+    Contender contender{&method, wanted};
+    if (!method.supports(wanted.arithmetic))
+        contender.settings.arithmetic = method.arithmetics.front();
+    if (!method.supports(wanted.fillRule))
+        contender.settings.fillRule = method.fillRules.front();
+    return contender;
+}
+
+Scene sceneFor(const Scene &scene, const Contender &contender)
+{
+    Scene drawn = scene;
+    if (contender.isTruth())
+        return drawn;
+    drawn.method = contender.method->id.toStdString();
+    drawn.settings = contender.settings;
+    return drawn;
+}
+
+Primitives primitivesFor(const Primitives &primitives, const Contender &contender)
+{
+    if (contender.isTruth())
+        return primitives;
+    Primitives drawn;
+    if (contender.method->draws(PrimitiveKind::Triangle)) {
+        drawn.triangles = primitives.triangles;
+        drawn.attributes = primitives.attributes;
+    }
+    for (const Shape &shape : primitives.shapes) {
+        if (contender.method->draws(shape))
+            drawn.shapes.push_back(shape);
+    }
+    return drawn;
+}
+
+} // namespace pixelplumb

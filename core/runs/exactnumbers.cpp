@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/oracle/oracle.h"
+#include "core/runs/tracedscene.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <unordered_map>
+#include <utility>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Where the exact run is at the same place as a span of the trace.
+std::optional<std::size_t> twinOf(const TracedScene &traced, std::size_t span)
+{
+    if (!traced.exactTrace)
+        return std::nullopt;
+    const std::size_t primitive = traced.trace->primitiveOf(span);
+    if (primitive >= traced.exactTrace->primitiveCount())
+        return std::nullopt;
+    const SpanPlace &place = traced.trace->placeOf(span);
+    return traced.exactTrace->spanOn(primitive, place.axis, place.coordinate);
+}
+
+/// Those of the exact cells that stand beside rounded ones.
+std::vector<Quantity> compared(const std::vector<NumberDescription> &numbers,
+                               const std::vector<Quantity> &exact)
+{
+    std::vector<Quantity> cells(numbers.size());
+    for (std::size_t i = 0; i < std::min(exact.size(), cells.size()); ++i) {
+        if (numbers[i].comparison == Comparison::WithExact)
+            cells[i] = exact[i];
+    }
+    return cells;
+}
+
+bool isExact(const TracedScene &traced)
+{
+    return traced.scene.settings.arithmetic == Arithmetic::Exact;
+}
+
+/// The cells of a span's samples by their pixels.
+using CellsByPixel = std::unordered_map<std::uint64_t, std::vector<Quantity>>;
+
+std::uint64_t keyOf(const SampleRecord &sample)
+{
+    return std::uint64_t(sample.x) << 32 | std::uint32_t(sample.y);
+}
+
+/// The exact run walks the span once, however many of its samples are asked for.
+CellsByPixel twinCells(const TracedScene &traced, std::size_t span)
+{
+    CellsByPixel cells;
+    if (const std::optional<std::size_t> twin = twinOf(traced, span)) {
+        for (SampleRecord &sample : traced.exactTrace->samples(*twin))
+            cells[keyOf(sample)] = std::move(sample.cells);
+    }
+    return cells;
+}
+
+} // namespace
+
+std::vector<Quantity> exactSetUpCells(const TracedScene &traced, std::size_t primitive)
+{
+    const std::vector<NumberDescription> &numbers = traced.method->setUpNumbers;
+    if (isExact(traced))
+        return compared(numbers, traced.trace->setUp(primitive).cells);
+    const bool hasTwin = traced.exactTrace && primitive < traced.exactTrace->primitiveCount();
+    return compared(numbers,
+                    hasTwin ? traced.exactTrace->setUp(primitive).cells : std::vector<Quantity>());
+}
+
+std::vector<Quantity> exactSpanCells(const TracedScene &traced, std::size_t span)
+{
+    const std::vector<NumberDescription> &numbers = traced.method->spanNumbers;
+    if (isExact(traced))
+        return compared(numbers, traced.trace->span(span).cells);
+    const std::optional<std::size_t> twin = twinOf(traced, span);
+    if (!twin)
+        return std::vector<Quantity>(numbers.size());
+    const SpanRecord exact = traced.exactTrace->span(*twin);
+    std::vector<Quantity> cells = compared(numbers, exact.cells);
+    // The levels of two first samples are the same level only where the samples are the same.
+    if (exact.firstDrawn != traced.trace->span(span).firstDrawn) {
+        for (std::size_t i = 0; i < cells.size(); ++i) {
+            if (numbers[i].group == NumberGroup::FirstColour)
+                cells[i] = {};
+        }
+    }
+    return cells;
+}
+
+std::vector<ExactSample> exactSamplesOf(const TracedScene &traced, std::size_t span,
+                                        std::span<const SampleRecord> samples)
+{
+    const std::size_t primitive = traced.trace->primitiveOf(span);
+    const CellsByPixel twins = twinCells(traced, span);
+    std::vector<ExactSample> exact(samples.size());
+    for (std::size_t i = 0; i < samples.size(); ++i) {
+        const SampleRecord &sample = samples[i];
+        if (traced.primitives.isTriangle(primitive))
+            exact[i].colour
+                = oracle::colourAt(traced.primitives.triangles[primitive], sample.x, sample.y);
+        const auto twin = twins.find(keyOf(sample));
+        if (twin != twins.end())
+            exact[i].cells = compared(traced.method->sampleNumbers, twin->second);
+        else
+            exact[i].cells = compared(traced.method->sampleNumbers,
+                                      isExact(traced) ? sample.cells : std::vector<Quantity>());
+    }
+    return exact;
+}
+
+} // namespace pixelplumb

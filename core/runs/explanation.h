@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/number/quantity.h"
+#include "core/trace/numberdescription.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace pixelplumb {
+
+/// One formula of the step in hand: in symbols, with the numbers put in, and what came out.
+struct FormulaLine {
+    NumberSubject subject = NumberSubject::General;
+    QString symbols; ///< "y_B ← y_B + m₀₁"
+    QString substituted; ///< "12 5/8 + 3/8"
+    Quantity used; ///< what the kernel computed
+    Quantity exact; ///< what it would be without rounding; none where there is nothing to compare
+};
+
+/// What the step in hand does, in words and in numbers; all numbers are those of the trace.
+struct Explanation {
+    QString heading; ///< "Column 27, second half"
+    QString sentence; ///< one sentence that a screen reader can speak
+    QString event; ///< what has just changed for the steps to come: "L₁₂ takes over from L₀₁"
+    std::vector<FormulaLine> lines;
+};
+
+} // namespace pixelplumb

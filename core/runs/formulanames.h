@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/number/quantity.h"
+#include "core/trace/numberdescription.h"
+
+#include <optional>
+#include <vector>
+
+namespace pixelplumb {
+
+/// The numbers that formulas name, by the titles of their columns. What is added later is found
+/// first, so that a sample's name hides a span's.
+class FormulaNames {
+public:
+    void add(const QString &title, const Quantity &value,
+             const std::optional<Quantity> &earlier = std::nullopt)
+    {
+        m_entries.push_back({title, value, earlier});
+    }
+    void add(const std::vector<NumberDescription> &columns, const std::vector<Quantity> &cells,
+             const std::vector<Quantity> *earlier = nullptr);
+
+    /// The right side of a number's formula with each known name replaced by its value, a name with
+    /// a prime by the value one step earlier. Without a value a name is left standing. The number's
+    /// own title is no name there: ⌈y_B⌉ is worked out from y_B.
+    QString substituted(const QString &formula, const QString &title) const;
+
+private:
+    struct Entry {
+        QString title;
+        Quantity value;
+        std::optional<Quantity> earlier;
+    };
+
+    /// The longest name that stands at a place of the text; null where there is none.
+    const Entry *nameAt(const QString &text, qsizetype place, const QString &ownTitle) const;
+
+    std::vector<Entry> m_entries;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/oracle/oracle.h"
+#include "core/runs/tracedscene.h"
+
+namespace pixelplumb {
+
+/// What one primitive did to one pixel, and what the truth says of it.
+struct PixelAttempt {
+    std::size_t primitive = 0;
+    PrimitiveKind kind = PrimitiveKind::Triangle;
+    /// Of a triangle: all of it; of a shape: `covered` alone.
+    oracle::SampleVerdict verdict;
+    std::array<QString, 3> edgeNames; ///< of the verdict's edges, where it tells of them
+    std::array<Quantity, 3> exactColour; ///< of the oracle, levels; none of a shape
+    /// The span's numbers, where the primitive's run entered the pixel's column or row, or visited
+    /// the pixel.
+    std::optional<SpanRecord> span;
+    QString spanHeading; ///< as the step in hand is headed: "Column 27, second half"
+    /// The last visit, where the kernel came to this pixel at all; the numbers that it used.
+    std::optional<SampleRecord> sample;
+
+    bool written = false;
+    std::size_t step = 0; ///< index of the step that visited it; meaningful with a sample
+    PixelChange change; ///< what it wrote
+
+    /// One or two sentences: the numbers that wrote it, or the edge that refuses it, by how much,
+    /// under which rule; and how that differs from the truth, where it does.
+    QString reason;
+
+    /// True where the verdict tells of three edges.
+    bool hasEdges() const { return kind == PrimitiveKind::Triangle && !verdict.zeroArea; }
+};
+
+/// The attempts of all primitives on a pixel, in drawing order.
+std::vector<PixelAttempt> pixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y);
+
+/// The same without most of those that rightly leave it alone: a scene may hold a million.
+struct BriefPixelHistory {
+    std::vector<PixelAttempt> attempts;
+    std::size_t furtherRefusals = 0; ///< that are not among the attempts
+};
+BriefPixelHistory briefPixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y,
+                                    std::size_t listedRefusals);
+
+} // namespace pixelplumb

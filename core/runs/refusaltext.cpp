@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/refusaltext.h"
+
+#include "core/methods/formulatext.h"
+#include "core/runs/edgename.h"
+#include "core/scan/choicenames.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+oracle::SampleVerdict verdictOn(const Triangle &triangle, const TracedScene &traced, std::int64_t x,
+                                std::int64_t y)
+{
+    return oracle::judge(triangle, boundaryRuleOf(traced.scene), x, y);
+}
+
+/// The triangle turned by half a turn about the middle of an edge: it has the edge, and its inside
+/// on the other side.
+Triangle acrossEdge(const Triangle &triangle, const oracle::EdgeVerdict &edge)
+{
+    Triangle turned = triangle;
+    const auto from = std::size_t(edge.from);
+    const auto to = std::size_t(edge.to);
+    std::swap(turned.vertices[from], turned.vertices[to]);
+    LatticePoint &opposite = turned.vertices[3 - from - to].position;
+    const LatticePoint &a = triangle.vertices[from].position;
+    const LatticePoint &b = triangle.vertices[to].position;
+    opposite = {a.x + b.x - opposite.x, a.y + b.y - opposite.y};
+    return turned;
+}
+
+} // namespace
+
+QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::EdgeVerdict &edge,
+                std::int64_t x, std::int64_t y)
+{
+    const Triangle neighbour = acrossEdge(traced.primitives.triangles[triangle], edge);
+    const auto isSame = [&](const oracle::EdgeVerdict &other) {
+        return other.from == edge.from && other.to == edge.to;
+    };
+    const oracle::SampleVerdict there = verdictOn(neighbour, traced, x, y);
+    const FillRule rule = traced.scene.settings.fillRule;
+    if (std::ranges::find_if(there.edges, isSame)->accepts)
+        return QStringLiteral("the rule %1 gives it to the other side").arg(nameText(nameOf(rule)));
+    if (rule == FillRule::OffScreenPoint)
+        return QStringLiteral("the off-screen point lies on this edge's line too: neither side "
+                              "owns it");
+    return QStringLiteral("the rule %1 gives it to neither side").arg(nameText(nameOf(rule)));
+}
+
+QString refusalSentence(const TracedScene &traced, std::size_t triangle, const SampleRecord &sample,
+                        std::span<const SampleDecision> decisions)
+{
+    QStringList failed;
+    for (const SampleDecision &decision : decisions) {
+        if (!decision.value.isNone() && decision.value.toDouble() < 0)
+            failed.append(QStringLiteral("%1 = %2").arg(decision.title, term(decision.value)));
+    }
+    if (!failed.isEmpty())
+        return QStringLiteral("Refused: %1 %2 negative.")
+            .arg(failed.join(QStringLiteral(", ")),
+                 failed.size() == 1 ? QStringLiteral("is") : QStringLiteral("are"));
+
+    const oracle::SampleVerdict verdict
+        = verdictOn(traced.primitives.triangles[triangle], traced, sample.x, sample.y);
+    if (verdict.zeroArea)
+        return QStringLiteral("Refused: the triangle has no area, and the sample is not on its "
+                              "segment.");
+    const SetUpRecord setUp = traced.trace->setUp(triangle);
+    for (const oracle::EdgeVerdict &edge : verdict.edges) {
+        if (edge.edgeFunction == 0 && !edge.accepts)
+            return QStringLiteral("Refused: the sample lies exactly on %1, and %2.")
+                .arg(edgeName(setUp, edge.from, edge.to),
+                     tieText(traced, triangle, edge, sample.x, sample.y));
+    }
+    return QStringLiteral("Refused by rounding: no test is negative, and by exact numbers no edge "
+                          "refuses the sample.");
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/oracle/oracle.h"
+#include "core/runs/tracedscene.h"
+
+#include <span>
+
+namespace pixelplumb {
+
+/// A number by whose sign a method decides about a sample.
+struct SampleDecision {
+    QString title; ///< "E₀"
+    Quantity value;
+};
+
+/// Which tests keep a sample of a triangle out, in one sentence: negative values, or the edge on
+/// which it lies and who owns that.
+QString refusalSentence(const TracedScene &traced, std::size_t triangle, const SampleRecord &sample,
+                        std::span<const SampleDecision> decisions);
+
+/// Of an edge that refuses a sample exactly on it, after the edge's name: who owns it, by which
+/// rule.
+QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::EdgeVerdict &edge,
+                std::int64_t x, std::int64_t y);
+
+} // namespace pixelplumb

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/method.h"
+#include "core/scene/scene.h"
+
+#include <vector>
+
+namespace pixelplumb {
+
+/// A primitive of which a method draws nothing, and why.
+struct RejectedPrimitive {
+    std::size_t primitive = 0; ///< index in the primitives
+    PrimitiveKind kind = PrimitiveKind::Triangle;
+    Rejection rejection = PrimitiveRejection::ZeroArea;
+
+    /// "primitive 3 (polygon): It is not convex: …"
+    QString message() const;
+
+    friend bool operator==(const RejectedPrimitive &, const RejectedPrimitive &) = default;
+};
+
+/// What the scene's method rejects, in drawing order, without a recording. The kernel is asked
+/// itself, primitive by primitive, and stopped before it writes the first pixel.
+std::vector<RejectedPrimitive> rejectedPrimitives(const Scene &scene);
+
+/// What was rejected in a recorded run.
+std::vector<RejectedPrimitive> rejectedPrimitives(const Primitives &primitives,
+                                                  const ScanTrace &trace);
+
+} // namespace pixelplumb

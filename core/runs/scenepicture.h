@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/method.h"
+#include "core/number/jobprogress.h"
+#include "core/runs/differencemap.h"
+#include "core/scene/scene.h"
+
+#include <memory>
+#include <vector>
+
+namespace pixelplumb {
+
+/// The finished picture of a scene and its differences from its exact twin, without a record of how
+/// it came about: by the fastest way that the scene's method has. Its memory serves one drawing
+/// after another, because fresh pages for frames cost as much as drawing a scene of 10,000
+/// triangles; of a scene that differs from the last one in a few triangles, as in a drag, only the
+/// rows that these touch are drawn anew.
+///
+/// It is not held to the oracle, which judges every pixel by itself and takes its time, but to its
+/// exact twin: the column scan in exact arithmetic by its fast kernels. That this is the truth is
+/// what tests show (the fast kernels draw the plain one's pictures, the plain one the oracle's).
+class ScenePicture {
+public:
+    explicit ScenePicture(const FrameSpec &frame);
+
+    const FrameSpec &spec() const { return m_drawn.spec(); }
+    const FrameBuffer &drawn() const { return m_drawn; }
+    /// Null where only the oracle knows the truth: under fill rules that the column scan does not
+    /// keep, and of shapes that a method draws with no proof that they are true.
+    const FrameBuffer *exactTwin() const;
+    /// None where there is no exact twin.
+    const DifferenceMap &differences() const { return m_differences; }
+
+    /// Draws a scene with this frame, whose method must accept its settings (Method::refusal).
+    /// False when the listener, who hears of each piece of the scene, ended it: the picture is
+    /// then worth nothing.
+    bool draw(const std::shared_ptr<const Scene> &scene, const ProgressListener &listener);
+
+private:
+    /// Rows of the frame, [first, end).
+    struct Rows {
+        std::int64_t first = 0;
+        std::int64_t end = 0;
+    };
+    enum class Twin {
+        Itself, ///< the picture is true by proof
+        Drawn, ///< a second picture
+        None,
+    };
+
+    static Twin twinOf(const Scene &scene, const Method &method);
+    static Rows rowsReachedBy(const Triangle &triangle);
+    Rows allRows() const;
+    Rows rowsToDraw(const Scene &scene, const Method &method) const;
+    bool drawAll(const Scene &scene, const Method &method, const ProgressListener &listener);
+    bool drawRows(Rows rows, const Scene &scene, const Method &method,
+                  const ProgressListener &listener);
+    void drawPiece(const Scene &scene, const Method &method);
+    std::vector<const FrameBuffer *> frames() const;
+    void clear(Rows rows);
+    void takePiece(const Scene &scene, std::size_t first, std::size_t count);
+    void compareRows(Rows rows);
+    void forgetDifferences(std::int64_t y);
+    void noteDifferences(std::int64_t y, const QRgb *drawnRow, const QRgb *twinRow);
+
+    FrameBuffer m_drawn;
+    std::unique_ptr<FrameBuffer> m_twin; ///< from the first comparison on
+    Twin m_twinKind = Twin::None;
+    DifferenceMap m_differences;
+    std::shared_ptr<const Scene> m_scene; ///< whose picture it is; null where it is nothing whole
+    Primitives m_piece; ///< of the scene that is being drawn, in sample coordinates
+};
+
+} // namespace pixelplumb

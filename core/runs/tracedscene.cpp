@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/tracedscene.h"
+
+#include "core/frame/coveragemask.h"
+#include "core/frame/pixelrows.h"
+#include "core/oracle/oracle.h"
+#include "core/oracle/shapeoracle.h"
+#include "core/runs/tracemarks.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+const Method &methodOf(const Scene &scene)
+{
+    const Method *method = methodNamed(QString::fromStdString(scene.method));
+    Q_ASSERT(method && method->refusal(scene.settings).isEmpty());
+    return *method;
+}
+
+/// The rows [firstRow, firstRow + height) of a frame.
+FrameView bandOf(FrameView frame, std::int32_t firstRow, std::int32_t height)
+{
+    frame.base += std::ptrdiff_t(firstRow - frame.firstRow) * frame.stride;
+    frame.firstRow = firstRow;
+    frame.height = height;
+    return frame;
+}
+
+constexpr std::int32_t rowsBetweenProgress = 64;
+
+/// Calls `drawBand` for one band of the frame after another while the listener allows it.
+template <class DrawBand>
+bool drawByBands(FrameView frame, const ProgressListener &listener, const DrawBand &drawBand)
+{
+    for (std::int32_t done = 0; done < frame.height; done += rowsBetweenProgress) {
+        if (!goesOn(listener, {JobPhase::Judging, done, frame.height}))
+            return false;
+        drawBand(bandOf(frame, frame.firstRow + done,
+                        std::min(rowsBetweenProgress, frame.height - done)));
+    }
+    return true;
+}
+
+CoverageMask coverageOf(const ScanTrace &trace, const FrameSpec &spec)
+{
+    CoverageMask coverage(spec);
+    for (std::size_t i = 0; i < trace.sampleCount(); ++i) {
+        if (trace.changes()[i].isWritten())
+            coverage.cover(trace.changes()[i].x, trace.changes()[i].y);
+    }
+    return coverage;
+}
+
+/// The true picture of the primitives that the method draws.
+void drawTruly(const Primitives &primitives, const Method &method, const ScanSettings &settings,
+               FrameView frame)
+{
+    if (method.draws(PrimitiveKind::Triangle)) {
+        for (const Triangle &triangle : primitives.triangles)
+            oracle::draw(triangle, {settings, frame}, settings.rounding, frame);
+    }
+    for (const Shape &shape : primitives.shapes) {
+        if (method.draws(shape))
+            oracle::draw(shape, settings.rounding, frame);
+    }
+}
+
+/// The truth's alpha tells what it covers (pixelrows.h).
+DifferenceMap differencesBetween(const FrameBuffer &drawn, const CoverageMask &drawnCoverage,
+                                 const FrameBuffer &truth)
+{
+    const FrameSpec &spec = drawn.spec();
+    DifferenceMap differences(spec);
+    const FrameView drawnView = drawn.view();
+    const FrameView trueView = truth.view();
+    for (std::int64_t y = drawnView.firstRow; y < drawnView.endRow(); ++y) {
+        for (std::int64_t x = drawnView.firstColumn; x < drawnView.endColumn(); ++x) {
+            const bool written = drawnCoverage.covers(x, y);
+            const bool covered = qAlpha(*trueView.at(x, y)) != 0;
+            if (covered && !written)
+                differences.set(x, y, Difference::Missing);
+            else if (written && !covered)
+                differences.set(x, y, Difference::Extra);
+            else if (written && *drawnView.at(x, y) != *trueView.at(x, y))
+                differences.set(x, y, Difference::Colour);
+        }
+    }
+    return differences;
+}
+
+/// What all spans are; Free where they differ, and where there are none.
+SpanAxis commonAxisOf(const ScanTrace &trace)
+{
+    if (trace.spanCount() == 0)
+        return SpanAxis::Free;
+    const SpanAxis axis = trace.placeOf(0).axis;
+    for (std::size_t span = 1; span < trace.spanCount(); ++span) {
+        if (trace.placeOf(span).axis != axis)
+            return SpanAxis::Free;
+    }
+    return axis;
+}
+
+void decidePositions(TracedScene &traced)
+{
+    const ScanTrace &trace = *traced.trace;
+    const FrameSpec &spec = traced.scene.frame;
+    traced.decidedAlong = commonAxisOf(trace);
+    if (traced.decidedAlong == SpanAxis::Free)
+        return;
+    const bool byColumn = traced.decidedAlong == SpanAxis::Column;
+    const std::int64_t first = byColumn ? spec.firstColumn : spec.firstRow;
+    // A column or row that the kernel never entered is decided when everything is drawn.
+    std::vector<std::size_t> decided(std::size_t(byColumn ? spec.width : spec.height), 0);
+    for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+        const std::int64_t place = trace.placeOf(span).coordinate - first;
+        if (place >= 0 && place < std::int64_t(decided.size()))
+            decided[std::size_t(place)]
+                = trace.indexOfSpan(span) + 1 + trace.endSampleOf(span) - trace.firstSampleOf(span);
+    }
+    std::ranges::replace(decided, std::size_t(0), trace.stepCount());
+    traced.decidedPositions = std::move(decided);
+}
+
+/// The spans of the same run in exact arithmetic, to stand beside a rounding trace. Gives up
+/// without a word at the limits: the exact numbers are then none.
+std::unique_ptr<const ScanTrace> exactTwinOf(const Method &method, const Primitives &primitives,
+                                             const Scene &scene, const TraceOptions &options)
+{
+    if (scene.settings.arithmetic == Arithmetic::Exact || !method.supports(Arithmetic::Exact))
+        return nullptr;
+    ScanSettings exact = scene.settings;
+    exact.arithmetic = Arithmetic::Exact;
+    TraceOptions spansAlone = options;
+    spansAlone.detail = TraceDetail::Spans;
+    spansAlone.progress = [&options](const JobProgress &progress) {
+        return goesOn(options.progress,
+                      {JobPhase::RecordingExactly, progress.done, progress.total});
+    };
+    FrameBuffer unseen(scene.frame);
+    return method.trace(primitives, exact, unseen.view(), spansAlone);
+}
+
+} // namespace
+
+std::size_t TracedScene::decidedAt(std::int64_t x, std::int64_t y) const
+{
+    const std::int64_t place
+        = decidedAlong == SpanAxis::Column ? x - scene.frame.firstColumn : y - scene.frame.firstRow;
+    if (place < 0 || place >= std::int64_t(decidedPositions.size()))
+        return trace->stepCount();
+    return decidedPositions[std::size_t(place)];
+}
+
+std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOptions &options)
+{
+    const Method &method = methodOf(scene);
+    auto traced = std::make_shared<TracedScene>(scene, primitivesOnSamples(scene), &method);
+    const Primitives &primitives = traced->primitives;
+    FrameBuffer drawn(scene.frame);
+    traced->trace = method.trace(primitives, scene.settings, drawn.view(), options);
+    if (!traced->trace)
+        return nullptr;
+    const ScanTrace &trace = *traced->trace;
+    traced->exactTrace = exactTwinOf(method, primitives, scene, options);
+
+    const FrameView truth = traced->truth.view();
+    fillTransparent(truth, scene.frame.background);
+    const auto drawBand
+        = [&](FrameView band) { drawTruly(primitives, method, scene.settings, band); };
+    if (!drawByBands(truth, options.progress, drawBand))
+        return nullptr;
+
+    traced->differences = trace.isCut()
+        ? DifferenceMap(scene.frame) // an unfinished picture has not gone wrong yet
+        : differencesBetween(drawn, coverageOf(trace, scene.frame), traced->truth);
+    for (std::int64_t y = truth.firstRow; y < truth.endRow(); ++y)
+        makeOpaque(truth.at(truth.firstColumn, y), truth.width);
+    decidePositions(*traced);
+    traced->marks = marksOf(*traced);
+    return traced;
+}
+
+void drawScene(const Scene &scene, const FrameBuffer &frame)
+{
+    const Method &method = methodOf(scene);
+    method.drawFastest(primitivesOnSamples(scene), scene.settings, frame.view());
+}
+
+void drawTruth(const Scene &scene, const FrameBuffer &frame)
+{
+    drawTruly(primitivesOnSamples(scene), methodOf(scene), scene.settings, frame.view());
+}
+
+} // namespace pixelplumb

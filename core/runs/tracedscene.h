@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/method.h"
+#include "core/runs/differencemap.h"
+#include "core/scene/scene.h"
+#include "core/trace/tracecursor.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+
+namespace pixelplumb {
+
+/// Something on the scrubber that a person wants to jump to.
+enum class MarkKind {
+    PartBegins, ///< the first or last span of a part: at a vertex of a scanned triangle
+    Tie, ///< a column or row in which a sample lies exactly on an edge
+    Clamp, ///< a pixel whose level left 0 … 255
+    FirstDifference, ///< the first step after which a pixel differs from the truth
+};
+
+struct TraceMark {
+    std::size_t step = 0; ///< index of the step
+    MarkKind kind = MarkKind::PartBegins;
+
+    friend bool operator==(const TraceMark &, const TraceMark &) = default;
+};
+
+/// A scene, drawn and recorded by its method, beside the truth. A value that views receive whole
+/// and never change; built beside the GUI thread.
+struct TracedScene {
+    TracedScene(const Scene &whole, Primitives onSamples, const Method *drawnBy)
+        : scene(whole)
+        , primitives(std::move(onSamples))
+        , method(drawnBy)
+        , truth(whole.frame)
+        , differences(whole.frame)
+    {
+    }
+
+    Scene scene;
+    Primitives primitives; ///< in sample coordinates: what the kernel was given
+    const Method *method = nullptr;
+    std::unique_ptr<const ScanTrace> trace;
+    /// The spans of the same method in exact arithmetic; null where the trace itself is exact or
+    /// the method has no exact arithmetic.
+    std::unique_ptr<const ScanTrace> exactTrace;
+    FrameBuffer truth; ///< the oracle's picture
+    DifferenceMap differences; ///< of the finished picture
+    std::vector<TraceMark> marks; ///< ascending steps; ties and clamps at most one a span
+
+    /// The position from which on a pixel's difference is decided: the end of the last span on its
+    /// column or row, or of the whole run where spans are neither.
+    std::size_t decidedAt(std::int64_t x, std::int64_t y) const;
+
+    SpanAxis decidedAlong = SpanAxis::Free; ///< what all spans are
+    /// By x − firstColumn or y − firstRow; empty where spans are neither.
+    std::vector<std::size_t> decidedPositions;
+};
+
+/// The exact numbers for which the cells of a set-up or a span stand, in the same order; none where
+/// there is nothing to compare.
+std::vector<Quantity> exactSetUpCells(const TracedScene &traced, std::size_t primitive);
+std::vector<Quantity> exactSpanCells(const TracedScene &traced, std::size_t span);
+/// The same of samples of one span, and of their colour levels.
+struct ExactSample {
+    std::array<Quantity, 3> colour;
+    std::vector<Quantity> cells;
+};
+std::vector<ExactSample> exactSamplesOf(const TracedScene &traced, std::size_t span,
+                                        std::span<const SampleRecord> samples);
+
+/// Null when options.progress ended it. The scene's method must accept its settings (see
+/// Method::refusal).
+std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOptions &options = {});
+
+/// The picture alone, by the scene's method.
+void drawScene(const Scene &scene, const FrameBuffer &frame);
+/// The oracle's picture of the scene.
+void drawTruth(const Scene &scene, const FrameBuffer &frame);
+
+} // namespace pixelplumb

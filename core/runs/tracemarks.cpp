@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/tracemarks.h"
+
+#include "core/oracle/oracle.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+/// The step after which the first wrong pixel stands in the frame.
+std::optional<std::size_t> firstDifferenceOf(const TracedScene &traced)
+{
+    if (traced.differences.total() == 0 || traced.trace->stepCount() == 0)
+        return std::nullopt;
+    const ScanTrace &trace = *traced.trace;
+    std::size_t first = trace.stepCount() - 1;
+    for (std::size_t sample = 0; sample < trace.sampleCount(); ++sample) {
+        const PixelChange &change = trace.changes()[sample];
+        const Difference kind = traced.differences.at(change.x, change.y);
+        if (change.isWritten() && (kind == Difference::Extra || kind == Difference::Colour)) {
+            first = trace.indexOfSample(sample);
+            break;
+        }
+    }
+    if (traced.differences.count(Difference::Missing) == 0)
+        return first;
+    const FrameSpec &spec = traced.scene.frame;
+    for (std::int64_t y = spec.firstRow; y < std::int64_t(spec.firstRow) + spec.height; ++y) {
+        for (std::int64_t x = spec.firstColumn; x < std::int64_t(spec.firstColumn) + spec.width;
+             ++x) {
+            if (traced.differences.at(x, y) != Difference::Missing)
+                continue;
+            const std::size_t decided = traced.decidedAt(x, y);
+            if (decided > 0)
+                first = std::min(first, decided - 1);
+        }
+    }
+    return first;
+}
+
+Triangle mirrored(Triangle triangle)
+{
+    for (Vertex &vertex : triangle.vertices)
+        std::swap(vertex.position.x, vertex.position.y);
+    return triangle;
+}
+
+/// The first and last span of each part, and the spans with a sample exactly on an edge.
+void appendSpanMarks(std::vector<TraceMark> &marks, const TracedScene &traced,
+                     std::size_t primitive)
+{
+    const ScanTrace &trace = *traced.trace;
+    const std::size_t first = trace.firstSpanOf(primitive);
+    const std::size_t end = trace.endSpanOf(primitive);
+    if (first == end)
+        return;
+    const bool isTriangle = traced.primitives.isTriangle(primitive);
+    const Triangle upright = isTriangle ? traced.primitives.triangles[primitive] : Triangle();
+    const Triangle lying = mirrored(upright);
+    int part = trace.placeOf(first).part;
+    for (std::size_t span = first; span < end; ++span) {
+        const SpanPlace &place = trace.placeOf(span);
+        if (span == first || place.part != part || span + 1 == end)
+            marks.push_back({trace.indexOfSpan(span), MarkKind::PartBegins});
+        part = place.part;
+        if (!isTriangle || place.axis == SpanAxis::Free)
+            continue;
+        if (oracle::hasTie(place.axis == SpanAxis::Column ? upright : lying, place.coordinate))
+            marks.push_back({trace.indexOfSpan(span), MarkKind::Tie});
+    }
+}
+
+} // namespace
+
+std::vector<TraceMark> marksOf(const TracedScene &traced)
+{
+    const ScanTrace &trace = *traced.trace;
+    std::vector<TraceMark> marks;
+    for (std::size_t primitive = 0; primitive < trace.primitiveCount(); ++primitive)
+        appendSpanMarks(marks, traced, primitive);
+    std::optional<std::size_t> lastClampSpan;
+    for (const std::size_t sample : trace.clampedSamples()) {
+        const std::size_t span = trace.spanOf(sample);
+        if (lastClampSpan != span)
+            marks.push_back({trace.indexOfSample(sample), MarkKind::Clamp});
+        lastClampSpan = span;
+    }
+    if (const std::optional<std::size_t> step = firstDifferenceOf(traced))
+        marks.push_back({*step, MarkKind::FirstDifference});
+    std::ranges::stable_sort(marks, {}, &TraceMark::step);
+    return marks;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trace/numberrow.h"
+#include "core/trace/stepinhand.h"
+#include "core/trace/stepwords.h"
+#include "core/trace/tracerecords.h"
+
+#include <concepts>
+
+/// How a kernel's numbers become records. A recording names
+///   SetUp, Span, Sample    the kernel's numbers, as its observers hear them;
+///   setUpNumbers(), spanNumbers(), sampleNumbers()
+///                          the tables of NumberRows by which they are read and described;
+///   placeOf(span)          where the span lies;
+///   record(…)              fills what a SetUpRecord, SpanRecord or SampleRecord holds beside its
+///                          cells;
+///   isClamped(sample)      whether a level left 0 … 255.
+/// It may name more:
+///   walk(setUp, span, settings, observer)
+///                          calls the kernel's own loop again for one span; where there is no such
+///                          function the samples themselves are kept;
+///   stateOf(stepInHand)    what the rows read instead of the step in hand itself;
+///   tell(words, state)     the words of a step that no other family has.
+namespace pixelplumb {
+
+template <class R>
+using SetUpInHandOf = SetUpInHand<typename R::SetUp>;
+template <class R>
+using SpanInHandOf = SpanInHand<typename R::SetUp, typename R::Span>;
+template <class R>
+using SampleInHandOf = SampleInHand<typename R::SetUp, typename R::Span, typename R::Sample>;
+
+template <class R>
+concept Recording = requires(const typename R::SetUp &setUp, const typename R::Span &span,
+                             const typename R::Sample &sample, SetUpRecord &setUpRecord,
+                             SpanRecord &spanRecord, SampleRecord &sampleRecord)
+{
+    R::setUpNumbers();
+    R::spanNumbers();
+    R::sampleNumbers();
+    R::record(setUp, setUpRecord);
+    R::record(span, spanRecord);
+    R::record(sample, sampleRecord);
+    {
+        R::placeOf(span)
+        } -> std::same_as<SpanPlace>;
+    {
+        R::isClamped(sample)
+        } -> std::same_as<bool>;
+};
+
+/// True where the samples of a span can be walked again with any observer.
+template <class R, class Observer>
+concept Rewalkable = requires(const typename R::SetUp &setUp, const typename R::Span &span,
+                              const ScanSettings &settings, Observer observer)
+{
+    R::walk(setUp, span, settings, observer);
+};
+
+/// What the rows of a recording read at a step.
+template <class R, class StepInHand>
+decltype(auto) stateOf(const StepInHand &step)
+{
+    if constexpr (requires { R::stateOf(step); })
+        return R::stateOf(step);
+    else
+        return StepInHand(step);
+}
+
+/// The words of a step whose numbers stand in a table.
+template <class R, class Table, class State>
+StepWords wordsOf(const Table &table, const State &state)
+{
+    StepWords words;
+    words.numbers = descriptionsIn(table, state);
+    if constexpr (requires { R::tell(words, state); })
+        R::tell(words, state);
+    return words;
+}
+
+} // namespace pixelplumb

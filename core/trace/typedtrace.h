@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trace/recording.h"
+#include "core/trace/scantrace.h"
+
+#include <functional>
+
+namespace pixelplumb {
+
+/// Hears one span being walked and shows each of its samples to a function.
+template <Recording R>
+struct SampleVisitor {
+    using Visit = std::function<void(std::int64_t x, std::int64_t y, SampleFate fate,
+                                     const typename R::Sample &sample)>;
+    const Visit *visit;
+
+    void primitiveBegun(const typename R::SetUp &) { }
+    void primitiveRejected(const Rejection &) { }
+    void spanEntered(const typename R::Span &) { }
+    void sampleRejected(std::int64_t x, std::int64_t y, QRgb, const typename R::Sample &sample)
+    {
+        (*visit)(x, y, SampleFate::Refused, sample);
+    }
+    void pixelWritten(std::int64_t x, std::int64_t y, QRgb, QRgb, const typename R::Sample &sample)
+    {
+        (*visit)(x, y, SampleFate::Written, sample);
+    }
+};
+
+template <class R>
+inline constexpr bool canWalkAgain = Rewalkable<R, SampleVisitor<R>>;
+
+template <Recording R>
+class TraceRecorder;
+
+/// A trace in the very numbers of one kernel.
+template <Recording R>
+class TypedTrace final : public ScanTrace {
+public:
+    explicit TypedTrace(const ScanSettings &settings)
+        : ScanTrace(settings)
+    {
+    }
+
+    SetUpRecord setUp(std::size_t primitive) const override
+    {
+        SetUpRecord record;
+        record.primitive = primitive;
+        record.rejection = m_setUps[primitive].rejection;
+        R::record(m_setUps[primitive].setUp, record);
+        if (wasComputed(record))
+            record.cells = cellsOf(R::setUpNumbers(), stateOf<R>(setUpInHand(primitive)));
+        else
+            record.cells.resize(R::setUpNumbers().size());
+        return record;
+    }
+    SpanRecord span(std::size_t span) const override
+    {
+        SpanRecord record;
+        record.primitive = primitiveOf(span);
+        record.place = placeOf(span);
+        R::record(m_states[span], record);
+        record.cells = cellsOf(R::spanNumbers(), stateOf<R>(spanInHand(span)));
+        return record;
+    }
+    std::vector<SampleRecord> samples(std::size_t span) const override
+    {
+        std::vector<SampleRecord> records;
+        visitSamples(span,
+                     [&](std::int64_t x, std::int64_t y, SampleFate fate, const Sample &sample) {
+                         SampleRecord &record = records.emplace_back();
+                         record.x = x;
+                         record.y = y;
+                         record.fate = fate;
+                         record.clamped = fate == SampleFate::Written && R::isClamped(sample);
+                         R::record(sample, record);
+                         record.cells = cellsOf(R::sampleNumbers(),
+                                                stateOf<R>(sampleInHand(span, x, y, fate, sample)));
+                     });
+        return records;
+    }
+
+    StepWords setUpWords(std::size_t primitive) const override
+    {
+        return wordsOf<R>(R::setUpNumbers(), stateOf<R>(setUpInHand(primitive)));
+    }
+    StepWords spanWords(std::size_t span) const override
+    {
+        return wordsOf<R>(R::spanNumbers(), stateOf<R>(spanInHand(span)));
+    }
+    StepWords sampleWords(std::size_t span, std::size_t place) const override
+    {
+        StepWords words;
+        std::size_t visited = 0;
+        visitSamples(span,
+                     [&](std::int64_t x, std::int64_t y, SampleFate fate, const Sample &sample) {
+                         if (visited++ == place)
+                             words = wordsOf<R>(R::sampleNumbers(),
+                                                stateOf<R>(sampleInHand(span, x, y, fate, sample)));
+                     });
+        return words;
+    }
+
+private:
+    friend class TraceRecorder<R>;
+    using Sample = typename R::Sample;
+
+    struct TypedSetUp {
+        typename R::SetUp setUp;
+        std::optional<Rejection> rejection;
+    };
+
+    /// Other primitives were begun with nothing computed.
+    static bool wasComputed(const SetUpRecord &record)
+    {
+        return !(record.rejection == PrimitiveRejection::NotOfThisMethod
+                 || record.rejection == PrimitiveRejection::NotRepresentable);
+    }
+
+    SetUpInHandOf<R> setUpInHand(std::size_t primitive) const
+    {
+        return {primitive, m_settings, m_setUps[primitive].setUp};
+    }
+    SpanInHandOf<R> spanInHand(std::size_t span) const
+    {
+        const std::size_t primitive = primitiveOf(span);
+        const bool isFirst = span == firstSpanOf(primitive);
+        return {setUpInHand(primitive), m_states[span], isFirst ? nullptr : &m_states[span - 1]};
+    }
+    SampleInHandOf<R> sampleInHand(std::size_t span, std::int64_t x, std::int64_t y,
+                                   SampleFate fate, const Sample &sample) const
+    {
+        return {spanInHand(span), sample, x, y, fate};
+    }
+
+    void visitSamples(std::size_t span, const typename SampleVisitor<R>::Visit &visit) const
+    {
+        if constexpr (canWalkAgain<R>) {
+            R::walk(m_setUps[primitiveOf(span)].setUp, m_states[span], m_settings,
+                    SampleVisitor<R>{&visit});
+        } else {
+            for (std::size_t sample = firstSampleOf(span); sample < endSampleOf(span); ++sample) {
+                const PixelChange &change = changes()[sample];
+                visit(change.x, change.y,
+                      change.isWritten() ? SampleFate::Written : SampleFate::Refused,
+                      m_kept[sample]);
+            }
+        }
+    }
+
+    std::vector<TypedSetUp> m_setUps;
+    std::vector<typename R::Span> m_states;
+    std::vector<Sample> m_kept; ///< by sample, where spans cannot be walked again
+};
+
+} // namespace pixelplumb

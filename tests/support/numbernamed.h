@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/runs/tracedscene.h"
+
+namespace pixelplumb {
+
+/// The cell of a span whose number has this name in files; none where there is no such number.
+inline Quantity spanNumber(const TracedScene &traced, std::size_t span, const QString &id)
+{
+    const std::vector<NumberDescription> &numbers = traced.method->spanNumbers;
+    for (std::size_t i = 0; i < numbers.size(); ++i) {
+        if (numbers[i].id == id)
+            return traced.trace->span(span).cells[i];
+    }
+    return {};
+}
+
+} // namespace pixelplumb

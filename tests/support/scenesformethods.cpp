@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/scenesformethods.h"
+
+#include "core/scene/scenefile.h"
+#include "tests/support/polygons.h"
+#include "tests/support/shapes.h"
+
+#include <QDirIterator>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+Triangle triangleAt(std::int64_t x0, std::int64_t y0, std::int64_t x1, std::int64_t y1,
+                    std::int64_t x2, std::int64_t y2)
+{
+    return {{{{latticePixel(x0, y0), {{255, 0, 0}}},
+              {latticePixel(x1, y1), {{0, 255, 0}}},
+              {latticePixel(x2, y2), {{0, 0, 255}}}}}};
+}
+
+Scene sceneOfTriangles(const std::vector<Triangle> &triangles)
+{
+    Scene scene;
+    scene.frame.width = 16;
+    scene.frame.height = 12;
+    scene.triangles = triangles;
+    return scene;
+}
+
+} // namespace
+
+std::vector<NamedScene> scenesForEveryMethod()
+{
+    std::vector<NamedScene> scenes;
+    QDirIterator files(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes"), {QStringLiteral("*.json")},
+                       QDir::Files);
+    while (files.hasNext()) {
+        Scene scene = readSceneFile(files.next())->scene;
+        scene.frame.width = std::min(scene.frame.width, 16);
+        scene.frame.height = std::min(scene.frame.height, 16);
+        scenes.push_back({files.fileName(), scene});
+    }
+    scenes.push_back({QStringLiteral("empty"), sceneOfTriangles({})});
+    scenes.push_back(
+        {QStringLiteral("collinear"), sceneOfTriangles({triangleAt(1, 1, 5, 3, 9, 5)})});
+    scenes.push_back({QStringLiteral("upright"), sceneOfTriangles({triangleAt(3, 1, 3, 9, 3, 4)})});
+    scenes.push_back({QStringLiteral("point"), sceneOfTriangles({triangleAt(4, 4, 4, 4, 4, 4)})});
+    scenes.push_back({QStringLiteral("far"),
+                      sceneOfTriangles({triangleAt(-(1 << 30), 3, 1 << 30, 1, 7, 1 << 30),
+                                        triangleAt(1, 1, 9, 2, 4, 8)})});
+    Scene mixed = sceneOfTriangles({triangleAt(1, 1, 9, 2, 4, 8), triangleAt(1, 1, 5, 3, 9, 5)});
+    mixed.shapes = {lineAtUnits({300, 700}, {3333, 1111}),
+                    lineAt(3, 2, 3, 9),
+                    ellipseAtUnits({1551, 1333}, 1031, 777),
+                    circleAt(7, 6, 4),
+                    circleAt(7, 6, 3, ShapeFill::NonZero),
+                    bezierAt({{256, 256}, {1500, 3000}, {3500, 300}}),
+                    polygonOf({{{300, 500}, {3333, 1111}, {2900, 2600}, {700, 2100}}})};
+    Shape points;
+    points.kind = PrimitiveKind::Point;
+    points.vertices = {{latticePixel(2, 3), {{255, 0, 0}}}, {{2816, 1400}, {{0, 255, 0}}}};
+    mixed.shapes.push_back(points);
+    scenes.push_back({QStringLiteral("mixed"), mixed});
+    return scenes;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/scene.h"
+
+#include <QString>
+
+#include <utility>
+#include <vector>
+
+namespace pixelplumb {
+
+/// A scene, and what it is called in messages.
+using NamedScene = std::pair<QString, Scene>;
+
+/// The examples, cropped to what a test has time for, and scenes on which a method may stumble:
+/// empty ones, zero areas, vertices at ±2^30 px, several kinds of primitives in one.
+std::vector<NamedScene> scenesForEveryMethod();
+
+} // namespace pixelplumb

@@ -1,0 +1,216 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/formulaexplanation.h"
+#include "core/runs/tracedscene.h"
+#include "core/scan/choicenames.h"
+#include "core/scene/scenefile.h"
+#include "tests/support/formularange.h"
+#include "tests/support/hardcasescenes.h"
+#include "tests/support/polygons.h"
+#include "tests/support/scenesformethods.h"
+#include "tests/support/shapes.h"
+#include "tests/support/spread.h"
+
+#include <QDir>
+#include <QTest>
+
+#include <map>
+
+using namespace pixelplumb;
+
+namespace {
+
+/// Of a run: its first step, its last and others evenly between them.
+constexpr std::size_t mostSteps = 70;
+/// How many formulas may be known so badly from the digits that are shown that a wrong number would
+/// pass: those that divide by a difference of two shortened numbers.
+constexpr double vagueShare = 0.03;
+
+QString runName(const QString &scene, const TracedScene &traced, std::size_t step)
+{
+    return QStringLiteral("%1, %2 %3 %4, step %5 of %6")
+        .arg(scene, traced.method->id, nameText(nameOf(traced.scene.settings.arithmetic)),
+             nameText(nameOf(traced.scene.settings.fillRule)))
+        .arg(step + 1)
+        .arg(traced.trace->stepCount());
+}
+
+/// The examples as a person opens them, and what they lack: a frame that cuts primitives on all
+/// sides, lines that are steep, fall or are given backwards, points, and triangles of all forms.
+std::vector<NamedScene> formulaScenes()
+{
+    std::vector<NamedScene> scenes = scenesForEveryMethod();
+    const QDir folder(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes"));
+    for (const QString &name : folder.entryList({QStringLiteral("*.json")}))
+        scenes.push_back(
+            {name + QStringLiteral(", whole"), readSceneFile(folder.filePath(name))->scene});
+    Scene cut;
+    cut.frame = frameOf(14, 11, 3, 2);
+    const auto triangle = [](std::array<LatticePoint, 3> points) {
+        return Triangle{{{{points[0], {{255, 3, 90}}},
+                          {points[1], {{7, 255, 0}}},
+                          {points[2], {{0, 60, 255}}}}}};
+    };
+    cut.triangles = {triangle({LatticePoint{100, 100}, LatticePoint{5200, 900}, {1300, 4500}}),
+                     triangle({LatticePoint{1300, 4500}, LatticePoint{90, 3000}, {4000, 3333}}),
+                     triangle({latticePixel(5, 3), latticePixel(5, 9), latticePixel(12, 6)}),
+                     triangle({latticePixel(9, 3), latticePixel(9, 10), latticePixel(9, 3)})};
+    cut.shapes = {lineAt(1, 1, 40, 20),
+                  lineAt(16, 2, 0, 9),
+                  lineAt(8, 30, 5, -4),
+                  lineAt(7, 7, 7, 7),
+                  lineAtUnits({900, 600}, {4000, 3000}),
+                  lineAtUnits({4000, 700}, {900, 2500}),
+                  lineAtUnits({2100, -300}, {2900, 5000}),
+                  lineAtUnits({2900, -300}, {2100, 5000}),
+                  circleAt(6, 5, 9),
+                  circleAt(9, 7, 0),
+                  circleAt(9, 7, 1),
+                  circleAt(9, 7, 4, ShapeFill::NonZero),
+                  ellipseAtUnits({2304, 1792}, 1700, 300),
+                  ellipseAtUnits({2304, 1792}, 300, 1700),
+                  polygonOf({pixels({{1, 1}, {15, 3}, {13, 12}, {4, 10}})}),
+                  pentagram(ShapeFill::NonZero)};
+    Shape points;
+    points.kind = PrimitiveKind::Point;
+    for (std::int64_t i = 0; i < 12; ++i)
+        points.vertices.push_back({latticePixel(2 + i, 1 + i), {{200, 100, 50}}});
+    cut.shapes.push_back(points);
+    scenes.push_back({QStringLiteral("cut by its frame"), cut});
+    return scenes;
+}
+
+/// "y_B ← y_B′ + m₀₂": what stands on the left, and what on the right.
+std::pair<QString, QString> sidesOf(const QString &symbols)
+{
+    for (const QChar sign : {QChar(u'←'), QChar(u'=')}) {
+        if (const qsizetype place = symbols.indexOf(sign); place >= 0)
+            return {symbols.first(place).trimmed(), symbols.sliced(place + 1).trimmed()};
+    }
+    return {symbols, symbols};
+}
+
+/// What is wrong with a line; empty where nothing is.
+QString faultOf(const FormulaLine &line, Arithmetic arithmetic)
+{
+    const auto [left, right] = sidesOf(line.symbols);
+    if (left == right)
+        return QStringLiteral("says nothing");
+    const auto range = FormulaRange::of(line.substituted, arithmetic);
+    if (!range)
+        return QStringLiteral("cannot be worked out");
+    const auto wrapped = FormulaRange::wrappedOf(line.substituted, arithmetic);
+    const bool isRight = range->holds(line.used) || (wrapped && wrapped->holds(line.used));
+    return isRight ? QString() : QStringLiteral("gives ") + range->text();
+}
+
+} // namespace
+
+/// Every method on every scene, in every arithmetic and under every rule: the formulas that are
+/// shown of set-ups, spans and samples come out at the numbers beside them.
+class TestEveryFormula : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyFormulaComesOutAtTheNumberBesideIt_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const Method &method : methods())
+            QTest::newRow(qPrintable(method.id)) << method.id;
+    }
+    void everyFormulaComesOutAtTheNumberBesideIt()
+    {
+        QFETCH(QString, id);
+        const Method &method = *methodNamed(id);
+        Tally tally;
+        for (const auto &[name, example] : m_scenes) {
+            for (const Arithmetic arithmetic : method.arithmetics) {
+                for (const FillRule rule : method.fillRules) {
+                    Scene scene = example;
+                    scene.method = id.toStdString();
+                    scene.settings.arithmetic = arithmetic;
+                    scene.settings.fillRule = rule;
+                    look(name, *traceScene(scene), tally);
+                }
+            }
+        }
+        for (const auto &[formula, fault] : tally.faults)
+            qWarning("%s", qPrintable(formula + QStringLiteral(": ") + fault));
+        QVERIFY2(tally.faults.empty(), qPrintable(QString::number(tally.faults.size())));
+        QVERIFY2(tally.isExpected(method), qPrintable(QString::number(tally.count)));
+        QVERIFY2(tally.vague <= vagueShare * tally.count,
+                 qPrintable(QStringLiteral("%1 of %2").arg(tally.vague).arg(tally.count)));
+    }
+
+    void everyFormulaOfAHardCaseComesOutAtTheNumberBesideIt_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const Method &method : methods())
+            QTest::newRow(qPrintable(method.id)) << method.id;
+    }
+    void everyFormulaOfAHardCaseComesOutAtTheNumberBesideIt()
+    {
+        QFETCH(QString, id);
+        const Method &method = *methodNamed(id);
+        Tally tally;
+        // The fill rules take turns, from case to case and from arithmetic to arithmetic.
+        std::size_t turn = 0;
+        for (const auto &[name, hard] : m_cases) {
+            for (const Arithmetic arithmetic : method.arithmetics) {
+                Scene scene = hard;
+                scene.method = id.toStdString();
+                scene.settings.arithmetic = arithmetic;
+                scene.settings.fillRule = method.fillRules[turn++ % method.fillRules.size()];
+                look(name, *traceScene(scene), tally);
+            }
+        }
+        for (const auto &[formula, fault] : tally.faults)
+            qWarning("%s", qPrintable(formula + QStringLiteral(": ") + fault));
+        QVERIFY2(tally.faults.empty(), qPrintable(QString::number(tally.faults.size())));
+    }
+
+    void aNameThatIsNoNumberIsNoticed()
+    {
+        QVERIFY(FormulaRange::of(QStringLiteral("(9 1/2) + 3·2²"), Arithmetic::Exact));
+        for (const char *text : {"(9 1/2) + ΔR", "p_k₊₁", "", "3 +", "(4", "1/0", "R′ + 2"})
+            QVERIFY2(!FormulaRange::of(QString::fromUtf8(text), Arithmetic::Exact), text);
+    }
+
+private:
+    struct Tally {
+        double count = 0; ///< formulas that were worked out
+        double vague = 0; ///< of these, from too few digits
+        std::map<QString, QString> faults; ///< one for each formula in symbols
+
+        /// A method whose numbers have formulas has shown them.
+        bool isExpected(const Method &method) const
+        {
+            const auto hasFormula
+                = [](const NumberDescription &number) { return !number.formula.isEmpty(); };
+            return std::ranges::none_of(method.spanNumbers, hasFormula) || count > 40;
+        }
+    };
+
+    static void look(const QString &scene, const TracedScene &traced, Tally &tally)
+    {
+        const Arithmetic arithmetic = traced.scene.settings.arithmetic;
+        for (const std::size_t step : spreadOver(traced.trace->stepCount(), mostSteps)) {
+            for (const FormulaLine &line : explainStep(traced, step).lines) {
+                const QString fault = faultOf(line, arithmetic);
+                if (!fault.isEmpty())
+                    tally.faults.emplace(line.symbols,
+                                         QStringLiteral("%1 %2, not %3 (%4)")
+                                             .arg(line.substituted, fault, toText(line.used),
+                                                  runName(scene, traced, step)));
+                ++tally.count;
+                const auto range = FormulaRange::of(line.substituted, arithmetic);
+                tally.vague += range && !range->isNarrow();
+            }
+        }
+    }
+
+    std::vector<NamedScene> m_scenes = formulaScenes();
+    std::vector<NamedScene> m_cases = hardCaseDetails();
+};
+
+QTEST_GUILESS_MAIN(TestEveryFormula)
+#include "tst_everyformula.moc"

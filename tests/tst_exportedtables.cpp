@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/traceexport.h"
+#include "core/scan/choicenames.h"
+#include "tests/support/hardcasescenes.h"
+#include "tests/support/tablefolder.h"
+
+#include <QSet>
+#include <QtTest>
+
+using namespace pixelplumb;
+
+Q_DECLARE_METATYPE(const pixelplumb::Method *)
+
+namespace {
+
+constexpr std::array allLevels = {TraceLevel::SetUp, TraceLevel::Column, TraceLevel::Pixel};
+
+} // namespace
+
+/// Every table that can be exported can be read by the programs for which it is meant.
+class TestExportedTables : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(scenesForEveryMethod().size() > 12);
+        m_cases = hardCaseDetails();
+        QVERIFY(m_cases.size() > 70);
+    }
+
+    void everyMethodNamesItsNumbersOnce_data() { addMethods(); }
+    void everyMethodNamesItsNumbersOnce()
+    {
+        QFETCH(const Method *, method);
+
+        // What a sample's table says of every method; a method may describe the same numbers.
+        const QSet<QString> shared
+            = {QStringLiteral("primitive"), QStringLiteral("x"), QStringLiteral("y"),
+               QStringLiteral("R"),         QStringLiteral("G"), QStringLiteral("B")};
+        const Method bare{};
+        for (const TraceLevel level : allLevels) {
+            const QStringList common = traceColumnNames(bare, level);
+            QStringList own;
+            for (const NumberDescription &number : level == TraceLevel::SetUp ? method->setUpNumbers
+                     : level == TraceLevel::Column                            ? method->spanNumbers
+                                                   : method->sampleNumbers) {
+                QVERIFY2(!own.contains(number.id), qPrintable(number.id));
+                own.append(number.id);
+                QVERIFY2(shared.contains(number.id) || !common.contains(number.id),
+                         qPrintable(number.id));
+            }
+            QStringList all = traceColumnNames(*method, level);
+            QCOMPARE(all.removeDuplicates(), qsizetype(0));
+            for (const QString &id : own)
+                QVERIFY2(all.contains(id), qPrintable(id));
+        }
+    }
+
+    void everyTableOfEveryMethodIsWellFormed_data() { addMethods(); }
+    void everyTableOfEveryMethodIsWellFormed()
+    {
+        QFETCH(const Method *, method);
+
+        for (const NamedScene &each : scenesForEveryMethod()) {
+            for (const Arithmetic arithmetic : method->arithmetics) {
+                const QString name = QStringLiteral("%1-%2-%3")
+                                         .arg(method->id, each.first, nameText(nameOf(arithmetic)));
+                const QString fault
+                    = m_folder.faultOfKept(*runOf(each.second, *method, arithmetic), name);
+                QVERIFY2(fault.isEmpty(), qPrintable(name + QStringLiteral(": ") + fault));
+            }
+        }
+    }
+
+    void everyTableOfEveryHardCaseIsWellFormed_data() { addMethods(); }
+    void everyTableOfEveryHardCaseIsWellFormed()
+    {
+        QFETCH(const Method *, method);
+
+        std::size_t turn = 0;
+        for (const NamedScene &each : m_cases) {
+            // python3 is given one arithmetic of each case: they take turns.
+            const Arithmetic kept = method->arithmetics[turn++ % method->arithmetics.size()];
+            for (const Arithmetic arithmetic : method->arithmetics) {
+                const QString name = QStringLiteral("%1-%2-%3")
+                                         .arg(method->id, each.first, nameText(nameOf(arithmetic)));
+                const auto traced = runOf(each.second, *method, arithmetic);
+                const QString fault = arithmetic == kept ? m_folder.faultOfKept(*traced, name)
+                                                         : m_folder.faultOf(*traced);
+                QVERIFY2(fault.isEmpty(), qPrintable(name + QStringLiteral(": ") + fault));
+            }
+        }
+    }
+
+    void pythonReadsThemToo()
+    {
+        QVERIFY(m_folder.keptCount() > 1000);
+        const QString fault = m_folder.faultByPython();
+        QVERIFY2(fault.isEmpty(), qPrintable(fault));
+    }
+
+private:
+    static void addMethods()
+    {
+        QTest::addColumn<const Method *>("method");
+        for (const Method &method : methods())
+            QTest::newRow(qPrintable(method.id)) << &method;
+    }
+    static std::shared_ptr<const TracedScene> runOf(Scene scene, const Method &method,
+                                                    Arithmetic arithmetic)
+    {
+        scene.method = method.id.toStdString();
+        scene.settings.arithmetic = arithmetic;
+        scene.settings = method.adapted(scene.settings);
+        return traceScene(scene);
+    }
+
+    TableFolder m_folder;
+    std::vector<NamedScene> m_cases;
+};
+
+QTEST_GUILESS_MAIN(TestExportedTables)
+#include "tst_exportedtables.moc"

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/tracedscene.h"
+#include "core/scene/scenefile.h"
+#include "tests/support/shapes.h"
+#include "widgets/look/appearance.h"
+#include "widgets/look/framepainter.h"
+
+#include <QPainter>
+#include <QTest>
+
+using namespace pixelplumb;
+
+namespace {
+
+constexpr QRectF view(0, 0, 700, 520);
+
+/// A white canvas and what is drawn on it.
+struct Sheet {
+    explicit Sheet(const ViewMapping &at)
+        : mapping(at)
+        , picture(view.size().toSize(), QImage::Format_RGB32)
+    {
+        picture.fill(Qt::white);
+        painter.begin(&picture);
+    }
+
+    /// Whether ink stands within a pixel of a sample point.
+    bool hasInkAt(double x, double y) const
+    {
+        const QPoint at = mapping.positionOf(x, y).toPoint();
+        for (const QPoint &beside : {QPoint(0, 0), QPoint(-1, -1), QPoint(-1, 0), QPoint(0, -1)}) {
+            if (qGray(picture.pixel(at + beside)) < 128)
+                return true;
+        }
+        return false;
+    }
+
+    ViewMapping mapping;
+    QImage picture;
+    QPainter painter;
+    QPalette palette = lightPalette();
+    FramePainter frame{painter, mapping, palette, view};
+};
+
+Shape polygonAt(const std::vector<LatticePoint> &corners)
+{
+    Shape shape;
+    shape.kind = PrimitiveKind::Polygon;
+    shape.fill = ShapeFill::EvenOdd;
+    for (const LatticePoint &corner : corners)
+        shape.vertices.push_back({corner, {}});
+    return shape;
+}
+
+} // namespace
+
+/// What is drawn over the frame: outlines and names.
+class TestFramePainter : public QObject {
+    Q_OBJECT
+
+private slots:
+    void everyShapeHasAnOutlineHoweverFlatItIs_data()
+    {
+        QTest::addColumn<Shape>("shape");
+        QTest::addColumn<QPointF>("place"); ///< on its outline, off its vertices
+        const auto at = [](std::int64_t x, std::int64_t y) { return latticePixel(x, y); };
+        QTest::newRow("level line") << lineAt(5, 9, 35, 9) << QPointF(20, 9);
+        QTest::newRow("upright line") << lineAt(9, 5, 9, 25) << QPointF(9, 15);
+        QTest::newRow("slanting line") << lineAt(5, 5, 25, 25) << QPointF(15, 15);
+        QTest::newRow("line from far to far")
+            << lineAt(-1'000'000, 9, 1'000'000, 9) << QPointF(20, 9);
+        QTest::newRow("circle") << circleAt(20, 15, 9) << QPointF(20, 24);
+        QTest::newRow("circle that is seen in part")
+            << circleAt(-3980, 15, 4000) << QPointF(20, 15);
+        QTest::newRow("ellipse without height")
+            << ellipseAtUnits(at(20, 15), 9 * unitsPerPixel, 0) << QPointF(15, 15);
+        QTest::newRow("ellipse without width")
+            << ellipseAtUnits(at(20, 15), 0, 9 * unitsPerPixel) << QPointF(20, 11);
+        QTest::newRow("level curve")
+            << bezierAt({at(5, 9), at(20, 9), at(35, 9)}) << QPointF(12, 9);
+        QTest::newRow("upright curve")
+            << bezierAt({at(9, 5), at(9, 12), at(9, 18), at(9, 25)}) << QPointF(9, 10);
+        QTest::newRow("polygon") << polygonAt({at(5, 5), at(35, 5), at(20, 25)}) << QPointF(20, 5);
+        QTest::newRow("level polygon")
+            << polygonAt({at(5, 9), at(35, 9), at(25, 9)}) << QPointF(15, 9);
+        QTest::newRow("upright polygon")
+            << polygonAt({at(9, 5), at(9, 25), at(9, 20)}) << QPointF(9, 10);
+    }
+    void everyShapeHasAnOutlineHoweverFlatItIs()
+    {
+        QFETCH(Shape, shape);
+        QFETCH(QPointF, place);
+        Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
+        sheet.frame.drawShapeOutline(shape);
+        QVERIFY(sheet.hasInkAt(place.x(), place.y()));
+    }
+
+    void everyTriangleHasAnOutlineHoweverFlatItIs_data()
+    {
+        QTest::addColumn<QList<QPoint>>("corners");
+        QTest::addColumn<QPointF>("place");
+        QTest::newRow("level") << QList<QPoint>{{5, 9}, {35, 9}, {25, 9}} << QPointF(15, 9);
+        QTest::newRow("upright") << QList<QPoint>{{9, 5}, {9, 25}, {9, 20}} << QPointF(9, 10);
+    }
+    void everyTriangleHasAnOutlineHoweverFlatItIs()
+    {
+        QFETCH(QList<QPoint>, corners);
+        QFETCH(QPointF, place);
+        Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
+        std::array<LatticePoint, 3> points;
+        for (std::size_t i = 0; i < points.size(); ++i)
+            points[i] = latticePixel(corners[qsizetype(i)].x(), corners[qsizetype(i)].y());
+        sheet.frame.drawOutline(points, {});
+        QVERIFY(sheet.hasInkAt(place.x(), place.y()));
+    }
+
+    void noNameCoversAnother_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<int>("zoom");
+        for (const char *file : {"default", "sliver", "stagnation", "ties-at-tenths",
+                                 "vertical-edges", "shared-edge"}) {
+            for (const int zoom : {3, 7, 10})
+                QTest::addRow("%s at %d", file, zoom) << QString::fromLatin1(file) << zoom;
+        }
+    }
+    void noNameCoversAnother()
+    {
+        QFETCH(QString, file);
+        QFETCH(int, zoom);
+        const auto reading
+            = readSceneFile(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/%1.json").arg(file));
+        QVERIFY(reading);
+        const auto traced = traceScene(reading->scene);
+        const FrameSpec &spec = traced->scene.frame;
+        const QPoint origin((700 - spec.width * zoom) / 2, (520 - spec.height * zoom) / 2);
+        for (std::size_t span = 0; span < traced->trace->spanCount(); ++span) {
+            Sheet sheet(ViewMapping(spec, ViewZoom::fromNumber(zoom), origin));
+            const SpanRecord record = traced->trace->span(span);
+            sheet.frame.drawEdgeTicks(record);
+            const std::size_t primitive = traced->trace->primitiveOf(span);
+            const std::array<Vertex, 3> &vertices
+                = traced->primitives.triangles[primitive].vertices;
+            QPointF inside;
+            for (const Vertex &vertex : vertices)
+                inside += sheet.mapping.positionOf(vertex.position) / 3;
+            for (const Vertex &vertex : vertices)
+                sheet.frame.drawVertexName(QStringLiteral("P0"), vertex.position, inside);
+            const std::vector<QRectF> &plates = sheet.frame.plates();
+            for (std::size_t i = 0; i < plates.size(); ++i) {
+                for (std::size_t j = 0; j < i; ++j)
+                    QVERIFY2(
+                        !plates[i].intersects(plates[j]),
+                        qPrintable(
+                            QStringLiteral("span %1, names %2 and %3").arg(span).arg(j).arg(i)));
+            }
+        }
+    }
+};
+
+QTEST_MAIN(TestFramePainter)
+#include "tst_framepainter.moc"

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/scanning.h"
+#include "widgets/look/elidingbox.h"
+#include "widgets/look/messagebar.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QTest>
+
+using namespace pixelplumb;
+
+namespace {
+
+QString textOf(std::string_view name)
+{
+    return QString::fromUtf8(name.data(), qsizetype(name.size()));
+}
+
+/// "row-walk exact closed nearest"
+QString textOf(const QString &method, const ScanSettings &settings)
+{
+    return QStringList{method, textOf(nameOf(settings.arithmetic)),
+                       textOf(nameOf(settings.fillRule)), textOf(nameOf(settings.rounding))}
+        .join(u' ');
+}
+
+QString boxesOf(const MainWindow &window)
+{
+    return QStringList{named<QComboBox>(window, "methodBox")->currentData().toString(),
+                       named<QComboBox>(window, "arithmeticBox")->currentText(),
+                       named<QComboBox>(window, "fillRuleBox")->currentText(),
+                       named<QComboBox>(window, "roundingBox")->currentText()}
+        .join(u' ');
+}
+
+/// Where the boxes, the status bar, the trace and the document do not say the same; empty else.
+QString disagreementIn(const MainWindow &window)
+{
+    const Scene &scene = window.parts().document->scene();
+    const TracedScene &traced = *window.parts().playhead->traced();
+    const QString drawn = textOf(traced.method->id, traced.scene.settings);
+    const QString status = named<QLabel>(window, "statusSettings")->text();
+    const QString begin = textOf(nameOf(traced.scene.settings.arithmetic)) + QStringLiteral(" · ")
+        + textOf(nameOf(traced.scene.settings.fillRule)) + QStringLiteral(" · ");
+    const QStringList texts
+        = {boxesOf(window), textOf(QString::fromStdString(scene.method), scene.settings)};
+    for (const QString &text : texts) {
+        if (text != drawn)
+            return QStringLiteral("drawn is %1, said is %2").arg(drawn, text);
+    }
+    return status.startsWith(begin) ? QString()
+                                    : QStringLiteral("drawn is %1, status %2").arg(drawn, status);
+}
+
+} // namespace
+
+/// The boxes of method, arithmetic, fill rule and rounding show what is drawn.
+class TestMethodBoxes : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_settings.clear(); }
+
+    void boxesStatusAndTraceAgreeWhateverIsAskedFor_data()
+    {
+        QTest::addColumn<QString>("method");
+        for (const Method &method : methods())
+            QTest::newRow(qPrintable(method.id)) << method.id;
+    }
+    void boxesStatusAndTraceAgreeWhateverIsAskedFor()
+    {
+        QFETCH(QString, method);
+        const auto window = openedWindow(Scene());
+        SceneDocument &document = *window->parts().document;
+        const MessageBar &bar = *window->parts().messageBar;
+        const Method &asked = *methodNamed(method);
+        for (const Arithmetic arithmetic : allArithmetics) {
+            for (const FillRule rule : allFillRules) {
+                const ScanSettings settings{arithmetic, rule, ByteRounding::Truncate};
+                const bool isKept = asked.objection(settings).isEmpty();
+                const QString drawn = textOf(method, asked.adapted(settings));
+                Scene scene;
+                scene.frame.width = scene.frame.height = 12;
+                scene.triangles = {triangleAt(1, 2, 10, 3, 5, 9)};
+                scene.method = method.toStdString();
+                scene.settings = settings;
+
+                document.reset(scene); // as files and the command line do
+                QCOMPARE(disagreementIn(*window), QString());
+                QCOMPARE(boxesOf(*window), drawn);
+                QVERIFY(!document.isModified());
+                if (!isKept) {
+                    QVERIFY(bar.isVisible());
+                    QVERIFY2(bar.text().startsWith(asked.title), qPrintable(bar.text()));
+                }
+
+                document.setSettings({}); // as the boxes and menus do
+                document.setSettings(settings);
+                QCOMPARE(disagreementIn(*window), QString());
+                QCOMPARE(boxesOf(*window), drawn);
+                QVERIFY(isKept || bar.isVisible());
+            }
+        }
+    }
+
+    void aTitleThatIsCutEndsInAnEllipsisAndIsWholeInTheToolTip()
+    {
+        const auto window = openedWindow(Scene());
+        const auto *box = static_cast<const ElidingBox *>(named<QComboBox>(*window, "methodBox"));
+        int cut = 0;
+        for (const Method &method : methods()) {
+            window->parts().document->setMethod(method.id.toStdString());
+            const QString shown = box->shownText();
+            QVERIFY2(shown == method.title || shown.endsWith(QChar(0x2026)), qPrintable(shown));
+            QVERIFY2(box->toolTip().contains(method.title), qPrintable(box->toolTip()));
+            QVERIFY(box->fontMetrics().horizontalAdvance(shown) < box->width());
+            cut += int(shown != method.title);
+        }
+        QVERIFY(cut > 0 && cut < int(methods().size()));
+    }
+
+    void aNoteNamesEachSettingThatWasChanged()
+    {
+        const auto window = openedWindow(Scene());
+        Scene scene;
+        scene.method = "edge-equations";
+        scene.settings.arithmetic = Arithmetic::Fixed16;
+        scene.settings.fillRule = FillRule::HalfOpenColumn;
+        const Method &method = *methodNamed(u"edge-equations");
+        QVERIFY(!method.supports(Arithmetic::Fixed16));
+        const ScanSettings drawn = method.adapted(scene.settings);
+
+        window->parts().document->reset(scene);
+        const QString note = window->parts().messageBar->text();
+        QVERIFY2(note.contains(textOf(nameOf(drawn.arithmetic))), qPrintable(note));
+        QCOMPARE(note.contains(textOf(nameOf(FillRule::HalfOpenColumn))),
+                 !method.supports(FillRule::HalfOpenColumn));
+    }
+
+private:
+    IsolatedSettings m_settings;
+};
+
+QTEST_MAIN(TestMethodBoxes)
+#include "tst_methodboxes.moc"

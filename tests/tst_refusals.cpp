@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/method.h"
+#include "core/runs/edgename.h"
+#include "core/runs/formulaexplanation.h"
+#include "core/runs/pixelhistory.h"
+#include "tests/support/scanning.h"
+
+#include <QRegularExpression>
+#include <QTest>
+
+using namespace pixelplumb;
+
+namespace {
+
+/// Twice the signed area of the triangle a, b, p in square lattice units: 0 where p lies on the
+/// line through a and b.
+Int128 crossOf(const LatticePoint &a, const LatticePoint &b, const LatticePoint &p)
+{
+    return Int128(b.x - a.x) * (p.y - a.y) - Int128(b.y - a.y) * (p.x - a.x);
+}
+
+/// How often a ray to the left of (x, y) meets the contours, and upward less downward. By the rule
+/// top-left the sample is a little to the right of its place and then a little below.
+struct Crossings {
+    int count = 0;
+    int winding = 0;
+};
+Crossings crossingsLeftOf(const Shape &polygon, std::int64_t x, std::int64_t y)
+{
+    Crossings crossings;
+    std::vector<std::size_t> starts = {0};
+    starts.insert(starts.end(), polygon.laterContours.begin(), polygon.laterContours.end());
+    starts.push_back(polygon.vertices.size());
+    const LatticePoint sample = latticePixel(x, y);
+    for (std::size_t contour = 0; contour + 1 < starts.size(); ++contour) {
+        const std::size_t first = starts[contour];
+        const std::size_t size = starts[contour + 1] - first;
+        for (std::size_t i = 0; i < size; ++i) {
+            const LatticePoint &a = polygon.vertices[first + i].position;
+            const LatticePoint &b = polygon.vertices[first + (i + 1) % size].position;
+            const bool isUpward = a.y < b.y;
+            const LatticePoint &low = isUpward ? a : b;
+            const LatticePoint &high = isUpward ? b : a;
+            // Below: a row through an end counts the edge that comes from below it.
+            if (!(low.y < sample.y && sample.y <= high.y))
+                continue;
+            if (crossOf(low, high, sample) > 0)
+                continue; // the edge is to the right
+            ++crossings.count;
+            crossings.winding += isUpward ? 1 : -1;
+        }
+    }
+    return crossings;
+}
+
+Shape square(int left, int bottom, int side)
+{
+    Shape polygon;
+    polygon.kind = PrimitiveKind::Polygon;
+    polygon.fill = ShapeFill::EvenOdd;
+    for (const auto &[x, y] :
+         {std::pair(left, bottom), std::pair(left + side, bottom),
+          std::pair(left + side, bottom + side), std::pair(left, bottom + side)})
+        polygon.vertices.push_back({latticePixel(x, y), {}});
+    return polygon;
+}
+
+/// A pentagram, whose middle is crossed twice, and a square with a hole.
+Scene polygonScene(ShapeFill fill)
+{
+    Shape star = square(0, 0, 1);
+    star.fill = fill;
+    star.vertices.clear();
+    for (const auto &[x, y] : {std::pair(3, 2), std::pair(10, 21), std::pair(17, 2),
+                               std::pair(1, 14), std::pair(19, 14)})
+        star.vertices.push_back({latticePixel(x, y), {}});
+    Shape frame = square(20, 1, 10);
+    frame.fill = fill;
+    frame.laterContours = {4};
+    // The hole's other sense takes it out by winding number as well as by parity.
+    for (const auto &[x, y] :
+         {std::pair(23, 4), std::pair(23, 8), std::pair(27, 8), std::pair(27, 4)})
+        frame.vertices.push_back({latticePixel(x, y), {}});
+    Scene scene;
+    scene.frame.width = 32;
+    scene.frame.height = 24;
+    scene.method = "polygon-parity";
+    scene.settings.fillRule = FillRule::TopLeft;
+    scene.shapes = {star, frame};
+    return scene;
+}
+
+/// The sentence of every refused sample, with where it is.
+struct Refusal {
+    std::size_t primitive = 0;
+    SampleRecord sample;
+    QString sentence;
+};
+std::vector<Refusal> refusalsOf(const TracedScene &traced)
+{
+    std::vector<Refusal> refusals;
+    for (std::size_t index = 0; index < traced.trace->stepCount(); ++index) {
+        const TraceStep step = traced.trace->stepAt(index);
+        if (step.kind != StepKind::Sample)
+            continue;
+        const SampleRecord sample = traced.trace->samples(
+            step.span)[step.sample - traced.trace->firstSampleOf(step.span)];
+        if (sample.fate != SampleFate::Written)
+            refusals.push_back({step.primitive, sample, explainStep(traced, index).sentence});
+    }
+    return refusals;
+}
+
+} // namespace
+
+/// What is said of samples that a method refuses, against an independent statement of the case.
+class TestRefusals : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aPolygonsRefusalTellsItsCrossings_data()
+    {
+        QTest::addColumn<ShapeFill>("fill");
+        QTest::newRow("even-odd") << ShapeFill::EvenOdd;
+        QTest::newRow("non-zero") << ShapeFill::NonZero;
+    }
+    void aPolygonsRefusalTellsItsCrossings()
+    {
+        QFETCH(ShapeFill, fill);
+        const auto traced = traceScene(polygonScene(fill));
+
+        const std::vector<Refusal> refusals = refusalsOf(*traced);
+        QVERIFY(refusals.size() > 20);
+        for (const Refusal &refusal : refusals) {
+            const Crossings crossings = crossingsLeftOf(traced->primitives.shape(refusal.primitive),
+                                                        refusal.sample.x, refusal.sample.y);
+            const QString count = crossings.count == 1
+                ? QStringLiteral("once")
+                : QStringLiteral("%1 times").arg(crossings.count);
+            QVERIFY2(refusal.sentence.contains(QStringLiteral("contours %1").arg(count)),
+                     qPrintable(refusal.sentence));
+            if (fill == ShapeFill::EvenOdd) {
+                QCOMPARE(crossings.count % 2, 0);
+                QVERIFY(refusal.sentence.contains(QStringLiteral("an even number, outside")));
+            } else {
+                QCOMPARE(crossings.winding, 0);
+                QVERIFY(refusal.sentence.contains(QStringLiteral("winding number 0, outside")));
+            }
+        }
+    }
+
+    void aPolygonsPixelTellsItsCrossings_data() { aPolygonsRefusalTellsItsCrossings_data(); }
+    void aPolygonsPixelTellsItsCrossings()
+    {
+        QFETCH(ShapeFill, fill);
+        const auto traced = traceScene(polygonScene(fill));
+        for (std::size_t index = 0; index < traced->trace->stepCount(); ++index) {
+            const TraceStep step = traced->trace->stepAt(index);
+            if (step.kind != StepKind::Sample)
+                continue;
+            const SampleRecord sample = traced->trace->samples(
+                step.span)[step.sample - traced->trace->firstSampleOf(step.span)];
+            const Crossings crossings
+                = crossingsLeftOf(traced->primitives.shape(step.primitive), sample.x, sample.y);
+            const QString sentence = explainStep(*traced, index).sentence;
+            // "… 2 times, at the edges 0 and 3: …"
+            static const QRegularExpression edges(
+                QStringLiteral("at the edges? ([0-9, and]+)[:,]"));
+            static const QRegularExpression number(QStringLiteral("\\d+"));
+            const QString list = edges.match(sentence).captured(1);
+            QCOMPARE(QString(list).split(number).size() - 1, qsizetype(crossings.count));
+            if (sample.fate != SampleFate::Written)
+                continue;
+            QVERIFY2(sentence.startsWith(QStringLiteral("The ray to the left meets the contours")),
+                     qPrintable(sentence));
+            QVERIFY2(
+                sentence.endsWith(
+                    fill == ShapeFill::EvenOdd
+                        ? QStringLiteral(": an odd number, inside.")
+                        : QStringLiteral(": winding number %1, inside.").arg(crossings.winding)),
+                qPrintable(sentence));
+        }
+    }
+
+    void aPolygonsRowTellsItsCrossings()
+    {
+        const auto traced = traceScene(polygonScene(ShapeFill::EvenOdd));
+        for (std::size_t span = 0; span < traced->trace->spanCount(); ++span) {
+            const SpanRecord record = traced->trace->span(span);
+            const Crossings all = crossingsLeftOf(traced->primitives.shape(record.primitive), 1000,
+                                                  record.place.coordinate);
+            const QString sentence
+                = explainStep(*traced, traced->trace->indexOfSpan(span)).sentence;
+            QVERIFY2(sentence.startsWith(
+                         QStringLiteral("The row crosses %1 edges, at x = ").arg(all.count)),
+                     qPrintable(sentence));
+        }
+    }
+
+    void aTrianglesRefusalTellsTheTestThatFails_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<FillRule>("rule");
+        for (const Method &method : methods()) {
+            if (!method.draws(PrimitiveKind::Triangle) || !method.supports(Arithmetic::Exact))
+                continue;
+            for (const FillRule rule : method.fillRules)
+                QTest::addRow("%s, %s", qPrintable(method.id), std::string(nameOf(rule)).c_str())
+                    << method.id << rule;
+        }
+    }
+    void aTrianglesRefusalTellsTheTestThatFails()
+    {
+        QFETCH(QString, method);
+        QFETCH(FillRule, rule);
+        Scene scene;
+        scene.frame.width = scene.frame.height = 12;
+        scene.method = method.toStdString();
+        scene.settings.fillRule = rule;
+        // Two triangles share an edge whose line goes through (−1, −1), many samples lie on edges.
+        scene.triangles = {triangleAt(1, 1, 9, 9, 9, 1), triangleAt(1, 1, 9, 9, 1, 9)};
+        const auto traced = traceScene(scene);
+
+        for (const Refusal &refusal : refusalsOf(*traced)) {
+            const Triangle &triangle = traced->primitives.triangles[refusal.primitive];
+            const LatticePoint sample = latticePixel(refusal.sample.x, refusal.sample.y);
+            bool isBeyond = false;
+            QStringList edgesThroughIt;
+            bool isOnDiagonal = false;
+            const Int128 turn
+                = crossOf(triangle.vertices[0].position, triangle.vertices[1].position,
+                          triangle.vertices[2].position);
+            for (int from = 0; from < 3; ++from) {
+                const int to = (from + 1) % 3;
+                const LatticePoint &a = triangle.vertices[std::size_t(from)].position;
+                const LatticePoint &b = triangle.vertices[std::size_t(to)].position;
+                const Int128 side = crossOf(a, b, sample) * (turn > 0 ? 1 : -1);
+                isBeyond = isBeyond || side < 0;
+                if (side != 0)
+                    continue;
+                edgesThroughIt += edgeName(traced->trace->setUp(refusal.primitive), from, to);
+                isOnDiagonal = isOnDiagonal || crossOf(a, b, latticePixel(-1, -1)) == 0;
+            }
+            const QByteArray told = refusal.sentence.toUtf8();
+            QCOMPARE(refusal.sentence.contains(QStringLiteral("negative")), isBeyond);
+            if (isBeyond)
+                continue;
+            static const QRegularExpression named(QStringLiteral("exactly on (\\S+),"));
+            const QString edge = named.match(refusal.sentence).captured(1);
+            QVERIFY2(edgesThroughIt.contains(edge), told.constData());
+            const bool isOwnedByNobody
+                = rule == FillRule::Open || (rule == FillRule::OffScreenPoint && isOnDiagonal);
+            const bool isNobodys = refusal.sentence.contains(QStringLiteral("neither side"));
+            QVERIFY2(isNobodys == isOwnedByNobody || edgesThroughIt.size() > 1, told.constData());
+        }
+    }
+
+    void edgesHaveTheNamesOfTheMethodsOwnOrder()
+    {
+        Scene scene;
+        scene.triangles = {triangleAt(9, 9, 1, 1, 5, 20)};
+        const auto sorted = traceScene(scene);
+        scene.method = "edge-equations";
+        const auto plain = traceScene(scene);
+
+        // By x: P₀ = (1, 1), P₁ = (5, 20), P₂ = (9, 9).
+        QCOMPARE(edgeName(sorted->trace->setUp(0), 0, 1), QStringLiteral("L₀₂"));
+        QCOMPARE(edgeName(sorted->trace->setUp(0), 1, 2), QStringLiteral("L₀₁"));
+        QCOMPARE(edgeName(sorted->trace->setUp(0), 2, 0), QStringLiteral("L₁₂"));
+        QCOMPARE(vertexName(sorted->trace->setUp(0), 0), QStringLiteral("P₂"));
+        QCOMPARE(edgeName(plain->trace->setUp(0), 0, 1), QStringLiteral("P₀P₁"));
+        QCOMPARE(edgeName(plain->trace->setUp(0), 2, 0), QStringLiteral("P₂P₀"));
+        QVERIFY(pixelHistory(*sorted, 7, 2)[0].reason.contains(QStringLiteral("L₀₂")));
+        QVERIFY(pixelHistory(*plain, 7, 2)[0].reason.contains(QStringLiteral("P₀P₁")));
+    }
+};
+
+QTEST_MAIN(TestRefusals)
+#include "tst_refusals.moc"

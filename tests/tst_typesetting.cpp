@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/appearance.h"
+#include "widgets/look/elidingbox.h"
+#include "widgets/look/formulahtml.h"
+
+#include <QAbstractTextDocumentLayout>
+#include <QTest>
+#include <QTextBlock>
+#include <QTextDocument>
+#include <QTextLayout>
+#include <QToolButton>
+
+using namespace pixelplumb;
+
+namespace {
+
+/// The lines into which rich text is broken at a width.
+QStringList linesOf(const QString &html, double width)
+{
+    QTextDocument document;
+    document.setHtml(html);
+    document.setTextWidth(width);
+    document.documentLayout()->documentSize(); // lines are broken when somebody asks
+    QStringList lines;
+    for (QTextBlock block = document.begin(); block.isValid(); block = block.next()) {
+        for (int line = 0; line < block.layout()->lineCount(); ++line) {
+            const QTextLine each = block.layout()->lineAt(line);
+            lines.append(block.text().mid(each.textStart(), each.textLength()).trimmed());
+        }
+    }
+    return lines;
+}
+
+} // namespace
+
+/// How texts are set where there is little room.
+class TestTypesetting : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aMixedNumberStaysOnOneLine()
+    {
+        const QString html = sentenceHtml(
+            QStringLiteral("y_B = 17 3/8 and y_T = 26 11/54 cover the rows 18 to 26."));
+        bool broke = false;
+        for (int width = 120; width < 600; width += 3) {
+            const QStringList lines = linesOf(html, width);
+            broke = broke || lines.size() > 2;
+            for (const QString &line : lines) {
+                QVERIFY2(!line.startsWith(QStringLiteral("3/8")), qPrintable(line));
+                QVERIFY2(!line.startsWith(QStringLiteral("11/54")), qPrintable(line));
+            }
+        }
+        QVERIFY(broke);
+    }
+
+    void aSwitchThatIsOnHasAFrameInBothPalettes_data()
+    {
+        QTest::addColumn<PaletteChoice>("choice");
+        QTest::newRow("light") << PaletteChoice::Light;
+        QTest::newRow("dark") << PaletteChoice::Dark;
+    }
+    void aSwitchThatIsOnHasAFrameInBothPalettes()
+    {
+        QFETCH(PaletteChoice, choice);
+        applyAppearance(choice);
+        QToolButton button;
+        button.setText(QStringLiteral("truth"));
+        button.setCheckable(true);
+        button.setAutoRaise(true);
+        button.resize(button.sizeHint());
+        const auto frameColour
+            = [&] { return button.grab().toImage().pixelColor(button.width() / 2, 0); };
+        const QColor off = frameColour();
+
+        button.setChecked(true);
+
+        const QColor on = frameColour();
+        const QColor inside = button.grab().toImage().pixelColor(3, button.height() / 2);
+        QVERIFY(contrastRatio(on, off) >= 3); // what WCAG 2.1, 1.4.11, asks of a state's sign
+        QVERIFY(contrastRatio(inside, button.palette().color(QPalette::ButtonText)) >= 4.5);
+    }
+
+    void aTextThatIsCutEndsInAnEllipsis()
+    {
+        ElidingBox box;
+        box.addItem(QStringLiteral("Edge equations, relative to a vertex"));
+        box.resize(box.sizeHint());
+        QCOMPARE(box.shownText(), box.currentText());
+
+        box.resize(box.width() / 2, box.height());
+
+        QVERIFY2(box.shownText().endsWith(u'…'), qPrintable(box.shownText()));
+        QVERIFY(box.currentText().startsWith(box.shownText().chopped(1).trimmed()));
+    }
+};
+
+QTEST_MAIN(TestTypesetting)
+#include "tst_typesetting.moc"

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/canvas/canvaskeys.h"
+#include "widgets/canvas/canvasmouse.h"
+#include "widgets/canvas/canvaspainter.h"
+#include "widgets/canvas/canvasscene.h"
+#include "widgets/canvas/canvasview.h"
+
+#include <QTimer>
+#include <QWidget>
+
+namespace pixelplumb {
+
+/// The frame as it stands at the playhead's position, with everything that a person may do to the
+/// scene by pointing: vertices are placed, dragged and chosen, pixels picked, columns sought on the
+/// ruler. Outlines and handles come straight from the document, so that they never lag behind the
+/// hand; cells and signs come from the traced scene, the cells from a preview where its trace takes
+/// long or was cut.
+///
+/// The widget only passes on: where things are is CanvasView's, what is shown is a CanvasScene,
+/// drawn by CanvasPainter, and CanvasMouse and CanvasKeys do what a person wants.
+class Canvas : public QWidget {
+    Q_OBJECT
+
+public:
+    Canvas(SceneDocument *document, Playhead *playhead, DisplayOptions *options,
+           QWidget *parent = nullptr);
+    ~Canvas() override;
+
+    /// Where pictures come from that stand for a run which is not there.
+    void setPreviewer(const ScenePreviewer *previewer);
+
+    const ViewMapping &mapping() const { return m_view.mapping(); }
+    /// The part of the widget where the frame is seen.
+    QRectF view() const { return m_view.area(); }
+    QRectF columnRuler() const { return m_view.columnRuler(); }
+    QRectF rowRuler() const { return m_view.rowRuler(); }
+    /// Device pixels per frame pixel; below 1:1 the negative of frame pixels per device pixel.
+    int zoom() const { return mapping().zoom().number(); }
+    /// "8×" or "1:4".
+    QString zoomText() const;
+
+    /// The pixel drawn under a position; none outside the frame and on the rulers.
+    std::optional<QPoint> pixelAt(const QPointF &position) const
+    {
+        return m_view.pixelAt(position);
+    }
+    /// The middle of a pixel's cell.
+    QPointF positionOf(const QPoint &pixel) const { return mapping().positionOf(pixel); }
+    /// Where a point in the scene's coordinates is.
+    QPointF positionOf(const LatticePoint &scenePoint) const
+    {
+        return m_view.positionOf(scenePoint);
+    }
+    /// Where a click would place a vertex, in the scene's coordinates.
+    LatticePoint placeAt(const QPointF &position) const { return m_view.placeAt(position); }
+    /// The vertex whose handle is under a position.
+    std::optional<VertexRef> vertexAt(const QPointF &position) const;
+
+    bool isTruthVisible() const { return pixelplumb::isTruthVisible(m_sources, hand()); }
+    /// What a screen reader says of the pixel or vertex in hand.
+    QString spokenState() const;
+    /// The pointer is elsewhere, or has left.
+    void followPointer();
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+
+public slots:
+    void setZoom(int zoom);
+    void zoomIn();
+    void zoomOut();
+    /// Shows the whole frame as large as it fits, and goes on doing so while the widget is resized.
+    void fitToView();
+    void editCoordinates(const pixelplumb::VertexRef &ref);
+
+signals:
+    void zoomChanged(int zoom);
+    /// The point that a click would place, in the scene's coordinates; none when the pointer
+    /// leaves.
+    void hovered(const std::optional<pixelplumb::LatticePoint> &point);
+    void colourRequested(const pixelplumb::VertexRef &ref);
+
+protected:
+    bool event(QEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void contextMenuEvent(QContextMenuEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void leaveEvent(QEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void keyReleaseEvent(QKeyEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
+    void focusOutEvent(QFocusEvent *event) override;
+
+private:
+    void connectSources();
+    void followScene();
+    void updateSoon();
+    void updateVertices();
+    QPointF keyboardAnchor() const;
+    CanvasHand hand() const;
+    void announce();
+
+    CanvasSources m_sources;
+    CanvasView m_view;
+    CanvasMouse m_mouse;
+    CanvasKeys m_keys;
+    OutlineChoice m_outlines;
+    CanvasPainter m_painter;
+    /// Runs while the picture of a change is expected.
+    QTimer m_repaintTimer;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/canvas/canvasdifferences.h"
+
+#include "widgets/look/framepainter.h"
+
+#include <QPainter>
+
+#include <cstring>
+#include <utility>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Every pixel of the picture that has a part in device pixels; below 1:1 they share one.
+QRect picturePixelsIn(const QRect &device, const ViewMapping &mapping)
+{
+    const int side = mapping.zoom().framePixels;
+    if (side == 1)
+        return mapping.pictureIn(device);
+    const QRect blocks = (device & mapping.devicePicture()).translated(-mapping.origin());
+    const FrameSpec &frame = mapping.frame();
+    return QRect(blocks.topLeft() * side, blocks.size() * side)
+        & QRect(0, 0, frame.width, frame.height);
+}
+
+/// The first pixel from `column` on that differs; the row's length where none does. Looks at eight
+/// bytes at once, because most are none.
+std::size_t nextDifference(std::span<const Difference> row, std::size_t column)
+{
+    static_assert(sizeof(Difference) == 1 && int(Difference::None) == 0);
+    while (column < row.size()) {
+        std::uint64_t eight = 1;
+        if (column + sizeof(eight) <= row.size())
+            std::memcpy(&eight, row.data() + column, sizeof(eight));
+        if (eight == 0)
+            column += sizeof(eight);
+        else if (row[column] != Difference::None)
+            return column;
+        else
+            ++column;
+    }
+    return row.size();
+}
+
+} // namespace
+
+void CanvasDifferences::forget()
+{
+    m_source = {};
+    m_marks.clear();
+}
+
+void CanvasDifferences::lookUp(const Source &source, const ViewMapping &mapping,
+                               const QRect &device)
+{
+    if (source == m_source && mapping == m_mapping && device == m_device)
+        return;
+    m_source = source;
+    m_mapping = mapping;
+    m_device = device;
+    m_marks.clear();
+    if (source.differences().total() > 0)
+        lookUpCells(picturePixelsIn(device, mapping));
+}
+
+void CanvasDifferences::lookUpCells(const QRect &cells)
+{
+    const FrameSpec &frame = m_mapping.frame();
+    const ViewZoom &zoom = m_mapping.zoom();
+    const int side = zoom.framePixels;
+    const QPoint corner = m_mapping.origin() - m_device.topLeft();
+    // Below 1:1 the first of a block's differences, line by line, stands for the block.
+    std::vector<int> lastMarked(std::size_t(cells.right() / side + 1), -1);
+    for (int line = cells.top(); line <= cells.bottom(); ++line) {
+        const std::int64_t y = rowOfPictureLine(frame, line);
+        const std::span<const Difference> row
+            = m_source.differences().row(y).first(std::size_t(cells.right() + 1));
+        for (std::size_t at = std::size_t(cells.left());
+             (at = nextDifference(row, at)) < row.size(); ++at) {
+            const QPoint block(int(at) / side, line / side);
+            if (std::exchange(lastMarked[std::size_t(block.x())], block.y()) == block.y())
+                continue;
+            const std::int64_t x = frame.firstColumn + std::int64_t(at);
+            m_marks.push_back(
+                {corner + block * zoom.devicePixels, row[at], m_source.decidedAt(x, y)});
+        }
+    }
+}
+
+void CanvasDifferences::makeStamps(const QPalette &palette)
+{
+    const int zoom = m_mapping.zoom().devicePixels;
+    const double ratio = m_mapping.devicePixelRatio();
+    if (m_stampsZoom == zoom && m_stampsPalette == palette.cacheKey() && m_stampsRatio == ratio)
+        return;
+    for (const Difference kind : {Difference::Missing, Difference::Extra, Difference::Colour}) {
+        QImage stamp(zoom, zoom, QImage::Format_ARGB32_Premultiplied);
+        stamp.fill(Qt::transparent);
+        QPainter painter(&stamp);
+        painter.scale(ratio, ratio);
+        paintDifference(painter, QRectF(0, 0, zoom / ratio, zoom / ratio), kind, palette);
+        painter.end();
+        if (hasGlyphs())
+            stamp.setDevicePixelRatio(ratio);
+        m_stamps[std::size_t(kind)] = stamp;
+    }
+    m_stampsZoom = zoom;
+    m_stampsPalette = palette.cacheKey();
+    m_stampsRatio = ratio;
+}
+
+bool CanvasDifferences::hasGlyphs() const
+{
+    return m_mapping.zoom().devicePixels >= leastGlyphCell * m_mapping.devicePixelRatio();
+}
+
+void CanvasDifferences::markCells(QImage &shown, std::size_t position, const QPalette &palette)
+{
+    if (m_marks.empty() || hasGlyphs())
+        return;
+    makeStamps(palette);
+    if (m_mapping.zoom().devicePixels == 1) {
+        markDevicePixels(shown, position);
+        return;
+    }
+    QPainter painter(&shown);
+    for (const Mark &mark : m_marks) {
+        if (mark.decidedAt <= position)
+            painter.drawImage(mark.device, m_stamps[std::size_t(mark.kind)]);
+    }
+}
+
+/// Without a painter, which takes longer for a pixel than to draw ten of them.
+void CanvasDifferences::markDevicePixels(QImage &shown, std::size_t position) const
+{
+    std::array<QRgb, 4> colours = {};
+    for (std::size_t kind = 1; kind < colours.size(); ++kind)
+        colours[kind] = m_stamps[kind].pixel(0, 0) | 0xff000000;
+    for (const Mark &mark : m_marks) {
+        if (mark.decidedAt <= position && shown.rect().contains(mark.device))
+            reinterpret_cast<QRgb *>(shown.scanLine(mark.device.y()))[mark.device.x()]
+                = colours[std::size_t(mark.kind)];
+    }
+}
+
+void CanvasDifferences::drawGlyphs(QPainter &painter, std::size_t position, const QPalette &palette)
+{
+    if (m_marks.empty() || !hasGlyphs())
+        return;
+    makeStamps(palette);
+    for (const Mark &mark : m_marks) {
+        if (mark.decidedAt <= position)
+            painter.drawImage(m_mapping.positionOfDevice(m_device.topLeft() + mark.device),
+                              m_stamps[std::size_t(mark.kind)]);
+    }
+}
+
+} // namespace pixelplumb

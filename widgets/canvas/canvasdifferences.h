@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/runs/scenepicture.h"
+#include "core/runs/tracedscene.h"
+#include "widgets/look/viewmapping.h"
+
+#include <QImage>
+#include <QPalette>
+
+#include <array>
+#include <vector>
+
+class QPainter;
+
+namespace pixelplumb {
+
+/// The pixels in view that differ from the truth, marked in the picture on the screen: by a glyph
+/// where the cell has room for it, else by a coloured frame, else by the colour alone. Below 1:1 a
+/// device pixel is marked when any of its frame pixels differs.
+class CanvasDifferences {
+public:
+    /// A run, or a picture that is finished: its differences are decided at every position. Kept,
+    /// so that nothing else gets its address.
+    struct Source {
+        std::shared_ptr<const TracedScene> traced;
+        std::shared_ptr<const ScenePicture> picture;
+
+        const DifferenceMap &differences() const
+        {
+            return traced ? traced->differences : picture->differences();
+        }
+        std::size_t decidedAt(std::int64_t x, std::int64_t y) const
+        {
+            return traced ? traced->decidedAt(x, y) : 0;
+        }
+        friend bool operator==(const Source &, const Source &) = default;
+    };
+
+    /// Looks up what is in view; cheap when neither the source nor the view has changed.
+    void lookUp(const Source &source, const ViewMapping &mapping, const QRect &device);
+    void forget();
+    /// Whether anything in view differs.
+    bool hasMarks() const { return !m_marks.empty(); }
+    /// Marks those that are decided at a position in the cells themselves, where cells are too
+    /// small for glyphs; `shown` shows the device rectangle of lookUp().
+    void markCells(QImage &shown, std::size_t position, const QPalette &palette);
+    /// Draws the glyphs of those that are decided at a position, where cells have room for them.
+    /// Over the outlines, because missing and extra pixels lie along edges.
+    void drawGlyphs(QPainter &painter, std::size_t position, const QPalette &palette);
+
+private:
+    struct Mark {
+        QPoint device; ///< the cell's upper left, from the rectangle's
+        Difference kind = Difference::None;
+        std::size_t decidedAt = 0;
+    };
+
+    void lookUpCells(const QRect &cells);
+    void markDevicePixels(QImage &shown, std::size_t position) const;
+    bool hasGlyphs() const;
+    void makeStamps(const QPalette &palette);
+
+    Source m_source;
+    ViewMapping m_mapping;
+    QRect m_device;
+    std::vector<Mark> m_marks;
+    std::array<QImage, 4> m_stamps; ///< by Difference
+    qint64 m_stampsPalette = 0;
+    int m_stampsZoom = 0;
+    double m_stampsRatio = 0;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/canvas/canvasgesture.h"
+
+#include "widgets/canvas/canvasview.h"
+#include "widgets/model/playhead.h"
+
+#include <cstdlib>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Logical pixels that a hand trembles in a click.
+constexpr double tremble = 3;
+
+/// The trace's column that stands at x, of the preferred primitive, else of the one with the
+/// nearest.
+std::optional<std::size_t> spanNear(const ScanTrace &trace, std::size_t preferred, std::int64_t x)
+{
+    std::optional<std::size_t> nearest;
+    std::int64_t leastDistance = 0;
+    for (std::size_t i = 0; i < trace.primitiveCount(); ++i) {
+        const std::size_t primitive = (preferred + i) % trace.primitiveCount();
+        for (std::size_t span = trace.firstSpanOf(primitive); span < trace.endSpanOf(primitive);
+             ++span) {
+            const SpanPlace &place = trace.placeOf(span);
+            if (place.axis != SpanAxis::Column)
+                continue;
+            const std::int64_t distance = std::abs(place.coordinate - x);
+            if (!nearest || distance < leastDistance) {
+                nearest = span;
+                leastDistance = distance;
+            }
+        }
+    }
+    return nearest;
+}
+
+} // namespace
+
+void PlaceVertexGesture::releaseAt(const QPointF &position)
+{
+    if (m_view.area().contains(position))
+        m_document.placeVertex(m_view.placeAt(position));
+}
+
+MoveVertexGesture::MoveVertexGesture(const CanvasView &view, SceneDocument &document,
+                                     const VertexRef &ref, const QPointF &press)
+    : m_view(view)
+    , m_document(document)
+    , m_ref(ref)
+    , m_press(press)
+    , m_start(document.vertexAt(ref)->position)
+    , m_drag(document.newDrag())
+{
+    document.selectVertex(ref);
+}
+
+void MoveVertexGesture::moveTo(const QPointF &position)
+{
+    m_moving = m_moving || (position - m_press).manhattanLength() > tremble;
+    if (!m_moving)
+        return;
+    const LatticePoint pressed = m_view.mapping().latticeAt(m_press);
+    const LatticePoint now = m_view.mapping().latticeAt(position);
+    const LatticePoint target
+        = m_document.snapped({m_start.x + now.x - pressed.x, m_start.y + now.y - pressed.y});
+    m_document.moveVertex(m_ref, target, m_drag);
+}
+
+void MoveVertexGesture::cancel() { m_document.moveVertex(m_ref, m_start, m_drag); }
+
+MoveOffScreenPointGesture::MoveOffScreenPointGesture(const CanvasView &view,
+                                                     SceneDocument &document, const QPointF &press)
+    : m_view(view)
+    , m_document(document)
+    , m_press(press)
+    , m_start(*document.offScreenPoint())
+    , m_drag(document.newDrag())
+{
+}
+
+void MoveOffScreenPointGesture::moveTo(const QPointF &position)
+{
+    m_moving = m_moving || (position - m_press).manhattanLength() > tremble;
+    if (!m_moving)
+        return;
+    const LatticePoint pressed = m_view.mapping().latticeAt(m_press);
+    const LatticePoint now = m_view.mapping().latticeAt(position);
+    m_document.moveOffScreenPoint(
+        m_document.snapped({m_start.x + now.x - pressed.x, m_start.y + now.y - pressed.y}), m_drag);
+}
+
+void MoveOffScreenPointGesture::cancel()
+{
+    if (m_moving)
+        m_document.moveOffScreenPoint(m_start, m_drag);
+}
+
+MoveViewGesture::MoveViewGesture(CanvasView &view, const QPointF &press)
+    : m_view(view)
+    , m_device(view.mapping().deviceAt(press))
+{
+}
+
+void MoveViewGesture::moveTo(const QPointF &position)
+{
+    const QPoint device = m_view.mapping().deviceAt(position);
+    m_view.moveBy(device - m_device);
+    m_device = device;
+}
+
+void SeekColumnGesture::moveTo(const QPointF &position)
+{
+    const TracedScene *traced = m_playhead.traced();
+    if (!traced)
+        return;
+    const std::optional<TraceStep> step = m_playhead.stepInHand();
+    const std::optional<std::size_t> span
+        = spanNear(*traced->trace, step ? step->primitive : 0, m_view.mapping().columnAt(position));
+    if (span)
+        m_playhead.seekToSpan(*span);
+}
+
+} // namespace pixelplumb

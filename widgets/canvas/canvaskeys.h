@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/model/scenedocument.h"
+
+#include <QTimer>
+
+class QKeyEvent;
+
+namespace pixelplumb {
+
+class Canvas;
+class CanvasMouse;
+class CanvasView;
+class Playhead;
+
+/// What the keys do on the canvas: all that the mouse does, and a look at the truth while Shift is
+/// held.
+class CanvasKeys {
+public:
+    CanvasKeys(Canvas &canvas, CanvasView &view, CanvasMouse &mouse, SceneDocument &document,
+               Playhead &playhead);
+
+    /// False for keys that mean nothing here.
+    bool press(QKeyEvent *event);
+    bool release(QKeyEvent *event);
+    void endPeek() { setPeek(Peek::Off); } ///< Shift belongs to something else
+    void endDrag() { m_drag.reset(); }
+
+    bool isPeeking() const { return m_peek == Peek::On; }
+    bool isMovingVertex() const { return m_drag.has_value(); }
+    /// The vertex that Enter would place, in the scene's coordinates.
+    std::optional<LatticePoint> candidate() const;
+
+private:
+    enum class Peek { Off, Waiting, On };
+
+    bool handleArrow(QKeyEvent *event);
+    bool handleEditingKey(QKeyEvent *event);
+    bool handleViewKey(QKeyEvent *event);
+    void placeAtPickedPixel();
+    void cycleSelection(int step);
+    void cancelInHand();
+    void moveSelectedBy(const QPoint &steps);
+    void setPeek(Peek peek);
+
+    Canvas &m_canvas;
+    CanvasView &m_view;
+    CanvasMouse &m_mouse;
+    SceneDocument &m_document;
+    Playhead &m_playhead;
+    std::optional<int> m_drag; ///< number of the run of Ctrl+arrows under way
+    Peek m_peek = Peek::Off;
+    QTimer m_peekTimer;
+};
+
+} // namespace pixelplumb

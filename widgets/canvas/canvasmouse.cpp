@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/canvas/canvasmouse.h"
+
+#include "widgets/canvas/canvas.h"
+#include "widgets/canvas/canvasmenu.h"
+#include "widgets/canvas/canvasoutlines.h"
+#include "widgets/canvas/canvasview.h"
+#include "widgets/model/playhead.h"
+
+#include <QMouseEvent>
+#include <QWheelEvent>
+
+#include <cstdlib>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr int eighthsPerNotch = 120; // of a degree; QWheelEvent::angleDelta
+
+} // namespace
+
+CanvasMouse::CanvasMouse(Canvas &canvas, CanvasView &view, SceneDocument &document,
+                         Playhead &playhead)
+    : m_canvas(canvas)
+    , m_view(view)
+    , m_document(document)
+    , m_playhead(playhead)
+{
+}
+
+void CanvasMouse::press(QMouseEvent *event)
+{
+    hoverAt(event->position());
+    if (m_gesture)
+        return; // a second button while the first does something
+    if (event->button() == Qt::RightButton) {
+        pressRight(event->position());
+        return;
+    }
+    m_pressedVertex = m_canvas.vertexAt(event->position());
+    begin(event);
+}
+
+void CanvasMouse::begin(QMouseEvent *event)
+{
+    const QPointF position = event->position();
+    const bool left = event->button() == Qt::LeftButton;
+    const bool moveView = event->button() == Qt::MiddleButton
+        || (left && event->modifiers().testFlag(Qt::ControlModifier));
+    if (moveView) {
+        m_gesture = std::make_unique<MoveViewGesture>(m_view, position);
+    } else if (left && m_view.columnRuler().contains(position)) {
+        m_gesture = std::make_unique<SeekColumnGesture>(m_view, m_playhead);
+        m_gesture->moveTo(position);
+    } else if (left && m_pressedVertex == VertexRef{VertexRef::pending, 0}
+               && m_document.canClosePending()) {
+        m_document.closePending();
+    } else if (left && m_pressedVertex) {
+        m_gesture
+            = std::make_unique<MoveVertexGesture>(m_view, m_document, *m_pressedVertex, position);
+    } else if (left && isOffScreenPointAt(position, m_document, m_view)) {
+        m_gesture = std::make_unique<MoveOffScreenPointGesture>(m_view, m_document, position);
+    } else if (left && m_view.area().contains(position)) {
+        m_document.selectVertex(std::nullopt);
+        m_gesture = std::make_unique<PlaceVertexGesture>(m_view, m_document);
+    }
+    m_canvas.setCursor(cursor());
+}
+
+void CanvasMouse::move(const QPointF &position)
+{
+    if (m_gesture)
+        m_gesture->moveTo(position);
+    hoverAt(position);
+}
+
+void CanvasMouse::release(QMouseEvent *event)
+{
+    const bool ends = m_gesture && event->button() != Qt::RightButton;
+    hoverAt(event->position());
+    if (!ends)
+        return;
+    m_gesture->releaseAt(event->position());
+    end();
+}
+
+void CanvasMouse::end()
+{
+    m_gesture.reset();
+    m_canvas.setCursor(cursor());
+    m_canvas.update();
+}
+
+void CanvasMouse::cancelGesture()
+{
+    m_gesture->cancel();
+    end();
+}
+
+void CanvasMouse::doubleClick(QMouseEvent *event)
+{
+    const QPointF position = event->position();
+    const std::optional<VertexRef> ref = m_canvas.vertexAt(position);
+    if (event->button() == Qt::LeftButton && m_view.columnRuler().contains(position)) {
+        toggleBreakpointAt(position);
+    } else if (event->button() == Qt::LeftButton && ref) {
+        if (ref == m_pressedVertex) // else the first click placed it
+            emit m_canvas.colourRequested(*ref);
+    } else {
+        press(event); // two quick clicks at two places
+    }
+}
+
+void CanvasMouse::pressRight(const QPointF &position)
+{
+    if (m_view.columnRuler().contains(position)) {
+        toggleBreakpointAt(position);
+    } else if (const std::optional<VertexRef> ref = m_canvas.vertexAt(position)) {
+        m_document.selectVertex(ref);
+        openVertexMenu(*ref, position);
+    } else if (const std::optional<QPoint> pixel = m_view.pixelAt(position)) {
+        m_playhead.pick(*pixel);
+    }
+}
+
+void CanvasMouse::openVertexMenu(const VertexRef &ref, const QPointF &position)
+{
+    auto *menu = new CanvasMenu(&m_document, ref, &m_canvas);
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(menu, &CanvasMenu::colourRequested, &m_canvas, &Canvas::colourRequested);
+    QObject::connect(menu, &CanvasMenu::coordinatesRequested, &m_canvas, &Canvas::editCoordinates);
+    menu->popup(m_canvas.mapToGlobal(position.toPoint()));
+}
+
+void CanvasMouse::toggleBreakpointAt(const QPointF &position)
+{
+    m_playhead.toggleSpanBreakpoint({SpanAxis::Column, m_view.mapping().columnAt(position), 0});
+}
+
+void CanvasMouse::turn(QWheelEvent *event)
+{
+    event->accept();
+    m_wheelRest += event->angleDelta().y();
+    const int notches = m_wheelRest / eighthsPerNotch;
+    m_wheelRest -= notches * eighthsPerNotch;
+    for (int notch = 0; notch < std::abs(notches); ++notch) {
+        const ViewZoom &zoom = m_view.mapping().zoom();
+        m_view.zoomTo(notches > 0 ? zoom.nextLarger() : zoom.nextSmaller(), event->position());
+    }
+    hoverAt(event->position());
+}
+
+void CanvasMouse::hoverAt(const std::optional<QPointF> &position)
+{
+    m_hover = position;
+    m_hoveredVertex.reset();
+    m_canvas.followPointer();
+}
+
+std::optional<VertexRef> CanvasMouse::hoveredVertex() const
+{
+    if (!m_hover || m_gesture)
+        return std::nullopt;
+    if (!m_hoveredVertex)
+        m_hoveredVertex = m_canvas.vertexAt(*m_hover);
+    return *m_hoveredVertex;
+}
+
+std::optional<LatticePoint> CanvasMouse::candidate() const
+{
+    const bool placing = !m_gesture || dynamic_cast<const PlaceVertexGesture *>(m_gesture.get());
+    const bool isFree = m_gesture
+        || !(hoveredVertex() || (m_hover && isOffScreenPointAt(*m_hover, m_document, m_view)));
+    if (!m_hover || !placing || !m_view.area().contains(*m_hover) || !isFree)
+        return std::nullopt;
+    return m_view.placeAt(*m_hover);
+}
+
+bool CanvasMouse::isMovingVertex() const
+{
+    return dynamic_cast<const MoveVertexGesture *>(m_gesture.get()) != nullptr;
+}
+
+Qt::CursorShape CanvasMouse::cursor() const
+{
+    if (m_gesture)
+        return m_gesture->cursor();
+    if (m_hover && m_view.columnRuler().contains(*m_hover))
+        return Qt::PointingHandCursor;
+    if (hoveredVertex() || (m_hover && isOffScreenPointAt(*m_hover, m_document, m_view)))
+        return Qt::SizeAllCursor;
+    return m_hover && m_view.area().contains(*m_hover) ? Qt::CrossCursor : Qt::ArrowCursor;
+}
+
+} // namespace pixelplumb

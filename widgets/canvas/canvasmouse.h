@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/canvas/canvasgesture.h"
+
+#include <memory>
+
+class QMouseEvent;
+class QWheelEvent;
+
+namespace pixelplumb {
+
+class CanvasView;
+class Playhead;
+
+/// What the mouse does on the canvas: it hovers, and a press begins a gesture that a release ends.
+class CanvasMouse {
+public:
+    CanvasMouse(Canvas &canvas, CanvasView &view, SceneDocument &document, Playhead &playhead);
+
+    void press(QMouseEvent *event);
+    void move(const QPointF &position);
+    void release(QMouseEvent *event);
+    void doubleClick(QMouseEvent *event);
+    void turn(QWheelEvent *event);
+    /// None: the pointer has left.
+    void hoverAt(const std::optional<QPointF> &position);
+
+    const std::optional<QPointF> &hover() const { return m_hover; }
+    /// Looked for once for each place of the pointer: a large scene has millions of vertices.
+    std::optional<VertexRef> hoveredVertex() const;
+    /// The scene or the view has changed under the pointer.
+    void forgetHovered() { m_hoveredVertex.reset(); }
+    /// The vertex that a click would place, in the scene's coordinates.
+    std::optional<LatticePoint> candidate() const;
+    Qt::CursorShape cursor() const;
+
+    bool isPressed() const { return m_gesture != nullptr; }
+    bool isMovingVertex() const;
+    /// Leaves everything as it was before the press.
+    void cancelGesture();
+
+    void openVertexMenu(const VertexRef &ref, const QPointF &position);
+
+private:
+    void begin(QMouseEvent *event);
+    void end();
+    void pressRight(const QPointF &position);
+    void toggleBreakpointAt(const QPointF &position);
+
+    Canvas &m_canvas;
+    CanvasView &m_view;
+    SceneDocument &m_document;
+    Playhead &m_playhead;
+    std::unique_ptr<CanvasGesture> m_gesture;
+    std::optional<QPointF> m_hover;
+    /// The vertex under the pointer, if any; unknown until it is looked for.
+    mutable std::optional<std::optional<VertexRef>> m_hoveredVertex;
+    /// The vertex under the last press: a double click means the one that both clicks hit.
+    std::optional<VertexRef> m_pressedVertex;
+    int m_wheelRest = 0; ///< eighths of a degree that are not a notch yet
+};
+
+} // namespace pixelplumb

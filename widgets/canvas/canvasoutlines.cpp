@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/canvas/canvasoutlines.h"
+
+#include "widgets/canvas/canvasview.h"
+#include "widgets/model/playhead.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace pixelplumb {
+
+namespace {
+
+// Logical pixels.
+constexpr double handleHitRadius = 8;
+constexpr double bareHitRadius = 3; ///< of a vertex without a handle, between many others
+
+constexpr std::size_t mostNames = 12; // more would hide what they name
+
+std::array<LatticePoint, 3> cornersOf(const Triangle &triangle, const CanvasView &view)
+{
+    std::array<LatticePoint, 3> corners;
+    std::ranges::transform(triangle.vertices, corners.begin(), [&view](const Vertex &vertex) {
+        return view.onSamples(vertex.position);
+    });
+    return corners;
+}
+
+/// The nearest vertex to a position so far.
+struct NearestVertex {
+    std::optional<VertexRef> ref;
+    double distance = handleHitRadius;
+
+    void offer(const VertexRef &vertex, const QPointF &way, double reach)
+    {
+        const double length = std::hypot(way.x(), way.y());
+        if (length > std::min(distance, reach))
+            return;
+        ref = vertex;
+        distance = length;
+    }
+};
+
+OutlineChoice::InHand primitivesInHand(const CanvasSources &sources,
+                                       const std::optional<VertexRef> &hovered)
+{
+    const std::optional<TraceStep> step = sources.playhead->stepInHand();
+    const bool isThere = step && std::int64_t(step->primitive) < sources.document->primitiveCount();
+    return {sources.document->selectedVertex(), hovered,
+            isThere ? std::optional(int(step->primitive)) : std::nullopt};
+}
+
+std::optional<SetUpRecord> setUpOf(int triangle, const CanvasSources &sources)
+{
+    const TracedScene *traced = tracedOfFrame(*sources.document, *sources.playhead);
+    const auto index = std::size_t(triangle);
+    // A drag may be ahead of the trace: numbers of a triangle that was there before are not shown.
+    if (!traced || index >= traced->trace->primitiveCount()
+        || traced->scene.triangles[index] != sources.document->scene().triangles[index])
+        return std::nullopt;
+    return traced->trace->setUp(index);
+}
+
+/// The primitive whose vertices have names: of the selected vertex, else the one in hand.
+std::optional<int> namedPrimitive(const CanvasSources &sources)
+{
+    const int count = sources.document->primitiveCount();
+    if (const std::optional<VertexRef> ref = sources.document->selectedVertex();
+        ref && ref->primitive != VertexRef::pending)
+        return ref->primitive;
+    if (count == 1)
+        return 0;
+    const std::optional<TraceStep> step = sources.playhead->stepInHand();
+    return step && int(step->primitive) < count ? std::optional(int(step->primitive))
+                                                : std::nullopt;
+}
+
+void addOutline(CanvasScene &scene, int primitive, const CanvasSources &sources,
+                const CanvasView &view)
+{
+    const Scene &drawn = sources.document->scene();
+    const auto index = std::size_t(primitive);
+    if (index >= drawn.triangles.size()) {
+        Shape &shape = scene.shapes.emplace_back(drawn.shapes[index - drawn.triangles.size()]);
+        for (Vertex &vertex : shape.vertices)
+            vertex.position = view.onSamples(vertex.position);
+        return;
+    }
+    const std::optional<TraceStep> step = sources.playhead->stepInHand();
+    const bool isInHand = step && step->primitive == index;
+    const std::optional<SetUpRecord> setUp = isInHand ? setUpOf(primitive, sources) : std::nullopt;
+    scene.outlines.push_back(
+        {cornersOf(drawn.triangles[index], view), setUp ? rolesOf(*setUp) : EdgeRoles{}});
+}
+
+/// P0, P1, P2 of a triangle in the order in which the method sorts them, of a shape as they stand.
+void addNames(CanvasScene &scene, int primitive, const CanvasSources &sources,
+              const CanvasView &view)
+{
+    const SceneDocument &document = *sources.document;
+    const std::vector<Vertex> vertices = document.verticesOf(primitive);
+    std::vector<std::size_t> order(vertices.size());
+    std::iota(order.begin(), order.end(), std::size_t(0));
+    if (document.kindOf(primitive) == PrimitiveKind::Triangle) {
+        const std::optional<SetUpRecord> setUp = setUpOf(primitive, sources);
+        const std::array<int, 3> sorted = setUp
+            ? setUp->order
+            : sortedByColumn(document.scene().triangles[std::size_t(primitive)]);
+        std::ranges::copy(sorted, order.begin());
+    }
+    QPointF inside;
+    for (const Vertex &vertex : vertices)
+        inside += view.positionOf(vertex.position) / double(vertices.size());
+    for (std::size_t rank = 0; rank < std::min(order.size(), mostNames); ++rank)
+        scene.names.push_back({QStringLiteral("P%1").arg(rank),
+                               view.onSamples(vertices[order[rank]].position), inside});
+}
+
+} // namespace
+
+void addOutlines(CanvasScene &scene, const CanvasSources &sources, const CanvasView &view,
+                 const OutlineChoice &choice, const CanvasHand &hand)
+{
+    const SceneDocument &document = *sources.document;
+    const auto addHandle = [&](const VertexRef &ref, const Vertex &vertex) {
+        HandleState state = HandleState::Idle;
+        if (ref == document.selectedVertex())
+            state = HandleState::Selected;
+        else if (ref == hand.hovered)
+            state = HandleState::Hovered;
+        scene.handles.push_back({view.onSamples(vertex.position), vertex.colour, state});
+    };
+    for (const int primitive : choice.primitives(primitivesInHand(sources, hand.hovered))) {
+        addOutline(scene, primitive, sources, view);
+        const std::vector<Vertex> vertices = document.verticesOf(primitive);
+        for (std::size_t i = 0; i < vertices.size(); ++i)
+            addHandle({primitive, int(i)}, vertices[i]);
+    }
+    const std::vector<Vertex> &pending = document.pendingVertices();
+    for (std::size_t i = 0; i < pending.size(); ++i)
+        addHandle({VertexRef::pending, int(i)}, pending[i]);
+    if (const std::optional<int> named = namedPrimitive(sources))
+        addNames(scene, *named, sources, view);
+}
+
+std::optional<VertexRef> vertexAt(const QPointF &position, const CanvasSources &sources,
+                                  const CanvasView &view, const OutlineChoice &choice)
+{
+    if (!view.area().contains(position))
+        return std::nullopt;
+    const OutlineChoice::InHand inHand = primitivesInHand(sources, std::nullopt);
+    const QPointF reach(handleHitRadius, handleHitRadius);
+    const SceneBox box = sceneBoxOf(QRectF(position - reach, position + reach), view.mapping());
+    NearestVertex nearest;
+    const auto offer = [&](int primitive, std::span<const Vertex> vertices) {
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            if (!box.contains(vertices[i].position))
+                continue;
+            const bool hasHandle = !choice.isCrowded() || inHand.holds(primitive);
+            nearest.offer({primitive, int(i)}, view.positionOf(vertices[i].position) - position,
+                          hasHandle ? handleHitRadius : bareHitRadius);
+        }
+    };
+    int primitive = 0;
+    for (const Triangle &triangle : sources.document->scene().triangles)
+        offer(primitive++, triangle.vertices);
+    for (const Shape &shape : sources.document->scene().shapes)
+        offer(primitive++, shape.vertices);
+    offer(VertexRef::pending, sources.document->pendingVertices());
+    return nearest.ref;
+}
+
+bool isOffScreenPointAt(const QPointF &position, const SceneDocument &document,
+                        const CanvasView &view)
+{
+    const std::optional<LatticePoint> point = document.offScreenPoint();
+    if (!point || !view.area().contains(position))
+        return false;
+    const QPointF way = view.positionOf(*point) - position;
+    return std::hypot(way.x(), way.y()) <= handleHitRadius;
+}
+
+const TracedScene *tracedOfFrame(const SceneDocument &document, const Playhead &playhead)
+{
+    const TracedScene *traced = playhead.traced();
+    return traced && traced->scene.frame == document.scene().frame ? traced : nullptr;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/canvas/canvaspainter.h"
+
+#include "widgets/canvas/canvaspicture.h"
+#include "widgets/canvas/canvasview.h"
+
+#include <QPainter>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Fills what of a rectangle lies around another, which is going to be painted over: filling that
+/// too takes as long as painting it.
+void fillAround(QPainter &painter, const QRect &rect, const QRectF &covered, const QColor &colour)
+{
+    const QRect surelyCovered = covered.toRect().adjusted(1, 1, -1, -1);
+    for (const QRect &part : QRegion(rect) - surelyCovered)
+        painter.fillRect(part, colour);
+}
+
+void drawOutlines(FramePainter &frame, const CanvasScene &scene)
+{
+    for (const CanvasScene::Outline &outline : scene.outlines)
+        frame.drawOutline(outline.corners, outline.roles);
+    for (const Shape &shape : scene.shapes)
+        frame.drawShapeOutline(shape);
+}
+
+void drawSigns(FramePainter &frame, const CanvasScene &scene)
+{
+    for (const QPoint &pixel : scene.breakpoints)
+        frame.drawPixelBreakpoint(pixel);
+    if (scene.offScreenPoint)
+        frame.drawOffScreenPoint(*scene.offScreenPoint);
+    if (scene.picked)
+        frame.drawPickedPixel(*scene.picked);
+    if (scene.span) {
+        frame.drawPlumbLine(scene.span->place);
+        frame.drawEdgeTicks(*scene.span);
+    }
+}
+
+void drawVertices(FramePainter &frame, const CanvasScene &scene)
+{
+    for (const CanvasScene::Handle &handle : scene.handles)
+        frame.drawHandle(handle.point, handle.colour, handle.state);
+    for (const CanvasScene::VertexName &name : scene.names)
+        frame.drawVertexName(name.name, name.point, name.inside);
+}
+
+void drawPending(FramePainter &frame, const CanvasScene &scene)
+{
+    frame.drawRubberPath(scene.rubberPath);
+    if (scene.rubberShape)
+        frame.drawShapeOutline(*scene.rubberShape);
+    for (const CanvasScene::Handle &handle : scene.pending)
+        frame.drawHandle(handle.point, handle.colour, handle.state);
+    if (scene.candidate)
+        frame.drawCandidate(scene.candidate->point, scene.candidate->colour);
+}
+
+void paintRulers(QPainter &painter, const CanvasScene &scene, const CanvasView &view,
+                 const QPalette &palette)
+{
+    const QRectF columns = view.columnRuler();
+    const QRectF rows = view.rowRuler();
+    Ruler(Qt::Horizontal, columns, view.mapping()).paint(painter, palette, scene.columnMarks);
+    Ruler(Qt::Vertical, rows, view.mapping()).paint(painter, palette, scene.rowMarks);
+    const QRectF corner(0, columns.top(), rows.width(), columns.height());
+    painter.fillRect(corner, palette.color(QPalette::Window));
+}
+
+} // namespace
+
+void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const CanvasView &view,
+                          const QPalette &palette)
+{
+    const QRectF area = view.area();
+    fillAround(painter, view.bounds(), area, palette.color(QPalette::Window));
+    painter.setClipRect(area);
+    paintCells(painter, scene, view, palette);
+    FramePainter frame(painter, view.mapping(), palette, area);
+    frame.drawFrameEdge();
+    drawOutlines(frame, scene);
+    if (scene.marked)
+        m_differences.drawGlyphs(painter, scene.position, palette);
+    drawSigns(frame, scene);
+    drawVertices(frame, scene);
+    drawPending(frame, scene);
+    for (const CanvasScene::Note &note : scene.notes)
+        frame.drawNote(note.text, note.anchor, note.side);
+    painter.setClipping(false);
+    paintRulers(painter, scene, view, palette);
+}
+
+void CanvasPainter::paintCells(QPainter &painter, const CanvasScene &scene, const CanvasView &view,
+                               const QPalette &palette)
+{
+    const ViewMapping &mapping = view.mapping();
+    const QRect device = mapping.deviceRect(view.area()) & mapping.devicePicture();
+    const double ratio = mapping.devicePixelRatio();
+    const QRectF target(mapping.positionOfDevice(device.topLeft()), QSizeF(device.size()) / ratio);
+    fillAround(painter, view.area().toAlignedRect(), target, palette.color(QPalette::Mid));
+    if (device.isEmpty())
+        return;
+    if (!scene.frame) {
+        m_differences.forget();
+        painter.fillRect(target, QColor::fromRgb(packed(mapping.frame().background)));
+        return;
+    }
+    QImage shown = cellsOf(scene, mapping, device, palette);
+    shown.setDevicePixelRatio(ratio);
+    painter.drawImage(target.topLeft(), shown);
+}
+
+/// The cells in a rectangle of device pixels, with the lines between them and the signs in them.
+QImage CanvasPainter::cellsOf(const CanvasScene &scene, const ViewMapping &mapping,
+                              const QRect &device, const QPalette &palette)
+{
+    const bool isGridShown
+        = scene.grid == CanvasScene::Grid::Shown && gridColour(mapping).alpha() > 0;
+    if (scene.marked)
+        m_differences.lookUp(*scene.marked, mapping, device);
+    const bool isAsItIs = mapping.zoom() == ViewZoom{1, 1} && !isGridShown;
+    if (isAsItIs && (!scene.marked || !m_differences.hasMarks())) {
+        const QRect part = mapping.pictureIn(device);
+        const QImage whole = scene.frame->image();
+        return QImage(whole.constScanLine(part.top()) + part.left() * qsizetype(sizeof(QRgb)),
+                      part.width(), part.height(), whole.bytesPerLine(), whole.format());
+    }
+    m_cells.setDevicePixelRatio(1);
+    enlargePicture(scene.frame->image(), mapping, device, m_cells);
+    if (isGridShown)
+        blendGrid(m_cells, mapping, device, gridColour(mapping));
+    if (scene.marked)
+        m_differences.markCells(m_cells, scene.position, palette);
+    return m_cells;
+}
+
+} // namespace pixelplumb

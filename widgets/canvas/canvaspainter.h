@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/canvas/canvasscene.h"
+
+namespace pixelplumb {
+
+/// Paints what the canvas shows. It keeps the cells in view and their differences, so that a step
+/// of time does not look them all up again.
+class CanvasPainter {
+public:
+    void paint(QPainter &painter, const CanvasScene &scene, const CanvasView &view,
+               const QPalette &palette);
+
+private:
+    void paintCells(QPainter &painter, const CanvasScene &scene, const CanvasView &view,
+                    const QPalette &palette);
+    QImage cellsOf(const CanvasScene &scene, const ViewMapping &mapping, const QRect &device,
+                   const QPalette &palette);
+
+    QImage m_cells; ///< those in view, in device pixels
+    CanvasDifferences m_differences;
+};
+
+} // namespace pixelplumb

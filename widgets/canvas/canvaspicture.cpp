@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/canvas/canvaspicture.h"
+
+#include <QPainter>
+
+#include <cstring>
+#include <vector>
+
+namespace pixelplumb {
+
+void enlargePicture(const QImage &picture, const ViewMapping &mapping, const QRect &device,
+                    QImage &shown)
+{
+    Q_ASSERT(mapping.devicePicture().contains(device));
+    if (shown.size() != device.size())
+        shown = QImage(device.size(), QImage::Format_RGB32);
+
+    std::vector<int> columns(std::size_t(device.width()));
+    for (int x = 0; x < device.width(); ++x)
+        columns[std::size_t(x)] = mapping.pictureColumnAt(device.left() + x);
+
+    const bool isCopied = mapping.zoom() == ViewZoom{1, 1};
+    int previousLine = -1;
+    for (int y = 0; y < device.height(); ++y) {
+        const int line = mapping.pictureLineAt(device.top() + y);
+        uchar *const target = shown.scanLine(y);
+        if (line == previousLine) {
+            std::memcpy(target, shown.constScanLine(y - 1), std::size_t(shown.bytesPerLine()));
+            continue;
+        }
+        const auto *const source = reinterpret_cast<const QRgb *>(picture.constScanLine(line));
+        if (isCopied) {
+            std::memcpy(target, source + columns[0], std::size_t(device.width()) * sizeof(QRgb));
+            continue;
+        }
+        auto *const pixels = reinterpret_cast<QRgb *>(target);
+        for (int x = 0; x < device.width(); ++x)
+            pixels[x] = source[columns[std::size_t(x)]];
+        previousLine = line;
+    }
+}
+
+void blendGrid(QImage &shown, const ViewMapping &mapping, const QRect &device, const QColor &colour)
+{
+    const int cell = mapping.zoom().devicePixels;
+    if (colour.alpha() == 0 || cell < 2)
+        return;
+    // One tiled fill costs a fraction of some hundred thin translucent rectangles.
+    QImage tile(cell, cell, QImage::Format_ARGB32_Premultiplied);
+    tile.fill(Qt::transparent);
+    QPainter lines(&tile);
+    lines.fillRect(0, 0, cell, 1, colour);
+    lines.fillRect(0, 1, 1, cell - 1, colour);
+    lines.end();
+    QPainter painter(&shown);
+    painter.setBrushOrigin(mapping.origin() - device.topLeft());
+    painter.fillRect(shown.rect(), QBrush(tile));
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,214 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/canvas/canvasscene.h"
+
+#include "core/geometry/shapeediting.h"
+#include "widgets/canvas/canvasoutlines.h"
+#include "widgets/canvas/canvasview.h"
+#include "widgets/look/displayoptions.h"
+#include "widgets/look/numberformat.h"
+#include "widgets/model/placinghint.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenepreviewer.h"
+
+#include <QCoreApplication>
+
+namespace pixelplumb {
+
+namespace {
+
+QString coordinateNote(const LatticePoint &point)
+{
+    return QStringLiteral("(%1, %2)")
+        .arg(displayText(Quantity::rational(point.x, unitsPerPixel)),
+             displayText(Quantity::rational(point.y, unitsPerPixel)));
+}
+
+/// Collects what is shown, piece by piece.
+class Collector {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::Canvas)
+
+public:
+    Collector(const CanvasSources &sources, const CanvasView &view, const CanvasHand &hand,
+              CanvasScene &scene)
+        : m_document(*sources.document)
+        , m_playhead(*sources.playhead)
+        , m_options(*sources.options)
+        , m_previewer(sources.previewer)
+        , m_view(view)
+        , m_hand(hand)
+        , m_isTruth(isTruthVisible(sources, hand))
+        , m_scene(scene)
+    {
+    }
+
+    void addPicture()
+    {
+        const ScenePicture *preview = shownPreview();
+        const TracedScene *traced = tracedOfFrame(m_document, m_playhead);
+        m_scene.position = m_playhead.position();
+        if (m_isTruth && preview && preview->exactTwin())
+            m_scene.frame = preview->exactTwin();
+        else if (m_isTruth)
+            m_scene.frame = traced ? &traced->truth : nullptr;
+        else if (preview)
+            m_scene.frame = &preview->drawn();
+        else
+            m_scene.frame = traced ? m_playhead.frame() : nullptr;
+        if (m_options.isGridShown())
+            m_scene.grid = CanvasScene::Grid::Shown;
+        if (!m_options.areDifferencesShown() || m_isTruth)
+            return;
+        m_scene.marked = preview ? CanvasDifferences::Source{nullptr, m_previewer->picture()}
+                                 : CanvasDifferences::Source{m_playhead.sharedTraced(), nullptr};
+    }
+
+    void addSigns()
+    {
+        for (const auto &[x, y] : m_playhead.pixelBreakpoints())
+            m_scene.breakpoints.emplace_back(x, y);
+        m_scene.picked = m_playhead.pickedPixel();
+        const std::optional<std::size_t> span = m_playhead.spanInHand();
+        if (const std::optional<LatticePoint> point = m_document.offScreenPoint())
+            m_scene.offScreenPoint = m_view.onSamples(*point);
+        if (span && tracedOfFrame(m_document, m_playhead))
+            m_scene.span = m_playhead.traced()->trace->span(*span);
+    }
+
+    void addRulerMarks()
+    {
+        for (const std::int64_t x : m_playhead.columnBreakpoints())
+            m_scene.columnMarks.push_back({double(x), Sign::Breakpoint});
+        if (const std::optional<QPoint> pixel = m_playhead.pickedPixel()) {
+            m_scene.columnMarks.push_back({double(pixel->x()), Sign::PickedPixel});
+            m_scene.rowMarks.push_back({double(pixel->y()), Sign::PickedPixel});
+        }
+        for (const std::int64_t y : m_playhead.rowBreakpoints())
+            m_scene.rowMarks.push_back({double(y), Sign::Breakpoint});
+        const std::optional<SpanPlace> place = m_playhead.placeInHand();
+        if (place && place->axis == SpanAxis::Column)
+            m_scene.columnMarks.push_back({double(place->coordinate), Sign::ColumnInHand});
+        if (place && place->axis == SpanAxis::Row)
+            m_scene.rowMarks.push_back({double(place->coordinate), Sign::ColumnInHand});
+    }
+
+    void addCandidate()
+    {
+        if (!m_hand.candidate)
+            return;
+        const LatticePoint tip = m_view.onSamples(*m_hand.candidate);
+        const Colour colour = m_document.nextColour();
+        m_scene.candidate = {tip, colour};
+        std::vector<Vertex> vertices;
+        for (const Vertex &vertex : m_document.pendingVertices()) {
+            vertices.push_back({m_view.onSamples(vertex.position), vertex.colour});
+            m_scene.pending.push_back({vertices.back().position, vertex.colour, HandleState::Idle});
+        }
+        if (!vertices.empty()) {
+            vertices.push_back({tip, colour});
+            addRubber(vertices);
+        }
+        if (!m_document.pendingVertices().empty() || m_hand.isPressed)
+            m_scene.notes.push_back({coordinateNote(*m_hand.candidate),
+                                     m_view.mapping().positionOf(tip), NoteSide::BelowRight});
+    }
+
+    void addNotes(const OutlineChoice &choice)
+    {
+        const std::optional<VertexRef> ref = m_document.selectedVertex();
+        if (ref && m_hand.isMoving) {
+            const LatticePoint point = m_document.vertexAt(*ref)->position;
+            m_scene.notes.push_back(
+                {coordinateNote(point), m_view.positionOf(point), NoteSide::BelowRight});
+        }
+        const QRectF area = m_view.area();
+        if (const QString text = hint(); !text.isEmpty())
+            m_scene.notes.push_back({text, {area.center().x(), area.top()}, NoteSide::Below});
+        if (const QString text = viewNote(choice); !text.isEmpty())
+            m_scene.notes.push_back({text, {area.center().x(), area.bottom()}, NoteSide::Above});
+    }
+
+private:
+    /// The picture that stands for the run: while the run of the present scene is not there, and at
+    /// the end of one that was cut.
+    const ScenePicture *shownPreview() const
+    {
+        const ScenePicture *picture = m_previewer ? m_previewer->picture().get() : nullptr;
+        if (!picture || picture->spec() != m_view.mapping().frame())
+            return nullptr;
+        const bool isAtEnd = m_playhead.position() == m_playhead.end();
+        return m_previewer->isAheadOfTrace() || isAtEnd ? picture : nullptr;
+    }
+
+    /// What the pending vertices and the tip, the last of these, would make.
+    void addRubber(const std::vector<Vertex> &vertices)
+    {
+        const PrimitiveKind kind = m_document.placedKind();
+        const bool closes = kind == PrimitiveKind::Triangle || kind == PrimitiveKind::Polygon;
+        if (!closes && placedVertexCount(kind) == vertices.size()) {
+            m_scene.rubberShape = shapeFrom(kind, vertices);
+            return;
+        }
+        for (const Vertex &vertex : vertices)
+            m_scene.rubberPath.push_back(vertex.position);
+        if (closes && vertices.size() > 2)
+            m_scene.rubberPath.push_back(vertices.front().position);
+    }
+
+    QString hint() const
+    {
+        if (m_isTruth)
+            return tr("Truth: the exact picture");
+        const QString foreign = m_document.pendingVertices().empty()
+            ? foreignSceneHint(m_document.scene())
+            : QString();
+        if (!foreign.isEmpty())
+            return foreign + u'\n' + placingHint(m_document.placedKind(), 0, FrameContent::Empty);
+        return placingHint(m_document.placedKind(), m_document.pendingVertices().size(),
+                           m_document.primitiveCount() == 0 ? FrameContent::Empty
+                                                            : FrameContent::Drawn);
+    }
+
+    /// Why the view does not show what it usually does.
+    QString viewNote(const OutlineChoice &choice) const
+    {
+        QStringList notes;
+        if (shownPreview() && !m_isTruth && !m_previewer->isAheadOfTrace())
+            notes += tr("Finished picture; the first %L1 steps are recorded").arg(m_playhead.end());
+        if (choice.isCrowded())
+            notes += tr("Outlines and handles only under the pointer and in hand: over %1 in view")
+                         .arg(OutlineChoice::mostInView);
+        return notes.join(QStringLiteral(" · "));
+    }
+
+    const SceneDocument &m_document;
+    const Playhead &m_playhead;
+    const DisplayOptions &m_options;
+    const ScenePreviewer *m_previewer;
+    const CanvasView &m_view;
+    const CanvasHand &m_hand;
+    bool m_isTruth;
+    CanvasScene &m_scene;
+};
+
+} // namespace
+
+bool isTruthVisible(const CanvasSources &sources, const CanvasHand &hand)
+{
+    return sources.options->isTruthShown() || hand.isPeeking;
+}
+
+CanvasScene canvasScene(const CanvasSources &sources, const CanvasView &view,
+                        const OutlineChoice &choice, const CanvasHand &hand)
+{
+    CanvasScene scene;
+    Collector collector(sources, view, hand, scene);
+    collector.addPicture();
+    collector.addSigns();
+    collector.addRulerMarks();
+    addOutlines(scene, sources, view, choice, hand);
+    collector.addCandidate();
+    collector.addNotes(choice);
+    return scene;
+}
+
+} // namespace pixelplumb

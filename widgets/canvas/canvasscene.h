@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/canvas/canvasdifferences.h"
+#include "widgets/canvas/outlinechoice.h"
+#include "widgets/canvas/ruler.h"
+#include "widgets/look/framepainter.h"
+
+namespace pixelplumb {
+
+class CanvasView;
+class DisplayOptions;
+class Playhead;
+class ScenePreviewer;
+
+/// Whatever the canvas shows comes from these.
+struct CanvasSources {
+    SceneDocument *document = nullptr;
+    Playhead *playhead = nullptr;
+    DisplayOptions *options = nullptr;
+    const ScenePreviewer *previewer = nullptr; ///< none: runs alone are shown
+};
+
+/// What the pointer and the keys are about.
+struct CanvasHand {
+    std::optional<VertexRef> hovered;
+    /// The vertex that a click or Enter would place now, in the scene's coordinates.
+    std::optional<LatticePoint> candidate;
+    bool isPressed = false; ///< a press of the mouse does something
+    bool isMoving = false; ///< a vertex
+    bool isPeeking = false; ///< at the truth
+};
+
+/// What the canvas shows, taken from the document, the run and the hand once, so that painting only
+/// draws. Points are sample coordinates, anchors positions on the widget.
+struct CanvasScene {
+    struct Outline {
+        std::array<LatticePoint, 3> corners;
+        EdgeRoles roles;
+    };
+    struct Handle {
+        LatticePoint point;
+        Colour colour;
+        HandleState state = HandleState::Idle;
+    };
+    struct VertexName {
+        QString name;
+        LatticePoint point;
+        QPointF inside; ///< of the primitive
+    };
+    struct Candidate {
+        LatticePoint point;
+        Colour colour;
+    };
+    struct Note {
+        QString text;
+        QPointF anchor;
+        NoteSide side = NoteSide::Below;
+    };
+    enum class Grid { Hidden, Shown };
+
+    const FrameBuffer *frame = nullptr; ///< whose cells are shown; null: the background
+    Grid grid = Grid::Hidden;
+    std::optional<CanvasDifferences::Source> marked; ///< none: differences are not shown
+    std::size_t position = 0; ///< of the playhead
+
+    std::vector<Outline> outlines;
+    std::vector<Shape> shapes; ///< outlined over the triangles
+    std::vector<QPoint> breakpoints;
+    std::optional<QPoint> picked;
+    std::optional<SpanRecord> span; ///< in hand
+    std::optional<LatticePoint> offScreenPoint; ///< of the rule in force
+    std::vector<Handle> handles;
+    std::vector<VertexName> names;
+    /// What the pending vertices and the candidate would make, and they themselves over it.
+    std::vector<LatticePoint> rubberPath;
+    std::optional<Shape> rubberShape;
+    std::vector<Handle> pending;
+    std::optional<Candidate> candidate;
+    std::vector<Note> notes;
+
+    std::vector<RulerMark> columnMarks;
+    std::vector<RulerMark> rowMarks;
+};
+
+/// `choice` knows which outlines are in view.
+CanvasScene canvasScene(const CanvasSources &sources, const CanvasView &view,
+                        const OutlineChoice &choice, const CanvasHand &hand);
+
+/// Whether the truth stands in the frame's place.
+bool isTruthVisible(const CanvasSources &sources, const CanvasHand &hand);
+
+} // namespace pixelplumb

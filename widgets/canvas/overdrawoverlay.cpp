@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/canvas/overdrawoverlay.h"
+
+#include "widgets/canvas/canvas.h"
+#include "widgets/canvas/canvaspicture.h"
+#include "widgets/look/framepainter.h"
+#include "widgets/look/signs.h"
+#include "widgets/model/playhead.h"
+
+#include <QEvent>
+#include <QPainter>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr int strongest = 4; ///< writes from which on the shade grows no more
+
+} // namespace
+
+OverdrawOverlay::OverdrawOverlay(Canvas *canvas, Playhead *playhead)
+    : QWidget(canvas)
+    , m_canvas(canvas)
+    , m_playhead(playhead)
+{
+    setObjectName(QStringLiteral("overdrawMap"));
+    setAttribute(Qt::WA_TransparentForMouseEvents);
+    setFocusPolicy(Qt::NoFocus);
+    setGeometry(canvas->rect());
+    hide();
+    canvas->installEventFilter(this);
+    connect(playhead, &Playhead::tracedChanged, this, &OverdrawOverlay::followTrace);
+}
+
+bool OverdrawOverlay::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_canvas && event->type() == QEvent::Resize)
+        setGeometry(m_canvas->rect());
+    return QWidget::eventFilter(watched, event);
+}
+
+void OverdrawOverlay::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    followTrace();
+}
+
+void OverdrawOverlay::followTrace()
+{
+    if (!isVisible() || m_counted == m_playhead->sharedTraced())
+        return;
+    m_counted = m_playhead->sharedTraced();
+    m_map = m_counted ? overdrawOf(*m_counted) : OverdrawMap();
+    makeShades();
+    update();
+}
+
+void OverdrawOverlay::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange && m_counted)
+        makeShades();
+    QWidget::changeEvent(event);
+}
+
+QString OverdrawOverlay::summary() const
+{
+    if (!m_counted)
+        return tr("Overdraw: the scene is being drawn");
+    if (m_map.overdrawnPixels() == 0 && m_map.gaps() == 0)
+        return tr("Overdraw: every pixel once, no gap");
+    return tr("Overdraw: %1 pixels twice or more, %2 times at most; %3 gaps")
+        .arg(m_map.overdrawnPixels())
+        .arg(m_map.mostWrites())
+        .arg(m_map.gaps());
+}
+
+void OverdrawOverlay::paintEvent(QPaintEvent *)
+{
+    const ViewMapping &mapping = m_canvas->mapping();
+    const QRectF view = m_canvas->view();
+    QPainter painter(this);
+    painter.setClipRect(view);
+    const QRect device = mapping.deviceRect(view) & mapping.devicePicture();
+    if (m_counted && m_counted->scene.frame == mapping.frame() && !device.isEmpty()) {
+        if (m_cells.size() != device.size())
+            m_cells = QImage(device.size(), QImage::Format_ARGB32_Premultiplied);
+        m_cells.setDevicePixelRatio(1);
+        enlargePicture(m_shades, mapping, device, m_cells);
+        m_cells.setDevicePixelRatio(mapping.devicePixelRatio());
+        painter.drawImage(mapping.positionOfDevice(device.topLeft()), m_cells);
+        paintDigits(painter, mapping.pictureIn(device));
+    }
+    FramePainter frame(painter, mapping, palette(), view);
+    frame.drawNote(summary(), {view.center().x(), view.bottom()}, NoteSide::Above);
+}
+
+QRgb OverdrawOverlay::shadeOf(std::int64_t x, std::int64_t y) const
+{
+    const int writes = m_map.writesAt(x, y);
+    const bool isGap = m_map.isGapAt(x, y);
+    if (writes == 0 && !isGap)
+        return qRgba(0, 0, 0, 0);
+    QColor colour = signColour(isGap ? Sign::Missing : Sign::Extra, palette());
+    if (!isGap)
+        colour.setAlphaF(writes == 1 ? 0.12F
+                                     : 0.35F + 0.15F * float(std::min(writes, strongest) - 1));
+    return qPremultiply(colour.rgba());
+}
+
+void OverdrawOverlay::makeShades()
+{
+    const FrameSpec &spec = m_map.spec();
+    m_shades = QImage(spec.width, spec.height, QImage::Format_ARGB32_Premultiplied);
+    for (int line = 0; line < spec.height; ++line) {
+        const std::int64_t y = rowOfPictureLine(spec, line);
+        auto *const pixels = reinterpret_cast<QRgb *>(m_shades.scanLine(line));
+        for (int column = 0; column < spec.width; ++column)
+            pixels[column] = shadeOf(std::int64_t(spec.firstColumn) + column, y);
+    }
+}
+
+/// The second sign beside the shades: how often, where the cells have room.
+void OverdrawOverlay::paintDigits(QPainter &painter, const QRect &shown) const
+{
+    const ViewMapping &mapping = m_canvas->mapping();
+    const double cell = mapping.zoom().devicePixels / mapping.devicePixelRatio();
+    if (mapping.zoom().framePixels > 1 || cell < leastGlyphCell)
+        return;
+    QFont digits = font();
+    digits.setBold(true);
+    digits.setPixelSize(std::min(int(cell), 22));
+    painter.setFont(digits);
+    painter.setPen(isDark(palette()) ? Qt::black : Qt::white);
+    for (int line = shown.top(); line <= shown.bottom(); ++line) {
+        const std::int64_t y = rowOfPictureLine(mapping.frame(), line);
+        for (int column = shown.left(); column <= shown.right(); ++column) {
+            const int x = mapping.frame().firstColumn + column;
+            const int writes = m_map.writesAt(x, y);
+            if (writes > 1 || m_map.isGapAt(x, y))
+                painter.drawText(mapping.cellOf({x, int(y)}), Qt::AlignCenter,
+                                 QString::number(writes));
+        }
+    }
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/export/traceexport.h"
+#include "widgets/model/job.h"
+
+#include <QObject>
+
+class QWidget;
+
+namespace pixelplumb {
+
+class DisplayOptions;
+class Playhead;
+
+/// What leaves the window: the picture, the annotated grid, the trace as a table, the raster as
+/// text; and the raster that comes back by the clipboard.
+class SceneExports : public QObject {
+    Q_OBJECT
+
+public:
+    SceneExports(Playhead *playhead, const DisplayOptions *options, QWidget *window);
+
+    /// The name that file dialogs begin with, without its ending.
+    void setBaseName(const QString &name) { m_baseName = name; }
+    /// The scene's file, empty where it has none: nothing is written over it.
+    void setScenePath(const QString &path) { m_scenePath = path; }
+
+    /// Each is false after a complaint.
+    bool writePicture(const QString &path);
+    bool writeAnnotatedGrid(const QString &path);
+    bool writeRaster(const QString &path);
+    /// Begins to write the run in hand beside the GUI thread, whatever becomes of it there; one
+    /// trace at a time. Only a whole file ever stands at the path.
+    bool writeTrace(const QString &path, TraceLevel level, TableFormat format);
+
+    const Job &writing() const { return m_writing; }
+    void cancelWriting();
+
+public slots:
+    void exportPicture();
+    void exportAnnotatedGrid();
+    void exportTrace(pixelplumb::TraceLevel level, pixelplumb::TableFormat format);
+    void exportRaster();
+    /// The finished picture's coverage.
+    void copyRaster();
+    /// Lays the clipboard's raster over the finished picture.
+    void compareWithClipboard();
+    /// "pixel (27, 19) #a06f30 …": the picked pixel and what wrote it.
+    void copyPickedPixel();
+
+signals:
+    void complaint(const QString &text);
+    void notice(const QString &text);
+
+private:
+    QString askForPath(const QString &title, const QString &filter, const QString &suffix) const;
+    /// False after a complaint: nothing is drawn, or the path is the scene's own.
+    bool mayWriteTo(const QString &path);
+    bool hasTrace();
+    bool tellOutcome(const QString &path, const QString &error);
+
+    Playhead *m_playhead;
+    const DisplayOptions *m_options;
+    QWidget *m_window;
+    QString m_baseName;
+    QString m_scenePath;
+    Job m_writing; ///< of a trace
+    QString m_writtenPath;
+};
+
+} // namespace pixelplumb

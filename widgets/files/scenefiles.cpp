@@ -1,0 +1,293 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/files/scenefiles.h"
+
+#include "core/scene/scenefile.h"
+#include "widgets/files/examplefolder.h"
+#include "widgets/files/recentfiles.h"
+#include "widgets/model/runnotes.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QFile>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QProgressDialog>
+#include <QStandardPaths>
+
+#include <new>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Bytes. Larger files take longer to read than a person should wait (some 16 µs a triangle).
+constexpr qint64 largestReadAtOnce = qint64(1) << 18;
+
+/// More primitives take longer to write than a person should wait (some 5 µs each).
+constexpr std::size_t mostWrittenAtOnce = 5'000;
+
+QString sceneFilter() { return SceneFiles::tr("Scenes (*.json);;All files (*)"); }
+
+} // namespace
+
+QString SceneFiles::defaultScenePath() { return QStringLiteral(":/scenes/default.json"); }
+
+SceneFiles::SceneFiles(SceneDocument *document, RecentFiles *recent, QWidget *window)
+    : QObject(window)
+    , askAboutChanges([this] { return pixelplumb::askAboutChanges(displayName(), m_window); })
+    , askAboutRevert([this] { return pixelplumb::askAboutRevert(displayName(), m_window); })
+    , m_document(document)
+    , m_recent(recent)
+    , m_window(window)
+{
+}
+
+QString SceneFiles::displayName() const
+{
+    return m_path.isEmpty() ? tr("untitled") : QFileInfo(m_path).fileName();
+}
+
+bool SceneFiles::mayReplace()
+{
+    if (!waitForSaving())
+        return false;
+    if (!m_document->isModified())
+        return true;
+    switch (askAboutChanges()) {
+    case UnsavedChanges::Save:
+        return save() && waitForSaving() && !m_document->isModified();
+    case UnsavedChanges::Discard:
+        return true;
+    case UnsavedChanges::Cancel:
+        return false;
+    }
+    return false;
+}
+
+bool SceneFiles::load(const QString &path)
+{
+    if (QFileInfo(path).size() > largestReadAtOnce) {
+        m_editsAtLoad = m_document->undoStack()->index();
+        m_loading.setTitle(tr("Opening %1").arg(QFileInfo(path).fileName()));
+        m_loading.start(
+            [path](const ProgressListener &listener) {
+                return std::make_shared<Result<SceneReading>>(readSceneFile(path, listener));
+            },
+            [this, path](const std::shared_ptr<Result<SceneReading>> &reading) {
+                Result<SceneReading> tooLarge
+                    = InputError{path, tr("the scene does not fit into memory"), {}};
+                takeLoaded(path, reading ? *reading : tooLarge);
+            });
+        return true;
+    }
+    Result<SceneReading> reading = readSceneFile(path);
+    if (!reading) {
+        complainOf(path, reading.error().message());
+        return false;
+    }
+    show(path, *reading);
+    return true;
+}
+
+void SceneFiles::cancelLoading()
+{
+    if (!isLoading())
+        return;
+    m_loading.cancel();
+    emit loadingFailed();
+}
+
+void SceneFiles::takeLoaded(const QString &path, Result<SceneReading> &reading)
+{
+    if (!reading) {
+        complainOf(path, reading.error().message());
+        emit loadingFailed();
+        return;
+    }
+    // The old document could be edited meanwhile.
+    const bool wasEdited = m_document->undoStack()->index() != m_editsAtLoad;
+    if (wasEdited && !mayReplace()) {
+        emit loadingFailed();
+        return;
+    }
+    show(path, *reading);
+}
+
+void SceneFiles::complainOf(const QString &path, const QString &message)
+{
+    emit complaint(message.contains(path)
+                       ? tr("Not opened: %1").arg(message)
+                       : tr("%1 was not opened: %2").arg(QFileInfo(path).fileName(), message));
+}
+
+void SceneFiles::show(const QString &path, SceneReading &reading)
+{
+    replaceBy(std::move(reading.scene), path);
+    m_recent->add(path);
+    if (!reading.snaps.empty())
+        emit notice(snapNote(reading.snaps));
+}
+
+/// Whatever else is being read is not wanted any more.
+void SceneFiles::replaceBy(Scene scene, const QString &path)
+{
+    cancelLoading();
+    emit replacing();
+    m_document->reset(std::move(scene));
+    setPath(path);
+    emit loaded();
+}
+
+bool SceneFiles::saveTo(const QString &path)
+{
+    if (!waitForSaving())
+        return false;
+    const std::shared_ptr<const Scene> scene = m_document->snapshot();
+    if (scene->triangles.size() + scene->shapes.size() > mostWrittenAtOnce) {
+        startSaving(path, scene);
+        return true;
+    }
+    const std::optional<InputError> error = writeSceneFile(path, *scene);
+    takeSaved(path, scene, error);
+    return !error;
+}
+
+/// The file that was promised is written even when the window is gone meanwhile.
+void SceneFiles::startSaving(const QString &path, const std::shared_ptr<const Scene> &scene)
+{
+    m_saving.setTitle(tr("Saving %1").arg(QFileInfo(path).fileName()));
+    m_saving.start(
+        [path, scene](const ProgressListener &) -> std::optional<InputError> {
+            try {
+                return writeSceneFile(path, *scene);
+            } catch (const std::bad_alloc &) {
+                return InputError{path, tr("the scene's text does not fit into memory"), {}};
+            }
+        },
+        [this, path, scene](const std::optional<InputError> &error) {
+            takeSaved(path, scene, error);
+        });
+}
+
+void SceneFiles::takeSaved(const QString &path, const std::shared_ptr<const Scene> &scene,
+                           const std::optional<InputError> &error)
+{
+    if (error) {
+        emit complaint(tr("The scene was not saved: %1").arg(error->message()));
+        return;
+    }
+    if (m_document->snapshot() == scene) // else it was edited meanwhile
+        m_document->markSaved();
+    setPath(path);
+    m_recent->add(path);
+}
+
+/// Until the file that is being written is whole; false when the person would rather go on.
+bool SceneFiles::waitForSaving()
+{
+    if (!m_saving.isRunning())
+        return true;
+    QProgressDialog dialog(tr("Saving…"), tr("Go on working"), 0, 0, m_window);
+    dialog.setObjectName(QStringLiteral("savingDialog"));
+    dialog.setWindowModality(Qt::WindowModal);
+    connect(&m_saving, &Job::ended, &dialog, &QDialog::accept);
+    return dialog.exec() == QDialog::Accepted;
+}
+
+void SceneFiles::loadDefault()
+{
+    QFile file(defaultScenePath());
+    if (file.open(QIODevice::ReadOnly)) {
+        if (Result<SceneReading> reading = readScene(file.readAll()))
+            replaceBy(std::move(reading->scene), {});
+        else
+            emit complaint(reading.error().message());
+    }
+}
+
+bool SceneFiles::showScene(const Scene &scene)
+{
+    if (!mayReplace())
+        return false;
+    replaceBy(scene, {});
+    return true;
+}
+
+void SceneFiles::newScene()
+{
+    if (!mayReplace())
+        return;
+    Scene scene;
+    scene.frame = m_document->scene().frame;
+    scene.settings = m_document->scene().settings;
+    scene.method = m_document->scene().method;
+    replaceBy(std::move(scene), {});
+}
+
+void SceneFiles::open()
+{
+    if (!mayReplace())
+        return;
+    const QString path
+        = QFileDialog::getOpenFileName(m_window, tr("Open a Scene"), folder(), sceneFilter());
+    if (!path.isEmpty())
+        load(path);
+}
+
+void SceneFiles::openFile(const QString &path)
+{
+    if (mayReplace())
+        load(path);
+}
+
+bool SceneFiles::save()
+{
+    return m_path.isEmpty() || isExample(m_path) ? saveAs() : saveTo(m_path);
+}
+
+bool SceneFiles::saveAs()
+{
+    const QString proposal = proposedPath();
+    QFileDialog dialog(m_window, tr("Save the Scene"), proposal, sceneFilter());
+    dialog.setObjectName(QStringLiteral("saveDialog"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("json"));
+    dialog.selectFile(proposal);
+    return dialog.exec() == QDialog::Accepted && saveTo(dialog.selectedFiles().constFirst());
+}
+
+void SceneFiles::revert()
+{
+    if (m_path.isEmpty() || !waitForSaving())
+        return;
+    if (m_document->isModified() && askAboutRevert() != UnsavedChanges::Discard)
+        return;
+    load(m_path);
+}
+
+QString SceneFiles::folder() const
+{
+    if (!m_path.isEmpty())
+        return QFileInfo(m_path).absolutePath();
+    if (!m_recent->paths().isEmpty())
+        return QFileInfo(m_recent->paths().constFirst()).absolutePath();
+    return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+}
+
+/// Where the scene came from, or beside the last file; never among the program's examples.
+QString SceneFiles::proposedPath() const
+{
+    const QString name
+        = m_path.isEmpty() ? QStringLiteral("scene.json") : QFileInfo(m_path).fileName();
+    const QString proposal = folder() + u'/' + name;
+    if (!isExample(proposal))
+        return proposal;
+    return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + u'/' + name;
+}
+
+void SceneFiles::setPath(const QString &path)
+{
+    m_path = path;
+    emit pathChanged();
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/scenefile.h"
+#include "widgets/files/unsavedchanges.h"
+#include "widgets/model/job.h"
+
+#include <QObject>
+#include <QString>
+
+#include <functional>
+#include <memory>
+
+class QWidget;
+
+namespace pixelplumb {
+
+class RecentFiles;
+class SceneDocument;
+
+/// The document's life as a file: new, open, save, and the question before changes are lost. Large
+/// files are read beside the GUI thread; the old document stays until the new one is whole. Large
+/// scenes are written there as well; nothing replaces the document before its file is whole.
+class SceneFiles : public QObject {
+    Q_OBJECT
+
+public:
+    /// The scene with which the program starts and "new" begins.
+    static QString defaultScenePath();
+
+    SceneFiles(SceneDocument *document, RecentFiles *recent, QWidget *window);
+
+    /// Empty when the scene has no file yet.
+    QString path() const { return m_path; }
+    /// The file's name, or "untitled".
+    QString displayName() const;
+
+    /// True when the document may be replaced: nothing unsaved, or saved now, or given up.
+    bool mayReplace();
+    /// Opens without asking. False after a complaint; then the document is untouched. A large file
+    /// is open when loaded() says so, and on its way while isLoading().
+    bool load(const QString &path);
+    bool isLoading() const { return m_loading.isRunning(); }
+    const Job &loading() const { return m_loading; }
+    const Job &saving() const { return m_saving; }
+    /// False after a complaint. A large scene is saved when the document says that it is
+    /// unmodified.
+    bool saveTo(const QString &path);
+    void loadDefault();
+    /// A scene that is in no file; false when the person keeps the one that is there.
+    bool showScene(const Scene &scene);
+
+    /// The question before changes are lost; a test answers it by replacing the function.
+    std::function<UnsavedChanges()> askAboutChanges;
+    /// The same before going back to the file: Discard or Cancel.
+    std::function<UnsavedChanges()> askAboutRevert;
+
+public slots:
+    void cancelLoading();
+    void newScene();
+    void open();
+    void openFile(const QString &path);
+    /// Where the scene came from; an example is saved where the person says.
+    bool save();
+    bool saveAs();
+    void revert(); ///< to what the file says
+
+signals:
+    /// Another scene is about to stand in the document, which has nothing to do with the one
+    /// before.
+    void replacing();
+    void pathChanged();
+    void loaded();
+    void loadingFailed(); ///< after a complaint, or cancelled: the document is as it was
+    void complaint(const QString &text);
+    void notice(const QString &text);
+
+private:
+    QString folder() const;
+    QString proposedPath() const;
+    void setPath(const QString &path);
+    void takeLoaded(const QString &path, Result<SceneReading> &reading);
+    void show(const QString &path, SceneReading &reading);
+    void replaceBy(Scene scene, const QString &path);
+    void startSaving(const QString &path, const std::shared_ptr<const Scene> &scene);
+    bool waitForSaving();
+    void takeSaved(const QString &path, const std::shared_ptr<const Scene> &scene,
+                   const std::optional<InputError> &error);
+    void complainOf(const QString &path, const QString &message);
+
+    SceneDocument *m_document;
+    RecentFiles *m_recent;
+    QWidget *m_window;
+    Job m_loading; ///< of a large file: a newer one is read instead
+    Job m_saving; ///< of a large scene
+    int m_editsAtLoad = 0; ///< the undo stack's place when the reading began
+    QString m_path;
+};
+
+} // namespace pixelplumb

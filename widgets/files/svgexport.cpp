@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/files/svgexport.h"
+
+#include "core/scene/fileaccess.h"
+#include "widgets/canvas/ruler.h"
+#include "widgets/look/displayoptions.h"
+#include "widgets/look/framepainter.h"
+#include "widgets/model/playhead.h"
+
+#include <QBuffer>
+#include <QCoreApplication>
+#include <QGuiApplication>
+#include <QPainter>
+#include <QSvgGenerator>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr int cellSize = 16; ///< room for a glyph
+constexpr int smallestCellSize = 4;
+constexpr int largestSide = 4096; ///< of the figure; larger frames get smaller cells
+constexpr double margin = 16;
+constexpr int fontSize = 13;
+
+/// Figures are for paper, whatever the window looks like.
+QPalette paperPalette()
+{
+    QPalette palette(Qt::white);
+    palette.setColor(QPalette::Window, Qt::white);
+    palette.setColor(QPalette::Base, Qt::white);
+    palette.setColor(QPalette::WindowText, Qt::black);
+    palette.setColor(QPalette::Text, Qt::black);
+    return palette;
+}
+
+/// The parts of the figure: rulers at the left and below or above, as on the canvas.
+struct Layout {
+    ViewMapping mapping;
+    QRectF view;
+    QRectF columnRuler;
+    QRectF rowRuler;
+    QSize size;
+};
+
+Layout layOut(const FrameSpec &frame, const QFontMetricsF &metrics)
+{
+    const int cell
+        = std::clamp(largestSide / std::max(frame.width, frame.height), smallestCellSize, cellSize);
+    const double rulerWidth = rowRulerWidth(metrics, frame);
+    const double rulerHeight = columnRulerHeight(metrics);
+    const bool below = frame.origin == FrameOrigin::BottomLeft;
+    const QSizeF viewSize(frame.width * cell + 2 * margin, frame.height * cell + 2 * margin);
+    const QRectF view({rulerWidth, below ? 0 : rulerHeight}, viewSize);
+    Layout layout;
+    layout.mapping = ViewMapping(frame, ViewZoom::fromNumber(cell),
+                                 (view.topLeft() + QPointF(margin, margin)).toPoint());
+    layout.view = view;
+    layout.columnRuler = {view.left(), below ? view.bottom() : 0, view.width(), rulerHeight};
+    layout.rowRuler = {0, view.top(), rulerWidth, view.height()};
+    layout.size = {int(view.width() + rulerWidth), int(view.height() + rulerHeight)};
+    return layout;
+}
+
+void drawCells(QPainter &painter, const QImage &picture, const ViewMapping &mapping)
+{
+    const double cell = mapping.zoom().devicePixels;
+    for (int line = 0; line < picture.height(); ++line) {
+        const auto *const pixels = reinterpret_cast<const QRgb *>(picture.constScanLine(line));
+        int end = 0;
+        for (int first = 0; first < picture.width(); first = end) {
+            end = first + 1;
+            while (end < picture.width() && pixels[end] == pixels[first])
+                ++end;
+            const QPointF corner = mapping.origin() + QPointF(first, line) * cell;
+            painter.fillRect(QRectF(corner, QSizeF((end - first) * cell, cell)),
+                             QColor::fromRgb(pixels[first]));
+        }
+    }
+}
+
+void drawDifferences(QPainter &painter, const TracedScene &traced, std::size_t position,
+                     const ViewMapping &mapping, const QPalette &palette)
+{
+    const FrameSpec &frame = traced.scene.frame;
+    if (traced.differences.total() == 0)
+        return;
+    for (int line = 0; line < frame.height; ++line) {
+        const auto y = int(rowOfPictureLine(frame, line));
+        for (int x = frame.firstColumn; x < frame.firstColumn + frame.width; ++x) {
+            if (traced.decidedAt(x, y) <= position)
+                paintDifference(painter, mapping.cellOf({x, y}), traced.differences.at(x, y),
+                                palette);
+        }
+    }
+}
+
+void drawTriangles(QPainter &painter, FramePainter &frame, const Playhead &playhead,
+                   const ViewMapping &mapping)
+{
+    const TracedScene &traced = *playhead.traced();
+    const std::optional<TraceStep> step = playhead.stepInHand();
+    const std::size_t inHand = step ? step->primitive : 0;
+    for (std::size_t index = 0; index < traced.primitives.triangles.size(); ++index) {
+        const std::array<Vertex, 3> &vertices = traced.primitives.triangles[index].vertices;
+        const bool isNamed = index == inHand && index < traced.trace->primitiveCount();
+        const SetUpRecord setUp = isNamed ? traced.trace->setUp(index) : SetUpRecord{};
+        frame.drawOutline({vertices[0].position, vertices[1].position, vertices[2].position},
+                          isNamed ? rolesOf(setUp) : EdgeRoles{});
+        QPointF inside;
+        for (const Vertex &vertex : vertices) {
+            frame.drawHandle(vertex.position, vertex.colour, HandleState::Idle);
+            inside += mapping.positionOf(vertex.position) / 3;
+        }
+        for (std::size_t rank = 0; isNamed && rank < 3; ++rank)
+            frame.drawVertexName(QStringLiteral("P%1").arg(rank),
+                                 vertices[std::size_t(setUp.order[rank])].position, inside);
+    }
+    for (const Shape &shape : traced.primitives.shapes) {
+        frame.drawShapeOutline(shape);
+        for (const Vertex &vertex : shape.vertices)
+            frame.drawHandle(vertex.position, vertex.colour, HandleState::Idle);
+    }
+    painter.setBrush(Qt::NoBrush);
+}
+
+} // namespace
+
+QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
+{
+    const TracedScene &traced = *playhead.traced();
+    const QPalette palette = paperPalette();
+    QFont font = QGuiApplication::font();
+    font.setPixelSize(fontSize); // points would depend on the screen
+    const Layout layout = layOut(traced.scene.frame, QFontMetricsF(font));
+
+    QByteArray svg;
+    QBuffer buffer(&svg);
+    QSvgGenerator generator;
+    generator.setOutputDevice(&buffer);
+    generator.setSize(layout.size);
+    generator.setViewBox(QRect(QPoint(0, 0), layout.size));
+    generator.setTitle(QStringLiteral("Pixelplumb"));
+    QPainter painter(&generator);
+    painter.setFont(font);
+    painter.fillRect(QRect(QPoint(0, 0), layout.size), Qt::white);
+    const FrameBuffer &shown = options.isTruthShown() ? traced.truth : *playhead.frame();
+    drawCells(painter, shown.image(), layout.mapping);
+
+    FramePainter frame(painter, layout.mapping, palette, layout.view);
+    frame.drawFrameEdge();
+    if (options.isGridShown())
+        frame.drawGrid();
+    drawTriangles(painter, frame, playhead, layout.mapping);
+    if (options.areDifferencesShown() && !options.isTruthShown())
+        drawDifferences(painter, traced, playhead.position(), layout.mapping, palette);
+    std::vector<RulerMark> columnMarks;
+    std::vector<RulerMark> rowMarks;
+    if (const std::optional<std::size_t> span = playhead.spanInHand()) {
+        const SpanRecord record = traced.trace->span(*span);
+        frame.drawPlumbLine(record.place);
+        frame.drawEdgeTicks(record);
+        const RulerMark mark{double(record.place.coordinate), Sign::ColumnInHand};
+        if (record.place.axis == SpanAxis::Column)
+            columnMarks.push_back(mark);
+        else if (record.place.axis == SpanAxis::Row)
+            rowMarks.push_back(mark);
+    }
+    Ruler(Qt::Horizontal, layout.columnRuler, layout.mapping).paint(painter, palette, columnMarks);
+    Ruler(Qt::Vertical, layout.rowRuler, layout.mapping).paint(painter, palette, rowMarks);
+    painter.end();
+    return svg;
+}
+
+QString exportSvg(const QString &path, const Playhead &playhead, const DisplayOptions &options)
+{
+    if (!playhead.traced())
+        return QCoreApplication::translate("SvgExport", "There is nothing drawn yet to export.");
+    const FrameSpec &frame = playhead.traced()->scene.frame;
+    if (std::int64_t(frame.width) * frame.height > largestSvgArea)
+        return QCoreApplication::translate("SvgExport",
+                                           "A frame of %1 × %2 pixels is too large for a figure of "
+                                           "cells, which holds at most "
+                                           "%3 of them. Export a PNG, or make the frame smaller.")
+            .arg(frame.width)
+            .arg(frame.height)
+            .arg(largestSvgArea);
+    const std::optional<InputError> error = writeFile(path, svgFigure(playhead, options));
+    return error ? error->message() : QString();
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,228 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/inspect/columntable.h"
+
+#include "widgets/inspect/columntabledelegate.h"
+#include "widgets/inspect/columntableheader.h"
+#include "widgets/inspect/rowmarkheader.h"
+#include "widgets/model/columntablemodel.h"
+#include "widgets/model/placinghint.h"
+#include "widgets/model/playhead.h"
+
+#include <QAbstractButton>
+#include <QAction>
+#include <QClipboard>
+#include <QGuiApplication>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QPainter>
+#include <QScopedValueRollback>
+#include <QScrollBar>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr int rowPadding = 2;
+constexpr int measuredRows = 24;
+
+/// Rows spread over the table, its first and last among them: numbers grow and shrink evenly in
+/// between, and their denominators repeat.
+std::vector<int> sampledRows(int rowCount)
+{
+    std::vector<int> rows;
+    const int count = std::min(rowCount, measuredRows);
+    for (int i = 0; i < count; ++i)
+        rows.push_back(count == 1 ? 0 : int(std::int64_t(rowCount - 1) * i / (count - 1)));
+    return rows;
+}
+
+} // namespace
+
+ColumnTable::ColumnTable(Playhead *playhead, QWidget *parent)
+    : QTableView(parent)
+    , m_playhead(playhead)
+    , m_model(new ColumnTableModel(playhead, this))
+    , m_delegate(new ColumnTableDelegate(this))
+    , m_header(new ColumnTableHeader(this))
+{
+    setObjectName(QStringLiteral("columnTable"));
+    setAccessibleName(tr("Columns of the scan"));
+    setAccessibleDescription(tr("A row for each column; the current row is the column in hand."));
+    if (const QFont figures = tabularFont(font()); figures != font())
+        setFont(figures);
+    setFrameShape(QFrame::NoFrame);
+    setShowGrid(false);
+    setWordWrap(false);
+    setCornerButtonEnabled(false);
+    if (auto *corner = findChild<QAbstractButton *>())
+        corner->setMaximumSize(0, 0); // the style would draw it as a button
+    setTabKeyNavigation(false);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
+    setItemDelegate(m_delegate);
+    setHorizontalHeader(m_header);
+    setVerticalHeader(new RowMarkHeader(this));
+    createActions();
+    setModel(m_model);
+
+    connect(m_model, &QAbstractItemModel::modelReset, this, &ColumnTable::takeColumns);
+    connect(playhead, &Playhead::positionChanged, this, &ColumnTable::followPlayhead);
+    connect(m_header, &QWidget::customContextMenuRequested, this,
+            [this](const QPoint &position) { showColumnMenu(m_header->mapToGlobal(position)); });
+    takeColumns();
+}
+
+ColumnTable::~ColumnTable() = default;
+
+void ColumnTable::takeColumns()
+{
+    verticalHeader()->setDefaultSectionSize(fontMetrics().height() + rowPadding);
+    m_exactAction->setEnabled(m_model->isRounding());
+    m_errorAction->setEnabled(m_model->isRounding());
+    for (int group = 0; group < int(m_groupActions.size()); ++group)
+        m_groupActions[group]->setVisible(hasGroup(NumberGroup(group)));
+    m_delegate->measure(*m_model, sampledRows(m_model->rowCount()), font());
+    for (int column = 0; column < m_model->columnCount(); ++column)
+        setColumnWidth(column,
+                       std::max(m_delegate->cellWidth(column), m_header->titleWidth(column)));
+    showChosenColumns();
+    followPlayhead();
+}
+
+void ColumnTable::followPlayhead()
+{
+    const QScopedValueRollback following(m_following, true);
+    const std::optional<std::size_t> column = m_playhead->spanInHand();
+    if (!column || int(*column) >= m_model->rowCount()) {
+        selectionModel()->clear();
+        bringIntoView(firstRowAhead());
+        return;
+    }
+    const int row = int(*column);
+    if (currentIndex().row() != row) {
+        setAutoScroll(false); // it would scroll sideways too
+        const int section = std::max(0, m_header->logicalIndexAt(0));
+        selectionModel()->setCurrentIndex(m_model->index(row, section),
+                                          QItemSelectionModel::ClearAndSelect
+                                              | QItemSelectionModel::Rows);
+        setAutoScroll(true);
+    }
+    bringIntoView(row);
+}
+
+/// The first column of the triangle that is being set up, or of all.
+int ColumnTable::firstRowAhead() const
+{
+    const std::optional<TraceStep> step = m_playhead->stepInHand();
+    return step ? int(m_playhead->traced()->trace->firstSpanOf(step->primitive)) : 0;
+}
+
+void ColumnTable::bringIntoView(int row)
+{
+    if (row >= m_model->rowCount())
+        return;
+    const int height = rowHeight(row);
+    const int top = rowViewportPosition(row);
+    const int pageHeight = viewport()->height();
+    const int context = std::clamp((pageHeight - height) / 2, 0, height); // a row before and after
+    QScrollBar *bar = verticalScrollBar();
+    const int firstShown = bar->value() / height;
+    if (top < context)
+        bar->setValue((row - 1) * height);
+    else if (top + height + context > pageHeight)
+        // Whole rows, with one after it where there is room for both.
+        bar->setValue(std::min(row, std::max(firstShown, row + 3 - pageHeight / height)) * height);
+}
+
+void ColumnTable::resizeEvent(QResizeEvent *event)
+{
+    QTableView::resizeEvent(event);
+    if (const std::optional<std::size_t> column = m_playhead->spanInHand())
+        bringIntoView(int(*column));
+}
+
+void ColumnTable::currentChanged(const QModelIndex &current, const QModelIndex &previous)
+{
+    QTableView::currentChanged(current, previous);
+    if (!m_following && current.isValid() && current.row() != previous.row())
+        m_playhead->seekToSpan(std::size_t(current.row()));
+}
+
+QString ColumnTable::selectionAsTsv() const
+{
+    QList<int> columns;
+    for (int column = 0; column < m_model->columnCount(); ++column) {
+        if (!isColumnHidden(column))
+            columns.append(column);
+    }
+    QStringList names;
+    for (const int column : std::as_const(columns))
+        names.append(m_model->fileName(column));
+    QStringList lines(names.join(u'\t'));
+    QModelIndexList rows = selectionModel()->selectedRows();
+    std::ranges::sort(rows, {}, &QModelIndex::row);
+    for (const QModelIndex &row : std::as_const(rows)) {
+        QStringList cells;
+        for (const int column : std::as_const(columns))
+            cells.append(
+                row.siblingAtColumn(column).data(ColumnTableModel::CanonicalTextRole).toString());
+        lines.append(cells.join(u'\t'));
+    }
+    return lines.join(u'\n') + u'\n';
+}
+
+void ColumnTable::copySelection() const
+{
+    if (selectionModel()->hasSelection())
+        QGuiApplication::clipboard()->setText(selectionAsTsv());
+}
+
+bool ColumnTable::event(QEvent *event)
+{
+    // The window has another use for the copy key; in the table it copies the table's rows.
+    if (event->type() == QEvent::ShortcutOverride
+        && static_cast<QKeyEvent *>(event)->matches(QKeySequence::Copy)) {
+        event->accept();
+        return true;
+    }
+    return QTableView::event(event);
+}
+
+void ColumnTable::keyPressEvent(QKeyEvent *event)
+{
+    if (event->matches(QKeySequence::Copy)) {
+        copySelection();
+        return;
+    }
+    QTableView::keyPressEvent(event);
+}
+
+void ColumnTable::focusInEvent(QFocusEvent *event)
+{
+    // With no current row the base class takes the first; getting the focus is no wish to go there.
+    const QScopedValueRollback following(m_following, true);
+    QTableView::focusInEvent(event);
+}
+
+void ColumnTable::changeEvent(QEvent *event)
+{
+    QTableView::changeEvent(event);
+    if (event->type() == QEvent::FontChange && m_copyAction)
+        takeColumns();
+}
+
+void ColumnTable::paintEvent(QPaintEvent *event)
+{
+    QTableView::paintEvent(event);
+    if (m_model->rowCount() > 0)
+        return;
+    QPainter painter(viewport());
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(viewport()->rect(), Qt::AlignCenter | Qt::TextWordWrap,
+                     emptyRunText(m_playhead->traced()));
+}
+
+} // namespace pixelplumb

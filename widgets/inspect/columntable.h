@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/trace/numberdescription.h"
+
+#include <QTableView>
+
+class QAction;
+
+namespace pixelplumb {
+
+class ColumnTableDelegate;
+class ColumnTableHeader;
+class ColumnTableModel;
+class Playhead;
+
+/// The numbers of every column of the scan (objectName "columnTable"). Its current row is the
+/// column in hand, both ways.
+class ColumnTable : public QTableView {
+    Q_OBJECT
+
+public:
+    explicit ColumnTable(Playhead *playhead, QWidget *parent = nullptr);
+    ~ColumnTable() override;
+
+    /// Checkable: which groups of columns are shown, then the exact numbers and the errors.
+    const QList<QAction *> &columnActions() const { return m_columnActions; }
+
+    /// The selected rows as tab-separated values with a header, visible columns only, numbers in
+    /// canonical text.
+    QString selectionAsTsv() const;
+
+public slots:
+    void copySelection() const;
+
+protected:
+    void currentChanged(const QModelIndex &current, const QModelIndex &previous) override;
+    bool event(QEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
+    void changeEvent(QEvent *event) override;
+    void paintEvent(QPaintEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void createActions();
+    void takeColumns();
+    void showChosenColumns();
+    void followPlayhead();
+    int firstRowAhead() const;
+    void bringIntoView(int row);
+    bool isChosen(int column) const;
+    bool hasGroup(NumberGroup group) const;
+    void showColumnMenu(const QPoint &position);
+
+    Playhead *m_playhead;
+    ColumnTableModel *m_model;
+    ColumnTableDelegate *m_delegate;
+    ColumnTableHeader *m_header;
+    QList<QAction *> m_columnActions;
+    QList<QAction *> m_groupActions; ///< by NumberGroup
+    QAction *m_exactAction = nullptr;
+    QAction *m_errorAction = nullptr;
+    QAction *m_copyAction = nullptr;
+    bool m_following = false; ///< the table moves after the playhead, not the other way
+};
+
+} // namespace pixelplumb

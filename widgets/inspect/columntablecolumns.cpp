@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/inspect/columntable.h"
+#include "widgets/model/columntablemodel.h"
+
+#include <QAction>
+#include <QMenu>
+
+/// Which columns the table shows.
+namespace pixelplumb {
+
+void ColumnTable::createActions()
+{
+    const auto addToggle = [this](const char *name, const QString &text, const QString &toolTip) {
+        auto *action = new QAction(text, this);
+        action->setObjectName(QString::fromLatin1(name));
+        action->setToolTip(toolTip);
+        action->setCheckable(true);
+        m_columnActions.append(action);
+        return action;
+    };
+    // In the order of NumberGroup.
+    m_groupActions = {
+        addToggle("showPosition", tr("Position"), tr("Show the column and its half")),
+        addToggle("showSpan", tr("Span"), tr("Show where the edges meet the column, and its rows")),
+        addToggle("showDecision", tr("Decision"), tr("Show the numbers that decide the samples")),
+        addToggle("showEdgeColours", tr("Edge colours"), tr("Show the levels at both edges")),
+        addToggle("showColourRates", tr("ΔR ΔG ΔB"), tr("Show the change for each upward move")),
+        addToggle("showFirstColour", tr("First R G B"), tr("Show the levels at the first pixel")),
+    };
+    for (QAction *action : std::as_const(m_groupActions))
+        action->setChecked(true);
+    m_exactAction = addToggle("showExact", tr("Exact"), tr("Show the exact number beside each"));
+    m_errorAction = addToggle("showError", tr("Error"), tr("Show used minus exact beside each"));
+    for (QAction *action : std::as_const(m_columnActions))
+        connect(action, &QAction::toggled, this, &ColumnTable::showChosenColumns);
+    m_copyAction = new QAction(tr("Copy rows"), this);
+    m_copyAction->setObjectName(QStringLiteral("copyRows"));
+    connect(m_copyAction, &QAction::triggered, this, &ColumnTable::copySelection);
+}
+
+bool ColumnTable::isChosen(int column) const
+{
+    const NumberDescription &description = m_model->number(column);
+    if (description.id == QLatin1String("primitive") && !m_model->hasSeveralPrimitives())
+        return false;
+    if (!m_groupActions[int(description.group)]->isChecked())
+        return false;
+    switch (m_model->face(column)) {
+    case NumberFace::Used:
+        break;
+    case NumberFace::Exact:
+        return m_exactAction->isChecked();
+    case NumberFace::Error:
+        return m_errorAction->isChecked();
+    }
+    return true;
+}
+
+bool ColumnTable::hasGroup(NumberGroup group) const
+{
+    for (int column = 0; column < m_model->columnCount(); ++column) {
+        if (m_model->number(column).group == group)
+            return true;
+    }
+    return m_model->columnCount() == 0; // before the first run all are there
+}
+
+void ColumnTable::showChosenColumns()
+{
+    for (int column = 0; column < m_model->columnCount(); ++column)
+        setColumnHidden(column, !isChosen(column));
+}
+
+void ColumnTable::showColumnMenu(const QPoint &position)
+{
+    QMenu menu(this);
+    menu.addSection(tr("Columns"));
+    menu.addActions(m_groupActions);
+    menu.addSection(tr("Beside each number"));
+    menu.addAction(m_exactAction);
+    menu.addAction(m_errorAction);
+    menu.addSeparator();
+    menu.addAction(m_copyAction);
+    menu.exec(position);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/inspect/formulapanel.h"
+
+#include "core/runs/formulaexplanation.h"
+#include "widgets/look/blend.h"
+#include "widgets/look/formulahtml.h"
+#include "widgets/look/numberlayout.h"
+#include "widgets/look/signs.h"
+#include "widgets/model/placinghint.h"
+#include "widgets/model/playhead.h"
+
+#include <QEvent>
+#include <QGuiApplication>
+#include <QLabel>
+#include <QResizeEvent>
+#include <QScrollBar>
+#include <QTextBrowser>
+#include <QTextDocument>
+#include <QVBoxLayout>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr int leastFormulaLines = 1;
+constexpr float bannerTint = 0.18F;
+constexpr std::size_t measuredSpans = 6; // of a run, at even distances
+
+/// What the panel says where no step is in hand.
+Explanation invitation(const Playhead &playhead)
+{
+    Explanation explanation;
+    const TracedScene *traced = playhead.traced();
+    if (!traced || traced->trace->spanCount() == 0) {
+        explanation.heading = FormulaPanel::tr("Nothing is drawn");
+        explanation.sentence = emptyRunText(traced);
+        return explanation;
+    }
+    explanation.heading = FormulaPanel::tr("Before the first step");
+    explanation.sentence = FormulaPanel::tr(
+        "Nothing is drawn yet. Step forward by a column with F10 or by a pixel with F11.");
+    return explanation;
+}
+
+} // namespace
+
+FormulaPanel::FormulaPanel(Playhead *playhead, QWidget *parent)
+    : QWidget(parent)
+    , m_playhead(playhead)
+    , m_heading(new QLabel(this))
+    , m_sentence(new QLabel(this))
+    , m_formulas(new QTextBrowser(this))
+{
+    setObjectName(QStringLiteral("formulaPanel"));
+    setAccessibleName(tr("Formulas of the step in hand"));
+    const auto selectable = Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard;
+
+    m_heading->setObjectName(QStringLiteral("formulaHeading"));
+    m_heading->setTextFormat(Qt::RichText);
+    m_heading->setMargin(4);
+    m_heading->setAutoFillBackground(true);
+    m_heading->setTextInteractionFlags(selectable);
+    m_heading->setMinimumWidth(1); // a long heading must not widen the window
+
+    m_sentence->setObjectName(QStringLiteral("formulaSentence"));
+    m_sentence->setTextFormat(Qt::RichText);
+    m_sentence->setWordWrap(true);
+    m_sentence->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_sentence->setContentsMargins(4, 0, 4, 4);
+    m_sentence->setTextInteractionFlags(selectable);
+
+    m_formulas->setObjectName(QStringLiteral("formulaText"));
+    m_formulas->setAccessibleName(tr("Formulas"));
+    m_formulas->setFrameShape(QFrame::NoFrame);
+    m_formulas->setOpenLinks(false);
+    m_formulas->setMinimumHeight(fontMetrics().lineSpacing() * leastFormulaLines);
+    m_formulas->document()->setDocumentMargin(4);
+    if (const QFont figures = tabularFont(font()); figures != font())
+        m_formulas->setFont(figures);
+
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 4, 0, 0);
+    layout->setSpacing(4);
+    layout->addWidget(m_heading);
+    layout->addWidget(m_sentence);
+    layout->addWidget(m_formulas, 1);
+
+    m_measuring.setSingleShot(true);
+    m_measuring.setInterval(0);
+    connect(&m_measuring, &QTimer::timeout, this, &FormulaPanel::measureRun);
+    connect(playhead, &Playhead::tracedChanged, this, &FormulaPanel::takeTraced);
+    connect(playhead, &Playhead::positionChanged, this, &FormulaPanel::explainStep);
+    explainStep();
+}
+
+QSize FormulaPanel::sizeHint() const { return {440, 200}; }
+
+QSize FormulaPanel::minimumSizeHint() const { return {200, layout()->minimumSize().height()}; }
+
+void FormulaPanel::takeTraced()
+{
+    m_measuring.start();
+    explainStep();
+}
+
+void FormulaPanel::explainStep()
+{
+    const bool isForeign
+        = m_playhead->traced() && !foreignSceneHint(m_playhead->traced()->scene).isEmpty();
+    if (!m_playhead->stepInHand() || isForeign) {
+        present(invitation(*m_playhead));
+        return;
+    }
+    const TracedScene &traced = *m_playhead->traced();
+    present(pixelplumb::explainStep(traced, m_playhead->position() - 1));
+}
+
+void FormulaPanel::present(const Explanation &explanation)
+{
+    QPalette headingPalette = palette();
+    if (!explanation.event.isEmpty())
+        headingPalette.setColor(QPalette::Window,
+                                blended(palette().color(QPalette::Window),
+                                        signColour(Sign::ColumnInHand, palette()), bannerTint));
+    m_heading->setPalette(headingPalette);
+    m_heading->setText(QStringLiteral("<b>%1</b>%2")
+                           .arg(sentenceHtml(explanation.heading),
+                                explanation.event.isEmpty() ? QString()
+                                                            : QStringLiteral(" &nbsp;⚑ ")
+                                        + sentenceHtml(explanation.event)));
+    m_sentence->setText(sentenceHtml(explanation.sentence));
+
+    const int scrolled = m_formulas->verticalScrollBar()->value();
+    m_formulas->setHtml(formulaHtml(explanation, arithmetic(), palette()));
+    m_formulas->verticalScrollBar()->setValue(scrolled);
+    setAccessibleDescription(explanation.heading + QStringLiteral(". ") + explanation.sentence
+                             + u'\n' + formulaText(explanation, arithmetic()));
+    growTo(int(std::ceil(m_formulas->document()->size().height())));
+}
+
+Arithmetic FormulaPanel::arithmetic() const
+{
+    return m_playhead->traced() ? m_playhead->traced()->scene.settings.arithmetic
+                                : Arithmetic::Exact;
+}
+
+/// A step that was not measured may need more than those that were.
+void FormulaPanel::growTo(int formulas)
+{
+    const int needed = height() - m_formulas->height() + formulas;
+    if (!isVisible() || m_measuring.isActive() || needed <= m_neededHeight)
+        return;
+    m_neededHeight = needed;
+    emit neededHeightChanged();
+}
+
+/// Were the explanation in the panel.
+int FormulaPanel::sentenceHeight(const Explanation &explanation) const
+{
+    const QMargins margins = m_sentence->contentsMargins();
+    QTextDocument document;
+    document.setDefaultFont(m_sentence->font());
+    document.setDocumentMargin(0);
+    document.setHtml(sentenceHtml(explanation.sentence));
+    document.setTextWidth(m_sentence->width() - margins.left() - margins.right());
+    return int(std::ceil(document.size().height())) + margins.top() + margins.bottom();
+}
+
+int FormulaPanel::formulasHeight(const Explanation &explanation) const
+{
+    QTextDocument document;
+    document.setDefaultFont(m_formulas->font());
+    document.setDocumentMargin(m_formulas->document()->documentMargin());
+    document.setHtml(formulaHtml(explanation, arithmetic(), palette()));
+    document.setTextWidth(m_formulas->viewport()->width());
+    return int(std::ceil(document.size().height()));
+}
+
+void FormulaPanel::measureRun()
+{
+    const TracedScene *traced = m_playhead->traced();
+    if (!isVisible() || !traced || traced->trace->stepCount() == 0)
+        return; // its size is not its own yet, or there is nothing to be seen in it
+    const std::tuple run(traced->method->id, traced->scene.settings.arithmetic,
+                         m_formulas->viewport()->width());
+    const bool isOther = run != m_measured;
+    m_measured = run;
+    int sentence = isOther ? 0 : m_sentence->minimumHeight();
+    struct Heights {
+        int sentence, formulas;
+    };
+    std::vector<Heights> steps;
+    const ScanTrace &trace = *traced->trace;
+    const auto include = [&](std::size_t step) {
+        if (step >= trace.stepCount())
+            return;
+        const Explanation explanation = pixelplumb::explainStep(*traced, step);
+        steps.push_back({sentenceHeight(explanation), formulasHeight(explanation)});
+        if (trace.stepAt(step).kind != StepKind::SetUp) // there a longer one may move the formulas
+            sentence = std::max(sentence, steps.back().sentence);
+    };
+    include(0);
+    include(m_playhead->position() > 0 ? m_playhead->position() - 1 : 0);
+    for (std::size_t i = 0; i < measuredSpans && trace.spanCount() > 0; ++i) {
+        const std::size_t span = i * (trace.spanCount() - 1) / (measuredSpans - 1);
+        include(trace.indexOfSpan(span));
+        const std::size_t samples = trace.endSampleOf(span) - trace.firstSampleOf(span);
+        for (const std::size_t sample : {std::size_t(1), std::size_t(2), samples / 2, samples})
+            include(trace.indexOfSpan(span) + sample);
+    }
+    m_sentence->setMinimumHeight(sentence);
+    int formulas = 0;
+    for (const Heights &step : steps)
+        formulas = std::max(formulas, step.formulas + std::max(0, step.sentence - sentence));
+    const int rest = height() - m_formulas->height() - m_sentence->height();
+    // The numbers of a step that was not measured may be longer, and break into one line more.
+    const int spare = m_formulas->fontMetrics().lineSpacing();
+    const int needed = std::max(isOther ? 0 : m_neededHeight, rest + sentence + formulas + spare);
+    if (needed == m_neededHeight && height() >= needed)
+        return;
+    m_neededHeight = needed;
+    emit neededHeightChanged();
+}
+
+void FormulaPanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    m_measuring.start();
+}
+
+void FormulaPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    const bool isSqueezed
+        = height() < m_neededHeight && QGuiApplication::mouseButtons() == Qt::NoButton;
+    if (isSqueezed || event->size().width() != event->oldSize().width())
+        m_measuring.start();
+}
+
+void FormulaPanel::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange)
+        explainStep();
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scan/scansettings.h"
+
+#include <QString>
+#include <QTimer>
+#include <QWidget>
+
+#include <tuple>
+
+class QLabel;
+class QTextBrowser;
+
+namespace pixelplumb {
+
+class Playhead;
+struct Explanation;
+
+/// The formulas of the step in hand with its numbers put in (objectName "formulaPanel").
+class FormulaPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit FormulaPanel(Playhead *playhead, QWidget *parent = nullptr);
+
+    QSize sizeHint() const override;
+    QSize minimumSizeHint() const override;
+    /// The height in which no step of the run needs to be scrolled, judged by a few of its steps.
+    /// It changes with the method, the arithmetic and the width; in between it only grows, so that
+    /// the panel does not breathe while stepping.
+    int neededHeight() const { return m_neededHeight; }
+
+signals:
+    /// The needed height is another, or something but the person's hand made the panel lower.
+    void neededHeightChanged();
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void takeTraced();
+    void explainStep();
+    void present(const Explanation &explanation);
+    void measureRun();
+    void growTo(int formulas);
+    int sentenceHeight(const Explanation &explanation) const;
+    int formulasHeight(const Explanation &explanation) const;
+    Arithmetic arithmetic() const;
+
+    Playhead *m_playhead;
+    QLabel *m_heading;
+    QLabel *m_sentence;
+    QTextBrowser *m_formulas;
+    int m_neededHeight = 0;
+    /// What the needed height is of: method, arithmetic and the width of the formulas.
+    std::tuple<QString, Arithmetic, int> m_measured;
+    QTimer m_measuring; ///< after the panel has its size
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/inspect/pixelgrid.h"
+
+#include "core/oracle/oracle.h"
+#include "widgets/inspect/pixelgridpainter.h"
+#include "widgets/look/displayoptions.h"
+#include "widgets/look/numberformat.h"
+#include "widgets/look/numberlayout.h"
+#include "widgets/model/playhead.h"
+
+#include <QFontInfo>
+#include <QHelpEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <QToolTip>
+#include <QWheelEvent>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr int wheelStep = 120; // one notch, in eighths of a degree
+constexpr int cellsPerStep = 2;
+
+PixelGridStyle styleOf(const QWidget &widget, const DisplayOptions &options)
+{
+    PixelGridStyle style;
+    style.palette = widget.palette();
+    style.scale = widget.devicePixelRatioF();
+    style.font = tabularFont(widget.font());
+    style.font.setPixelSize(qRound(QFontInfo(widget.font()).pixelSize() * style.scale));
+    style.lines = options.isGridShown() ? GridLines::Shown : GridLines::Hidden;
+    return style;
+}
+
+} // namespace
+
+PixelGrid::PixelGrid(Playhead *playhead, DisplayOptions *options, QWidget *parent)
+    : QWidget(parent)
+    , m_playhead(playhead)
+    , m_options(options)
+{
+    setObjectName(QStringLiteral("pixelGrid"));
+    setAccessibleName(tr("Pixel grid"));
+    setFocusPolicy(Qt::StrongFocus);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+    connect(playhead, &Playhead::tracedChanged, this, &PixelGrid::announce);
+    connect(playhead, &Playhead::positionChanged, this, &PixelGrid::announce);
+    connect(playhead, &Playhead::pickedPixelChanged, this, &PixelGrid::announce);
+    connect(options, &DisplayOptions::changed, this, qOverload<>(&QWidget::update));
+}
+
+QSize PixelGrid::sizeHint() const { return {440, 300}; }
+
+/// The fewest cells can be read.
+QSize PixelGrid::minimumSizeHint() const
+{
+    const PixelGridStyle style = styleOf(*this, *m_options);
+    const QMargins margins = pixelGridMargins(style, {}, largestRowDigits());
+    const double cells = fewestCells * std::ceil(leastReadableCell(style));
+    return {200, int(std::ceil((cells + margins.top() + margins.bottom()) / style.scale))};
+}
+
+QPoint PixelGrid::centre() const
+{
+    if (const std::optional<QPoint> picked = m_playhead->pickedPixel())
+        return *picked;
+    if (!m_playhead->traced())
+        return {0, 0};
+    const FrameSpec &frame = m_playhead->traced()->scene.frame;
+    return {frame.firstColumn + frame.width / 2, frame.firstRow + frame.height / 2};
+}
+
+/// Of every row of the frame, so that the cells stay where they are.
+int PixelGrid::largestRowDigits() const
+{
+    if (!m_playhead->traced())
+        return 2;
+    const FrameSpec &frame = m_playhead->traced()->scene.frame;
+    return int(std::max(QString::number(frame.firstRow).size(),
+                        QString::number(frame.firstRow + frame.height).size()));
+}
+
+PixelGridMapping PixelGrid::mapping() const
+{
+    const double scale = devicePixelRatioF();
+    const QSize area(qRound(width() * scale), qRound(height() * scale));
+    const FrameOrigin origin
+        = m_playhead->traced() ? m_playhead->traced()->scene.frame.origin : FrameOrigin::BottomLeft;
+    const PixelGridStyle style = styleOf(*this, *m_options);
+    const QMargins margins = pixelGridMargins(style, area, largestRowDigits());
+    const auto readable = [&](int length) {
+        const int fitting = (int(length / leastReadableCell(style)) - 1) | 1;
+        return std::clamp(fitting, fewestCells, m_cellCount);
+    };
+    const QSize inside = area.shrunkBy(margins);
+    const CellCount count = m_isCountChosen
+        ? CellCount(m_cellCount)
+        : CellCount(readable(inside.width()), readable(inside.height()));
+    return {area, margins, count, centre(), origin};
+}
+
+std::optional<QPoint> PixelGrid::pixelAt(const QPointF &position) const
+{
+    return mapping().pixelAt(position * devicePixelRatioF());
+}
+
+void PixelGrid::setCellCount(int count)
+{
+    const int bounded = std::clamp(count, fewestCells, mostCells) | 1;
+    if (m_isCountChosen && bounded == m_cellCount)
+        return;
+    m_isCountChosen = true;
+    m_cellCount = bounded;
+    update();
+    emit cellCountChanged(bounded);
+}
+
+void PixelGrid::announce()
+{
+    const std::optional<QPoint> picked = m_playhead->pickedPixel();
+    setAccessibleDescription(picked && m_playhead->traced() ? describe(*picked) : QString());
+    update();
+}
+
+void PixelGrid::paintEvent(QPaintEvent *)
+{
+    QPainter painter(this);
+    if (!m_playhead->traced()) {
+        painter.setPen(palette().color(QPalette::PlaceholderText));
+        painter.drawText(rect(), Qt::AlignCenter | Qt::TextWordWrap,
+                         tr("The pixels around the picked one appear here."));
+        return;
+    }
+    const PixelGridMapping cells = mapping();
+    const PixelGridStyle style = styleOf(*this, *m_options);
+    const PixelGridScene scene = pixelGridScene(*m_playhead, *m_options, cells);
+    painter.scale(1 / style.scale, 1 / style.scale);
+    PixelGridPainter(painter, style, cells, scene).paint();
+    if (hasFocus()) {
+        painter.setPen(QPen(palette().color(QPalette::Highlight), style.scale));
+        painter.drawRect(QRectF(cells.grid()).adjusted(-2, -2, 3, 3));
+    }
+}
+
+void PixelGrid::goToWriteOf(const QPoint &pixel)
+{
+    const TraceNavigation navigation(*m_playhead->traced()->trace);
+    const std::size_t position = m_playhead->position();
+    // The write that the frame shows, else the first one to come.
+    std::optional<std::size_t> write
+        = navigation.writeOf(pixel, position + 1, StepDirection::Backward);
+    if (!write)
+        write = navigation.writeOf(pixel, position, StepDirection::Forward);
+    if (write)
+        m_playhead->seek(*write);
+}
+
+void PixelGrid::mousePressEvent(QMouseEvent *event)
+{
+    const std::optional<QPoint> pixel = pixelAt(event->position());
+    if (!m_playhead->traced() || !pixel)
+        return;
+    const FrameView frame = m_playhead->frame()->view();
+    if (!frame.contains(pixel->x(), pixel->y()))
+        return;
+    m_playhead->pick(*pixel);
+    if (event->button() == Qt::LeftButton)
+        goToWriteOf(*pixel);
+}
+
+void PixelGrid::wheelEvent(QWheelEvent *event)
+{
+    m_wheelAngle += event->angleDelta().y();
+    const int steps = m_wheelAngle / wheelStep;
+    m_wheelAngle -= steps * wheelStep;
+    if (steps != 0)
+        setCellCount(mapping().rows() - steps * cellsPerStep); // turning away enlarges the cells
+    event->accept();
+}
+
+void PixelGrid::keyPressEvent(QKeyEvent *event)
+{
+    const bool isUpward = !m_playhead->traced()
+        || m_playhead->traced()->scene.frame.origin == FrameOrigin::BottomLeft;
+    const int up = isUpward ? 1 : -1;
+    switch (event->key()) {
+    case Qt::Key_Left:
+        m_playhead->nudgePick(-1, 0);
+        break;
+    case Qt::Key_Right:
+        m_playhead->nudgePick(1, 0);
+        break;
+    case Qt::Key_Up:
+        m_playhead->nudgePick(0, up);
+        break;
+    case Qt::Key_Down:
+        m_playhead->nudgePick(0, -up);
+        break;
+    case Qt::Key_Plus:
+    case Qt::Key_Equal:
+        setCellCount(mapping().rows() - cellsPerStep);
+        break;
+    case Qt::Key_Minus:
+        setCellCount(mapping().rows() + cellsPerStep);
+        break;
+    case Qt::Key_Return:
+    case Qt::Key_Enter:
+        if (m_playhead->traced() && m_playhead->pickedPixel())
+            goToWriteOf(*m_playhead->pickedPixel());
+        break;
+    default:
+        QWidget::keyPressEvent(event);
+    }
+}
+
+QString PixelGrid::describe(const QPoint &pixel) const
+{
+    const TracedScene &traced = *m_playhead->traced();
+    const FrameView frame = m_playhead->frame()->view();
+    QStringList lines(tr("Pixel (%1, %2)").arg(pixel.x()).arg(pixel.y()));
+    if (!frame.contains(pixel.x(), pixel.y())) {
+        lines.append(tr("outside the frame"));
+        return lines.join(u'\n');
+    }
+    const auto name = [](QRgb colour) { return QColor::fromRgb(colour).name(); };
+    lines.append(tr("shown %1").arg(name(*frame.at(pixel.x(), pixel.y()))));
+    lines.append(
+        tr("truth %1, when all is drawn").arg(name(*traced.truth.view().at(pixel.x(), pixel.y()))));
+    const std::optional<std::size_t> triangle = triangleInHand(*m_playhead);
+    if (!triangle)
+        return lines.join(u'\n');
+    const Triangle &geometry = traced.primitives.triangles[*triangle];
+    if (!oracle::covers(geometry, boundaryRuleOf(traced.scene), pixel.x(), pixel.y())) {
+        lines.append(tr("not covered by triangle %1").arg(*triangle));
+        return lines.join(u'\n');
+    }
+    const std::array<Quantity, 3> levels = oracle::colourAt(geometry, pixel.x(), pixel.y());
+    lines.append(tr("exact levels in triangle %1:").arg(*triangle));
+    for (std::size_t channel = 0; channel < levels.size(); ++channel) {
+        const Quantity &level = levels[channel];
+        lines.append(QStringLiteral("%1 = %2 %3")
+                         .arg(channelLetters[channel])
+                         .arg(displayText(level), decimalBeside(level))
+                         .trimmed());
+    }
+    return lines.join(u'\n');
+}
+
+bool PixelGrid::event(QEvent *event)
+{
+    if (event->type() != QEvent::ToolTip)
+        return QWidget::event(event);
+    const auto *help = static_cast<QHelpEvent *>(event);
+    const std::optional<QPoint> pixel = pixelAt(help->pos());
+    if (m_playhead->traced() && pixel)
+        QToolTip::showText(help->globalPos(), describe(*pixel), this);
+    else
+        QToolTip::hideText();
+    return true;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/inspect/pixelgridpainter.h"
+#include "widgets/look/numberformat.h"
+#include "widgets/look/symboltext.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+/// The pixel grid's words and numbers: axes, y_B and y_T, and the rows that they give.
+namespace pixelplumb {
+
+namespace {
+
+// Logical pixels.
+constexpr double gap = 4;
+constexpr double labelColumn = 132; // beside the cells, for "⌊y_T⌋ = 24"
+constexpr double leastGrid = 150; // labels give way to cells below this
+
+constexpr double armLength = 0.3; // of a bracket, of the cell
+
+const QString upward = QStringLiteral("↑");
+const QString downward = QStringLiteral("↓");
+
+/// A name beside the cells at the height of what it names.
+struct SpanLabel {
+    QString symbol; ///< "y_B = "
+    QString value;
+    double wish = 0; ///< where its middle would be
+    double place = 0; ///< where it is, apart from the others
+    Sign sign = Sign::LowerEdge;
+};
+
+/// Moves labels apart, in their order, within [top, bottom].
+void spread(std::vector<SpanLabel> &labels, double distance, double top, double bottom)
+{
+    std::ranges::stable_sort(labels, {}, &SpanLabel::wish);
+    double least = top;
+    for (SpanLabel &label : labels) {
+        label.place = std::max(label.wish, least);
+        least = label.place + distance;
+    }
+    double most = bottom;
+    for (auto label = labels.rbegin(); label != labels.rend(); ++label) {
+        label->place = std::min(label->place, most);
+        most = label->place - distance;
+    }
+}
+
+QString coordinateText(int coordinate)
+{
+    return QString::number(coordinate).replace(u'-', QChar(0x2212));
+}
+
+} // namespace
+
+QMargins pixelGridMargins(const PixelGridStyle &style, const QSize &area, int largestRowDigits)
+{
+    const QFontMetricsF metrics(style.font);
+    const auto px = [&style](double logical) { return logical * style.scale; };
+    const double left = metrics.horizontalAdvance(QString(largestRowDigits, u'0')) + px(2 * gap);
+    const double bottom = metrics.height() + px(gap);
+    const double top = px(gap);
+    const double rest = area.width() - left - std::min(px(labelColumn), double(area.width()));
+    const bool hasLabels = rest >= px(leastGrid);
+    const double right = hasLabels ? px(labelColumn) : px(gap);
+    return {int(std::ceil(left)), int(std::ceil(top)), int(std::ceil(right)),
+            int(std::ceil(bottom))};
+}
+
+/// ⌈ and ⌊: the bracket closes the covered samples off from outside.
+void PixelGridPainter::paintBracket(FramePainter &frame, std::int64_t along, Sign sign)
+{
+    const QPoint pixel = m_scene.onSpan(along);
+    if (!m_mapping.contains(pixel))
+        return;
+    const QRectF cell = m_view.cellOf(pixel).adjusted(0.5, 0.5, -0.5, -0.5);
+    const bool isLower = sign == Sign::LowerEdge;
+    // The closed side's ends, and the way from it into the cell.
+    QLineF side;
+    QPointF arm;
+    if (m_scene.span->place.axis == SpanAxis::Row) {
+        side = isLower ? QLineF(cell.topLeft(), cell.bottomLeft())
+                       : QLineF(cell.topRight(), cell.bottomRight());
+        arm = {isLower ? armLength * cell.width() : -armLength * cell.width(), 0};
+    } else {
+        const bool closesBelow = isLower == (m_scene.origin == FrameOrigin::BottomLeft);
+        side = closesBelow ? QLineF(cell.bottomLeft(), cell.bottomRight())
+                           : QLineF(cell.topLeft(), cell.topRight());
+        arm = {0, closesBelow ? -armLength * cell.height() : armLength * cell.height()};
+    }
+    for (const QLineF &line :
+         {side, QLineF(side.p1(), side.p1() + arm), QLineF(side.p2(), side.p2() + arm)})
+        frame.drawCased(line, colour(sign), 2);
+}
+
+void PixelGridPainter::paintSpan(FramePainter &frame)
+{
+    if (!m_scene.hasLine() || m_scene.span->lower.isNone())
+        return;
+    const SpanRecord &span = *m_scene.span;
+    if (span.endSample > span.firstSample) {
+        paintBracket(frame, span.firstSample, Sign::LowerEdge);
+        paintBracket(frame, span.endSample - 1, Sign::UpperEdge);
+    }
+    frame.drawEdgeTicks(span, EdgeNames::Hidden);
+}
+
+void PixelGridPainter::paintAxes()
+{
+    const QFont font = fontOfSize(m_style.font.pixelSize() / m_style.scale);
+    const QFontMetricsF metrics(font);
+    const QRect grid = m_mapping.grid();
+    const double size = m_mapping.cellSize();
+    QFont bold = font;
+    bold.setBold(true);
+    const auto setPenFor = [&](bool inHand, Sign sign) {
+        m_painter.setFont(inHand ? bold : font);
+        m_painter.setPen(inHand ? colour(sign) : m_style.palette.color(QPalette::WindowText));
+    };
+    const auto isInHand = [this](SpanAxis axis, int at) {
+        return m_scene.hasLine() && m_scene.span->place.axis == axis
+            && m_scene.span->place.coordinate == at;
+    };
+    const auto stepFor = [size](double room) { return std::max(1, int(std::ceil(room / size))); };
+
+    const double widest
+        = std::max(metrics.horizontalAdvance(QString::number(m_mapping.firstColumn())),
+                   metrics.horizontalAdvance(QString::number(m_mapping.endColumn())));
+    const int columnStep = stepFor(widest + px(gap));
+    const double baseline = grid.top() + grid.height() + px(2) + metrics.ascent();
+    const int middle = m_mapping.firstColumn() + m_mapping.columns() / 2;
+    for (int x = m_mapping.firstColumn(); x < m_mapping.endColumn(); ++x) {
+        const bool inHand = isInHand(SpanAxis::Column, x);
+        if ((x - middle) % columnStep != 0)
+            continue;
+        setPenFor(inHand, Sign::ColumnInHand);
+        const QString text = coordinateText(x);
+        const double width = QFontMetricsF(m_painter.font()).horizontalAdvance(text);
+        m_painter.drawText(QPointF(m_mapping.position(x, 0).x() - width / 2, baseline), text);
+    }
+    const int rowStep = stepFor(metrics.height());
+    const int middleRow = m_mapping.firstRow() + m_mapping.rows() / 2;
+    for (int y = m_mapping.firstRow(); y < m_mapping.endRow(); ++y) {
+        if ((y - middleRow) % rowStep != 0)
+            continue;
+        if (isInHand(SpanAxis::Row, y))
+            setPenFor(true, Sign::ColumnInHand);
+        else
+            setPenFor(m_scene.picked && m_scene.picked->y() == y, Sign::PickedPixel);
+        const QString text = coordinateText(y);
+        const double width = QFontMetricsF(m_painter.font()).horizontalAdvance(text);
+        m_painter.drawText(QPointF(grid.left() - px(gap) - width,
+                                   m_mapping.position(0, y).y() + metrics.capHeight() / 2),
+                           text);
+    }
+}
+
+void PixelGridPainter::paintSpanLabels()
+{
+    const QRect grid = m_mapping.grid();
+    const double left = grid.left() + grid.width();
+    // Of a painter of a widget, the viewport is in logical pixels.
+    const double room = px(m_painter.viewport().width()) - left - px(gap);
+    if (m_scene.boundsOf.isEmpty() || room < px(labelColumn) - px(2 * gap))
+        return;
+    const SpanRecord &span = *m_scene.span;
+    const bool isRow = span.place.axis == SpanAxis::Row;
+    const QFontMetricsF metrics(m_style.font);
+    const double lineHeight = metrics.height() * 1.1;
+    const double top = grid.top() + metrics.height() / 2 + lineHeight; // below the span's name
+    // Beyond the cells where they are fewer than the labels' lines.
+    const double bottom
+        = std::max(grid.top() + grid.height() - metrics.height() / 2, top + 3 * lineHeight);
+
+    std::vector<SpanLabel> labels;
+    const auto add = [&](const QString &symbol, const QString &value, double along, Sign sign) {
+        // A row's labels all stand at the row.
+        const double y = isRow ? double(span.place.coordinate) : along;
+        SpanLabel label{symbol + QStringLiteral(" = "), value, m_mapping.position(0, y).y(), 0,
+                        sign};
+        if (label.wish < grid.top())
+            label.value += u' ' + upward;
+        else if (label.wish > grid.top() + grid.height())
+            label.value += u' ' + downward;
+        label.wish = std::clamp(label.wish, top, bottom);
+        labels.push_back(label);
+    };
+    const auto numberText = [&](const Quantity &quantity) {
+        QString text = displayText(quantity, m_scene.arithmetic);
+        text.replace(QChar(0x2009), QChar(0x00a0)); // at this size a thin space is overlooked
+        const double width = metrics.horizontalAdvance(text + QStringLiteral(" y_T = ↑"));
+        return width <= room - px(14) ? text : displayDecimal(quantity, 4);
+    };
+    const QString lower = isRow ? QStringLiteral("x_L") : QStringLiteral("y_B");
+    const QString upper = isRow ? QStringLiteral("x_R") : QStringLiteral("y_T");
+    const QString last = m_scene.fillRule == FillRule::Closed
+        ? u'⌊' + upper + u'⌋'
+        : u'⌈' + upper + QStringLiteral("⌉−1");
+    add(lower, numberText(span.lower), span.lower.toDouble(), Sign::LowerEdge);
+    add(upper, numberText(span.upper), span.upper.toDouble(), Sign::UpperEdge);
+    const QString first = m_scene.fillRule == FillRule::Open ? u'⌊' + lower + QStringLiteral("⌋+1")
+                                                             : u'⌈' + lower + u'⌉';
+    add(first, QString::number(span.firstSample), double(span.firstSample), Sign::LowerEdge);
+    add(last, QString::number(span.endSample - 1), double(span.endSample - 1), Sign::UpperEdge);
+    spread(labels, lineHeight, top, bottom);
+
+    m_painter.save();
+    m_painter.setFont(m_style.font);
+    m_painter.setPen(colour(Sign::ColumnInHand));
+    m_painter.drawText(QPointF(left + px(16), grid.top() + metrics.ascent()), m_scene.boundsOf);
+    m_painter.setRenderHint(QPainter::Antialiasing, true);
+    for (const SpanLabel &label : labels) {
+        m_painter.setPen(QPen(colour(label.sign), px(1)));
+        m_painter.drawLine(QPointF(left + px(2), label.wish), QPointF(left + px(12), label.place));
+        const QPointF baseline(left + px(16), label.place + metrics.capHeight() / 2);
+        const double width = SymbolText(label.symbol).draw(m_painter, baseline, m_style.font);
+        m_painter.setFont(m_style.font);
+        m_painter.drawText(baseline + QPointF(width, 0), label.value);
+    }
+    m_painter.restore();
+}
+
+} // namespace pixelplumb

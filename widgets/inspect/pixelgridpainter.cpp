@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/inspect/pixelgridpainter.h"
+
+#include "widgets/look/blend.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+// Logical pixels.
+// A value stands between the cell's left side and what goes through its sample.
+constexpr double leastValueSize = 7; // of its font
+constexpr double largestValueSize = 12;
+constexpr double valueGap = 1.5; // from the side
+constexpr double sampleGap = 2.5; // from the middle
+constexpr double dotCell = 12; // a dot would hide smaller cells
+
+constexpr float backgroundValueFade = 0.55F;
+
+/// Black or white, whichever is read better: relative luminance of sRGB against its middle
+/// (WCAG 2.1).
+QColor textColourOn(QRgb colour)
+{
+    const auto linear = [](int byte) {
+        const double share = byte / 255.0;
+        return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+    };
+    const double luminance = 0.2126 * linear(qRed(colour)) + 0.7152 * linear(qGreen(colour))
+        + 0.0722 * linear(qBlue(colour));
+    return luminance > 0.179 ? Qt::black : Qt::white;
+}
+
+QFont withSize(QFont font, double devicePixels)
+{
+    font.setPixelSize(std::max(1, int(devicePixels)));
+    return font;
+}
+
+double widestValue(const QFont &font)
+{
+    return QFontMetricsF(font).horizontalAdvance(QStringLiteral("000"));
+}
+
+} // namespace
+
+double leastReadableCell(const PixelGridStyle &style)
+{
+    const double value = widestValue(withSize(style.font, leastValueSize * style.scale));
+    return 2 * (value + (valueGap + sampleGap) * style.scale);
+}
+
+PixelGridPainter::PixelGridPainter(QPainter &painter, const PixelGridStyle &style,
+                                   const PixelGridMapping &mapping, const PixelGridScene &scene)
+    : m_painter(painter)
+    , m_style(style)
+    , m_mapping(mapping)
+    , m_view(mapping.onScreen(style.scale))
+    , m_scene(scene)
+{
+}
+
+template <class Draw>
+void PixelGridPainter::drawFrame(const Draw &draw)
+{
+    m_painter.save();
+    m_painter.scale(m_style.scale, m_style.scale);
+    const QRect grid = m_mapping.grid();
+    FramePainter frame(
+        m_painter, m_view, m_style.palette,
+        {m_view.positionOfDevice(grid.topLeft()), QSizeF(grid.size()) / m_style.scale});
+    draw(frame);
+    m_painter.restore();
+}
+
+void PixelGridPainter::paint()
+{
+    for (const GridCell &cell : m_scene.cells)
+        paintCell(cell);
+    if (m_style.lines == GridLines::Shown) {
+        drawFrame([](FramePainter &frame) {
+            frame.drawGrid();
+            frame.drawFrameEdge();
+        });
+    }
+    m_painter.save();
+    m_painter.setClipRect(m_mapping.grid());
+    drawFrame([this](FramePainter &frame) {
+        if (m_scene.triangle)
+            frame.drawOutline(*m_scene.triangle, m_scene.roles);
+        if (m_scene.hasLine())
+            frame.drawPlumbLine(m_scene.span->place);
+    });
+    paintSamples();
+    paintCandidates();
+    paintPixelInHand();
+    drawFrame([this](FramePainter &frame) {
+        if (m_scene.picked)
+            frame.drawPickedPixel(*m_scene.picked);
+        paintSpan(frame);
+    });
+    for (const GridCell &cell : m_scene.cells)
+        paintValue(cell); // over the lines: they may go anywhere
+    for (const GridCell &cell : m_scene.cells)
+        paintSigns(cell);
+    m_painter.restore();
+    paintAxes();
+    paintSpanLabels();
+}
+
+QFont PixelGridPainter::fontOfSize(double logicalPixels) const
+{
+    return withSize(m_style.font, px(logicalPixels));
+}
+
+void PixelGridPainter::paintCell(const GridCell &cell)
+{
+    const QRect rect = m_mapping.cell(cell.pixel);
+    if (cell.isInFrame) {
+        m_painter.fillRect(rect, QColor::fromRgb(cell.colour));
+        return;
+    }
+    m_painter.fillRect(rect, m_style.palette.color(QPalette::Window));
+    m_painter.fillRect(rect, QBrush(m_style.palette.color(QPalette::Mid), Qt::BDiagPattern));
+}
+
+void PixelGridPainter::paintValue(const GridCell &cell)
+{
+    const double size = m_mapping.cellSize();
+    if (!cell.isInFrame || size < leastReadableCell(m_style))
+        return;
+    const double room = size / 2 - px(valueGap + sampleGap);
+    double fontSize = largestValueSize;
+    while (fontSize > leastValueSize
+           && (widestValue(fontOfSize(fontSize)) > room || 3 * px(fontSize) > size - px(2)))
+        --fontSize;
+    const QFont font = fontOfSize(fontSize);
+    const QFontMetricsF metrics(font);
+    QColor colour = textColourOn(cell.colour);
+    if (cell.isBackground)
+        colour = blended(colour, QColor::fromRgb(cell.colour), backgroundValueFade);
+    m_painter.setPen(colour);
+    m_painter.setFont(font);
+    const QRectF rect = m_mapping.cell(cell.pixel);
+    const double right = rect.left() + px(valueGap) + widestValue(font);
+    const double lineHeight = (size - px(2)) / 3;
+    const std::array<int, 3> bytes = {qRed(cell.colour), qGreen(cell.colour), qBlue(cell.colour)};
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        const QString text = QString::number(bytes[i]);
+        const double middle = rect.top() + px(1) + lineHeight * (double(i) + 0.5);
+        m_painter.drawText(
+            QPointF(right - metrics.horizontalAdvance(text), middle + metrics.capHeight() / 2),
+            text);
+    }
+}
+
+void PixelGridPainter::paintSamples()
+{
+    const double size = m_mapping.cellSize();
+    if (size < px(dotCell))
+        return;
+    const double radius = std::clamp(size / 24, px(1), px(2.5));
+    m_painter.save();
+    m_painter.setRenderHint(QPainter::Antialiasing, true);
+    for (const GridCell &cell : m_scene.cells) {
+        if (!cell.isInFrame)
+            continue;
+        const QColor dot = textColourOn(cell.colour);
+        m_painter.setPen(Qt::NoPen);
+        m_painter.setBrush(blended(dot, QColor::fromRgb(cell.colour), 0.3F));
+        m_painter.drawEllipse(m_mapping.sample(cell.pixel), radius, radius);
+    }
+    m_painter.restore();
+}
+
+void PixelGridPainter::paintCandidates()
+{
+    if (!m_scene.hasLine())
+        return;
+    const bool isRow = m_scene.span->place.axis == SpanAxis::Row;
+    const std::int64_t firstShown = isRow ? m_mapping.firstColumn() : m_mapping.firstRow();
+    const std::int64_t endShown = isRow ? m_mapping.endColumn() : m_mapping.endRow();
+    const std::int64_t first = std::max(m_scene.firstCandidate, firstShown);
+    const std::int64_t end = std::min(m_scene.endCandidate, endShown);
+    const double inset = px(3);
+    QPen pen(colour(Sign::ColumnInHand), px(1.5));
+    pen.setDashPattern({3, 2});
+    QPen halo(m_style.palette.color(QPalette::Base), px(1.5));
+    for (std::int64_t along = first; along < end; ++along) {
+        const QRectF rect
+            = QRectF(m_mapping.cell(m_scene.onSpan(along))).adjusted(inset, inset, -inset, -inset);
+        m_painter.setPen(halo);
+        m_painter.drawRect(rect);
+        m_painter.setPen(pen);
+        m_painter.drawRect(rect);
+    }
+}
+
+void PixelGridPainter::paintPixelInHand()
+{
+    if (!m_scene.pixelInHand || !m_mapping.contains(*m_scene.pixelInHand))
+        return;
+    const double inset = px(3);
+    const QRectF rect
+        = QRectF(m_mapping.cell(*m_scene.pixelInHand)).adjusted(inset, inset, -inset, -inset);
+    m_painter.setPen(QPen(m_style.palette.color(QPalette::Base), px(4)));
+    m_painter.drawRect(rect);
+    m_painter.setPen(QPen(colour(Sign::ColumnInHand), px(2)));
+    m_painter.drawRect(rect);
+}
+
+void PixelGridPainter::paintSigns(const GridCell &cell)
+{
+    const double size = m_mapping.cellSize();
+    if (cell.signs.empty() || size < px(12))
+        return;
+    const QFont font = [&] {
+        QFont bold = fontOfSize(std::clamp(size / m_style.scale / 3.4, 7.0, 13.0));
+        bold.setBold(true);
+        return bold;
+    }();
+    const QFontMetricsF metrics(font);
+    const double side = std::min(metrics.height() * 0.95, size / 2 - px(2)); // right of the values
+    const QRectF rect = m_mapping.cell(cell.pixel);
+    m_painter.save();
+    m_painter.setRenderHint(QPainter::Antialiasing, true);
+    m_painter.setFont(font);
+    double top = rect.top() + px(1);
+    for (const Sign sign : cell.signs) {
+        const QRectF badge(rect.right() - side - px(1), top, side, side);
+        m_painter.setPen(QPen(colour(sign), px(1)));
+        m_painter.setBrush(m_style.palette.color(QPalette::Base));
+        m_painter.drawRoundedRect(badge, px(2), px(2));
+        m_painter.drawText(badge, Qt::AlignCenter, signGlyph(sign));
+        top += side + px(1);
+    }
+    m_painter.restore();
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/inspect/pixelgridscene.h"
+
+#include "core/oracle/oracle.h"
+#include "widgets/look/displayoptions.h"
+#include "widgets/model/playhead.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+bool isTie(const Triangle &triangle, FillRule rule, const QPoint &pixel)
+{
+    const oracle::SampleVerdict verdict = oracle::judge(triangle, rule, pixel.x(), pixel.y());
+    if (verdict.zeroArea)
+        return verdict.covered;
+    const auto isInside = [](const oracle::EdgeVerdict &edge) { return edge.edgeFunction >= 0; };
+    const auto isOn = [](const oracle::EdgeVerdict &edge) { return edge.edgeFunction == 0; };
+    return std::ranges::all_of(verdict.edges, isInside) && std::ranges::any_of(verdict.edges, isOn);
+}
+
+std::optional<Sign> differenceSign(Difference difference)
+{
+    switch (difference) {
+    case Difference::None:
+        break;
+    case Difference::Missing:
+        return Sign::Missing;
+    case Difference::Extra:
+        return Sign::Extra;
+    case Difference::Colour:
+        return Sign::ColourDiffers;
+    }
+    return std::nullopt;
+}
+
+/// The name of a span that crosses the cells; empty for any other.
+QString nameAmongCells(const SpanPlace &place, const PixelGridMapping &mapping)
+{
+    const std::int64_t at = place.coordinate;
+    if (place.axis == SpanAxis::Column && at >= mapping.firstColumn() && at < mapping.endColumn())
+        return QCoreApplication::translate("PixelGrid", "column %1").arg(at);
+    if (place.axis == SpanAxis::Row && at >= mapping.firstRow() && at < mapping.endRow())
+        return QCoreApplication::translate("PixelGrid", "row %1").arg(at);
+    return {};
+}
+
+class CellMaker {
+public:
+    CellMaker(const Playhead &playhead, const DisplayOptions &options)
+        : m_traced(*playhead.traced())
+        , m_position(playhead.position())
+        , m_samplesDone(m_traced.trace->samplesDoneAt(m_position))
+        , m_triangle(triangleInHand(playhead))
+        , m_shown(options.isTruthShown() ? m_traced.truth.view() : playhead.frame()->view())
+        , m_differences(options.areDifferencesShown())
+    {
+    }
+
+    GridCell cellAt(const QPoint &pixel, bool columnHasTie) const
+    {
+        GridCell cell;
+        cell.pixel = pixel;
+        cell.isInFrame = m_shown.contains(pixel.x(), pixel.y());
+        if (!cell.isInFrame)
+            return cell;
+        cell.colour = *m_shown.at(pixel.x(), pixel.y());
+        cell.isBackground = (cell.colour | 0xff000000U) == packed(m_traced.scene.frame.background);
+        const std::optional<Sign> difference
+            = differenceSign(m_traced.differences.at(pixel.x(), pixel.y()));
+        if (m_differences && difference && m_traced.decidedAt(pixel.x(), pixel.y()) <= m_position)
+            cell.signs.push_back(*difference);
+        if (!m_triangle)
+            return cell;
+        if (columnHasTie
+            && isTie(m_traced.primitives.triangles[*m_triangle], m_traced.scene.settings.fillRule,
+                     pixel))
+            cell.signs.push_back(Sign::Tie);
+        if (isClamped(pixel))
+            cell.signs.push_back(Sign::Clamp);
+        return cell;
+    }
+
+    bool hasTie(int x) const
+    {
+        return m_triangle && oracle::hasTie(m_traced.primitives.triangles[*m_triangle], x);
+    }
+
+private:
+    bool isClamped(const QPoint &pixel) const
+    {
+        const std::vector<std::size_t> &clamped = m_traced.trace->clampedSamples();
+        if (clamped.empty() || *m_triangle >= m_traced.trace->primitiveCount())
+            return false;
+        const std::optional<std::size_t> visit
+            = m_traced.trace->visitOf(*m_triangle, pixel.x(), pixel.y());
+        return visit && *visit < m_samplesDone && std::ranges::binary_search(clamped, *visit);
+    }
+
+    const TracedScene &m_traced;
+    std::size_t m_position;
+    std::size_t m_samplesDone;
+    std::optional<std::size_t> m_triangle;
+    FrameView m_shown;
+    bool m_differences;
+};
+
+} // namespace
+
+std::optional<std::size_t> triangleInHand(const Playhead &playhead)
+{
+    if (const std::optional<TraceStep> step = playhead.stepInHand())
+        return playhead.traced()->primitives.isTriangle(step->primitive)
+            ? std::optional(step->primitive)
+            : std::nullopt;
+    if (!playhead.traced() || playhead.traced()->primitives.triangles.empty())
+        return std::nullopt;
+    return 0;
+}
+
+PixelGridScene pixelGridScene(const Playhead &playhead, const DisplayOptions &options,
+                              const PixelGridMapping &mapping)
+{
+    const TracedScene &traced = *playhead.traced();
+    const ScanTrace &trace = *traced.trace;
+    PixelGridScene scene;
+    scene.origin = traced.scene.frame.origin;
+    scene.arithmetic = traced.scene.settings.arithmetic;
+    scene.fillRule = traced.scene.settings.fillRule;
+    scene.picked = playhead.pickedPixel();
+    scene.pixelInHand = playhead.pixelInHand();
+    if (const std::optional<std::size_t> span = playhead.spanInHand()) {
+        scene.span = trace.span(*span);
+        if (!scene.span->lower.isNone())
+            scene.boundsOf = nameAmongCells(scene.span->place, mapping);
+        const std::size_t decided
+            = trace.samplesDoneAt(playhead.position()) - trace.firstSampleOf(*span);
+        scene.firstCandidate = scene.span->firstDrawn + std::int64_t(decided);
+        scene.endCandidate = scene.span->endDrawn;
+    }
+    const std::optional<std::size_t> triangle = triangleInHand(playhead);
+    if (triangle && *triangle < trace.primitiveCount()) {
+        const std::array<Vertex, 3> &vertices = traced.primitives.triangles[*triangle].vertices;
+        scene.triangle = {vertices[0].position, vertices[1].position, vertices[2].position};
+        scene.roles = rolesOf(trace.setUp(*triangle));
+    }
+
+    const CellMaker maker(playhead, options);
+    scene.cells.reserve(std::size_t(mapping.columns()) * std::size_t(mapping.rows()));
+    for (int x = mapping.firstColumn(); x < mapping.endColumn(); ++x) {
+        const bool columnHasTie = maker.hasTie(x);
+        for (int y = mapping.firstRow(); y < mapping.endRow(); ++y)
+            scene.cells.push_back(maker.cellAt(QPoint(x, y), columnHasTie));
+    }
+    return scene;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/runs/tracedscene.h"
+#include "widgets/inspect/pixelgridmapping.h"
+#include "widgets/look/framepainter.h"
+
+#include <QString>
+
+#include <array>
+#include <optional>
+#include <vector>
+
+namespace pixelplumb {
+
+class DisplayOptions;
+class Playhead;
+
+/// One cell of the pixel grid.
+struct GridCell {
+    QPoint pixel;
+    bool isInFrame = false;
+    bool isBackground = false; ///< still shows the frame's background
+    QRgb colour = 0;
+    std::vector<Sign> signs; ///< difference, tie, clamp
+};
+
+/// What the pixel grid shows at the playhead's position, taken from the trace and the truth once,
+/// so that painting only draws. Coordinates are sample coordinates.
+struct PixelGridScene {
+    std::vector<GridCell> cells;
+    std::optional<std::array<LatticePoint, 3>> triangle; ///< in hand
+    EdgeRoles roles = {}; ///< of its edges
+    std::optional<SpanRecord> span; ///< in hand
+    /// Whose bounds stand beside the cells, "column 27": the span in hand, which need not be the
+    /// picked pixel's; empty where it is not among the cells.
+    QString boundsOf;
+    std::optional<QPoint> pixelInHand;
+    std::optional<QPoint> picked;
+    std::int64_t firstCandidate = 0; ///< samples along the span in hand that are not decided yet
+    std::int64_t endCandidate = 0;
+    FrameOrigin origin = FrameOrigin::BottomLeft;
+    Arithmetic arithmetic = Arithmetic::Exact;
+    FillRule fillRule = FillRule::Closed;
+
+    /// The pixel on the span in hand, a column or a row, at a place along it.
+    QPoint onSpan(std::int64_t along) const
+    {
+        const auto at = int(span->place.coordinate);
+        return span->place.axis == SpanAxis::Row ? QPoint(int(along), at) : QPoint(at, int(along));
+    }
+    bool hasLine() const { return span && span->place.axis != SpanAxis::Free; }
+};
+
+/// The scene of the cells that a mapping shows. The playhead must hold a run.
+PixelGridScene pixelGridScene(const Playhead &playhead, const DisplayOptions &options,
+                              const PixelGridMapping &mapping);
+
+/// The triangle that the step in hand works on; the first one before the first step; none where
+/// the scene has none or the step works on a shape.
+std::optional<std::size_t> triangleInHand(const Playhead &playhead);
+
+} // namespace pixelplumb

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/inspect/pixelhistorypanel.h"
+
+#include "widgets/inspect/pixelhistorydelegate.h"
+#include "widgets/look/numberlayout.h"
+#include "widgets/look/signs.h"
+#include "widgets/model/pixelhistorymodel.h"
+#include "widgets/model/playhead.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QToolButton>
+#include <QTreeView>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr int reasonLines = 3; // always kept free, so that the list stays where it is
+
+QToolButton *runButton(const char *name, const QString &text, const QString &toolTip,
+                       QWidget *parent)
+{
+    auto *button = new QToolButton(parent);
+    button->setObjectName(QString::fromLatin1(name));
+    button->setText(text);
+    button->setToolTip(toolTip);
+    button->setAccessibleName(toolTip);
+    button->setAutoRaise(true);
+    return button;
+}
+
+QString swatchHtml(QRgb colour)
+{
+    const QString name = QColor::fromRgb(colour).name();
+    return QStringLiteral("<span style='background-color:%1'>&nbsp;&nbsp;&nbsp;&nbsp;</span> %1")
+        .arg(name);
+}
+
+Sign signOf(Difference difference)
+{
+    switch (difference) {
+    case Difference::Missing:
+        return Sign::Missing;
+    case Difference::Extra:
+        return Sign::Extra;
+    case Difference::None:
+    case Difference::Colour:
+        break;
+    }
+    return Sign::ColourDiffers;
+}
+
+} // namespace
+
+PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)
+    : QWidget(parent)
+    , m_playhead(playhead)
+    , m_model(new PixelHistoryModel(this))
+    , m_heading(new QLabel(this))
+    , m_reason(new QLabel(this))
+    , m_attempts(new QTreeView(this))
+{
+    setObjectName(QStringLiteral("pixelHistory"));
+    setAccessibleName(tr("History of the picked pixel"));
+
+    m_heading->setObjectName(QStringLiteral("pixelHistoryHeading"));
+    m_heading->setTextFormat(Qt::RichText);
+    m_heading->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_heading->setMinimumWidth(1); // a long heading must not widen the window
+    m_reason->setObjectName(QStringLiteral("pixelHistoryReason"));
+    m_reason->setWordWrap(true);
+    m_reason->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_reason->setMinimumHeight(fontMetrics().lineSpacing() * reasonLines);
+    m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+
+    QToolButton *previous
+        = runButton("runToPreviousWrite", tr("◀ Write"),
+                    tr("Run back to the previous write of the picked pixel"), this);
+    QToolButton *next = runButton("runToNextWrite", tr("Write ▶"),
+                                  tr("Run on to the next write of the picked pixel"), this);
+
+    m_attempts->setObjectName(QStringLiteral("pixelHistoryTree"));
+    m_attempts->setAccessibleName(tr("Attempts of the triangles"));
+    m_attempts->setFrameShape(QFrame::NoFrame);
+    m_attempts->setHeaderHidden(true);
+    m_attempts->setUniformRowHeights(true);
+    m_attempts->setIndentation(16);
+    m_attempts->setModel(m_model);
+    m_attempts->setItemDelegate(new PixelHistoryDelegate(this));
+    if (const QFont figures = tabularFont(font()); figures != font())
+        m_attempts->setFont(figures);
+    m_attempts->header()->setStretchLastSection(true);
+    m_attempts->header()->setMinimumSectionSize(24);
+    m_attempts->setMinimumHeight(fontMetrics().height() + 4); // an attempt
+
+    auto *headingRow = new QHBoxLayout;
+    headingRow->setSpacing(0);
+    headingRow->addWidget(m_heading, 1);
+    headingRow->addWidget(previous);
+    headingRow->addWidget(next);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 4, 0, 0);
+    layout->setSpacing(4);
+    layout->addLayout(headingRow);
+    layout->addWidget(m_attempts, 1);
+    layout->addWidget(m_reason);
+
+    connect(previous, &QToolButton::clicked, playhead,
+            [playhead] { playhead->runToPickedPixel(StepDirection::Backward); });
+    connect(next, &QToolButton::clicked, playhead,
+            [playhead] { playhead->runToPickedPixel(StepDirection::Forward); });
+    connect(playhead, &Playhead::tracedChanged, this, &PixelHistoryPanel::scheduleUpdate);
+    connect(playhead, &Playhead::pickedPixelChanged, this, &PixelHistoryPanel::scheduleUpdate);
+    connect(playhead, &Playhead::positionChanged, this, &PixelHistoryPanel::followPosition);
+    connect(m_attempts, &QTreeView::activated, this, &PixelHistoryPanel::goToWrite);
+    connect(m_attempts->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &PixelHistoryPanel::showReason);
+    takePixel();
+}
+
+QSize PixelHistoryPanel::sizeHint() const { return {440, 200}; }
+
+void PixelHistoryPanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    if (m_isStale)
+        takePixel();
+}
+
+void PixelHistoryPanel::scheduleUpdate()
+{
+    m_isStale = true;
+    if (isVisible())
+        takePixel();
+}
+
+void PixelHistoryPanel::takePixel()
+{
+    m_isStale = false;
+    m_model->setPosition(m_playhead->position());
+    m_model->setPixel(m_playhead->sharedTraced(), m_playhead->pickedPixel());
+    const QModelIndex decisive = m_model->decisiveRow();
+    for (int row = 0; row < m_model->rowCount(); ++row)
+        m_attempts->setFirstColumnSpanned(row, {}, true);
+    m_attempts->expand(decisive);
+    for (int column = 0; column < PixelHistoryModel::ExactColumn; ++column)
+        m_attempts->resizeColumnToContents(column);
+    m_attempts->selectionModel()->setCurrentIndex(
+        decisive, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    showReason(decisive);
+    describePixel();
+}
+
+void PixelHistoryPanel::followPosition()
+{
+    if (!isVisible()) {
+        m_isStale = true;
+        return;
+    }
+    m_model->setPosition(m_playhead->position());
+    describePixel();
+}
+
+void PixelHistoryPanel::describePixel()
+{
+    const std::optional<QPoint> pixel = m_playhead->pickedPixel();
+    const TracedScene *traced = m_playhead->traced();
+    if (!pixel || !traced) {
+        m_heading->setText(
+            tr("<b>No pixel is picked</b>: click one in the pixel grid or on the canvas"));
+        return;
+    }
+    const FrameView frame = m_playhead->frame()->view();
+    if (!frame.contains(pixel->x(), pixel->y()))
+        return;
+    const QRgb truth = *traced->truth.view().at(pixel->x(), pixel->y());
+    QString text = QStringLiteral("<b>(%1, %2)</b> &nbsp;%3 &nbsp;")
+                       .arg(pixel->x())
+                       .arg(pixel->y())
+                       .arg(swatchHtml(*frame.at(pixel->x(), pixel->y())));
+    const Difference difference = traced->differences.at(pixel->x(), pixel->y());
+    const bool isDecided = traced->decidedAt(pixel->x(), pixel->y()) <= m_playhead->position();
+    text += tr("truth %1").arg(swatchHtml(truth));
+    if (isDecided && difference != Difference::None) {
+        const Sign sign = signOf(difference);
+        text += QStringLiteral(" <b style='color:%1'>%2</b>")
+                    .arg(signColour(sign, palette()).name(), signGlyph(sign));
+    }
+    m_heading->setText(text);
+}
+
+void PixelHistoryPanel::showReason(const QModelIndex &index)
+{
+    m_reason->setText(index.isValid() ? index.data(PixelHistoryModel::ReasonRole).toString()
+                                      : QString());
+    setAccessibleDescription(m_reason->text());
+}
+
+void PixelHistoryPanel::goToWrite(const QModelIndex &index)
+{
+    const QVariant step = index.data(PixelHistoryModel::StepRole);
+    if (step.isValid())
+        m_playhead->seekToPixelStep(std::size_t(step.toULongLong()));
+}
+
+} // namespace pixelplumb

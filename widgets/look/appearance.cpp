@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/appearance.h"
+
+#include "widgets/look/signs.h"
+#include "widgets/look/togglestyle.h"
+
+#include <QApplication>
+#include <QFontDatabase>
+#include <QFontMetricsF>
+#include <QStyle>
+
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr std::array<std::pair<PaletteChoice, const char *>, 3> paletteNames
+    = {{{PaletteChoice::System, "system"},
+        {PaletteChoice::Light, "light"},
+        {PaletteChoice::Dark, "dark"}}};
+
+struct Shades {
+    QRgb window, base, alternateBase, button, text, disabledText, placeholder;
+    QRgb light, midlight, mid, dark, shadow;
+    QRgb highlight, highlightedText, link, toolTipBase, toolTipText;
+};
+
+QPalette paletteOf(const Shades &shades)
+{
+    QPalette palette;
+    const auto set = [&](QPalette::ColorRole role, QRgb colour) {
+        palette.setColor(role, QColor::fromRgb(colour));
+    };
+    set(QPalette::Window, shades.window);
+    set(QPalette::WindowText, shades.text);
+    set(QPalette::Base, shades.base);
+    set(QPalette::AlternateBase, shades.alternateBase);
+    set(QPalette::Text, shades.text);
+    set(QPalette::Button, shades.button);
+    set(QPalette::ButtonText, shades.text);
+    set(QPalette::BrightText, shades.highlightedText);
+    set(QPalette::PlaceholderText, shades.placeholder);
+    set(QPalette::Light, shades.light);
+    set(QPalette::Midlight, shades.midlight);
+    set(QPalette::Mid, shades.mid);
+    set(QPalette::Dark, shades.dark);
+    set(QPalette::Shadow, shades.shadow);
+    set(QPalette::Highlight, shades.highlight);
+    set(QPalette::HighlightedText, shades.highlightedText);
+    set(QPalette::Link, shades.link);
+    set(QPalette::LinkVisited, shades.link);
+    set(QPalette::ToolTipBase, shades.toolTipBase);
+    set(QPalette::ToolTipText, shades.toolTipText);
+    for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText})
+        palette.setColor(QPalette::Disabled, role, QColor::fromRgb(shades.disabledText));
+    palette.setColor(QPalette::Disabled, QPalette::Highlight, QColor::fromRgb(shades.mid));
+    palette.setColor(QPalette::Disabled, QPalette::HighlightedText, QColor::fromRgb(shades.text));
+    return palette;
+}
+
+/// The palette that the desktop gave before we set one.
+bool desktopIsDark()
+{
+    static const bool dark = isDark(QApplication::palette());
+    return dark;
+}
+
+double luminance(const QColor &colour)
+{
+    const auto linear = [](double channel) {
+        return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
+    };
+    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF())
+        + 0.0722 * linear(colour.blueF());
+}
+
+} // namespace
+
+QString nameOf(PaletteChoice choice)
+{
+    for (const auto &[each, name] : paletteNames) {
+        if (each == choice)
+            return QLatin1String(name);
+    }
+    return {};
+}
+
+std::optional<PaletteChoice> paletteNamed(QStringView name)
+{
+    for (const auto &[choice, each] : paletteNames) {
+        if (name == QLatin1String(each))
+            return choice;
+    }
+    return std::nullopt;
+}
+
+QPalette lightPalette()
+{
+    return paletteOf({.window = 0xf3f3f1,
+                      .base = 0xffffff,
+                      .alternateBase = 0xf7f7f5,
+                      .button = 0xececea,
+                      .text = 0x1c1e21,
+                      .disabledText = 0x85888c,
+                      .placeholder = 0x6a6d72,
+                      .light = 0xffffff,
+                      .midlight = 0xf8f8f6,
+                      .mid = 0xc9cac7,
+                      .dark = 0xa4a5a3,
+                      .shadow = 0x6f706e,
+                      .highlight = 0x2f6d9f,
+                      .highlightedText = 0xffffff,
+                      .link = 0x1f5f94,
+                      .toolTipBase = 0xffffff,
+                      .toolTipText = 0x1c1e21});
+}
+
+QPalette darkPalette()
+{
+    return paletteOf({.window = 0x26282b,
+                      .base = 0x1b1d1f,
+                      .alternateBase = 0x212326,
+                      .button = 0x33363a,
+                      .text = 0xe6e7e9,
+                      .disabledText = 0x84878c,
+                      .placeholder = 0x9a9da2,
+                      .light = 0x4a4e53,
+                      .midlight = 0x3d4146,
+                      .mid = 0x45494e,
+                      .dark = 0x151618,
+                      .shadow = 0x0b0c0d,
+                      .highlight = 0x2d6290,
+                      .highlightedText = 0xffffff,
+                      .link = 0x7fbcec,
+                      .toolTipBase = 0x33363a,
+                      .toolTipText = 0xe6e7e9});
+}
+
+double contrastRatio(const QColor &a, const QColor &b)
+{
+    const auto [darker, lighter] = std::minmax({luminance(a), luminance(b)});
+    return (lighter + 0.05) / (darker + 0.05);
+}
+
+QFont withTabularFigures(const QFont &font)
+{
+    const auto isTabular = [](const QFont &candidate) {
+        const QFontMetricsF metrics(candidate);
+        for (char figure = '1'; figure <= '9'; ++figure) {
+            if (metrics.horizontalAdvance(QLatin1Char(figure))
+                != metrics.horizontalAdvance(QLatin1Char('0')))
+                return false;
+        }
+        return true;
+    };
+    if (isTabular(font))
+        return font;
+    for (const char *family : {"DejaVu Sans", "Noto Sans", "Liberation Sans"}) {
+        QFont candidate(font);
+        candidate.setFamily(QLatin1String(family));
+        if (QFontDatabase::hasFamily(QLatin1String(family)) && isTabular(candidate))
+            return candidate;
+    }
+    return font;
+}
+
+void applyAppearance(PaletteChoice choice)
+{
+    const bool darkDesktop = desktopIsDark(); // asked before the palette below hides the answer
+    const bool dark
+        = choice == PaletteChoice::Dark || (choice == PaletteChoice::System && darkDesktop);
+    if (!qobject_cast<ToggleStyle *>(QApplication::style()))
+        QApplication::setStyle(new ToggleStyle);
+    QApplication::setPalette(dark ? darkPalette() : lightPalette());
+    QApplication::setFont(withTabularFigures(QApplication::font()));
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/formulahtml.h"
+
+#include "widgets/look/blend.h"
+#include "widgets/look/channelformula.h"
+#include "widgets/look/numberformat.h"
+#include "widgets/look/symboltext.h"
+
+#include <QCoreApplication>
+#include <QRegularExpression>
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr float quietShare = 0.38F; // keeps 4.5:1 on black and white
+
+constexpr std::array otherSubjects
+    = {NumberSubject::General, NumberSubject::LowerEdge, NumberSubject::UpperEdge,
+       NumberSubject::LeftEdge, NumberSubject::RightEdge};
+
+QString tr(const char *text) { return QCoreApplication::translate("FormulaPanel", text); }
+
+/// What a group's first line begins with.
+QString titleOf(NumberSubject subject)
+{
+    if (subject == NumberSubject::LowerEdge)
+        return tr("lower edge");
+    if (subject == NumberSubject::UpperEdge)
+        return tr("upper edge");
+    if (subject == NumberSubject::LeftEdge)
+        return tr("left edge");
+    if (subject == NumberSubject::RightEdge)
+        return tr("right edge");
+    return {};
+}
+
+/// The two edges have their signs' colours. The channels keep the text's: red, green and blue are
+/// not told apart by everybody, and their letters are.
+QColor barColour(NumberSubject subject, const QPalette &palette)
+{
+    if (subject == NumberSubject::LowerEdge || subject == NumberSubject::LeftEdge)
+        return signColour(Sign::LowerEdge, palette);
+    if (subject == NumberSubject::UpperEdge || subject == NumberSubject::RightEdge)
+        return signColour(Sign::UpperEdge, palette);
+    return palette.color(QPalette::Mid);
+}
+
+/// True minus signs, and thin spaces that do not break in mixed numbers: "12 5/54".
+QString typeset(QString text)
+{
+    static const QRegularExpression mixed(QStringLiteral("(\\d)[ \u2009](\\d+/\\d+)"));
+    text.replace(mixed, QStringLiteral("\\1\u202f\\2"));
+    static const QRegularExpression negative(QStringLiteral("(^|[^\\w⌋⌉)])-(?=\\d)"));
+    return text.replace(negative, QStringLiteral("\\1−"));
+}
+
+/// Fractions are set smaller, so that 7 11/54 is not read as 711/54. Rich text takes every space
+/// but one for an ordinary one, at which a line may break.
+QString typesetHtml(const QString &text)
+{
+    static const QRegularExpression fraction(QStringLiteral("(?<![\\d)])(\\d+/\\d+)"));
+    QString html = SymbolText(typeset(text).replace(u'\u202f', QChar::Nbsp)).html();
+    return html.replace(fraction, QStringLiteral("<small>\\1</small>"));
+}
+
+/// Formulas without parentheses are short in every arithmetic: symbols and numbers share a line. By
+/// the symbols, not by the numbers, so that a formula keeps its lines from step to step.
+bool isShort(const FormulaLine &line) { return !line.symbols.contains(u'('); }
+
+/// The number used, underlined from the first digit that the exact one does not have.
+QString usedHtml(const FormulaLine &line, Arithmetic arithmetic)
+{
+    const QString text = displayText(line.used, arithmetic);
+    const int marked = arithmetic == Arithmetic::Exact || line.exact.isNone()
+        ? -1
+        : firstDifferingDigit(text, displayDecimal(line.exact, comparedPlaces));
+    if (marked < 0)
+        return QStringLiteral("<b>%1</b>").arg(typesetHtml(text));
+    return QStringLiteral("<b>%1<u>%2</u></b>").arg(text.left(marked), text.mid(marked));
+}
+
+QString exactText(const FormulaLine &line)
+{
+    QString text = tr("exact %1").arg(displayText(line.exact));
+    if (!line.exact.isInteger() && line.exact.denominator() <= 999999)
+        text += QStringLiteral(" = ") + displayDecimal(line.exact);
+    return text;
+}
+
+QString errorText(const FormulaLine &line)
+{
+    return tr("error %1").arg(displayError(line.used, line.exact));
+}
+
+class HtmlWriter {
+public:
+    HtmlWriter(Arithmetic arithmetic, const QPalette &palette)
+        : m_arithmetic(arithmetic)
+        , m_palette(palette)
+        , m_quiet(blended(palette.color(QPalette::Text), palette.color(QPalette::Base), quietShare)
+                      .name())
+    {
+    }
+
+    void begin(NumberSubject subject)
+    {
+        m_bar = barColour(subject, m_palette).name();
+        m_title = titleOf(subject);
+        if (!m_html.isEmpty())
+            m_html += QStringLiteral("<tr><td colspan='5' style='font-size:3px'>&nbsp;</td></tr>");
+    }
+
+    void append(const FormulaLine &line)
+    {
+        QString symbols = takeTitle() + typesetHtml(line.symbols);
+        const bool sharesLine = line.subject != NumberSubject::General || isShort(line);
+        if (sharesLine)
+            symbols += QStringLiteral(" &nbsp;") + quiet(equals(line));
+        row(wide(symbols) + used(line));
+        if (!sharesLine)
+            row(wide(quiet(equals(line))));
+        compare(line);
+    }
+
+    /// The symbols once, then a row for each channel.
+    void append(const ChannelFormula &formula)
+    {
+        row(wide(typesetHtml(formula.symbols)));
+        for (const FormulaLine *line : formula.lines) {
+            row(QStringLiteral("<td width='16'>%1</td><td>%2</td>")
+                    .arg(channelOf(*line).value_or(QChar()))
+                    .arg(quiet(equals(*line)))
+                + used(*line));
+            compare(*line);
+        }
+    }
+
+    QString html() const
+    {
+        return QStringLiteral("<table width='100%' cellspacing='0' cellpadding='0'>%1</table>")
+            .arg(m_html);
+    }
+
+private:
+    /// The group's title, before its first line alone.
+    QString takeTitle()
+    {
+        const QString title = std::exchange(m_title, QString());
+        return title.isEmpty()
+            ? title
+            : QStringLiteral("<span style='color:%1'><b>%2</b></span> &nbsp;").arg(m_bar, title);
+    }
+
+    static QString equals(const FormulaLine &line)
+    {
+        return QStringLiteral("= ") + typesetHtml(line.substituted);
+    }
+
+    static QString wide(const QString &html)
+    {
+        return QStringLiteral("<td colspan='2'>%1</td>").arg(html);
+    }
+
+    QString used(const FormulaLine &line) const
+    {
+        return QStringLiteral("<td align='right'>%1</td>").arg(usedHtml(line, m_arithmetic));
+    }
+
+    /// The exact number and the error, where the arithmetic rounds.
+    void compare(const FormulaLine &line)
+    {
+        if (m_arithmetic != Arithmetic::Exact && !line.used.isNone() && !line.exact.isNone())
+            row(QStringLiteral("<td width='16'></td><td>%1</td><td align='right'>%2</td>")
+                    .arg(quiet(typesetHtml(exactText(line))), quiet(errorText(line))));
+    }
+
+    void row(const QString &cells)
+    {
+        m_html += QStringLiteral("<tr><td width='3' bgcolor='%1'></td><td width='8'></td>%2</tr>")
+                      .arg(m_bar, cells);
+    }
+
+    QString quiet(const QString &html) const
+    {
+        return QStringLiteral("<span style='color:%1'>%2</span>").arg(m_quiet, html);
+    }
+
+    Arithmetic m_arithmetic;
+    const QPalette &m_palette;
+    QString m_quiet;
+    QString m_bar;
+    QString m_title;
+    QString m_html;
+};
+
+} // namespace
+
+QString formulaHtml(const Explanation &explanation, Arithmetic arithmetic, const QPalette &palette)
+{
+    HtmlWriter writer(arithmetic, palette);
+    for (const NumberSubject subject : otherSubjects) {
+        bool hasBegun = false;
+        for (const FormulaLine &line : explanation.lines) {
+            if (line.subject != subject)
+                continue;
+            if (!hasBegun)
+                writer.begin(subject);
+            hasBegun = true;
+            writer.append(line);
+        }
+    }
+    const std::vector<ChannelFormula> colours = channelFormulas(explanation.lines);
+    if (!colours.empty())
+        writer.begin(NumberSubject::Red);
+    for (const ChannelFormula &formula : colours)
+        writer.append(formula);
+    return explanation.lines.empty() ? QString() : writer.html();
+}
+
+QString formulaText(const Explanation &explanation, Arithmetic arithmetic)
+{
+    QStringList lines;
+    for (const FormulaLine &line : explanation.lines) {
+        QString text = typeset(line.symbols).remove(u'_') + QStringLiteral(" = ")
+            + typeset(line.substituted);
+        if (!line.used.isNone())
+            text += QStringLiteral(" = ") + displayText(line.used, arithmetic);
+        if (arithmetic != Arithmetic::Exact && !line.used.isNone() && !line.exact.isNone())
+            text += QStringLiteral("; ") + exactText(line) + QStringLiteral("; ") + errorText(line);
+        lines.append(text);
+    }
+    return lines.join(u'\n');
+}
+
+QString sentenceHtml(const QString &sentence) { return typesetHtml(sentence); }
+
+} // namespace pixelplumb

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/runs/explanation.h"
+#include "core/scan/scansettings.h"
+
+#include <QPalette>
+
+namespace pixelplumb {
+
+/// The formulas of an explanation as rich text, grouped by subject: the symbols and what came out,
+/// below it the numbers put in, and in a rounding arithmetic the exact number and the error.
+QString formulaHtml(const Explanation &explanation, Arithmetic arithmetic, const QPalette &palette);
+
+/// The same in plain text, a formula a line, for screen readers.
+QString formulaText(const Explanation &explanation, Arithmetic arithmetic);
+
+/// A sentence with its symbols and mixed numbers typeset.
+QString sentenceHtml(const QString &sentence);
+
+} // namespace pixelplumb

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/runs/tracedscene.h"
+#include "widgets/look/signs.h"
+#include "widgets/look/viewmapping.h"
+
+#include <QRectF>
+
+#include <optional>
+#include <vector>
+
+class QPainter;
+
+namespace pixelplumb {
+
+/// What an edge of a triangle is to the column scan.
+enum class EdgeRole { Plain, Lower, Upper };
+
+/// The roles of the edges 0–1, 1–2, 2–0 of the caller's triangle.
+using EdgeRoles = std::array<EdgeRole, 3>;
+EdgeRoles rolesOf(const SetUpRecord &setUp);
+
+enum class HandleState { Idle, Hovered, Selected };
+
+/// Whether y_B and y_T stand beside the ticks.
+enum class EdgeNames { Hidden, Shown };
+
+/// Where a note stands from its anchor.
+enum class NoteSide { Right, Above, Below, AboveRight, BelowRight };
+
+/// Draws what is known of a frame over its cells, on the screen or into a figure. Thin lines have a
+/// casing of the opposite lightness, so that they can be read on every colour that a frame may
+/// hold. Positions are in sample coordinates.
+class FramePainter {
+public:
+    /// view: the part of the paint device that shows the frame; lines are clipped to it.
+    FramePainter(QPainter &painter, const ViewMapping &mapping, const QPalette &palette,
+                 const QRectF &view);
+
+    void drawFrameEdge();
+    /// Lines between the cells, for figures; blendGrid() does the same for the screen.
+    void drawGrid();
+    void drawOutline(const std::array<LatticePoint, 3> &corners, const EdgeRoles &roles);
+    /// A line to a vertex that is not placed yet.
+    /// The curve that a shape stands for, and a Bézier curve's control polygon.
+    void drawShapeOutline(const Shape &shape);
+    void drawRubberPath(const std::vector<LatticePoint> &points);
+    void drawRubberLine(const LatticePoint &from, const LatticePoint &to);
+    void drawHandle(const LatticePoint &point, const Colour &colour, HandleState state);
+    /// A vertex that a click would place.
+    void drawCandidate(const LatticePoint &point, const Colour &colour);
+    /// P0, P1 or P2 beside a vertex, on the side that is turned away from `inside`, or as near to
+    /// it as no other name stands.
+    void drawVertexName(const QString &name, const LatticePoint &point, const QPointF &inside);
+    /// Through all samples of a column or a row.
+    void drawPlumbLine(const SpanPlace &place);
+    /// y_B and y_T where they meet the plumb line.
+    void drawEdgeTicks(const SpanRecord &span, EdgeNames names = EdgeNames::Shown);
+    /// The point of the rule off-screen-point; out of view, an arrow towards it at the border.
+    void drawOffScreenPoint(const LatticePoint &point);
+    void drawPickedPixel(const QPoint &pixel);
+    void drawPixelBreakpoint(const QPoint &pixel);
+    void drawNote(const QString &text, const QPointF &anchor, NoteSide side);
+    /// Between two positions.
+    void drawCased(const QLineF &line, const QColor &colour, double width,
+                   Qt::PenStyle style = Qt::SolidLine);
+
+    /// Where names and notes stand so far.
+    const std::vector<QRectF> &plates() const { return m_plates; }
+
+private:
+    static constexpr double handleRadius = 5; ///< logical pixels
+
+    QColor casing() const;
+    void fillDevice(const QRect &device, const QColor &colour);
+    /// A bound's symbol with its subscript: y_B, x_L.
+    struct EdgeName {
+        const char *symbol;
+        const char *subscript;
+    };
+    void drawEdgeTick(const QPointF &at, Sign sign, Qt::Orientation along);
+    void drawEdgeName(const QPointF &at, const EdgeName &name, Sign sign, NoteSide side);
+    QRectF plateAt(const QSizeF &text, const QPointF &anchor, NoteSide side) const;
+    QRectF drawPlate(const QSizeF &text, const QPointF &anchor, NoteSide side);
+    bool isNearView(const QPointF &position) const;
+
+    QPainter &m_painter;
+    const ViewMapping &m_mapping;
+    const QPalette &m_palette;
+    QRectF m_view;
+    std::vector<QRectF> m_plates;
+};
+
+/// The colour of the lines between cells; they fade in as the cells grow, and are transparent where
+/// cells are too small for them.
+QColor gridColour(const ViewMapping &mapping);
+
+/// The smallest cell that has room for a difference's glyph, in logical pixels.
+inline constexpr double leastGlyphCell = 9;
+
+/// Marks a cell: the difference's glyph where it has room, else a frame, else the colour alone.
+void paintDifference(QPainter &painter, const QRectF &cell, Difference kind,
+                     const QPalette &palette);
+
+/// The part of a line that lies in a rectangle; painters lose precision far outside.
+std::optional<QLineF> clipped(const QLineF &line, const QRectF &rect);
+
+} // namespace pixelplumb

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/framepainter.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+// Logical pixels.
+constexpr double leastFramedCell = 4;
+constexpr double largestGlyph = 22;
+
+Sign signOf(Difference kind)
+{
+    switch (kind) {
+    case Difference::Missing:
+        return Sign::Missing;
+    case Difference::Extra:
+        return Sign::Extra;
+    case Difference::Colour:
+    case Difference::None:
+        break;
+    }
+    return Sign::ColourDiffers;
+}
+
+/// The glyph's outline with the middle of its ink in the middle of a cell.
+QPainterPath glyphPath(const QString &glyph, QFont font, const QRectF &cell)
+{
+    font.setBold(true);
+    font.setPixelSize(int(std::min(cell.height(), largestGlyph)));
+    QPainterPath path;
+    path.addText(0, 0, font, glyph);
+    path.translate(cell.center() - path.boundingRect().center());
+    return path;
+}
+
+} // namespace
+
+void paintDifference(QPainter &painter, const QRectF &cell, Difference kind,
+                     const QPalette &palette)
+{
+    if (kind == Difference::None)
+        return;
+    const Sign sign = signOf(kind);
+    const QColor colour = signColour(sign, palette);
+    if (cell.width() < leastFramedCell) {
+        painter.fillRect(cell, colour);
+        return;
+    }
+    const QColor casing = isDark(palette) ? Qt::black : Qt::white;
+    painter.save();
+    painter.setBrush(Qt::NoBrush);
+    if (cell.width() < leastGlyphCell) {
+        QPen pen(colour, 1);
+        pen.setJoinStyle(Qt::MiterJoin);
+        painter.setPen(pen);
+        painter.drawRect(cell.adjusted(0.5, 0.5, -0.5, -0.5));
+    } else {
+        painter.setRenderHint(QPainter::Antialiasing);
+        const QPainterPath glyph = glyphPath(signGlyph(sign), painter.font(), cell);
+        painter.strokePath(glyph, QPen(casing, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        painter.fillPath(glyph, colour);
+    }
+    painter.restore();
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/framepainter.h"
+
+#include <QFontInfo>
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+// Logical pixels.
+constexpr double tickHalfLength = 9;
+constexpr double nearTicks = 24;
+constexpr double nameParting = 12;
+constexpr double noteGap = 8;
+constexpr double platePadding = 3;
+
+/// Radians from the side on which a vertex's name stands by choice, nearest first.
+constexpr std::array nameTurns
+    = {0.0, 0.4, -0.4, 0.8, -0.8, 1.2, -1.2, 1.6, -1.6, 2.0, -2.0, 2.4, -2.4, 2.8, -2.8};
+
+constexpr double subscriptSize = 0.8; ///< of the symbol's
+constexpr float plateOpacity = 0.88F;
+
+/// Where a plate of a size stands beside its anchor.
+QRectF placed(const QSizeF &size, const QPointF &anchor, NoteSide side)
+{
+    const double right = anchor.x() + noteGap;
+    const double above = anchor.y() - size.height() - noteGap / 2;
+    const double below = anchor.y() + noteGap / 2;
+    const double middle = anchor.x() - size.width() / 2;
+    switch (side) {
+    case NoteSide::Right:
+        return {QPointF(right, anchor.y() - size.height() / 2), size};
+    case NoteSide::Above:
+        return {QPointF(middle, above - noteGap / 2), size};
+    case NoteSide::Below:
+        return {QPointF(middle, below + noteGap / 2), size};
+    case NoteSide::AboveRight:
+        return {QPointF(right, above), size};
+    case NoteSide::BelowRight:
+        return {QPointF(right, below), size};
+    }
+    return {anchor, size};
+}
+
+} // namespace
+
+void FramePainter::drawVertexName(const QString &name, const LatticePoint &point,
+                                  const QPointF &inside)
+{
+    const QPointF centre = m_mapping.positionOf(point);
+    if (!isNearView(centre))
+        return;
+    const QPointF away = centre - inside;
+    const double distance = std::hypot(away.x(), away.y());
+    const QPointF direction = distance > 0 ? away / distance : QPointF(0, -1);
+    const QFontMetricsF metrics(m_painter.font());
+    const QSizeF size(metrics.horizontalAdvance(name), metrics.height());
+    // Far enough that the plate's corner clears the handle in any direction.
+    const double reach = handleRadius + 4 + std::hypot(size.width(), size.height()) / 2;
+    const auto anchorAt = [&](double turn) {
+        const QPointF turned(direction.x() * std::cos(turn) - direction.y() * std::sin(turn),
+                             direction.x() * std::sin(turn) + direction.y() * std::cos(turn));
+        return centre + turned * reach + QPointF(0, size.height() / 2 + platePadding + noteGap);
+    };
+    const auto isFree = [&](double turn) {
+        const QRectF plate = plateAt(size, anchorAt(turn), NoteSide::Above);
+        return std::ranges::none_of(
+            m_plates, [&plate](const QRectF &other) { return other.intersects(plate); });
+    };
+    const auto free = std::ranges::find_if(nameTurns, isFree);
+    const QRectF text = drawPlate(
+        size, anchorAt(free != nameTurns.end() ? *free : nameTurns.front()), NoteSide::Above);
+    m_painter.setPen(m_palette.color(QPalette::Text));
+    m_painter.drawText(text, Qt::AlignCenter, name);
+}
+
+void FramePainter::drawEdgeTicks(const SpanRecord &span, EdgeNames names)
+{
+    if (span.lower.isNone() || span.upper.isNone() || span.place.axis == SpanAxis::Free)
+        return;
+    const double at = double(span.place.coordinate);
+    const double lower = span.lower.toDouble();
+    const double upper = span.upper.toDouble();
+    if (span.place.axis == SpanAxis::Row) {
+        const QPointF left = m_mapping.positionOf(lower, at);
+        const QPointF right = m_mapping.positionOf(upper, at);
+        drawEdgeTick(left, Sign::LowerEdge, Qt::Vertical);
+        drawEdgeTick(right, Sign::UpperEdge, Qt::Vertical);
+        if (names == EdgeNames::Hidden)
+            return;
+        const double parting = right.x() - left.x() < nearTicks ? nameParting : 0;
+        drawEdgeName(left - QPointF(parting, 0), {"x", "L"}, Sign::LowerEdge, NoteSide::Below);
+        drawEdgeName(right + QPointF(parting, 0), {"x", "R"}, Sign::UpperEdge, NoteSide::Above);
+        return;
+    }
+    const QPointF bottom = m_mapping.positionOf(at, lower);
+    const QPointF top = m_mapping.positionOf(at, upper);
+    const bool upward = m_mapping.frame().origin == FrameOrigin::BottomLeft;
+    // Where the edges meet, the names part so that the vertex's own name fits between them.
+    const double parting = std::abs(top.y() - bottom.y()) < nearTicks ? nameParting : 0;
+    const QPointF away(0, upward ? -parting : parting);
+    drawEdgeTick(bottom, Sign::LowerEdge, Qt::Horizontal);
+    drawEdgeTick(top, Sign::UpperEdge, Qt::Horizontal);
+    if (names == EdgeNames::Hidden)
+        return;
+    drawEdgeName(bottom - away, {"y", "B"}, Sign::LowerEdge,
+                 upward ? NoteSide::BelowRight : NoteSide::AboveRight);
+    drawEdgeName(top + away, {"y", "T"}, Sign::UpperEdge,
+                 upward ? NoteSide::AboveRight : NoteSide::BelowRight);
+}
+
+void FramePainter::drawEdgeTick(const QPointF &at, Sign sign, Qt::Orientation along)
+{
+    const QPointF arm
+        = along == Qt::Horizontal ? QPointF(tickHalfLength, 0) : QPointF(0, tickHalfLength);
+    drawCased({at - arm, at + arm}, signColour(sign, m_palette), 2);
+}
+
+void FramePainter::drawEdgeName(const QPointF &at, const EdgeName &name, Sign sign, NoteSide side)
+{
+    if (!isNearView(at))
+        return;
+    const QString symbol = QLatin1String(name.symbol);
+    const QString subscript = QLatin1String(name.subscript);
+    const QFont font = m_painter.font();
+    QFont small = font;
+    small.setPixelSize(qRound(QFontInfo(font).pixelSize() * subscriptSize));
+    const QFontMetricsF metrics(font);
+    const double symbolWidth = metrics.horizontalAdvance(symbol);
+    const QSizeF size(symbolWidth + QFontMetricsF(small).horizontalAdvance(subscript) + 1,
+                      metrics.height());
+    const QRectF text = drawPlate(size, at, side);
+    const QPointF baseline(text.left(), text.top() + metrics.ascent());
+    m_painter.setPen(signColour(sign, m_palette));
+    m_painter.drawText(baseline, symbol);
+    m_painter.setFont(small);
+    m_painter.drawText(baseline + QPointF(symbolWidth + 1, metrics.descent()), subscript);
+    m_painter.setFont(font);
+}
+
+void FramePainter::drawNote(const QString &text, const QPointF &anchor, NoteSide side)
+{
+    const QFontMetricsF metrics(m_painter.font());
+    const QRectF rect = drawPlate(metrics.size(0, text), anchor, side);
+    m_painter.setPen(m_palette.color(QPalette::Text));
+    m_painter.drawText(rect, Qt::AlignCenter | Qt::TextDontClip, text);
+}
+
+QRectF FramePainter::plateAt(const QSizeF &text, const QPointF &anchor, NoteSide side) const
+{
+    const QSizeF size = text + QSizeF(2 * platePadding, 2);
+    QRectF plate = placed(size, anchor, side);
+    // Kept in view, so that a name near the border can be read.
+    plate.moveLeft(std::max(std::min(plate.left(), m_view.right() - size.width()), m_view.left()));
+    plate.moveTop(std::max(std::min(plate.top(), m_view.bottom() - size.height()), m_view.top()));
+    return plate;
+}
+
+QRectF FramePainter::drawPlate(const QSizeF &text, const QPointF &anchor, NoteSide side)
+{
+    const QRectF plate = plateAt(text, anchor, side);
+    m_plates.push_back(plate);
+    m_painter.setRenderHint(QPainter::Antialiasing);
+    m_painter.setPen(Qt::NoPen);
+    QColor paper = m_palette.color(QPalette::Base);
+    paper.setAlphaF(plateOpacity);
+    m_painter.setBrush(paper);
+    m_painter.drawRoundedRect(plate, 3, 3);
+    return plate.adjusted(platePadding, 1, -platePadding, -1);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/framepainter.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <QPainterPath>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+/// Outlines of the primitives that are not triangles, and the off-screen point.
+namespace pixelplumb {
+
+namespace {
+
+// Logical pixels.
+constexpr double outlineWidth = 1.5;
+constexpr double offScreenSize = 7; ///< of the off-screen point's mark, from its middle
+constexpr double largestCurve = 1e6;
+
+std::vector<QPointF> positionsOf(const Shape &shape, const ViewMapping &mapping)
+{
+    std::vector<QPointF> positions;
+    for (const Vertex &vertex : shape.vertices)
+        positions.push_back(mapping.positionOf(vertex.position));
+    return positions;
+}
+
+void appendContour(QPainterPath &path, const std::vector<QPointF> &points, std::size_t first,
+                   std::size_t end)
+{
+    path.moveTo(points[first]);
+    for (std::size_t i = first + 1; i < end; ++i)
+        path.lineTo(points[i]);
+    path.closeSubpath();
+}
+
+QPainterPath polygonPath(const Shape &shape, const std::vector<QPointF> &points)
+{
+    QPainterPath path;
+    std::size_t first = 0;
+    for (const std::size_t next : shape.laterContours) {
+        appendContour(path, points, first, next);
+        first = next;
+    }
+    appendContour(path, points, first, points.size());
+    return path;
+}
+
+/// The curve that the shape stands for; empty where its vertices say it all.
+QPainterPath curveOf(const Shape &shape, const std::vector<QPointF> &points)
+{
+    QPainterPath path;
+    switch (shape.kind) {
+    case PrimitiveKind::Line:
+        path.moveTo(points[0]);
+        path.lineTo(points[1]);
+        break;
+    case PrimitiveKind::Circle:
+    case PrimitiveKind::Ellipse: {
+        const QPointF corner = points[1] - points[0];
+        path.addEllipse(points[0], std::abs(corner.x()), std::abs(corner.y()));
+        break;
+    }
+    case PrimitiveKind::Bezier:
+        path.moveTo(points[0]);
+        if (points.size() == 3)
+            path.quadTo(points[1], points[2]);
+        else
+            path.cubicTo(points[1], points[2], points[3]);
+        break;
+    case PrimitiveKind::Polygon:
+        path = polygonPath(shape, points);
+        break;
+    case PrimitiveKind::Triangle:
+    case PrimitiveKind::Point:
+    case PrimitiveKind::Text:
+        break;
+    }
+    return path;
+}
+
+bool hasCurves(const QPainterPath &path)
+{
+    for (int i = 0; i < path.elementCount(); ++i) {
+        if (path.elementAt(i).isCurveTo())
+            return true;
+    }
+    return false;
+}
+
+/// What of a path lies in a rectangle, as polylines: painters lose precision far outside. Its
+/// extent may be zero in either direction, as a level line's is.
+QPainterPath visiblePart(const QPainterPath &path, const QRectF &rect)
+{
+    QPainterPath visible;
+    // Where curves are larger, their pieces are not straight to a pixel any more.
+    const QRectF extent = path.boundingRect();
+    if (std::max(extent.width(), extent.height()) > largestCurve && hasCurves(path))
+        return visible;
+    for (const QPolygonF &polygon : path.toSubpathPolygons()) {
+        for (qsizetype i = 1; i < polygon.size(); ++i) {
+            const std::optional<QLineF> piece = clipped({polygon[i - 1], polygon[i]}, rect);
+            if (!piece)
+                continue;
+            if (visible.isEmpty() || visible.currentPosition() != piece->p1())
+                visible.moveTo(piece->p1());
+            visible.lineTo(piece->p2());
+        }
+    }
+    return visible;
+}
+
+} // namespace
+
+void FramePainter::drawShapeOutline(const Shape &shape)
+{
+    const std::vector<QPointF> points = positionsOf(shape, m_mapping);
+    if (shape.kind == PrimitiveKind::Bezier) {
+        for (std::size_t i = 1; i < points.size(); ++i)
+            drawCased({points[i - 1], points[i]}, signColour(Sign::VertexMark, m_palette), 1,
+                      Qt::DotLine);
+    }
+    const QPainterPath path = visiblePart(curveOf(shape, points), m_view.adjusted(-9, -9, 9, 9));
+    QColor around = casing();
+    around.setAlphaF(0.8F);
+    m_painter.setRenderHint(QPainter::Antialiasing);
+    m_painter.setBrush(Qt::NoBrush);
+    m_painter.setPen(QPen(around, outlineWidth + 2));
+    m_painter.drawPath(path);
+    m_painter.setPen(QPen(signColour(Sign::VertexMark, m_palette), outlineWidth));
+    m_painter.drawPath(path);
+}
+
+void FramePainter::drawOffScreenPoint(const LatticePoint &point)
+{
+    const QPointF place = m_mapping.positionOf(point);
+    const QRectF inner
+        = m_view.adjusted(offScreenSize, offScreenSize, -offScreenSize, -offScreenSize);
+    const QPointF shown(std::clamp(place.x(), inner.left(), inner.right()),
+                        std::clamp(place.y(), inner.top(), inner.bottom()));
+    const QPointF beyond = place - shown;
+    const double distance = std::hypot(beyond.x(), beyond.y());
+    const QColor colour = signColour(Sign::VertexMark, m_palette);
+    if (distance > offScreenSize) {
+        const QPointF ahead = beyond / distance * offScreenSize;
+        const QPointF aside(-ahead.y() / 2, ahead.x() / 2);
+        drawCased({shown - ahead, shown + ahead}, colour, outlineWidth);
+        drawCased({shown + ahead, shown + aside}, colour, outlineWidth);
+        drawCased({shown + ahead, shown - aside}, colour, outlineWidth);
+    } else {
+        const QPointF across(offScreenSize, 0);
+        const QPointF up(0, offScreenSize);
+        for (const QLineF &side :
+             {QLineF(place - across, place + up), QLineF(place + up, place + across),
+              QLineF(place + across, place - up), QLineF(place - up, place - across)})
+            drawCased(side, colour, outlineWidth);
+    }
+    drawNote(QCoreApplication::translate("FramePainter", "off-screen point"),
+             shown + QPointF(offScreenSize, 0), NoteSide::AboveRight);
+}
+
+void FramePainter::drawRubberPath(const std::vector<LatticePoint> &points)
+{
+    for (std::size_t i = 1; i < points.size(); ++i)
+        drawRubberLine(points[i - 1], points[i]);
+}
+
+} // namespace pixelplumb

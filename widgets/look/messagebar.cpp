@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/messagebar.h"
+
+#include "widgets/look/signs.h"
+
+#include <QAccessible>
+#include <QBoxLayout>
+#include <QEvent>
+#include <QLabel>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+// Logical pixels.
+constexpr int sideMargin = 16;
+constexpr int widest = 720; ///< longer lines are hard to read
+constexpr double linesBelow = 2.5; ///< kept free: a ruler stands at the lower border
+
+} // namespace
+
+MessageBar::MessageBar(QWidget *covered)
+    : QFrame(covered)
+    , m_glyph(new QLabel(this))
+    , m_text(new QLabel(this))
+{
+    setObjectName(QStringLiteral("messageBar"));
+    setAccessibleName(tr("Message"));
+    setAutoFillBackground(true);
+    setFrameShape(QFrame::StyledPanel);
+    setCursor(Qt::ArrowCursor);
+    setBackgroundRole(QPalette::ToolTipBase);
+    setForegroundRole(QPalette::ToolTipText);
+    m_glyph->setObjectName(QStringLiteral("messageKind"));
+    m_text->setObjectName(QStringLiteral("messageText"));
+    m_text->setAccessibleName(tr("No message"));
+    m_text->setWordWrap(true);
+    m_text->setTextFormat(Qt::PlainText);
+    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_text->setForegroundRole(QPalette::ToolTipText);
+    QFont bold = font();
+    bold.setBold(true);
+    m_glyph->setFont(bold);
+
+    auto *close = new QToolButton(this);
+    close->setObjectName(QStringLiteral("closeMessage"));
+    close->setText(tr("Close"));
+    close->setAccessibleName(tr("Close the message"));
+    close->setAutoRaise(true);
+    connect(close, &QToolButton::clicked, this, &QWidget::hide);
+
+    auto *row = new QHBoxLayout(this);
+    row->setContentsMargins(16, 4, 8, 4);
+    row->setSpacing(8);
+    row->addWidget(m_glyph);
+    row->addWidget(m_text, 1);
+    row->addWidget(close);
+    hide();
+    covered->installEventFilter(this);
+}
+
+bool MessageBar::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Resize && !isHidden())
+        place();
+    return QFrame::eventFilter(watched, event);
+}
+
+/// As wide as the text asks for, and as high as that makes it.
+void MessageBar::place()
+{
+    const QSize room = parentWidget()->size();
+    const QMargins margins = layout()->contentsMargins();
+    const int beside = sizeHint().width() - m_text->sizeHint().width();
+    const int asked = beside + m_text->fontMetrics().horizontalAdvance(m_text->text())
+        + margins.left() + margins.right();
+    const int width = std::min({asked, widest, room.width() - 2 * sideMargin});
+    const int frame = 2 * frameWidth();
+    const int height = frame
+        + std::max(layout()->heightForWidth(width - frame), layout()->minimumSize().height());
+    const int bottom = room.height() - int(linesBelow * fontMetrics().lineSpacing());
+    setGeometry((room.width() - width) / 2, std::max(0, bottom - height), width, height);
+    raise();
+}
+
+QString MessageBar::text() const { return m_text->text(); }
+
+void MessageBar::tell(const QString &text) { show(Kind::Information, text); }
+
+void MessageBar::complain(const QString &text) { show(Kind::Error, text); }
+
+void MessageBar::show(Kind kind, const QString &text)
+{
+    const bool isError = kind == Kind::Error;
+    QPalette colours;
+    colours.setColor(QPalette::WindowText,
+                     isError ? signColour(Sign::Breakpoint, palette())
+                             : signColour(Sign::ColumnInHand, palette()));
+    m_glyph->setPalette(colours);
+    m_glyph->setText(isError ? tr("Error") : tr("Note"));
+    m_text->setText(text);
+    m_text->setAccessibleName(text);
+    setAccessibleDescription(text);
+    place();
+    setVisible(true);
+    QAccessibleEvent alert(this, QAccessible::Alert);
+    QAccessible::updateAccessibility(&alert);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/symboltext.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr double subscriptSize = 0.75; // of the line's
+constexpr double subscriptDrop = 0.18; // of the line's ascent
+
+double pixelSizeOf(const QFont &font)
+{
+    return font.pixelSize() > 0 ? font.pixelSize() : font.pointSizeF();
+}
+
+} // namespace
+
+SymbolText::SymbolText(const QString &text)
+{
+    const auto append = [this](QChar character, Level level) {
+        if (m_runs.empty() || m_runs.back().level != level)
+            m_runs.push_back({{}, level});
+        m_runs.back().text += character;
+    };
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        const auto isLowered
+            = [&](qsizetype at) { return at < text.size() && text[at].isLetterOrNumber(); };
+        if (text[i] != u'_' || !isLowered(i + 1)) {
+            append(text[i], Level::Line);
+            continue;
+        }
+        for (; isLowered(i + 1); ++i)
+            append(text[i + 1], Level::Subscript);
+    }
+}
+
+QString SymbolText::html() const
+{
+    QString html;
+    for (const Run &run : m_runs) {
+        const QString text = run.text.toHtmlEscaped();
+        html += run.level == Level::Subscript ? QStringLiteral("<sub>%1</sub>").arg(text) : text;
+    }
+    return html;
+}
+
+QFont SymbolText::fontFor(Level level, const QFont &font)
+{
+    if (level == Level::Line)
+        return font;
+    QFont smaller = font;
+    const double size = pixelSizeOf(font) * subscriptSize;
+    if (font.pixelSize() > 0)
+        smaller.setPixelSize(qRound(size));
+    else
+        smaller.setPointSizeF(size);
+    return smaller;
+}
+
+double SymbolText::width(const QFont &font) const
+{
+    double width = 0;
+    for (const Run &run : m_runs)
+        width += QFontMetricsF(fontFor(run.level, font)).horizontalAdvance(run.text);
+    return width;
+}
+
+double SymbolText::draw(QPainter &painter, const QPointF &baseline, const QFont &font) const
+{
+    const double drop = QFontMetricsF(font).ascent() * subscriptDrop;
+    QPointF position = baseline;
+    for (const Run &run : m_runs) {
+        const QFont runFont = fontFor(run.level, font);
+        painter.setFont(runFont);
+        painter.drawText(position + QPointF(0, run.level == Level::Subscript ? drop : 0), run.text);
+        position.rx() += QFontMetricsF(runFont).horizontalAdvance(run.text);
+    }
+    return position.x() - baseline.x();
+}
+
+QString toolTipHtml(const QStringList &lines)
+{
+    QStringList html;
+    for (const QString &line : lines)
+        html += SymbolText(line).html();
+    return QStringLiteral("<qt>%1</qt>").arg(html.join(QStringLiteral("<br>")));
+}
+
+std::optional<Sign> edgeSignOf(const QString &symbol)
+{
+    if (symbol.contains(QLatin1String("_B")))
+        return Sign::LowerEdge;
+    if (symbol.contains(QLatin1String("_T")))
+        return Sign::UpperEdge;
+    return std::nullopt;
+}
+
+} // namespace pixelplumb

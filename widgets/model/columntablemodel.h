@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/runs/tracedscene.h"
+
+#include <QAbstractTableModel>
+#include <QCache>
+
+#include <memory>
+#include <optional>
+
+namespace pixelplumb {
+
+class Playhead;
+
+/// Which of its three numbers a column of the table shows: the kernel's, the true one, their
+/// difference.
+enum class NumberFace { Used, Exact, Error };
+
+/// Where a row begins something.
+enum class RowMark { None, PrimitiveBegins, PartBegins };
+
+/// The trace's spans as rows, in drawing order over all primitives. Nothing is computed at a
+/// reset: the numbers of a row are taken from the trace when a view asks for them, and kept for the
+/// last few rows.
+class ColumnTableModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    enum Role {
+        UsedTextRole = Qt::UserRole + 1, ///< displayed text of the number used
+        ExactTextRole,
+        ErrorTextRole,
+        CanonicalTextRole, ///< of the cell's own face, as `pixelplumb-cli trace` writes it
+        ChangedRole, ///< bool: differs from the primitive's span before
+        MarkedDigitRole, ///< int: first character of DisplayRole that the exact number does not
+                         ///< have, or −1
+        IsAheadRole, ///< bool: the position is before this span
+        IsInHandRole, ///< bool
+        RowMarkRole, ///< int of RowMark
+        PrimitiveRole, ///< int
+    };
+
+    explicit ColumnTableModel(Playhead *playhead, QObject *parent = nullptr);
+    ~ColumnTableModel() override;
+
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+    QVariant headerData(int section, Qt::Orientation orientation,
+                        int role = Qt::DisplayRole) const override;
+
+    /// What a column of the table shows, as it is true of all rows.
+    const NumberDescription &number(int column) const;
+    NumberFace face(int column) const { return m_entries[std::size_t(column)].face; }
+    /// "y_B", "y_B_exact", "y_B_error": the column's name in files.
+    QString fileName(int column) const;
+
+    /// True where numbers are rounded, so that exact and error say something.
+    bool isRounding() const;
+    bool hasSeveralPrimitives() const;
+
+private:
+    struct Entry {
+        std::size_t number = 0; ///< its place among the method's
+        NumberFace face = NumberFace::Used;
+    };
+    struct RowNumbers {
+        SpanRecord used;
+        std::vector<Quantity> exact; ///< empty where nothing is rounded
+        std::optional<SpanRecord> previous; ///< of the same primitive
+    };
+
+    void takeTrace();
+    void followPosition();
+    const RowNumbers &numbersOf(int row) const;
+    Quantity usedNumber(const RowNumbers &numbers, const Entry &entry) const;
+    Quantity exactNumber(const RowNumbers &numbers, const Entry &entry) const;
+    QString usedText(const Quantity &used) const;
+    QString faceText(const Quantity &used, const Quantity &exact, NumberFace face) const;
+    QString canonicalText(const Quantity &used, const Quantity &exact, NumberFace face) const;
+    QString toolTip(int row, const Entry &entry) const;
+    QVariant numberData(const RowNumbers &numbers, const Entry &entry, int role) const;
+    RowMark markOf(int row) const;
+
+    Playhead *m_playhead;
+    std::shared_ptr<const TracedScene> m_traced;
+    std::vector<NumberDescription> m_numbers; ///< the method's, with the titles of this run
+    std::vector<Entry> m_entries;
+    std::size_t m_position = 0;
+    mutable QCache<int, RowNumbers> m_cache;
+};
+
+} // namespace pixelplumb

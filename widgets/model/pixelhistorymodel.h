@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/runs/pixelhistory.h"
+
+#include <QAbstractItemModel>
+#include <QPoint>
+
+#include <optional>
+
+namespace pixelplumb {
+
+/// What each triangle did to one pixel, in drawing order, with the numbers of each attempt below
+/// it: three channels where it wrote, three edges where one of them refuses. Of the triangles that
+/// refuse the pixel only the first few are listed; a last row counts the others.
+class PixelHistoryModel : public QAbstractItemModel {
+    Q_OBJECT
+
+public:
+    enum Column { WhatColumn, UsedColumn, ByteColumn, ExactColumn, columnTotal };
+    enum Role {
+        ReasonRole = Qt::UserRole + 1, ///< QString: the attempt's reason
+        StepRole, ///< qulonglong: the step that wrote; invalid where none did
+        IsAheadRole, ///< bool: written by a step beyond the position
+        BeforeColourRole, ///< QColor, of a write
+        AfterColourRole,
+    };
+
+    static constexpr int listedRefusals = 20;
+
+    using QAbstractItemModel::QAbstractItemModel;
+
+    void setPixel(std::shared_ptr<const TracedScene> traced, const std::optional<QPoint> &pixel);
+    void setPosition(std::size_t position);
+
+    /// The row of the write that the frame shows, else of the first to come, else 0; none when
+    /// empty.
+    QModelIndex decisiveRow() const;
+
+    QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;
+    QModelIndex parent(const QModelIndex &child) const override;
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
+
+private:
+    bool isCountRow(const QModelIndex &index) const;
+    QString attemptText(const PixelAttempt &attempt, int column) const;
+    QString channelText(const PixelAttempt &attempt, std::size_t channel, int column) const;
+    QString edgeText(const PixelAttempt &attempt, std::size_t index, int column) const;
+
+    std::shared_ptr<const TracedScene> m_traced;
+    std::vector<PixelAttempt> m_attempts; ///< those that are listed
+    std::size_t m_unlisted = 0; ///< refusals beyond them
+    std::size_t m_position = 0;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/model/placinghint.h"
+
+#include "core/methods/method.h"
+#include "core/runs/tracedscene.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+QString tr(const char *text)
+{
+    return QCoreApplication::translate("pixelplumb::PlacingHint", text);
+}
+
+QString invitation(PrimitiveKind kind)
+{
+    switch (kind) {
+    case PrimitiveKind::Triangle:
+        return tr("Click three points on the canvas to draw a triangle");
+    case PrimitiveKind::Point:
+        return tr("Click to draw a point");
+    case PrimitiveKind::Line:
+        return tr("Click two points to draw a line");
+    case PrimitiveKind::Circle:
+        return tr("Click the centre and a corner of the square around the circle");
+    case PrimitiveKind::Ellipse:
+        return tr("Click the centre and a corner of the box around the ellipse");
+    case PrimitiveKind::Bezier:
+        return tr("Click four control points to draw a curve");
+    case PrimitiveKind::Polygon:
+        return tr("Click the corners of a polygon, then its first corner again");
+    case PrimitiveKind::Text:
+        return tr("Click where the text begins");
+    }
+    return {};
+}
+
+QString pluralOf(PrimitiveKind kind)
+{
+    switch (kind) {
+    case PrimitiveKind::Triangle:
+        return tr("triangles");
+    case PrimitiveKind::Point:
+        return tr("points");
+    case PrimitiveKind::Line:
+        return tr("lines");
+    case PrimitiveKind::Circle:
+        return tr("circles");
+    case PrimitiveKind::Ellipse:
+        return tr("ellipses");
+    case PrimitiveKind::Bezier:
+        return tr("curves");
+    case PrimitiveKind::Polygon:
+        return tr("polygons");
+    case PrimitiveKind::Text:
+        return tr("texts");
+    }
+    return {};
+}
+
+/// "outlined circles and ellipses".
+QString drawnBy(const Method &method)
+{
+    QStringList kinds;
+    for (const PrimitiveKind kind : method.kinds)
+        kinds += pluralOf(kind);
+    const QString names = kinds.join(tr(" and "));
+    if (method.fills.empty())
+        return names;
+    const bool outlines = std::ranges::find(method.fills, ShapeFill::Outline) != method.fills.end();
+    return (outlines ? tr("outlined %1") : tr("filled %1")).arg(names);
+}
+
+bool drawsAny(const Method &method, const Scene &scene)
+{
+    return (!scene.triangles.empty() && method.draws(PrimitiveKind::Triangle))
+        || std::ranges::any_of(scene.shapes,
+                               [&](const Shape &shape) { return method.draws(shape); });
+}
+
+} // namespace
+
+QString foreignSceneHint(const Scene &scene)
+{
+    const Method *method = methodNamed(QString::fromStdString(scene.method));
+    const bool isEmpty = scene.triangles.empty() && scene.shapes.empty();
+    if (!method || isEmpty || drawsAny(*method, scene))
+        return {};
+    const Method &other = scene.triangles.empty() ? firstMethodFor(scene.shapes.front())
+                                                  : firstMethodFor(PrimitiveKind::Triangle);
+    return tr("%1 draws %2; this scene has none. %3 draws what is here.")
+        .arg(method->title, drawnBy(*method), other.title);
+}
+
+QString emptyRunText(const TracedScene *traced)
+{
+    if (!traced || traced->primitives.size() == 0) {
+        const PrimitiveKind kind = traced ? traced->method->kinds.front() : PrimitiveKind::Triangle;
+        return tr("%1. Every number of every step appears here.").arg(invitation(kind));
+    }
+    const QString foreign = foreignSceneHint(traced->scene);
+    return foreign.isEmpty() ? tr("The method drew nothing of this scene.") : foreign;
+}
+
+QString placingHint(PrimitiveKind kind, std::size_t pendingVertices, FrameContent content)
+{
+    if (pendingVertices == 0)
+        return content == FrameContent::Empty ? invitation(kind) : QString();
+    if (kind == PrimitiveKind::Circle || kind == PrimitiveKind::Ellipse)
+        return tr("Click the corner of the box around it");
+    if (kind == PrimitiveKind::Polygon && pendingVertices >= 3)
+        return tr("Click the next corner, or the first one to close the polygon");
+    switch (pendingVertices) {
+    case 1:
+        return tr("Click the second point");
+    case 2:
+        return tr("Click the third point");
+    case 3:
+        return tr("Click the fourth point");
+    default:
+        break;
+    }
+    return tr("Click the next point");
+}
+
+} // namespace pixelplumb

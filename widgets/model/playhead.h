@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/runs/tracedscene.h"
+#include "widgets/model/tracenavigation.h"
+
+#include <QElapsedTimer>
+#include <QObject>
+#include <QPoint>
+#include <QTimer>
+
+#include <memory>
+#include <optional>
+#include <set>
+
+namespace pixelplumb {
+
+/// Where the person is: the traced scene, the position in it, the unit of stepping, the picked
+/// pixel and the breakpoints. Every view listens to this object and asks it to move; no view knows
+/// another.
+///
+/// A position p means that the first p steps are done; the step in hand is step p − 1. Moving to a
+/// span or sample step picks its pixel; picking a pixel by hand does not move time.
+class Playhead : public QObject {
+    Q_OBJECT
+
+public:
+    static constexpr double slowest = 0.5; ///< steps per second
+    static constexpr double fastest = 10000;
+
+    explicit Playhead(QObject *parent = nullptr);
+    ~Playhead() override;
+
+    /// Takes a new run. The position is kept on the same column and pixel where the new trace has
+    /// them, else the nearest earlier step of the same primitive. A run with more primitives than
+    /// the last one is shown finished: someone added one and wants to see it.
+    void setTraced(std::shared_ptr<const TracedScene> traced);
+    /// Null until the first run is there.
+    const TracedScene *traced() const { return m_traced.get(); }
+    std::shared_ptr<const TracedScene> sharedTraced() const { return m_traced; }
+
+    std::size_t position() const;
+    std::size_t end() const; ///< the largest position
+    /// The frame as it stands at the position; null without a run.
+    const FrameBuffer *frame() const;
+    std::optional<TraceStep> stepInHand() const;
+    /// The trace's index of the span in hand: the step's, or none at a set-up step.
+    std::optional<std::size_t> spanInHand() const;
+    /// Where it lies.
+    std::optional<SpanPlace> placeInHand() const;
+    /// Its x, where it is a column.
+    std::optional<std::int64_t> columnXInHand() const;
+    /// What the span in hand is, else the run's first one; Column without a run.
+    SpanAxis axis() const;
+    /// The pixel (x, y) that the step in hand wrote or refused, if it came to one.
+    std::optional<QPoint> pixelInHand() const;
+
+    StepUnit unit() const { return m_unit; }
+    bool isPlaying() const { return m_timer.isActive(); }
+    double stepsPerSecond() const { return m_stepsPerSecond; }
+
+    std::optional<QPoint> pickedPixel() const { return m_picked; }
+
+    const Breakpoints &breakpoints() const { return m_breakpoints; }
+    const std::set<std::int64_t> &columnBreakpoints() const { return m_breakpoints.columns; }
+    const std::set<std::int64_t> &rowBreakpoints() const { return m_breakpoints.rows; }
+    const std::set<std::pair<int, int>> &pixelBreakpoints() const { return m_breakpoints.pixels; }
+
+public slots:
+    void seek(std::size_t position);
+    void seekToSpan(std::size_t span); ///< just after the span was entered
+    void seekToPixelStep(std::size_t stepIndex); ///< just after that step
+    void setUnit(pixelplumb::StepUnit unit);
+    /// Forward and backward undo each other at every position but the ends: the landings of the
+    /// unit (see TraceNavigation) and the position from which the stepping set out are one row of
+    /// stops.
+    void step(pixelplumb::StepUnit unit, pixelplumb::StepDirection direction);
+    /// Goes on to the next breakpoint in that direction, else to the end or the start.
+    void run(pixelplumb::StepDirection direction);
+    /// Goes to the next or previous step that writes the picked pixel; emits message() when none
+    /// does.
+    void runToPickedPixel(pixelplumb::StepDirection direction);
+    void pick(const QPoint &pixel); ///< clamped to the frame
+    void nudgePick(int dx, int dy);
+    /// Of a column or a row; a free span has no place at which to pause again.
+    void toggleSpanBreakpoint(const pixelplumb::SpanPlace &place);
+    void togglePixelBreakpoint(const QPoint &pixel);
+    void clearBreakpoints();
+    void setPlaying(bool playing); ///< at the end, playing starts again from the start
+    void setStepsPerSecond(double stepsPerSecond); ///< slowest … fastest
+
+signals:
+    void tracedChanged();
+    void positionChanged(std::size_t position);
+    void unitChanged(pixelplumb::StepUnit unit);
+    void pickedPixelChanged();
+    void breakpointsChanged();
+    void playingChanged(bool playing);
+    void stepsPerSecondChanged(double stepsPerSecond);
+    /// Something to tell the person in the status bar.
+    void message(const QString &text);
+
+private:
+    TraceNavigation navigation() const { return TraceNavigation(*m_traced->trace); }
+    void moveTo(std::size_t position);
+    bool setPicked(std::optional<QPoint> pixel);
+    QPoint clampedToFrame(const QPoint &pixel) const;
+    std::size_t stopFrom(std::size_t position, StepUnit unit, StepDirection direction) const;
+    void playDueSteps();
+
+    std::shared_ptr<const TracedScene> m_traced;
+    std::unique_ptr<TraceCursor> m_cursor;
+    StepUnit m_unit = StepUnit::Span;
+    std::optional<QPoint> m_picked;
+    Breakpoints m_breakpoints;
+    /// The position between landings from which stepping set out; forgotten by any other move.
+    std::optional<std::size_t> m_setOutFrom;
+    QTimer m_timer;
+    QElapsedTimer m_sinceLastTick;
+    double m_stepsDue = 0; ///< fraction of a step carried from tick to tick
+    double m_stepsPerSecond = 10;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/model/runnotes.h"
+
+#include "core/methods/rejectiontext.h"
+#include "core/runs/rejectedprimitives.h"
+#include "core/runs/tracedscene.h"
+#include "core/scan/choicenames.h"
+#include "widgets/model/placinghint.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+QString snapNote(const std::vector<SnapReport> &snaps)
+{
+    constexpr std::size_t mostLines = 3;
+    QStringList lines;
+    for (std::size_t i = 0; i < std::min(snaps.size(), mostLines); ++i)
+        lines += snaps[i].message();
+    if (snaps.size() > mostLines)
+        lines += QCoreApplication::translate(
+            "RunNotes", "and %n more coordinate(s) are drawn at multiples of 1/256 px", nullptr,
+            int(snaps.size() - mostLines));
+    return lines.join(u'\n');
+}
+
+QString rejectionNote(const TracedScene &traced)
+{
+    const auto tr = [](const char *text) { return QCoreApplication::translate("RunNotes", text); };
+    if (!foreignSceneHint(traced.scene).isEmpty())
+        return {};
+    std::vector<RejectedPrimitive> rejected = rejectedPrimitives(traced.primitives, *traced.trace);
+    std::erase_if(rejected, [](const RejectedPrimitive &each) {
+        return each.rejection == PrimitiveRejection::OutsideFrame;
+    });
+    if (rejected.empty())
+        return {};
+    const RejectedPrimitive &first = rejected.front();
+    const QString kind = nameOf(first.kind);
+    const QString text = QStringLiteral("%1 %2: %3")
+                             .arg(kind.left(1).toUpper() + kind.sliced(1))
+                             .arg(first.primitive)
+                             .arg(rejectionText(first.rejection));
+    return rejected.size() == 1
+        ? text
+        : tr("%L1 primitives are not drawn. The first: %2").arg(rejected.size()).arg(text);
+}
+
+QString adaptationNote(const Method &method, const ScanSettings &asked)
+{
+    const auto tr = [](const char *text) { return QCoreApplication::translate("RunNotes", text); };
+    const ScanSettings drawn = method.adapted(asked);
+    QStringList objections;
+    QStringList changes;
+    ScanSettings settings = asked; // an objection names the first thing that is in the way
+    if (drawn.arithmetic != asked.arithmetic) {
+        objections += method.objection(settings);
+        changes += tr("the arithmetic %1").arg(nameText(nameOf(drawn.arithmetic)));
+        settings.arithmetic = drawn.arithmetic;
+    }
+    if (drawn.fillRule != asked.fillRule) {
+        objections += method.objection(settings);
+        changes += tr("the fill rule %1").arg(nameText(nameOf(drawn.fillRule)));
+    }
+    if (changes.empty())
+        return {};
+    return tr("%1 %2. Changed to %3.")
+        .arg(method.title, objections.join(tr(", and ")), changes.join(tr(" and ")));
+}
+
+QString cutRunNote(const TracedScene &traced)
+{
+    return QCoreApplication::translate(
+               "RunNotes",
+               "Recorded are the first %L1 steps, into primitive %L2 of %L3: stepping and the "
+               "panels "
+               "end there. At the end the canvas shows the finished picture. To record the whole "
+               "run, make the frame or the scene smaller.")
+        .arg(traced.trace->stepCount())
+        .arg(traced.trace->primitiveCount())
+        .arg(traced.primitives.size());
+}
+
+QString cancelledRunNote()
+{
+    return QCoreApplication::translate(
+        "RunNotes",
+        "Tracing was cancelled: the panels show the run before. Undo the change, or change the "
+        "scene again to trace it.");
+}
+
+} // namespace pixelplumb

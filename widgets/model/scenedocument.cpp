@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/model/scenedocument.h"
+
+#include "core/methods/method.h"
+#include "widgets/look/numberformat.h"
+#include "widgets/model/runnotes.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+// Red, green, blue: the corners of the textbook's smoothly shaded triangle.
+constexpr std::array<Colour, 3> defaultColours
+    = {Colour{{255, 0, 0}}, Colour{{0, 255, 0}}, Colour{{0, 0, 255}}};
+
+QString pixelText(Lattice coordinate)
+{
+    return displayText(Quantity::rational(coordinate, unitsPerPixel));
+}
+
+Lattice nearestMultiple(Lattice coordinate, Lattice step)
+{
+    return floorDivide(coordinate + step / 2, step) * step;
+}
+
+} // namespace
+
+Lattice stepOf(Snap snap)
+{
+    switch (snap) {
+    case Snap::Pixel:
+        return unitsPerPixel;
+    case Snap::Sixteenth:
+        return unitsPerPixel / 16;
+    case Snap::Finest:
+        break;
+    }
+    return 1;
+}
+
+SceneDocument::SceneDocument(QObject *parent)
+    : QObject(parent)
+{
+    connect(&m_undoStack, &QUndoStack::cleanChanged, this,
+            [this](bool clean) { emit modifiedChanged(!clean); });
+}
+
+SceneDocument::~SceneDocument()
+{
+    // The stack says that it is clean when it goes; nobody should hear it from a half-gone
+    // document.
+    m_undoStack.disconnect(this);
+}
+
+Colour SceneDocument::nextColour() const
+{
+    return m_chosenColour.value_or(defaultColours[m_pending.size() % defaultColours.size()]);
+}
+
+std::optional<Vertex> SceneDocument::vertexAt(const VertexRef &ref) const
+{
+    if (ref.vertex < 0)
+        return std::nullopt;
+    const auto vertex = std::size_t(ref.vertex);
+    if (ref.primitive == VertexRef::pending)
+        return vertex < m_pending.size() ? std::optional(m_pending[vertex]) : std::nullopt;
+    if (ref.primitive < 0 || ref.primitive >= primitiveCount())
+        return std::nullopt;
+    const auto primitive = std::size_t(ref.primitive);
+    if (primitive < m_scene.triangles.size())
+        return vertex < 3 ? std::optional(m_scene.triangles[primitive].vertices[vertex])
+                          : std::nullopt;
+    const std::vector<Vertex> &vertices
+        = m_scene.shapes[primitive - m_scene.triangles.size()].vertices;
+    return vertex < vertices.size() ? std::optional(vertices[vertex]) : std::nullopt;
+}
+
+PrimitiveKind SceneDocument::placedKind() const
+{
+    const Method *method = methodNamed(QString::fromStdString(m_scene.method));
+    return method && !method->kinds.empty() ? method->kinds.front() : PrimitiveKind::Triangle;
+}
+
+PrimitiveKind SceneDocument::kindOf(int primitive) const
+{
+    const auto index = std::size_t(primitive);
+    return index < m_scene.triangles.size() ? PrimitiveKind::Triangle
+                                            : m_scene.shapes[index - m_scene.triangles.size()].kind;
+}
+
+std::vector<Vertex> SceneDocument::verticesOf(int primitive) const
+{
+    const auto index = std::size_t(primitive);
+    if (index >= m_scene.triangles.size())
+        return m_scene.shapes[index - m_scene.triangles.size()].vertices;
+    const std::array<Vertex, 3> &vertices = m_scene.triangles[index].vertices;
+    return {vertices.begin(), vertices.end()};
+}
+
+bool SceneDocument::canClosePending() const
+{
+    return placedKind() == PrimitiveKind::Polygon && m_pending.size() >= 3;
+}
+
+std::vector<VertexRef> SceneDocument::vertices() const
+{
+    std::vector<VertexRef> refs;
+    const auto triangles = int(m_scene.triangles.size());
+    for (int primitive = 0; primitive < primitiveCount(); ++primitive) {
+        const int count = primitive < triangles
+            ? 3
+            : int(m_scene.shapes[std::size_t(primitive - triangles)].vertices.size());
+        for (int vertex = 0; vertex < count; ++vertex)
+            refs.push_back({primitive, vertex});
+    }
+    for (int vertex = 0; vertex < int(m_pending.size()); ++vertex)
+        refs.push_back({VertexRef::pending, vertex});
+    return refs;
+}
+
+LatticePoint SceneDocument::snapped(const LatticePoint &point) const
+{
+    const Lattice step = stepOf(m_snap);
+    return {nearestMultiple(point.x, step), nearestMultiple(point.y, step)};
+}
+
+std::optional<LatticePoint> SceneDocument::offScreenPoint() const
+{
+    if (m_scene.settings.fillRule != FillRule::OffScreenPoint)
+        return std::nullopt;
+    const LatticePoint sample = offScreenSample(m_scene.frame);
+    const Lattice offset = sampleOffset(m_scene.frame);
+    return LatticePoint{sample.x + offset, sample.y + offset};
+}
+
+void SceneDocument::reset(Scene scene)
+{
+    const ScanSettings asked = scene.settings;
+    if (const Method *method = methodNamed(QString::fromStdString(scene.method)))
+        scene.settings = method->adapted(asked);
+    m_scene = std::move(scene);
+    m_pending.clear();
+    m_chosenColour.reset();
+    m_selected.reset();
+    m_undoStack.clear();
+    emit selectionChanged();
+    emit pendingChanged();
+    emit nextColourChanged();
+    tellSceneChanged();
+    tellAdaptation(asked);
+}
+
+void SceneDocument::tellAdaptation(const ScanSettings &asked)
+{
+    const Method *method = methodNamed(QString::fromStdString(m_scene.method));
+    const QString note = method ? adaptationNote(*method, asked) : QString();
+    if (!note.isEmpty())
+        emit notice(note);
+}
+
+std::shared_ptr<const Scene> SceneDocument::snapshot() const
+{
+    if (!m_snapshot)
+        m_snapshot = std::make_shared<const Scene>(m_scene);
+    return m_snapshot;
+}
+
+void SceneDocument::tellSceneChanged()
+{
+    m_snapshot.reset();
+    emit sceneChanged();
+}
+
+void SceneDocument::setSnap(Snap snap)
+{
+    if (snap == m_snap)
+        return;
+    m_snap = snap;
+    emit snapChanged();
+}
+
+void SceneDocument::setNextColour(const Colour &colour)
+{
+    if (colour == nextColour())
+        return;
+    m_chosenColour = colour;
+    emit nextColourChanged();
+}
+
+void SceneDocument::selectVertex(const std::optional<VertexRef> &ref)
+{
+    if (ref == m_selected || (ref && !vertexAt(*ref)))
+        return;
+    m_selected = ref;
+    emit selectionChanged();
+}
+
+bool SceneDocument::accepts(const LatticePoint &position)
+{
+    if (pixelplumb::isWithinRange(position))
+        return true;
+    emit refused(tr("A vertex at (%1, %2) is too far away: coordinates must lie within ±2^30 px.")
+                     .arg(pixelText(position.x), pixelText(position.y)));
+    return false;
+}
+
+void SceneDocument::exchange(const ScenePiece &before, const ScenePiece &after)
+{
+    const std::optional<VertexRef> selected = m_selected;
+    if (m_selected)
+        m_selected = renamed(*m_selected, m_scene.triangles.size(), before, after);
+    replace(m_scene, before, after);
+    m_pending = after.pending;
+    // A colour that the person chose since is not the edit's.
+    if (before.chosenColour != after.chosenColour)
+        m_chosenColour = after.chosenColour;
+    if (m_selected && !vertexAt(*m_selected))
+        m_selected.reset();
+    if (m_selected != selected)
+        emit selectionChanged();
+    if (before.pending != after.pending || before.chosenColour != after.chosenColour) {
+        emit pendingChanged();
+        emit nextColourChanged();
+    }
+    if (!before.hasSceneOf(after))
+        tellSceneChanged();
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/model/scenepiece.h"
+
+#include <QObject>
+#include <QUndoStack>
+
+#include <memory>
+#include <optional>
+
+namespace pixelplumb {
+
+/// What clicks and drags snap to: whole pixels, 1/16 px, or 1/256 px, the lattice itself.
+enum class Snap { Pixel, Sixteenth, Finest };
+
+/// The distance between its points, in lattice units.
+Lattice stepOf(Snap snap);
+
+/// The scene that a person edits, with the vertices that wait for their primitive. Every
+/// change is an edit on the undo stack; the moves of one drag merge into one. The settings are
+/// always such as the method keeps, so that all who show them show what is drawn. Coordinates are
+/// the scene's own (see Scene).
+class SceneDocument : public QObject {
+    Q_OBJECT
+
+public:
+    explicit SceneDocument(QObject *parent = nullptr);
+    ~SceneDocument() override;
+
+    const Scene &scene() const { return m_scene; }
+    /// The scene as it stands, for work beside the GUI thread. Made once a change, when asked for.
+    std::shared_ptr<const Scene> snapshot() const;
+    const std::vector<Vertex> &pendingVertices() const { return m_pending; }
+    QUndoStack *undoStack() { return &m_undoStack; }
+    bool isModified() const { return !m_undoStack.isClean(); }
+
+    Snap snap() const { return m_snap; }
+    /// What placed vertices make: the kind that the scene's method draws.
+    PrimitiveKind placedKind() const;
+    PrimitiveKind kindOf(int primitive) const;
+    int primitiveCount() const { return int(m_scene.triangles.size() + m_scene.shapes.size()); }
+    /// The vertices of a primitive, by number.
+    std::vector<Vertex> verticesOf(int primitive) const;
+    /// Whether the pending vertices could be closed to a polygon.
+    bool canClosePending() const;
+    /// The colour that the next placed vertex gets: the one that the person chose for it, else red,
+    /// green or blue in turn.
+    Colour nextColour() const;
+    std::optional<VertexRef> selectedVertex() const { return m_selected; }
+    std::optional<Vertex> vertexAt(const VertexRef &ref) const;
+    /// Every vertex: the primitives' in drawing order, then the pending ones.
+    std::vector<VertexRef> vertices() const;
+    LatticePoint snapped(const LatticePoint &point) const;
+    /// The off-screen point, in the scene's coordinates; none where no rule asks for it.
+    std::optional<LatticePoint> offScreenPoint() const;
+
+    /// Replaces everything and forgets the undo history; the document is unmodified after it.
+    void reset(Scene scene);
+    void markSaved() { m_undoStack.setClean(); }
+
+    /// A number for the moves of one drag, or of one run of a key, that no other drag has.
+    int newDrag() { return ++m_lastDrag; }
+
+public slots:
+    /// The last vertex that the kind needs completes the primitive: every third a triangle.
+    /// Ignored with refused() beyond ±2^30 px.
+    void placeVertex(const pixelplumb::LatticePoint &position);
+    /// Moves that share a drag number are one edit.
+    void moveVertex(const pixelplumb::VertexRef &ref, const pixelplumb::LatticePoint &position,
+                    int drag);
+    void setVertexColour(const pixelplumb::VertexRef &ref, const pixelplumb::Colour &colour);
+    void addTriangle(const pixelplumb::Triangle &triangle);
+    /// Makes a polygon of the pending vertices.
+    void closePending();
+    void setText(int primitive, const QString &text); ///< of a text
+    void deletePrimitive(int primitive);
+    /// Removes the primitive of a vertex, or the pending vertex.
+    void deleteVertex(const pixelplumb::VertexRef &ref);
+    void discardPending(); ///< all vertices that wait for their primitive
+    void clear(); ///< all primitives and pending vertices
+    void setFrame(const pixelplumb::FrameSpec &frame);
+    /// Of the rule off-screen-point. Moves that share a drag number are one edit.
+    void moveOffScreenPoint(const pixelplumb::LatticePoint &position, int drag);
+    void setSettings(const pixelplumb::ScanSettings &settings);
+    void setMethod(const std::string &method);
+
+    void setSnap(pixelplumb::Snap snap);
+    void setNextColour(const pixelplumb::Colour &colour);
+    void selectVertex(const std::optional<pixelplumb::VertexRef> &ref);
+
+signals:
+    void sceneChanged(); ///< primitives, frame, settings or method
+    void pendingChanged();
+    void selectionChanged();
+    void snapChanged();
+    void nextColourChanged();
+    void modifiedChanged(bool modified);
+    void refused(const QString &reason);
+    /// Something was changed beside what was asked for.
+    void notice(const QString &text);
+
+private:
+    friend class SceneEdit;
+
+    /// What is small, and no primitive, one, or all.
+    ScenePiece pieceAtEnd() const;
+    ScenePiece pieceWith(int primitive) const; ///< or, where that is `pending`, none
+    ScenePiece wholePiece() const;
+    ScenePiece withPending(ScenePiece piece) const;
+    void edit(const QString &text, const ScenePiece &before, const ScenePiece &after);
+    void exchange(const ScenePiece &before, const ScenePiece &after);
+    bool accepts(const LatticePoint &position);
+    void tellSceneChanged();
+    void tellAdaptation(const ScanSettings &asked);
+
+    Scene m_scene;
+    mutable std::shared_ptr<const Scene> m_snapshot; ///< null until asked for after a change
+    std::vector<Vertex> m_pending;
+    QUndoStack m_undoStack;
+    Snap m_snap = Snap::Pixel;
+    std::optional<Colour> m_chosenColour; ///< for the next vertex alone
+    std::optional<VertexRef> m_selected;
+    int m_lastDrag = 0;
+};
+
+} // namespace pixelplumb

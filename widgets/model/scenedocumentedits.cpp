@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/shapeediting.h"
+#include "core/methods/method.h"
+#include "widgets/model/scenedocument.h"
+#include "widgets/model/sceneedit.h"
+
+#include <algorithm>
+
+/// What a person may do to a document: each becomes an edit on its undo stack.
+namespace pixelplumb {
+
+namespace {
+
+bool isWithinRange(const FrameSpec &frame)
+{
+    return std::abs(std::int64_t(frame.firstColumn)) <= largestPixel
+        && std::abs(std::int64_t(frame.firstRow)) <= largestPixel;
+}
+
+} // namespace
+
+ScenePiece SceneDocument::withPending(ScenePiece piece) const
+{
+    piece.pending = m_pending;
+    piece.chosenColour = m_chosenColour;
+    return piece;
+}
+
+ScenePiece SceneDocument::pieceAtEnd() const
+{
+    return withPending(pixelplumb::pieceAtEnd(m_scene));
+}
+
+ScenePiece SceneDocument::pieceWith(int primitive) const
+{
+    if (primitive == VertexRef::pending)
+        return pieceAtEnd();
+    return withPending(pixelplumb::pieceWith(m_scene, std::size_t(primitive)));
+}
+
+ScenePiece SceneDocument::wholePiece() const
+{
+    return withPending(pixelplumb::wholePiece(m_scene));
+}
+
+void SceneDocument::edit(const QString &text, const ScenePiece &before, const ScenePiece &after)
+{
+    m_undoStack.push(new SceneEdit(*this, text, before, after));
+}
+
+void SceneDocument::placeVertex(const LatticePoint &position)
+{
+    if (!accepts(position))
+        return;
+    const ScenePiece before = pieceAtEnd();
+    ScenePiece after = before;
+    after.pending.push_back({position, nextColour()});
+    after.chosenColour.reset();
+    const std::optional<std::size_t> needed = placedVertexCount(placedKind());
+    if (needed && after.pending.size() >= *needed)
+        after.completePending(placedKind());
+    edit(tr("place vertex"), before, after);
+}
+
+void SceneDocument::moveVertex(const VertexRef &ref, const LatticePoint &position, int drag)
+{
+    const std::optional<Vertex> vertex = vertexAt(ref);
+    if (!vertex || vertex->position == position || !accepts(position))
+        return;
+    const ScenePiece before = pieceWith(ref.primitive);
+    ScenePiece after = before;
+    if (after.run.shapes.empty())
+        after.vertex(ref).position = position;
+    else
+        pixelplumb::moveVertex(after.run.shapes.front(), std::size_t(ref.vertex), position);
+    m_undoStack.push(new SceneEdit(*this, tr("move vertex"), before, after, Drag{ref, drag}));
+}
+
+void SceneDocument::setVertexColour(const VertexRef &ref, const Colour &colour)
+{
+    const std::optional<Vertex> vertex = vertexAt(ref);
+    if (!vertex || vertex->colour == colour)
+        return;
+    const ScenePiece before = pieceWith(ref.primitive);
+    ScenePiece after = before;
+    after.vertex(ref).colour = colour;
+    edit(tr("change colour"), before, after);
+}
+
+void SceneDocument::addTriangle(const Triangle &triangle)
+{
+    if (!std::ranges::all_of(triangle.vertices,
+                             [this](const Vertex &vertex) { return accepts(vertex.position); }))
+        return;
+    const ScenePiece before = pieceAtEnd();
+    ScenePiece after = before;
+    after.run.triangles.push_back(triangle);
+    edit(tr("add triangle"), before, after);
+}
+
+void SceneDocument::closePending()
+{
+    if (!canClosePending())
+        return;
+    const ScenePiece before = pieceAtEnd();
+    ScenePiece after = before;
+    after.completePending(PrimitiveKind::Polygon);
+    edit(tr("close polygon"), before, after);
+}
+
+void SceneDocument::setText(int primitive, const QString &text)
+{
+    if (primitive < 0 || primitive >= primitiveCount() || kindOf(primitive) != PrimitiveKind::Text
+        || text.isEmpty())
+        return;
+    const ScenePiece before = pieceWith(primitive);
+    ScenePiece after = before;
+    after.run.shapes.front().text = text.toStdString();
+    if (after != before)
+        edit(tr("change text"), before, after);
+}
+
+void SceneDocument::deletePrimitive(int primitive)
+{
+    if (primitive < 0 || primitive >= primitiveCount())
+        return;
+    const ScenePiece before = pieceWith(primitive);
+    ScenePiece after = before;
+    after.run = {};
+    edit(tr("delete primitive"), before, after);
+}
+
+void SceneDocument::deleteVertex(const VertexRef &ref)
+{
+    if (ref.primitive != VertexRef::pending) {
+        deletePrimitive(ref.primitive);
+        return;
+    }
+    if (!vertexAt(ref))
+        return;
+    const ScenePiece before = pieceAtEnd();
+    ScenePiece after = before;
+    after.pending.erase(after.pending.begin() + ref.vertex);
+    edit(tr("delete vertex"), before, after);
+}
+
+void SceneDocument::discardPending()
+{
+    if (m_pending.empty())
+        return;
+    const ScenePiece before = pieceAtEnd();
+    ScenePiece after = before;
+    after.pending.clear();
+    edit(tr("discard vertices"), before, after);
+}
+
+void SceneDocument::clear()
+{
+    if (m_pending.empty() && primitiveCount() == 0)
+        return;
+    const ScenePiece before = wholePiece();
+    ScenePiece after = before;
+    after.run = {};
+    after.pending.clear();
+    edit(tr("clear"), before, after);
+}
+
+void SceneDocument::setFrame(const FrameSpec &frame)
+{
+    if (frame == m_scene.frame)
+        return;
+    if (frame.width < 1 || frame.height < 1 || frame.width > largestFrameSide
+        || frame.height > largestFrameSide
+        || std::int64_t(frame.width) * frame.height > largestFrameArea) {
+        emit refused(
+            tr("A frame of %1 × %2 pixels cannot be made: each side must be 1 to %3 and the "
+               "area at most %4.")
+                .arg(frame.width)
+                .arg(frame.height)
+                .arg(largestFrameSide)
+                .arg(largestFrameArea));
+        return;
+    }
+    if (!isWithinRange(frame)) {
+        emit refused(tr("The frame's first pixel (%1, %2) lies beyond ±2^30 px.")
+                         .arg(frame.firstColumn)
+                         .arg(frame.firstRow));
+        return;
+    }
+    if (frame.offScreenPoint && !pixelplumb::isWithinRange(*frame.offScreenPoint)) {
+        emit refused(tr("The off-screen point lies beyond ±2^30 px."));
+        return;
+    }
+    ScenePiece after = pieceAtEnd();
+    after.frame = frame;
+    edit(tr("change frame"), pieceAtEnd(), after);
+}
+
+void SceneDocument::moveOffScreenPoint(const LatticePoint &position, int drag)
+{
+    if (m_scene.frame.offScreenPoint == position)
+        return;
+    if (!pixelplumb::isWithinRange(position)) {
+        emit refused(tr("The off-screen point lies beyond ±2^30 px."));
+        return;
+    }
+    const ScenePiece before = pieceAtEnd();
+    ScenePiece after = before;
+    after.frame.offScreenPoint = position;
+    m_undoStack.push(
+        new SceneEdit(*this, tr("move off-screen point"), before, after, Drag{VertexRef(), drag}));
+}
+
+void SceneDocument::setSettings(const ScanSettings &settings)
+{
+    const Method *method = methodNamed(QString::fromStdString(m_scene.method));
+    const ScanSettings kept = method ? method->adapted(settings) : settings;
+    if (kept != m_scene.settings) {
+        ScenePiece after = pieceAtEnd();
+        after.settings = kept;
+        edit(tr("change settings"), pieceAtEnd(), after);
+    }
+    tellAdaptation(settings);
+}
+
+void SceneDocument::setMethod(const std::string &method)
+{
+    if (method == m_scene.method)
+        return;
+    const QString name = QString::fromStdString(method);
+    const Method *chosen = methodNamed(name);
+    if (!chosen) {
+        emit refused(tr("There is no method “%1”.").arg(name));
+        return;
+    }
+    discardPending(); // they waited for a primitive of another kind, perhaps
+    const ScanSettings asked = m_scene.settings;
+    ScenePiece after = pieceAtEnd();
+    after.settings = chosen->adapted(asked);
+    after.method = method;
+    edit(tr("change method"), pieceAtEnd(), after);
+    tellAdaptation(asked);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/model/sceneedit.h"
+
+#include <utility>
+
+namespace pixelplumb {
+
+SceneEdit::SceneEdit(SceneDocument &document, const QString &text, ScenePiece before,
+                     ScenePiece after, const std::optional<Drag> &drag)
+    : QUndoCommand(text)
+    , m_document(&document)
+    , m_before(std::move(before))
+    , m_after(std::move(after))
+    , m_drag(drag)
+{
+}
+
+bool SceneEdit::mergeWith(const QUndoCommand *other)
+{
+    const auto &edit = static_cast<const SceneEdit &>(*other);
+    if (edit.m_drag != m_drag)
+        return false;
+    m_after = edit.m_after;
+    setObsolete(m_after == m_before); // a drag that came back changed nothing
+    return true;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/model/scenedocument.h"
+
+#include <QUndoCommand>
+
+namespace pixelplumb {
+
+/// The moves of a vertex in one drag, or in one run of a key.
+struct Drag {
+    VertexRef ref;
+    int number = 0; ///< that no other drag has
+
+    friend bool operator==(const Drag &, const Drag &) = default;
+};
+
+/// Any change of a document: a piece of it before and after.
+class SceneEdit final : public QUndoCommand {
+public:
+    /// Edits of the same drag become one.
+    SceneEdit(SceneDocument &document, const QString &text, ScenePiece before, ScenePiece after,
+              const std::optional<Drag> &drag = std::nullopt);
+
+    void redo() override { m_document->exchange(m_before, m_after); }
+    void undo() override { m_document->exchange(m_after, m_before); }
+    int id() const override { return m_drag ? 1 : -1; }
+    bool mergeWith(const QUndoCommand *other) override;
+
+private:
+    SceneDocument *m_document;
+    ScenePiece m_before;
+    ScenePiece m_after;
+    std::optional<Drag> m_drag;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/model/scenepiece.h"
+
+#include "core/geometry/shapeediting.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace pixelplumb {
+
+namespace {
+
+template <class Element>
+void replaceRun(std::vector<Element> &all, std::size_t first, std::size_t count,
+                const std::vector<Element> &run)
+{
+    const auto begin = all.begin() + std::ptrdiff_t(first);
+    if (run.size() == count) {
+        std::ranges::copy(run, begin);
+        return;
+    }
+    const auto place = all.erase(begin, begin + std::ptrdiff_t(count));
+    all.insert(place, run.begin(), run.end());
+}
+
+/// Where the attributes of the triangles [first, end) stand.
+auto placesOfAttributes(auto &attributes, std::size_t first, std::size_t end)
+{
+    const auto placeOf = [&attributes](std::size_t triangle) {
+        return std::ranges::lower_bound(attributes, triangle, {}, &TriangleAttributes::triangle);
+    };
+    return std::pair(placeOf(first), placeOf(end));
+}
+
+void replaceAttributes(std::vector<TriangleAttributes> &all, const ScenePiece &before,
+                       const ScenePiece &after)
+{
+    const std::size_t first = before.firstTriangle;
+    const std::size_t removed = before.run.triangles.size();
+    const std::size_t inserted = after.run.triangles.size();
+    if (removed == inserted && before.run.attributes == after.run.attributes)
+        return;
+    const auto [begin, end] = placesOfAttributes(all, first, first + removed);
+    for (auto behind = end; behind != all.end(); ++behind)
+        behind->triangle += inserted - removed;
+    const auto place = all.erase(begin, end);
+    all.insert(place, after.run.attributes.begin(), after.run.attributes.end());
+}
+
+} // namespace
+
+void ScenePiece::completePending(PrimitiveKind kind)
+{
+    if (kind == PrimitiveKind::Triangle)
+        run.triangles.push_back({{pending[0], pending[1], pending[2]}});
+    else
+        run.shapes.push_back(shapeFrom(kind, pending));
+    pending.clear();
+}
+
+Vertex &ScenePiece::vertex(const VertexRef &ref)
+{
+    const auto index = std::size_t(ref.vertex);
+    if (ref.primitive == VertexRef::pending)
+        return pending[index];
+    return run.shapes.empty() ? run.triangles.front().vertices[index]
+                              : run.shapes.front().vertices[index];
+}
+
+bool ScenePiece::hasSceneOf(const ScenePiece &other) const
+{
+    return frame == other.frame && settings == other.settings && method == other.method
+        && run == other.run;
+}
+
+ScenePiece pieceAtEnd(const Scene &scene)
+{
+    return {scene.frame,
+            scene.settings,
+            scene.method,
+            scene.triangles.size(),
+            scene.shapes.size(),
+            {},
+            {},
+            {}};
+}
+
+ScenePiece pieceWith(const Scene &scene, std::size_t primitive)
+{
+    ScenePiece piece = pieceAtEnd(scene);
+    if (primitive >= scene.triangles.size()) {
+        piece.firstShape = primitive - scene.triangles.size();
+        piece.run.shapes = {scene.shapes[piece.firstShape]};
+        return piece;
+    }
+    piece.firstTriangle = primitive;
+    piece.run.triangles = {scene.triangles[primitive]};
+    const auto [begin, end] = placesOfAttributes(scene.attributes, primitive, primitive + 1);
+    piece.run.attributes.assign(begin, end);
+    return piece;
+}
+
+ScenePiece wholePiece(const Scene &scene)
+{
+    ScenePiece piece = pieceAtEnd(scene);
+    piece.firstTriangle = 0;
+    piece.firstShape = 0;
+    piece.run = {scene.triangles, scene.shapes, scene.attributes};
+    return piece;
+}
+
+void replace(Scene &scene, const ScenePiece &before, const ScenePiece &after)
+{
+    scene.frame = after.frame;
+    scene.settings = after.settings;
+    scene.method = after.method;
+    replaceAttributes(scene.attributes, before, after);
+    replaceRun(scene.triangles, before.firstTriangle, before.run.triangles.size(),
+               after.run.triangles);
+    replaceRun(scene.shapes, before.firstShape, before.run.shapes.size(), after.run.shapes);
+}
+
+std::optional<VertexRef> renamed(const VertexRef &ref, std::size_t triangleCount,
+                                 const ScenePiece &before, const ScenePiece &after)
+{
+    const int moreTriangles = int(after.run.triangles.size()) - int(before.run.triangles.size());
+    const int moreShapes = int(after.run.shapes.size()) - int(before.run.shapes.size());
+    const int firstShape = int(triangleCount + before.firstShape);
+    if (ref.primitive == VertexRef::pending) {
+        if (!after.pending.empty() || moreTriangles + moreShapes != 1)
+            return ref;
+        return VertexRef{moreTriangles == 1 ? int(before.firstTriangle) : firstShape, ref.vertex};
+    }
+    const bool isTriangle = ref.primitive < int(triangleCount);
+    const int first = isTriangle ? int(before.firstTriangle) : firstShape;
+    const int count = int(isTriangle ? before.run.triangles.size() : before.run.shapes.size());
+    const int more = isTriangle ? moreTriangles : moreShapes;
+    const bool isInRun = ref.primitive >= first && ref.primitive < first + count;
+    if (isInRun && more < 0) {
+        const bool isReopened = before.pending.empty() && !after.pending.empty();
+        return isReopened ? std::optional(VertexRef{VertexRef::pending, ref.vertex}) : std::nullopt;
+    }
+    VertexRef result = ref;
+    result.primitive += ref.primitive >= first + count ? more : 0;
+    result.primitive += isTriangle ? 0 : moreTriangles;
+    return result;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/scene.h"
+
+#include <optional>
+
+namespace pixelplumb {
+
+/// A vertex of the document: of a primitive of the scene, or placed and waiting for its primitive.
+struct VertexRef {
+    static constexpr int pending = -1;
+    int primitive = pending; ///< index through the triangles and the shapes, or `pending`
+    int vertex = 0;
+
+    friend bool operator==(const VertexRef &, const VertexRef &) = default;
+};
+
+/// What one edit changes of a document, as it is before or after the edit: a run of triangles, a
+/// run of shapes, and everything that is small. So that a scene of a million triangles is edited
+/// without a copy of it, the runs hold what differs alone.
+struct ScenePiece {
+    FrameSpec frame;
+    ScanSettings settings;
+    std::string method;
+    std::size_t firstTriangle = 0; ///< where the run begins, in the scene
+    std::size_t firstShape = 0;
+    Primitives run; ///< in the scene's coordinates; attributes by the triangle's index in the scene
+    std::vector<Vertex> pending; ///< vertices that wait for their primitive
+    std::optional<Colour> chosenColour; ///< for the next vertex alone
+
+    /// The pending vertices become the run's last primitive.
+    void completePending(PrimitiveKind kind);
+    /// A vertex of the run's only primitive, or one that waits.
+    Vertex &vertex(const VertexRef &ref);
+
+    /// The same set-up and the same runs: the scene does not change from one to the other.
+    bool hasSceneOf(const ScenePiece &other) const;
+    friend bool operator==(const ScenePiece &, const ScenePiece &) = default;
+};
+
+/// The piece of a scene without primitives: runs that end it, and what is small.
+ScenePiece pieceAtEnd(const Scene &scene);
+/// With one primitive, by its index through the triangles and the shapes.
+ScenePiece pieceWith(const Scene &scene, std::size_t primitive);
+/// With all primitives.
+ScenePiece wholePiece(const Scene &scene);
+
+/// Puts `after` where `before` stands.
+void replace(Scene &scene, const ScenePiece &before, const ScenePiece &after);
+
+/// What a vertex is called after the edit: the primitives behind those that came or went move up or
+/// down, and the vertices of one that was completed, or opened again, go with it. None where the
+/// vertex went. `triangleCount`: of the scene before the edit.
+std::optional<VertexRef> renamed(const VertexRef &ref, std::size_t triangleCount,
+                                 const ScenePiece &before, const ScenePiece &after);
+
+} // namespace pixelplumb

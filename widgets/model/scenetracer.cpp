@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/model/scenetracer.h"
+
+#include <chrono>
+#include <new>
+#include <span>
+#include <utility>
+
+namespace pixelplumb {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto rest = 80ms; ///< more than between two moves of a hand
+
+QString tooLargeForMemory(const Scene &scene)
+{
+    return SceneTracer::tr("The scene does not fit into memory: a frame of %1 × %2 pixels with "
+                           "%3. Make the frame or the triangles smaller.")
+        .arg(scene.frame.width)
+        .arg(scene.frame.height)
+        .arg(scene.triangles.size() == 1
+                 ? SceneTracer::tr("1 triangle")
+                 : SceneTracer::tr("%1 triangles").arg(scene.triangles.size()));
+}
+
+std::shared_ptr<const TracedScene> tracedOrNull(const Scene &scene)
+{
+    try {
+        return traceScene(scene);
+    } catch (const std::bad_alloc &) {
+        return nullptr;
+    }
+}
+
+QString refusalOf(const Scene &scene)
+{
+    const QString id = QString::fromStdString(scene.method);
+    const Method *method = methodNamed(id);
+    if (method) {
+        const QString objection = method->objection(scene.settings);
+        return objection.isEmpty() ? objection : method->title + u' ' + objection + u'.';
+    }
+    return SceneTracer::tr("There is no method named “%1”.").arg(id);
+}
+
+/// Done at once; looks closer only at what may be small.
+bool isSmall(const Scene &scene)
+{
+    return std::int64_t(scene.triangles.size() + scene.shapes.size())
+        <= TraceCost::mostTrianglesOfSmall
+        && traceCostOf(scene).isSmall();
+}
+
+/// The least and the greatest of one coordinate.
+std::pair<Lattice, Lattice> extentOf(std::span<const Vertex> vertices,
+                                     Lattice LatticePoint::*coordinate, Lattice margin)
+{
+    Lattice least = vertices.front().position.*coordinate;
+    Lattice greatest = least;
+    for (const Vertex &vertex : vertices) {
+        least = std::min(least, vertex.position.*coordinate);
+        greatest = std::max(greatest, vertex.position.*coordinate);
+    }
+    return {least - margin, greatest + margin};
+}
+
+/// How far a shape reaches beyond its vertices: a circle's are its centre and one corner.
+Lattice reachOf(const Shape &shape)
+{
+    if (shape.kind == PrimitiveKind::Text)
+        return shape.textHeight * Lattice(shape.text.size());
+    if (shape.kind != PrimitiveKind::Circle && shape.kind != PrimitiveKind::Ellipse)
+        return 0;
+    const LatticePoint &centre = shape.vertices[0].position;
+    const LatticePoint &corner = shape.vertices[1].position;
+    return 2 * std::max(std::abs(corner.x - centre.x), std::abs(corner.y - centre.y));
+}
+
+} // namespace
+
+TraceCost traceCostOf(const Scene &scene)
+{
+    TraceCost cost;
+    const FrameSpec &frame = scene.frame;
+    const Lattice offset = sampleOffset(frame);
+    const auto add = [&](std::span<const Vertex> vertices, Lattice margin) {
+        const auto [left, right] = extentOf(vertices, &LatticePoint::x, margin);
+        const auto [low, high] = extentOf(vertices, &LatticePoint::y, margin);
+        const auto samples = [offset](Lattice first, Lattice last, std::int64_t frameFirst,
+                                      std::int64_t frameSize) {
+            const std::int64_t begin = std::max(ceilPixel(first - offset), frameFirst);
+            const std::int64_t end
+                = std::min(floorPixel(last - offset) + 1, frameFirst + frameSize);
+            return std::max<std::int64_t>(0, end - begin);
+        };
+        const std::int64_t columns = samples(left, right, frame.firstColumn, frame.width);
+        ++cost.triangles;
+        cost.columns += columns;
+        cost.pixels += columns * samples(low, high, frame.firstRow, frame.height);
+    };
+    for (const Triangle &triangle : scene.triangles)
+        add(triangle.vertices, 0);
+    for (const Shape &shape : scene.shapes)
+        add(shape.vertices, reachOf(shape));
+    return cost;
+}
+
+SceneTracer::SceneTracer(QObject *parent)
+    : QObject(parent)
+{
+    m_job.setTitle(tr("Tracing"));
+    m_job.setRest(rest);
+}
+
+void SceneTracer::trace(const Scene &scene) { trace(std::make_shared<const Scene>(scene)); }
+
+void SceneTracer::trace(const std::shared_ptr<const Scene> &scene)
+{
+    if (const QString refusal = refusalOf(*scene); !refusal.isEmpty()) {
+        m_job.cancel();
+        emit failed(refusal);
+        return;
+    }
+    if (isSmall(*scene)) {
+        m_job.cancel();
+        take(*scene, tracedOrNull(*scene));
+        return;
+    }
+    m_job.start(
+        [scene](const ProgressListener &listener) {
+            const std::int64_t expectedSpans = traceCostOf(*scene).columns;
+            TraceOptions options;
+            options.progress = [&listener, expectedSpans](JobProgress progress) {
+                if (progress.phase != JobPhase::Judging)
+                    progress.total = std::max(expectedSpans, progress.done);
+                return listener(progress);
+            };
+            return traceScene(*scene, options);
+        },
+        [this, scene](const std::shared_ptr<const TracedScene> &outcome) {
+            take(*scene, outcome);
+        });
+}
+
+void SceneTracer::cancel()
+{
+    if (!isRunning())
+        return;
+    m_job.cancel();
+    emit cancelled();
+}
+
+void SceneTracer::take(const Scene &scene, const std::shared_ptr<const TracedScene> &outcome)
+{
+    if (outcome)
+        emit traced(outcome);
+    else
+        emit failed(tooLargeForMemory(scene));
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/model/steptext.h"
+
+#include "core/runs/formulaexplanation.h"
+
+#include <QCoreApplication>
+
+namespace pixelplumb {
+
+namespace {
+
+QString tr(const char *text) { return QCoreApplication::translate("pixelplumb::StepText", text); }
+
+/// "column 27, second half".
+QString spanText(const TracedScene &traced, std::size_t span)
+{
+    const QString heading = spanHeading(*traced.trace, span);
+    return heading.left(1).toLower() + heading.sliced(1);
+}
+
+QString primitiveText(const TracedScene &traced, std::size_t primitive)
+{
+    const bool refused = traced.trace->setUp(primitive).rejection.has_value();
+    return (refused ? tr("%1 %2 draws nothing") : tr("%1 %2 set up"))
+        .arg(nameOf(traced.primitives.kindOf(primitive)))
+        .arg(primitive);
+}
+
+} // namespace
+
+QString stepText(const TracedScene &traced, std::size_t position)
+{
+    const ScanTrace &trace = *traced.trace;
+    if (position == 0)
+        return tr("nothing drawn yet");
+    const TraceStep step = trace.stepAt(position - 1);
+    switch (step.kind) {
+    case StepKind::SetUp:
+        return primitiveText(traced, step.primitive);
+    case StepKind::Span:
+        return tr("%1 entered").arg(spanText(traced, step.span));
+    case StepKind::Sample: {
+        const PixelChange &change = trace.changes()[step.sample];
+        return (change.isWritten() ? tr("pixel (%1, %2) written") : tr("sample (%1, %2) refused"))
+            .arg(change.x)
+            .arg(change.y);
+    }
+    }
+    return {};
+}
+
+QString markText(MarkKind kind)
+{
+    switch (kind) {
+    case MarkKind::PartBegins:
+        return tr("here a part of the primitive begins or ends: a vertex");
+    case MarkKind::Tie:
+        return tr("tie: a sample here lies exactly on an edge");
+    case MarkKind::Clamp:
+        return tr("clamp: a colour level left 0 … 255");
+    case MarkKind::FirstDifference:
+        return tr("the first pixel that differs from the truth");
+    }
+    return {};
+}
+
+QString columnText(const TracedScene &traced, std::size_t position)
+{
+    if (position == 0)
+        return tr("before the first step");
+    const TraceStep step = traced.trace->stepAt(position - 1);
+    return step.kind == StepKind::SetUp ? primitiveText(traced, step.primitive)
+                                        : spanText(traced, step.span);
+}
+
+} // namespace pixelplumb

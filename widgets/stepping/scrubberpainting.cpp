@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/stepping/scrubber.h"
+
+#include <QPainter>
+#include <QStyleOptionFocusRect>
+
+namespace pixelplumb {
+
+namespace {
+
+// All in logical pixels.
+constexpr int margin = 8;
+constexpr int gutter = 72; // left of the lanes, for their names
+constexpr int laneHeight = 12;
+constexpr int laneCount = 3;
+constexpr int trackTop = margin / 2 + laneCount * laneHeight;
+constexpr int trackHeight = 14;
+constexpr int wholeHeight = trackTop + trackHeight + margin / 2 + 2;
+constexpr double leastSpanWidth = 4; // narrower spans get no ticks of their own
+constexpr double leastGlyphDistance = 8;
+
+QColor faint(const QPalette &palette)
+{
+    QColor colour = palette.color(QPalette::WindowText);
+    colour.setAlphaF(0.2F);
+    return colour;
+}
+
+} // namespace
+
+QSize Scrubber::sizeHint() const { return {640, wholeHeight}; }
+
+QSize Scrubber::minimumSizeHint() const { return {240, wholeHeight}; }
+
+ScrubberScale Scrubber::scale() const
+{
+    return {double(gutter), double(std::max(1, width() - gutter - margin)), m_playhead->end()};
+}
+
+void Scrubber::paintEvent(QPaintEvent *)
+{
+    if (m_background.isNull())
+        paintBackground();
+    QPainter painter(this);
+    painter.drawPixmap(0, 0, m_background);
+    if (!m_playhead->traced())
+        return;
+
+    const ScrubberScale toScreen = scale();
+    const double x = toScreen.xOf(m_playhead->position());
+    const QColor plumbLine = signColour(Sign::ColumnInHand, palette());
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor done = plumbLine;
+    done.setAlphaF(0.3F);
+    painter.fillRect(QRectF(toScreen.left, trackTop + 5, x - toScreen.left, 4), done);
+    painter.setPen(QPen(plumbLine, 1.5));
+    painter.drawLine(QPointF(x, margin / 2), QPointF(x, trackTop + trackHeight));
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(plumbLine);
+    painter.drawPolygon(QPolygonF({{x - 5, trackTop + 1.0},
+                                   {x + 5, trackTop + 1.0},
+                                   {x + 5, trackTop + 8.0},
+                                   {x, trackTop + double(trackHeight)},
+                                   {x - 5, trackTop + 8.0}}));
+    if (hasFocus()) {
+        QStyleOptionFocusRect focus;
+        focus.initFrom(this);
+        focus.rect = rect().adjusted(1, 1, -1, -1);
+        focus.backgroundColor = palette().color(QPalette::Window);
+        style()->drawPrimitive(QStyle::PE_FrameFocusRect, &focus, &painter, this);
+    }
+}
+
+void Scrubber::paintBackground()
+{
+    m_background = QPixmap(size() * devicePixelRatioF());
+    m_background.setDevicePixelRatio(devicePixelRatioF());
+    m_background.fill(palette().color(QPalette::Window));
+    QPainter painter(&m_background);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QFont small = font();
+    small.setPointSizeF(small.pointSizeF() * 0.85);
+    painter.setFont(small);
+    paintLane(painter, 0, MarkKind::PartBegins, tr("vertices"));
+    paintLane(painter, 1, MarkKind::Tie, tr("ties"));
+    paintLane(painter, 2, MarkKind::Clamp, tr("clamps"));
+    paintLane(painter, 0, MarkKind::FirstDifference, {});
+    paintTrack(painter);
+}
+
+void Scrubber::paintLane(QPainter &painter, int lane, MarkKind kind, const QString &name) const
+{
+    const ScrubberScale toScreen = scale();
+    const double top = margin / 2.0 + lane * laneHeight;
+    const double middle = top + laneHeight / 2.0;
+    const Sign sign = signOf(kind);
+    const QString glyph = signGlyph(sign);
+    if (!name.isEmpty()) {
+        QColor muted = palette().color(QPalette::WindowText);
+        muted.setAlphaF(0.75F);
+        painter.setPen(muted);
+        painter.drawText(QRectF(0, top, gutter - margin, laneHeight),
+                         Qt::AlignRight | Qt::AlignVCenter,
+                         glyph.isEmpty() ? name : name + QLatin1Char(' ') + glyph);
+        painter.setPen(QPen(faint(palette()), 1));
+        painter.drawLine(QPointF(toScreen.left, middle),
+                         QPointF(toScreen.left + toScreen.width, middle));
+    }
+    if (!m_playhead->traced())
+        return;
+    const QColor colour = signColour(sign, palette());
+    painter.setPen(QPen(colour, 1.2));
+    double lastTick = -1;
+    double lastGlyph = -leastGlyphDistance;
+    for (const TraceMark &mark : m_playhead->traced()->marks) {
+        const double x = toScreen.xOf(mark.step + 1);
+        if (mark.kind != kind || x - lastTick < 1)
+            continue;
+        lastTick = x;
+        const bool isDiamond = glyph.isEmpty();
+        if (x - lastGlyph < leastGlyphDistance) {
+            painter.drawLine(QPointF(x, middle - 2), QPointF(x, middle + 2));
+            continue;
+        }
+        lastGlyph = x;
+        if (isDiamond) {
+            painter.setBrush(colour);
+            painter.drawPolygon(
+                QPolygonF({{x, middle - 4}, {x + 4, middle}, {x, middle + 4}, {x - 4, middle}}));
+            painter.setBrush(Qt::NoBrush);
+        } else {
+            const QRectF cell(x - 6, top, 12, laneHeight);
+            painter.fillRect(cell.adjusted(2, 0, -2, 0), palette().color(QPalette::Window));
+            painter.drawText(cell, Qt::AlignCenter, glyph);
+        }
+    }
+}
+
+void Scrubber::paintTrack(QPainter &painter) const
+{
+    const ScrubberScale toScreen = scale();
+    painter.fillRect(QRectF(toScreen.left, trackTop + 5, toScreen.width, 4), faint(palette()));
+    QColor muted = palette().color(QPalette::WindowText);
+    muted.setAlphaF(0.75F);
+    painter.setPen(muted);
+    painter.drawText(QRectF(0, trackTop, gutter - margin, trackHeight),
+                     Qt::AlignRight | Qt::AlignVCenter, tr("spans"));
+    const TracedScene *traced = m_playhead->traced();
+    if (!traced)
+        return;
+    const ScanTrace &trace = *traced->trace;
+    if (trace.spanCount() > 0 && toScreen.width / double(trace.spanCount()) >= leastSpanWidth) {
+        painter.setPen(QPen(faint(palette()), 1));
+        for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+            const double x = toScreen.xOf(trace.indexOfSpan(span) + 1);
+            painter.drawLine(QPointF(x, trackTop + 3), QPointF(x, trackTop + 11));
+        }
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(signColour(Sign::Breakpoint, palette()));
+    for (const std::size_t position : m_breakpoints)
+        painter.drawEllipse(QPointF(toScreen.xOf(position), trackTop + 7), 3.5, 3.5);
+}
+
+} // namespace pixelplumb

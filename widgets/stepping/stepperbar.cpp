@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/stepping/stepperbar.h"
+
+#include "widgets/stepping/stepbutton.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QDoubleSpinBox>
+#include <QFontMetrics>
+#include <QLabel>
+#include <QSignalBlocker>
+#include <QSlider>
+
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+/// The speed slider is logarithmic: each notch is a tenth of a power of ten.
+constexpr int notchesPerDecade = 10;
+
+int notchOf(double stepsPerSecond)
+{
+    return int(std::lround(std::log10(stepsPerSecond) * notchesPerDecade));
+}
+
+double speedOf(int notch)
+{
+    const double speed = std::pow(10.0, double(notch) / notchesPerDecade);
+    return speed < 10 ? std::round(speed * 10) / 10 : std::round(speed);
+}
+
+} // namespace
+
+StepperBar::StepperBar(Playhead *playhead, const StepActions &actions, QWidget *parent)
+    : QWidget(parent)
+    , m_playhead(playhead)
+    , m_layout(new QHBoxLayout(this))
+{
+    setObjectName(QStringLiteral("stepperBar"));
+    setAccessibleName(tr("Stepper"));
+    m_layout->setContentsMargins(8, 0, 0, 0);
+    m_layout->setSpacing(2);
+    addButtons(actions);
+    m_layout->addSpacing(8);
+    addUnitBox(actions);
+    m_layout->addSpacing(8);
+    addSpeed();
+    m_layout->addSpacing(8);
+    addPositionLabel();
+    m_layout->addStretch();
+}
+
+void StepperBar::addButtons(const StepActions &actions)
+{
+    using Side = StepButton::SignSide;
+    const auto add = [this](QAction *action, Side side) {
+        auto *button = new StepButton(action, side, this);
+        m_layout->addWidget(button);
+        return button;
+    };
+    add(actions.toStart(), Side::Alone);
+    add(actions.step(StepUnit::Span, StepDirection::Backward), Side::BeforeText);
+    add(actions.step(StepUnit::Sample, StepDirection::Backward), Side::BeforeText);
+    add(actions.play(), Side::BeforeText)->keepRoomFor({tr("play"), tr("pause")});
+    add(actions.step(StepUnit::Sample, StepDirection::Forward), Side::AfterText);
+    add(actions.step(StepUnit::Span, StepDirection::Forward), Side::AfterText);
+    add(actions.toEnd(), Side::Alone);
+}
+
+void StepperBar::addUnitBox(const StepActions &actions)
+{
+    m_unitBox = new QComboBox(this);
+    m_unitBox->setObjectName(QStringLiteral("unitBox"));
+    m_unitBox->setAccessibleName(tr("Unit of playing"));
+    m_unitBox->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    m_unitBox->setToolTip(tr("Play by primitives, spans or samples"));
+    for (QAction *unit : actions.units()) {
+        const int row = m_unitBox->count();
+        m_unitBox->addItem(unit->text());
+        connect(unit, &QAction::changed, m_unitBox, // what a span is called depends on the method
+                [box = m_unitBox, unit, row] { box->setItemText(row, unit->text()); });
+    }
+    m_unitBox->setCurrentIndex(int(m_playhead->unit()));
+    connect(m_unitBox, &QComboBox::activated, m_playhead,
+            [playhead = m_playhead](int index) { playhead->setUnit(StepUnit(index)); });
+    connect(m_playhead, &Playhead::unitChanged, m_unitBox,
+            [box = m_unitBox](StepUnit unit) { box->setCurrentIndex(int(unit)); });
+    m_layout->addWidget(m_unitBox);
+}
+
+void StepperBar::addSpeed()
+{
+    m_speedSlider = new QSlider(Qt::Horizontal, this);
+    m_speedSlider->setObjectName(QStringLiteral("speedSlider"));
+    m_speedSlider->setAccessibleName(tr("Speed of playing"));
+    m_speedSlider->setToolTip(tr("Speed of playing, steps per second"));
+    m_speedSlider->setRange(notchOf(Playhead::slowest), notchOf(Playhead::fastest));
+    m_speedSlider->setFixedWidth(72);
+    connect(m_speedSlider, &QSlider::valueChanged, m_playhead,
+            [playhead = m_playhead](int notch) { playhead->setStepsPerSecond(speedOf(notch)); });
+    m_layout->addWidget(m_speedSlider);
+
+    m_speedBox = new QDoubleSpinBox(this);
+    m_speedBox->setObjectName(QStringLiteral("speedBox"));
+    m_speedBox->setAccessibleName(tr("Speed of playing, steps per second"));
+    m_speedBox->setToolTip(tr("Speed of playing, steps per second"));
+    m_speedBox->setSizePolicy(QSizePolicy::Fixed, QSizePolicy::Fixed);
+    m_speedBox->setRange(Playhead::slowest, Playhead::fastest);
+    m_speedBox->setDecimals(1);
+    m_speedBox->setStepType(QAbstractSpinBox::AdaptiveDecimalStepType);
+    m_speedBox->setAlignment(Qt::AlignRight);
+    m_speedBox->setSuffix(tr(" /s"));
+    m_speedBox->setKeyboardTracking(false);
+    connect(m_speedBox, &QDoubleSpinBox::valueChanged, m_playhead, &Playhead::setStepsPerSecond);
+    connect(m_playhead, &Playhead::stepsPerSecondChanged, this, [this] { updateSpeed(); });
+    updateSpeed();
+    m_layout->addWidget(m_speedBox);
+}
+
+void StepperBar::addPositionLabel()
+{
+    m_position = new QLabel(this);
+    m_position->setObjectName(QStringLiteral("positionLabel"));
+    m_position->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_layout->addWidget(m_position);
+    connect(m_playhead, &Playhead::tracedChanged, this, [this] { updatePosition(); });
+    connect(m_playhead, &Playhead::positionChanged, this, [this] { updatePosition(); });
+    updatePosition();
+}
+
+void StepperBar::updateSpeed()
+{
+    const QSignalBlocker sliderBlocker(m_speedSlider);
+    const QSignalBlocker boxBlocker(m_speedBox);
+    m_speedSlider->setValue(notchOf(m_playhead->stepsPerSecond()));
+    m_speedBox->setValue(m_playhead->stepsPerSecond());
+}
+
+void StepperBar::updatePosition()
+{
+    const QString end = QString::number(m_playhead->end());
+    const QString text = tr("step %1 of %2");
+    // As wide as the widest position, so that nothing moves while time does.
+    const QString widest = text.arg(QString(end.size(), QLatin1Char('8')), end);
+    m_position->setMinimumWidth(
+        std::max(QFontMetrics(m_position->font()).horizontalAdvance(widest) + 4,
+                 QFontMetrics(m_position->font()).horizontalAdvance(text.arg(8888).arg(8888)) + 4));
+    m_position->setText(text.arg(m_playhead->position()).arg(end));
+}
+
+} // namespace pixelplumb

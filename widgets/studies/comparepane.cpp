@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/comparepane.h"
+
+#include "widgets/look/elidingbox.h"
+#include "widgets/look/framepainter.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/tracenavigation.h"
+#include "widgets/studies/comparelink.h"
+#include "widgets/studies/compareview.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QLabel>
+#include <QPainter>
+
+namespace pixelplumb {
+
+namespace {
+
+/// The pixels of a finished picture on the background.
+QImage onBackground(const WrittenFrame &written, const FrameSpec &spec)
+{
+    QImage picture(spec.width, spec.height, QImage::Format_RGB32);
+    for (int line = 0; line < spec.height; ++line) {
+        const std::int64_t y = rowOfPictureLine(spec, line);
+        auto *const pixels = reinterpret_cast<QRgb *>(picture.scanLine(line));
+        for (int column = 0; column < spec.width; ++column) {
+            const std::int64_t x = std::int64_t(spec.firstColumn) + column;
+            pixels[column]
+                = packed(written.isWritten(x, y) ? written.colourAt(x, y) : spec.background);
+        }
+    }
+    return picture;
+}
+
+} // namespace
+
+/// The frame with the span in hand of the pane's own run.
+class ComparePane::View : public CompareView {
+public:
+    using CompareView::CompareView;
+
+    std::optional<SpanRecord> spanInHand;
+    std::vector<std::array<LatticePoint, 3>> outlines;
+
+protected:
+    void paintSigns(QPainter &, FramePainter &frame, const ViewMapping &) override
+    {
+        for (const std::array<LatticePoint, 3> &corners : outlines)
+            frame.drawOutline(corners, {});
+        if (!spanInHand)
+            return;
+        frame.drawPlumbLine(spanInHand->place);
+    }
+};
+
+ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWidget *parent)
+    : QWidget(parent)
+    , m_number(number)
+    , m_playhead(playhead)
+{
+    m_method = addBox(QStringLiteral("Method"), tr("Method of pane %1").arg(number));
+    m_arithmetic = addBox(QStringLiteral("Arithmetic"), tr("Arithmetic of pane %1").arg(number));
+    m_fillRule = addBox(QStringLiteral("FillRule"), tr("Fill rule of pane %1").arg(number));
+    m_method->addItem(tr("Truth"), QString());
+    for (const Method &method : methods())
+        m_method->addItem(method.title, method.id);
+    m_method->setMaxVisibleItems(40);
+    m_result = new QLabel(this);
+    m_result->setWordWrap(true);
+    m_view = new View(link, playhead, this);
+    m_view->setObjectName(QStringLiteral("compareView%1").arg(number));
+    m_view->setAccessibleName(tr("Picture of pane %1").arg(number));
+
+    auto *first = new QHBoxLayout;
+    first->setSpacing(4);
+    auto *name = new QLabel(QString::number(number), this);
+    QFont bold = font();
+    bold.setBold(true);
+    name->setFont(bold);
+    first->addWidget(name);
+    first->addWidget(m_method, 1);
+    // In a row of their own: four panes side by side would push the panels at the right away.
+    auto *second = new QHBoxLayout;
+    second->setSpacing(4);
+    second->addWidget(m_arithmetic, 1);
+    second->addWidget(m_fillRule, 1);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(4);
+    layout->addLayout(first);
+    layout->addLayout(second);
+    layout->addWidget(m_view, 1);
+    layout->addWidget(m_result);
+
+    connect(m_method, &QComboBox::activated, this, [this] {
+        offerSettings(contender().settings);
+        emit contenderChanged();
+    });
+    connect(m_arithmetic, &QComboBox::activated, this, &ComparePane::contenderChanged);
+    connect(m_fillRule, &QComboBox::activated, this, &ComparePane::contenderChanged);
+    connect(playhead, &Playhead::positionChanged, this, &ComparePane::followPlayhead);
+    offerSettings({});
+}
+
+ComparePane::~ComparePane() = default;
+
+QComboBox *ComparePane::addBox(const QString &name, const QString &label)
+{
+    auto *box = new ElidingBox(this);
+    box->setObjectName(QStringLiteral("compare%1%2").arg(name).arg(m_number));
+    box->setAccessibleName(label);
+    box->setToolTip(label);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    box->setMinimumContentsLength(6);
+    return box;
+}
+
+Contender ComparePane::contender() const
+{
+    Contender contender{methodNamed(m_method->currentData().toString()),
+                        {Arithmetic::Exact, FillRule::Closed, m_rounding}};
+    if (m_arithmetic->currentIndex() >= 0)
+        contender.settings.arithmetic = Arithmetic(m_arithmetic->currentData().toInt());
+    if (m_fillRule->currentIndex() >= 0)
+        contender.settings.fillRule = FillRule(m_fillRule->currentData().toInt());
+    return contender;
+}
+
+void ComparePane::setContender(const Contender &contender)
+{
+    m_rounding = contender.settings.rounding;
+    const QString id = contender.isTruth() ? QString() : contender.method->id;
+    m_method->setCurrentIndex(std::max(0, m_method->findData(id)));
+    offerSettings(contender.settings);
+}
+
+void ComparePane::offerSettings(const ScanSettings &wanted)
+{
+    const Method *method = methodNamed(m_method->currentData().toString());
+    const Contender chosen = method ? contenderFor(*method, wanted) : Contender{nullptr, wanted};
+    const std::vector<Arithmetic> arithmetics
+        = method ? method->arithmetics : std::vector<Arithmetic>{Arithmetic::Exact};
+    const std::vector<FillRule> rules = method
+        ? method->fillRules
+        : std::vector<FillRule>(allFillRules.begin(), allFillRules.end());
+    const auto offer = [](QComboBox *box, const auto &choices, auto current) {
+        box->clear();
+        for (const auto choice : choices)
+            box->addItem(QString::fromUtf8(nameOf(choice)), int(choice));
+        box->setCurrentIndex(std::max(0, box->findData(int(current))));
+        box->setEnabled(choices.size() > 1);
+    };
+    offer(m_arithmetic, arithmetics, chosen.settings.arithmetic);
+    offer(m_fillRule, rules, chosen.settings.fillRule);
+}
+
+void ComparePane::show(const std::shared_ptr<const Contest> &contest, std::size_t run)
+{
+    m_cursor.reset(); // it looks into the contest before
+    m_contest = contest;
+    m_run = run;
+    const ContenderRun &shown = contest->runs[run];
+    m_view->outlines.clear();
+    for (const Triangle &triangle : contest->primitives.triangles)
+        m_view->outlines.push_back({triangle.vertices[0].position, triangle.vertices[1].position,
+                                    triangle.vertices[2].position});
+    if (shown.traced)
+        m_cursor = std::make_unique<TraceCursor>(*shown.traced->trace, contest->scene.frame);
+    const auto count = [&shown](Difference kind) {
+        return QString::number(shown.tally.againstTruth[std::size_t(kind)]);
+    };
+    if (shown.tally.written == 0 && !shown.contender.isTruth())
+        m_result->setText(tr("Draws nothing of this scene."));
+    else if (shown.contender.isTruth())
+        m_result->setText(tr("%1 pixels, shown finished").arg(shown.tally.written));
+    else
+        m_result->setText(tr("%1 pixels: %2 missing, %3 extra, %4 in another colour")
+                              .arg(QString::number(shown.tally.written), count(Difference::Missing),
+                                   count(Difference::Extra), count(Difference::Colour)));
+    if (shown.tally.undrawn > 0)
+        m_result->setText(m_result->text()
+                          + tr("; %1 undrawn, of other kinds").arg(shown.tally.undrawn));
+    followPlayhead();
+}
+
+void ComparePane::clear(const QString &message)
+{
+    m_cursor.reset();
+    m_contest.reset();
+    m_view->spanInHand.reset();
+    m_view->outlines.clear();
+    m_view->setPicture({});
+    m_view->setMessage(message);
+    m_result->clear();
+}
+
+CompareView *ComparePane::view() const { return m_view; }
+
+std::optional<std::size_t> ComparePane::position() const
+{
+    return m_cursor ? std::optional(m_cursor->position()) : std::nullopt;
+}
+
+void ComparePane::followPlayhead()
+{
+    if (!m_contest || !m_playhead->traced())
+        return;
+    m_view->spanInHand.reset();
+    const ContenderRun &run = m_contest->runs[m_run];
+    if (!m_cursor) {
+        m_view->setPicture(onBackground(run.picture, m_contest->scene.frame));
+        return;
+    }
+    const ScanTrace &trace = *run.traced->trace;
+    const std::size_t position
+        = TraceNavigation(trace).positionLike(*m_playhead->traced()->trace, m_playhead->position());
+    m_cursor->seek(position);
+    if (position > 0) {
+        const TraceStep step = trace.stepAt(position - 1);
+        if (step.kind != StepKind::SetUp)
+            m_view->spanInHand = trace.span(step.span);
+    }
+    m_view->setPicture(m_cursor->frame().image());
+}
+
+} // namespace pixelplumb

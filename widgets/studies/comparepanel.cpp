@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/comparepanel.h"
+
+#include "core/scene/colourtext.h"
+#include "widgets/model/playhead.h"
+#include "widgets/studies/agreementview.h"
+#include "widgets/studies/comparelink.h"
+#include "widgets/studies/comparepane.h"
+
+#include <QBoxLayout>
+#include <QLabel>
+#include <QProgressBar>
+#include <QPushButton>
+#include <QToolButton>
+
+namespace pixelplumb {
+
+ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
+    : QWidget(parent)
+    , m_playhead(playhead)
+    , m_link(new CompareLink(this))
+{
+    setObjectName(QStringLiteral("compare"));
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(8);
+    m_row = new QHBoxLayout;
+    m_row->setSpacing(8);
+    layout->addLayout(m_row, 1);
+    auto *map = new QVBoxLayout;
+    map->setSpacing(4);
+    m_legend = new QLabel(this);
+    m_legend->setTextFormat(Qt::RichText);
+    m_legend->setWordWrap(true);
+    m_agreement = new AgreementView(m_link, playhead, this);
+    addControls(map);
+    map->addWidget(m_agreement, 1);
+    map->addWidget(m_legend);
+    m_row->addLayout(map, 1);
+    m_reason = new QLabel(this);
+    m_reason->setObjectName(QStringLiteral("compareReason"));
+    m_reason->setWordWrap(true);
+    m_reason->setAccessibleName(tr("Why the picked pixel differs"));
+    m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    layout->addWidget(m_reason);
+
+    connect(&m_job, &Job::progressChanged, this, &ComparePanel::tellProgress);
+    connect(&m_job, &Job::ended, m_progress, &QWidget::hide);
+    connect(&m_job, &Job::ended, m_cancel, &QWidget::hide);
+    connect(playhead, &Playhead::tracedChanged, this, &ComparePanel::restart);
+    connect(playhead, &Playhead::pickedPixelChanged, this, &ComparePanel::tellPixel);
+    addPane();
+    addPane();
+    tellPixel();
+}
+
+ComparePanel::~ComparePanel() = default;
+
+void ComparePanel::addControls(QBoxLayout *layout)
+{
+    const auto button = [this](const char *name, const QString &text, const QString &tip) {
+        auto *result = new QToolButton(this);
+        result->setObjectName(QLatin1String(name));
+        result->setText(text);
+        result->setAccessibleName(tip);
+        result->setToolTip(tip);
+        return result;
+    };
+    m_fewer = button("compareFewer", tr("− pane"), tr("Take the last pane away"));
+    m_more = button("compareMore", tr("+ pane"), tr("Add a pane, four at most"));
+    QToolButton *fit = button("compareFit", tr("Fit"), tr("Show the whole frame in every pane"));
+    m_progress = new QProgressBar(this);
+    m_progress->setRange(0, 0);
+    m_progress->setMaximumWidth(64);
+    m_progress->setTextVisible(false);
+    m_progress->hide();
+    m_cancel = new QPushButton(tr("Cancel"), this);
+    m_cancel->setObjectName(QStringLiteral("compareCancel"));
+    m_cancel->hide();
+    auto *row = new QHBoxLayout;
+    row->setSpacing(4);
+    row->addWidget(new QLabel(tr("Agreement"), this));
+    row->addStretch();
+    row->addWidget(m_fewer);
+    row->addWidget(m_more);
+    row->addWidget(fit);
+    row->addWidget(m_progress);
+    row->addWidget(m_cancel);
+    layout->addLayout(row);
+    connect(m_more, &QToolButton::clicked, this, [this] {
+        const Contender last = m_panes.back()->contender();
+        addPane();
+        m_panes.back()->setContender(last);
+        restart();
+    });
+    connect(m_fewer, &QToolButton::clicked, this, [this] {
+        removePane();
+        restart();
+    });
+    connect(fit, &QToolButton::clicked, m_link, &CompareLink::fit);
+    connect(m_cancel, &QPushButton::clicked, this, &ComparePanel::cancel);
+}
+
+void ComparePanel::addPane()
+{
+    auto *pane = new ComparePane(int(m_panes.size()) + 1, m_link, m_playhead, this);
+    m_row->insertWidget(int(m_panes.size()), pane, 1);
+    m_panes.push_back(pane);
+    connect(pane, &ComparePane::contenderChanged, this, &ComparePanel::restart);
+    m_more->setEnabled(m_panes.size() < mostContenders);
+    m_fewer->setEnabled(m_panes.size() > fewestContenders);
+}
+
+void ComparePanel::removePane()
+{
+    delete m_panes.back();
+    m_panes.pop_back();
+    m_more->setEnabled(m_panes.size() < mostContenders);
+    m_fewer->setEnabled(m_panes.size() > fewestContenders);
+}
+
+std::vector<Contender> ComparePanel::contenders() const
+{
+    std::vector<Contender> all;
+    for (const ComparePane *pane : m_panes)
+        all.push_back(pane->contender());
+    return all;
+}
+
+void ComparePanel::setContenders(const std::vector<Contender> &contenders)
+{
+    Q_ASSERT(contenders.size() >= fewestContenders && contenders.size() <= mostContenders);
+    m_isChosen = true;
+    while (m_panes.size() < contenders.size())
+        addPane();
+    while (m_panes.size() > contenders.size())
+        removePane();
+    for (std::size_t i = 0; i < contenders.size(); ++i)
+        m_panes[i]->setContender(contenders[i]);
+    restart();
+}
+
+/// The method in hand beside its own rounding arithmetics, or beside the truth where it has none.
+void ComparePanel::choosePanes()
+{
+    const Scene &scene = m_playhead->traced()->scene;
+    const Method &method = *m_playhead->traced()->method;
+    std::vector<Contender> chosen = {{&method, scene.settings}};
+    for (const Arithmetic arithmetic :
+         {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64}) {
+        ScanSettings settings = scene.settings;
+        settings.arithmetic = arithmetic;
+        if (arithmetic != scene.settings.arithmetic && chosen.size() < 3
+            && method.refusal(settings).isEmpty())
+            chosen.push_back({&method, settings});
+    }
+    if (chosen.size() < fewestContenders)
+        chosen.push_back({nullptr, scene.settings});
+    setContenders(chosen);
+}
+
+void ComparePanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    if (m_isStale)
+        restart();
+}
+
+void ComparePanel::cancel()
+{
+    m_job.cancel();
+    m_reason->setText(tr("The comparison was cancelled. Change a pane or the scene to start it "
+                         "again."));
+}
+
+void ComparePanel::restart()
+{
+    m_isStale = true;
+    const std::shared_ptr<const TracedScene> traced = m_playhead->sharedTraced();
+    if (!isVisible())
+        return;
+    if (!traced) {
+        m_job.cancel();
+        m_contest.reset();
+        for (ComparePane *pane : m_panes)
+            pane->clear(tr("The scene is being drawn."));
+        m_agreement->setContest(nullptr);
+        return;
+    }
+    if (!m_isChosen)
+        return choosePanes();
+    m_isStale = false;
+    std::vector<Contender> chosen = contenders();
+    for (Contender &contender : chosen)
+        contender.settings.rounding = traced->scene.settings.rounding;
+    m_job.start(
+        [scene = traced->scene, chosen](const ProgressListener &listener) {
+            ContestOptions options;
+            options.recorded = Recorded::All;
+            options.progress = listener;
+            return compareContenders(scene, chosen, options);
+        },
+        [this](const std::shared_ptr<const Contest> &contest) { take(contest); });
+}
+
+void ComparePanel::take(const std::shared_ptr<const Contest> &contest)
+{
+    if (!contest) {
+        m_reason->setText(tr("The comparison does not fit into memory. Make the frame smaller."));
+        return;
+    }
+    if (contest->runs.size() != m_panes.size())
+        return; // a pane came or went; the next one is under way
+    m_link->setFrame(contest->scene.frame);
+    for (std::size_t i = 0; i < m_panes.size(); ++i)
+        m_panes[i]->show(contest, i);
+    m_agreement->setContest(contest);
+    m_contest = contest;
+    QStringList legend;
+    const AgreementMap &agreement = contest->agreement;
+    for (int agreeing = agreement.contenderCount(); agreeing > 0; --agreeing) {
+        legend.append(
+            QStringLiteral("<span style=\"background:%1\">&nbsp;&nbsp;&nbsp;</span> %2")
+                .arg(agreementColour(agreeing, agreement.contenderCount(), palette()).name(),
+                     tr("%1 agree: %2").arg(agreeing).arg(agreement.countAgreeing(agreeing))));
+    }
+    m_legend->setText(legend.join(QStringLiteral(" &nbsp; ")));
+    tellPixel();
+    emit contestChanged();
+}
+
+/// Seen only where it takes longer than a moment.
+void ComparePanel::tellProgress(const JobProgress &progress)
+{
+    m_progress->setRange(0, int(progress.total));
+    m_progress->setValue(int(progress.done));
+    m_progress->show();
+    m_cancel->show();
+}
+
+void ComparePanel::tellPixel() { m_reason->setText(pixelText()); }
+
+QString ComparePanel::pixelText() const
+{
+    const std::optional<QPoint> picked = m_playhead->pickedPixel();
+    if (!m_contest)
+        return tr("Nothing is compared yet.");
+    if (m_contest->agreement.differing() == 0)
+        return tr("All agree on every pixel.");
+    if (!picked || !m_contest->runs.front().picture.view().contains(picked->x(), picked->y()))
+        return tr("Pixels that differ: %1. Click one in the agreement map to see why.")
+            .arg(m_contest->agreement.differing());
+    const PixelComparison pixel = comparePixel(*m_contest, picked->x(), picked->y());
+    const int all = m_contest->agreement.contenderCount();
+    if (pixel.agreeing == all)
+        return tr("Pixel (%1, %2): all agree. Pixels that differ: %3; click one in the agreement "
+                  "map to see why.")
+            .arg(picked->x())
+            .arg(picked->y())
+            .arg(m_contest->agreement.differing());
+    QStringList lines = {tr("Pixel (%1, %2): %3 of %4 agree. %5: %6")
+                             .arg(picked->x())
+                             .arg(picked->y())
+                             .arg(pixel.agreeing)
+                             .arg(all)
+                             .arg(nameOf(pixel.reason), textOf(pixel.reason))};
+    QStringList right;
+    for (std::size_t i = 0; i < pixel.opinions.size(); ++i) {
+        const PixelOpinion &opinion = pixel.opinions[i];
+        const QString value = opinion.written ? colourText(opinion.colour) : tr("not drawn");
+        const QString text = tr("%1: %2").arg(i + 1).arg(value);
+        if (opinion.words.isEmpty())
+            right.append(text);
+        else
+            lines.append(text + QStringLiteral(", ") + opinion.words);
+    }
+    if (!right.isEmpty())
+        lines.append(right.join(QStringLiteral(";  ")));
+    return lines.join(u'\n');
+}
+
+} // namespace pixelplumb

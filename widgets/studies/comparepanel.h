@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compare/contest.h"
+#include "widgets/model/job.h"
+
+#include <QWidget>
+
+class QBoxLayout;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+class QToolButton;
+
+namespace pixelplumb {
+
+class AgreementView;
+class CompareLink;
+class ComparePane;
+class Playhead;
+
+/// Two to four contenders draw the playhead's scene side by side, each at the place where the
+/// playhead is, with one zoom; beside them the map of where they agree, and below the reason for
+/// the picked pixel in words. Draws beside the GUI thread, and only while it can be seen.
+class ComparePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit ComparePanel(Playhead *playhead, QWidget *parent = nullptr);
+    ~ComparePanel() override;
+
+    std::vector<Contender> contenders() const;
+    bool isRunning() const { return m_job.isRunning(); }
+    /// Null until the first one is finished.
+    const Contest *contest() const { return m_contest.get(); }
+    const std::vector<ComparePane *> &panes() const { return m_panes; }
+
+    QSize sizeHint() const override { return {960, 320}; }
+
+public slots:
+    /// Two to four.
+    void setContenders(const std::vector<pixelplumb::Contender> &contenders);
+    void cancel();
+
+signals:
+    void contestChanged();
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    void addControls(QBoxLayout *layout);
+    void addPane();
+    void removePane();
+    void choosePanes();
+    void restart();
+    void take(const std::shared_ptr<const Contest> &contest);
+    void tellPixel();
+    void tellProgress(const JobProgress &progress);
+    QString pixelText() const;
+
+    Playhead *m_playhead;
+    CompareLink *m_link;
+    std::vector<ComparePane *> m_panes;
+    QBoxLayout *m_row = nullptr;
+    AgreementView *m_agreement = nullptr;
+    QLabel *m_legend = nullptr;
+    QLabel *m_reason = nullptr;
+    QToolButton *m_more = nullptr;
+    QToolButton *m_fewer = nullptr;
+    QProgressBar *m_progress = nullptr;
+    QPushButton *m_cancel = nullptr;
+    bool m_isChosen = false; ///< the panes have been given contenders
+    bool m_isStale = true; ///< the contest is of another scene or other contenders
+    std::shared_ptr<const Contest> m_contest;
+    Job m_job;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/look/viewmapping.h"
+
+#include <QImage>
+#include <QWidget>
+
+namespace pixelplumb {
+
+class CompareLink;
+class FramePainter;
+class Playhead;
+
+/// A picture of the frame, enlarged cell by cell as the canvas does. All views of one link show the
+/// same part. A click picks the pixel on the playhead, a drag moves all views, the wheel zooms
+/// them.
+class CompareView : public QWidget {
+    Q_OBJECT
+
+public:
+    CompareView(CompareLink *link, Playhead *playhead, QWidget *parent = nullptr);
+
+    /// A picture of the link's frame, in its lines; null shows `message` instead.
+    void setPicture(const QImage &picture);
+    /// What to say where there is no picture.
+    void setMessage(const QString &message);
+
+    ViewMapping mapping() const;
+    std::optional<QPoint> pixelAt(const QPointF &position) const;
+    QPointF positionOf(const QPoint &pixel) const { return mapping().positionOf(pixel); }
+
+    QSize sizeHint() const override { return {240, 200}; }
+    QSize minimumSizeHint() const override { return {96, 72}; }
+
+protected:
+    /// What is drawn over the cells.
+    virtual void paintSigns(QPainter &painter, FramePainter &frame, const ViewMapping &mapping);
+    Playhead *playhead() const { return m_playhead; }
+
+    void paintEvent(QPaintEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+
+private:
+    QRectF view() const { return rect(); }
+
+    CompareLink *m_link;
+    Playhead *m_playhead;
+    QImage m_picture;
+    QString m_message;
+    QImage m_cells; ///< the visible cells in device pixels
+    std::optional<QPointF> m_pressed;
+    std::optional<QPointF> m_dragged; ///< where the drag under way last was
+    int m_wheelRest = 0; ///< eighths of a degree that are not a notch yet
+};
+
+} // namespace pixelplumb

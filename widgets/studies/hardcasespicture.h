@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compare/casegallery.h"
+#include "core/runs/contender.h"
+#include "core/runs/differencemap.h"
+
+#include <QImage>
+#include <QPalette>
+
+namespace pixelplumb {
+
+/// A part of a hard case as a method draws it and as it truly is, around the first pixel that
+/// differs, else around the middle of what is drawn.
+struct HardCasePicture {
+    Contender contender; ///< who drew it: the method in hand, or the first that draws the case
+    QImage drawn, truth; ///< a pixel a frame pixel
+    /// The cells of the first one that differ, from its upper left.
+    std::vector<std::pair<QPoint, Difference>> marks;
+    QPoint firstPixel; ///< (x, y) of the lower left one
+    std::int64_t missing = 0, extra = 0, otherColour = 0; ///< of the whole canvas
+
+    bool isRight() const { return missing == 0 && extra == 0 && otherColour == 0; }
+    /// "64 missing, 2198 in another colour" or "right".
+    QString verdict() const;
+};
+
+HardCasePicture pictureOf(const HardCase &hardCase, const Method &method,
+                          const ScanSettings &settings);
+
+/// Both pictures side by side, enlarged by whole numbers to fit, with the differing pixels of the
+/// first one marked.
+QPixmap sideBySide(const HardCasePicture &picture, const QSize &size, const QPalette &palette,
+                   double devicePixelRatio);
+
+} // namespace pixelplumb

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/operationpanel.h"
+
+#include "core/frame/framebuffer.h"
+#include "core/lab/operationtable.h"
+#include "core/runs/tracedscene.h"
+#include "core/scan/choicenames.h"
+#include "widgets/look/numberlayout.h"
+#include "widgets/model/playhead.h"
+
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableWidget>
+#include <QVBoxLayout>
+
+namespace pixelplumb {
+
+namespace {
+
+QTableWidgetItem *figureItem(const QString &text)
+{
+    auto *item = new QTableWidgetItem(text);
+    item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    return item;
+}
+
+} // namespace
+
+OperationPanel::OperationPanel(Playhead *playhead, QWidget *parent)
+    : QWidget(parent)
+    , m_playhead(playhead)
+    , m_summary(new QLabel(this))
+    , m_table(new QTableWidget(this))
+{
+    setObjectName(QStringLiteral("operations"));
+    setAccessibleName(tr("Operations"));
+    m_summary->setObjectName(QStringLiteral("operationSummary"));
+    m_summary->setAccessibleName(tr("What was counted"));
+    m_summary->setWordWrap(true);
+    m_summary->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    m_table->setObjectName(QStringLiteral("operationTable"));
+    m_table->setAccessibleName(tr("Operations by kind"));
+    m_table->setToolTip(tr("What the method's numbers do, counted while they draw this scene: on "
+                           "the average of a set-up, a span and a sample, and all together. Whole "
+                           "pixel coordinates and the clamp to a byte are not counted."));
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setColumnCount(4);
+    m_table->setHorizontalHeaderLabels({tr("a set-up"), tr("a span"), tr("a sample"), tr("all")});
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    m_table->setFont(tabularFont(font()));
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(8);
+    layout->addWidget(m_summary);
+    layout->addWidget(m_table, 1);
+    connect(playhead, &Playhead::tracedChanged, this, &OperationPanel::forget);
+    forget();
+}
+
+void OperationPanel::forget()
+{
+    m_job.cancel();
+    m_counts.reset();
+    m_isStale = true;
+    count();
+}
+
+/// A drag asks for a count at each move: newer ones cancel the older.
+void OperationPanel::count()
+{
+    if (!isVisible() || !m_isStale)
+        return;
+    const std::shared_ptr<const TracedScene> traced = m_playhead->sharedTraced();
+    if (!traced) {
+        fillTable();
+        tell(tr("The scene is being drawn."));
+        return;
+    }
+    m_isStale = false;
+    if (!isCounted(*traced->method)) {
+        fillTable();
+        tell(countingGap(*traced->method, traced->scene.settings.arithmetic));
+        return;
+    }
+    m_job.start(
+        [traced](const ProgressListener &listener) {
+            const FrameBuffer frame(traced->scene.frame);
+            return countOperations(*traced->method, traced->scene.settings, traced->primitives,
+                                   frame.view(), listener);
+        },
+        [this](std::optional<OperationCounts> counts) { take(std::move(counts)); });
+}
+
+void OperationPanel::take(std::optional<OperationCounts> counts)
+{
+    m_counts = std::move(counts);
+    fillTable();
+    const TracedScene *traced = m_playhead->traced();
+    if (!m_counts || !traced) {
+        tell(tr("The count does not fit into memory. Make the frame smaller."));
+    } else {
+        const Arithmetic arithmetic = traced->scene.settings.arithmetic;
+        tell(QStringList{
+            tr("%1 in %2: %3; the set-up is %4 % of them.")
+                .arg(traced->method->title, nameText(nameOf(arithmetic)), countsText(*m_counts))
+                .arg(100 * m_counts->setUpShare(), 0, 'f', 1),
+            countingGap(*traced->method, arithmetic)}
+                 .join(u' ')
+                 .trimmed());
+    }
+    emit counted();
+}
+
+void OperationPanel::fillTable()
+{
+    const std::vector<OperationTableRow> rows
+        = m_counts ? operationTable(*m_counts) : std::vector<OperationTableRow>();
+    m_table->setRowCount(int(rows.size()));
+    for (int row = 0; row < int(rows.size()); ++row) {
+        const OperationTableRow &shown = rows[std::size_t(row)];
+        m_table->setVerticalHeaderItem(row, new QTableWidgetItem(shown.name));
+        for (int stage = 0; stage < int(shown.each.size()); ++stage)
+            m_table->setItem(row, stage, figureItem(operationText(shown.each[std::size_t(stage)])));
+        m_table->setItem(row, 3, figureItem(QString::number(shown.all)));
+    }
+}
+
+void OperationPanel::tell(const QString &text)
+{
+    m_summary->setText(text);
+    setAccessibleDescription(text);
+}
+
+void OperationPanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    count();
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/operationcounts.h"
+#include "widgets/model/job.h"
+
+#include <QWidget>
+
+class QLabel;
+class QTableWidget;
+
+namespace pixelplumb {
+
+class Playhead;
+
+/// The résumé of the method and arithmetic in hand on the playhead's scene: how many divisions,
+/// roundings, additions and so on a set-up, a span and a sample take (objectName "operations", its
+/// table "operationTable"). Counts beside the GUI thread, and only while it is seen.
+class OperationPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit OperationPanel(Playhead *playhead, QWidget *parent = nullptr);
+
+    /// Of the scene in hand; none while they are being counted or cannot be.
+    const std::optional<OperationCounts> &counts() const { return m_counts; }
+
+    QSize sizeHint() const override { return {460, 320}; }
+
+signals:
+    void counted();
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    void forget();
+    void count();
+    void take(std::optional<OperationCounts> counts);
+    void fillTable();
+    void tell(const QString &text);
+
+    Playhead *m_playhead;
+    QLabel *m_summary;
+    QTableWidget *m_table;
+    std::optional<OperationCounts> m_counts;
+    bool m_isStale = true;
+    Job m_job;
+};
+
+} // namespace pixelplumb

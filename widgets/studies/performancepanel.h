@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/measure/scenetiming.h"
+#include "widgets/model/job.h"
+
+#include <QWidget>
+
+class QBoxLayout;
+class QComboBox;
+class QLabel;
+class QProgressBar;
+class QPushButton;
+
+namespace pixelplumb {
+
+class PerformanceCacheLines;
+class Playhead;
+
+/// What drawing the playhead's scene takes by the plain and by the fast kernels, which of these
+/// took which triangles and why, and what a column and a strip of its frame ask of the cache
+/// (objectName "performance"). Measures beside the GUI thread, when asked to.
+class PerformancePanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PerformancePanel(Playhead *playhead, QWidget *parent = nullptr);
+    ~PerformancePanel() override;
+
+    bool isRunning() const { return m_job.isRunning(); }
+    /// Nothing before the first measurement, after a cancelled one, and after a change of the
+    /// scene.
+    const std::optional<SceneTiming> &timing() const { return m_timing; }
+    PerformanceCacheLines *cacheLines() const { return m_cacheLines; }
+
+    QSize sizeHint() const override { return {460, 560}; }
+
+public slots:
+    void measure();
+    void cancel();
+
+signals:
+    void measured();
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+
+private:
+    QBoxLayout *controls();
+    QWidget *contents();
+    void forget();
+    void take(std::optional<SceneTiming> timing);
+    void tell(const QString &text);
+    void present();
+    void tellProgress(const JobProgress &progress);
+    void showCacheLines();
+
+    Playhead *m_playhead;
+    QPushButton *m_measure = nullptr;
+    QPushButton *m_cancel = nullptr;
+    QProgressBar *m_progress = nullptr;
+    QLabel *m_summary = nullptr;
+    QLabel *m_times = nullptr;
+    QLabel *m_routes = nullptr;
+    QComboBox *m_stride = nullptr;
+    PerformanceCacheLines *m_cacheLines = nullptr;
+    std::optional<SceneTiming> m_timing;
+    Job m_job;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/performancetext.h"
+
+#include "widgets/look/blend.h"
+
+#include <QCoreApplication>
+#include <QLocale>
+
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+QString tr(const char *text) { return QCoreApplication::translate("PerformancePanel", text); }
+
+QLocale groupingLocale()
+{
+    QLocale locale = QLocale::c();
+    locale.setNumberOptions({});
+    return locale;
+}
+
+/// Three digits, groups of thousands.
+QString rounded(double value)
+{
+    if (!(value > 0))
+        return QStringLiteral("0");
+    const int places = std::clamp(2 - int(std::floor(std::log10(value))), 0, 4);
+    return groupingLocale().toString(value, 'f', places);
+}
+
+QString grouped(std::uint64_t number) { return groupingLocale().toString(qulonglong(number)); }
+
+QString cell(const QString &text) { return QStringLiteral("<td align='right'>%1</td>").arg(text); }
+
+QString timeRow(const QString &who, const DrawTime &time, const SceneTiming &timing)
+{
+    const Spread &spread = time.perDraw;
+    const auto percent = [&](double value) {
+        return QString::number(std::abs(value / spread.median - 1) * 100, 'f', 0);
+    };
+    return QStringLiteral("<tr><td>%1</td>").arg(who) + cell(rounded(time.perPixel(timing.pixels)))
+        + cell(rounded(time.perTriangle(timing.triangles)))
+        + cell(QStringLiteral("−%1 … +%2 %").arg(percent(spread.lower), percent(spread.upper)))
+        + cell(QStringLiteral("%1 ×").arg(
+            rounded(timing.plain.perDraw.median / time.perDraw.median)))
+        + cell(QStringLiteral("%1 %").arg(
+            QString::number(100 * timing.shareOfMemory(time), 'f', 0)))
+        + QStringLiteral("</tr>");
+}
+
+} // namespace
+
+QString timesHtml(const SceneTiming &timing)
+{
+    QString html
+        = QStringLiteral("<table width='100%' cellspacing='0' cellpadding='2'><tr><td></td>");
+    for (const QString &heading :
+         {tr("ns a pixel"), tr("ns a triangle"), tr("quartiles"), tr("speed"), tr("of memory")})
+        html += cell(heading);
+    html += QStringLiteral("</tr>");
+    html += timeRow(tr("plain kernel"), timing.plain, timing);
+    html += timeRow(tr("fast, %1").arg(QString::fromUtf8(nameOf(timing.report.instructionSet))),
+                    timing.fast, timing);
+    if (timing.parallel) {
+        html += timeRow(tr("fast, %1 threads").arg(timing.parallel->threads), *timing.parallel,
+                        timing);
+    }
+    html += timeRow(tr("memory: memset"), timing.memory, timing);
+    return html + QStringLiteral("</table>");
+}
+
+QString routesHtml(const FastReport &report, const QPalette &palette)
+{
+    const QColor dim
+        = blended(palette.color(QPalette::Window), palette.color(QPalette::WindowText), 0.72F);
+    QString html = QStringLiteral("<table cellspacing='0' cellpadding='2'>");
+    for (const FastRouteUse &use : report.uses) {
+        QString kernel = QString::fromUtf8(nameOf(use.kernel));
+        if (use.word != ColourWord::Other)
+            kernel += tr(", colours: %1").arg(QString::fromUtf8(nameOf(use.word)));
+        html += QStringLiteral("<tr>") + cell(grouped(use.triangles))
+            + QStringLiteral("<td>&nbsp;%1<br><span style='color:%2'>&nbsp;%3</span></td></tr>")
+                  .arg(kernel, dim.name(),
+                       QString::fromUtf8(pixelplumb::textOf(use.reason)).toHtmlEscaped());
+    }
+    return html + QStringLiteral("</table>");
+}
+
+QString measurementText(const SceneTiming &timing)
+{
+    if (timing.triangles == 0)
+        return tr("The scene has no triangles to draw.");
+    if (timing.pixels == 0)
+        return tr("The scene's triangles cover no pixel of the frame.");
+    const QString triangles = timing.triangles == 1
+        ? tr("1 triangle")
+        : tr("%1 triangles").arg(grouped(timing.triangles));
+    const QString pixels
+        = timing.pixels == 1 ? tr("1 pixel") : tr("%1 pixels").arg(grouped(timing.pixels));
+    return tr("Column scan, %1, %2: %3, %4 written. Medians of %5 rounds. %6")
+        .arg(QString::fromUtf8(nameOf(timing.settings.arithmetic)),
+             QString::fromUtf8(nameOf(timing.settings.fillRule)), triangles, pixels)
+        .arg(timing.rounds)
+        .arg(timing.sameBytes ? tr("Both kernels draw the same bytes.")
+                              : tr("The kernels draw different bytes!"));
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/precisionpanel.h"
+
+#include "widgets/model/playhead.h"
+#include "widgets/studies/precisionplot.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QLabel>
+#include <QToolButton>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+} // namespace
+
+PrecisionPanel::PrecisionPanel(Playhead *playhead, QWidget *parent)
+    : QWidget(parent)
+    , m_playhead(playhead)
+{
+    setObjectName(QStringLiteral("precision"));
+    m_bound = new QComboBox(this);
+    m_bound->setObjectName(QStringLiteral("precisionBound"));
+    m_bound->setAccessibleName(tr("Bound"));
+    m_bound->setToolTip(tr("Which bound's error is plotted"));
+    m_bound->addItems({tr("lower bound y_B"), tr("upper bound y_T")});
+    auto *controls = new QHBoxLayout;
+    controls->setSpacing(8);
+    controls->addWidget(m_bound);
+    for (const Arithmetic arithmetic : allArithmetics) {
+        if (arithmetic == Arithmetic::Exact)
+            continue;
+        auto *button = new QToolButton(this);
+        button->setObjectName(QStringLiteral("precision_") + QString::fromUtf8(nameOf(arithmetic)));
+        button->setText(QString::fromUtf8(nameOf(arithmetic)));
+        button->setAccessibleName(tr("Show %1").arg(QString::fromUtf8(nameOf(arithmetic))));
+        button->setToolTip(
+            tr("Show or hide the curve of %1").arg(QString::fromUtf8(nameOf(arithmetic))));
+        button->setCheckable(true);
+        button->setChecked(true);
+        connect(button, &QToolButton::toggled, this, &PrecisionPanel::showErrors);
+        controls->addWidget(button);
+        m_arithmetics.push_back(button);
+    }
+    controls->addStretch();
+    m_plot = new PrecisionPlot(this);
+    m_plot->setToolTip(tr("Dotted: what rounding may add up to, n·ulp/2 in floating point, n·2⁻¹⁷ "
+                          "in 16.16, n·2⁻³³ in 32.32 after n additions. ≠: the first column that "
+                          "covers other samples than it should. A click goes there."));
+    m_summary = new QLabel(this);
+    m_summary->setObjectName(QStringLiteral("precisionSummary"));
+    m_summary->setWordWrap(true);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(8);
+    layout->addLayout(controls);
+    layout->addWidget(m_plot, 1);
+    layout->addWidget(m_summary);
+
+    connect(m_bound, &QComboBox::currentIndexChanged, this, &PrecisionPanel::showErrors);
+    connect(m_plot, &PrecisionPlot::coordinateClicked, this, &PrecisionPanel::jumpTo);
+    connect(playhead, &Playhead::tracedChanged, this, &PrecisionPanel::restart);
+    connect(playhead, &Playhead::positionChanged, this, &PrecisionPanel::followPosition);
+    showErrors();
+}
+
+PrecisionPanel::~PrecisionPanel() = default;
+
+void PrecisionPanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    if (m_computedFor != m_playhead->sharedTraced())
+        restart();
+    followPosition();
+}
+
+void PrecisionPanel::restart()
+{
+    const std::shared_ptr<const TracedScene> traced = m_playhead->sharedTraced();
+    if (!isVisible())
+        return;
+    m_computedFor = traced;
+    if (!traced) {
+        m_job.cancel();
+        take({});
+        return;
+    }
+    const std::optional<TraceStep> step = m_playhead->stepInHand();
+    m_triangle = step && traced->primitives.isTriangle(step->primitive) ? step->primitive : 0;
+    m_job.start(
+        [traced, triangle = m_triangle](const ProgressListener &listener) {
+            return boundErrorsOf(traced->scene, triangle, listener);
+        },
+        [this](std::optional<std::vector<BoundErrors>> errors) {
+            take(std::move(errors).value_or(std::vector<BoundErrors>()));
+        });
+}
+
+void PrecisionPanel::take(std::vector<BoundErrors> errors)
+{
+    m_errors = std::move(errors);
+    const bool isRows
+        = !m_errors.empty() && m_errors.front().spans.front().place.axis == SpanAxis::Row;
+    m_bound->setItemText(0, isRows ? tr("left bound x_L") : tr("lower bound y_B"));
+    m_bound->setItemText(1, isRows ? tr("right bound x_R") : tr("upper bound y_T"));
+    for (std::size_t i = 0; i < m_arithmetics.size(); ++i) {
+        m_arithmetics[i]->setEnabled(
+            std::ranges::find(m_errors, allArithmetics[i + 1], &BoundErrors::arithmetic)
+            != m_errors.end());
+    }
+    showErrors();
+    emit errorsChanged();
+}
+
+void PrecisionPanel::showErrors()
+{
+    std::vector<Arithmetic> shown;
+    for (std::size_t i = 0; i < m_arithmetics.size(); ++i) {
+        if (m_arithmetics[i]->isChecked())
+            shown.push_back(allArithmetics[i + 1]);
+    }
+    m_plot->plot(m_errors, PlottedBound(m_bound->currentIndex()), shown);
+    m_summary->setText(summary());
+}
+
+QString PrecisionPanel::summary() const
+{
+    if (m_errors.empty()) {
+        const TracedScene *traced = m_playhead->traced();
+        if (!traced)
+            return tr("The scene is being drawn.");
+        return tr("The method “%1” has no bounds that could be off here: it tests every sample, "
+                  "computes in exact arithmetic alone, or draws no triangle of this scene.")
+            .arg(traced->method->title);
+    }
+    QStringList parts;
+    for (const BoundErrors &errors : m_errors) {
+        double largest = 0;
+        for (const BoundError &error : errors.spans) {
+            const double value = m_bound->currentIndex() == 0 ? error.lower : error.upper;
+            largest = std::max(largest, std::abs(value));
+        }
+        QString part = tr("%1: at most %2 px")
+                           .arg(QString::fromUtf8(nameOf(errors.arithmetic)),
+                                QString::number(largest, 'g', 2));
+        const bool isRows = errors.spans.front().place.axis == SpanAxis::Row;
+        if (errors.firstWrong) {
+            const std::int64_t first = errors.spans[*errors.firstWrong].place.coordinate;
+            part += (isRows ? tr(", rows wrong: %1, the first at y = %2")
+                            : tr(", columns wrong: %1, the first at x = %2"))
+                        .arg(errors.wrongCount)
+                        .arg(first);
+        } else {
+            part += tr(", none wrong");
+        }
+        parts.append(part);
+    }
+    return tr("Triangle %1. ").arg(m_triangle) + parts.join(QStringLiteral("; "))
+        + QLatin1Char('.');
+}
+
+void PrecisionPanel::followPosition()
+{
+    if (!isVisible())
+        return;
+    const std::optional<TraceStep> step = m_playhead->stepInHand();
+    const TracedScene *traced = m_playhead->traced();
+    if (step && traced && traced->primitives.isTriangle(step->primitive)
+        && step->primitive != m_triangle)
+        restart();
+    m_plot->setPlaceInHand(m_playhead->placeInHand());
+}
+
+void PrecisionPanel::jumpTo(std::int64_t coordinate)
+{
+    const TracedScene *traced = m_playhead->traced();
+    if (!traced || m_errors.empty() || m_triangle >= traced->trace->primitiveCount())
+        return;
+    const auto &spans = m_errors.front().spans;
+    coordinate
+        = std::clamp(coordinate, spans.front().place.coordinate,
+                     std::max(spans.front().place.coordinate, spans.back().place.coordinate));
+    const auto span = traced->trace->spanOn(m_triangle, spans.front().place.axis, coordinate);
+    if (span)
+        m_playhead->seekToSpan(*span);
+}
+
+} // namespace pixelplumb

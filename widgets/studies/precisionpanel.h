@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compare/bounderrors.h"
+#include "widgets/model/job.h"
+
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QToolButton;
+
+namespace pixelplumb {
+
+class Playhead;
+class PrecisionPlot;
+
+/// How far the bounds that each arithmetic computes are from the exact edges of the triangle in
+/// hand. Computed beside the GUI thread, and only while it can be seen.
+class PrecisionPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PrecisionPanel(Playhead *playhead, QWidget *parent = nullptr);
+    ~PrecisionPanel() override;
+
+    bool isRunning() const { return m_job.isRunning(); }
+    const std::vector<BoundErrors> &errors() const { return m_errors; }
+    PrecisionPlot *plot() const { return m_plot; }
+
+signals:
+    void errorsChanged();
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    void restart();
+    void take(std::vector<BoundErrors> errors);
+    void showErrors();
+    void followPosition();
+    void jumpTo(std::int64_t coordinate);
+    QString summary() const;
+
+    Playhead *m_playhead;
+    QComboBox *m_bound = nullptr;
+    std::vector<QToolButton *> m_arithmetics; ///< by allArithmetics, without the exact one
+    QLabel *m_summary = nullptr;
+    PrecisionPlot *m_plot = nullptr;
+    std::size_t m_triangle = 0;
+    std::shared_ptr<const TracedScene> m_computedFor;
+    std::vector<BoundErrors> m_errors;
+    Job m_job;
+};
+
+} // namespace pixelplumb

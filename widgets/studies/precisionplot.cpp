@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/precisionplot.h"
+
+#include "widgets/look/signs.h"
+
+#include <QBoxLayout>
+#include <QEvent>
+#include <qcustomplot.h>
+
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr double roundingBound = 0.5;
+constexpr int mostTicksPerSide = 6;
+constexpr int axisMargins = 60; ///< logical pixels above and below the axis, together
+
+} // namespace
+
+QColor arithmeticColour(Arithmetic arithmetic, const QPalette &palette)
+{
+    switch (arithmetic) {
+    case Arithmetic::Exact:
+        break;
+    case Arithmetic::Float32:
+        return signColour(Sign::UpperEdge, palette);
+    case Arithmetic::Float64:
+        return signColour(Sign::LowerEdge, palette);
+    case Arithmetic::Fixed16:
+        return signColour(Sign::PickedPixel, palette);
+    case Arithmetic::Fixed32:
+        return signColour(Sign::Tie, palette);
+    }
+    return palette.color(QPalette::Text);
+}
+
+Qt::PenStyle arithmeticLine(Arithmetic arithmetic)
+{
+    switch (arithmetic) {
+    case Arithmetic::Exact:
+    case Arithmetic::Float32:
+        break;
+    case Arithmetic::Float64:
+        return Qt::DashLine;
+    case Arithmetic::Fixed16:
+        return Qt::DashDotLine;
+    case Arithmetic::Fixed32:
+        return Qt::DashDotDotLine;
+    }
+    return Qt::SolidLine;
+}
+
+PrecisionPlot::PrecisionPlot(QWidget *parent)
+    : QWidget(parent)
+    , m_plot(new QCustomPlot(this))
+{
+    setObjectName(QStringLiteral("precisionPlot"));
+    setAccessibleName(tr("Error of a bound over the columns"));
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_plot);
+    m_plot->setFocusPolicy(Qt::NoFocus);
+    m_plot->setMinimumSize(minimumSizeHint());
+    m_plot->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+    m_plot->axisRect()->setRangeDrag(Qt::Horizontal);
+    m_plot->axisRect()->setRangeZoom(Qt::Horizontal);
+    connect(m_plot, &QCustomPlot::mousePress, this,
+            [this](QMouseEvent *event) { m_pressed = event->pos(); });
+    connect(m_plot, &QCustomPlot::mouseRelease, this, [this](QMouseEvent *event) {
+        const QPoint way = event->pos() - m_pressed;
+        if (event->button() == Qt::LeftButton && way.manhattanLength() < 4)
+            emit coordinateClicked(
+                std::llround(m_plot->xAxis->pixelToCoord(event->position().x())));
+    });
+    // Beside the curves, not over them.
+    auto *beside = new QCPLayoutGrid;
+    m_plot->plotLayout()->addElement(0, 1, beside);
+    beside->addElement(0, 0, m_plot->legend);
+    beside->addElement(1, 0, new QCPLayoutElement(m_plot));
+    beside->setRowStretchFactor(0, 0.001);
+    m_plot->plotLayout()->setColumnStretchFactor(1, 0.001);
+    dress();
+}
+
+QPointF PrecisionPlot::positionOf(std::int64_t coordinate) const
+{
+    const QRect inner = m_plot->axisRect()->rect();
+    return {m_plot->xAxis->coordToPixel(double(coordinate)), double(inner.center().y())};
+}
+
+void PrecisionPlot::dress()
+{
+    const QColor text = palette().color(QPalette::Text);
+    QColor faint = text;
+    faint.setAlphaF(0.2F);
+    m_plot->setBackground(QBrush(palette().color(QPalette::Base)));
+    for (QCPAxis *axis : {m_plot->xAxis, m_plot->yAxis}) {
+        axis->setBasePen(QPen(text));
+        axis->setTickPen(QPen(text));
+        axis->setSubTickPen(Qt::NoPen);
+        axis->setTickLabelColor(text);
+        axis->setLabelColor(text);
+        axis->setTickLabelFont(font());
+        axis->setLabelFont(font());
+        axis->grid()->setPen(QPen(faint, 0, Qt::DotLine));
+        axis->grid()->setZeroLinePen(QPen(text, 1));
+    }
+    m_plot->legend->setBrush(QBrush(palette().color(QPalette::Base)));
+    m_plot->legend->setBorderPen(QPen(faint));
+    m_plot->legend->setTextColor(text);
+    m_plot->legend->setFont(font());
+    m_plot->legend->setRowSpacing(0);
+}
+
+void PrecisionPlot::plot(const std::vector<BoundErrors> &errors, PlottedBound bound,
+                         const std::vector<Arithmetic> &shown)
+{
+    m_errors = errors;
+    m_bound = bound;
+    m_shown = shown;
+    replot();
+    if (!errors.empty()) {
+        const auto [first, last] = std::ranges::minmax(
+            errors.front().spans, {}, [](const BoundError &each) { return each.place.coordinate; });
+        m_plot->xAxis->setRange(double(first.place.coordinate), double(last.place.coordinate) + 1);
+        m_plot->replot();
+    }
+}
+
+void PrecisionPlot::setPlaceInHand(const std::optional<SpanPlace> &place)
+{
+    m_place = place;
+    replot();
+}
+
+double PrecisionPlot::valueOf(const BoundError &error) const
+{
+    return m_bound == PlottedBound::Lower ? error.lower : error.upper;
+}
+
+void PrecisionPlot::replot()
+{
+    m_plot->clearGraphs();
+    m_plot->clearItems();
+    m_curves = 0;
+    double smallest = 0;
+    double largest = roundingBound;
+    const auto isShown = [this](const BoundErrors &errors) {
+        return std::ranges::find(m_shown, errors.arithmetic) != m_shown.end();
+    };
+    for (const BoundErrors &errors : m_errors) {
+        if (!isShown(errors))
+            continue;
+        for (const BoundError &error : errors.spans) {
+            const double magnitude = std::abs(valueOf(error));
+            if (magnitude > 0 && std::isfinite(magnitude)) {
+                smallest = smallest > 0 ? std::min(smallest, magnitude) : magnitude;
+                largest = std::max(largest, magnitude);
+            }
+        }
+    }
+    m_scale = PrecisionScale(smallest, largest);
+    const int perSide
+        = std::clamp((height() - axisMargins) / 2 / fontMetrics().height(), 1, mostTicksPerSide);
+    const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
+    for (const PrecisionScale::Tick &tick : m_scale.ticks(perSide))
+        ticker->addTick(tick.axis, tick.label);
+    m_plot->yAxis->setTicker(ticker);
+    m_plot->yAxis->setRange(-m_scale.extent() - 0.5, m_scale.extent() + 0.5);
+    const bool isRows = !m_errors.empty() && !m_errors.front().spans.empty()
+        && m_errors.front().spans.front().place.axis == SpanAxis::Row;
+    m_plot->xAxis->setLabel(isRows ? tr("row y") : tr("column x"));
+    m_plot->yAxis->setLabel(tr("error, px"));
+    for (const BoundErrors &errors : m_errors) {
+        if (!isShown(errors))
+            continue;
+        addLimit(errors);
+        addCurve(errors);
+        addFirstWrong(errors);
+    }
+    addFences();
+    m_plot->legend->setVisible(m_curves > 0);
+    m_plot->replot();
+}
+
+void PrecisionPlot::addCurve(const BoundErrors &errors)
+{
+    QVector<double> places;
+    QVector<double> values;
+    for (const BoundError &error : errors.spans) {
+        const double value = valueOf(error);
+        places.append(double(error.place.coordinate));
+        values.append(std::isfinite(value) ? m_scale.toAxis(value) : qQNaN());
+    }
+    QCPGraph *curve = m_plot->addGraph();
+    curve->setName(QString::fromUtf8(nameOf(errors.arithmetic)));
+    curve->setPen(QPen(arithmeticColour(errors.arithmetic, palette()), 1.5,
+                       arithmeticLine(errors.arithmetic)));
+    curve->setData(places, values);
+    ++m_curves;
+}
+
+void PrecisionPlot::addLimit(const BoundErrors &errors)
+{
+    QColor colour = arithmeticColour(errors.arithmetic, palette());
+    colour.setAlphaF(0.6F);
+    for (const int side : {-1, 1}) {
+        QVector<double> places;
+        QVector<double> values;
+        for (const BoundError &error : errors.spans) {
+            places.append(double(error.place.coordinate));
+            values.append(m_scale.toAxis(side * error.limit));
+        }
+        QCPGraph *limit = m_plot->addGraph();
+        limit->removeFromLegend();
+        limit->setPen(QPen(colour, 1, Qt::DotLine));
+        limit->setData(places, values);
+    }
+}
+
+void PrecisionPlot::addFirstWrong(const BoundErrors &errors)
+{
+    if (!errors.firstWrong)
+        return;
+    const BoundError &wrong = errors.spans[*errors.firstWrong];
+    const QColor colour = arithmeticColour(errors.arithmetic, palette());
+    QCPGraph *mark = m_plot->addGraph();
+    mark->removeFromLegend();
+    mark->setPen(QPen(colour, 2));
+    mark->setLineStyle(QCPGraph::lsNone);
+    mark->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCrossCircle, 10));
+    mark->setData({double(wrong.place.coordinate)}, {m_scale.toAxis(valueOf(wrong))}, true);
+    auto *label = new QCPItemText(m_plot);
+    label->setText(signGlyph(Sign::FirstDifference)
+                   + QStringLiteral(" %1").arg(wrong.place.coordinate));
+    label->setFont(font());
+    label->setColor(colour);
+    label->setPositionAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+    label->setPadding(QMargins(12, 0, 0, 0));
+    label->setClipToAxisRect(false);
+    label->position->setCoords(double(wrong.place.coordinate), m_scale.toAxis(valueOf(wrong)));
+}
+
+void PrecisionPlot::addFences()
+{
+    const auto line = [this](const QPointF &from, const QPointF &to, const QPen &pen) {
+        auto *result = new QCPItemStraightLine(m_plot);
+        result->setPen(pen);
+        result->point1->setCoords(from);
+        result->point2->setCoords(to);
+    };
+    const QPen fence(palette().color(QPalette::Text), 1, Qt::DashLine);
+    for (const double error : {-roundingBound, roundingBound}) {
+        const double axis = m_scale.toAxis(error);
+        line({0, axis}, {1, axis}, fence);
+        auto *label = new QCPItemText(m_plot);
+        label->setText(error < 0 ? tr("−½ px") : tr("½ px"));
+        label->setFont(font());
+        label->setColor(palette().color(QPalette::Text));
+        label->setBrush(palette().color(QPalette::Base));
+        label->setClipToAxisRect(false);
+        label->setPositionAlignment(Qt::AlignRight | Qt::AlignVCenter);
+        label->position->setTypeX(QCPItemPosition::ptAxisRectRatio);
+        label->position->setTypeY(QCPItemPosition::ptPlotCoords);
+        label->position->setCoords(0.995, axis);
+    }
+    if (m_place && m_place->axis != SpanAxis::Free)
+        line({double(m_place->coordinate), 0}, {double(m_place->coordinate), 1},
+             QPen(signColour(Sign::ColumnInHand, palette()), 1.5));
+}
+
+void PrecisionPlot::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    replot();
+}
+
+void PrecisionPlot::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange || event->type() == QEvent::FontChange) {
+        dress();
+        replot();
+    }
+    QWidget::changeEvent(event);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compare/bounderrors.h"
+#include "widgets/studies/precisionscale.h"
+
+#include <QWidget>
+
+class QCPItemStraightLine;
+class QCustomPlot;
+
+namespace pixelplumb {
+
+/// Which bound's error is plotted: y_B and y_T of columns, x_L and x_R of rows.
+enum class PlottedBound { Lower, Upper };
+
+/// The colour and the line of an arithmetic in plots: each tells it by itself.
+QColor arithmeticColour(Arithmetic arithmetic, const QPalette &palette);
+Qt::PenStyle arithmeticLine(Arithmetic arithmetic);
+
+/// The error of a bound over the columns or rows, one curve an arithmetic, with what rounding may
+/// add up to, the half-pixel fences and the first span that covers other samples than it should.
+class PrecisionPlot : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PrecisionPlot(QWidget *parent = nullptr);
+
+    /// Those of `shown` arithmetics.
+    void plot(const std::vector<BoundErrors> &errors, PlottedBound bound,
+              const std::vector<Arithmetic> &shown);
+    /// The column or row in hand; none takes the plumb line away.
+    void setPlaceInHand(const std::optional<SpanPlace> &place);
+
+    const PrecisionScale &scale() const { return m_scale; }
+    int curveCount() const { return m_curves; }
+    /// Where a column or row is drawn, for programs that click.
+    QPointF positionOf(std::int64_t coordinate) const;
+
+    QSize sizeHint() const override { return {640, 240}; }
+    QSize minimumSizeHint() const override { return {240, 120}; }
+
+signals:
+    void coordinateClicked(std::int64_t coordinate);
+
+protected:
+    void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    void dress();
+    void replot();
+    void addCurve(const BoundErrors &errors);
+    void addLimit(const BoundErrors &errors);
+    void addFirstWrong(const BoundErrors &errors);
+    void addFences();
+    double valueOf(const BoundError &error) const;
+
+    QCustomPlot *m_plot;
+    std::vector<BoundErrors> m_errors;
+    std::vector<Arithmetic> m_shown;
+    PlottedBound m_bound = PlottedBound::Lower;
+    PrecisionScale m_scale;
+    int m_curves = 0;
+    std::optional<SpanPlace> m_place;
+    QPoint m_pressed; ///< of the plot, where the mouse went down
+};
+
+} // namespace pixelplumb

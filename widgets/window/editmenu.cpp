@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/window/editmenu.h"
+
+#include "widgets/canvas/canvas.h"
+#include "widgets/dialogs/framedialog.h"
+#include "widgets/dialogs/triangledialog.h"
+#include "widgets/files/sceneexports.h"
+#include "widgets/look/colourbutton.h"
+#include "widgets/look/menuaction.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QActionGroup>
+
+namespace pixelplumb {
+
+EditMenu::EditMenu(const WindowParts &parts, QWidget *window)
+    : QMenu(tr("&Edit"), window)
+    , m_parts(parts)
+{
+    setObjectName(QStringLiteral("editMenu"));
+    addUndo();
+    addSeparator();
+    addClipboard();
+    addSeparator();
+    addVertices(window);
+    addSeparator();
+    addFrameAndSnap(window);
+}
+
+void EditMenu::addUndo()
+{
+    QUndoStack *stack = m_parts.document->undoStack();
+    QAction *undo = stack->createUndoAction(this, tr("&Undo"));
+    undo->setObjectName(QStringLiteral("undo"));
+    undo->setShortcut(QKeySequence::Undo);
+    addAction(undo);
+    QAction *redo = stack->createRedoAction(this, tr("&Redo"));
+    redo->setObjectName(QStringLiteral("redo"));
+    redo->setShortcuts({Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_Y});
+    addAction(redo);
+}
+
+void EditMenu::addClipboard()
+{
+    SceneExports *exports = m_parts.exports;
+    QAction *copyPixel
+        = addMenuAction(this, "copyPixel", tr("&Copy the picked pixel"), QKeySequence::Copy,
+                        [exports] { exports->copyPickedPixel(); });
+    confineKeyTo(m_parts.canvas, copyPixel);
+    addMenuAction(this, "copyRaster", tr("Copy the &raster (ASCII)"),
+                  Qt::CTRL | Qt::SHIFT | Qt::Key_C, [exports] { exports->copyRaster(); });
+    addMenuAction(this, "compareRaster", tr("&Paste a raster to compare"),
+                  Qt::CTRL | Qt::SHIFT | Qt::Key_V, [exports] { exports->compareWithClipboard(); });
+}
+
+void EditMenu::addVertices(QWidget *window)
+{
+    SceneDocument *document = m_parts.document;
+    addMenuAction(this, "addTriangle", tr("Add a &triangle…"), Qt::CTRL | Qt::Key_T,
+                  [document, window] {
+                      TriangleDialog dialog(window);
+                      if (dialog.exec() == QDialog::Accepted)
+                          document->addTriangle(*dialog.triangle());
+                  });
+    QAction *close
+        = addMenuAction(this, "closePolygon", tr("Close the &polygon"), Qt::CTRL | Qt::Key_Return,
+                        [document] { document->closePending(); });
+    const auto updateClose = [document, close] { close->setEnabled(document->canClosePending()); };
+    connect(document, &SceneDocument::pendingChanged, this, updateClose);
+    updateClose();
+    addMenuAction(this, "nextVertexColour", tr("Colour of the &next vertex…"), {},
+                  [this, window] { chooseNextColour(window); });
+    QAction *colour = addMenuAction(this, "vertexColour", tr("Colour of the &selected vertex…"), {},
+                                    [this, window] { chooseColourOfSelected(window); });
+    QAction *remove = addMenuAction(this, "deleteSelected", tr("&Delete the selected primitive"),
+                                    QKeySequence::Delete, [this] { deleteSelected(); });
+    confineKeyTo(m_parts.canvas, remove);
+    const auto updateSelected = [document, colour, remove] {
+        const bool isSelected = document->selectedVertex().has_value();
+        colour->setEnabled(isSelected);
+        remove->setEnabled(isSelected);
+    };
+    connect(document, &SceneDocument::selectionChanged, this, updateSelected);
+    updateSelected();
+    addMenuAction(this, "clearScene", tr("C&lear all primitives"), {},
+                  [document] { document->clear(); });
+}
+
+void EditMenu::addFrameAndSnap(QWidget *window)
+{
+    SceneDocument *document = m_parts.document;
+    addMenuAction(this, "editFrame", tr("&Frame…"), Qt::CTRL | Qt::Key_F, [document, window] {
+        FrameDialog dialog(document->scene().frame, window);
+        if (dialog.exec() == QDialog::Accepted)
+            document->setFrame(dialog.frame());
+    });
+    QMenu *snaps = addMenu(tr("&Snap to"));
+    snaps->setObjectName(QStringLiteral("snapMenu"));
+    auto *group = new QActionGroup(snaps);
+    const auto addSnap = [&](const char *name, const QString &text, Snap snap) {
+        QAction *action
+            = addMenuAction(snaps, name, text, {}, [document, snap] { document->setSnap(snap); });
+        action->setCheckable(true);
+        group->addAction(action);
+        const auto update
+            = [document, action, snap] { action->setChecked(document->snap() == snap); };
+        connect(document, &SceneDocument::snapChanged, action, update);
+        update();
+    };
+    addSnap("snapPixel", tr("whole &pixels"), Snap::Pixel);
+    addSnap("snapSixteenth", tr("&sixteenths of a pixel"), Snap::Sixteenth);
+    addSnap("snapLattice", tr("1/&256 pixel"), Snap::Finest);
+}
+
+void EditMenu::chooseColourOfSelected(QWidget *window)
+{
+    const std::optional<VertexRef> ref = m_parts.document->selectedVertex();
+    const std::optional<Vertex> vertex = ref ? m_parts.document->vertexAt(*ref) : std::nullopt;
+    if (!vertex)
+        return;
+    if (const auto colour = askForColour(vertex->colour, tr("Colour of the Vertex"), window))
+        m_parts.document->setVertexColour(*ref, *colour);
+}
+
+void EditMenu::chooseNextColour(QWidget *window)
+{
+    SceneDocument *document = m_parts.document;
+    if (const auto colour
+        = askForColour(document->nextColour(), tr("Colour of the Next Vertex"), window))
+        document->setNextColour(*colour);
+}
+
+void EditMenu::deleteSelected()
+{
+    if (const std::optional<VertexRef> ref = m_parts.document->selectedVertex())
+        m_parts.document->deleteVertex(*ref);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/window/windowparts.h"
+
+#include <QMenu>
+
+namespace pixelplumb {
+
+/// Changes to the scene, and the clipboard.
+class EditMenu : public QMenu {
+    Q_OBJECT
+
+public:
+    EditMenu(const WindowParts &parts, QWidget *window);
+
+private:
+    void addUndo();
+    void addClipboard();
+    void addVertices(QWidget *window);
+    void addFrameAndSnap(QWidget *window);
+    void chooseColourOfSelected(QWidget *window);
+    void chooseNextColour(QWidget *window);
+    void deleteSelected();
+
+    WindowParts m_parts;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/window/filemenu.h"
+
+#include "widgets/files/recentfiles.h"
+#include "widgets/files/sceneexports.h"
+#include "widgets/files/scenefiles.h"
+#include "widgets/look/menuaction.h"
+#include "widgets/model/scenedocument.h"
+
+namespace pixelplumb {
+
+FileMenu::FileMenu(const WindowParts &parts, QWidget *window)
+    : QMenu(tr("&File"), window)
+{
+    setObjectName(QStringLiteral("fileMenu"));
+    SceneFiles *files = parts.files;
+    addMenuAction(this, "newScene", tr("&New"), QKeySequence::New, [files] { files->newScene(); });
+    addMenuAction(this, "openScene", tr("&Open…"), QKeySequence::Open, [files] { files->open(); });
+    addMenu(parts.recent->createMenu(this));
+    connect(parts.recent, &RecentFiles::chosen, files, &SceneFiles::openFile);
+    addMenuAction(this, "openDefaultScene", tr("Open the &first scene"), {}, [files] {
+        if (files->mayReplace())
+            files->loadDefault();
+    });
+    addSeparator();
+    addMenuAction(this, "saveScene", tr("&Save"), QKeySequence::Save, [files] { files->save(); });
+    addMenuAction(this, "saveSceneAs", tr("Save &as…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S,
+                  [files] { files->saveAs(); });
+    QAction *revert = addMenuAction(this, "revertScene", tr("Re&vert to the file"), {},
+                                    [files] { files->revert(); });
+    const auto updateRevert = [revert, files] { revert->setEnabled(!files->path().isEmpty()); };
+    connect(files, &SceneFiles::pathChanged, revert, updateRevert);
+    updateRevert();
+    addSeparator();
+    addExports(parts.exports);
+    addSeparator();
+    addMenuAction(this, "quit", tr("&Quit"), Qt::CTRL | Qt::Key_Q, [window] { window->close(); });
+}
+
+void FileMenu::addExports(SceneExports *exports)
+{
+    QMenu *menu = addMenu(tr("&Export"));
+    menu->setObjectName(QStringLiteral("exportMenu"));
+    addMenuAction(menu, "exportPicture", tr("&Picture (PNG)…"), Qt::CTRL | Qt::Key_E,
+                  [exports] { exports->exportPicture(); });
+    addMenuAction(menu, "exportGrid", tr("&Annotated grid (SVG)…"), {},
+                  [exports] { exports->exportAnnotatedGrid(); });
+    menu->addSeparator();
+    const auto addTable
+        = [&](const char *name, const QString &text, TraceLevel level, TableFormat format) {
+              addMenuAction(menu, name, text, {},
+                            [exports, level, format] { exports->exportTrace(level, format); });
+          };
+    addTable("exportColumnsCsv", tr("&Columns (CSV)…"), TraceLevel::Column, TableFormat::Csv);
+    addTable("exportColumnsJson", tr("Columns (&JSON)…"), TraceLevel::Column, TableFormat::Json);
+    addTable("exportPixelsCsv", tr("Pi&xels (CSV)…"), TraceLevel::Pixel, TableFormat::Csv);
+    addTable("exportPixelsJson", tr("Pixels (JS&ON)…"), TraceLevel::Pixel, TableFormat::Json);
+    menu->addSeparator();
+    addMenuAction(menu, "exportRaster", tr("&Raster (ASCII text)…"), {},
+                  [exports] { exports->exportRaster(); });
+}
+
+} // namespace pixelplumb

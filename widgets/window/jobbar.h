@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/number/jobprogress.h"
+
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+
+namespace pixelplumb {
+
+class Job;
+
+/// How far a job beside the window is, and a button that ends it; hidden when there is none.
+class JobBar : public QWidget {
+    Q_OBJECT
+
+public:
+    /// Object names of the bar and the button, and what a screen reader says of them. No button
+    /// where it has no name.
+    struct Names {
+        QString bar;
+        QString barInWords;
+        QString cancel;
+        QString cancelInWords;
+    };
+
+    JobBar(const Job *job, const Names &names, QWidget *parent = nullptr);
+
+signals:
+    void cancelRequested();
+
+private:
+    void begin(const QString &title);
+    void tell(const JobProgress &progress);
+
+    QLabel *m_title;
+    QProgressBar *m_bar;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/window/mainwindow.h"
+
+#include "widgets/canvas/canvas.h"
+#include "widgets/canvas/overdrawoverlay.h"
+#include "widgets/files/recentfiles.h"
+#include "widgets/files/sceneexports.h"
+#include "widgets/files/scenefiles.h"
+#include "widgets/look/colourbutton.h"
+#include "widgets/look/displayoptions.h"
+#include "widgets/look/messagebar.h"
+#include "widgets/look/paletteswitch.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/runnotes.h"
+#include "widgets/model/scenedocument.h"
+#include "widgets/model/scenepreviewer.h"
+#include "widgets/model/scenetracer.h"
+#include "widgets/stepping/scrubber.h"
+#include "widgets/stepping/stepactions.h"
+#include "widgets/stepping/stepperbar.h"
+#include "widgets/studies/comparepanel.h"
+#include "widgets/studies/hardcasesopening.h"
+#include "widgets/studies/hardcasespanel.h"
+#include "widgets/studies/precisionpanel.h"
+#include "widgets/window/editmenu.h"
+#include "widgets/window/filemenu.h"
+#include "widgets/window/helpmenu.h"
+#include "widgets/window/methodbar.h"
+#include "widgets/window/methodmenu.h"
+#include "widgets/window/stepmenu.h"
+#include "widgets/window/viewmenu.h"
+#include "widgets/window/windowdocks.h"
+#include "widgets/window/windowsettings.h"
+#include "widgets/window/windowstatusbar.h"
+
+#include <QBoxLayout>
+#include <QCloseEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QToolBar>
+
+namespace pixelplumb {
+
+namespace {
+
+/// The one local file of what is dragged over the window; empty for anything else.
+QString draggedFile(const QMimeData *data)
+{
+    const QList<QUrl> urls = data->urls();
+    return urls.size() == 1 ? urls.constFirst().toLocalFile() : QString();
+}
+
+} // namespace
+
+MainWindow::MainWindow(QWidget *parent)
+    : QMainWindow(parent)
+{
+    setObjectName(QStringLiteral("mainWindow"));
+    setAcceptDrops(true);
+    m_palettes = new PaletteSwitch(this);
+    makeParts();
+    makeCentre();
+    m_docks = new WindowDocks(m_parts, this);
+    makeMenus();
+    makeToolBars();
+    setStatusBar(new WindowStatusBar(m_parts, this));
+    connectParts();
+    connectStudies();
+    m_settings = std::make_unique<WindowSettings>(m_parts, this);
+    if (!m_settings->restore())
+        m_docks->reset();
+    updateTitle();
+    m_parts.canvas->setFocus();
+}
+
+MainWindow::~MainWindow() = default;
+
+void MainWindow::openDefaultScene()
+{
+    m_openingPlace = OpeningMoment::HalfDrawn;
+    m_parts.files->loadDefault();
+}
+
+bool MainWindow::openScene(const QString &path) { return m_parts.files->load(path); }
+
+void MainWindow::setOpeningPlace(const OpeningPlace &place)
+{
+    m_openingPlace = place;
+    if (!m_parts.tracer->isRunning() && m_parts.playhead->traced())
+        goToOpeningPlace();
+}
+
+void MainWindow::makeParts()
+{
+    m_parts.document = new SceneDocument(this);
+    m_parts.playhead = new Playhead(this);
+    m_parts.options = new DisplayOptions(this);
+    m_parts.tracer = new SceneTracer(this);
+    m_parts.previewer = new ScenePreviewer(this);
+    m_parts.recent = new RecentFiles(this);
+    m_parts.files = new SceneFiles(m_parts.document, m_parts.recent, this);
+    m_parts.exports = new SceneExports(m_parts.playhead, m_parts.options, this);
+    m_parts.steps = new StepActions(m_parts.playhead, this);
+}
+
+void MainWindow::makeCentre()
+{
+    auto *centre = new QWidget(this);
+    m_parts.canvas = new Canvas(m_parts.document, m_parts.playhead, m_parts.options, centre);
+    m_parts.canvas->setPreviewer(m_parts.previewer);
+    m_parts.messageBar = new MessageBar(m_parts.canvas);
+    m_parts.overdraw = new OverdrawOverlay(m_parts.canvas, m_parts.playhead);
+    m_parts.scrubber = new Scrubber(m_parts.playhead, centre);
+    auto *layout = new QVBoxLayout(centre);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->setSpacing(0);
+    layout->addWidget(m_parts.canvas, 1);
+    layout->addWidget(m_parts.scrubber);
+    setCentralWidget(centre);
+}
+
+void MainWindow::makeMenus()
+{
+    menuBar()->addMenu(new FileMenu(m_parts, this));
+    menuBar()->addMenu(new EditMenu(m_parts, this));
+    m_viewMenu = new ViewMenu(m_parts, m_docks, m_palettes, this);
+    menuBar()->addMenu(m_viewMenu);
+    menuBar()->addMenu(new StepMenu(m_parts, this));
+    menuBar()->addMenu(new MethodMenu(m_parts, this));
+    menuBar()->addMenu(new HelpMenu(menuBar()));
+    connect(m_viewMenu, &ViewMenu::layoutResetRequested, this, [this] {
+        for (QToolBar *bar : findChildren<QToolBar *>())
+            bar->show();
+        m_docks->reset();
+    });
+}
+
+void MainWindow::makeToolBars()
+{
+    const auto addBar = [this](const char *name, const QString &title) {
+        QToolBar *bar = addToolBar(title);
+        bar->setObjectName(QLatin1String(name));
+        bar->setMovable(false);
+        return bar;
+    };
+    QToolBar *methods = addBar("methodToolBar", tr("Method"));
+    methods->addWidget(new MethodBar(m_parts.document));
+
+    QToolBar *view = addBar("viewToolBar", tr("View"));
+    view->addActions({m_viewMenu->grid(), m_viewMenu->truth(), m_viewMenu->differences()});
+    view->addSeparator();
+    auto *label = new QLabel(tr("Next vertex"));
+    label->setContentsMargins(8, 0, 8, 0);
+    view->addWidget(label);
+    m_nextColour = new ColourButton(tr("Colour of the next vertex"));
+    m_nextColour->setObjectName(QStringLiteral("nextColourButton"));
+    m_nextColour->setToolButtonStyle(Qt::ToolButtonIconOnly); // the tool bar fits into 1024 pixels
+    view->addWidget(m_nextColour);
+
+    addToolBarBreak();
+    QToolBar *steps = addBar("stepperToolBar", tr("Stepper"));
+    steps->addWidget(new StepperBar(m_parts.playhead, *m_parts.steps));
+}
+
+void MainWindow::connectParts()
+{
+    SceneDocument *document = m_parts.document;
+    // A message is about the choice before; what is to be said of this one comes after it.
+    connect(document, &SceneDocument::sceneChanged, m_parts.messageBar, &QWidget::hide);
+    connect(document, &SceneDocument::pendingChanged, m_parts.messageBar, &QWidget::hide);
+    connect(document, &SceneDocument::sceneChanged, this, [this, document] {
+        const std::shared_ptr<const Scene> scene = document->snapshot();
+        m_parts.tracer->trace(scene);
+        if (m_parts.tracer->isRunning())
+            return m_parts.previewer->preview(scene);
+        m_parts.previewer->clear(); // it is traced already, or cannot be
+    });
+    connect(document, &SceneDocument::modifiedChanged, this, &QWidget::setWindowModified);
+    connect(document, &SceneDocument::refused, m_parts.messageBar, &MessageBar::complain);
+    connect(document, &SceneDocument::notice, m_parts.messageBar, &MessageBar::tell);
+    connect(m_parts.tracer, &SceneTracer::traced, this, &MainWindow::takeTrace);
+    connect(m_parts.tracer, &SceneTracer::failed, m_parts.messageBar, &MessageBar::complain);
+    connect(m_parts.tracer, &SceneTracer::cancelled, m_parts.messageBar,
+            [this] { m_parts.messageBar->tell(cancelledRunNote()); });
+    connect(m_parts.files, &SceneFiles::pathChanged, this, &MainWindow::updateTitle);
+    // Neither the moment nor the pixel of another scene's run means anything in the new one, and it
+    // would only stand in memory beside a large one that is being traced.
+    connect(m_parts.files, &SceneFiles::replacing, m_parts.playhead,
+            [this] { m_parts.playhead->setTraced(nullptr); });
+    connect(m_parts.files, &SceneFiles::loaded, this, [this] {
+        if (!m_parts.files->path().isEmpty())
+            setOpeningPlace(OpeningMoment::HalfDrawn);
+    });
+    connect(m_parts.files, &SceneFiles::complaint, m_parts.messageBar, &MessageBar::complain);
+    connect(m_parts.files, &SceneFiles::notice, m_parts.messageBar, &MessageBar::tell);
+    connect(m_parts.exports, &SceneExports::complaint, m_parts.messageBar, &MessageBar::complain);
+    const auto updateColour = [this, document] { m_nextColour->setColour(document->nextColour()); };
+    connect(document, &SceneDocument::nextColourChanged, m_nextColour, updateColour);
+    connect(m_nextColour, &ColourButton::colourChosen, document, &SceneDocument::setNextColour);
+    updateColour();
+    connect(m_parts.canvas, &Canvas::colourRequested, this, [this](const VertexRef &ref) {
+        const std::optional<Vertex> vertex = m_parts.document->vertexAt(ref);
+        if (!vertex)
+            return;
+        if (const auto colour = askForColour(vertex->colour, tr("Colour of the Vertex"), this))
+            m_parts.document->setVertexColour(ref, *colour);
+    });
+}
+
+void MainWindow::connectStudies()
+{
+    auto *opening = new HardCasesOpening(m_parts.files, m_parts.playhead, this);
+    HardCasesPanel *cases = m_docks->panel<HardCasesPanel>();
+    connect(cases, &HardCasesPanel::openRequested, opening, &HardCasesOpening::open);
+    connect(cases, &HardCasesPanel::compareRequested, this,
+            [this](const std::vector<Contender> &contenders) {
+                auto *compare = m_docks->panel<ComparePanel>();
+                m_docks->raise(compare);
+                compare->setContenders(contenders);
+            });
+    connect(cases, &HardCasesPanel::precisionRequested, this,
+            [this] { m_docks->raise(m_docks->panel<PrecisionPanel>()); });
+}
+
+void MainWindow::takeTrace(const std::shared_ptr<const TracedScene> &traced)
+{
+    m_parts.playhead->setTraced(traced);
+    m_parts.previewer->followTrace(traced);
+    goToOpeningPlace();
+    if (traced->trace->isCut())
+        m_parts.messageBar->tell(cutRunNote(*traced));
+    else if (const QString rejected = rejectionNote(*traced); !rejected.isEmpty())
+        m_parts.messageBar->tell(rejected);
+}
+
+void MainWindow::goToOpeningPlace()
+{
+    if (!m_openingPlace)
+        return;
+    m_parts.playhead->seek(positionOf(*m_openingPlace, *m_parts.playhead->traced()->trace));
+    m_openingPlace.reset();
+}
+
+void MainWindow::updateTitle()
+{
+    m_parts.exports->setScenePath(m_parts.files->path());
+    m_parts.exports->setBaseName(
+        QString(m_parts.files->displayName()).remove(QStringLiteral(".json")));
+    setWindowTitle(tr("%1[*] — Pixelplumb").arg(m_parts.files->displayName()));
+    setWindowModified(m_parts.document->isModified());
+}
+
+QMenu *MainWindow::createPopupMenu()
+{
+    auto *menu = new QMenu(this);
+    menu->addActions(m_docks->toggles());
+    menu->addSeparator();
+    for (const QToolBar *bar : findChildren<QToolBar *>())
+        menu->addAction(bar->toggleViewAction());
+    return menu;
+}
+
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    if (!m_parts.files->mayReplace()) {
+        event->ignore();
+        return;
+    }
+    m_settings->store();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (!draggedFile(event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent *event)
+{
+    const QString path = draggedFile(event->mimeData());
+    if (!path.isEmpty())
+        m_parts.files->openFile(path);
+}
+
+} // namespace pixelplumb

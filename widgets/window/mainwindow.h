@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/files/openingplace.h"
+#include "widgets/window/windowparts.h"
+
+#include <QMainWindow>
+
+#include <memory>
+#include <optional>
+
+namespace pixelplumb {
+
+class ColourButton;
+class PaletteSwitch;
+class ViewMenu;
+class WindowDocks;
+class WindowSettings;
+
+/// The window: it makes the parts, gives each its place and connects them; it knows nothing else.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(QWidget *parent = nullptr);
+    ~MainWindow() override;
+
+    const WindowParts &parts() const { return m_parts; }
+    PaletteSwitch *palettes() const { return m_palettes; }
+
+    /// Opens the scene that every first start shows, half drawn.
+    void openDefaultScene();
+    /// Opens a file; false, after a complaint in the message bar, when it cannot be read.
+    bool openScene(const QString &path);
+    /// Where to stand when the scene that is being opened has been traced.
+    void setOpeningPlace(const OpeningPlace &place);
+
+    /// Of the panels and tool bars, over their titles.
+    QMenu *createPopupMenu() override;
+
+protected:
+    void closeEvent(QCloseEvent *event) override;
+    void dragEnterEvent(QDragEnterEvent *event) override;
+    void dropEvent(QDropEvent *event) override;
+
+private:
+    void makeParts();
+    void makeCentre();
+    void makeToolBars();
+    void makeMenus();
+    void connectParts();
+    void connectStudies();
+    void takeTrace(const std::shared_ptr<const TracedScene> &traced);
+    void goToOpeningPlace();
+    void updateTitle();
+
+    WindowParts m_parts;
+    PaletteSwitch *m_palettes = nullptr;
+    WindowDocks *m_docks = nullptr;
+    ViewMenu *m_viewMenu = nullptr;
+    ColourButton *m_nextColour = nullptr;
+    std::unique_ptr<WindowSettings> m_settings;
+    std::optional<OpeningPlace> m_openingPlace;
+};
+
+} // namespace pixelplumb

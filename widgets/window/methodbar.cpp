@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/window/methodbar.h"
+
+#include "widgets/look/elidingbox.h"
+#include "widgets/look/symboltext.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QAbstractItemView>
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QLabel>
+#include <QStandardItemModel>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Characters of a method's title that the bar keeps room for: the longest ones end in an ellipsis,
+/// so that the bar and the switches beside it fit into 1024 pixels. The list shows whole titles.
+constexpr int shownTitleLength = 15;
+
+/// Grey, with what the method objects to it, if it does.
+void setObjection(QComboBox *box, int row, const QString &objection, const QString &meaning)
+{
+    auto *model = qobject_cast<QStandardItemModel *>(box->model());
+    QStandardItem *item = model->item(row);
+    item->setEnabled(objection.isEmpty());
+    item->setToolTip(toolTipHtml(
+        {objection.isEmpty() ? meaning : MethodBar::tr("The method %1").arg(objection)}));
+}
+
+QString meaningOf(Arithmetic arithmetic)
+{
+    switch (arithmetic) {
+    case Arithmetic::Exact:
+        return MethodBar::tr("Integer quotient and remainder: nothing is rounded before the byte");
+    case Arithmetic::Float32:
+        return MethodBar::tr("Binary floating point, 24 bits of precision");
+    case Arithmetic::Float64:
+        return MethodBar::tr("Binary floating point, 53 bits of precision");
+    case Arithmetic::Fixed16:
+        return MethodBar::tr("Fixed point in 32 bits, 16 after the point");
+    case Arithmetic::Fixed32:
+        return MethodBar::tr("Fixed point in 64 bits, 32 after the point");
+    }
+    return {};
+}
+
+QString meaningOf(FillRule rule)
+{
+    switch (rule) {
+    case FillRule::Closed:
+        return MethodBar::tr("A sample on an edge belongs to the triangle: ⌈y_B⌉ … ⌊y_T⌋");
+    case FillRule::HalfOpenColumn:
+        return MethodBar::tr("Watertight: ⌈y_B⌉ … ⌈y_T⌉−1, columns ⌈x₀⌉ … ⌈x₂⌉−1");
+    case FillRule::TopLeft:
+        return MethodBar::tr("A sample on a top or left edge belongs to the triangle (Direct3D)");
+    case FillRule::OffScreenPoint:
+        return MethodBar::tr("A sample on an edge belongs to the side of an off-screen point");
+    case FillRule::Open:
+        return MethodBar::tr("A sample on an edge belongs to nobody: ⌊y_B⌋+1 … ⌈y_T⌉−1");
+    }
+    return {};
+}
+
+QString meaningOf(ByteRounding rounding)
+{
+    switch (rounding) {
+    case ByteRounding::Nearest:
+        return MethodBar::tr("The byte of a colour level v is ⌊v + ½⌋");
+    case ByteRounding::Truncate:
+        return MethodBar::tr("The byte of a colour level v is ⌊v⌋");
+    }
+    return {};
+}
+
+/// Fills a box with all values of a setting and says which ones the method refuses.
+template <class Choices, class Choice>
+void showChoices(QComboBox *box, const Choices &choices, const Method *method,
+                 const ScanSettings &settings, Choice ScanSettings::*member)
+{
+    for (int row = 0; row < int(choices.size()); ++row) {
+        ScanSettings chosen = settings;
+        chosen.*member = choices[std::size_t(row)];
+        setObjection(box, row, method ? method->objection(chosen) : QString(),
+                     meaningOf(choices[std::size_t(row)]));
+        if (choices[std::size_t(row)] == settings.*member)
+            box->setCurrentIndex(row);
+    }
+}
+
+} // namespace
+
+MethodBar::MethodBar(SceneDocument *document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_layout(new QHBoxLayout(this))
+{
+    setObjectName(QStringLiteral("methodBar"));
+    m_layout->setContentsMargins(8, 0, 0, 0);
+    m_layout->setSpacing(6);
+    m_method = makeBox(QStringLiteral("methodBox"), tr("Method"), {});
+    m_layout->addWidget(m_method); // without a label: a method's title says what it is
+    m_method->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_method->setMinimumContentsLength(shownTitleLength);
+    m_arithmetic = addBox(QStringLiteral("arithmeticBox"), tr("Arithmetic"),
+                          tr("What the increments are computed in"));
+    m_fillRule = addBox(QStringLiteral("fillRuleBox"), tr("Fill rule"),
+                        tr("Who owns a sample that lies exactly on an edge"));
+    m_rounding = addBox(QStringLiteral("roundingBox"), tr("Rounding"),
+                        tr("How a colour level becomes a byte"));
+    addMethods();
+    addSettings();
+    connect(document, &SceneDocument::sceneChanged, this, &MethodBar::followScene);
+    followScene();
+}
+
+QComboBox *MethodBar::makeBox(const QString &name, const QString &label, const QString &toolTip)
+{
+    auto *box = new ElidingBox(this);
+    box->setObjectName(name);
+    box->setAccessibleName(label);
+    box->setToolTip(toolTip);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    return box;
+}
+
+QComboBox *MethodBar::addBox(const QString &name, const QString &label, const QString &toolTip)
+{
+    QComboBox *box = makeBox(name, label, toolTip);
+    auto *text = new QLabel(label, this);
+    text->setBuddy(box);
+    m_layout->addSpacing(4);
+    m_layout->addWidget(text);
+    m_layout->addWidget(box);
+    return box;
+}
+
+void MethodBar::addMethods()
+{
+    std::optional<MethodFamily> family;
+    for (const Method &method : methods()) {
+        if (family && family != method.family)
+            m_method->insertSeparator(m_method->count());
+        family = method.family;
+        m_method->addItem(method.title, method.id);
+        m_method->setItemData(m_method->count() - 1,
+                              titleOf(method.family) + u'\n' + method.summary + u'\n'
+                                  + method.source,
+                              Qt::ToolTipRole);
+    }
+    m_method->setMaxVisibleItems(40);
+    m_method->view()->setMinimumWidth(m_method->view()->sizeHintForColumn(0));
+    connect(m_method, &QComboBox::activated, this, [this](int row) {
+        m_document->setMethod(m_method->itemData(row).toString().toStdString());
+    });
+}
+
+void MethodBar::addSettings()
+{
+    const auto fill = [this](QComboBox *box, const auto &choices, auto member) {
+        for (const auto choice : choices)
+            box->addItem(QString::fromUtf8(nameOf(choice)));
+        connect(box, &QComboBox::activated, this, [this, choices, member](int row) {
+            ScanSettings settings = m_document->scene().settings;
+            settings.*member = choices[std::size_t(row)];
+            m_document->setSettings(settings);
+        });
+    };
+    fill(m_arithmetic, allArithmetics, &ScanSettings::arithmetic);
+    fill(m_fillRule, allFillRules, &ScanSettings::fillRule);
+    fill(m_rounding, allByteRoundings, &ScanSettings::rounding);
+}
+
+void MethodBar::followScene()
+{
+    const Scene &scene = m_document->scene();
+    const Method *chosen = methodNamed(QString::fromStdString(scene.method));
+    m_method->setCurrentIndex(m_method->findData(QString::fromStdString(scene.method)));
+    m_method->setToolTip(chosen ? chosen->title + u'\n' + chosen->summary : QString());
+    showChoices(m_arithmetic, allArithmetics, chosen, scene.settings, &ScanSettings::arithmetic);
+    showChoices(m_fillRule, allFillRules, chosen, scene.settings, &ScanSettings::fillRule);
+    showChoices(m_rounding, allByteRoundings, chosen, scene.settings, &ScanSettings::rounding);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/window/methodmenu.h"
+
+#include "core/methods/method.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/look/menuaction.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QActionGroup>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Grey, with what the method objects to it, if it does.
+void setObjection(QAction *action, const QString &objection)
+{
+    action->setEnabled(objection.isEmpty());
+    action->setToolTip(objection.isEmpty() ? action->text()
+                                           : MethodMenu::tr("The method %1").arg(objection));
+}
+
+} // namespace
+
+MethodMenu::MethodMenu(const WindowParts &parts, QWidget *window)
+    : QMenu(tr("&Method"), window)
+    , m_document(parts.document)
+{
+    setObjectName(QStringLiteral("methodMenu"));
+    setToolTipsVisible(true);
+    addMethods(parts.canvas);
+    addSeparator();
+    addSettings("arithmeticMenu", tr("&Arithmetic"), allArithmetics, &ScanSettings::arithmetic);
+    addSettings("fillRuleMenu", tr("&Fill rule"), allFillRules, &ScanSettings::fillRule);
+    addSettings("roundingMenu", tr("&Rounding"), allByteRoundings, &ScanSettings::rounding);
+}
+
+void MethodMenu::addMethods(Canvas *canvas)
+{
+    auto *group = new QActionGroup(this);
+    int digit = 0;
+    std::optional<MethodFamily> family;
+    for (const Method &method : methods()) {
+        if (family != method.family)
+            addSection(titleOf(method.family));
+        family = method.family;
+        const std::string id = method.id.toStdString();
+        const QKeySequence key = ++digit <= 9 ? QKeySequence(Qt::Key_0 + digit) : QKeySequence();
+        QAction *action
+            = addMenuAction(this, "", method.title, key, [this, id] { m_document->setMethod(id); });
+        action->setObjectName(QStringLiteral("method-") + method.id);
+        action->setCheckable(true);
+        group->addAction(action);
+        confineKeyTo(canvas, action);
+        const auto update = [this, action, id] {
+            const Scene &scene = m_document->scene();
+            action->setChecked(scene.method == id);
+        };
+        action->setToolTip(method.summary);
+        connect(m_document, &SceneDocument::sceneChanged, action, update);
+        update();
+    }
+}
+
+template <class Choices, class Member>
+void MethodMenu::addSettings(const char *name, const QString &title, const Choices &choices,
+                             Member member)
+{
+    QMenu *menu = addMenu(title);
+    menu->setObjectName(QLatin1String(name));
+    menu->setToolTipsVisible(true);
+    auto *group = new QActionGroup(menu);
+    for (const auto choice : choices) {
+        const std::string_view text = nameOf(choice);
+        QAction *action
+            = addMenuAction(menu, "", QString::fromUtf8(text.data(), qsizetype(text.size())), {},
+                            [this, choice, member] {
+                                ScanSettings settings = m_document->scene().settings;
+                                settings.*member = choice;
+                                m_document->setSettings(settings);
+                            });
+        action->setObjectName(menu->objectName() + QLatin1Char('-') + action->text());
+        action->setCheckable(true);
+        group->addAction(action);
+        const auto update = [this, action, choice, member] {
+            const Scene &scene = m_document->scene();
+            ScanSettings settings = scene.settings;
+            action->setChecked(settings.*member == choice);
+            settings.*member = choice;
+            const Method *method = methodNamed(QString::fromStdString(scene.method));
+            setObjection(action, method ? method->objection(settings) : QString());
+        };
+        connect(m_document, &SceneDocument::sceneChanged, action, update);
+        update();
+    }
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/window/windowparts.h"
+
+#include <QMenu>
+
+namespace pixelplumb {
+
+/// The methods, by the digits 1 … 9 in the canvas, and the settings under which they draw. What the
+/// method refuses is grey and says why.
+class MethodMenu : public QMenu {
+    Q_OBJECT
+
+public:
+    MethodMenu(const WindowParts &parts, QWidget *window);
+
+private:
+    void addMethods(Canvas *canvas);
+    template <class Choices, class Member>
+    void addSettings(const char *name, const QString &title, const Choices &choices, Member member);
+
+    SceneDocument *m_document;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/window/panels.h"
+
+#include "widgets/inspect/columntablepanel.h"
+#include "widgets/inspect/formulapanel.h"
+#include "widgets/inspect/pixelgrid.h"
+#include "widgets/inspect/pixelhistorypanel.h"
+#include "widgets/studies/comparepanel.h"
+#include "widgets/studies/hardcasespanel.h"
+#include "widgets/studies/operationpanel.h"
+#include "widgets/studies/performancepanel.h"
+#include "widgets/studies/precisionpanel.h"
+
+#include <QCoreApplication>
+
+namespace pixelplumb {
+
+namespace {
+
+template <class Widget>
+QWidget *follower(const WindowParts &parts)
+{
+    return new Widget(parts.playhead);
+}
+
+QWidget *pixelGrid(const WindowParts &parts)
+{
+    return new PixelGrid(parts.playhead, parts.options);
+}
+
+constexpr Qt::DockWidgetArea leftArea = Qt::LeftDockWidgetArea;
+constexpr Qt::DockWidgetArea rightArea = Qt::RightDockWidgetArea;
+constexpr Qt::DockWidgetArea bottomArea = Qt::BottomDockWidgetArea;
+constexpr auto shownAtFirst = Panel::AtFirst::Shown;
+constexpr auto hiddenAtFirst = Panel::AtFirst::Hidden;
+
+constexpr Panel table[] = {
+    {"formulaDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Formula"), follower<FormulaPanel>,
+     rightArea, shownAtFirst},
+    {"pixelGridDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Pixel grid"), pixelGrid,
+     rightArea, shownAtFirst},
+    {"pixelHistoryDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Pixel"),
+     follower<PixelHistoryPanel>, rightArea, shownAtFirst},
+    {"columnsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Columns"),
+     follower<ColumnTablePanel>, bottomArea, shownAtFirst},
+    {"compareDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Compare"), follower<ComparePanel>,
+     bottomArea, hiddenAtFirst},
+    {"precisionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Precision"),
+     follower<PrecisionPanel>, bottomArea, hiddenAtFirst},
+    {"hardCasesDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Hard cases"),
+     follower<HardCasesPanel>, leftArea, hiddenAtFirst},
+    {"performanceDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Performance"),
+     follower<PerformancePanel>, leftArea, hiddenAtFirst},
+    {"operationsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Operations"),
+     follower<OperationPanel>, bottomArea, hiddenAtFirst},
+};
+
+} // namespace
+
+std::span<const Panel> panels() { return table; }
+
+} // namespace pixelplumb

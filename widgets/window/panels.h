@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/window/windowparts.h"
+
+#include <Qt>
+
+#include <span>
+
+class QWidget;
+
+namespace pixelplumb {
+
+/// A panel around the canvas: a row of the table of docks. Docks, the View menu's list and their
+/// keys (Alt and the row's number), and what "reset the layout" does, come from the table.
+struct Panel {
+    enum class AtFirst { Shown, Hidden };
+
+    const char *dock; ///< its dock's object name
+    const char *title; ///< to be translated in the context of WindowDocks
+    QWidget *(*make)(const WindowParts &parts);
+    Qt::DockWidgetArea area; ///< at the first start; at the bottom, hidden ones share a place
+    AtFirst atFirst;
+};
+
+std::span<const Panel> panels();
+
+} // namespace pixelplumb

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/window/statusfields.h"
+
+#include "core/scene/colourtext.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/steptext.h"
+
+#include <QBoxLayout>
+#include <QFrame>
+#include <QLabel>
+
+namespace pixelplumb {
+
+namespace {
+
+void keepWide(QLabel *label, const QString &widest)
+{
+    label->setMinimumWidth(label->fontMetrics().horizontalAdvance(widest) + 8);
+}
+
+} // namespace
+
+StatusFields::StatusFields(Playhead *playhead, QWidget *parent)
+    : QWidget(parent)
+    , m_playhead(playhead)
+    , m_row(new QHBoxLayout(this))
+{
+    setObjectName(QStringLiteral("statusFields"));
+    m_row->setContentsMargins(8, 0, 8, 0);
+    m_row->setSpacing(8);
+    m_pixel = addField(QStringLiteral("statusPixel"));
+    m_column = addField(QStringLiteral("statusColumn"));
+    m_step = addField(QStringLiteral("statusStep"));
+    m_settings = addField(QStringLiteral("statusSettings"));
+    m_row->addStretch();
+    connect(playhead, &Playhead::tracedChanged, this, &StatusFields::takeTrace);
+    connect(playhead, &Playhead::positionChanged, this, [this] { refresh(); });
+    connect(playhead, &Playhead::pickedPixelChanged, this, [this] { refresh(); });
+    takeTrace();
+}
+
+void StatusFields::setHovered(std::optional<QPoint> pixel)
+{
+    m_hovered = pixel;
+    refresh();
+}
+
+QLabel *StatusFields::addField(const QString &name)
+{
+    if (m_row->count() > 0) {
+        auto *line = new QFrame(this);
+        line->setFrameShape(QFrame::VLine);
+        line->setForegroundRole(QPalette::Mid);
+        m_row->addWidget(line);
+    }
+    auto *label = new QLabel(this);
+    label->setObjectName(name);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_row->addWidget(label);
+    return label;
+}
+
+void StatusFields::takeTrace()
+{
+    if (const TracedScene *traced = m_playhead->traced()) {
+        const FrameSpec &frame = traced->scene.frame;
+        const auto widest = [](std::int64_t first, std::int64_t size) {
+            const auto digits
+                = std::max(QString::number(first).size(), QString::number(first + size - 1).size());
+            return QString(std::max<qsizetype>(3, digits), QLatin1Char('8'));
+        };
+        const QString x = widest(frame.firstColumn, frame.width);
+        const QString y = widest(frame.firstRow, frame.height);
+        const QString end = widest(0, std::int64_t(m_playhead->end()) + 1);
+        keepWide(m_pixel, tr("pixel (%1, %2) %3").arg(x, y, QStringLiteral("#dddddd")));
+        keepWide(m_column, tr("column %1, second half").arg(x));
+        keepWide(m_step, tr("step %1 of %2").arg(end, end));
+        const ScanSettings &settings = traced->scene.settings;
+        const auto text = [](std::string_view name) {
+            return QString::fromUtf8(name.data(), qsizetype(name.size()));
+        };
+        QStringList words{text(nameOf(settings.arithmetic)), text(nameOf(settings.fillRule)),
+                          frame.origin == FrameOrigin::BottomLeft ? tr("y upward")
+                                                                  : tr("y downward")};
+        if (frame.pixelCentre == PixelCentre::Half)
+            words += tr("samples at ½");
+        if (traced->trace->isCut())
+            words += tr("recording cut at its limit");
+        m_settings->setText(words.join(QStringLiteral(" · ")));
+    } else {
+        m_settings->clear();
+    }
+    refresh();
+}
+
+void StatusFields::refresh()
+{
+    const TracedScene *traced = m_playhead->traced();
+    m_pixel->setText(pixelText());
+    m_column->setText(traced ? columnText(*traced, m_playhead->position()) : QString());
+    m_step->setText(traced ? tr("step %1 of %2").arg(m_playhead->position()).arg(m_playhead->end())
+                           : QString());
+}
+
+QString StatusFields::pixelText() const
+{
+    const std::optional<QPoint> pixel = m_hovered ? m_hovered : m_playhead->pickedPixel();
+    const FrameBuffer *frame = m_playhead->frame();
+    if (!pixel || !frame || !frame->view().contains(pixel->x(), pixel->y()))
+        return tr("no pixel");
+    return tr("pixel (%1, %2) %3")
+        .arg(pixel->x())
+        .arg(pixel->y())
+        .arg(colourText(unpacked(*frame->view().at(pixel->x(), pixel->y()))));
+}
+
+} // namespace pixelplumb

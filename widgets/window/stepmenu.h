@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/window/windowparts.h"
+
+#include <QMenu>
+
+namespace pixelplumb {
+
+/// Moves in time, with their keys.
+class StepMenu : public QMenu {
+    Q_OBJECT
+
+public:
+    StepMenu(const WindowParts &parts, QWidget *window);
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/window/viewmenu.h"
+
+#include "widgets/canvas/canvas.h"
+#include "widgets/canvas/overdrawoverlay.h"
+#include "widgets/inspect/pixelgrid.h"
+#include "widgets/look/displayoptions.h"
+#include "widgets/look/menuaction.h"
+#include "widgets/look/paletteswitch.h"
+#include "widgets/window/windowdocks.h"
+
+#include <QActionGroup>
+
+namespace pixelplumb {
+
+ViewMenu::ViewMenu(const WindowParts &parts, WindowDocks *docks, PaletteSwitch *palettes,
+                   QWidget *window)
+    : QMenu(tr("&View"), window)
+{
+    setObjectName(QStringLiteral("viewMenu"));
+    addOptions(parts);
+    addSeparator();
+    addZoom(parts.canvas);
+    addSeparator();
+    addDocks(parts, docks);
+    addSeparator();
+    addPalettes(palettes);
+    addMenuAction(this, "resetLayout", tr("Reset the &layout"), {},
+                  [this] { emit layoutResetRequested(); });
+}
+
+void ViewMenu::addOptions(const WindowParts &parts)
+{
+    DisplayOptions *options = parts.options;
+    const auto addOption = [&](const char *name, const QString &text, const QString &iconText,
+                               const QString &tip, Qt::Key key, auto isShown, auto setShown) {
+        QAction *action = addMenuAction(this, name, text, key, [options, setShown](bool shown) {
+            (options->*setShown)(shown);
+        });
+        action->setCheckable(true);
+        action->setIconText(iconText);
+        action->setToolTip(tip);
+        confineKeyTo(parts.canvas, action);
+        const auto update
+            = [options, action, isShown] { action->setChecked((options->*isShown)()); };
+        connect(options, &DisplayOptions::changed, action, update);
+        update();
+        return action;
+    };
+    m_grid = addOption("showGrid", tr("&Grid"), tr("grid"), tr("Lines between the pixels (G)"),
+                       Qt::Key_G, &DisplayOptions::isGridShown, &DisplayOptions::setGridShown);
+    m_truth = addOption("showTruth", tr("T&ruth"), tr("truth"),
+                        tr("The exact finished picture instead of the frame (R)"), Qt::Key_R,
+                        &DisplayOptions::isTruthShown, &DisplayOptions::setTruthShown);
+    m_differences = addOption("showDifferences", tr("&Differences"), tr("differences"),
+                              tr("Mark pixels that differ from the truth: ? missing, ! extra, c "
+                                 "colour (D)"),
+                              Qt::Key_D, &DisplayOptions::areDifferencesShown,
+                              &DisplayOptions::setDifferencesShown);
+    OverdrawOverlay *overdraw = parts.overdraw;
+    QAction *counts = addMenuAction(this, "showOverdraw", tr("&Overdraw and gaps"), Qt::Key_O,
+                                    [overdraw](bool shown) { overdraw->setVisible(shown); });
+    counts->setCheckable(true);
+    counts->setToolTip(tr("How often each pixel is written, and the gaps that nobody writes (O)"));
+    confineKeyTo(parts.canvas, counts);
+}
+
+void ViewMenu::addZoom(Canvas *canvas)
+{
+    QAction *in = addMenuAction(this, "zoomIn", tr("Zoom &in"), {}, [canvas] { canvas->zoomIn(); });
+    in->setShortcuts({Qt::CTRL | Qt::Key_Plus, Qt::CTRL | Qt::Key_Equal});
+    addMenuAction(this, "zoomOut", tr("Zoom &out"), Qt::CTRL | Qt::Key_Minus,
+                  [canvas] { canvas->zoomOut(); });
+    addMenuAction(this, "zoomToFit", tr("&Fit the frame"), Qt::CTRL | Qt::Key_0,
+                  [canvas] { canvas->fitToView(); });
+    addMenuAction(this, "zoomToOne", tr("One &to one"), Qt::CTRL | Qt::Key_1,
+                  [canvas] { canvas->setZoom(1); });
+}
+
+void ViewMenu::addDocks(const WindowParts &parts, WindowDocks *docks)
+{
+    QDockWidget *grid = docks->dockOf<PixelGrid>();
+    QAction *inspect
+        = addMenuAction(this, "inspect", tr("In&spector (pixel grid)"), Qt::Key_Z, [grid] {
+              grid->show();
+              grid->raise();
+              grid->widget()->setFocus();
+          });
+    confineKeyTo(parts.canvas, inspect);
+    QMenu *panels = addMenu(tr("&Panels"));
+    panels->setObjectName(QStringLiteral("panelsMenu"));
+    int digit = 0;
+    for (QAction *toggle : docks->toggles()) {
+        toggle->setShortcut(Qt::ALT | Qt::Key(Qt::Key_1 + digit++));
+        panels->addAction(toggle);
+    }
+}
+
+void ViewMenu::addPalettes(PaletteSwitch *palettes)
+{
+    QMenu *menu = addMenu(tr("&Colours"));
+    menu->setObjectName(QStringLiteral("paletteMenu"));
+    auto *group = new QActionGroup(menu);
+    const auto addPalette = [&](const char *name, const QString &text, PaletteChoice choice) {
+        QAction *action
+            = addMenuAction(menu, name, text, {}, [palettes, choice] { palettes->choose(choice); });
+        action->setCheckable(true);
+        group->addAction(action);
+        const auto update
+            = [palettes, action, choice] { action->setChecked(palettes->choice() == choice); };
+        connect(palettes, &PaletteSwitch::changed, action, update);
+        update();
+    };
+    addPalette("paletteSystem", tr("as the &desktop"), PaletteChoice::System);
+    addPalette("paletteLight", tr("&light"), PaletteChoice::Light);
+    addPalette("paletteDark", tr("d&ark"), PaletteChoice::Dark);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/window/windowparts.h"
+
+#include <QMenu>
+
+namespace pixelplumb {
+
+class PaletteSwitch;
+class WindowDocks;
+
+/// What is drawn over the frame, how large, in which colours, and which panels are shown.
+class ViewMenu : public QMenu {
+    Q_OBJECT
+
+public:
+    ViewMenu(const WindowParts &parts, WindowDocks *docks, PaletteSwitch *palettes,
+             QWidget *window);
+
+    QAction *grid() const { return m_grid; }
+    QAction *differences() const { return m_differences; }
+    QAction *truth() const { return m_truth; }
+
+signals:
+    void layoutResetRequested();
+
+private:
+    void addOptions(const WindowParts &parts);
+    void addZoom(Canvas *canvas);
+    void addDocks(const WindowParts &parts, WindowDocks *docks);
+    void addPalettes(PaletteSwitch *palettes);
+
+    QAction *m_grid = nullptr;
+    QAction *m_differences = nullptr;
+    QAction *m_truth = nullptr;
+};
+
+} // namespace pixelplumb

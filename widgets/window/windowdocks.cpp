@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/window/windowdocks.h"
+
+#include "widgets/inspect/columntablepanel.h"
+#include "widgets/inspect/formulapanel.h"
+#include "widgets/inspect/pixelgrid.h"
+#include "widgets/inspect/pixelhistorypanel.h"
+#include "widgets/window/panels.h"
+
+#include <QAction>
+#include <QGuiApplication>
+#include <QLibraryInfo>
+#include <QMainWindow>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+// Logical pixels of the window's height. Below the first there is no room for the formulas of a
+// column above all that stands below the canvas; below the second they need the whole height.
+constexpr int spreadHeight = 880;
+constexpr int pairedHeight = 700;
+
+/// The longest usual line of a formula with its value, logical pixels.
+constexpr int formulaWidth = 440;
+constexpr int tabsHeight = 40; ///< more than any style's tabs; what is left over is shared out
+
+/// Under Wayland a floating dock cannot be moved or docked again before Qt 6.6.
+bool canFloat()
+{
+    return !QGuiApplication::platformName().startsWith(QLatin1String("wayland"))
+        || QLibraryInfo::version() >= QVersionNumber(6, 6);
+}
+
+} // namespace
+
+WindowDocks::WindowDocks(const WindowParts &parts, QMainWindow *window)
+    : QObject(window)
+    , m_window(window)
+{
+    window->setCorner(Qt::BottomLeftCorner, Qt::BottomDockWidgetArea);
+    window->setDockNestingEnabled(true);
+    for (const Panel &panel : panels())
+        add(panel, parts);
+    m_formula = dockOf<FormulaPanel>();
+    m_pixelGrid = dockOf<PixelGrid>();
+    m_pixelHistory = dockOf<PixelHistoryPanel>();
+    m_columns = dockOf<ColumnTablePanel>();
+    connect(panel<FormulaPanel>(), &FormulaPanel::neededHeightChanged, this,
+            &WindowDocks::fitFormula, Qt::QueuedConnection);
+    reset();
+}
+
+void WindowDocks::add(const Panel &panel, const WindowParts &parts)
+{
+    auto *dock = new QDockWidget(tr(panel.title), m_window);
+    dock->setObjectName(QLatin1String(panel.dock));
+    dock->setWidget(panel.make(parts));
+    QDockWidget::DockWidgetFeatures features
+        = QDockWidget::DockWidgetClosable | QDockWidget::DockWidgetMovable;
+    if (canFloat())
+        features |= QDockWidget::DockWidgetFloatable;
+    dock->setFeatures(features);
+    m_docks += dock;
+    addToggle(dock);
+}
+
+/// Qt's own action hides a dock whose tab is behind another's, where a person wants to see it.
+void WindowDocks::addToggle(QDockWidget *dock)
+{
+    auto *toggle = new QAction(dock->windowTitle(), dock);
+    toggle->setObjectName(dock->objectName() + QStringLiteral("Toggle"));
+    toggle->setCheckable(true);
+    m_toggles += toggle;
+    connect(toggle, &QAction::triggered, this, [this, dock, toggle] {
+        if (isInFront(*dock))
+            dock->close();
+        else
+            raise(dock->widget());
+        toggle->setChecked(isInFront(*dock));
+    });
+    connect(dock, &QDockWidget::visibilityChanged, toggle, &QAction::setChecked);
+}
+
+/// Shown, and not behind the tab of another, where Qt places it beside the window.
+bool WindowDocks::isInFront(const QDockWidget &dock) const
+{
+    return dock.isVisible() && !dock.visibleRegion().isEmpty();
+}
+
+void WindowDocks::raise(QWidget *panel)
+{
+    for (QDockWidget *dock : std::as_const(m_docks)) {
+        if (dock->widget() != panel)
+            continue;
+        dock->show();
+        dock->raise();
+        // A dock that was just shown has its place only after the window's layout.
+        QMetaObject::invokeMethod(
+            this, [this, dock] { makeRoomFor(dock); }, Qt::QueuedConnection);
+    }
+}
+
+/// A study needs more than the strip that the columns have at first; the canvas keeps the rest.
+void WindowDocks::makeRoomFor(QDockWidget *dock)
+{
+    const int wanted = m_window->height() * 50 / 100;
+    if (!dock->isFloating() && m_window->dockWidgetArea(dock) == Qt::BottomDockWidgetArea
+        && dock->height() < wanted)
+        m_window->resizeDocks({dock}, {wanted}, Qt::Vertical);
+}
+
+void WindowDocks::reset()
+{
+    for (QDockWidget *dock : std::as_const(m_docks)) {
+        dock->setFloating(false);
+        m_window->removeDockWidget(dock);
+    }
+    const auto placeThose = [this](Panel::AtFirst atFirst) {
+        for (qsizetype i = 0; i < m_docks.size(); ++i) {
+            const Panel &panel = panels()[std::size_t(i)];
+            if (panel.atFirst != atFirst)
+                continue;
+            m_window->addDockWidget(panel.area, m_docks[i]);
+            if (atFirst == Panel::AtFirst::Hidden && panel.area == Qt::BottomDockWidgetArea)
+                m_window->tabifyDockWidget(m_columns, m_docks[i]);
+            m_docks[i]->setVisible(atFirst == Panel::AtFirst::Shown);
+        }
+    };
+    placeThose(Panel::AtFirst::Shown);
+    arrangePixelPanels();
+    placeThose(Panel::AtFirst::Hidden);
+    if (arrangement() == Arrangement::Paired)
+        m_pixelGrid->raise();
+    if (arrangement() == Arrangement::Tabbed)
+        m_formula->raise();
+    resizeToDefault();
+}
+
+WindowDocks::Arrangement WindowDocks::arrangement() const
+{
+    if (m_window->height() >= spreadHeight)
+        return Arrangement::Spread;
+    return m_window->height() >= pairedHeight ? Arrangement::Paired : Arrangement::Tabbed;
+}
+
+void WindowDocks::arrangePixelPanels()
+{
+    const Arrangement chosen = arrangement();
+    const bool isSpread = chosen == Arrangement::Spread;
+    m_window->setCorner(Qt::BottomRightCorner,
+                        isSpread ? Qt::BottomDockWidgetArea : Qt::RightDockWidgetArea);
+    if (isSpread)
+        m_window->splitDockWidget(m_columns, m_pixelHistory, Qt::Horizontal);
+    if (chosen == Arrangement::Tabbed)
+        m_window->tabifyDockWidget(m_formula, m_pixelGrid);
+    if (!isSpread)
+        m_window->tabifyDockWidget(m_pixelGrid, m_pixelHistory);
+}
+
+/// The formulas get the height that they need, but for what makes the pixel grid legible, its least
+/// height; the other panels of their column share the rest.
+void WindowDocks::fitFormula()
+{
+    const auto *formula = qobject_cast<const FormulaPanel *>(m_formula->widget());
+    if (!formula->isVisible() || m_formula->isFloating() || formula->neededHeight() == 0)
+        return;
+    QList<QDockWidget *> column;
+    int others = 0;
+    for (QDockWidget *dock : {m_pixelGrid, m_pixelHistory}) {
+        // Of docks that share a place by tabs, all visible to Qt, one stands for them.
+        const QList<QDockWidget *> together = m_window->tabifiedDockWidgets(dock);
+        const bool isCounted = std::ranges::any_of(
+            column, [&](QDockWidget *counted) { return together.contains(counted); });
+        const bool isBeside = dock->isVisible() && !dock->isFloating() && !isCounted
+            && m_window->dockWidgetArea(dock) == m_window->dockWidgetArea(m_formula);
+        if (!isBeside)
+            continue;
+        column += dock;
+        others += dock->height();
+    }
+    const int wanted = m_formula->height() - formula->height() + formula->neededHeight();
+    const int rest = std::max(0, m_formula->height() + others - wanted - tabsHeight);
+    QList<int> heights;
+    for (const QDockWidget *dock : std::as_const(column))
+        heights += std::max(1, rest * dock->height() / others);
+    column.prepend(m_formula);
+    heights.prepend(wanted);
+    m_window->resizeDocks(column, heights, Qt::Vertical);
+}
+
+void WindowDocks::resizeToDefault()
+{
+    const int width = m_window->width();
+    const int height = m_window->height();
+    const int right = std::min(std::max(width * 37 / 100, formulaWidth), width * 45 / 100);
+    m_window->resizeDocks({m_formula}, {right}, Qt::Horizontal);
+    m_window->resizeDocks({m_columns}, {height * 22 / 100}, Qt::Vertical);
+    if (arrangement() == Arrangement::Spread)
+        m_window->resizeDocks({m_columns, m_pixelHistory}, {width - right, right}, Qt::Horizontal);
+    const int formulas = m_formula->sizeHint().height();
+    m_window->resizeDocks({m_formula, m_pixelGrid}, {formulas, height - formulas}, Qt::Vertical);
+    fitFormula();
+}
+
+} // namespace pixelplumb
