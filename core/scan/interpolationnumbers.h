@@ -14,6 +14,12 @@
 /// all alike.
 namespace pixelplumb {
 
+enum class InterpolationForm {
+    Bilinear, ///< along both edges, then along the column, by adding rates
+    Plane, ///< v = a·x + b·y + c at each sample
+    Barycentric, ///< α·v0 + β·v1 + γ·v2 at each sample
+};
+
 inline constexpr std::size_t channelCount = 9;
 /// R G B, the first ones: all that a picture needs.
 inline constexpr std::size_t colourChannelCount = 3;
