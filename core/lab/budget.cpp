@@ -54,11 +54,11 @@ BudgetAnswer answerFor(Budget budget, const Offer &offer)
     answer.ground = offer.isProved() ? BudgetGround::Proof : BudgetGround::Measurement;
     answer.contender = offer.contender->id;
     answer.nanosecondsPerPixel = offer.perPixel;
-    answer.reason = QStringLiteral("%1, %2; %3")
-                        .arg(offer.contender->label, costText(offer.perPixel),
-                             offer.isProved()
-                                 ? QStringLiteral("proved for ") + offer.contender->domain
-                                 : observation(offer));
+    answer.reason
+        = QStringLiteral("%1, %2; %3")
+              .arg(offer.contender->label, costText(offer.perPixel),
+                   offer.isProved() ? QStringLiteral("proved for ") + offer.contender->domain
+                                    : observation(offer));
     return answer;
 }
 
@@ -137,9 +137,8 @@ BudgetAnswer cheapestFor(Budget budget, const Study &study, const QString &famil
             return a.perPixel < b.perPixel;
         });
     } else {
-        std::erase_if(offers, [&](const Offer &offer) {
-            return !meets(budget, *offer.row->accuracy);
-        });
+        std::erase_if(offers,
+                      [&](const Offer &offer) { return !meets(budget, *offer.row->accuracy); });
         std::ranges::stable_sort(offers, {}, &Offer::perPixel);
         // That nothing was found wrong is not exact; where there is a proof, only that counts.
         if (budget == Budget::Exact) {

@@ -12,8 +12,7 @@ std::optional<std::vector<DriftCurve>> driftOver(std::int64_t columns,
                                                  const ProgressListener &listener)
 {
     Scene scene;
-    scene.frame.width
-        = std::int32_t(std::clamp<std::int64_t>(columns + 1, 1, largestFrameSide));
+    scene.frame.width = std::int32_t(std::clamp<std::int64_t>(columns + 1, 1, largestFrameSide));
     scene.frame.height = 1; // the bounds are what counts, not the pixels
     // As high as wide, with slopes that no binary number holds.
     scene.triangles = {{{{{latticePixel(0, 0), {{255, 0, 0}}},

@@ -29,8 +29,8 @@ public:
     LabChunk nextChunk(const LabPicture &picture, const FrameView &frame, std::size_t &first)
     {
         LabChunk chunk{&picture, {}};
-        for (std::int64_t pixels = 0;
-             first < picture.triangles.size() && pixels < mostTruePixels; ++first) {
+        for (std::int64_t pixels = 0; first < picture.triangles.size() && pixels < mostTruePixels;
+             ++first) {
             auto &byRule = chunk.truths.emplace_back();
             for (const FillRule rule : m_rules) {
                 const auto added
@@ -42,7 +42,8 @@ public:
                 const FrameView view = added->second.window.view();
                 pixels += std::int64_t(view.width) * view.height;
                 if (m_family.isMesh)
-                    m_covers.try_emplace(rule, picture.frame).first->second.add(view, samplesOf(view));
+                    m_covers.try_emplace(rule, picture.frame)
+                        .first->second.add(view, samplesOf(view));
             }
         }
         return chunk;

@@ -125,8 +125,7 @@ std::vector<Triangle> tied(SeededRandom &random, const FrameSpec &frame, std::si
             const std::int64_t up = random.between(-9, 9) * times;
             return LatticePoint{from.x + right * unitsPerPixel, from.y + up * unitsPerPixel};
         };
-        const LatticePoint a
-            = placeWithin(random, lowest(frame), highest(frame), unitsPerPixel);
+        const LatticePoint a = placeWithin(random, lowest(frame), highest(frame), unitsPerPixel);
         const LatticePoint b = along(a);
         return coloured(random, a, b, along(a));
     };

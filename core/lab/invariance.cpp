@@ -14,8 +14,8 @@ constexpr LatticePoint wayOfMove = latticePixel(5003, 3001);
 
 Triangle reordered(const Triangle &triangle, const std::array<std::size_t, 3> &order)
 {
-    return {{triangle.vertices[order[0]], triangle.vertices[order[1]],
-             triangle.vertices[order[2]]}};
+    return {
+        {triangle.vertices[order[0]], triangle.vertices[order[1]], triangle.vertices[order[2]]}};
 }
 
 Triangle moved(Triangle triangle)

@@ -144,8 +144,7 @@ void LabCandidate::countOperationsOfFirst()
         if (!box.isEmpty())
             pixels += (box.endX - box.firstX) * (box.endY - box.firstY) / 2;
     }
-    m_verdict.operations
-        = countOperations(*m_contender.method, settings(), first, frame.view());
+    m_verdict.operations = countOperations(*m_contender.method, settings(), first, frame.view());
 }
 
 void LabCandidate::finish(const MeshCover *trueCover)

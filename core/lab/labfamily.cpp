@@ -23,15 +23,17 @@ constexpr LabFamilyInfo infos[] = {
     {"random-integer", "Random, whole pixels",
      "Vertices on samples, as three clicks make them: many ties."},
     {"random-subpixel", "Random, 1/256 px", "Vertices between samples: hardly any ties."},
-    {"slivers", "Slivers", "As long as the frame and 1 to 3 px thick: colours change by levels "
-                           "from pixel to pixel across."},
+    {"slivers", "Slivers",
+     "As long as the frame and 1 to 3 px thick: colours change by levels "
+     "from pixel to pixel across."},
     {"ties", "Ties", "Edges along small whole vectors: each passes exactly through samples."},
     {"far", "Far from the origin",
      "Triangles of 8 to 60 px at (30000, 30000): products of coordinates cancel."},
     {"small", "Small triangles", "Boxes of 3 to 12 px: set-up is most of the work."},
     {"large", "Large triangles", "A quarter of the frame and more: increments add up longest."},
-    {"mesh", "Mesh", "Triangles that share all edges, at 1/256 px, under a rule that gives every "
-                     "sample one owner."},
+    {"mesh", "Mesh",
+     "Triangles that share all edges, at 1/256 px, under a rule that gives every "
+     "sample one owner."},
     {"own-scene", "Own scene", "The triangles of the scene in hand under its own rule."},
     {"hard-cases", "Hard cases", "The cases that were collected because methods fail in them."},
 };

@@ -19,8 +19,8 @@ constexpr std::int64_t cacheLineBytes = 64;
 /// px of the triangle's area, no more than its box within the frame.
 std::int64_t aboutPixels(const Triangle &triangle, const SampleBox &box)
 {
-    const auto area = std::int64_t(absolute(doubledArea(triangle))
-                                   / (2 * unitsPerPixel * unitsPerPixel));
+    const auto area
+        = std::int64_t(absolute(doubledArea(triangle)) / (2 * unitsPerPixel * unitsPerPixel));
     return std::min(area, box.isEmpty() ? 0 : (box.endX - box.firstX) * (box.endY - box.firstY));
 }
 
@@ -44,8 +44,8 @@ bool mayDrawStraight(const LabContender &contender, const LabFamily &family,
 {
     // 16.16 wraps on slopes that steep sub-pixel edges have, and a straight loop clips nothing.
     const bool fits = settings.arithmetic != Arithmetic::Fixed16 || family.isOnWholePixels;
-    return contender.straight && family.staysInside && fits
-        && settings.fillRule == FillRule::Closed && settings.rounding == ByteRounding::Nearest;
+    return contender.straight && family.staysInside && fits && settings.fillRule == FillRule::Closed
+        && settings.rounding == ByteRounding::Nearest;
 }
 
 double timeOf(const std::function<void()> &draw, int draws)
@@ -160,8 +160,8 @@ void LabRace::sample(Entry &entry) const
         for (const Triangle &triangle : entry.forStraight)
             contender.straight->draw(triangle, raw);
     };
-    entry.straightSamples.push_back(takeSample(drawStraight, entry.straightDrawsPerSample,
-                                               m_options.sampleNanoseconds));
+    entry.straightSamples.push_back(
+        takeSample(drawStraight, entry.straightDrawsPerSample, m_options.sampleNanoseconds));
 }
 
 bool LabRace::runRound(int round, int rounds, const ProgressListener &listener)

@@ -29,8 +29,8 @@ public:
     }
     void read(const JsonNode &node, int &value)
     {
-        value = int(m_json.integer(node, std::numeric_limits<int>::min(),
-                                   std::numeric_limits<int>::max()));
+        value = int(
+            m_json.integer(node, std::numeric_limits<int>::min(), std::numeric_limits<int>::max()));
     }
     void read(const JsonNode &node, std::int64_t &value)
     {

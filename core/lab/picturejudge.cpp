@@ -88,9 +88,9 @@ void PictureJudge::noteExtra(const TruePicture &truth, std::int64_t x, std::int6
 void PictureJudge::noteBytes(QRgb drawn, QRgb wanted)
 {
     ++m_figures.wrongBytes;
-    const int off = std::max({std::abs(qRed(drawn) - qRed(wanted)),
-                              std::abs(qGreen(drawn) - qGreen(wanted)),
-                              std::abs(qBlue(drawn) - qBlue(wanted))});
+    const int off
+        = std::max({std::abs(qRed(drawn) - qRed(wanted)), std::abs(qGreen(drawn) - qGreen(wanted)),
+                    std::abs(qBlue(drawn) - qBlue(wanted))});
     m_figures.largestByteError = std::max(m_figures.largestByteError, off);
 }
 

@@ -10,8 +10,7 @@
 namespace pixelplumb {
 
 /// The samples around a triangle, so many px beyond its bounding box, that a frame shows.
-inline SampleBox windowAround(const Triangle &triangle, std::int64_t margin,
-                              const FrameView &frame)
+inline SampleBox windowAround(const Triangle &triangle, std::int64_t margin, const FrameView &frame)
 {
     const SampleBox box = boundingBoxOf(triangle);
     return intersection(

@@ -59,8 +59,8 @@ std::vector<SizedWork> workAlong(SizeAxis axis)
             work.frame = frameOf(251, 241);
             work.size = side;
             SeededRandom random(7);
-            work.primitives.triangles = familyshapes::boxed(random, work.frame, std::size_t(side),
-                                                            5, 13, unitsPerPixel);
+            work.primitives.triangles
+                = familyshapes::boxed(random, work.frame, std::size_t(side), 5, 13, unitsPerPixel);
             break;
         }
         }

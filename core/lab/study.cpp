@@ -59,8 +59,8 @@ public:
     {
         m_contenders = settings.contenders;
         if (m_contenders.empty())
-            m_contenders = settings.extent == StudyExtent::Quick ? quickContenders()
-                                                                  : fullContenders();
+            m_contenders
+                = settings.extent == StudyExtent::Quick ? quickContenders() : fullContenders();
     }
 
     Study run()
@@ -166,8 +166,7 @@ private:
             }
         }
         for (int round = 0; round < m_plan.rounds; ++round) {
-            const bool goesOnNow
-                = laps.runRound(round, m_plan.rounds, m_listener.progress);
+            const bool goesOnNow = laps.runRound(round, m_plan.rounds, m_listener.progress);
             takeTimes(laps);
             if (!goesOnNow)
                 return false;
