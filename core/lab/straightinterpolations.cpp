@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "straightloop.h"
+#include "core/lab/straightloop.h"
 
 #include <algorithm>
 #include <array>
 
 /// The three forms of interpolation, of R G B alone: coverage by quotients and remainders, channels
 /// in floating point.
-namespace pixelplumb::bench {
+namespace pixelplumb {
 
 namespace {
 
@@ -212,4 +212,4 @@ constexpr StraightLoop rows[] = {
 
 std::span<const StraightLoop> straightInterpolations() { return rows; }
 
-} // namespace pixelplumb::bench
+} // namespace pixelplumb

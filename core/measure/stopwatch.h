@@ -5,7 +5,7 @@
 
 #include <ctime>
 
-namespace pixelplumb::bench {
+namespace pixelplumb {
 
 /// What a stretch of work took.
 struct Elapsed {
@@ -42,4 +42,4 @@ private:
     Elapsed m_start = read();
 };
 
-} // namespace pixelplumb::bench
+} // namespace pixelplumb

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/straightloop.h"
+#include "core/methods/method.h"
+
+#include <functional>
+#include <vector>
+
+namespace pixelplumb {
+
+/// Which code of a method draws.
+enum class LabKernel : std::uint8_t {
+    Plain, ///< the kernel that a trace steps through, with nothing listening
+    Fast, ///< its SIMD twin on one thread: the same bytes
+};
+
+/// One who takes part in a study: a method in one arithmetic by one kernel. A value, a row of a
+/// table.
+struct LabContender {
+    QString id; ///< "column-scan:float32", "column-scan:exact:fast"
+    QString label; ///< "Column scan, float32"
+    const Method *method = nullptr;
+    Arithmetic arithmetic = Arithmetic::Exact;
+    LabKernel kernel = LabKernel::Plain;
+    /// Draws triangles (sample coordinates) in order, on the calling thread. May throw: the study
+    /// then shows it as failed.
+    std::function<void(const Primitives &primitives, const ScanSettings &settings, FrameView frame)>
+        draw;
+    /// What it is measured by; null where there is no straight loop of this kind.
+    const StraightLoop *straight = nullptr;
+
+    /// Every picture is the truth, by proof, over the whole lattice.
+    bool isProved() const { return method->isStableIn(arithmetic); }
+    /// Where the proof holds, and what stands in beyond; empty where nothing is proved.
+    QString domain() const;
+    /// The rule, or the method's own first where it does not keep that.
+    ScanSettings settingsUnder(FillRule rule) const;
+    /// The first rule of the method's under which every sample of a mesh has one owner; none where
+    /// it keeps no such rule.
+    std::optional<FillRule> watertightRule() const;
+};
+
+/// The seed's method in the seed's arithmetic: times are told in its, as ×1.
+inline constexpr const char *referenceContenderId = "column-scan:float32";
+
+LabContender contenderOf(const Method &method, Arithmetic arithmetic,
+                         LabKernel kernel = LabKernel::Plain);
+/// Null where there is none of this id.
+std::optional<LabContender> labContenderNamed(const QString &id);
+
+/// The fourteen of the quick study.
+std::vector<LabContender> quickContenders();
+/// Every method that draws triangles, in every arithmetic that it has, and the fast kernels.
+std::vector<LabContender> fullContenders();
+
+} // namespace pixelplumb

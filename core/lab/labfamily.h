@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/check/hardcase.h"
+#include "core/scene/scene.h"
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+namespace pixelplumb {
+
+/// How much a study takes on: 20 seconds or five minutes on two idle processors.
+enum class StudyExtent : std::uint8_t { Quick, Full };
+QString nameOf(StudyExtent extent); ///< "quick", "full"
+
+/// Triangles that are drawn one by one on one frame. In sample coordinates.
+struct LabPicture {
+    FrameSpec frame;
+    std::vector<Triangle> triangles;
+    QString name; ///< of a hard case; else empty
+};
+
+/// Triangles of one kind. Kinds are never averaged: they rank the methods differently.
+struct LabFamily {
+    QString id; ///< "ties"
+    QString title; ///< "Ties: lattice points on edges"
+    std::vector<LabPicture> pictures; ///< one, but of the hard cases
+    ScanSettings settings; ///< the rule and the rounding that are asked for
+    bool isMesh = false; ///< drawn under a rule that gives every sample one owner
+    bool isOnWholePixels = false; ///< all vertices
+    /// All triangles have an area and lie at least 2 px inside the frame, which begins at (0, 0),
+    /// so that straight loops, which clip nothing, may draw them.
+    bool staysInside = false;
+    std::vector<Triangle> motion = {}; ///< the same triangle from frame to frame; for flicker
+
+    std::size_t triangleCount() const;
+};
+
+/// A row of the table of families.
+struct LabFamilyInfo {
+    const char *id;
+    const char *title;
+    const char *stresses; ///< one sentence: what is hard about it
+};
+std::span<const LabFamilyInfo> labFamilies();
+const LabFamilyInfo *labFamilyNamed(const QString &id);
+
+/// What families are made of. The same request makes the same triangles on every machine.
+struct FamilyRequest {
+    std::uint64_t seed = 1;
+    StudyExtent extent = StudyExtent::Quick;
+    std::shared_ptr<const Scene> ownScene; ///< for the family own-scene; may be null
+    std::vector<HardCase> hardCases = {}; ///< for the family hard-cases
+};
+
+/// None where the request has nothing for it: no own scene, no hard cases.
+std::optional<LabFamily> makeFamily(const LabFamilyInfo &info, const FamilyRequest &request);
+
+} // namespace pixelplumb

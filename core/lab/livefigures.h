@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/measure/spread.h"
+#include "core/number/jobprogress.h"
+#include "core/scene/scene.h"
+
+#include <memory>
+#include <optional>
+
+namespace pixelplumb {
+
+/// What the scene in hand costs and gets wrong by its own method and arithmetic.
+struct LiveFigures {
+    std::int64_t pixels = 0; ///< of the true picture
+    std::optional<std::int64_t> wrongPixels; ///< of the finished picture
+    bool isProved = false; ///< that there are none
+    std::optional<Spread> perPixel; ///< ns, by the fastest way that the method has; none of nothing
+    int rounds = 0;
+
+    /// "0 wrong, proved · 1.1 ns/px", "68 wrong of a million · 1.7 ns/px"
+    QString text() const;
+
+    friend bool operator==(const LiveFigures &, const LiveFigures &) = default;
+};
+
+/// None where the listener ended it. Takes about a fifth of a second of small scenes; of large
+/// ones the truth is their exact twin (see ScenePicture).
+std::optional<LiveFigures> liveFiguresOf(const std::shared_ptr<const Scene> &scene,
+                                         const ProgressListener &listener = {});
+
+} // namespace pixelplumb

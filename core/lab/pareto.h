@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/study.h"
+
+namespace pixelplumb {
+
+/// What the error axis of a chart tells: a row of a table.
+struct ErrorAxis {
+    const char *id; ///< "wrong-pixels"
+    const char *title; ///< "wrong pixels per million"
+    const char *unit; ///< "ppm"
+    /// None where it was not measured.
+    std::optional<double> (*read)(const AccuracyFigures &figures);
+};
+/// Wrong pixels, wrong coverage, wrong bytes (ppm), the largest byte error, the largest and the RMS
+/// level error before rounding (levels), the farthest miss (px).
+std::span<const ErrorAxis> errorAxes();
+const ErrorAxis *errorAxisNamed(const QString &id);
+
+/// An error of 0 is not a point of a logarithmic axis; it has rows of its own.
+enum class ErrorClass : std::uint8_t {
+    Positive,
+    ZeroObserved, ///< over so many pixels
+    ZeroProved,
+};
+
+/// A contender on the chart.
+struct ParetoPoint {
+    QString contender;
+    QString label;
+    Spread cost; ///< ns a pixel
+    std::optional<double> timesReference; ///< of the seed's method, ×1
+    std::optional<Spread> straight; ///< ns a pixel: the hollow dot beside it
+    std::optional<double> missesStraight;
+    ErrorClass errorClass = ErrorClass::Positive;
+    double error = 0; ///< in the axis' unit
+    std::int64_t pixels = 0; ///< observed
+    bool isOnFrontier = false;
+};
+
+/// No other point is as cheap and as exact and better in one of the two. Proved is better than
+/// observed.
+bool dominates(const ParetoPoint &a, const ParetoPoint &b);
+
+/// A place on the staircase of the frontier.
+struct StaircaseCorner {
+    double cost = 0; ///< ns a pixel
+    ErrorClass errorClass = ErrorClass::Positive;
+    double error = 0;
+
+    friend bool operator==(const StaircaseCorner &, const StaircaseCorner &) = default;
+};
+
+struct ParetoChart {
+    QString family;
+    QString axis;
+    std::vector<ParetoPoint> points; ///< of the rows that have both
+    std::vector<std::size_t> frontier; ///< indices, from the cheapest to the dearest
+
+    /// Right from each point of the frontier, then down to the next.
+    std::vector<StaircaseCorner> staircase() const;
+};
+
+ParetoChart paretoOf(const Study &study, const QString &family, const ErrorAxis &axis);
+
+/// Marks the frontier of any points.
+std::vector<std::size_t> markFrontier(std::vector<ParetoPoint> &points);
+
+} // namespace pixelplumb

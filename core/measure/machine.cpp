@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/measure/machine.h"
+
+#include "core/fast/instructionset.h"
+
+#include <QDir>
+#include <QFile>
+#include <QSysInfo>
+
+#include <array>
+#include <cstdlib>
+#include <thread>
+
+namespace pixelplumb {
+
+namespace {
+
+/// More than this runs beside us before we begin: others share processors, caches and memory.
+constexpr double quietLoad = 0.5;
+
+QString contentOf(const QString &path)
+{
+    QFile file(path);
+    return file.open(QIODevice::ReadOnly) ? QString::fromLatin1(file.readAll()).trimmed()
+                                          : QString();
+}
+
+/// What stands behind "key:" in a file of lines "key : value"; empty without such a line.
+QString valueOf(const QString &path, const QString &key)
+{
+    const QStringList lines = contentOf(path).split(u'\n');
+    for (const QString &line : lines) {
+        const qsizetype colon = line.indexOf(u':');
+        if (colon > 0 && line.left(colon).trimmed() == key)
+            return line.mid(colon + 1).trimmed();
+    }
+    return {};
+}
+
+QStringList cachesOfFirstProcessor()
+{
+    const QString folder = QStringLiteral("/sys/devices/system/cpu/cpu0/cache/");
+    QStringList caches;
+    const QStringList entries = QDir(folder).entryList({QStringLiteral("index*")}, QDir::Dirs);
+    for (const QString &entry : entries) {
+        const QString place = folder + entry + u'/';
+        const QString type = contentOf(place + QStringLiteral("type"));
+        QString size = contentOf(place + QStringLiteral("size"));
+        if (size.endsWith(u'K'))
+            size = size.chopped(1) + QStringLiteral(" KiB");
+        caches.append(QStringLiteral("L%1%2 %3")
+                          .arg(contentOf(place + QStringLiteral("level")),
+                               type == QLatin1String("Data")              ? QStringLiteral("d")
+                                   : type == QLatin1String("Instruction") ? QStringLiteral("i")
+                                                                          : QString(),
+                               size));
+    }
+    return caches;
+}
+
+QString compilerName()
+{
+#ifdef __clang__
+    return QStringLiteral("clang %1.%2").arg(__clang_major__).arg(__clang_minor__);
+#else
+    return QStringLiteral("g++ %1.%2").arg(__GNUC__).arg(__GNUC_MINOR__);
+#endif
+}
+
+} // namespace
+
+MachineConditions thisMachine()
+{
+    MachineConditions machine;
+    machine.processor = valueOf(QStringLiteral("/proc/cpuinfo"), QStringLiteral("model name"));
+    machine.processors = int(std::thread::hardware_concurrency());
+    machine.caches = cachesOfFirstProcessor();
+    machine.governor
+        = contentOf(QStringLiteral("/sys/devices/system/cpu/cpu0/cpufreq/scaling_governor"));
+    machine.system
+        = QSysInfo::prettyProductName() + QStringLiteral(", kernel ") + QSysInfo::kernelVersion();
+    machine.compiler = compilerName();
+    machine.flags = QStringLiteral(PIXELPLUMB_COMPILER_FLAGS).simplified();
+    machine.buildType = QStringLiteral(PIXELPLUMB_BUILD_TYPE);
+    machine.sanitizers = QStringLiteral(PIXELPLUMB_SANITIZERS).split(u',', Qt::SkipEmptyParts);
+    const std::string_view set = nameOf(supportedInstructionSets().back());
+    machine.instructionSet = QString::fromLatin1(set.data(), qsizetype(set.size()));
+    machine.load = loadNow();
+    return machine;
+}
+
+QStringList warningsOf(const MachineConditions &conditions)
+{
+    QStringList warnings;
+    if (conditions.load > quietLoad) {
+        warnings << QStringLiteral("Other programs were running when this began (load average %1). "
+                                   "Trust the ratios, which are taken within a round, more than "
+                                   "the times, and nothing closer than 20 %.")
+                        .arg(conditions.load, 0, 'f', 2);
+    }
+    if (!conditions.governor.isEmpty() && conditions.governor != QLatin1String("performance")) {
+        warnings << QStringLiteral("The processor changes its clock by itself (governor %1).")
+                        .arg(conditions.governor);
+    }
+    if (conditions.buildType != QLatin1String("Release")) {
+        warnings << QStringLiteral("This is a %1 build: its times say nothing.")
+                        .arg(conditions.buildType);
+    } else if (!conditions.flags.contains(QLatin1String("-O2"))
+               && !conditions.flags.contains(QLatin1String("-O3"))) {
+        warnings << QStringLiteral("This build is hardly optimised (%1): its times say little.")
+                        .arg(conditions.flags);
+    }
+    if (!conditions.sanitizers.isEmpty()) {
+        warnings << QStringLiteral("This build has sanitizers (%1): its times say nothing.")
+                        .arg(conditions.sanitizers.join(QStringLiteral(", ")));
+    }
+    return warnings;
+}
+
+QString summaryOf(const MachineConditions &conditions)
+{
+    return QStringLiteral("%1, %2 processors, %3 %4, %5, %6")
+        .arg(conditions.processor)
+        .arg(conditions.processors)
+        .arg(conditions.compiler, conditions.flags, conditions.buildType,
+             conditions.instructionSet);
+}
+
+double loadNow()
+{
+    std::array<double, 1> load = {};
+    return getloadavg(load.data(), 1) == 1 ? load[0] : 0;
+}
+
+} // namespace pixelplumb
