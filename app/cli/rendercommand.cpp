@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/output.h"
+#include "app/cli/progress.h"
 #include "app/cli/rejectionreport.h"
 #include "app/cli/sceneoptions.h"
+#include "app/cli/suggestion.h"
 #include "core/frame/framebuffer.h"
+#include "core/lab/costorder.h"
 #include "core/runs/tracedscene.h"
 #include "core/scene/asciiraster.h"
 
@@ -22,6 +25,11 @@ const QStringList &pictureFormats()
     return formats;
 }
 
+QStringList accuracyNames()
+{
+    return {QStringLiteral("exact"), QStringLiteral("1-level"), QStringLiteral("10-ppm")};
+}
+
 std::optional<InputError> writePicture(const Scene &scene, Output &output, const QString &format)
 {
     const FrameBuffer frame(scene.frame);
@@ -34,12 +42,34 @@ std::optional<InputError> writePicture(const Scene &scene, Output &output, const
     return output.finish();
 }
 
+/// The scene drawn by the first of the published order of cost that meets the budget.
+Result<Scene> withinBudget(const Scene &scene, const QString &word)
+{
+    const QString place = QStringLiteral("--accuracy");
+    const auto budget = budgetNamed(word.toStdString());
+    if (!budget || *budget == Budget::SixteenMilliseconds)
+        return unknownName(place, QStringLiteral("accuracy"), word, accuracyNames());
+    if (!scene.shapes.empty())
+        return InputError{place, QStringLiteral("the scene has other primitives than triangles"),
+                          QStringLiteral("triangles alone")};
+    Progress progress;
+    const auto choice = firstInOrder(*budget, scene, progress.listener());
+    if (!choice->contender)
+        return InputError{place, choice->reason, {}};
+    sayLine(QStringLiteral("%1: %2, %3").arg(word, choice->contender->id, choice->reason));
+    Scene drawn = scene;
+    drawn.method = choice->contender->method->id.toStdString();
+    drawn.settings = choice->settings;
+    return drawn;
+}
+
 } // namespace
 
 ExitCode render(const Command &command, const QStringList &arguments)
 {
     const QString outputOption = QStringLiteral("output");
     const QString asciiOption = QStringLiteral("ascii");
+    const QString accuracyOption = QStringLiteral("accuracy");
     CommandLine line(command, {scenePositional()});
     line.addOption(
         {{QStringLiteral("o"), outputOption},
@@ -49,6 +79,11 @@ ExitCode render(const Command &command, const QStringList &arguments)
     line.addOption(
         {asciiOption,
          QStringLiteral("Print the raster: # for each pixel that is written, . for others.")});
+    line.addOption({accuracyOption,
+                    QStringLiteral("Draw by the cheapest way that is accurate enough, in the "
+                                   "order that the manual prints: exact, 1-level, 10-ppm. In "
+                                   "place of --method and --arithmetic."),
+                    QStringLiteral("budget")});
     addSettingOptions(line);
     if (const auto ended = line.parse(arguments))
         return *ended;
@@ -71,7 +106,14 @@ ExitCode render(const Command &command, const QStringList &arguments)
             + pictureFormats().join(QStringLiteral(", .")));
     }
 
-    const Result<Scene> scene = readScene(line);
+    if (line.isSet(accuracyOption)
+        && (line.isSet(QStringLiteral("method")) || line.isSet(QStringLiteral("arithmetic"))))
+        return line.refuse(
+            QStringLiteral("--accuracy chooses method and arithmetic itself; expected it alone"));
+
+    Result<Scene> scene = readScene(line);
+    if (scene && line.isSet(accuracyOption))
+        scene = withinBudget(*scene, line.value(accuracyOption));
     if (!scene)
         return line.refuse(scene.error());
     reportRejections(line.argument(0) + QStringLiteral(", ") + scene->method.c_str(),

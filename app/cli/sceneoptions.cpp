@@ -121,9 +121,8 @@ Result<FillRule> chosenFillRule(const CommandLine &line, FillRule unset)
     return chosen(line, fillRuleOption, allFillRules, unset);
 }
 
-Result<Scene> readScene(const CommandLine &line)
+Result<Scene> readSceneAt(const QString &path)
 {
-    const QString path = line.argument(0);
     const Result<QByteArray> text = readInput(path);
     if (!text)
         return text.error();
@@ -134,8 +133,16 @@ Result<Scene> readScene(const CommandLine &line)
         return error;
     }
     reportSnaps(path, reading->snaps);
+    return reading->scene;
+}
 
-    Scene scene = reading->scene;
+Result<Scene> readScene(const CommandLine &line)
+{
+    const QString path = line.argument(0);
+    const Result<Scene> asWritten = readSceneAt(path);
+    if (!asWritten)
+        return asWritten.error();
+    Scene scene = *asWritten;
     const auto method = chosenMethod(line, QString::fromStdString(scene.method));
     const auto arithmetic = chosenArithmetic(line, scene.settings.arithmetic);
     const auto fillRule = chosenFillRule(line, scene.settings.fillRule);

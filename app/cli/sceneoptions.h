@@ -13,6 +13,10 @@ Positional scenePositional();
 /// --method, --arithmetic, --fill-rule and --rounding, which take the place of what the scene says.
 void addSettingOptions(CommandLine &line);
 
+/// The scene of a file ("-" is stdin) as it is. Vertices that had to be snapped are reported on
+/// stderr.
+Result<Scene> readSceneAt(const QString &path);
+
 /// The scene that the first positional argument names ("-" is stdin), under the options' settings.
 /// Vertices that had to be snapped are reported on stderr.
 Result<Scene> readScene(const CommandLine &line);

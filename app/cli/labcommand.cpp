@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands.h"
+#include "app/cli/input.h"
+#include "app/cli/labreport.h"
+#include "app/cli/output.h"
+#include "app/cli/progress.h"
+#include "app/cli/sceneoptions.h"
+#include "app/cli/suggestion.h"
+#include "core/lab/budget.h"
+#include "core/lab/labcomparison.h"
+#include "core/lab/labfile.h"
+#include "core/scan/choicenames.h"
+
+#include <QElapsedTimer>
+#include <QFile>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+const QString quickOption = QStringLiteral("quick");
+const QString fullOption = QStringLiteral("full");
+const QString seedOption = QStringLiteral("seed");
+const QString familyOption = QStringLiteral("family");
+const QString contenderOption = QStringLiteral("contender");
+const QString budgetOption = QStringLiteral("budget");
+const QString formatOption = QStringLiteral("format");
+const QString outputOption = QStringLiteral("output");
+const QString compareOption = QStringLiteral("compare");
+
+enum class LabFormat { Text, Csv, Json };
+
+Result<LabFormat> chosenFormat(const CommandLine &line)
+{
+    const QString word = line.value(formatOption);
+    const QStringList names
+        = {QStringLiteral("text"), QStringLiteral("csv"), QStringLiteral("json")};
+    const qsizetype index = names.indexOf(word);
+    if (index < 0)
+        return unknownName(QStringLiteral("--format"), QStringLiteral("format"), word, names);
+    return LabFormat(index);
+}
+
+Result<QStringList> chosenFamilies(const CommandLine &line)
+{
+    QStringList known;
+    for (const LabFamilyInfo &info : labFamilies())
+        known << QString::fromLatin1(info.id);
+    const QStringList families = line.value(familyOption).split(u',', Qt::SkipEmptyParts);
+    for (const QString &family : families) {
+        if (!known.contains(family))
+            return unknownName(QStringLiteral("--family"), QStringLiteral("family"), family, known);
+    }
+    return families;
+}
+
+Result<std::vector<LabContender>> chosenContenders(const CommandLine &line)
+{
+    std::vector<LabContender> contenders;
+    for (const QString &id : line.value(contenderOption).split(u',', Qt::SkipEmptyParts)) {
+        const auto contender = labContenderNamed(id);
+        if (!contender) {
+            QStringList known;
+            for (const LabContender &each : fullContenders())
+                known << each.id;
+            return unknownName(QStringLiteral("--contender"), QStringLiteral("contender"), id,
+                               known);
+        }
+        contenders.push_back(*contender);
+    }
+    return contenders;
+}
+
+Result<std::optional<Budget>> chosenBudget(const CommandLine &line)
+{
+    if (!line.isSet(budgetOption))
+        return std::optional<Budget>();
+    const QString word = line.value(budgetOption);
+    const auto budget = budgetNamed(word.toStdString());
+    if (!budget)
+        return unknownName(QStringLiteral("--budget"), QStringLiteral("budget"), word,
+                           namesOf(allBudgets));
+    return budget;
+}
+
+Result<std::uint64_t> chosenSeed(const CommandLine &line)
+{
+    bool isNumber = false;
+    const qulonglong seed = line.value(seedOption).toULongLong(&isNumber);
+    if (!isNumber)
+        return InputError{QStringLiteral("--seed"),
+                          QStringLiteral("“%1” is no whole number").arg(line.value(seedOption)),
+                          QStringLiteral("0 or more")};
+    return std::uint64_t(seed);
+}
+
+Result<std::vector<HardCase>> builtInCases()
+{
+    QFile file(QStringLiteral(":/cases/hard_cases.json"));
+    if (!file.open(QIODevice::ReadOnly))
+        return std::vector<HardCase>();
+    return readHardCases(file.readAll());
+}
+
+Result<StudySettings> settingsFrom(const CommandLine &line)
+{
+    StudySettings settings;
+    if (line.isSet(quickOption) && line.isSet(fullOption))
+        return InputError{{}, QStringLiteral("--quick and --full"), QStringLiteral("one of them")};
+    settings.extent = line.isSet(fullOption) ? StudyExtent::Full : StudyExtent::Quick;
+    const auto families = chosenFamilies(line);
+    if (!families)
+        return families.error();
+    settings.families = *families;
+    const auto contenders = chosenContenders(line);
+    if (!contenders)
+        return contenders.error();
+    settings.contenders = *contenders;
+    const auto seed = chosenSeed(line);
+    if (!seed)
+        return seed.error();
+    settings.seed = *seed;
+    const auto cases = builtInCases();
+    if (!cases)
+        return cases.error();
+    settings.hardCases = *cases;
+    settings.ownSceneName = line.argument(0);
+    if (!settings.ownSceneName.isEmpty()) {
+        const auto scene = readSceneAt(settings.ownSceneName);
+        if (!scene)
+            return scene.error();
+        settings.ownScene = std::make_shared<const Scene>(*scene);
+    }
+    return settings;
+}
+
+/// "judging: 40 %, about 6 s left"; both halves of a study take about as long.
+class StudyProgress {
+public:
+    StudyProgress() { m_clock.start(); }
+
+    ProgressListener listener()
+    {
+        return [this](const JobProgress &progress) {
+            const double within
+                = progress.total == 0 ? 0 : double(progress.done) / double(progress.total);
+            const double done = (within + (progress.phase == JobPhase::Measuring ? 1 : 0)) / 2;
+            QString text
+                = nameText(nameOf(progress.phase)) + QStringLiteral(": %1 %").arg(int(100 * done));
+            if (done > 0.05) {
+                const double left = double(m_clock.elapsed()) * (1 - done) / done / 1000;
+                text += QStringLiteral(", about %1 s left").arg(int(left) + 1);
+            }
+            m_progress.show(text);
+            return true;
+        };
+    }
+
+private:
+    Progress m_progress;
+    QElapsedTimer m_clock;
+};
+
+Result<Study> readStudyAt(const QString &path)
+{
+    const Result<QByteArray> text = readInput(path);
+    if (!text)
+        return text.error();
+    Result<Study> study = readStudy(*text);
+    if (study)
+        return study;
+    InputError error = study.error();
+    error.place.prepend(error.place.isEmpty() ? path : path + QStringLiteral(", "));
+    return error;
+}
+
+ExitCode compareFiles(const CommandLine &line)
+{
+    if (line.argument(0).isEmpty())
+        return line.refuse(
+            QStringLiteral("--compare: the second file is missing; expected BEFORE.json "
+                           "AFTER.json"));
+    const Result<Study> before = readStudyAt(line.value(compareOption));
+    if (!before)
+        return line.refuse(before.error());
+    const Result<Study> after = readStudyAt(line.argument(0));
+    if (!after)
+        return line.refuse(after.error());
+    const LabComparison comparison = compareStudies(*before, *after);
+    for (const QString &each : textOf(comparison))
+        printLine(each);
+    return comparison.count(LabChange::Slower) > 0 ? ExitCode::FallsShort : ExitCode::Done;
+}
+
+QByteArray bytesOf(const Study &study, LabFormat format)
+{
+    switch (format) {
+    case LabFormat::Text:
+        return textOf(study).join(u'\n').toUtf8() + '\n';
+    case LabFormat::Csv:
+        return csvOf(study);
+    case LabFormat::Json:
+        return writeStudy(study);
+    }
+    return {};
+}
+
+void addOptions(CommandLine &line)
+{
+    line.addOption({quickOption,
+                    QStringLiteral("Fourteen contenders within 20 seconds; this if "
+                                   "left out.")});
+    line.addOption({fullOption,
+                    QStringLiteral("Every method in every arithmetic, within five "
+                                   "minutes.")});
+    line.addOption({seedOption, QStringLiteral("Of the random triangles; 1 if left out."),
+                    QStringLiteral("number"), QStringLiteral("1")});
+    line.addOption(
+        {familyOption, QStringLiteral("These families alone: a,b."), QStringLiteral("names")});
+    line.addOption({contenderOption,
+                    QStringLiteral("These alone: column-scan:float32,column-scan:exact:fast."),
+                    QStringLiteral("ids")});
+    line.addOption({budgetOption,
+                    QStringLiteral("Name the cheapest that meets it on the scene, or on random "
+                                   "triangles: exact, 1-level, 10-ppm, 16-ms."),
+                    QStringLiteral("budget")});
+    line.addOption({formatOption, QStringLiteral("text, csv or json; text if left out."),
+                    QStringLiteral("format"), QStringLiteral("text")});
+    line.addOption({{QStringLiteral("o"), outputOption},
+                    QStringLiteral("Write to a file; - is standard output."),
+                    QStringLiteral("file"),
+                    QStringLiteral("-")});
+    line.addOption({compareOption,
+                    QStringLiteral("Measure nothing: compare this study's JSON with a later one's, "
+                                   "which stands in SCENE's place."),
+                    QStringLiteral("before.json")});
+}
+
+} // namespace
+
+ExitCode lab(const Command &command, const QStringList &arguments)
+{
+    Positional scene = scenePositional();
+    scene.presence = Positional::Presence::Optional;
+    CommandLine line(command, {scene});
+    addOptions(line);
+    if (const auto ended = line.parse(arguments))
+        return *ended;
+    if (line.isSet(compareOption))
+        return compareFiles(line);
+    const Result<LabFormat> format = chosenFormat(line);
+    if (!format)
+        return line.refuse(format.error());
+    const auto budget = chosenBudget(line);
+    if (!budget)
+        return line.refuse(budget.error());
+    const Result<StudySettings> settings = settingsFrom(line);
+    if (!settings)
+        return line.refuse(settings.error());
+    Output output(line.value(outputOption), line.argument(0));
+    if (const auto error = output.open())
+        return line.refuse(*error);
+
+    StudyProgress progress;
+    StudyListener listener;
+    listener.progress = progress.listener();
+    const Study study = runStudy(*settings, listener);
+    output.device().write(bytesOf(study, *format));
+    if (const auto error = output.finish())
+        return line.refuse(*error);
+    if (!*budget)
+        return ExitCode::Done;
+    const QString family
+        = settings->ownScene ? QStringLiteral("own-scene") : QStringLiteral("random-integer");
+    const BudgetAnswer answer = cheapestFor(**budget, study, family);
+    sayLine(QStringLiteral("%1 on %2: %3").arg(textOf(**budget), family, answer.reason));
+    return answer.ground == BudgetGround::Nobody ? ExitCode::FallsShort : ExitCode::Done;
+}
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/labreport.h"
+
+#include "core/lab/pareto.h"
+
+#include <algorithm>
+#include <array>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+using Line = std::vector<QString>;
+
+/// Columns of equal width; the first is a word, the others are numbers, the last a remark.
+QStringList aligned(const std::vector<Line> &lines)
+{
+    std::vector<qsizetype> widths(lines.front().size(), 0);
+    for (const Line &line : lines) {
+        for (std::size_t i = 0; i < line.size(); ++i)
+            widths[i] = std::max(widths[i], line[i].size());
+    }
+    QStringList texts;
+    for (const Line &line : lines) {
+        QString text;
+        for (std::size_t i = 0; i < line.size(); ++i) {
+            const bool isWord = i == 0 || i + 1 == line.size();
+            text += isWord ? line[i].leftJustified(widths[i]) : line[i].rightJustified(widths[i]);
+            text += QStringLiteral("  ");
+        }
+        texts << text.trimmed();
+    }
+    return texts;
+}
+
+/// Nothing where nothing was measured: 0.000 is a figure.
+QString number(const std::optional<double> &value, int digits)
+{
+    return value ? QString::number(*value, 'f', digits) : QString();
+}
+
+QString shortNumber(const std::optional<double> &value)
+{
+    return value ? QString::number(*value, 'g', 3) : QString();
+}
+
+QString wrongText(const AccuracyFigures &figures, bool isProved)
+{
+    if (figures.wrongPixels() > 0)
+        return number(figures.wrongPerMillion(), 2);
+    return isProved ? QStringLiteral("0 proved") : QStringLiteral("0 seen");
+}
+
+QString shareText(std::int64_t count, std::int64_t of)
+{
+    return number(of == 0 ? std::nullopt : std::optional(100 * double(count) / double(of)), 1);
+}
+
+QString remarkOf(const LabRow &row)
+{
+    QStringList remarks;
+    if (row.outcome != LabOutcome::Measured)
+        remarks << nameOf(row.outcome);
+    if (!row.remark.isEmpty())
+        remarks << row.remark;
+    if (const auto times = row.missesStraight())
+        remarks << QStringLiteral("misses 1.3 of its straight loop: %1").arg(*times, 0, 'f', 2);
+    return remarks.join(QStringLiteral(": "));
+}
+
+Line lineOf(const Study &study, const LabRow &row)
+{
+    const StudyContender &contender = *study.contender(row.contender);
+    const LabRow *reference = study.row(QLatin1String(referenceContenderId), row.family);
+    const auto perPixel = study.perPixel(row);
+    std::optional<double> timesReference;
+    if (perPixel && reference && study.perPixel(*reference))
+        timesReference = *perPixel / *study.perPixel(*reference);
+    Line line = {row.contender};
+    line.push_back(number(perPixel, 2));
+    line.push_back(number(timesReference, 2));
+    line.push_back(number(row.cost && row.cost->timesStraight
+                              ? std::optional(row.cost->timesStraight->median)
+                              : std::nullopt,
+                          2));
+    if (const auto &figures = row.accuracy) {
+        line.push_back(wrongText(*figures, contender.isProved));
+        line.push_back(shareText(figures->wrongTriangles, figures->triangles));
+        line.push_back(QString::number(figures->missing));
+        line.push_back(QString::number(figures->extra));
+        line.push_back(QString::number(figures->tiesMissing + figures->tiesExtra));
+        line.push_back(shortNumber(std::max(figures->farthestMissing, figures->farthestExtra)));
+        line.push_back(QString::number(figures->wrongBytes));
+        line.push_back(QString::number(figures->largestByteError));
+        line.push_back(
+            shortNumber(figures->levels ? std::optional(figures->levels->largest) : std::nullopt));
+    } else {
+        line.resize(line.size() + 9);
+    }
+    line.push_back(remarkOf(row));
+    return line;
+}
+
+QStringList familyText(const Study &study, const StudyFamily &family)
+{
+    std::vector<Line> lines
+        = {{QStringLiteral("contender"), QStringLiteral("ns/px"), QStringLiteral("× seed"),
+            QStringLiteral("× straight"), QStringLiteral("wrong ppm"),
+            QStringLiteral("% triangles"), QStringLiteral("missing"), QStringLiteral("extra"),
+            QStringLiteral("ties"), QStringLiteral("farthest px"), QStringLiteral("bytes"),
+            QStringLiteral("by levels"), QStringLiteral("before rounding"), QString()}};
+    for (const LabRow &row : study.rows) {
+        if (row.family == family.id)
+            lines.push_back(lineOf(study, row));
+    }
+    QStringList text = {QString(), QStringLiteral("%1: %2").arg(family.title, family.stresses)};
+    text += QStringLiteral("%1 triangles; timed %2 of them, %3 pixels, %4 bytes of cache lines")
+                .arg(family.triangles)
+                .arg(family.timedTriangles)
+                .arg(family.timedPixels)
+                .arg(family.timedBytes);
+    return text + aligned(lines);
+}
+
+QStringList fitText(const Study &study)
+{
+    std::vector<Line> lines = {{QStringLiteral("contender"), QStringLiteral("ns a triangle"),
+                                QStringLiteral("a column"), QStringLiteral("a pixel"),
+                                QStringLiteral("off by %"), QString()}};
+    for (const StudyContender &contender : study.contenders) {
+        if (const auto &fit = contender.fit) {
+            lines.push_back({contender.id, number(fit->perTriangle, 1), number(fit->perColumn, 2),
+                             number(fit->perPixel, 2), number(100 * fit->residual, 0), QString()});
+        }
+    }
+    if (lines.size() == 1)
+        return {};
+    return QStringList{QString(), QStringLiteral("What set-up, columns and pixels take")}
+    + aligned(lines);
+}
+
+} // namespace
+
+QStringList textOf(const Study &study)
+{
+    QStringList text = {summaryOf(study.conditions)};
+    for (const QString &warning : warningsOf(study))
+        text << QStringLiteral("! ") + warning;
+    for (const StudyFamily &family : study.families)
+        text += familyText(study, family);
+    text += fitText(study);
+    text << QString() << QStringLiteral("again: ") + study.command;
+    return text;
+}
+
+} // namespace pixelplumb::cli

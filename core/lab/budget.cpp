@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/budget.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr double frameNanoseconds = 16e6;
+constexpr double affordedPerMillion = 10;
+
+/// A row that has figures and a time.
+struct Offer {
+    const StudyContender *contender = nullptr;
+    const LabRow *row = nullptr;
+    double perPixel = 0;
+
+    /// A proof of everything.
+    bool isProved() const { return contender->isProved; }
+};
+
+std::vector<Offer> offersOf(const Study &study, const QString &family)
+{
+    std::vector<Offer> offers;
+    for (const StudyContender &contender : study.contenders) {
+        const LabRow *row = study.row(contender.id, family);
+        if (!row || !row->accuracy)
+            continue;
+        if (const auto perPixel = study.perPixel(*row))
+            offers.push_back({&contender, row, *perPixel});
+    }
+    return offers;
+}
+
+QString costText(double perPixel)
+{
+    return QStringLiteral("%1 ns a pixel").arg(perPixel, 0, 'f', 2);
+}
+
+QString observation(const Offer &offer)
+{
+    const AccuracyFigures &figures = *offer.row->accuracy;
+    return QStringLiteral("measured: %1 wrong of %2 pixels, bytes off by %3 at most")
+        .arg(figures.wrongPixels())
+        .arg(figures.pixels)
+        .arg(figures.largestByteError);
+}
+
+BudgetAnswer answerFor(Budget budget, const Offer &offer)
+{
+    BudgetAnswer answer;
+    answer.budget = budget;
+    answer.ground = offer.isProved() ? BudgetGround::Proof : BudgetGround::Measurement;
+    answer.contender = offer.contender->id;
+    answer.nanosecondsPerPixel = offer.perPixel;
+    answer.reason
+        = QStringLiteral("%1, %2; %3")
+              .arg(offer.contender->label, costText(offer.perPixel),
+                   offer.isProved() ? QStringLiteral("proved for ") + offer.contender->domain
+                                    : observation(offer));
+    return answer;
+}
+
+} // namespace
+
+std::string_view nameOf(Budget budget)
+{
+    switch (budget) {
+    case Budget::Exact:
+        return "exact";
+    case Budget::OneLevel:
+        return "1-level";
+    case Budget::TenPerMillion:
+        return "10-ppm";
+    case Budget::SixteenMilliseconds:
+        return "16-ms";
+    }
+    return {};
+}
+
+std::optional<Budget> budgetNamed(std::string_view name)
+{
+    for (const Budget budget : allBudgets) {
+        if (nameOf(budget) == name)
+            return budget;
+    }
+    return std::nullopt;
+}
+
+QString textOf(Budget budget)
+{
+    switch (budget) {
+    case Budget::Exact:
+        return QStringLiteral("exact");
+    case Budget::OneLevel:
+        return QStringLiteral("at most one level");
+    case Budget::TenPerMillion:
+        return QStringLiteral("at most 10 wrong pixels per million");
+    case Budget::SixteenMilliseconds:
+        return QStringLiteral("16 ms a frame");
+    }
+    return {};
+}
+
+bool meets(Budget budget, const AccuracyFigures &figures)
+{
+    switch (budget) {
+    case Budget::Exact:
+        return figures.wrongPixels() == 0;
+    case Budget::OneLevel:
+        return figures.wrongCoverage() == 0 && figures.largestByteError <= 1;
+    case Budget::TenPerMillion:
+        return figures.wrongPerMillion() <= affordedPerMillion;
+    case Budget::SixteenMilliseconds:
+        return true;
+    }
+    return false;
+}
+
+BudgetAnswer cheapestFor(Budget budget, const Study &study, const QString &family)
+{
+    std::vector<Offer> offers = offersOf(study, family);
+    const StudyFamily *drawn = study.family(family);
+    if (budget == Budget::SixteenMilliseconds) {
+        // The timed part is drawn in so long; the whole takes in proportion.
+        std::erase_if(offers, [&](const Offer &offer) {
+            const double whole = offer.row->cost->perDraw.median * double(drawn->triangles)
+                / double(drawn->timedTriangles);
+            return whole > frameNanoseconds;
+        });
+        std::ranges::stable_sort(offers, [](const Offer &a, const Offer &b) {
+            const std::int64_t wrongA = a.row->accuracy->wrongPixels();
+            const std::int64_t wrongB = b.row->accuracy->wrongPixels();
+            if (wrongA != wrongB)
+                return wrongA < wrongB;
+            return a.perPixel < b.perPixel;
+        });
+    } else {
+        std::erase_if(offers,
+                      [&](const Offer &offer) { return !meets(budget, *offer.row->accuracy); });
+        std::ranges::stable_sort(offers, {}, &Offer::perPixel);
+        // That nothing was found wrong is not exact; where there is a proof, only that counts.
+        if (budget == Budget::Exact) {
+            std::ranges::stable_sort(offers, [](const Offer &a, const Offer &b) {
+                return a.isProved() && !b.isProved();
+            });
+        }
+    }
+    if (!offers.empty())
+        return answerFor(budget, offers.front());
+    BudgetAnswer nobody;
+    nobody.budget = budget;
+    nobody.reason = QStringLiteral("no contender that was timed meets “%1”").arg(textOf(budget));
+    return nobody;
+}
+
+} // namespace pixelplumb

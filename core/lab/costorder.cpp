@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/costorder.h"
+
+#include "core/frame/writtenframe.h"
+#include "core/oracle/oracle.h"
+
+#include <algorithm>
+#include <cstdlib>
+
+namespace pixelplumb {
+
+namespace {
+
+/// ns a pixel of the family random-integer; see the man page.
+constexpr CostOrderEntry order[] = {
+    {"column-scan:exact:fast", 0.3},   {"column-scan:fixed16.16", 1.0},
+    {"column-scan:float32", 1.5},      {"column-scan:float64", 1.6},
+    {"column-scan-bias:float64", 1.7}, {"column-scan:fixed32.32", 1.8},
+    {"row-walk:exact", 3.0},
+};
+
+/// What is wrong of a finished picture.
+AccuracyFigures figuresOf(const WrittenFrame &drawn, const WrittenFrame &truth)
+{
+    AccuracyFigures figures;
+    const FrameView a = drawn.view(), b = truth.view();
+    for (std::int64_t y = a.firstRow; y < a.endRow(); ++y) {
+        for (std::int64_t x = a.firstColumn; x < a.endColumn(); ++x) {
+            const QRgb used = *a.at(x, y), wanted = *b.at(x, y);
+            figures.pixels += wanted != 0 ? 1 : 0;
+            if (used == wanted)
+                continue;
+            if (used == 0) {
+                ++figures.missing;
+            } else if (wanted == 0) {
+                ++figures.extra;
+            } else {
+                ++figures.wrongBytes;
+                const int off = std::max({std::abs(qRed(used) - qRed(wanted)),
+                                          std::abs(qGreen(used) - qGreen(wanted)),
+                                          std::abs(qBlue(used) - qBlue(wanted))});
+                figures.largestByteError = std::max(figures.largestByteError, off);
+            }
+        }
+    }
+    return figures;
+}
+
+const std::vector<LabContender> &orderedContenders()
+{
+    static const std::vector<LabContender> contenders = [] {
+        std::vector<LabContender> found;
+        for (const CostOrderEntry &entry : order)
+            found.push_back(*labContenderNamed(QString::fromLatin1(entry.contender)));
+        return found;
+    }();
+    return contenders;
+}
+
+} // namespace
+
+std::span<const CostOrderEntry> costOrder() { return order; }
+
+std::optional<CostOrderChoice> firstInOrder(Budget budget, const Scene &scene,
+                                            const ProgressListener &listener)
+{
+    const Primitives primitives{primitivesOnSamples(scene).triangles, {}};
+    std::optional<WrittenFrame> truth;
+    std::int64_t done = 0;
+    const auto all = std::int64_t(orderedContenders().size());
+    for (const LabContender &contender : orderedContenders()) {
+        if (!goesOn(listener, {JobPhase::Judging, done++, all}))
+            return std::nullopt;
+        ScanSettings settings = scene.settings;
+        settings.arithmetic = contender.arithmetic;
+        if (!contender.method->refusal(settings).isEmpty())
+            continue;
+        if (contender.isProved()) {
+            return CostOrderChoice{&contender, BudgetGround::Proof,
+                                   QStringLiteral("proved for ") + contender.domain(), settings};
+        }
+        if (budget == Budget::Exact)
+            continue;
+        if (!truth) {
+            truth.emplace(scene.frame);
+            for (const Triangle &triangle : primitives.triangles) {
+                oracle::draw(triangle, boundaryRuleOf(scene), settings.rounding, truth->view());
+                if (!goesOn(listener, {JobPhase::Judging, done, all}))
+                    return std::nullopt;
+            }
+        }
+        const WrittenFrame drawn(scene.frame);
+        contender.draw(primitives, settings, drawn.view());
+        const AccuracyFigures figures = figuresOf(drawn, *truth);
+        if (!meets(budget, figures))
+            continue;
+        return CostOrderChoice{
+            &contender, BudgetGround::Measurement,
+            QStringLiteral("measured on this scene: %1 wrong of %2 pixels, bytes off by %3 at most")
+                .arg(figures.wrongPixels())
+                .arg(figures.pixels)
+                .arg(figures.largestByteError),
+            settings};
+    }
+    return CostOrderChoice{nullptr, BudgetGround::Nobody,
+                           QStringLiteral("no method of the order keeps the scene's fill rule "
+                                          "and meets “%1”")
+                               .arg(textOf(budget)),
+                           scene.settings};
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/triangle.h"
+#include "core/number/commonfraction.h"
+#include "core/number/fixedpoint.h"
+#include "core/number/mixednumber.h"
+#include "core/scan/biasnumber.h"
+
+#include <cmath>
+#include <concepts>
+
+/// How far a number that a kernel holds is from the exact level.
+namespace pixelplumb {
+
+/// whole + remainder / denominator, 0 <= remainder < denominator.
+struct ExactLevel {
+    Int128 whole = 0;
+    Int128 remainder = 0;
+    Int128 denominator = 1;
+
+    double fraction() const { return double(remainder) / double(denominator); }
+};
+
+/// The exact levels of a triangle's plane; the triangle must have an area.
+class ExactLevels {
+public:
+    explicit ExactLevels(const Triangle &triangle)
+        : m_origin(triangle.vertices[0])
+    {
+        const auto &[p, q, r] = triangle.vertices;
+        const Int128 x1 = q.position.x - p.position.x, y1 = q.position.y - p.position.y;
+        const Int128 x2 = r.position.x - p.position.x, y2 = r.position.y - p.position.y;
+        m_area = x1 * y2 - x2 * y1;
+        const Int128 sign = m_area < 0 ? -1 : 1;
+        m_area *= sign;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Int128 c1 = q.colour.channels[i] - p.colour.channels[i];
+            const Int128 c2 = r.colour.channels[i] - p.colour.channels[i];
+            m_perX[i] = sign * (c1 * y2 - c2 * y1);
+            m_perY[i] = sign * (c2 * x1 - c1 * x2);
+        }
+    }
+
+    /// At a sample, px; inside and outside.
+    ExactLevel at(std::size_t channel, std::int64_t x, std::int64_t y) const
+    {
+        const LatticePoint sample = latticePixel(x, y);
+        const Int128 sum = m_origin.colour.channels[channel] * m_area
+            + m_perX[channel] * (sample.x - m_origin.position.x)
+            + m_perY[channel] * (sample.y - m_origin.position.y);
+        const Int128 whole = floorDivide<Int128>(sum, m_area);
+        return {whole, sum - whole * m_area, m_area};
+    }
+
+private:
+    Vertex m_origin;
+    Int128 m_area = 0; ///< doubled, square lattice units
+    std::array<Int128, 3> m_perX = {}; ///< of the level times the area, for each lattice unit
+    std::array<Int128, 3> m_perY = {};
+};
+
+/// used − exact, levels. The difference of the wholes is taken first, so that the error of a
+/// number near the level is told to some 10^-16.
+template <std::floating_point Float>
+double levelError(const ExactLevel &exact, Float used)
+{
+    return (double(used) - double(exact.whole)) - exact.fraction();
+}
+
+template <class Raw, class Product, int FractionBits>
+double levelError(const ExactLevel &exact, FixedPoint<Raw, Product, FractionBits> used)
+{
+    return levelError(exact, std::ldexp(double(used.raw()), -FractionBits));
+}
+
+/// Of a fraction: 0 where they are equal, and nowhere else.
+inline double levelError(const ExactLevel &exact, Int128 whole, Int128 remainder,
+                         Int128 denominator)
+{
+    constexpr Int128 factorsFit = Int128(1) << 63;
+    if (exact.denominator >= factorsFit || denominator >= factorsFit)
+        return double(whole - exact.whole)
+            + (double(remainder) / double(denominator) - exact.fraction());
+    const Int128 crossed = remainder * exact.denominator - exact.remainder * denominator;
+    return double(whole - exact.whole)
+        + double(crossed) / (double(denominator) * double(exact.denominator));
+}
+
+template <class Integer>
+double levelError(const ExactLevel &exact, const MixedNumber<Integer> &used)
+{
+    return levelError(exact, Int128(used.whole), Int128(used.remainder), Int128(used.denominator));
+}
+
+template <class Integer>
+double levelError(const ExactLevel &exact, const FractionOf<Integer> &used)
+{
+    const auto whole = Int128(used.floor());
+    return levelError(exact, whole, Int128(used.numerator) - whole * Int128(used.denominator),
+                      Int128(used.denominator));
+}
+
+inline double levelError(const ExactLevel &exact, const BiasNumber &used)
+{
+    return levelError(exact, used.value());
+}
+
+inline double levelError(const ExactLevel &exact, const BiasOrExactNumber &used)
+{
+    return used.isExact ? levelError(exact, used.exact) : levelError(exact, used.biased);
+}
+
+} // namespace pixelplumb

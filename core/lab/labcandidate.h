@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/familyaccuracy.h"
+#include "core/lab/levelprobe.h"
+#include "core/lab/meshcover.h"
+#include "core/lab/picturejudge.h"
+
+#include <map>
+
+namespace pixelplumb {
+
+/// Triangles of one picture, with their true pictures under each rule that somebody claims.
+struct LabChunk {
+    const LabPicture *picture = nullptr;
+    std::vector<std::map<FillRule, TruePicture>> truths;
+};
+
+/// One contender on its way through a family.
+class LabCandidate {
+public:
+    LabCandidate(const LabContender &contender, const LabFamily &family,
+                 const AccuracyOptions &options);
+
+    const FamilyVerdict &verdict() const { return m_verdict; }
+    const ScanSettings &settings() const { return m_verdict.settings; }
+    bool isRunning() const { return m_verdict.outcome == LabOutcome::Pending; }
+
+    /// Draws the triangles of a chunk one by one on a frame that is transparent before and after.
+    void takeChunk(const LabChunk &chunk, const FrameView &frame);
+    /// After the last chunk. `trueCover`: of a mesh under the candidate's rule, else null.
+    void finish(const MeshCover *trueCover);
+
+private:
+    enum class Look { Near, Everywhere };
+
+    void drawAll(const LabChunk &chunk, const FrameView &frame, Look look);
+    void lookClosely(const LabChunk &chunk, const FrameView &frame);
+    void addFlicker();
+    void countOperationsOfFirst();
+    void fail(const QString &why);
+
+    const LabContender &m_contender;
+    const LabFamily &m_family;
+    const AccuracyOptions &m_options;
+    FamilyVerdict m_verdict;
+    PictureJudge m_judge;
+    LevelTally m_levels;
+    std::optional<MeshCover> m_cover; ///< of a mesh
+    std::optional<FrameSpec> m_frameOfMiss; ///< of the first one
+    std::int64_t m_probedPixels = 0;
+    std::int64_t m_movedPixels = 0;
+};
+
+} // namespace pixelplumb

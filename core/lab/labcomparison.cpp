@@ -1,0 +1,135 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/labcomparison.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+std::optional<Spread> perPixelOf(const Study &study, const LabRow *row)
+{
+    if (!row || !study.perPixel(*row))
+        return std::nullopt;
+    const double pixels = double(study.family(row->family)->timedPixels);
+    const Spread &draw = row->cost->perDraw;
+    return Spread{draw.lower / pixels, draw.median / pixels, draw.upper / pixels};
+}
+
+std::optional<double> wrongOf(const LabRow *row)
+{
+    if (!row || !row->accuracy)
+        return std::nullopt;
+    return row->accuracy->wrongPerMillion();
+}
+
+LabChange changeBetween(const Spread &before, const Spread &after)
+{
+    if (after.lower > before.upper)
+        return LabChange::Slower;
+    if (after.upper < before.lower)
+        return LabChange::Faster;
+    return LabChange::WithinSpread;
+}
+
+LabRowComparison comparisonOf(const Study &before, const Study &after, const LabRow &row)
+{
+    const LabRow *old = before.row(row.contender, row.family);
+    const LabRow *fresh = after.row(row.contender, row.family);
+    LabRowComparison result;
+    result.contender = row.contender;
+    result.family = row.family;
+    result.before = perPixelOf(before, old);
+    result.after = perPixelOf(after, fresh);
+    if (result.before && result.after) {
+        result.timesBefore = result.after->median / result.before->median;
+        result.change = changeBetween(*result.before, *result.after);
+    }
+    result.wrongBefore = wrongOf(old);
+    result.wrongAfter = wrongOf(fresh);
+    return result;
+}
+
+QString number(const std::optional<double> &value, int digits)
+{
+    return value ? QString::number(*value, 'f', digits) : QStringLiteral("–");
+}
+
+QString median(const std::optional<Spread> &spread)
+{
+    return number(spread ? std::optional(spread->median) : std::nullopt, 3);
+}
+
+} // namespace
+
+QString nameOf(LabChange change)
+{
+    switch (change) {
+    case LabChange::WithinSpread:
+        return QStringLiteral("within spread");
+    case LabChange::Faster:
+        return QStringLiteral("faster");
+    case LabChange::Slower:
+        return QStringLiteral("slower");
+    case LabChange::NotComparable:
+        return QStringLiteral("not comparable");
+    }
+    return {};
+}
+
+std::int64_t LabComparison::count(LabChange change) const
+{
+    return std::ranges::count(rows, change, &LabRowComparison::change);
+}
+
+LabComparison compareStudies(const Study &before, const Study &after)
+{
+    LabComparison comparison;
+    for (const LabRow &row : before.rows)
+        comparison.rows.push_back(comparisonOf(before, after, row));
+    for (const LabRow &row : after.rows) {
+        if (!before.row(row.contender, row.family))
+            comparison.rows.push_back(comparisonOf(before, after, row));
+    }
+    const auto remark = [&](const QString &what, const QString &was, const QString &is) {
+        if (was != is)
+            comparison.remarks << QStringLiteral("%1: %2 before, %3 after").arg(what, was, is);
+    };
+    remark(QStringLiteral("machine"), before.conditions.processor, after.conditions.processor);
+    remark(QStringLiteral("compiler"), before.conditions.compiler, after.conditions.compiler);
+    remark(QStringLiteral("flags"), before.conditions.flags, after.conditions.flags);
+    remark(QStringLiteral("seed"), QString::number(before.seed), QString::number(after.seed));
+    remark(QStringLiteral("extent"), nameOf(before.extent), nameOf(after.extent));
+    return comparison;
+}
+
+QStringList textOf(const LabComparison &comparison)
+{
+    const QString line = QStringLiteral("%1 %2 %3 %4 %5  %6 %7 %8");
+    const auto padded = [](const QString &text, int width) { return text.leftJustified(width); };
+    const auto right = [](const QString &text, int width) { return text.rightJustified(width); };
+    const auto row = [&](const QString &contender, const QString &family, const QString &before,
+                         const QString &after, const QString &times, const QString &change,
+                         const QString &wrongBefore, const QString &wrongAfter) {
+        return line.arg(padded(family, 15), padded(contender, 36), right(before, 10),
+                        right(after, 10), right(times, 7), padded(change, 14),
+                        right(wrongBefore, 11), right(wrongAfter, 11));
+    };
+    QStringList lines = comparison.remarks;
+    lines << row(QStringLiteral("contender"), QStringLiteral("family"), QStringLiteral("ns/px was"),
+                 QStringLiteral("ns/px is"), QStringLiteral("times"), QStringLiteral("change"),
+                 QStringLiteral("wrong was"), QStringLiteral("wrong is"));
+    for (const LabRowComparison &each : comparison.rows) {
+        lines << row(each.contender, each.family, median(each.before), median(each.after),
+                     number(each.timesBefore, 2), nameOf(each.change), number(each.wrongBefore, 2),
+                     number(each.wrongAfter, 2));
+    }
+    lines << QStringLiteral("%1 faster, %2 slower, %3 within spread, %4 not comparable")
+                 .arg(comparison.count(LabChange::Faster))
+                 .arg(comparison.count(LabChange::Slower))
+                 .arg(comparison.count(LabChange::WithinSpread))
+                 .arg(comparison.count(LabChange::NotComparable));
+    return lines;
+}
+
+} // namespace pixelplumb

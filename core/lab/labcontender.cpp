@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/labcontender.h"
+
+#include "core/fast/fastscan.h"
+#include "core/scan/choicenames.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+const QString fastWord = QStringLiteral("fast");
+
+void drawFastOnOneThread(const Primitives &primitives, const ScanSettings &settings,
+                         FrameView frame)
+{
+    drawFast(primitives.triangles, settings, frame, {1, std::nullopt});
+}
+
+/// What the fast kernels have kernels for; the rest they hand to the plain one.
+bool isFastIn(const Method &method, Arithmetic arithmetic)
+{
+    return method.drawFast
+        && (arithmetic == Arithmetic::Exact || arithmetic == Arithmetic::Float32);
+}
+
+} // namespace
+
+QString LabContender::domain() const
+{
+    if (!isProved())
+        return {};
+    if (arithmetic == Arithmetic::Exact)
+        return QStringLiteral("every triangle of the lattice");
+    return QStringLiteral("W'·H' ≤ 2^40 lattice units; beyond, integers take over");
+}
+
+ScanSettings LabContender::settingsUnder(FillRule rule) const
+{
+    return method->adapted({arithmetic, rule, ByteRounding::Nearest});
+}
+
+std::optional<FillRule> LabContender::watertightRule() const
+{
+    for (const FillRule rule :
+         {FillRule::HalfOpenColumn, FillRule::TopLeft, FillRule::OffScreenPoint}) {
+        if (method->supports(rule))
+            return rule;
+    }
+    return std::nullopt;
+}
+
+LabContender contenderOf(const Method &method, Arithmetic arithmetic, LabKernel kernel)
+{
+    const bool isFast = kernel == LabKernel::Fast;
+    LabContender contender;
+    contender.id = method.id + u':' + nameText(nameOf(arithmetic));
+    contender.label = method.title + QStringLiteral(", ") + nameText(nameOf(arithmetic));
+    if (isFast) {
+        contender.id += u':' + fastWord;
+        contender.label += QStringLiteral(", fast kernel");
+    }
+    contender.method = &method;
+    contender.arithmetic = arithmetic;
+    contender.kernel = kernel;
+    contender.draw = isFast ? drawFastOnOneThread : method.draw;
+    if (!isFast)
+        contender.straight = straightLoopOf(method.id.toStdString(), arithmetic);
+    return contender;
+}
+
+std::optional<LabContender> labContenderNamed(const QString &id)
+{
+    const QStringList words = id.split(u':');
+    const Method *method = methodNamed(words.front());
+    if (!method || !method->draws(PrimitiveKind::Triangle) || words.size() < 2 || words.size() > 3)
+        return std::nullopt;
+    const auto arithmetic = arithmeticNamed(words[1].toStdString());
+    if (!arithmetic || !method->supports(*arithmetic))
+        return std::nullopt;
+    if (words.size() == 2)
+        return contenderOf(*method, *arithmetic);
+    if (words[2] != fastWord || !isFastIn(*method, *arithmetic))
+        return std::nullopt;
+    return contenderOf(*method, *arithmetic, LabKernel::Fast);
+}
+
+std::vector<LabContender> quickContenders()
+{
+    static constexpr const char *ids[] = {
+        "column-scan:exact",
+        "column-scan:float32",
+        "column-scan:float64",
+        "column-scan:fixed16.16",
+        "column-scan:fixed32.32",
+        "column-scan-bias:float64",
+        "column-scan:exact:fast",
+        "row-walk:exact",
+        "row-walk:float32",
+        "edge-equations-incremental:exact",
+        "edge-equations-incremental:float32",
+        "barycentric-incremental:exact",
+        "barycentric-incremental:float32",
+        "barycentric-relative:float32",
+    };
+    std::vector<LabContender> contenders;
+    for (const char *id : ids)
+        contenders.push_back(*labContenderNamed(QString::fromLatin1(id)));
+    return contenders;
+}
+
+std::vector<LabContender> fullContenders()
+{
+    std::vector<LabContender> contenders;
+    for (const Method &method : methods()) {
+        if (!method.draws(PrimitiveKind::Triangle))
+            continue;
+        for (const Arithmetic arithmetic : method.arithmetics) {
+            contenders.push_back(contenderOf(method, arithmetic));
+            if (isFastIn(method, arithmetic))
+                contenders.push_back(contenderOf(method, arithmetic, LabKernel::Fast));
+        }
+    }
+    return contenders;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/labfields.h"
+#include "core/lab/labfile.h"
+
+namespace pixelplumb {
+
+namespace {
+
+/// Walks the fields of a row in one order, for the header and for every line. What is not there is
+/// walked too, as empty fields.
+class CsvLine {
+public:
+    enum class Kind { Header, Values };
+
+    explicit CsvLine(Kind kind)
+        : m_kind(kind)
+    {
+    }
+
+    QByteArray text() const { return m_fields.join(u',').toUtf8() + '\n'; }
+
+    void add(const QString &name, const QString &value)
+    {
+        QString field = m_kind == Kind::Header ? name : m_isMissing ? QString() : value;
+        if (field.contains(u',') || field.contains(u'"') || field.contains(u'\n'))
+            field = u'"' + field.replace(u'"', QStringLiteral("\"\"")) + u'"';
+        m_fields.append(field);
+    }
+    void add(const QString &name, bool value) { add(name, QString::number(int(value))); }
+    void add(const QString &name, int value) { add(name, QString::number(value)); }
+    void add(const QString &name, std::int64_t value) { add(name, QString::number(value)); }
+    void add(const QString &name, double value) { add(name, QString::number(value, 'g', 9)); }
+    template <class Enum>
+    requires std::is_enum_v<Enum>
+    void add(const QString &name, Enum value) { add(name, fileWord(nameOf(value))); }
+    /// Too much for a line: they are in the JSON.
+    void add(const QString &, const Scene &) { }
+    void add(const QString &, const OperationCounts &) { }
+    template <class T, std::size_t count>
+    void add(const QString &name, const std::array<T, count> &values)
+    {
+        for (std::size_t i = 0; i < count; ++i)
+            add(QStringLiteral("%1[%2]").arg(name).arg(i), values[i]);
+    }
+    template <class T>
+    void add(const QString &name, const std::optional<T> &value)
+    {
+        const bool wasMissing = m_isMissing;
+        m_isMissing = m_isMissing || !value;
+        add(name, value.value_or(T()));
+        m_isMissing = wasMissing;
+    }
+    template <HasFields Part>
+    void add(const QString &name, const Part &part)
+    {
+        const QString prefix = name.isEmpty() ? name : name + u'.';
+        eachField(part, [&](const char *field, const auto &value) {
+            add(prefix + QLatin1String(field), value);
+        });
+    }
+
+private:
+    Kind m_kind;
+    bool m_isMissing = false;
+    QStringList m_fields;
+};
+
+CsvLine lineOf(const Study &study, const LabRow &row, CsvLine::Kind kind)
+{
+    CsvLine line(kind);
+    line.add(QString(), row);
+    const StudyContender *contender = study.contender(row.contender);
+    line.add(QStringLiteral("proved"), contender && contender->isProved);
+    line.add(QStringLiteral("nsPerPixel"), study.perPixel(row));
+    line.add(QStringLiteral("missesStraight"), row.missesStraight());
+    return line;
+}
+
+} // namespace
+
+QByteArray csvOf(const Study &study)
+{
+    QByteArray text = lineOf(study, {}, CsvLine::Kind::Header).text();
+    for (const LabRow &row : study.rows)
+        text += lineOf(study, row, CsvLine::Kind::Values).text();
+    return text;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/study.h"
+
+#include <concepts>
+#include <type_traits>
+
+/// What the parts of a study are called in files: one list, by which they are written, read and
+/// laid out in columns.
+namespace pixelplumb {
+
+template <class Self, class T>
+concept PartOf = std::same_as<std::remove_const_t<Self>, T>;
+
+template <PartOf<Spread> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("lower", self.lower);
+    visit("median", self.median);
+    visit("upper", self.upper);
+}
+
+template <PartOf<LabShare> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("count", self.count);
+    visit("of", self.of);
+}
+
+template <PartOf<LevelErrors> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("samples", self.samples);
+    visit("max", self.largest);
+    visit("rms", self.rms);
+    visit("p99.9", self.p999);
+}
+
+template <PartOf<MissHistogram> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("missing", self.missing);
+    visit("extra", self.extra);
+}
+
+template <PartOf<AccuracyFigures> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("triangles", self.triangles);
+    visit("pixels", self.pixels);
+    visit("missing", self.missing);
+    visit("extra", self.extra);
+    visit("tiesMissing", self.tiesMissing);
+    visit("tiesExtra", self.tiesExtra);
+    visit("wrongTriangles", self.wrongTriangles);
+    visit("misses", self.misses);
+    visit("farthestMissing", self.farthestMissing);
+    visit("farthestExtra", self.farthestExtra);
+    visit("wrongBytes", self.wrongBytes);
+    visit("largestByteError", self.largestByteError);
+    visit("levels", self.levels);
+    visit("notANumber", self.notANumber);
+    visit("infinite", self.infinite);
+    visit("clamped", self.clamped);
+    visit("gaps", self.gaps);
+    visit("doubles", self.doubles);
+    visit("flicker", self.flicker);
+    visit("trueToggles", self.trueToggles);
+    visit("orderFailures", self.orderFailures);
+    visit("translationFailures", self.translationFailures);
+}
+
+template <PartOf<OperationCounts> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("stages", self.stages);
+    visit("primitives", self.primitives);
+    visit("spans", self.spans);
+    visit("pixels", self.pixels);
+    visit("refused", self.refused);
+}
+
+template <PartOf<CostFigures> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("perDraw", self.perDraw);
+    visit("rounds", self.rounds);
+    visit("straight", self.straight);
+    visit("timesStraight", self.timesStraight);
+    visit("operations", self.operations);
+}
+
+template <PartOf<CostFit> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("perTriangle", self.perTriangle);
+    visit("perColumn", self.perColumn);
+    visit("perPixel", self.perPixel);
+    visit("residual", self.residual);
+}
+
+template <PartOf<ScanSettings> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("arithmetic", self.arithmetic);
+    visit("fillRule", self.fillRule);
+    visit("rounding", self.rounding);
+}
+
+template <PartOf<LabMiss> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("scene", self.scene);
+    visit("x", self.x);
+    visit("y", self.y);
+}
+
+template <PartOf<MachineConditions> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("processor", self.processor);
+    visit("processors", self.processors);
+    visit("caches", self.caches);
+    visit("governor", self.governor);
+    visit("system", self.system);
+    visit("compiler", self.compiler);
+    visit("flags", self.flags);
+    visit("buildType", self.buildType);
+    visit("sanitizers", self.sanitizers);
+    visit("instructionSet", self.instructionSet);
+    visit("load", self.load);
+}
+
+template <PartOf<StudyContender> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("id", self.id);
+    visit("label", self.label);
+    visit("proved", self.isProved);
+    visit("domain", self.domain);
+    visit("fit", self.fit);
+}
+
+template <PartOf<StudyFamily> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("id", self.id);
+    visit("title", self.title);
+    visit("stresses", self.stresses);
+    visit("triangles", self.triangles);
+    visit("timedTriangles", self.timedTriangles);
+    visit("timedPixels", self.timedPixels);
+    visit("timedColumns", self.timedColumns);
+    visit("timedRows", self.timedRows);
+    visit("timedBytes", self.timedBytes);
+}
+
+template <PartOf<LabRow> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("contender", self.contender);
+    visit("family", self.family);
+    visit("outcome", self.outcome);
+    visit("remark", self.remark);
+    visit("settings", self.settings);
+    visit("accuracy", self.accuracy);
+    visit("cost", self.cost);
+    visit("firstMiss", self.firstMiss);
+}
+
+template <PartOf<Study> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("extent", self.extent);
+    visit("seed", self.seed);
+    visit("machine", self.conditions);
+    visit("command", self.command);
+    visit("contenders", self.contenders);
+    visit("families", self.families);
+    visit("rows", self.rows);
+    visit("rounds", self.rounds);
+    visit("complete", self.isComplete);
+}
+
+/// A part that has fields.
+template <class T>
+concept HasFields = requires(T &part)
+{
+    eachField(part, [](const char *, const auto &) {});
+};
+
+/// The names of an enumeration's values in files.
+template <class Enum>
+struct FileWords;
+template <>
+struct FileWords<StudyExtent> {
+    static constexpr std::array all = {StudyExtent::Quick, StudyExtent::Full};
+};
+template <>
+struct FileWords<LabOutcome> {
+    static constexpr std::array all
+        = {LabOutcome::Pending, LabOutcome::Measured, LabOutcome::Refused, LabOutcome::TookTooLong,
+           LabOutcome::Failed};
+};
+template <>
+struct FileWords<Arithmetic> {
+    static constexpr const auto &all = allArithmetics;
+};
+template <>
+struct FileWords<FillRule> {
+    static constexpr const auto &all = allFillRules;
+};
+template <>
+struct FileWords<ByteRounding> {
+    static constexpr const auto &all = allByteRoundings;
+};
+
+inline QString fileWord(const QString &name) { return name; }
+inline QString fileWord(std::string_view name)
+{
+    return QString::fromUtf8(name.data(), qsizetype(name.size()));
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/labfigures.h"
+
+#include <span>
+#include <vector>
+
+namespace pixelplumb {
+
+/// What became of levels before they were bytes.
+struct LevelTally {
+    std::vector<float> magnitudes; ///< of the errors that are numbers, levels
+    double squares = 0;
+    double largest = 0;
+    LabShare notANumber;
+    LabShare infinite;
+    LabShare clamped;
+
+    void add(double error);
+    /// None where nothing was added. Sorts the magnitudes.
+    std::optional<LevelErrors> errors();
+};
+
+/// Draws a triangle that has an area by the method's plain kernel and compares the numbers that it
+/// holds, before they are rounded to bytes, with the exact plane, wherever the truth's picture is
+/// not transparent too. False where the method has no such kernel.
+bool probeLevels(const Method &method, const ScanSettings &settings, const Triangle &triangle,
+                 FrameView frame, const FrameView &truth, LevelTally &tally);
+
+/// A method whose kernel is compiled with an observer that looks at levels.
+struct ProbedMethod {
+    const char *id;
+    void (*probe)(const Primitives &one, const ScanSettings &settings, FrameView frame,
+                  const FrameView &truth, LevelTally &tally);
+};
+std::span<const ProbedMethod> probedWalks();
+std::span<const ProbedMethod> probedTests();
+std::span<const ProbedMethod> probedInterpolations();
+
+} // namespace pixelplumb

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/pareto.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+using Figures = AccuracyFigures;
+
+std::optional<double> share(std::int64_t count, const Figures &figures)
+{
+    if (figures.pixels == 0)
+        return std::nullopt;
+    return LabShare{count, figures.pixels}.perMillion();
+}
+
+constexpr ErrorAxis axes[] = {
+    {"wrong-pixels", "wrong pixels", "ppm",
+     [](const Figures &figures) { return share(figures.wrongPixels(), figures); }},
+    {"wrong-coverage", "wrong coverage", "ppm",
+     [](const Figures &figures) { return share(figures.wrongCoverage(), figures); }},
+    {"wrong-bytes", "wrong colours", "ppm",
+     [](const Figures &figures) { return share(figures.wrongBytes, figures); }},
+    {"byte-error", "largest error of a byte", "levels",
+     [](const Figures &figures) -> std::optional<double> { return figures.largestByteError; }},
+    {"level-max", "largest error before rounding", "levels",
+     [](const Figures &figures) -> std::optional<double> {
+         return figures.levels ? std::optional(figures.levels->largest) : std::nullopt;
+     }},
+    {"level-rms", "RMS error before rounding", "levels",
+     [](const Figures &figures) -> std::optional<double> {
+         return figures.levels ? std::optional(figures.levels->rms) : std::nullopt;
+     }},
+    {"miss-distance", "farthest missed sample", "px",
+     [](const Figures &figures) -> std::optional<double> {
+         return std::max(figures.farthestMissing, figures.farthestExtra);
+     }},
+};
+
+Spread scaled(const Spread &spread, double factor)
+{
+    return {spread.lower * factor, spread.median * factor, spread.upper * factor};
+}
+
+/// From the worst class to the best.
+int rankOf(ErrorClass errorClass) { return int(errorClass); }
+
+bool isAsExact(const ParetoPoint &a, const ParetoPoint &b)
+{
+    if (a.errorClass != b.errorClass)
+        return rankOf(a.errorClass) > rankOf(b.errorClass);
+    return a.error <= b.error;
+}
+
+} // namespace
+
+std::span<const ErrorAxis> errorAxes() { return axes; }
+
+const ErrorAxis *errorAxisNamed(const QString &id)
+{
+    const auto *const found = std::ranges::find_if(
+        axes, [&](const ErrorAxis &axis) { return id == QLatin1String(axis.id); });
+    return found == std::end(axes) ? nullptr : found;
+}
+
+bool dominates(const ParetoPoint &a, const ParetoPoint &b)
+{
+    const bool isAsCheap = a.cost.median <= b.cost.median;
+    if (!isAsCheap || !isAsExact(a, b))
+        return false;
+    return a.cost.median < b.cost.median || !isAsExact(b, a);
+}
+
+std::vector<std::size_t> markFrontier(std::vector<ParetoPoint> &points)
+{
+    std::vector<std::size_t> frontier;
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        points[i].isOnFrontier = std::ranges::none_of(
+            points, [&](const ParetoPoint &other) { return dominates(other, points[i]); });
+        if (points[i].isOnFrontier)
+            frontier.push_back(i);
+    }
+    std::ranges::stable_sort(frontier, [&](std::size_t a, std::size_t b) {
+        return points[a].cost.median < points[b].cost.median;
+    });
+    return frontier;
+}
+
+std::vector<StaircaseCorner> ParetoChart::staircase() const
+{
+    std::vector<StaircaseCorner> corners;
+    for (const std::size_t index : frontier) {
+        const ParetoPoint &point = points[index];
+        if (!corners.empty()) {
+            StaircaseCorner above = corners.back();
+            above.cost = point.cost.median;
+            corners.push_back(above);
+        }
+        corners.push_back({point.cost.median, point.errorClass, point.error});
+    }
+    return corners;
+}
+
+ParetoChart paretoOf(const Study &study, const QString &family, const ErrorAxis &axis)
+{
+    ParetoChart chart;
+    chart.family = family;
+    chart.axis = QString::fromLatin1(axis.id);
+    const StudyFamily *drawn = study.family(family);
+    if (!drawn || drawn->timedPixels == 0)
+        return chart;
+    const double perPixel = 1 / double(drawn->timedPixels);
+    const LabRow *reference = study.row(QLatin1String(referenceContenderId), family);
+    for (const StudyContender &contender : study.contenders) {
+        const LabRow *row = study.row(contender.id, family);
+        if (!row || !row->accuracy || !row->cost || row->cost->rounds == 0)
+            continue;
+        const std::optional<double> error = axis.read(*row->accuracy);
+        if (!error)
+            continue;
+        ParetoPoint point;
+        point.contender = contender.id;
+        point.label = contender.label;
+        point.cost = scaled(row->cost->perDraw, perPixel);
+        if (reference && reference->cost && reference->cost->rounds > 0)
+            point.timesReference = row->cost->perDraw.median / reference->cost->perDraw.median;
+        if (row->cost->straight)
+            point.straight = scaled(*row->cost->straight, perPixel);
+        point.missesStraight = row->missesStraight();
+        point.error = *error;
+        if (*error == 0)
+            point.errorClass
+                = contender.isProved ? ErrorClass::ZeroProved : ErrorClass::ZeroObserved;
+        point.pixels = row->accuracy->pixels;
+        chart.points.push_back(std::move(point));
+    }
+    chart.frontier = markFrontier(chart.points);
+    return chart;
+}
+
+} // namespace pixelplumb

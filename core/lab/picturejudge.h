@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/labfigures.h"
+#include "core/lab/pixelwindow.h"
+#include "core/scan/boundaryrule.h"
+
+#include <optional>
+
+namespace pixelplumb {
+
+/// The true picture of one triangle on a frame, by the oracle.
+struct TruePicture {
+    TruePicture(const Triangle &of, const BoundaryRule &rule, ByteRounding rounding,
+                const FrameView &frame);
+
+    const Triangle *triangle;
+    PixelWindow window; ///< the triangle's box, and what is next to it
+    std::int64_t pixels = 0; ///< covered
+};
+
+/// Where a contender first was wrong.
+struct FirstMiss {
+    Triangle triangle;
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+};
+
+/// Holds pictures of single triangles against the truth and adds up what is wrong.
+class PictureJudge {
+public:
+    /// Compares what was drawn, on a frame that was transparent, with the truth, in the samples of
+    /// a box that holds the truth's window.
+    void judge(const TruePicture &truth, const FrameView &drawn, const SampleBox &box);
+
+    const AccuracyFigures &figures() const { return m_figures; }
+    AccuracyFigures &figures() { return m_figures; }
+    const std::optional<FirstMiss> &firstMiss() const { return m_firstMiss; }
+
+private:
+    void noteMissing(const TruePicture &truth, std::int64_t x, std::int64_t y);
+    void noteExtra(const TruePicture &truth, std::int64_t x, std::int64_t y);
+    void noteBytes(QRgb drawn, QRgb wanted);
+    void noteFirst(const TruePicture &truth, std::int64_t x, std::int64_t y);
+
+    AccuracyFigures m_figures;
+    std::optional<FirstMiss> m_firstMiss;
+};
+
+} // namespace pixelplumb

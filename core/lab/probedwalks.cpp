@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/levelobserver.h"
+#include "core/methods/edgewalkkernels.h"
+
+namespace pixelplumb {
+
+std::span<const ProbedMethod> probedWalks()
+{
+    static constexpr ProbedMethod table[] = {
+        {"column-scan", probeWith<ColumnScanKernel>},
+        {"row-walk", probeWith<RowWalk>},
+        {"column-scan-bias", probeWith<BiasScan>},
+        {"column-scan-constant-rate", probeWith<ConstantRateScan>},
+    };
+    return table;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/triangle.h"
+
+#include <random>
+
+namespace pixelplumb {
+
+/// Whole numbers from a seed, the same on every machine: the standard's distributions differ
+/// between libraries.
+class SeededRandom {
+public:
+    explicit SeededRandom(std::uint64_t seed)
+        : m_engine(seed)
+    {
+    }
+
+    /// first … last, both included.
+    std::int64_t between(std::int64_t first, std::int64_t last)
+    {
+        const auto count = std::uint64_t(last - first) + 1;
+        return first + std::int64_t(m_engine() % count);
+    }
+
+    Colour colour()
+    {
+        Colour colour;
+        for (std::uint8_t &channel : colour.channels)
+            channel = std::uint8_t(between(0, 255));
+        return colour;
+    }
+
+    bool coin() { return between(0, 1) != 0; }
+
+private:
+    std::mt19937_64 m_engine;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/sizestudy.h"
+
+#include "core/frame/framebuffer.h"
+#include "core/lab/familyshapes.h"
+#include "core/measure/stopwatch.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr double sampleNanoseconds = 1e6;
+
+FrameSpec frameOf(std::int32_t width, std::int32_t height)
+{
+    FrameSpec spec;
+    spec.width = width;
+    spec.height = height;
+    return spec;
+}
+
+/// A triangle of a box from (2, 2), its third vertex over the first third of its width.
+Triangle triangleOf(std::int64_t width, std::int64_t height)
+{
+    return {{{{latticePixel(2, 2), {{255, 0, 0}}},
+              {latticePixel(2 + width, 3), {{0, 255, 0}}},
+              {latticePixel(2 + width / 3, 2 + height), {{0, 0, 255}}}}}};
+}
+
+/// What is drawn at one size.
+struct SizedWork {
+    double size = 0;
+    FrameSpec frame;
+    Primitives primitives;
+};
+
+std::vector<SizedWork> workAlong(SizeAxis axis)
+{
+    // Primes, each about twice the one before.
+    static constexpr std::int32_t sides[] = {13, 29, 61, 127, 251, 509, 1021};
+    std::vector<SizedWork> works;
+    for (const std::int32_t side : sides) {
+        SizedWork work;
+        switch (axis) {
+        case SizeAxis::Width:
+            work.frame = frameOf(1031, 37);
+            work.size = side;
+            work.primitives.triangles = {triangleOf(side, 31)};
+            break;
+        case SizeAxis::Area:
+            work.frame = frameOf(1031, 1031);
+            work.size = double(side) * side / 2;
+            work.primitives.triangles = {triangleOf(side, side)};
+            break;
+        case SizeAxis::Triangles: {
+            work.frame = frameOf(251, 241);
+            work.size = side;
+            SeededRandom random(7);
+            work.primitives.triangles
+                = familyshapes::boxed(random, work.frame, std::size_t(side), 5, 13, unitsPerPixel);
+            break;
+        }
+        }
+        works.push_back(std::move(work));
+    }
+    return works;
+}
+
+double timePerDraw(const LabContender &contender, const SizedWork &work, FrameView frame)
+{
+    const ScanSettings settings = contender.settingsUnder(FillRule::Closed);
+    contender.draw(work.primitives, settings, frame);
+    Stopwatch once;
+    contender.draw(work.primitives, settings, frame);
+    const double first = std::max(once.elapsed().thread, 1.0);
+    const int draws = std::clamp(int(sampleNanoseconds / first), 1, 100'000);
+    const Stopwatch stopwatch;
+    for (int i = 0; i < draws; ++i)
+        contender.draw(work.primitives, settings, frame);
+    return std::max(stopwatch.elapsed().thread, 1.0) / draws;
+}
+
+} // namespace
+
+QString nameOf(SizeAxis axis)
+{
+    switch (axis) {
+    case SizeAxis::Width:
+        return QStringLiteral("width");
+    case SizeAxis::Area:
+        return QStringLiteral("area");
+    case SizeAxis::Triangles:
+        return QStringLiteral("triangles");
+    }
+    return {};
+}
+
+std::optional<double> fittedExponent(std::span<const SizePoint> points)
+{
+    double count = 0, sumX = 0, sumY = 0, sumXX = 0, sumXY = 0;
+    for (const SizePoint &point : points) {
+        const double x = std::log(point.size), y = std::log(point.perDraw.median);
+        count += 1;
+        sumX += x;
+        sumY += y;
+        sumXX += x * x;
+        sumXY += x * y;
+    }
+    const double spread = count * sumXX - sumX * sumX;
+    if (points.size() < 2 || spread == 0)
+        return std::nullopt;
+    return (count * sumXY - sumX * sumY) / spread;
+}
+
+std::optional<std::vector<SizeCurve>> runSizeStudy(const std::vector<LabContender> &contenders,
+                                                   int rounds, const ProgressListener &listener)
+{
+    std::vector<SizeCurve> curves;
+    const std::int64_t all = std::int64_t(allSizeAxes.size()) * rounds;
+    std::int64_t done = 0;
+    for (const SizeAxis axis : allSizeAxes) {
+        const std::vector<SizedWork> works = workAlong(axis);
+        std::vector<std::vector<std::vector<double>>> samples(
+            contenders.size(), std::vector<std::vector<double>>(works.size()));
+        for (int round = 0; round < rounds; ++round, ++done) {
+            for (std::size_t at = 0; at < works.size(); ++at) {
+                const FrameBuffer frame(works[at].frame);
+                for (std::size_t turn = 0; turn < contenders.size(); ++turn) {
+                    if (!goesOn(listener, {JobPhase::Measuring, done, all}))
+                        return std::nullopt;
+                    const std::size_t who = (turn + std::size_t(round)) % contenders.size();
+                    samples[who][at].push_back(
+                        timePerDraw(contenders[who], works[at], frame.view()));
+                }
+            }
+        }
+        for (std::size_t who = 0; who < contenders.size() && rounds > 0; ++who) {
+            SizeCurve curve{contenders[who].id, axis, {}, {}};
+            for (std::size_t at = 0; at < works.size(); ++at)
+                curve.points.push_back({works[at].size, spreadOf(samples[who][at])});
+            curve.exponent
+                = fittedExponent(std::span(curve.points).last((curve.points.size() + 1) / 2));
+            curves.push_back(std::move(curve));
+        }
+    }
+    return curves;
+}
+
+} // namespace pixelplumb
