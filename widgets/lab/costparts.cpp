@@ -9,8 +9,7 @@ std::optional<CostParts> costPartsOf(const Study &study, const LabRow &row)
     const StudyFamily *family = study.family(row.family);
     if (!contender || !contender->fit || !family || family->timedPixels == 0)
         return std::nullopt;
-    const std::optional<LabContender> known = labContenderNamed(row.contender);
-    const bool walksRows = known && known->straight && known->straight->isRowWalk;
+    const bool walksRows = row.contender.startsWith(QLatin1String("row-walk:"));
     const CostFit &fit = *contender->fit;
     const auto pixels = double(family->timedPixels);
     return CostParts{fit.perTriangle * double(family->timedTriangles) / pixels,

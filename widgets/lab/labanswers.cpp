@@ -32,8 +32,8 @@ LabAnswers::LabAnswers(QWidget *parent)
 {
     setObjectName(QStringLiteral("labAnswers"));
     setAccessibleName(tr("The cheapest contender for each budget"));
-    setHorizontalHeaderLabels({tr("budget"), tr("cheapest contender"), tr("ground"),
-                               tr("ns a pixel"), tr("reason")});
+    setHorizontalHeaderLabels(
+        {tr("budget"), tr("cheapest contender"), tr("ground"), tr("ns a pixel"), tr("reason")});
     for (int column = 0; column <= ReasonColumn; ++column)
         horizontalHeaderItem(column)->setTextAlignment(
             (column == TimeColumn ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
@@ -72,8 +72,8 @@ void LabAnswers::show(const Study &study, const QString &family)
         put(BudgetColumn, textOf(answer.budget));
         put(ContenderColumn, contender ? contender->label : answer.contender);
         put(GroundColumn, groundText(answer.ground));
-        put(TimeColumn, answer.nanosecondsPerPixel > 0 ? figureText(answer.nanosecondsPerPixel)
-                                                       : QString());
+        put(TimeColumn,
+            answer.nanosecondsPerPixel > 0 ? figureText(answer.nanosecondsPerPixel) : QString());
         put(ReasonColumn, answer.reason);
         item(row, BudgetColumn)->setData(Qt::UserRole, answer.contender);
     }

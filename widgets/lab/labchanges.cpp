@@ -50,9 +50,9 @@ LabChanges::LabChanges(QWidget *parent)
     m_summary->setAccessibleName(tr("What changed"));
     m_table->setObjectName(QStringLiteral("labChangesTable"));
     m_table->setAccessibleName(tr("Before and after"));
-    const QStringList headers = {tr("contender"),        tr("family"), tr("before, ns a pixel"),
-                                 tr("after, ns a pixel"), tr("×"),      tr("time"),
-                                 tr("wrong before, ppm"), tr("wrong after, ppm")};
+    const QStringList headers
+        = {tr("contender"), tr("family"), tr("before, ns a pixel"), tr("after, ns a pixel"),
+           tr("×"),         tr("time"),   tr("wrong before, ppm"),  tr("wrong after, ppm")};
     m_table->setColumnCount(int(headers.size()));
     m_table->setHorizontalHeaderLabels(headers);
     m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -99,16 +99,15 @@ void LabChanges::fill(const LabComparison &comparison, const Study &before, cons
         const auto figure = [](const std::optional<double> &value) {
             return value ? figureText(*value) : QString();
         };
-        const QStringList cells
-            = {labelIn(before, after, row.contender),
-               row.family,
-               spread(row.before),
-               spread(row.after),
-               figure(row.timesBefore),
-               changeText(row.change),
-               figure(row.wrongBefore),
-               (row.isAccuracyChanged() ? QStringLiteral("≠ ") : QString())
-                   + figure(row.wrongAfter)};
+        const QStringList cells = {labelIn(before, after, row.contender),
+                                   row.family,
+                                   spread(row.before),
+                                   spread(row.after),
+                                   figure(row.timesBefore),
+                                   changeText(row.change),
+                                   figure(row.wrongBefore),
+                                   (row.isAccuracyChanged() ? QStringLiteral("≠ ") : QString())
+                                       + figure(row.wrongAfter)};
         for (int column = 0; column < int(cells.size()); ++column) {
             auto *cell = new QTableWidgetItem(cells[column]);
             const bool isText = column < 2 || column == 5;

@@ -4,7 +4,6 @@
 #include "core/scan/scansettings.h"
 
 #include <QPalette>
-
 #include <qcustomplot.h>
 
 namespace pixelplumb {

@@ -42,7 +42,7 @@ protected:
 
     /// Puts everything into the empty plot.
     virtual void build() = 0;
-    virtual void clickAt(const QPointF &) {}
+    virtual void clickAt(const QPointF &) { }
     /// Empties the plot and builds it.
     void rebuild();
 

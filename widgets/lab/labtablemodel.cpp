@@ -42,8 +42,7 @@ Figure spreadShare(const Study &, const LabRow &row)
 
 Figure timesReference(const Study &study, const LabRow &row)
 {
-    const LabRow *reference
-        = study.row(QString::fromLatin1(referenceContenderId), row.family);
+    const LabRow *reference = study.row(QString::fromLatin1(referenceContenderId), row.family);
     if (!row.cost || !reference || !reference->cost || reference->cost->perDraw.median <= 0)
         return std::nullopt;
     return row.cost->perDraw.median / reference->cost->perDraw.median;

@@ -25,9 +25,8 @@ QString spreadText(const Spread &spread)
 
 QString wrongText(const AccuracyFigures &figures)
 {
-    QString text = translated("%1 of %2 pixels wrong")
-                       .arg(figures.wrongPixels())
-                       .arg(figures.pixels);
+    QString text
+        = translated("%1 of %2 pixels wrong").arg(figures.wrongPixels()).arg(figures.pixels);
     if (figures.wrongPixels() == 0)
         return text;
     text += translated(": %1 missing, %2 extra, ties %3 missing and %4 extra, %5 in another byte")
@@ -61,8 +60,8 @@ QString pointHtml(const Study &study, const ParetoPoint &point, const QString &f
         cost += translated(", ×%1 the seed's method").arg(figureText(*point.timesReference));
     lines.append(cost);
     if (point.straight)
-        lines.append(translated("its straight loop: %1 ns a pixel")
-                         .arg(spreadText(*point.straight)));
+        lines.append(
+            translated("its straight loop: %1 ns a pixel").arg(spreadText(*point.straight)));
     if (point.missesStraight)
         lines.append(translated("<b>!</b> %1 times its straight loop: more than the fair 1.3")
                          .arg(figureText(*point.missesStraight)));
@@ -102,10 +101,7 @@ QString outcomeText(const LabRow &row)
     return {};
 }
 
-QStringList originOf(const Study &study)
-{
-    return {summaryOf(study.conditions), study.command};
-}
+QStringList originOf(const Study &study) { return {summaryOf(study.conditions), study.command}; }
 
 QString invitationText(StudyExtent extent)
 {

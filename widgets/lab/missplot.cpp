@@ -27,8 +27,8 @@ QString binText(std::size_t bin)
         return MissPlot::tr("nearer than %1 px").arg(power(MissHistogram::lowerEnd(1)));
     if (bin + 1 == MissHistogram::bins)
         return MissPlot::tr("farther than %1 px").arg(power(MissHistogram::lowerEnd(bin)));
-    return MissPlot::tr("%1 to %2 px").arg(power(MissHistogram::lowerEnd(bin)),
-                                           power(MissHistogram::lowerEnd(bin + 1)));
+    return MissPlot::tr("%1 to %2 px")
+        .arg(power(MissHistogram::lowerEnd(bin)), power(MissHistogram::lowerEnd(bin + 1)));
 }
 
 } // namespace

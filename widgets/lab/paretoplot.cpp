@@ -134,10 +134,9 @@ void ParetoPlot::setAxes()
     plot()->yAxis->setRange(ErrorScale::bottom, m_scale.top());
     plot()->yAxis->setLabel(QString::fromUtf8(m_axis->title));
 
-    const auto reference
-        = std::ranges::find_if(m_chart.points, [](const ParetoPoint &point) {
-              return point.contender == QLatin1String(referenceContenderId);
-          });
+    const auto reference = std::ranges::find_if(m_chart.points, [](const ParetoPoint &point) {
+        return point.contender == QLatin1String(referenceContenderId);
+    });
     QCPAxis *times = plot()->xAxis2;
     times->setVisible(reference != m_chart.points.end());
     if (times->visible()) {
@@ -219,11 +218,10 @@ void ParetoPlot::addLabels()
     for (const ParetoPoint &point : m_chart.points)
         points.push_back(&point);
     const auto rank = [this](const ParetoPoint *point) {
-        return point->contender == m_selected ? 0
-            : point->isOnFrontier             ? 1
-            : point->contender == QLatin1String(referenceContenderId) || point->missesStraight
-            ? 2
-            : 3;
+        return point->contender == m_selected                                                  ? 0
+            : point->isOnFrontier                                                              ? 1
+            : point->contender == QLatin1String(referenceContenderId) || point->missesStraight ? 2
+                                                                                               : 3;
     };
     std::ranges::stable_sort(points, {}, rank);
     const QFontMetricsF metrics(smallFont());
@@ -269,10 +267,10 @@ void ParetoPlot::addKeys()
     if (hasAny([](const ParetoPoint &point) { return point.missesStraight.has_value(); })) {
         QCPGraph *key = addKey(tr("over 1.3 × its loop"));
         key->setLineStyle(QCPGraph::lsNone);
-        key->setScatterStyle(QCPScatterStyle(
-            QCPScatterStyle::ssCircle,
-            QPen(signColour(Sign::FirstDifference, palette()), 1.5, Qt::DashLine),
-            QBrush(Qt::NoBrush), 12));
+        key->setScatterStyle(
+            QCPScatterStyle(QCPScatterStyle::ssCircle,
+                            QPen(signColour(Sign::FirstDifference, palette()), 1.5, Qt::DashLine),
+                            QBrush(Qt::NoBrush), 12));
     }
 }
 

@@ -74,8 +74,8 @@ void ScalingPlot::build()
             continue;
         QCPGraph *graph = addKey(labelOf(curve));
         const Arithmetic arithmetic = arithmeticOfCurve(curve);
-        graph->setPen(QPen(arithmeticColour(arithmetic, palette()), 1.5,
-                           arithmeticLine(arithmetic)));
+        graph->setPen(
+            QPen(arithmeticColour(arithmetic, palette()), 1.5, arithmeticLine(arithmetic)));
         graph->setScatterStyle(arithmeticDot(arithmetic, DotFill::Solid, palette()));
         for (const SizePoint &point : curve.points) {
             if (point.size <= 0 || point.perDraw.median <= 0)
