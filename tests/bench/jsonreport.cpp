@@ -9,11 +9,11 @@ namespace pixelplumb::bench {
 
 namespace {
 
-QJsonObject jsonOf(const Quartiles &quartiles)
+QJsonObject jsonOf(const Spread &spread)
 {
-    return {{QStringLiteral("firstQuartile"), quartiles.first},
-            {QStringLiteral("median"), quartiles.median},
-            {QStringLiteral("thirdQuartile"), quartiles.third}};
+    return {{QStringLiteral("firstQuartile"), spread.lower},
+            {QStringLiteral("median"), spread.median},
+            {QStringLiteral("thirdQuartile"), spread.upper}};
 }
 
 QJsonObject jsonOf(const PictureDifference &picture)
@@ -39,7 +39,7 @@ QJsonObject jsonOf(const ReportRow &row, const ReportRow *reference, const Repor
         {QStringLiteral("threads"), info.threads},
         {QStringLiteral("trianglesDrawn"), qint64(result.triangles)},
         {QStringLiteral("drawsPerSample"), result.drawsPerSample},
-        {QStringLiteral("processorsUsed"), quartilesOf(result.processorsUsed).median},
+        {QStringLiteral("processorsUsed"), spreadOf(result.processorsUsed).median},
         {QStringLiteral("disturbedSamples"), result.disturbedSamples},
         {QStringLiteral("nanosecondsPerTriangle"), jsonOf(result.time())},
         {QStringLiteral("samples"), samples},

@@ -211,7 +211,7 @@ int measureScalings(const Lineup &lineup, const Options &options)
         if (wanted || info.id == lineup.referenceId || info.role == Role::Limit)
             contenders.push_back(contender.get());
     }
-    const Machine machine = thisMachine();
+    const MachineConditions machine = thisMachine();
     std::vector<ScalingResult> series;
     for (const ScalingPoint &point : scalingPoints(options.extent)) {
         series.push_back(

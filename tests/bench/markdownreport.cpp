@@ -13,9 +13,9 @@ namespace {
 const QString memsetId = QStringLiteral("memset");
 const QString none = QStringLiteral("–");
 
-QString spread(const Quartiles &quartiles)
+QString middleHalf(const Spread &spread)
 {
-    return QStringLiteral("%1 … %2").arg(numberText(quartiles.first), numberText(quartiles.third));
+    return QStringLiteral("%1 … %2").arg(numberText(spread.lower), numberText(spread.upper));
 }
 
 QString percent(double share)
@@ -152,9 +152,9 @@ void writeTwins(QTextStream &out, const Report &report)
             const ReportRow *twin = workload.row(info.twinId);
             if (twin == nullptr)
                 continue;
-            const Quartiles times = ratio(row.result, twin->result);
+            const Spread times = ratio(row.result, twin->result);
             lines << QStringLiteral("| %1 | %2 | %3 | %4 |")
-                         .arg(workload.id, info.name, numberText(times.median), spread(times));
+                         .arg(workload.id, info.name, numberText(times.median), middleHalf(times));
         }
     }
     if (lines.isEmpty())
@@ -169,12 +169,12 @@ void writeRow(QTextStream &out, const WorkloadReport &workload, const ReportRow 
 {
     const Result &result = row.result;
     const ReportRow *reference = workload.row(report.referenceId);
-    const Quartiles time = result.time();
+    const Spread time = result.time();
     out << "| " << workload.id << " | " << nameOf(row) << " | " << result.contender->info().threads
         << (isStarved(result) ? " ~" : "") << " | "
-        << numberText(quartilesOf(result.processorsUsed).median) << " | " << numberText(time.median)
-        << " | " << spread(time) << " | " << ratioCell(row, reference) << " | "
-        << (reference == nullptr ? none : spread(ratio(result, reference->result))) << " | "
+        << numberText(spreadOf(result.processorsUsed).median) << " | " << numberText(time.median)
+        << " | " << middleHalf(time) << " | " << ratioCell(row, reference) << " | "
+        << (reference == nullptr ? none : middleHalf(ratio(result, reference->result))) << " | "
         << ratioCell(row, workload.row(memsetId)) << " | "
         << numberText(time.median / workload.pixelsPerTriangle) << " | ";
     if (row.picture) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/frame/framebuffer.h"
+#include "core/lab/straightloop.h"
 #include "core/methods/method.h"
 #include "lineup.h"
-#include "straight/straightloop.h"
 
 #include <optional>
 
@@ -69,25 +69,19 @@ public:
     void load(const Scene &scene) override
     {
         setFrame(scene.size);
-        m_triangles.assign(scene.triangles.begin(), scene.triangles.end());
-        if (!m_loop.isRowWalk)
-            return;
-        for (Triangle &triangle : m_triangles) {
-            for (Vertex &vertex : triangle.vertices)
-                vertex.position = {-vertex.position.y, vertex.position.x};
-        }
+        m_triangles.clear();
+        for (const Triangle &triangle : scene.triangles)
+            m_triangles.push_back(triangleFor(m_loop, triangle));
     }
     void draw() override
     {
-        const FrameView frame = view();
-        const RawFrame raw = m_loop.isRowWalk ? RawFrame{frame.base, -frame.stride, 1}
-                                              : RawFrame{frame.base, 1, frame.stride};
+        const RawFrame raw = rawFrameFor(m_loop, view());
         for (const Triangle &triangle : m_triangles)
             m_loop.draw(triangle, raw);
     }
 
 private:
-    const StraightLoop &m_loop;
+    StraightLoop m_loop;
     std::vector<Triangle> m_triangles;
 };
 
@@ -136,12 +130,10 @@ void addPlain(Lineup &lineup)
     halfOpen.sameAsPlain.emplace().settings
         = {Arithmetic::Exact, FillRule::HalfOpenColumn, ByteRounding::Nearest};
     lineup.contenders.push_back(std::make_unique<PlainContender>(halfOpen));
-    for (const auto loops : {straightColumns(), straightSamples(), straightInterpolations()}) {
-        for (const StraightLoop &loop : loops) {
-            lineup.contenders.push_back(std::make_unique<PlainContender>(infoOf(loop, Role::Ours)));
-            lineup.contenders.push_back(
-                std::make_unique<StraightContender>(infoOf(loop, Role::Straight), loop));
-        }
+    for (const StraightLoop &loop : straightLoops()) {
+        lineup.contenders.push_back(std::make_unique<PlainContender>(infoOf(loop, Role::Ours)));
+        lineup.contenders.push_back(
+            std::make_unique<StraightContender>(infoOf(loop, Role::Straight), loop));
     }
 }
 

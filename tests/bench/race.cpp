@@ -70,13 +70,13 @@ void takeSample(Result &result)
 
 } // namespace
 
-Quartiles ratio(const Result &result, const Result &unit)
+Spread ratio(const Result &result, const Result &unit)
 {
     std::vector<double> ratios;
     for (std::size_t round = 0; round < result.nanosecondsPerTriangle.size(); ++round) {
         ratios.push_back(result.nanosecondsPerTriangle[round] / unit.nanosecondsPerTriangle[round]);
     }
-    return quartilesOf(ratios);
+    return spreadOf(ratios);
 }
 
 Scene Forms::scene(Shading shading, std::size_t triangles)

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "contender.h"
-#include "quartiles.h"
-#include "stopwatch.h"
+#include "core/measure/spread.h"
+#include "core/measure/stopwatch.h"
 
 #include <functional>
 
@@ -25,11 +25,11 @@ struct Result {
     std::vector<double> processorsUsed; ///< processor time of all threads over wall time, a round
     int disturbedSamples = 0; ///< preempted in every attempt
 
-    Quartiles time() const { return quartilesOf(nanosecondsPerTriangle); }
+    Spread time() const { return spreadOf(nanosecondsPerTriangle); }
 };
 
 /// This result's times in units of another's, each divided within its round.
-Quartiles ratio(const Result &result, const Result &unit);
+Spread ratio(const Result &result, const Result &unit);
 
 /// A workload in the form that each shading asks for.
 class Forms {

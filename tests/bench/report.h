@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lineup.h"
-#include "machine.h"
+#include "machinereport.h"
 #include "picturecheck.h"
 #include "race.h"
 
@@ -33,7 +33,7 @@ struct WorkloadReport {
 
 /// All that a run found out; what is printed and what is written comes from here.
 struct Report {
-    Machine machine;
+    MachineConditions machine;
     double loadAtEnd = 0;
     int rounds = 0;
     Extent extent = Extent::Full;

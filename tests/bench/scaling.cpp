@@ -77,7 +77,7 @@ ScalingResult measureScaling(const ScalingPoint &point, const std::vector<Conten
     return scaling;
 }
 
-QString markdown(const Machine &machine, const std::vector<ScalingResult> &series)
+QString markdown(const MachineConditions &machine, const std::vector<ScalingResult> &series)
 {
     QString text;
     QTextStream out(&text);
@@ -95,19 +95,19 @@ QString markdown(const Machine &machine, const std::vector<ScalingResult> &serie
             out << start << "– | " << scaling.skipped << " | – | – | – | – |\n";
         for (std::size_t i = 0; i < scaling.results.size(); ++i) {
             const Result &result = scaling.results[i];
-            const Quartiles time = result.time();
+            const Spread time = result.time();
             const QString bytes = i == 0 && scaling.workingBytes ? numberText(*scaling.workingBytes)
                                                                  : QStringLiteral("–");
             out << start << numberText(scaling.pixelsPerTriangle) << " | "
                 << result.contender->info().name << " | " << numberText(time.median) << " | "
-                << numberText(time.first) << " … " << numberText(time.third) << " | "
+                << numberText(time.lower) << " … " << numberText(time.upper) << " | "
                 << numberText(time.median / scaling.pixelsPerTriangle) << " | " << bytes << " |\n";
         }
     }
     return text;
 }
 
-QByteArray json(const Machine &machine, const std::vector<ScalingResult> &series)
+QByteArray json(const MachineConditions &machine, const std::vector<ScalingResult> &series)
 {
     QJsonArray points;
     for (const ScalingResult &scaling : series) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "lineup.h"
-#include "machine.h"
+#include "machinereport.h"
 #include "race.h"
 
 namespace pixelplumb::bench {
@@ -33,7 +33,7 @@ ScalingResult measureScaling(const ScalingPoint &point, const std::vector<Conten
                              const QString &referenceId, const RaceOptions &options,
                              const std::function<void(const QString &)> &progress);
 
-QString markdown(const Machine &machine, const std::vector<ScalingResult> &series);
-QByteArray json(const Machine &machine, const std::vector<ScalingResult> &series);
+QString markdown(const MachineConditions &machine, const std::vector<ScalingResult> &series);
+QByteArray json(const MachineConditions &machine, const std::vector<ScalingResult> &series);
 
 } // namespace pixelplumb::bench

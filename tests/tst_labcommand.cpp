@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/labfile.h"
+#include "tests/support/programrun.h"
+
+#include <QFile>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace pixelplumb;
+
+namespace {
+
+/// One scene, two contenders: a second or less.
+ProgramRun lab(const QStringList &options)
+{
+    return run(QStringList{"lab", defaultScene(), "--family", "own-scene", "--contender",
+                           "column-scan:exact,column-scan:float32"}
+               + options);
+}
+
+} // namespace
+
+class TestLabCommand : public QObject {
+    Q_OBJECT
+
+private slots:
+    void printsATableAndHowToDoItAgain()
+    {
+        const ProgramRun result = lab({});
+
+        QCOMPARE(result.exitCode, 0);
+        const QString text = QString::fromUtf8(result.output);
+        QVERIFY2(text.contains(QStringLiteral("Own scene")), result.output.constData());
+        QVERIFY2(text.contains(QStringLiteral("0 proved")), result.output.constData());
+        QVERIFY2(text.contains(QStringLiteral("again: pixelplumb-cli lab ")),
+                 result.output.constData());
+    }
+
+    void writesWhatCanBeReadAndCompared()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("study.json"));
+
+        const ProgramRun written = lab({"--format", "json", "-o", file});
+        QFile opened(file);
+        QVERIFY(opened.open(QIODevice::ReadOnly));
+        const Result<Study> study = readStudy(opened.readAll());
+        const ProgramRun compared = run({"lab", "--compare", file, file});
+
+        QCOMPARE(written.exitCode, 0);
+        QVERIFY(bool(study));
+        QCOMPARE(study->rows.size(), std::size_t(2));
+        QCOMPARE(compared.exitCode, 0);
+        QVERIFY2(compared.output.contains("0 slower, 2 within spread"),
+                 compared.output.constData());
+    }
+
+    void printsCsv()
+    {
+        const ProgramRun result = lab({"--format", "csv"});
+
+        QCOMPARE(result.exitCode, 0);
+        QCOMPARE(result.output.count('\n'), 3);
+    }
+
+    void namesTheCheapestWithinABudget()
+    {
+        const ProgramRun result = lab({"--budget", "exact"});
+
+        QCOMPARE(result.exitCode, 0);
+        QVERIFY2(result.messages.contains("exact on own-scene: Column scan, exact"),
+                 result.messages.constData());
+    }
+
+    void refusesWhatItDoesNotKnow_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QByteArray>("message");
+        QTest::newRow("family") << QStringList{"--family", "tie"}
+                                << QByteArray("did you mean ties?");
+        QTest::newRow("contender") << QStringList{"--contender", "column-scan:float31"}
+                                   << QByteArray("did you mean column-scan:float32?");
+        QTest::newRow("budget") << QStringList{"--budget", "exakt"}
+                                << QByteArray("did you mean exact?");
+        QTest::newRow("format") << QStringList{"--format", "xml"}
+                                << QByteArray("one of text, csv, json");
+        QTest::newRow("seed") << QStringList{"--seed", "-1"} << QByteArray("--seed");
+        QTest::newRow("extents") << QStringList{"--quick", "--full"}
+                                 << QByteArray("expected one of them");
+        QTest::newRow("comparison")
+            << QStringList{"--compare", "a.json"} << QByteArray("the second file is missing");
+    }
+    void refusesWhatItDoesNotKnow()
+    {
+        QFETCH(const QStringList, options);
+        QFETCH(const QByteArray, message);
+
+        const ProgramRun result = run(QStringList{"lab"} + options);
+
+        QCOMPARE(result.exitCode, 2);
+        QVERIFY2(result.messages.contains(message), result.messages.constData());
+    }
+
+    void accuracyDrawsTheSameBytesAsExactArithmetic()
+    {
+        const ProgramRun chosen = run({"render", defaultScene(), "--accuracy", "exact", "-o", "-"});
+        const ProgramRun exact
+            = run({"render", defaultScene(), "--arithmetic", "exact", "-o", "-"});
+
+        QCOMPARE(chosen.exitCode, 0);
+        QVERIFY(chosen.output == exact.output);
+        QVERIFY2(chosen.messages.contains("exact: column-scan:exact:fast, proved for"),
+                 chosen.messages.constData());
+    }
+
+    void accuracyStandsAlone()
+    {
+        const ProgramRun both = run({"render", defaultScene(), "--accuracy", "exact",
+                                     "--arithmetic", "float32", "-o", "-"});
+        const ProgramRun unknown
+            = run({"render", defaultScene(), "--accuracy", "2-level", "-o", "-"});
+
+        QCOMPARE(both.exitCode, 2);
+        QVERIFY2(both.messages.contains("expected it alone"), both.messages.constData());
+        QCOMPARE(unknown.exitCode, 2);
+        QVERIFY2(unknown.messages.contains("did you mean 1-level?"), unknown.messages.constData());
+    }
+};
+
+QTEST_APPLESS_MAIN(TestLabCommand)
+
+#include "tst_labcommand.moc"

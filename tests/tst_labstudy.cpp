@@ -1,0 +1,238 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/labfile.h"
+#include "core/lab/study.h"
+#include "tests/support/defaultscene.h"
+
+#include <QTest>
+
+#include <stdexcept>
+
+using namespace pixelplumb;
+
+namespace {
+
+std::vector<LabContender> contendersOf(const QStringList &ids)
+{
+    std::vector<LabContender> contenders;
+    for (const QString &id : ids)
+        contenders.push_back(*labContenderNamed(id));
+    return contenders;
+}
+
+/// The scene in hand alone: quick.
+StudySettings smallStudy()
+{
+    StudySettings settings;
+    settings.ownScene = std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact));
+    settings.families = {QStringLiteral("own-scene")};
+    settings.contenders
+        = contendersOf({QStringLiteral("column-scan:exact"), QStringLiteral("column-scan:float32"),
+                        QStringLiteral("column-scan:exact:fast")});
+    settings.rounds = 0;
+    return settings;
+}
+
+LabContender thrower()
+{
+    LabContender contender = *labContenderNamed(QStringLiteral("row-walk:exact"));
+    contender.draw = [](const Primitives &, const ScanSettings &, FrameView) {
+        throw std::runtime_error("out of luck");
+    };
+    return contender;
+}
+
+} // namespace
+
+class TestLabStudy : public QObject {
+    Q_OBJECT
+
+private slots:
+    void sameSeedSameBytes()
+    {
+        StudySettings settings = smallStudy();
+        settings.families = {QStringLiteral("far"), QStringLiteral("own-scene")};
+        settings.seed = 5;
+
+        const QByteArray first = writeAccuracy(runStudy(settings));
+        const QByteArray second = writeAccuracy(runStudy(settings));
+        settings.seed = 6;
+        const QByteArray other = writeAccuracy(runStudy(settings));
+
+        QVERIFY(first.size() > 1000);
+        QVERIFY(first == second);
+        QVERIFY(first != other);
+    }
+
+    void leavingAFamilyOutChangesNoOther()
+    {
+        FamilyRequest request;
+        request.seed = 9;
+        const LabFamilyInfo &info = *labFamilyNamed(QStringLiteral("ties"));
+
+        QVERIFY(makeFamily(info, request)->pictures.front().triangles
+                == makeFamily(info, request)->pictures.front().triangles);
+    }
+
+    void familiesThatPromiseItStayInsideTheirFrame()
+    {
+        for (const LabFamilyInfo &info : labFamilies()) {
+            const auto family = makeFamily(info, {});
+            if (!family || !family->staysInside)
+                continue;
+            const LabPicture &picture = family->pictures.front();
+            for (const Triangle &triangle : picture.triangles) {
+                QVERIFY2(doubledArea(triangle) != 0, info.id);
+                for (const Vertex &vertex : triangle.vertices) {
+                    const LatticePoint &at = vertex.position;
+                    QVERIFY2(at.x >= 2 * unitsPerPixel && at.y >= 2 * unitsPerPixel, info.id);
+                    QVERIFY2(at.x <= (picture.frame.width - 3) * unitsPerPixel, info.id);
+                    QVERIFY2(at.y <= (picture.frame.height - 3) * unitsPerPixel, info.id);
+                    QVERIFY2(!family->isOnWholePixels || at.x % unitsPerPixel == 0, info.id);
+                }
+            }
+        }
+    }
+
+    void aContenderThatFailsIsShownSoAndTheOthersAreMeasured()
+    {
+        StudySettings settings = smallStudy();
+        settings.contenders.insert(settings.contenders.begin(), thrower());
+        settings.rounds = 1;
+
+        const Study study = runStudy(settings);
+
+        QVERIFY(study.isComplete);
+        QCOMPARE(study.rows.size(), std::size_t(4));
+        QCOMPARE(study.rows[0].outcome, LabOutcome::Failed);
+        QCOMPARE(study.rows[0].remark, QStringLiteral("out of luck"));
+        QVERIFY(!study.rows[0].accuracy && !study.rows[0].cost);
+        QCOMPARE(study.rows[1].outcome, LabOutcome::Measured);
+        QVERIFY(study.perPixel(study.rows[3]).has_value());
+    }
+
+    void aContenderThatTakesTooLongIsShownSo()
+    {
+        StudySettings settings = smallStudy();
+        settings.contenders[1].draw
+            = [](const Primitives &primitives, const ScanSettings &drawn, FrameView frame) {
+                  for (int i = 0; i < 2000; ++i)
+                      methodNamed(u"column-scan")->draw(primitives, drawn, frame);
+              };
+        settings.accuracyLimit = 1e-6;
+        settings.contenders.resize(2);
+
+        const Study study = runStudy(settings);
+
+        QCOMPARE(study.rows[1].outcome, LabOutcome::TookTooLong);
+        QVERIFY2(study.rows[1].remark.contains(QStringLiteral("of 1 triangles")),
+                 qPrintable(study.rows[1].remark));
+        QVERIFY(!study.rows[1].accuracy);
+        QVERIFY(study.isComplete);
+    }
+
+    void rowsAreToldAsTheyStandAndACancelledStudyKeepsThem()
+    {
+        StudySettings settings = smallStudy();
+        std::vector<std::size_t> told;
+        StudyListener listener;
+        listener.rowChanged = [&](const Study &study, std::size_t row) {
+            QVERIFY(study.rows[row].accuracy.has_value());
+            told.push_back(row);
+        };
+        listener.progress = [&](const JobProgress &) { return told.size() < 2; };
+
+        const Study study = runStudy(settings, listener);
+
+        QCOMPARE(told, (std::vector<std::size_t>{0, 1}));
+        QVERIFY(!study.isComplete);
+        QVERIFY(study.rows[1].accuracy.has_value());
+        QCOMPARE(study.rows[2].outcome, LabOutcome::Pending);
+        QVERIFY(warningsOf(study).join(u'\n').contains(QStringLiteral("was ended before")));
+    }
+
+    void aStudyThatIsEndedWhileItTimesKeepsItsRounds()
+    {
+        StudySettings settings = smallStudy();
+        settings.rounds = 5;
+        StudyListener listener;
+        listener.progress = [&](const JobProgress &progress) {
+            return progress.phase != JobPhase::Measuring || progress.done < 4;
+        };
+
+        const Study study = runStudy(settings, listener);
+
+        QCOMPARE(study.rounds, 1);
+        QCOMPARE(study.rows[0].cost->rounds, 1);
+        QCOMPARE(study.rows[1].cost->rounds, 2); // the second round begins with it
+        QVERIFY(warningsOf(study).join(u'\n').contains(QStringLiteral("Only 1 rounds")));
+    }
+
+    void aStudyOfNothingIsEmpty()
+    {
+        StudySettings settings = smallStudy();
+        settings.ownScene = nullptr;
+
+        const Study study = runStudy(settings);
+
+        QVERIFY(study.rows.empty());
+        QVERIFY(study.isComplete);
+        QCOMPARE(csvOf(study).count('\n'), 1);
+    }
+
+    void aFastKernelHasNoNumbersOfItsOwnAndNoStraightLoop()
+    {
+        StudySettings settings = smallStudy();
+        settings.rounds = 1;
+
+        const Study study = runStudy(settings);
+
+        QVERIFY(study.rows[0].accuracy->levels.has_value());
+        QVERIFY(study.rows[0].cost->operations.has_value());
+        QVERIFY(!study.rows[2].accuracy->levels);
+        QVERIFY(!study.rows[2].cost->operations);
+        QVERIFY(!study.rows[2].cost->straight);
+        QCOMPARE(study.rows[2].accuracy->wrongPixels(), 0);
+    }
+
+    void straightLoopsAreTimedInTheSameRounds()
+    {
+        StudySettings settings = smallStudy();
+        settings.ownScene = nullptr;
+        settings.families = {QStringLiteral("small")};
+        settings.rounds = 2;
+
+        const Study study = runStudy(settings);
+
+        QVERIFY(study.rows[0].cost->straight.has_value());
+        QVERIFY(study.rows[0].cost->timesStraight.has_value());
+        QCOMPARE(study.family(QStringLiteral("small"))->timedTriangles, 3000);
+    }
+
+    void theCommandDoesItAgain()
+    {
+        const Study study = runStudy(smallStudy());
+
+        QCOMPARE(study.command,
+                 QStringLiteral("pixelplumb-cli lab SCENE --quick --seed 1 --family own-scene "
+                                "--contender "
+                                "column-scan:exact,column-scan:float32,column-scan:exact:fast"));
+    }
+
+    void contendersAreFoundByTheirIds()
+    {
+        QCOMPARE(quickContenders().size(), std::size_t(14));
+        for (const LabContender &contender : fullContenders()) {
+            const auto found = labContenderNamed(contender.id);
+            QVERIFY2(found.has_value(), qPrintable(contender.id));
+            QCOMPARE(found->label, contender.label);
+            QVERIFY(contender.isProved() == !contender.domain().isEmpty());
+        }
+        QVERIFY(!labContenderNamed(QStringLiteral("row-walk:exact:fast")));
+        QVERIFY(!labContenderNamed(QStringLiteral("line-dda:exact")));
+        QVERIFY(!labContenderNamed(QStringLiteral("column-scan")));
+    }
+};
+
+QTEST_APPLESS_MAIN(TestLabStudy)
+
+#include "tst_labstudy.moc"
