@@ -132,7 +132,8 @@ void ParetoPlot::setAxes()
         ticker->addTick(tick.axis, tick.label);
     plot()->yAxis->setTicker(ticker);
     plot()->yAxis->setRange(ErrorScale::bottom, m_scale.top());
-    plot()->yAxis->setLabel(QString::fromUtf8(m_axis->title));
+    plot()->yAxis->setLabel(QStringLiteral("%1, %2").arg(QString::fromUtf8(m_axis->title),
+                                                         QString::fromUtf8(m_axis->unit)));
 
     const auto reference = std::ranges::find_if(m_chart.points, [](const ParetoPoint &point) {
         return point.contender == QLatin1String(referenceContenderId);
