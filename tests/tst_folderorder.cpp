@@ -44,6 +44,7 @@ const QList<Library> &libraries()
           {"canvas"},
           {"files"},
           {"studies"},
+          {"lab"},
           {"stepping"},
           {"window"}},
          {"core"}},

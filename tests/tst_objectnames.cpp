@@ -31,7 +31,11 @@ const QStringList promisedNames{
     "compareReason",  "hardCases",        "hardCasesDock",  "precision",       "precisionDock",
     "precisionPlot",  "overdrawMap",      "performance",    "performanceDock", "loadProgress",
     "cancelLoad",     "saveProgress",     "exportProgress", "cancelExport",    "operations",
-    "operationTable", "operationsDock"};
+    "operationTable", "operationsDock",   "statusFigures",  "accuracyLab",     "accuracyLabDock",
+    "labRun",         "labExtent",        "labCancel",      "labProgress",     "labFamily",
+    "labError",       "labFiles",         "labTabs",        "labPareto",       "labTable",
+    "labAnswers",     "labMisses",        "labCostStack",   "labScaling",      "labDrift",
+    "labChanges",     "labWarnings",      "labConditions"};
 
 /// Keys that act in the same scope, by scope: window-wide, or in one widget.
 QString scopeOf(const QAction &action)

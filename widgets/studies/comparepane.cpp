@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/comparepane.h"
 
+#include "core/lab/livefigures.h"
 #include "widgets/look/elidingbox.h"
 #include "widgets/look/framepainter.h"
 #include "widgets/model/playhead.h"
@@ -193,6 +194,14 @@ void ComparePane::clear(const QString &message)
     m_view->setPicture({});
     m_view->setMessage(message);
     m_result->clear();
+}
+
+void ComparePane::showFigures(const LiveFigures &figures)
+{
+    if (figures.perPixel)
+        m_result->setText(
+            m_result->text()
+            + tr(" · %1 ns a pixel").arg(QString::number(figures.perPixel->median, 'f', 2)));
 }
 
 CompareView *ComparePane::view() const { return m_view; }

@@ -14,6 +14,7 @@ namespace pixelplumb {
 class CompareLink;
 class CompareView;
 class Playhead;
+struct LiveFigures;
 
 /// One contender: what it is, and its own run at the place where the playhead is. The truth has no
 /// run; it is shown finished.
@@ -30,6 +31,8 @@ public:
     /// The contender's part of a contest; the contest is kept.
     void show(const std::shared_ptr<const Contest> &contest, std::size_t run);
     void clear(const QString &message);
+    /// What drawing the shown picture takes, beside how it did.
+    void showFigures(const LiveFigures &figures);
 
     CompareView *view() const;
     /// The pane's own position in its own run; none for the truth and without a run.

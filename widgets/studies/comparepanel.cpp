@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/comparepanel.h"
 
+#include "core/lab/livefigures.h"
 #include "core/scene/colourtext.h"
 #include "widgets/model/playhead.h"
 #include "widgets/studies/agreementview.h"
@@ -140,6 +141,14 @@ void ComparePanel::setContenders(const std::vector<Contender> &contenders)
     restart();
 }
 
+void ComparePanel::lookAt(const QPoint &pixel)
+{
+    if (m_job.isRunning() || m_isStale)
+        m_lookedAt = pixel;
+    else
+        m_link->lookAt(pixel);
+}
+
 /// The method in hand beside its own rounding arithmetics, or beside the truth where it has none.
 void ComparePanel::choosePanes()
 {
@@ -176,6 +185,7 @@ void ComparePanel::cancel()
 void ComparePanel::restart()
 {
     m_isStale = true;
+    m_timing.cancel();
     const std::shared_ptr<const TracedScene> traced = m_playhead->sharedTraced();
     if (!isVisible())
         return;
@@ -212,6 +222,8 @@ void ComparePanel::take(const std::shared_ptr<const Contest> &contest)
     if (contest->runs.size() != m_panes.size())
         return; // a pane came or went; the next one is under way
     m_link->setFrame(contest->scene.frame);
+    if (const auto pixel = std::exchange(m_lookedAt, std::nullopt))
+        m_link->lookAt(*pixel);
     for (std::size_t i = 0; i < m_panes.size(); ++i)
         m_panes[i]->show(contest, i);
     m_agreement->setContest(contest);
@@ -226,7 +238,32 @@ void ComparePanel::take(const std::shared_ptr<const Contest> &contest)
     }
     m_legend->setText(legend.join(QStringLiteral(" &nbsp; ")));
     tellPixel();
+    measure();
     emit contestChanged();
+}
+
+/// What each contender takes, beside the GUI thread and after the pictures are there.
+void ComparePanel::measure()
+{
+    std::vector<std::shared_ptr<const Scene>> scenes;
+    for (const ContenderRun &run : m_contest->runs)
+        scenes.push_back(run.contender.isTruth() ? nullptr
+                                                 : std::make_shared<const Scene>(
+                                                     sceneFor(m_contest->scene, run.contender)));
+    using Figures = std::vector<std::optional<LiveFigures>>;
+    m_timing.start(
+        [scenes](const ProgressListener &listener) {
+            Figures figures;
+            for (const auto &scene : scenes)
+                figures.push_back(scene ? liveFiguresOf(scene, listener) : std::nullopt);
+            return figures;
+        },
+        [this, measured = m_contest](const Figures &figures) {
+            for (std::size_t i = 0; measured == m_contest && i < figures.size(); ++i) {
+                if (figures[i])
+                    m_panes[i]->showFigures(*figures[i]);
+            }
+        });
 }
 
 /// Seen only where it takes longer than a moment.

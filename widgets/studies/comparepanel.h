@@ -40,6 +40,8 @@ public:
 public slots:
     /// Two to four.
     void setContenders(const std::vector<pixelplumb::Contender> &contenders);
+    /// Brings a pixel of the scene in hand into the middle of every pane, as soon as it is there.
+    void lookAt(const QPoint &pixel);
     void cancel();
 
 signals:
@@ -55,6 +57,7 @@ private:
     void choosePanes();
     void restart();
     void take(const std::shared_ptr<const Contest> &contest);
+    void measure();
     void tellPixel();
     void tellProgress(const JobProgress &progress);
     QString pixelText() const;
@@ -73,7 +76,9 @@ private:
     bool m_isChosen = false; ///< the panes have been given contenders
     bool m_isStale = true; ///< the contest is of another scene or other contenders
     std::shared_ptr<const Contest> m_contest;
+    std::optional<QPoint> m_lookedAt; ///< when the next contest is there
     Job m_job;
+    Job m_timing; ///< of the contenders of the contest
 };
 
 } // namespace pixelplumb

@@ -6,18 +6,14 @@
 
 namespace pixelplumb {
 
-namespace {
-
-QString superscript(int number)
+QString powerOfTenText(int exponent)
 {
     static const QString digits = QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹");
-    QString text;
-    for (const QChar figure : QString::number(number))
+    QString text = QStringLiteral("10");
+    for (const QChar figure : QString::number(exponent))
         text += figure == u'-' ? QChar(0x207b) : digits[figure.digitValue()];
     return text;
 }
-
-} // namespace
 
 PrecisionScale::PrecisionScale(double smallest, double largest)
 {
@@ -49,7 +45,7 @@ std::vector<PrecisionScale::Tick> PrecisionScale::ticks(int perSide) const
     std::vector<Tick> ticks = {{0, QStringLiteral("0")}};
     // The last one keeps its distance from 0.
     for (int exponent = m_largest; 1 + exponent - m_least >= stride; exponent -= stride) {
-        const QString label = QStringLiteral("10") + superscript(exponent);
+        const QString label = powerOfTenText(exponent);
         const double axis = 1 + double(exponent - m_least);
         ticks.push_back({axis, label});
         ticks.push_back({-axis, QChar(0x2212) + label});

@@ -7,6 +7,9 @@
 
 namespace pixelplumb {
 
+/// "10⁻⁷"
+QString powerOfTenText(int exponent);
+
 /// An axis of errors of either sign over many decades with a true 0 in its middle: logarithmic from
 /// 10^least on, and linear between that and 0. One decade is one unit of the axis.
 class PrecisionScale {

@@ -6,6 +6,7 @@
 #include "widgets/files/recentfiles.h"
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
+#include "widgets/lab/accuracylab.h"
 #include "widgets/look/colourbutton.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/messagebar.h"
@@ -18,16 +19,13 @@
 #include "widgets/stepping/scrubber.h"
 #include "widgets/stepping/stepactions.h"
 #include "widgets/stepping/stepperbar.h"
-#include "widgets/studies/comparepanel.h"
-#include "widgets/studies/hardcasesopening.h"
-#include "widgets/studies/hardcasespanel.h"
-#include "widgets/studies/precisionpanel.h"
 #include "widgets/window/editmenu.h"
 #include "widgets/window/filemenu.h"
 #include "widgets/window/helpmenu.h"
 #include "widgets/window/methodbar.h"
 #include "widgets/window/methodmenu.h"
 #include "widgets/window/stepmenu.h"
+#include "widgets/window/studylinks.h"
 #include "widgets/window/viewmenu.h"
 #include "widgets/window/windowdocks.h"
 #include "widgets/window/windowsettings.h"
@@ -67,7 +65,7 @@ MainWindow::MainWindow(QWidget *parent)
     makeToolBars();
     setStatusBar(new WindowStatusBar(m_parts, this));
     connectParts();
-    connectStudies();
+    connectStudies(m_parts, *m_docks, this);
     m_settings = std::make_unique<WindowSettings>(m_parts, this);
     if (!m_settings->restore())
         m_docks->reset();
@@ -209,21 +207,6 @@ void MainWindow::connectParts()
     });
 }
 
-void MainWindow::connectStudies()
-{
-    auto *opening = new HardCasesOpening(m_parts.files, m_parts.playhead, this);
-    HardCasesPanel *cases = m_docks->panel<HardCasesPanel>();
-    connect(cases, &HardCasesPanel::openRequested, opening, &HardCasesOpening::open);
-    connect(cases, &HardCasesPanel::compareRequested, this,
-            [this](const std::vector<Contender> &contenders) {
-                auto *compare = m_docks->panel<ComparePanel>();
-                m_docks->raise(compare);
-                compare->setContenders(contenders);
-            });
-    connect(cases, &HardCasesPanel::precisionRequested, this,
-            [this] { m_docks->raise(m_docks->panel<PrecisionPanel>()); });
-}
-
 void MainWindow::takeTrace(const std::shared_ptr<const TracedScene> &traced)
 {
     m_parts.playhead->setTraced(traced);
@@ -246,6 +229,7 @@ void MainWindow::goToOpeningPlace()
 void MainWindow::updateTitle()
 {
     m_parts.exports->setScenePath(m_parts.files->path());
+    m_docks->panel<AccuracyLab>()->setScenePath(m_parts.files->path());
     m_parts.exports->setBaseName(
         QString(m_parts.files->displayName()).remove(QStringLiteral(".json")));
     setWindowTitle(tr("%1[*] — Pixelplumb").arg(m_parts.files->displayName()));

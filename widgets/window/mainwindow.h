@@ -49,7 +49,6 @@ private:
     void makeToolBars();
     void makeMenus();
     void connectParts();
-    void connectStudies();
     void takeTrace(const std::shared_ptr<const TracedScene> &traced);
     void goToOpeningPlace();
     void updateTitle();

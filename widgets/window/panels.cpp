@@ -5,6 +5,7 @@
 #include "widgets/inspect/formulapanel.h"
 #include "widgets/inspect/pixelgrid.h"
 #include "widgets/inspect/pixelhistorypanel.h"
+#include "widgets/lab/accuracylab.h"
 #include "widgets/studies/comparepanel.h"
 #include "widgets/studies/hardcasespanel.h"
 #include "widgets/studies/operationpanel.h"
@@ -53,6 +54,8 @@ constexpr Panel table[] = {
      follower<PerformancePanel>, leftArea, hiddenAtFirst},
     {"operationsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Operations"),
      follower<OperationPanel>, bottomArea, hiddenAtFirst},
+    {"accuracyLabDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Accuracy lab"),
+     follower<AccuracyLab>, bottomArea, hiddenAtFirst},
 };
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "core/scene/colourtext.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/steptext.h"
+#include "widgets/window/statusfigures.h"
 
 #include <QBoxLayout>
 #include <QFrame>
@@ -32,7 +33,8 @@ StatusFields::StatusFields(Playhead *playhead, QWidget *parent)
     m_column = addField(QStringLiteral("statusColumn"));
     m_step = addField(QStringLiteral("statusStep"));
     m_settings = addField(QStringLiteral("statusSettings"));
-    m_row->addStretch();
+    addLine();
+    m_row->addWidget(new StatusFigures(playhead, this), 1);
     connect(playhead, &Playhead::tracedChanged, this, &StatusFields::takeTrace);
     connect(playhead, &Playhead::positionChanged, this, [this] { refresh(); });
     connect(playhead, &Playhead::pickedPixelChanged, this, [this] { refresh(); });
@@ -45,14 +47,18 @@ void StatusFields::setHovered(std::optional<QPoint> pixel)
     refresh();
 }
 
+void StatusFields::addLine()
+{
+    auto *line = new QFrame(this);
+    line->setFrameShape(QFrame::VLine);
+    line->setForegroundRole(QPalette::Mid);
+    m_row->addWidget(line);
+}
+
 QLabel *StatusFields::addField(const QString &name)
 {
-    if (m_row->count() > 0) {
-        auto *line = new QFrame(this);
-        line->setFrameShape(QFrame::VLine);
-        line->setForegroundRole(QPalette::Mid);
-        m_row->addWidget(line);
-    }
+    if (m_row->count() > 0)
+        addLine();
     auto *label = new QLabel(this);
     label->setObjectName(name);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse);

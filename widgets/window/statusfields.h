@@ -14,8 +14,8 @@ namespace pixelplumb {
 class Playhead;
 
 /// The status bar's fields: the pixel under the mouse or picked, the column and the step in hand,
-/// under which rules. Each is as wide as the widest text that it will show, so that nothing moves
-/// in stepping.
+/// under which rules, what they cost and get wrong. Each is as wide as the widest text that it will
+/// show, so that nothing moves in stepping.
 class StatusFields : public QWidget {
     Q_OBJECT
 
@@ -28,6 +28,7 @@ public slots:
 
 private:
     QLabel *addField(const QString &name);
+    void addLine();
     void takeTrace();
     void refresh();
     QString pixelText() const;

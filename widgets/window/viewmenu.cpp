@@ -91,7 +91,7 @@ void ViewMenu::addDocks(const WindowParts &parts, WindowDocks *docks)
     panels->setObjectName(QStringLiteral("panelsMenu"));
     int digit = 0;
     for (QAction *toggle : docks->toggles()) {
-        toggle->setShortcut(Qt::ALT | Qt::Key(Qt::Key_1 + digit++));
+        toggle->setShortcut(Qt::ALT | Qt::Key(Qt::Key_0 + ++digit % 10)); // the tenth is 0
         panels->addAction(toggle);
     }
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/studies/hardcasesopening.h"
+#include "widgets/studies/differenceopening.h"
 
 #include "widgets/files/scenefiles.h"
 #include "widgets/model/playhead.h"
@@ -35,35 +35,55 @@ std::optional<QPoint> wrongPixelAt(const TracedScene &traced, std::size_t positi
 
 } // namespace
 
-HardCasesOpening::HardCasesOpening(SceneFiles *files, Playhead *playhead, QObject *parent)
+DifferenceOpening::DifferenceOpening(SceneFiles *files, Playhead *playhead, QObject *parent)
     : QObject(parent)
     , m_files(files)
     , m_playhead(playhead)
 {
-    connect(playhead, &Playhead::tracedChanged, this, &HardCasesOpening::goToDifference);
+    connect(playhead, &Playhead::tracedChanged, this, &DifferenceOpening::arrive);
 }
 
-void HardCasesOpening::open(const Scene &scene)
+void DifferenceOpening::open(const Scene &scene)
 {
+    m_pixel.reset();
     m_awaited = scene;
     if (!m_files->showScene(scene))
         m_awaited.reset();
 }
 
-void HardCasesOpening::goToDifference()
+bool DifferenceOpening::openAt(const Scene &scene, const QPoint &pixel)
+{
+    m_pixel = pixel;
+    m_awaited = scene;
+    const bool isShown = m_files->showScene(scene);
+    if (!isShown)
+        m_awaited.reset();
+    return isShown;
+}
+
+void DifferenceOpening::arrive()
 {
     const TracedScene *traced = m_playhead->traced();
     if (!m_awaited || !traced || traced->scene != *m_awaited)
         return;
     m_awaited.reset();
-    const auto mark = std::ranges::find(traced->marks, MarkKind::FirstDifference, &TraceMark::kind);
-    if (mark == traced->marks.end()) {
+    if (!m_pixel)
+        return goToFirstDifference(*traced);
+    m_playhead->seek(traced->decidedAt(m_pixel->x(), m_pixel->y()));
+    m_playhead->pick(*m_pixel);
+    emit pixelReached(*m_pixel);
+}
+
+void DifferenceOpening::goToFirstDifference(const TracedScene &traced)
+{
+    const auto mark = std::ranges::find(traced.marks, MarkKind::FirstDifference, &TraceMark::kind);
+    if (mark == traced.marks.end()) {
         m_playhead->seek(m_playhead->end());
         emit m_playhead->message(tr("Drawn to the end: every pixel is as in the truth."));
         return;
     }
     m_playhead->seek(mark->step + 1);
-    if (const std::optional<QPoint> pixel = wrongPixelAt(*traced, mark->step + 1))
+    if (const std::optional<QPoint> pixel = wrongPixelAt(traced, mark->step + 1))
         m_playhead->pick(*pixel);
 }
 

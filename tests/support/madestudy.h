@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/lab/labresults.h"
+
+#include <memory>
+
+namespace pixelplumb {
+
+/// A row of a made-up study: ns a pixel, wrong bytes of a million pixels.
+struct MadeContender {
+    const char *id;
+    double perPixel;
+    std::int64_t wrongBytes;
+    bool isProved = false;
+};
+
+/// A study of two families, "f" and "g", of which only the first one is timed.
+inline std::shared_ptr<LabResults> madeResults(const std::vector<MadeContender> &contenders)
+{
+    auto results = std::make_shared<LabResults>();
+    Study &study = results->study;
+    study.command = QStringLiteral("pixelplumb-cli lab --quick --seed 1");
+    study.conditions.processor = QStringLiteral("a processor");
+    study.rounds = 5;
+    for (const char *id : {"f", "g"}) {
+        StudyFamily family;
+        family.id = QLatin1String(id);
+        family.title = QStringLiteral("Family %1").arg(family.id);
+        family.timedTriangles = 10;
+        family.timedColumns = 200;
+        family.timedRows = 300;
+        family.timedPixels = 1000;
+        study.families.push_back(family);
+        for (const MadeContender &made : contenders) {
+            LabRow row;
+            row.contender = QLatin1String(made.id);
+            row.family = family.id;
+            row.outcome = LabOutcome::Measured;
+            row.settings.arithmetic = Arithmetic::Float32;
+            row.accuracy.emplace().pixels = 1'000'000;
+            row.accuracy->wrongBytes = made.wrongBytes;
+            if (family.id == QStringLiteral("f")) {
+                const double draw = made.perPixel * 1000;
+                row.cost.emplace().perDraw = {draw * 0.9, draw, draw * 1.1};
+                row.cost->rounds = 5;
+            }
+            study.rows.push_back(row);
+        }
+    }
+    for (const MadeContender &made : contenders)
+        study.contenders.push_back({QLatin1String(made.id), QLatin1String(made.id), made.isProved,
+                                    QStringLiteral("all triangles"), CostFit{20, 3, 0.5, 0}});
+    return results;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,210 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/lab/accuracylab.h"
+
+#include "widgets/lab/labcharts.h"
+#include "widgets/lab/labcontrols.h"
+#include "widgets/lab/labfiles.h"
+#include "widgets/lab/labrun.h"
+#include "widgets/lab/labtext.h"
+#include "widgets/look/elidedlabel.h"
+#include "widgets/model/playhead.h"
+
+#include <QApplication>
+#include <QBoxLayout>
+#include <QClipboard>
+#include <QFile>
+#include <QFileInfo>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Part of the program, so that every machine has the same ones.
+std::vector<HardCase> builtInCases()
+{
+    QFile file(QStringLiteral(":/cases/hard_cases.json"));
+    if (!file.open(QIODevice::ReadOnly))
+        return {};
+    const Result<std::vector<HardCase>> cases = readHardCases(file.readAll());
+    return cases ? *cases : std::vector<HardCase>();
+}
+
+} // namespace
+
+AccuracyLab::AccuracyLab(Playhead *playhead, QWidget *parent)
+    : QWidget(parent)
+    , m_playhead(playhead)
+    , m_run(new LabRun(this))
+    , m_files(new LabFiles(this))
+    , m_controls(new LabControls(m_run, this))
+    , m_charts(new LabCharts(this))
+    , m_invitation(new QLabel(this))
+    , m_warnings(new ElidedLabel(this))
+    , m_conditions(new ElidedLabel(this))
+{
+    setObjectName(QStringLiteral("accuracyLab"));
+    setAccessibleName(tr("Accuracy lab"));
+    m_invitation->setObjectName(QStringLiteral("labInvitation"));
+    m_invitation->setWordWrap(true);
+    m_invitation->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+    m_warnings->setObjectName(QStringLiteral("labWarnings"));
+    m_warnings->setAccessibleName(tr("Warnings"));
+    m_conditions->setObjectName(QStringLiteral("labConditions"));
+    m_conditions->setAccessibleName(tr("Machine, compiler, and the command that does it again"));
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 4);
+    layout->setSpacing(4);
+    layout->addWidget(m_controls);
+    layout->addWidget(m_invitation, 1);
+    layout->addWidget(m_charts, 1);
+    layout->addWidget(m_warnings);
+    layout->addWidget(m_conditions);
+    connect(m_run, &LabRun::resultsChanged, this, &AccuracyLab::take);
+    connect(m_run, &LabRun::ended, this, &AccuracyLab::showState);
+    connect(m_charts, &LabCharts::missRequested, this, &AccuracyLab::openMiss);
+    connect(m_files, &LabFiles::complaint, this, &AccuracyLab::complaint);
+    connect(m_files, &LabFiles::notice, this, &AccuracyLab::notice);
+    connectControls();
+    showState();
+}
+
+AccuracyLab::~AccuracyLab() = default;
+
+void AccuracyLab::connectControls()
+{
+    connect(m_controls, &LabControls::runRequested, this, &AccuracyLab::run);
+    connect(m_controls, &LabControls::cancelRequested, this, &AccuracyLab::cancel);
+    connect(m_controls, &LabControls::extentChanged, this, &AccuracyLab::showState);
+    connect(m_controls, &LabControls::choiceChanged, this, &AccuracyLab::showChoice);
+    connect(m_controls, &LabControls::openRequested, this, [this] {
+        if (const QString path = m_files->askForInput(tr("Open Results")); !path.isEmpty())
+            openResults(path);
+    });
+    connect(m_controls, &LabControls::compareRequested, this, [this] {
+        if (const QString path = m_files->askForInput(tr("Compare with Earlier Results"));
+            !path.isEmpty())
+            compareWith(path);
+    });
+    connect(m_controls, &LabControls::saveRequested, this, [this] {
+        const QString path = m_files->askForOutput(
+            tr("Save the Results"), tr("Results of the lab (*.json)"), QStringLiteral("json"));
+        if (!path.isEmpty())
+            m_files->writeResults(path, m_results->study);
+    });
+    connect(m_controls, &LabControls::saveTableRequested, this, [this] {
+        const QString path = m_files->askForOutput(tr("Save the Table"), tr("CSV tables (*.csv)"),
+                                                   QStringLiteral("csv"));
+        if (!path.isEmpty())
+            m_files->writeTable(path, m_results->study);
+    });
+    connect(m_controls, &LabControls::saveChartRequested, this, &AccuracyLab::saveChart);
+    connect(m_controls, &LabControls::copyCommandRequested, this, [this] {
+        QApplication::clipboard()->setText(m_results->study.command);
+        emit notice(tr("The command is on the clipboard."));
+    });
+}
+
+bool AccuracyLab::isRunning() const { return m_run->isRunning(); }
+
+void AccuracyLab::setScenePath(const QString &path)
+{
+    m_scenePath = path;
+    m_files->setScenePath(path);
+}
+
+void AccuracyLab::run()
+{
+    StudySettings settings = m_request;
+    settings.extent = m_controls->extent();
+    if (const auto traced = m_playhead->sharedTraced())
+        settings.ownScene = {traced, &traced->scene};
+    settings.ownSceneName = m_scenePath;
+    if (settings.hardCases.empty())
+        settings.hardCases = builtInCases();
+    m_charts->forgetChanges();
+    m_run->start(settings);
+    showState();
+}
+
+void AccuracyLab::cancel() { m_run->cancel(); }
+
+void AccuracyLab::take(const SharedResults &results)
+{
+    m_results = results;
+    m_controls->setFamilies(results->study.families);
+    showChoice();
+    showState();
+    emit resultsChanged();
+}
+
+void AccuracyLab::showChoice()
+{
+    if (m_results)
+        m_charts->show(m_results, m_controls->family(), m_controls->errorAxis());
+}
+
+void AccuracyLab::showState()
+{
+    m_controls->showRunning();
+    m_controls->setHasResults(m_results != nullptr);
+    m_charts->setVisible(m_results != nullptr);
+    m_conditions->setVisible(m_results != nullptr);
+    m_invitation->setVisible(!m_results);
+    m_invitation->setText(isRunning() ? tr("The first pictures are being judged.")
+                                      : invitationText(m_controls->extent()));
+    const QStringList warnings = m_results ? warningsOf(m_results->study) : QStringList();
+    m_warnings->setVisible(!warnings.isEmpty() && !isRunning());
+    m_warnings->setWholeText(QStringLiteral("⚠ ") + warnings.join(QStringLiteral(" ⚠ ")));
+    if (m_results)
+        m_conditions->setWholeText(originOf(m_results->study).join(QStringLiteral(" · ")));
+}
+
+void AccuracyLab::openMiss(const QString &contender)
+{
+    const LabRow *row = m_results ? m_results->study.row(contender, m_controls->family()) : nullptr;
+    if (!row)
+        return;
+    if (row->firstMiss)
+        emit missRequested(*row->firstMiss);
+    else
+        emit notice(tr("There is no wrong pixel to look at here."));
+}
+
+void AccuracyLab::saveChart()
+{
+    LabPlot *chart = m_charts->chartInFront();
+    if (!chart) {
+        emit complaint(tr("A table stands in front: choose the tab of a chart."));
+        return;
+    }
+    const QString path = m_files->askForOutput(tr("Save the Chart"),
+                                               tr("SVG drawings (*.svg);;PNG pictures (*.png)"),
+                                               QStringLiteral("svg"));
+    const StudyFamily *family = m_results->study.family(m_controls->family());
+    const QString title = family ? tr("%1: %2").arg(chart->accessibleName(), family->title)
+                                 : chart->accessibleName();
+    if (!path.isEmpty())
+        m_files->writeChart(path, *chart, title, m_results->study);
+}
+
+bool AccuracyLab::openResults(const QString &path)
+{
+    std::optional<Study> study = m_files->read(path);
+    if (!study)
+        return false;
+    m_run->cancel();
+    m_charts->forgetChanges();
+    take(std::make_shared<const LabResults>(LabResults{std::move(*study), {}, {}}));
+    return true;
+}
+
+bool AccuracyLab::compareWith(const QString &path)
+{
+    const std::optional<Study> before = m_files->read(path);
+    if (!before || !m_results)
+        return false;
+    m_charts->showChanges(*before, m_results->study, QFileInfo(path).fileName());
+    return true;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/lab/labplot.h"
+
+#include <QWidget>
+
+class QLabel;
+
+namespace pixelplumb {
+
+class ElidedLabel;
+class LabCharts;
+class LabControls;
+class LabFiles;
+class LabRun;
+class Playhead;
+
+/// What accuracy costs in time (objectName "accuracyLab"): one button judges and times every
+/// contender beside the GUI thread; charts and tables fill while it goes on.
+class AccuracyLab : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit AccuracyLab(Playhead *playhead, QWidget *parent = nullptr);
+    ~AccuracyLab() override;
+
+    bool isRunning() const;
+    /// Null before the first run, and before a file was opened.
+    const SharedResults &results() const { return m_results; }
+    LabFiles *files() const { return m_files; }
+
+    /// What is asked of a study beside its extent, its scene and the hard cases.
+    void setRequest(const StudySettings &request) { m_request = request; }
+    /// For the command that does a study again; empty where the scene has no file.
+    void setScenePath(const QString &path);
+    /// False after a complaint.
+    bool openResults(const QString &path);
+    bool compareWith(const QString &path);
+
+    QSize sizeHint() const override { return {960, 400}; }
+
+public slots:
+    void run();
+    void cancel();
+
+signals:
+    void resultsChanged();
+    /// A contender's first wrong pixel, and who is to be seen beside the truth there.
+    void missRequested(const pixelplumb::LabMiss &miss);
+    void complaint(const QString &text);
+    void notice(const QString &text);
+
+private:
+    void connectControls();
+    void take(const SharedResults &results);
+    void showChoice();
+    void showState();
+    void openMiss(const QString &contender);
+    void saveChart();
+
+    Playhead *m_playhead;
+    LabRun *m_run;
+    LabFiles *m_files;
+    LabControls *m_controls;
+    LabCharts *m_charts;
+    QLabel *m_invitation;
+    ElidedLabel *m_warnings;
+    ElidedLabel *m_conditions;
+    StudySettings m_request;
+    QString m_scenePath;
+    SharedResults m_results;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/lab/coststack.h"
+
+#include "widgets/lab/labtext.h"
+#include "widgets/look/signs.h"
+
+#include <qcustomplot.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelplumb {
+
+CostStack::CostStack(QWidget *parent)
+    : LabPlot("labCostStack", tr("Cost of set-up, columns and pixels"), parent)
+{
+    // Of many contenders those that find no room come by dragging or by the wheel.
+    plot()->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+    plot()->axisRect()->setRangeDrag(Qt::Vertical);
+    plot()->axisRect()->setRangeZoom(Qt::Vertical);
+}
+
+void CostStack::show(const SharedResults &results, const QString &family)
+{
+    m_results = results;
+    m_family = family;
+    m_bars = bars();
+    rebuild();
+}
+
+std::vector<CostStack::Bar> CostStack::bars() const
+{
+    if (!m_results)
+        return {};
+    const Study &study = m_results->study;
+    const StudyFamily *family = study.family(m_family);
+    std::vector<Bar> bars;
+    for (const StudyContender &contender : study.contenders) {
+        const LabRow *row = study.row(contender.id, m_family);
+        const std::optional<CostParts> parts = row ? costPartsOf(study, *row) : std::nullopt;
+        if (!parts)
+            continue;
+        Bar bar{contender.label, *parts, {}};
+        if (row->cost) {
+            const Spread &time = row->cost->perDraw;
+            const auto pixels = double(family->timedPixels);
+            bar.measured = Spread{time.lower / pixels, time.median / pixels, time.upper / pixels};
+        }
+        bars.push_back(bar);
+    }
+    std::ranges::sort(bars, {}, [](const Bar &bar) { return bar.parts.sum(); });
+    return bars;
+}
+
+void CostStack::build()
+{
+    QCPAxis *up = plot()->yAxis;
+    plot()->xAxis->setLabel(tr("ns a pixel"));
+    plot()->xAxis->grid()->setVisible(true);
+    up->setTickLength(0);
+    up->grid()->setVisible(false);
+    const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
+    for (std::size_t i = 0; i < m_bars.size(); ++i)
+        ticker->addTick(-double(i), m_bars[i].label);
+    up->setTicker(ticker);
+    const double fitting = std::max(3.0, double(height() - 60) / fontMetrics().height());
+    up->setRange(-std::min(double(m_bars.size()), fitting) + 0.4, 0.6);
+    if (m_bars.empty()) {
+        plot()->xAxis->setRange(0, 1);
+        return addMessage(tr("Set-up, columns and pixels stand apart when several families are "
+                             "timed."));
+    }
+    addBars();
+    addMeasured();
+}
+
+void CostStack::addBars()
+{
+    struct Part {
+        QString name;
+        double CostParts::*value;
+        Sign sign;
+        Qt::BrushStyle style;
+    };
+    const std::array<Part, 3> parts
+        = {Part{tr("set-up"), &CostParts::setUp, Sign::PickedPixel, Qt::SolidPattern},
+           Part{tr("columns or rows"), &CostParts::columns, Sign::ColumnInHand, Qt::BDiagPattern},
+           Part{tr("pixels"), &CostParts::pixels, Sign::LowerEdge, Qt::Dense4Pattern}};
+    QCPBars *before = nullptr;
+    for (const Part &part : parts) {
+        auto *shown = new QCPBars(plot()->yAxis, plot()->xAxis);
+        const QColor colour = signColour(part.sign, palette());
+        shown->setPen(QPen(colour, 1));
+        shown->setBrush(QBrush(colour, part.style));
+        shown->setWidth(0.6);
+        shown->setName(part.name);
+        shown->addToLegend();
+        for (std::size_t i = 0; i < m_bars.size(); ++i)
+            shown->addData(-double(i), m_bars[i].parts.*part.value);
+        if (before)
+            shown->moveAbove(before);
+        before = shown;
+    }
+}
+
+void CostStack::addMeasured()
+{
+    double most = 0;
+    const QColor text = palette().color(QPalette::Text);
+    for (std::size_t i = 0; i < m_bars.size(); ++i) {
+        most = std::max(most, m_bars[i].parts.sum());
+        if (!m_bars[i].measured)
+            continue;
+        const Spread &time = *m_bars[i].measured;
+        most = std::max(most, time.upper);
+        auto *bar = new QCPItemLine(plot());
+        bar->setPen(QPen(text, 1));
+        bar->setHead(QCPLineEnding(QCPLineEnding::esBar, 6));
+        bar->setTail(QCPLineEnding(QCPLineEnding::esBar, 6));
+        bar->start->setCoords(time.lower, -double(i));
+        bar->end->setCoords(time.upper, -double(i));
+    }
+    QCPGraph *key = addKey(tr("measured"));
+    key->setPen(QPen(text, 1));
+    plot()->xAxis->setRange(0, most * 1.05);
+}
+
+QString CostStack::textAt(const QPointF &position) const
+{
+    const auto i = std::lround(-plot()->yAxis->pixelToCoord(position.y()));
+    if (i < 0 || std::size_t(i) >= m_bars.size()
+        || !plot()->axisRect()->rect().contains(position.toPoint()))
+        return {};
+    const Bar &bar = m_bars[std::size_t(i)];
+    QStringList lines
+        = {QStringLiteral("<b>%1</b>").arg(bar.label.toHtmlEscaped()),
+           tr("of a pixel's time, set-up %1 ns, columns or rows %2 ns, the pixel itself %3 ns")
+               .arg(figureText(bar.parts.setUp), figureText(bar.parts.columns),
+                    figureText(bar.parts.pixels))};
+    if (bar.measured)
+        lines.append(tr("measured: %1 ns").arg(spreadText(*bar.measured)));
+    return lines.join(QStringLiteral("<br>"));
+}
+
+} // namespace pixelplumb

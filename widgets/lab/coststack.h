@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/lab/costparts.h"
+#include "widgets/lab/labplot.h"
+
+namespace pixelplumb {
+
+/// Where the time of each contender goes (objectName "labCostStack"): set-up, columns and pixels as
+/// one bar, and the measured time with its middle half beside it.
+class CostStack : public LabPlot {
+    Q_OBJECT
+
+public:
+    explicit CostStack(QWidget *parent = nullptr);
+
+    void show(const SharedResults &results, const QString &family);
+
+    QString textAt(const QPointF &position) const override;
+
+protected:
+    void build() override;
+
+private:
+    struct Bar {
+        QString label;
+        CostParts parts;
+        std::optional<Spread> measured; ///< ns a pixel
+    };
+    std::vector<Bar> bars() const;
+    void addBars();
+    void addMeasured();
+
+    SharedResults m_results;
+    QString m_family;
+    std::vector<Bar> m_bars; ///< the cheapest first
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/lab/driftplot.h"
+
+#include "core/scan/choicenames.h"
+#include "widgets/studies/precisionplot.h"
+
+#include <qcustomplot.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr double halfPixel = 0.5; ///< where a bound may cross a sample for certain
+
+} // namespace
+
+DriftPlot::DriftPlot(QWidget *parent)
+    : LabPlot("labDrift", tr("Drift of increments over the columns"), parent)
+{
+}
+
+void DriftPlot::show(const SharedResults &results)
+{
+    m_results = results;
+    rebuild();
+}
+
+void DriftPlot::build()
+{
+    plot()->xAxis->setLabel(tr("columns walked"));
+    plot()->yAxis->setLabel(tr("error of a bound, px"));
+    double smallest = halfPixel;
+    double largest = halfPixel;
+    std::int64_t last = 0;
+    for (const DriftCurve &curve : m_results ? m_results->drift : std::vector<DriftCurve>()) {
+        QCPGraph *error = addKey(nameText(nameOf(curve.arithmetic)));
+        QColor colour = arithmeticColour(curve.arithmetic, palette());
+        error->setPen(QPen(colour, 1.5, arithmeticLine(curve.arithmetic)));
+        colour.setAlphaF(0.6F);
+        QCPGraph *limit = plot()->addGraph();
+        limit->setPen(QPen(colour, 1, Qt::DotLine));
+        for (const DriftPoint &point : curve.points) {
+            if (point.column < 1)
+                continue;
+            last = std::max(last, point.column);
+            // An error of 0 is below every power of ten: a gap in the curve.
+            error->addData(double(point.column), point.error > 0 ? point.error : qQNaN());
+            if (point.error > 0)
+                smallest = std::min(smallest, point.error);
+            if (point.limit > 0) {
+                limit->addData(double(point.column), point.limit);
+                largest = std::max(largest, point.limit);
+            }
+        }
+    }
+    setLogRange(plot()->xAxis, 1, double(std::max<std::int64_t>(last, 10)));
+    setLogRange(plot()->yAxis, smallest / 2, largest * 2);
+    if (last == 0)
+        return addMessage(tr("Drift is computed with a study, and not kept in files."));
+    QCPGraph *limitKey = addKey(tr("limit by proof"));
+    limitKey->setPen(QPen(palette().color(QPalette::Text), 1, Qt::DotLine));
+    QCPGraph *fence = addKey(tr("½ px"));
+    fence->setPen(QPen(palette().color(QPalette::Text), 1, Qt::DashLine));
+    fence->setData({1.0, double(last)}, {halfPixel, halfPixel}, true);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/pareto.h"
+
+namespace pixelplumb {
+
+/// The error axis of the Pareto chart: logarithmic, one decade a unit, and below the decades a row
+/// for what is 0 as far as it was observed and one for what is 0 by proof.
+class ErrorScale {
+public:
+    ErrorScale() = default;
+    /// Whole decades around the errors of class Positive. Without one, three decades around 1.
+    explicit ErrorScale(const std::vector<ParetoPoint> &points);
+
+    int leastExponent() const { return m_least; }
+    int largestExponent() const { return m_largest; }
+
+    double toAxis(ErrorClass errorClass, double error) const;
+    /// What a place on the axis means: the nearer row, or the error.
+    ErrorClass classAt(double axis) const;
+    double errorAt(double axis) const; ///< 0 in the rows
+
+    /// The axis' ends.
+    static constexpr double bottom = -0.5;
+    double top() const { return double(m_largest - m_least) + decades + 0.25; }
+    /// Between the rows and the decades.
+    static constexpr double separator = 1.5;
+
+    struct Tick {
+        double axis = 0;
+        QString label; ///< "10⁻³", "0 observed", "0 proved"
+    };
+    /// Both rows, and about so many decades at most.
+    std::vector<Tick> ticks(int most) const;
+
+private:
+    static constexpr double provedRow = 0;
+    static constexpr double observedRow = 1;
+    static constexpr double decades = 2; ///< where 10^least is
+
+    int m_least = -1;
+    int m_largest = 2;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/lab/labanswers.h"
+
+#include "widgets/lab/labtext.h"
+#include "widgets/look/numberlayout.h"
+
+#include <QHeaderView>
+
+namespace pixelplumb {
+
+namespace {
+
+enum AnswerColumn { BudgetColumn, ContenderColumn, GroundColumn, TimeColumn, ReasonColumn };
+
+QString groundText(BudgetGround ground)
+{
+    switch (ground) {
+    case BudgetGround::Proof:
+        return LabAnswers::tr("by proof");
+    case BudgetGround::Measurement:
+        return LabAnswers::tr("by measurement");
+    case BudgetGround::Nobody:
+        break;
+    }
+    return LabAnswers::tr("nobody");
+}
+
+} // namespace
+
+LabAnswers::LabAnswers(QWidget *parent)
+    : QTableWidget(0, ReasonColumn + 1, parent)
+{
+    setObjectName(QStringLiteral("labAnswers"));
+    setAccessibleName(tr("The cheapest contender for each budget"));
+    setHorizontalHeaderLabels(
+        {tr("budget"), tr("cheapest contender"), tr("ground"), tr("ns a pixel"), tr("reason")});
+    for (int column = 0; column <= ReasonColumn; ++column)
+        horizontalHeaderItem(column)->setTextAlignment(
+            (column == TimeColumn ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    setEditTriggers(QAbstractItemView::NoEditTriggers);
+    setSelectionBehavior(QAbstractItemView::SelectRows);
+    setSelectionMode(QAbstractItemView::SingleSelection);
+    setFrameShape(QFrame::NoFrame);
+    setTabKeyNavigation(false);
+    setWordWrap(true);
+    verticalHeader()->hide();
+    verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    horizontalHeader()->setHighlightSections(false);
+    horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    horizontalHeader()->setSectionResizeMode(ReasonColumn, QHeaderView::Stretch);
+    setFont(tabularFont(font()));
+    connect(this, &QTableWidget::itemSelectionChanged, this, [this] {
+        if (currentRow() >= 0)
+            emit contenderSelected(item(currentRow(), BudgetColumn)->data(Qt::UserRole).toString());
+    });
+}
+
+void LabAnswers::show(const Study &study, const QString &family)
+{
+    const QSignalBlocker blocker(this);
+    setRowCount(int(allBudgets.size()));
+    for (int row = 0; row < rowCount(); ++row) {
+        const BudgetAnswer answer = cheapestFor(allBudgets[std::size_t(row)], study, family);
+        const StudyContender *contender = study.contender(answer.contender);
+        const auto put = [this, row](int column, const QString &text) {
+            auto *cell = new QTableWidgetItem(text);
+            cell->setTextAlignment((column == TimeColumn ? Qt::AlignRight : Qt::AlignLeft)
+                                   | Qt::AlignVCenter);
+            cell->setToolTip(text);
+            setItem(row, column, cell);
+        };
+        put(BudgetColumn, textOf(answer.budget));
+        put(ContenderColumn, contender ? contender->label : answer.contender);
+        put(GroundColumn, groundText(answer.ground));
+        put(TimeColumn,
+            answer.nanosecondsPerPixel > 0 ? figureText(answer.nanosecondsPerPixel) : QString());
+        put(ReasonColumn, answer.reason);
+        item(row, BudgetColumn)->setData(Qt::UserRole, answer.contender);
+    }
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/budget.h"
+
+#include <QTableWidget>
+
+namespace pixelplumb {
+
+/// The budgets, a row each: the cheapest contender that meets one on a family, and whether that is
+/// so by proof or by measurement (objectName "labAnswers").
+class LabAnswers : public QTableWidget {
+    Q_OBJECT
+
+public:
+    explicit LabAnswers(QWidget *parent = nullptr);
+
+    void show(const Study &study, const QString &family);
+
+signals:
+    void contenderSelected(const QString &contender);
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/lab/labcharts.h"
+
+#include "widgets/lab/coststack.h"
+#include "widgets/lab/driftplot.h"
+#include "widgets/lab/labanswers.h"
+#include "widgets/lab/labchanges.h"
+#include "widgets/lab/labtable.h"
+#include "widgets/lab/missplot.h"
+#include "widgets/lab/paretoplot.h"
+#include "widgets/lab/scalingplot.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+QComboBox *namedBox(const char *name, const QString &accessibleName, QWidget *parent)
+{
+    auto *box = new QComboBox(parent);
+    box->setObjectName(QLatin1String(name));
+    box->setAccessibleName(accessibleName);
+    box->setToolTip(accessibleName);
+    box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+    return box;
+}
+
+/// Of those that missed any sample, the one that missed most.
+QString worstOf(const Study &study, const QString &family)
+{
+    QString worst;
+    std::int64_t most = -1;
+    for (const LabRow &row : study.rows) {
+        if (row.family != family || !row.accuracy || row.accuracy->wrongCoverage() <= most)
+            continue;
+        most = row.accuracy->wrongCoverage();
+        worst = row.contender;
+    }
+    return worst;
+}
+
+} // namespace
+
+LabCharts::LabCharts(QWidget *parent)
+    : QTabWidget(parent)
+    , m_pareto(new ParetoPlot(this))
+    , m_table(new LabTable(this))
+    , m_answers(new LabAnswers(this))
+    , m_misses(new MissPlot(this))
+    , m_costs(new CostStack(this))
+    , m_scaling(new ScalingPlot(this))
+    , m_drift(new DriftPlot(this))
+    , m_changes(new LabChanges(this))
+    , m_contender(namedBox("labMissContender", tr("Whose misses"), this))
+    , m_sizeAxis(namedBox("labSizeAxis", tr("Which size grows"), this))
+{
+    setObjectName(QStringLiteral("labTabs"));
+    setAccessibleName(tr("Charts of the lab"));
+    setDocumentMode(true);
+    addPage(nullptr, m_pareto, tr("Cost and error"),
+            tr("Every contender by what it costs and what it gets wrong"));
+    addPage(nullptr, m_table, tr("Table"), tr("The same in figures, sorted by any column"));
+    addPage(nullptr, m_answers, tr("Budgets"),
+            tr("The cheapest contender that is accurate enough"));
+    addPage(m_contender, m_misses, tr("Misses"),
+            tr("How far missed samples lie from the boundary"));
+    addPage(nullptr, m_costs, tr("Parts"), tr("What set-up, columns and pixels take"));
+    addPage(m_sizeAxis, m_scaling, tr("Growth"), tr("How times grow with sizes"));
+    addPage(nullptr, m_drift, tr("Drift"), tr("How errors of increments grow with the columns"));
+    addPage(nullptr, m_changes, tr("Changes"), tr("Before and after"));
+    forgetChanges();
+    for (const SizeAxis axis : allSizeAxes)
+        m_sizeAxis->addItem(nameOf(axis), int(axis));
+
+    connect(m_pareto, &ParetoPlot::contenderClicked, this, [this](const QString &contender) {
+        select(contender);
+        emit missRequested(contender);
+    });
+    connect(m_table, &LabTable::contenderSelected, this, &LabCharts::select);
+    connect(m_table, &LabTable::contenderActivated, this, &LabCharts::missRequested);
+    connect(m_answers, &LabAnswers::contenderSelected, this, &LabCharts::select);
+    connect(m_contender, &QComboBox::activated, this,
+            [this] { select(m_contender->currentData().toString()); });
+    connect(m_sizeAxis, &QComboBox::currentIndexChanged, this,
+            [this] { m_scaling->show(m_results, SizeAxis(m_sizeAxis->currentData().toInt())); });
+}
+
+void LabCharts::addPage(QWidget *box, QWidget *shown, const QString &title, const QString &toolTip)
+{
+    auto *page = new QWidget(this);
+    auto *layout = new QVBoxLayout(page);
+    layout->setContentsMargins(0, 4, 0, 0);
+    layout->setSpacing(4);
+    if (box)
+        layout->addWidget(box, 0, Qt::AlignLeft);
+    layout->addWidget(shown, 1);
+    setTabToolTip(addTab(page, title), toolTip);
+}
+
+void LabCharts::show(const SharedResults &results, const QString &family, const ErrorAxis &axis)
+{
+    m_results = results;
+    m_family = family;
+    m_pareto->show(results, family, axis);
+    m_table->show(results, family);
+    m_answers->show(results->study, family);
+    fillContenders();
+    showMisses();
+    m_costs->show(results, family);
+    m_scaling->show(results, SizeAxis(m_sizeAxis->currentData().toInt()));
+    m_drift->show(results);
+}
+
+void LabCharts::fillContenders()
+{
+    m_contender->clear();
+    for (const StudyContender &contender : m_results->study.contenders)
+        m_contender->addItem(contender.label, contender.id);
+}
+
+void LabCharts::showMisses()
+{
+    const QString shown = m_selected.isEmpty() ? worstOf(m_results->study, m_family) : m_selected;
+    m_contender->setCurrentIndex(m_contender->findData(shown));
+    m_misses->show(m_results, m_family, shown);
+}
+
+void LabCharts::select(const QString &contender)
+{
+    m_selected = contender;
+    if (!m_results)
+        return;
+    m_pareto->select(contender);
+    m_table->select(contender);
+    showMisses();
+}
+
+void LabCharts::showChanges(const Study &before, const Study &after, const QString &beforeName)
+{
+    m_changes->show(before, after, beforeName);
+    const int page = indexOf(m_changes->parentWidget());
+    setTabVisible(page, true);
+    setCurrentIndex(page);
+}
+
+void LabCharts::forgetChanges() { setTabVisible(indexOf(m_changes->parentWidget()), false); }
+
+LabPlot *LabCharts::chartInFront() const
+{
+    return currentWidget() ? currentWidget()->findChild<LabPlot *>() : nullptr;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/pareto.h"
+#include "widgets/lab/labplot.h"
+
+#include <QTabWidget>
+
+class QComboBox;
+
+namespace pixelplumb {
+
+class CostStack;
+class DriftPlot;
+class LabAnswers;
+class LabChanges;
+class LabTable;
+class MissPlot;
+class ParetoPlot;
+class ScalingPlot;
+
+/// The charts and tables of the lab, a tab each (objectName "labTabs"). A contender that is chosen
+/// in one is chosen in all.
+class LabCharts : public QTabWidget {
+    Q_OBJECT
+
+public:
+    explicit LabCharts(QWidget *parent = nullptr);
+
+    void show(const SharedResults &results, const QString &family, const ErrorAxis &axis);
+    /// Beside an earlier study, on a tab of its own, which comes to the front.
+    void showChanges(const Study &before, const Study &after, const QString &beforeName);
+    void forgetChanges();
+
+    /// The chart in front; null where that is a table.
+    LabPlot *chartInFront() const;
+    const QString &selected() const { return m_selected; } ///< id; empty where none is
+
+public slots:
+    void select(const QString &contender);
+
+signals:
+    void missRequested(const QString &contender); ///< its first wrong pixel
+
+private:
+    /// box: of choices above the shown widget; may be null.
+    void addPage(QWidget *box, QWidget *shown, const QString &title, const QString &toolTip);
+    void fillContenders();
+    void showMisses();
+
+    ParetoPlot *m_pareto;
+    LabTable *m_table;
+    LabAnswers *m_answers;
+    MissPlot *m_misses;
+    CostStack *m_costs;
+    ScalingPlot *m_scaling;
+    DriftPlot *m_drift;
+    LabChanges *m_changes;
+    QComboBox *m_contender; ///< whose misses are shown
+    QComboBox *m_sizeAxis;
+    SharedResults m_results;
+    QString m_family;
+    QString m_selected;
+};
+
+} // namespace pixelplumb

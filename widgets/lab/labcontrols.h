@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/pareto.h"
+
+#include <QWidget>
+
+class QBoxLayout;
+class QComboBox;
+class QProgressBar;
+class QPushButton;
+class QToolButton;
+
+namespace pixelplumb {
+
+class LabRun;
+class TimeLeft;
+
+/// The lab's row of buttons and boxes: run, how much, what is shown, files; below it progress while
+/// a study runs.
+class LabControls : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit LabControls(const LabRun *run, QWidget *parent = nullptr);
+
+    StudyExtent extent() const;
+    QString family() const; ///< id; empty before there are any
+    const ErrorAxis &errorAxis() const;
+
+    /// Keeps the choice where the new ones have it.
+    void setFamilies(const std::vector<StudyFamily> &families);
+    /// Whether there is anything to save.
+    void setHasResults(bool hasResults);
+    void showRunning(); ///< or not
+
+signals:
+    void runRequested();
+    void cancelRequested();
+    void extentChanged();
+    void choiceChanged(); ///< of the family or the error
+    void openRequested();
+    void compareRequested();
+    void saveRequested();
+    void saveTableRequested();
+    void saveChartRequested();
+    void copyCommandRequested();
+
+private:
+    QComboBox *addBox(QBoxLayout *row, const char *name, const QString &accessibleName,
+                      const QString &toolTip);
+    void addFileMenu(QBoxLayout *row);
+    void addProgress(QBoxLayout *layout);
+    void tellProgress();
+
+    const LabRun *m_run;
+    QPushButton *m_start = nullptr;
+    QComboBox *m_extent = nullptr;
+    QComboBox *m_family = nullptr;
+    QComboBox *m_error = nullptr;
+    QWidget *m_running = nullptr; ///< the row of the progress
+    QProgressBar *m_progress = nullptr;
+    QList<QAction *> m_outputs; ///< that need results
+};
+
+} // namespace pixelplumb

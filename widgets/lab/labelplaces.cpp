@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/lab/labelplaces.h"
+
+#include <algorithm>
+#include <array>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr double dotRadius = 6;
+constexpr double gap = 3;
+
+/// Right of the dot, left, above, below, and the four corners.
+std::array<QPointF, 8> cornersFor(const LabelledDot &dot)
+{
+    const double right = dot.centre.x() + dotRadius + gap;
+    const double left = dot.centre.x() - dotRadius - gap - dot.label.width();
+    const double middleX = dot.centre.x() - dot.label.width() / 2;
+    const double middleY = dot.centre.y() - dot.label.height() / 2;
+    const double above = dot.centre.y() - dotRadius - dot.label.height();
+    const double below = dot.centre.y() + dotRadius;
+    return {QPointF(right, middleY), QPointF(left, middleY), QPointF(middleX, above),
+            QPointF(middleX, below), QPointF(right, above),  QPointF(right, below),
+            QPointF(left, above),    QPointF(left, below)};
+}
+
+} // namespace
+
+std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelledDot> &dots,
+                                               const QRectF &area)
+{
+    std::vector<QRectF> taken;
+    for (const LabelledDot &dot : dots)
+        taken.emplace_back(dot.centre.x() - dotRadius, dot.centre.y() - dotRadius, 2 * dotRadius,
+                           2 * dotRadius);
+    std::vector<std::optional<QRectF>> places;
+    for (const LabelledDot &dot : dots) {
+        std::optional<QRectF> place;
+        for (const QPointF &corner : cornersFor(dot)) {
+            const QRectF candidate(corner, dot.label);
+            if (!area.contains(candidate)
+                || std::ranges::any_of(
+                    taken, [&candidate](const QRectF &each) { return each.intersects(candidate); }))
+                continue;
+            place = candidate;
+            taken.push_back(candidate);
+            break;
+        }
+        places.push_back(place);
+    }
+    return places;
+}
+
+} // namespace pixelplumb

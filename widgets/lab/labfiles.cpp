@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/lab/labfiles.h"
+
+#include "core/lab/labfile.h"
+#include "core/scene/fileaccess.h"
+#include "widgets/lab/labplot.h"
+#include "widgets/lab/labtext.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+
+namespace pixelplumb {
+
+LabFiles::LabFiles(QWidget *window)
+    : QObject(window)
+    , m_window(window)
+{
+}
+
+bool LabFiles::writeResults(const QString &path, const Study &study)
+{
+    return write(path, writeStudy(study));
+}
+
+bool LabFiles::writeTable(const QString &path, const Study &study)
+{
+    return write(path, csvOf(study));
+}
+
+bool LabFiles::writeChart(const QString &path, LabPlot &chart, const QString &title,
+                          const Study &study)
+{
+    const bool isPicture = path.endsWith(QStringLiteral(".png"), Qt::CaseInsensitive);
+    const QStringList origin = originOf(study);
+    return write(path, isPicture ? chart.png(title, origin) : chart.svg(title, origin));
+}
+
+std::optional<Study> LabFiles::read(const QString &path)
+{
+    const Result<QByteArray> text = readFile(path);
+    const Result<Study> study = text ? readStudy(*text) : Result<Study>(text.error());
+    if (!study) {
+        emit complaint(
+            tr("%1 was not opened: %2").arg(QFileInfo(path).fileName(), study.error().message()));
+        return std::nullopt;
+    }
+    m_inputs.append(path);
+    return *study;
+}
+
+bool LabFiles::write(const QString &path, const QByteArray &content)
+{
+    const QString name = QFileInfo(path).fileName();
+    for (const QString &input : m_inputs + QStringList{m_scenePath}) {
+        if (input.isEmpty() || !isSameFile(path, input))
+            continue;
+        emit complaint(tr("%1 was not written: it was read, and would be replaced.").arg(name));
+        return false;
+    }
+    if (const std::optional<InputError> error = writeFile(path, content)) {
+        emit complaint(tr("%1 was not written: %2").arg(name, error->message()));
+        return false;
+    }
+    emit notice(tr("%1 is written.").arg(name));
+    return true;
+}
+
+QString LabFiles::askForOutput(const QString &title, const QString &filter,
+                               const QString &suffix) const
+{
+    QFileDialog dialog(m_window, title, {}, filter);
+    dialog.setObjectName(QStringLiteral("labSaveDialog"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(suffix);
+    dialog.selectFile(QStringLiteral("lab.") + suffix);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
+}
+
+QString LabFiles::askForInput(const QString &title) const
+{
+    QFileDialog dialog(m_window, title, {}, tr("Results of the lab (*.json);;All files (*)"));
+    dialog.setObjectName(QStringLiteral("labOpenDialog"));
+    dialog.setFileMode(QFileDialog::ExistingFile);
+    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
+}
+
+} // namespace pixelplumb

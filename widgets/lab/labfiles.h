@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/study.h"
+
+#include <QObject>
+
+#include <optional>
+
+class QWidget;
+
+namespace pixelplumb {
+
+class LabPlot;
+
+/// Results and charts of the lab as files. Nothing is written over a file that was read: the scene,
+/// the results that were opened, those that they are compared with.
+class LabFiles : public QObject {
+    Q_OBJECT
+
+public:
+    explicit LabFiles(QWidget *window);
+
+    /// Empty where the scene has no file.
+    void setScenePath(const QString &path) { m_scenePath = path; }
+
+    /// Each is false or none after a complaint.
+    bool writeResults(const QString &path, const Study &study);
+    bool writeTable(const QString &path, const Study &study);
+    /// A figure; SVG or PNG by the path's ending.
+    bool writeChart(const QString &path, LabPlot &chart, const QString &title, const Study &study);
+    std::optional<Study> read(const QString &path);
+
+    /// The same after a question; empty where the person thinks better of it.
+    QString askForOutput(const QString &title, const QString &filter, const QString &suffix) const;
+    QString askForInput(const QString &title) const;
+
+signals:
+    void complaint(const QString &text);
+    void notice(const QString &text);
+
+private:
+    bool write(const QString &path, const QByteArray &content);
+
+    QWidget *m_window;
+    QString m_scenePath;
+    QStringList m_inputs;
+};
+
+} // namespace pixelplumb

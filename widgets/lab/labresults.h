@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/sizestudy.h"
+#include "core/lab/study.h"
+
+namespace pixelplumb {
+
+/// What the lab shows: a study, finished or not, and how times and errors grow. The curves of a
+/// study that comes from a file are not there.
+struct LabResults {
+    Study study;
+    std::vector<SizeCurve> sizes;
+    std::vector<DriftCurve> drift;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/lab/labrun.h"
+
+#include <mutex>
+
+namespace pixelplumb {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto betweenNews = 250ms; ///< a copy of a study takes time from what is measured
+constexpr std::int64_t driftColumns = 2003;
+
+/// Those whose growth is worth a curve: the column scan in every arithmetic, and one of each other
+/// way.
+constexpr const char *scalingContenders[]
+    = {"column-scan:exact",   "column-scan:exact:fast", "column-scan:float32",
+       "column-scan:float64", "column-scan:fixed16.16", "column-scan:fixed32.32",
+       "row-walk:float32",    "edge-equation:float32",  "barycentric:float32"};
+
+std::vector<LabContender> contendersOfSizes(const StudySettings &settings)
+{
+    if (!settings.contenders.empty())
+        return settings.contenders;
+    std::vector<LabContender> contenders;
+    for (const char *id : scalingContenders) {
+        if (auto contender = labContenderNamed(QLatin1String(id)))
+            contenders.push_back(std::move(*contender));
+    }
+    return contenders;
+}
+
+} // namespace
+
+/// Where the worker leaves what it has.
+class LabRun::Board {
+public:
+    /// The study so far, unless the last one was left there just now.
+    void offer(const Study &study)
+    {
+        const TimeLeft::Clock::time_point now = TimeLeft::Clock::now();
+        if (now - m_lastOffer < betweenNews)
+            return;
+        m_lastOffer = now;
+        post([&](LabResults &results) { results.study = study; });
+    }
+
+    template <class Change>
+    void post(const Change &change)
+    {
+        const std::lock_guard lock(m_mutex);
+        change(m_results);
+        m_isNews = true;
+    }
+
+    /// Null where nothing is new.
+    std::shared_ptr<const LabResults> takeNews()
+    {
+        const std::lock_guard lock(m_mutex);
+        if (!std::exchange(m_isNews, false))
+            return nullptr;
+        return std::make_shared<const LabResults>(m_results);
+    }
+
+private:
+    std::mutex m_mutex;
+    LabResults m_results;
+    bool m_isNews = false;
+    TimeLeft::Clock::time_point m_lastOffer; ///< the worker's
+};
+
+LabRun::LabRun(QObject *parent)
+    : QObject(parent)
+{
+    connect(&m_job, &Job::progressChanged, this, [this](const JobProgress &progress) {
+        m_timeLeft.tell(progress, TimeLeft::Clock::now());
+        takeNews();
+        emit progressed();
+    });
+}
+
+LabRun::~LabRun() = default;
+
+void LabRun::start(const StudySettings &settings)
+{
+    m_timeLeft = {};
+    m_board = std::make_shared<Board>();
+    const auto work = [settings, board = m_board](const ProgressListener &listener) {
+        StudyListener hears;
+        hears.progress = listener;
+        hears.rowChanged = [&board](const Study &study, std::size_t) { board->offer(study); };
+        const Study study = runStudy(settings, hears);
+        board->post([&](LabResults &results) { results.study = study; });
+        if (!study.isComplete)
+            return false;
+        auto drift = driftOver(driftColumns, listener);
+        if (!drift)
+            return false;
+        board->post([&](LabResults &results) { results.drift = std::move(*drift); });
+        if (study.rounds == 0)
+            return true;
+        const int rounds = settings.extent == StudyExtent::Quick ? 3 : 7;
+        auto sizes = runSizeStudy(contendersOfSizes(settings), rounds, listener);
+        if (sizes)
+            board->post([&](LabResults &results) { results.sizes = std::move(*sizes); });
+        return sizes.has_value();
+    };
+    m_job.start(work, [this](bool) {
+        takeNews();
+        emit ended();
+    });
+}
+
+void LabRun::cancel()
+{
+    if (!m_job.isRunning())
+        return;
+    m_job.cancel();
+    takeNews();
+    emit ended();
+}
+
+void LabRun::takeNews()
+{
+    if (const auto news = m_board->takeNews())
+        emit resultsChanged(news);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/lab/labresults.h"
+#include "widgets/lab/timeleft.h"
+#include "widgets/model/job.h"
+
+#include <memory>
+
+namespace pixelplumb {
+
+/// Runs a study beside the GUI thread and shows what there is of it while it goes on. A cancelled
+/// run keeps what it has.
+class LabRun : public QObject {
+    Q_OBJECT
+
+public:
+    explicit LabRun(QObject *parent = nullptr);
+    ~LabRun() override;
+
+    bool isRunning() const { return m_job.isRunning(); }
+    /// How far it is and how long it will take, for people.
+    const TimeLeft &timeLeft() const { return m_timeLeft; }
+
+    void start(const StudySettings &settings);
+    void cancel();
+
+signals:
+    void resultsChanged(const std::shared_ptr<const pixelplumb::LabResults> &results);
+    void progressed();
+    void ended(); ///< after the last resultsChanged()
+
+private:
+    class Board;
+
+    void takeNews();
+
+    Job m_job;
+    TimeLeft m_timeLeft;
+    std::shared_ptr<Board> m_board; ///< shared with the worker
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/lab/labtablemodel.h"
+
+#include "widgets/lab/labtext.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace pixelplumb {
+
+namespace {
+
+using Figure = std::optional<double>;
+
+template <auto Member>
+Figure countOf(const Study &, const LabRow &row)
+{
+    return row.accuracy ? Figure(double((*row.accuracy).*Member)) : std::nullopt;
+}
+
+Figure wrongPerMillion(const Study &, const LabRow &row)
+{
+    return row.accuracy ? Figure(row.accuracy->wrongPerMillion()) : std::nullopt;
+}
+
+Figure ties(const Study &, const LabRow &row)
+{
+    return row.accuracy ? Figure(double(row.accuracy->tiesMissing + row.accuracy->tiesExtra))
+                        : std::nullopt;
+}
+
+Figure perPixel(const Study &study, const LabRow &row) { return study.perPixel(row); }
+
+/// The middle half, of the median.
+Figure spreadShare(const Study &, const LabRow &row)
+{
+    if (!row.cost || row.cost->perDraw.median <= 0)
+        return std::nullopt;
+    const Spread &time = row.cost->perDraw;
+    return 100 * (time.upper - time.lower) / time.median;
+}
+
+Figure timesReference(const Study &study, const LabRow &row)
+{
+    const LabRow *reference = study.row(QString::fromLatin1(referenceContenderId), row.family);
+    if (!row.cost || !reference || !reference->cost || reference->cost->perDraw.median <= 0)
+        return std::nullopt;
+    return row.cost->perDraw.median / reference->cost->perDraw.median;
+}
+
+Figure timesStraight(const Study &, const LabRow &row)
+{
+    return row.cost && row.cost->timesStraight ? Figure(row.cost->timesStraight->median)
+                                               : std::nullopt;
+}
+
+struct FigureColumn {
+    const char *title;
+    const char *meaning;
+    Figure (*read)(const Study &study, const LabRow &row);
+};
+
+constexpr FigureColumn figureColumns[] = {
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "wrong, ppm"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
+                       "pixels that differ from the truth, of a million of the truth's"),
+     wrongPerMillion},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "? missing"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "samples inside that are not painted"),
+     countOf<&AccuracyFigures::missing>},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "! extra"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "samples outside that are painted"),
+     countOf<&AccuracyFigures::extra>},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "= ties"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
+                       "samples exactly on the boundary that are missing or extra"),
+     ties},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "c bytes"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "pixels that are there in another colour"),
+     countOf<&AccuracyFigures::wrongBytes>},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "levels off"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "the largest error of a byte"),
+     countOf<&AccuracyFigures::largestByteError>},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "ns a pixel"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "the median of all rounds"), perPixel},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "spread, %"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
+                       "the middle half of all rounds, of their median"),
+     spreadShare},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "× seed"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
+                       "times the seed's method, the column scan in float32"),
+     timesReference},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "× loop"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
+                       "times a straight loop that writes the same pixels; up to 1.3 is fair"),
+     timesStraight},
+};
+
+constexpr int firstFigure = 1; ///< after the contender
+constexpr int outcomeColumn = firstFigure + int(std::size(figureColumns));
+
+QString labelOfContender(const Study &study, const QString &id)
+{
+    const StudyContender *contender = study.contender(id);
+    return contender ? contender->label : id;
+}
+
+} // namespace
+
+void LabTableModel::show(const std::shared_ptr<const LabResults> &results, const QString &family)
+{
+    beginResetModel();
+    m_results = results;
+    m_rows.clear();
+    if (results) {
+        for (const LabRow &row : results->study.rows) {
+            if (row.family == family)
+                m_rows.push_back(&row);
+        }
+    }
+    endResetModel();
+}
+
+int LabTableModel::rowOf(const QString &contender) const
+{
+    const auto row = std::ranges::find(m_rows, contender, &LabRow::contender);
+    return row == m_rows.end() ? -1 : int(row - m_rows.begin());
+}
+
+int LabTableModel::rowCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : int(m_rows.size());
+}
+
+int LabTableModel::columnCount(const QModelIndex &parent) const
+{
+    return parent.isValid() ? 0 : outcomeColumn + 1;
+}
+
+QVariant LabTableModel::data(const QModelIndex &index, int role) const
+{
+    if (!checkIndex(index, CheckIndexOption::IndexIsValid))
+        return {};
+    const LabRow &row = rowAt(index.row());
+    const int column = index.column();
+    if (role == ContenderRole)
+        return row.contender;
+    if (column == 0 || column == outcomeColumn) {
+        if (role == Qt::DisplayRole || role == Qt::ToolTipRole || role == SortRole)
+            return column == 0 ? labelOfContender(m_results->study, row.contender)
+                               : outcomeText(row);
+        return {};
+    }
+    if (role == Qt::TextAlignmentRole)
+        return int(Qt::AlignRight | Qt::AlignVCenter);
+    const Figure figure = figureColumns[column - firstFigure].read(m_results->study, row);
+    if (role == SortRole)
+        return figure.value_or(std::numeric_limits<double>::infinity());
+    if (role == Qt::DisplayRole && figure)
+        return figureText(*figure);
+    return {};
+}
+
+QVariant LabTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation != Qt::Horizontal || section < 0 || section > outcomeColumn)
+        return {};
+    const bool isFigure = section >= firstFigure && section < outcomeColumn;
+    if (role == Qt::TextAlignmentRole)
+        return int((isFigure ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    if (role == Qt::ToolTipRole && isFigure)
+        return tr(figureColumns[section - firstFigure].meaning);
+    if (role != Qt::DisplayRole)
+        return {};
+    if (isFigure)
+        return tr(figureColumns[section - firstFigure].title);
+    return section == 0 ? tr("contender") : tr("remark");
+}
+
+} // namespace pixelplumb

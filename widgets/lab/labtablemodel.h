@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/lab/labresults.h"
+
+#include <QAbstractTableModel>
+
+#include <memory>
+
+namespace pixelplumb {
+
+/// The contenders of a study on one family, a row each. A column is a row of a table in the source
+/// file; what was not measured is empty and sorts last.
+class LabTableModel : public QAbstractTableModel {
+    Q_OBJECT
+
+public:
+    /// A figure to sort by; of text columns the text.
+    static constexpr int SortRole = Qt::UserRole;
+    static constexpr int ContenderRole = Qt::UserRole + 1; ///< id
+
+    using QAbstractTableModel::QAbstractTableModel;
+
+    void show(const std::shared_ptr<const LabResults> &results, const QString &family);
+    /// −1 where the contender is not there.
+    int rowOf(const QString &contender) const;
+    const LabRow &rowAt(int row) const { return *m_rows[std::size_t(row)]; }
+
+    int rowCount(const QModelIndex &parent = {}) const final;
+    int columnCount(const QModelIndex &parent = {}) const final;
+    QVariant data(const QModelIndex &index, int role) const final;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const final;
+
+private:
+    std::shared_ptr<const LabResults> m_results;
+    std::vector<const LabRow *> m_rows; ///< of the family
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/pareto.h"
+
+#include <QStringList>
+
+namespace pixelplumb {
+
+/// "1.65" with three figures that count: a time or a share for people.
+QString figureText(double value);
+/// "1.65 (1.60 … 1.71)": the median and the middle half.
+QString spreadText(const Spread &spread);
+
+/// Everything that is known about a dot of the Pareto chart.
+QString pointHtml(const Study &study, const ParetoPoint &point, const QString &family);
+/// What stands beside the dot: "Column scan, float32 ×1", "… ! 1.8 × its loop".
+QString pointLabel(const ParetoPoint &point);
+
+/// "48 of 10213 pixels wrong: 20 missing, 28 extra, …"
+QString wrongText(const AccuracyFigures &figures);
+/// Why a row shows nothing: "took too long", and the remark.
+QString outcomeText(const LabRow &row);
+
+/// Machine, compiler and flags; the command that does it again. For the foot of a chart.
+QStringList originOf(const Study &study);
+
+/// What a lab says before its first run: what the button does and how long it takes.
+QString invitationText(StudyExtent extent);
+
+} // namespace pixelplumb

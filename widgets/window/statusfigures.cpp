@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/window/statusfigures.h"
+
+#include "core/lab/livefigures.h"
+#include "widgets/model/playhead.h"
+
+namespace pixelplumb {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr auto rest = 300ms; ///< a drag asks at each move
+
+} // namespace
+
+StatusFigures::StatusFigures(Playhead *playhead, QWidget *parent)
+    : ElidedLabel(parent)
+    , m_playhead(playhead)
+{
+    setObjectName(QStringLiteral("statusFigures"));
+    setAccessibleName(tr("Wrong pixels and time of the method in hand"));
+    m_job.setRest(rest);
+    connect(playhead, &Playhead::tracedChanged, this, [this] {
+        m_isStale = true;
+        measure();
+    });
+}
+
+void StatusFigures::measure()
+{
+    if (!isVisible() || !m_isStale)
+        return;
+    const std::shared_ptr<const TracedScene> traced = m_playhead->sharedTraced();
+    setWholeText({});
+    // A run that was too large to be recorded is too large to be drawn beside the window.
+    if (!traced || traced->trace->isCut()) {
+        m_job.cancel();
+        return;
+    }
+    m_isStale = false;
+    setWholeText(tr("measuring …"));
+    m_job.start([scene = std::shared_ptr<const Scene>(traced, &traced->scene)](
+                    const ProgressListener &listener) { return liveFiguresOf(scene, listener); },
+                [this](const std::optional<LiveFigures> &figures) {
+                    setWholeText(figures ? figures->text() : QString());
+                });
+}
+
+void StatusFigures::showEvent(QShowEvent *event)
+{
+    ElidedLabel::showEvent(event);
+    measure();
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/window/studylinks.h"
+
+#include "widgets/lab/accuracylab.h"
+#include "widgets/look/messagebar.h"
+#include "widgets/model/playhead.h"
+#include "widgets/studies/comparepanel.h"
+#include "widgets/studies/differenceopening.h"
+#include "widgets/studies/hardcasespanel.h"
+#include "widgets/studies/precisionpanel.h"
+#include "widgets/window/windowdocks.h"
+
+namespace pixelplumb {
+
+namespace {
+
+/// In front, with these in its panes.
+void showComparison(WindowDocks &docks, const std::vector<Contender> &contenders)
+{
+    auto *compare = docks.panel<ComparePanel>();
+    docks.raise(compare);
+    compare->setContenders(contenders);
+}
+
+} // namespace
+
+void connectStudies(const WindowParts &parts, WindowDocks &docks, QObject *window)
+{
+    auto *opening = new DifferenceOpening(parts.files, parts.playhead, window);
+    auto *cases = docks.panel<HardCasesPanel>();
+    QObject::connect(cases, &HardCasesPanel::openRequested, opening, &DifferenceOpening::open);
+    QObject::connect(
+        cases, &HardCasesPanel::compareRequested, window,
+        [&docks](const std::vector<Contender> &contenders) { showComparison(docks, contenders); });
+    QObject::connect(cases, &HardCasesPanel::precisionRequested, window,
+                     [&docks] { docks.raise(docks.panel<PrecisionPanel>()); });
+
+    auto *lab = docks.panel<AccuracyLab>();
+    auto *compare = docks.panel<ComparePanel>();
+    QObject::connect(opening, &DifferenceOpening::pixelReached, compare, &ComparePanel::lookAt);
+    QObject::connect(
+        lab, &AccuracyLab::missRequested, window, [&docks, opening](const LabMiss &miss) {
+            if (!opening->openAt(miss.scene, QPoint(int(miss.x), int(miss.y))))
+                return;
+            const Method *method = methodNamed(QString::fromStdString(miss.scene.method));
+            showComparison(docks, {{method, miss.scene.settings}, {nullptr, miss.scene.settings}});
+        });
+    QObject::connect(lab, &AccuracyLab::complaint, parts.messageBar, &MessageBar::complain);
+    QObject::connect(lab, &AccuracyLab::notice, parts.playhead, &Playhead::message);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/window/windowparts.h"
+
+class QObject;
+
+namespace pixelplumb {
+
+class WindowDocks;
+
+/// Connects the studies with each other and with the window: a hard case and a wrong pixel of the
+/// lab open as scenes and in Compare, what the lab has to say is told.
+void connectStudies(const WindowParts &parts, WindowDocks &docks, QObject *window);
+
+} // namespace pixelplumb
