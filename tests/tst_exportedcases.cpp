@@ -38,8 +38,11 @@ private slots:
                 const QString name = QStringLiteral("%1-%2-%3")
                                          .arg(method->id, each.first, nameText(nameOf(arithmetic)));
                 const auto traced = tracedBy(*method, arithmetic, each.second);
-                const QString fault = arithmetic == kept ? m_folder.faultOfKept(*traced, name)
-                                                         : m_folder.faultOf(*traced);
+                QString fault;
+                if (arithmetic == kept)
+                    fault = m_folder.faultOfKept(*traced, name);
+                else if (!PIXELPLUMB_SANITIZED) // which take ten times as long to write
+                    fault = m_folder.faultOf(*traced);
                 QVERIFY2(fault.isEmpty(), qPrintable(name + QStringLiteral(": ") + fault));
             }
         }
