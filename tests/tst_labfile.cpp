@@ -43,7 +43,7 @@ private slots:
         const Result<Study> read = readStudy(text);
 
         QVERIFY2(bool(read), read ? "" : qPrintable(read.error().message()));
-        QVERIFY(measuredStudy().rows[2].firstMiss.has_value());
+        QVERIFY(measuredStudy().rows[0].firstMiss.has_value());
         QVERIFY(read->rows == measuredStudy().rows);
         QVERIFY(*read == measuredStudy());
         QVERIFY(writeStudy(*read) == text);

@@ -17,6 +17,8 @@ constexpr CostOrderEntry order[] = {
     {"column-scan:float32", 1.5},      {"column-scan:float64", 1.6},
     {"column-scan-bias:float64", 1.7}, {"column-scan:fixed32.32", 1.8},
     {"row-walk:exact", 3.0},
+    {"barycentric-incremental:exact", 5.0},
+    {"barycentric-off-screen:exact", 6.0},
 };
 
 /// What is wrong of a finished picture.

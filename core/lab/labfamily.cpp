@@ -80,6 +80,7 @@ void addGenerated(LabFamily &family, const FamilyRequest &request)
         const int cells = int(many(40, 100));
         picture.triangles = mesh(random, picture.frame, cells, cells);
         family.isOnWholePixels = false;
+        family.staysInside = false; // its rule is not the straight loops'
         family.isMesh = true;
         family.settings.fillRule = FillRule::HalfOpenColumn;
     }

@@ -16,12 +16,17 @@ namespace {
 constexpr std::size_t fewestTimed = 3; ///< triangles, where a family has them
 constexpr std::int64_t cacheLineBytes = 64;
 
+std::int64_t pixelsIn(const SampleBox &box)
+{
+    return box.isEmpty() ? 0 : (box.endX - box.firstX) * (box.endY - box.firstY);
+}
+
 /// px of the triangle's area, no more than its box within the frame.
 std::int64_t aboutPixels(const Triangle &triangle, const SampleBox &box)
 {
     const auto area
         = std::int64_t(absolute(doubledArea(triangle)) / (2 * unitsPerPixel * unitsPerPixel));
-    return std::min(area, box.isEmpty() ? 0 : (box.endX - box.firstX) * (box.endY - box.firstY));
+    return std::min(area, pixelsIn(box));
 }
 
 /// Of the cache lines that a picture writes to.
@@ -82,13 +87,15 @@ TimedFamily timedPartOf(const LabFamily &family, const RaceOptions &options)
     FrameSpec black = picture.frame;
     black.background = {};
     const FrameBuffer frame(black);
-    std::int64_t pixels = 0;
+    std::int64_t pixels = 0, boxPixels = 0;
     for (const Triangle &triangle : picture.triangles) {
-        if (part.triangles >= fewestTimed && pixels > options.timedPixels)
+        if (part.triangles >= fewestTimed
+            && (pixels > options.timedPixels || boxPixels > options.timedBoxPixels))
             break;
         ++part.triangles;
         const SampleBox box = windowAround(triangle, 0, frame.view());
         pixels += aboutPixels(triangle, box);
+        boxPixels += pixelsIn(box);
         part.described.timedColumns += std::max<std::int64_t>(0, box.endX - box.firstX);
         part.described.timedRows += std::max<std::int64_t>(0, box.endY - box.firstY);
     }

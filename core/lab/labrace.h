@@ -12,6 +12,7 @@ struct RaceOptions {
     double sampleNanoseconds = 1.5e6; ///< a sample draws as often as fills this
     double longestDraw = 100e6; ///< ns; who takes longer is not timed
     std::int64_t timedPixels = 400'000; ///< of a family, about
+    std::int64_t timedBoxPixels = 2'500'000; ///< in the boxes of these triangles, about
 };
 
 /// What everyone draws of a family.

@@ -13,9 +13,9 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double sampleNanoseconds = 5e6;
-constexpr double mostNanoseconds = 200e6; ///< of timing
-constexpr int mostRounds = 7;
+constexpr double liveSampleNanoseconds = 5e6;
+constexpr double mostLiveNanoseconds = 200e6; ///< of timing
+constexpr int mostLiveRounds = 7;
 
 std::int64_t pixelsOf(const Primitives &primitives, const ScanSettings &settings,
                       const FrameSpec &spec)
@@ -71,15 +71,15 @@ std::optional<LiveFigures> liveFiguresOf(const std::shared_ptr<const Scene> &sce
     const FrameBuffer frame(scene->frame);
     std::vector<double> samples;
     const Stopwatch all;
-    while (samples.size() < mostRounds && all.elapsed().wall < mostNanoseconds) {
-        if (!goesOn(listener, {JobPhase::Measuring, std::int64_t(samples.size()), mostRounds}))
+    while (samples.size() < mostLiveRounds && all.elapsed().wall < mostLiveNanoseconds) {
+        if (!goesOn(listener, {JobPhase::Measuring, std::int64_t(samples.size()), mostLiveRounds}))
             return std::nullopt;
         const Stopwatch stopwatch;
         int draws = 0;
         do {
             method.drawFastest(primitives, scene->settings, frame.view());
             ++draws;
-        } while (stopwatch.elapsed().wall < sampleNanoseconds);
+        } while (stopwatch.elapsed().wall < liveSampleNanoseconds);
         samples.push_back(stopwatch.elapsed().wall / draws / double(figures.pixels));
     }
     figures.perPixel = spreadOf(samples);

@@ -12,7 +12,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double sampleNanoseconds = 1e6;
+constexpr double sizedSampleNanoseconds = 1e6;
 
 FrameSpec frameOf(std::int32_t width, std::int32_t height)
 {
@@ -76,7 +76,7 @@ double timePerDraw(const LabContender &contender, const SizedWork &work, FrameVi
     Stopwatch once;
     contender.draw(work.primitives, settings, frame);
     const double first = std::max(once.elapsed().thread, 1.0);
-    const int draws = std::clamp(int(sampleNanoseconds / first), 1, 100'000);
+    const int draws = std::clamp(int(sizedSampleNanoseconds / first), 1, 100'000);
     const Stopwatch stopwatch;
     for (int i = 0; i < draws; ++i)
         contender.draw(work.primitives, settings, frame);

@@ -22,7 +22,7 @@ Plan planFor(const StudySettings &settings)
     Plan plan;
     if (settings.extent == StudyExtent::Full) {
         plan.accuracy = {6, 400'000, 3'000'000, 60'000};
-        plan.race = {3e6, 200e6, 600'000};
+        plan.race = {3e6, 200e6, 600'000, 4'000'000};
         plan.rounds = 9;
     }
     if (settings.accuracyLimit > 0)
