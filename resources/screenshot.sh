@@ -1,10 +1,14 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
-# screenshot.sh [--steps COUNT] [--output PICTURE] [--size WIDTHxHEIGHT] [--] [ARGUMENT...]
+# screenshot.sh [--steps COUNT] [--keys "KEY KEY ..."] [--wait SECONDS] [--output PICTURE]
+#               [--size WIDTHxHEIGHT] [--] [ARGUMENT...]
 #
-# Starts the window of the release build on a screen of its own, steps some columns by F10, and
-# takes a picture of it into resources/screenshots/window.png. The other arguments go to the program
-# (--palette dark, a scene), QT_SCALE_FACTOR=2 in the environment draws it at twice the size.
+# Starts the window of the release build on a screen of its own, steps some columns by F10, presses
+# the keys (by their names for xdotool), waits, and takes a picture of it into
+# resources/screenshots/window.png. The other arguments go to the program (--palette dark, a scene),
+# QT_SCALE_FACTOR=2 in the environment draws it at twice the size. The accuracy lab after its run:
+#
+#     screenshot.sh --keys "alt+0 alt+r" --wait 40 --output resources/screenshots/lab.png
 set -euo pipefail
 
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -12,10 +16,14 @@ program=$project/build/release/app/pixelplumb
 picture=$project/resources/screenshots/window.png
 size=1440x960
 steps=3
+keys=
+pause=1
 
 while [[ $# -gt 0 ]]; do
     case $1 in
         --steps) steps=$2 && shift 2 ;;
+        --keys) keys=$2 && shift 2 ;;
+        --wait) pause=$2 && shift 2 ;;
         --output) picture=$2 && shift 2 ;;
         --size) size=$2 && shift 2 ;;
         --) shift && break ;;
@@ -36,7 +44,8 @@ height=$(scaled "${size#*x}")
 if [[ ${PIXELPLUMB_SCREEN:-} != own ]]; then
     export PIXELPLUMB_SCREEN=own
     exec xvfb-run --auto-servernum --server-args="-screen 0 ${width}x${height}x24 -nolisten tcp" \
-        "${BASH_SOURCE[0]}" --steps "$steps" --output "$picture" --size "$size" -- "$@"
+        "${BASH_SOURCE[0]}" --steps "$steps" --keys "$keys" --wait "$pause" --output "$picture" \
+        --size "$size" -- "$@"
 fi
 
 # No settings of the person's: the window looks the same everywhere.
@@ -69,7 +78,11 @@ for ((pressed = 0; pressed < steps; ++pressed)); do
     xdotool key F10
     sleep 0.1
 done
-sleep 1
+for key in $keys; do
+    xdotool key "$key"
+    sleep 0.5
+done
+sleep "$pause"
 
 mkdir -p "$(dirname "$picture")"
 import -window "$window" -strip "$picture"

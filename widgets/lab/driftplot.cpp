@@ -13,7 +13,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double halfPixel = 0.5; ///< where a bound may cross a sample for certain
+constexpr double fencePixels = 0.5; ///< where a bound may cross a sample for certain
 
 } // namespace
 
@@ -32,8 +32,8 @@ void DriftPlot::build()
 {
     plot()->xAxis->setLabel(tr("columns walked"));
     plot()->yAxis->setLabel(tr("error of a bound, px"));
-    double smallest = halfPixel;
-    double largest = halfPixel;
+    double smallest = fencePixels;
+    double largest = fencePixels;
     std::int64_t last = 0;
     for (const DriftCurve &curve : m_results ? m_results->drift : std::vector<DriftCurve>()) {
         QCPGraph *error = addKey(nameText(nameOf(curve.arithmetic)));
@@ -64,7 +64,7 @@ void DriftPlot::build()
     limitKey->setPen(QPen(palette().color(QPalette::Text), 1, Qt::DotLine));
     QCPGraph *fence = addKey(tr("½ px"));
     fence->setPen(QPen(palette().color(QPalette::Text), 1, Qt::DashLine));
-    fence->setData({1.0, double(last)}, {halfPixel, halfPixel}, true);
+    fence->setData({1.0, double(last)}, {fencePixels, fencePixels}, true);
 }
 
 } // namespace pixelplumb

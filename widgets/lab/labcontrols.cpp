@@ -27,7 +27,7 @@ LabControls::LabControls(const LabRun *run, QWidget *parent)
     layout->setSpacing(4);
     auto *row = new QHBoxLayout;
     row->setSpacing(4);
-    m_start = new QPushButton(tr("Run"), this);
+    m_start = new QPushButton(tr("&Run"), this);
     m_start->setObjectName(QStringLiteral("labRun"));
     m_start->setToolTip(tr("Judge and time every contender"));
     row->addWidget(m_start);
