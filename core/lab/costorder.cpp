@@ -12,10 +12,13 @@ namespace pixelplumb {
 namespace {
 
 /// ns a pixel of the family random-integer; see the man page.
-constexpr CostOrderEntry order[] = {
-    {"column-scan:exact:fast", 0.3},   {"column-scan:fixed16.16", 1.0},
-    {"column-scan:float32", 1.5},      {"column-scan:float64", 1.6},
-    {"column-scan-bias:float64", 1.7}, {"column-scan:fixed32.32", 1.8},
+constexpr CostOrderEntry publishedOrder[] = {
+    {"column-scan:exact:fast", 0.3},
+    {"column-scan:fixed16.16", 1.0},
+    {"column-scan:float32", 1.5},
+    {"column-scan:float64", 1.6},
+    {"column-scan-bias:float64", 1.7},
+    {"column-scan:fixed32.32", 1.8},
     {"row-walk:exact", 3.0},
     {"barycentric-incremental:exact", 5.0},
     {"barycentric-off-screen:exact", 6.0},
@@ -52,7 +55,7 @@ const std::vector<LabContender> &orderedContenders()
 {
     static const std::vector<LabContender> contenders = [] {
         std::vector<LabContender> found;
-        for (const CostOrderEntry &entry : order)
+        for (const CostOrderEntry &entry : publishedOrder)
             found.push_back(*labContenderNamed(QString::fromLatin1(entry.contender)));
         return found;
     }();
@@ -61,7 +64,7 @@ const std::vector<LabContender> &orderedContenders()
 
 } // namespace
 
-std::span<const CostOrderEntry> costOrder() { return order; }
+std::span<const CostOrderEntry> costOrder() { return publishedOrder; }
 
 std::optional<CostOrderChoice> firstInOrder(Budget budget, const Scene &scene,
                                             const ProgressListener &listener)
