@@ -99,6 +99,7 @@ private slots:
     {
         ParetoPlot plot;
         plot.resize(700, 400);
+        plot.setVisible(true);
         plot.show(madeResults(five()), QStringLiteral("f"), wrongPixels());
 
         const auto at = [&plot](const char *id) { return *plot.positionOf(QLatin1String(id)); };
@@ -120,6 +121,7 @@ private slots:
     {
         ParetoPlot plot;
         plot.resize(700, 400);
+        plot.setVisible(true);
         plot.show(madeResults(five()), QStringLiteral("f"), wrongPixels());
         QSignalSpy spy(&plot, &ParetoPlot::contenderClicked);
         auto *inner = plot.findChild<QWidget *>();
@@ -135,6 +137,7 @@ private slots:
     {
         ParetoPlot plot;
         plot.resize(700, 400);
+        plot.setVisible(true);
         plot.show(madeResults(five()), QStringLiteral("f"), wrongPixels());
 
         const auto textOf
@@ -182,7 +185,7 @@ private slots:
             dots.push_back({{40.0 + i * 37 % 290, 30.0 + i * 53 % 140}, {80, 14}});
         const QRectF area(0, 0, 400, 200);
 
-        const auto places = placeLabels(dots, area);
+        const auto places = placeLabels(dots, {{200, 100}}, area);
 
         std::vector<QRectF> there;
         for (const auto &place : places) {
@@ -193,6 +196,7 @@ private slots:
                 QVERIFY(!other.intersects(*place));
             for (const LabelledDot &dot : dots)
                 QVERIFY(!place->contains(dot.centre));
+            QVERIFY(!place->contains({200, 100}));
             there.push_back(*place);
         }
         QVERIFY(places.front());
@@ -211,6 +215,7 @@ private slots:
         figures.tiesMissing = 5;
         MissPlot plot;
         plot.resize(700, 300);
+        plot.setVisible(true);
         plot.show(results, QStringLiteral("f"), QStringLiteral("one"));
         QStringList found;
         for (int x = 0; x < plot.width(); ++x) {

@@ -22,10 +22,10 @@ public:
     double errorAt(double axis) const; ///< 0 in the rows
 
     /// The axis' ends.
-    static constexpr double bottom = -0.5;
+    static constexpr double bottom = -1;
     double top() const { return double(m_largest - m_least) + decades + 0.25; }
     /// Between the rows and the decades.
-    static constexpr double separator = 1.5;
+    static constexpr double separator = 2.5;
 
     struct Tick {
         double axis = 0;
@@ -36,8 +36,8 @@ public:
 
 private:
     static constexpr double provedRow = 0;
-    static constexpr double observedRow = 1;
-    static constexpr double decades = 2; ///< where 10^least is
+    static constexpr double observedRow = 1.5;
+    static constexpr double decades = 3; ///< where 10^least is
 
     int m_least = -1;
     int m_largest = 2;

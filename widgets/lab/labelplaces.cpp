@@ -28,12 +28,17 @@ std::array<QPointF, 8> cornersFor(const LabelledDot &dot)
 } // namespace
 
 std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelledDot> &dots,
+                                               const std::vector<QPointF> &others,
                                                const QRectF &area)
 {
     std::vector<QRectF> taken;
+    const auto take = [&taken](const QPointF &dot) {
+        taken.emplace_back(dot.x() - dotRadius, dot.y() - dotRadius, 2 * dotRadius, 2 * dotRadius);
+    };
     for (const LabelledDot &dot : dots)
-        taken.emplace_back(dot.centre.x() - dotRadius, dot.centre.y() - dotRadius, 2 * dotRadius,
-                           2 * dotRadius);
+        take(dot.centre);
+    for (const QPointF &other : others)
+        take(other);
     std::vector<std::optional<QRectF>> places;
     for (const LabelledDot &dot : dots) {
         std::optional<QRectF> place;

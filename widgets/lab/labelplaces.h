@@ -15,9 +15,11 @@ struct LabelledDot {
     QSizeF label;
 };
 
-/// Where labels stand so that none covers another or a dot: beside, above or below its dot, within
-/// the area; none where there is no room for it. The first dots choose first.
+/// Where labels stand so that none covers another, a dot or one of the `others`, dots without a
+/// label: beside, above or below its dot, within the area; none where there is no room for it. The
+/// first dots choose first.
 std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelledDot> &dots,
+                                               const std::vector<QPointF> &others,
                                                const QRectF &area);
 
 } // namespace pixelplumb

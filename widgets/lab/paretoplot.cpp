@@ -5,7 +5,6 @@
 #include "widgets/lab/labelplaces.h"
 #include "widgets/lab/labmarks.h"
 #include "widgets/lab/labtext.h"
-#include "widgets/look/signs.h"
 #include "widgets/studies/precisionplot.h"
 
 #include <algorithm>
@@ -44,6 +43,9 @@ void ParetoPlot::select(const QString &contender)
     m_selected = contender;
     rebuild();
 }
+
+/// Around the dot of who takes much longer than a straight loop.
+QPen ParetoPlot::missPen() const { return {palette().color(QPalette::Text), 1.5, Qt::DashLine}; }
 
 Arithmetic ParetoPlot::arithmeticOf(const ParetoPoint &point) const
 {
@@ -166,6 +168,13 @@ void ParetoPlot::addStaircase()
         costs.append(corner.cost);
         errors.append(m_scale.toAxis(corner.errorClass, corner.error));
     }
+    if (!costs.isEmpty()) {
+        // Nobody is cheaper than the first, however wrong, nor more exact than the last.
+        costs.prepend(costs.constFirst());
+        errors.prepend(m_scale.top());
+        costs.append(plot()->xAxis->range().upper);
+        errors.append(errors.constLast());
+    }
     stairs->setData(costs, errors);
 }
 
@@ -193,7 +202,7 @@ void ParetoPlot::addPoint(const ParetoPoint &point)
     if (point.contender == m_selected)
         addRing(QPen(palette().color(QPalette::Highlight), 2.5), 19);
     if (point.missesStraight)
-        addRing(QPen(signColour(Sign::FirstDifference, palette()), 1.5, Qt::DashLine), 15);
+        addRing(missPen(), 15);
 }
 
 void ParetoPlot::addStraight(const ParetoPoint &point)
@@ -232,16 +241,20 @@ void ParetoPlot::addLabels()
         texts.append(pointLabel(*point));
         dots.push_back({placeOf(*point), metrics.size(Qt::TextSingleLine, texts.back())});
     }
-    const auto places = placeLabels(dots, QRectF(plot()->axisRect()->rect()));
+    std::vector<QPointF> loops;
+    for (const ParetoPoint *point : points) {
+        if (point->straight)
+            loops.emplace_back(plot()->xAxis->coordToPixel(point->straight->median),
+                               placeOf(*point).y());
+    }
+    const auto places = placeLabels(dots, loops, QRectF(plot()->axisRect()->rect()));
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!places[i])
             continue;
         auto *label = new QCPItemText(plot());
         label->setText(texts[qsizetype(i)]);
         label->setFont(smallFont());
-        label->setColor(points[i]->missesStraight
-                            ? signColour(Sign::FirstDifference, palette())
-                            : arithmeticColour(arithmeticOf(*points[i]), palette()));
+        label->setColor(arithmeticColour(arithmeticOf(*points[i]), palette()));
         label->setPadding({});
         label->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
         label->position->setType(QCPItemPosition::ptAbsolute);
@@ -269,9 +282,7 @@ void ParetoPlot::addKeys()
         QCPGraph *key = addKey(tr("over 1.3 × its loop"));
         key->setLineStyle(QCPGraph::lsNone);
         key->setScatterStyle(
-            QCPScatterStyle(QCPScatterStyle::ssCircle,
-                            QPen(signColour(Sign::FirstDifference, palette()), 1.5, Qt::DashLine),
-                            QBrush(Qt::NoBrush), 12));
+            QCPScatterStyle(QCPScatterStyle::ssCircle, missPen(), QBrush(Qt::NoBrush), 12));
     }
 }
 

@@ -4,6 +4,8 @@
 #include "widgets/lab/errorscale.h"
 #include "widgets/lab/labplot.h"
 
+#include <QPen>
+
 namespace pixelplumb {
 
 /// What accuracy costs in time (objectName "labPareto"): cost against error, both logarithmic, with
@@ -37,6 +39,7 @@ private:
     Arithmetic arithmeticOf(const ParetoPoint &point) const;
     QPointF placeOf(const ParetoPoint &point) const; ///< in the plot
     const ParetoPoint *pointAt(const QPointF &position) const;
+    QPen missPen() const;
     void setAxes();
     void addStaircase();
     void addPoint(const ParetoPoint &point);
