@@ -29,6 +29,7 @@ const std::vector<QStringList> &commandLines()
            {"compare", "%1", "--methods", "column-scan,truth", "--json"},
            {"render", "%1", "--ascii"},
            {"render", "%1", "-o", "-"},
+           {"lab", "%1", "--family", "own-scene", "--contender", "column-scan:float32"},
            {"check", "%1"},
            {"check", "%1", "--json"}};
     return lines;
