@@ -8,7 +8,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double dotRadius = 6;
+constexpr double dotRadius = 8; // with a ring
 constexpr double gap = 3;
 
 /// Right of the dot, left, above, below, and the four corners.

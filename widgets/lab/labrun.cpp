@@ -12,12 +12,12 @@ using namespace std::chrono_literals;
 constexpr auto betweenNews = 250ms; ///< a copy of a study takes time from what is measured
 constexpr std::int64_t driftColumns = 2003;
 
-/// Those whose growth is worth a curve: the column scan in every arithmetic, and one of each other
-/// way.
+/// Those whose growth is worth a curve: the column scan in every arithmetic, its fast kernel, and
+/// the walk over rows.
 constexpr const char *scalingContenders[]
     = {"column-scan:exact",   "column-scan:exact:fast", "column-scan:float32",
        "column-scan:float64", "column-scan:fixed16.16", "column-scan:fixed32.32",
-       "row-walk:float32",    "edge-equation:float32",  "barycentric:float32"};
+       "row-walk:float32"};
 
 std::vector<LabContender> contendersOfSizes(const StudySettings &settings)
 {

@@ -54,47 +54,51 @@ Figure timesStraight(const Study &, const LabRow &row)
                                                : std::nullopt;
 }
 
+enum class Shown { AsFigure, AsCount };
+
 struct FigureColumn {
     const char *title;
     const char *meaning;
     Figure (*read)(const Study &study, const LabRow &row);
+    Shown shown;
 };
 
 constexpr FigureColumn figureColumns[] = {
     {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "wrong, ppm"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
                        "pixels that differ from the truth, of a million of the truth's"),
-     wrongPerMillion},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "? missing"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "samples inside that are not painted"),
-     countOf<&AccuracyFigures::missing>},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "! extra"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "samples outside that are painted"),
-     countOf<&AccuracyFigures::extra>},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "= ties"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
-                       "samples exactly on the boundary that are missing or extra"),
-     ties},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "c bytes"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "pixels that are there in another colour"),
-     countOf<&AccuracyFigures::wrongBytes>},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "levels off"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "the largest error of a byte"),
-     countOf<&AccuracyFigures::largestByteError>},
+     wrongPerMillion, Shown::AsFigure},
     {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "ns a pixel"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "the median of all rounds"), perPixel},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "spread, %"),
-     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
-                       "the middle half of all rounds, of their median"),
-     spreadShare},
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "the median of all rounds"), perPixel,
+     Shown::AsFigure},
     {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "× seed"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
                        "times the seed's method, the column scan in float32"),
-     timesReference},
+     timesReference, Shown::AsFigure},
     {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "× loop"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
                        "times a straight loop that writes the same pixels; up to 1.3 is fair"),
-     timesStraight},
+     timesStraight, Shown::AsFigure},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "spread, %"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
+                       "the middle half of all rounds, of their median"),
+     spreadShare, Shown::AsFigure},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "? missing"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "samples inside that are not painted"),
+     countOf<&AccuracyFigures::missing>, Shown::AsCount},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "! extra"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "samples outside that are painted"),
+     countOf<&AccuracyFigures::extra>, Shown::AsCount},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "= ties"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
+                       "samples exactly on the boundary that are missing or extra"),
+     ties, Shown::AsCount},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "c bytes"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "pixels that are there in another colour"),
+     countOf<&AccuracyFigures::wrongBytes>, Shown::AsCount},
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "levels off"),
+     QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "the largest error of a byte"),
+     countOf<&AccuracyFigures::largestByteError>, Shown::AsCount},
 };
 
 constexpr int firstFigure = 1; ///< after the contender
@@ -154,11 +158,13 @@ QVariant LabTableModel::data(const QModelIndex &index, int role) const
     }
     if (role == Qt::TextAlignmentRole)
         return int(Qt::AlignRight | Qt::AlignVCenter);
-    const Figure figure = figureColumns[column - firstFigure].read(m_results->study, row);
+    const FigureColumn &shown = figureColumns[column - firstFigure];
+    const Figure figure = shown.read(m_results->study, row);
     if (role == SortRole)
         return figure.value_or(std::numeric_limits<double>::infinity());
     if (role == Qt::DisplayRole && figure)
-        return figureText(*figure);
+        return shown.shown == Shown::AsCount ? QString::number(*figure, 'f', 0)
+                                             : figureText(*figure);
     return {};
 }
 

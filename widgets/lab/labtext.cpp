@@ -13,8 +13,13 @@ QString translated(const char *text) { return QCoreApplication::translate("Accur
 
 QString figureText(double value)
 {
-    // Figures of millions are counts, which nobody reads as 1.23e+06.
-    return value >= 1000 ? QString::number(value, 'f', 0) : QString::number(value, 'g', 3);
+    // Three figures that count, so that points stand below each other; of small ones as many.
+    if (value == 0)
+        return QStringLiteral("0");
+    if (value >= 100)
+        return QString::number(value, 'f', 0);
+    return value >= 0.1 ? QString::number(value, 'f', value >= 10 ? 1 : 2)
+                        : QString::number(value, 'g', 2);
 }
 
 QString spreadText(const Spread &spread)

@@ -7,7 +7,7 @@
 
 namespace pixelplumb {
 
-/// "1.65" with three figures that count: a time or a share for people.
+/// "1.65", "16.5", "165": a time or a share for people.
 QString figureText(double value);
 /// "1.65 (1.60 … 1.71)": the median and the middle half.
 QString spreadText(const Spread &spread);

@@ -124,7 +124,7 @@ void MissPlot::addBars(double from, double to, Qt::BrushStyle style, const QColo
     shown->addToLegend();
     for (const Bar &bar : m_bars) {
         if (bar.place > from && bar.place < to && bar.count > 0)
-            shown->addData(bar.place, double(bar.count));
+            shown->addData(bar.place, double(bar.count) - baseline); // bars begin at the base
     }
 }
 

@@ -35,6 +35,15 @@ Arithmetic arithmeticOfCurve(const SizeCurve &curve)
     return contender ? contender->arithmetic : Arithmetic::Exact;
 }
 
+/// Only the plain column scan's are solid: its fast kernel and other methods share its arithmetics.
+DotFill fillOfCurve(const SizeCurve &curve)
+{
+    const std::optional<LabContender> contender = labContenderNamed(curve.contender);
+    const bool isPlainScan = contender && contender->kernel == LabKernel::Plain
+        && contender->method->id == QStringLiteral("column-scan");
+    return isPlainScan ? DotFill::Solid : DotFill::Hollow;
+}
+
 } // namespace
 
 ScalingPlot::ScalingPlot(QWidget *parent)
@@ -76,7 +85,7 @@ void ScalingPlot::build()
         const Arithmetic arithmetic = arithmeticOfCurve(curve);
         graph->setPen(
             QPen(arithmeticColour(arithmetic, palette()), 1.5, arithmeticLine(arithmetic)));
-        graph->setScatterStyle(arithmeticDot(arithmetic, DotFill::Solid, palette()));
+        graph->setScatterStyle(arithmeticDot(arithmetic, fillOfCurve(curve), palette()));
         for (const SizePoint &point : curve.points) {
             if (point.size <= 0 || point.perDraw.median <= 0)
                 continue;
