@@ -5,6 +5,7 @@
 #include "core/lab/sizestudy.h"
 #include "tests/support/defaultscene.h"
 
+#include <QFile>
 #include <QTest>
 
 #include <cmath>
@@ -240,6 +241,24 @@ private slots:
             QVERIFY2(entry.nanosecondsPerPixel >= before, entry.contender);
             before = entry.nanosecondsPerPixel;
         }
+    }
+
+    void theManualPrintsTheOrder()
+    {
+        QFile manual(QStringLiteral(PIXELPLUMB_RESOURCES "/man/pixelplumb-cli.1"));
+        QVERIFY(manual.open(QIODevice::ReadOnly));
+        QStringList printed;
+        for (const QByteArray &line : manual.readAll().split('\n')) {
+            if (line.startsWith(".It ") && line.contains(" Ta "))
+                printed << QString::fromUtf8(line.mid(4)).remove(u'\\');
+        }
+        QStringList order;
+        for (const CostOrderEntry &entry : costOrder()) {
+            order << QStringLiteral("%1 Ta %2")
+                         .arg(QLatin1String(entry.contender))
+                         .arg(entry.nanosecondsPerPixel, 0, 'f', 1);
+        }
+        QCOMPARE(printed, order);
     }
 
     void everyRuleHasAMethodThatIsExact_data()

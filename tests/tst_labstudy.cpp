@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/labfile.h"
+#include "core/lab/livefigures.h"
+#include "core/lab/sizestudy.h"
 #include "core/lab/study.h"
 #include "tests/support/defaultscene.h"
 
@@ -206,6 +208,40 @@ private slots:
         QVERIFY(study.rows[0].cost->straight.has_value());
         QVERIFY(study.rows[0].cost->timesStraight.has_value());
         QCOMPARE(study.family(QStringLiteral("small"))->timedTriangles, 3000);
+    }
+
+    void whatTheSceneInHandCostsAndGetsWrongIsMeasured()
+    {
+        const auto exact
+            = liveFiguresOf(std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact)));
+        const auto rounded
+            = liveFiguresOf(std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Fixed16)));
+        const auto ended
+            = liveFiguresOf(std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact)),
+                            [](const JobProgress &) { return false; });
+
+        QVERIFY(exact->isProved);
+        QCOMPARE(exact->wrongPixels, std::optional<std::int64_t>(0));
+        QCOMPARE(exact->pixels, rounded->pixels);
+        QVERIFY(!rounded->isProved);
+        QVERIFY(*rounded->wrongPixels > 0);
+        QVERIFY(exact->perPixel.has_value());
+        QVERIFY(exact->text().startsWith(QStringLiteral("0 wrong, proved · ")));
+        QVERIFY(!ended);
+    }
+
+    void aSizeStudyHasACurveForEachAxis()
+    {
+        const auto contenders = contendersOf({QStringLiteral("column-scan:exact")});
+
+        const auto curves = runSizeStudy(contenders, 1);
+
+        QCOMPARE(curves->size(), allSizeAxes.size());
+        for (const SizeCurve &curve : *curves) {
+            QCOMPARE(curve.points.size(), std::size_t(7));
+            QVERIFY(curve.exponent.has_value());
+        }
+        QVERIFY(!runSizeStudy(contenders, 1, [](const JobProgress &) { return false; }));
     }
 
     void theCommandDoesItAgain()

@@ -57,27 +57,27 @@ void addGenerated(LabFamily &family, const FamilyRequest &request)
     family.isOnWholePixels = true;
     family.staysInside = true;
     if (family.id == QLatin1String("random-integer")) {
-        picture.triangles = scattered(random, picture.frame, many(60, 400), unitsPerPixel);
+        picture.triangles = scattered(random, picture.frame, many(60, 200), unitsPerPixel);
     } else if (family.id == QLatin1String("random-subpixel")) {
-        picture.triangles = scattered(random, picture.frame, many(60, 400), 1);
+        picture.triangles = scattered(random, picture.frame, many(60, 200), 1);
         family.isOnWholePixels = false;
     } else if (family.id == QLatin1String("slivers")) {
-        picture.triangles = slivers(random, picture.frame, many(200, 1500));
+        picture.triangles = slivers(random, picture.frame, many(200, 600));
         family.motion = slidingSliver(picture.frame, many(24, 64));
     } else if (family.id == QLatin1String("ties")) {
-        picture.triangles = tied(random, picture.frame, many(150, 1000));
+        picture.triangles = tied(random, picture.frame, many(150, 500));
     } else if (family.id == QLatin1String("far")) {
         picture.frame.firstColumn = 30000 - 510;
         picture.frame.firstRow = 30000 - 504;
-        picture.triangles = boxed(random, picture.frame, many(1000, 8000), 8, 60, 1);
+        picture.triangles = boxed(random, picture.frame, many(1000, 4000), 8, 60, 1);
         family.isOnWholePixels = false;
         family.staysInside = false;
     } else if (family.id == QLatin1String("small")) {
-        picture.triangles = boxed(random, picture.frame, many(3000, 20000), 3, 12, unitsPerPixel);
+        picture.triangles = boxed(random, picture.frame, many(3000, 10000), 3, 12, unitsPerPixel);
     } else if (family.id == QLatin1String("large")) {
-        picture.triangles = large(random, picture.frame, many(12, 80));
+        picture.triangles = large(random, picture.frame, many(12, 40));
     } else if (family.id == QLatin1String("mesh")) {
-        const int cells = int(many(40, 100));
+        const int cells = int(many(40, 70));
         picture.triangles = mesh(random, picture.frame, cells, cells);
         family.isOnWholePixels = false;
         family.staysInside = false; // its rule is not the straight loops'

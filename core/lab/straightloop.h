@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/frame/frameview.h"
+#include "core/frame/levelpixel.h"
 #include "core/geometry/triangle.h"
 #include "core/scan/scansettings.h"
 
@@ -77,11 +78,6 @@ int byteOf(Float level)
     level += Float(0.5);
     level = level > Float(0) ? level : Float(0);
     return int(level < Float(255) ? level : Float(255));
-}
-
-inline int clampedByte(std::int64_t level)
-{
-    return int(level < 0 ? 0 : level > 255 ? 255 : level);
 }
 
 } // namespace pixelplumb

@@ -21,9 +21,9 @@ Plan planFor(const StudySettings &settings)
 {
     Plan plan;
     if (settings.extent == StudyExtent::Full) {
-        plan.accuracy = {6, 400'000, 3'000'000, 60'000};
-        plan.race = {3e6, 200e6, 600'000, 4'000'000};
-        plan.rounds = 9;
+        plan.accuracy = {3, 200'000, 1'000'000, 40'000};
+        plan.race.longestDraw = 60e6;
+        plan.rounds = 7;
     }
     if (settings.accuracyLimit > 0)
         plan.accuracy.limitSeconds = settings.accuracyLimit;

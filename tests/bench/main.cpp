@@ -211,7 +211,7 @@ int measureScalings(const Lineup &lineup, const Options &options)
         if (wanted || info.id == lineup.referenceId || info.role == Role::Limit)
             contenders.push_back(contender.get());
     }
-    const MachineConditions machine = thisMachine();
+    const pixelplumb::MachineConditions machine = pixelplumb::thisMachine();
     std::vector<ScalingResult> series;
     for (const ScalingPoint &point : scalingPoints(options.extent)) {
         series.push_back(
@@ -224,7 +224,7 @@ int measureScalings(const Lineup &lineup, const Options &options)
 int measureWorkloads(const Lineup &lineup, const Options &options)
 {
     Report report;
-    report.machine = thisMachine();
+    report.machine = pixelplumb::thisMachine();
     report.rounds = options.rounds;
     report.extent = options.extent;
     report.referenceId = lineup.referenceId;
@@ -237,7 +237,7 @@ int measureWorkloads(const Lineup &lineup, const Options &options)
     if (report.workloads.empty())
         refuse(QStringLiteral("--filter %1 matches nothing; --list names what there is")
                    .arg(options.filter.pattern()));
-    report.loadAtEnd = loadNow();
+    report.loadAtEnd = pixelplumb::loadNow();
     publish(markdown(report), json(report), options);
     return report.brokenPromises().isEmpty() ? Done : WrongPicture;
 }
