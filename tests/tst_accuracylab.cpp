@@ -200,6 +200,17 @@ private slots:
         QCOMPARE(plot.palette(), palette);
     }
 
+    void fitsIntoASmallWindow()
+    {
+        m_window->resize(1016, 600);
+        runToItsEnd();
+        QTest::qWait(50); // the docks take their places by events
+
+        QCOMPARE(m_window->size(), QSize(1016, 600));
+        for (const char *name : {"labRun", "labTabs", "labPareto", "labConditions"})
+            QVERIFY2(!named<QWidget>(*m_lab, name)->visibleRegion().isEmpty(), name);
+    }
+
     void looksRightInBothPalettes_data() { addPalettes(); }
     void looksRightInBothPalettes()
     {

@@ -19,6 +19,8 @@ namespace pixelplumb {
 
 namespace {
 
+constexpr int lowPanel = 340; ///< logical pixels
+
 /// Part of the program, so that every machine has the same ones.
 std::vector<HardCase> builtInCases()
 {
@@ -57,8 +59,11 @@ AccuracyLab::AccuracyLab(Playhead *playhead, QWidget *parent)
     layout->addWidget(m_controls);
     layout->addWidget(m_invitation, 1);
     layout->addWidget(m_charts, 1);
-    layout->addWidget(m_warnings);
-    layout->addWidget(m_conditions);
+    m_foot = new QBoxLayout(QBoxLayout::TopToBottom);
+    m_foot->setSpacing(4);
+    m_foot->addWidget(m_warnings);
+    m_foot->addWidget(m_conditions);
+    layout->addLayout(m_foot);
     connect(m_run, &LabRun::resultsChanged, this, &AccuracyLab::take);
     connect(m_run, &LabRun::ended, this, &AccuracyLab::showState);
     connect(m_charts, &LabCharts::missRequested, this, &AccuracyLab::openMiss);
@@ -157,6 +162,13 @@ void AccuracyLab::showState()
     m_warnings->setWholeText(QStringLiteral("⚠ ") + warnings.join(QStringLiteral(" ⚠ ")));
     if (m_results)
         m_conditions->setWholeText(originOf(m_results->study).join(QStringLiteral(" · ")));
+}
+
+/// A low panel gives the charts the second line of its foot.
+void AccuracyLab::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    m_foot->setDirection(height() < lowPanel ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
 }
 
 void AccuracyLab::openMiss(const QString &contender)

@@ -5,6 +5,7 @@
 
 #include <QWidget>
 
+class QBoxLayout;
 class QLabel;
 
 namespace pixelplumb {
@@ -51,6 +52,9 @@ signals:
     void complaint(const QString &text);
     void notice(const QString &text);
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     void connectControls();
     void take(const SharedResults &results);
@@ -67,6 +71,7 @@ private:
     QLabel *m_invitation;
     ElidedLabel *m_warnings;
     ElidedLabel *m_conditions;
+    QBoxLayout *m_foot = nullptr; ///< of these two
     StudySettings m_request;
     QString m_scenePath;
     SharedResults m_results;

@@ -133,7 +133,7 @@ QCPGraph *LabPlot::addKey(const QString &text)
     return key;
 }
 
-void LabPlot::setLogRange(QCPAxis *axis, double low, double high)
+void LabPlot::setLogRange(QCPAxis *axis, double low, double high, const QString &prefix)
 {
     axis->setScaleType(QCPAxis::stLogarithmic);
     axis->setRange(low, high);
@@ -147,8 +147,9 @@ void LabPlot::setLogRange(QCPAxis *axis, double low, double high)
                 break;
             const double place = factor * std::pow(10.0, exponent);
             const bool isPlain = exponent >= -2 && exponent <= 4 && decades <= 2 * fewDecades;
-            ticker->addTick(place,
-                            isPlain ? QString::number(place, 'g', 6) : powerOfTenText(exponent));
+            ticker->addTick(
+                place,
+                prefix + (isPlain ? QString::number(place, 'g', 6) : powerOfTenText(exponent)));
         }
     }
     axis->setTicker(ticker);

@@ -32,7 +32,7 @@ public:
     QByteArray png(const QString &title, const QStringList &origin);
 
     QSize sizeHint() const override { return {640, 280}; }
-    QSize minimumSizeHint() const override { return {240, 120}; }
+    QSize minimumSizeHint() const override { return {240, 72}; }
 
 protected:
     LabPlot(const char *name, const QString &accessibleName, QWidget *parent);
@@ -55,8 +55,8 @@ protected:
     QCPGraph *addKey(const QString &text);
     QFont smallFont() const;
 
-    /// A logarithmic axis from `low` to `high`, both above 0.
-    static void setLogRange(QCPAxis *axis, double low, double high);
+    /// A logarithmic axis from `low` to `high`, both above 0; its figures begin with the prefix.
+    static void setLogRange(QCPAxis *axis, double low, double high, const QString &prefix = {});
 
 private:
     void dress();

@@ -17,6 +17,7 @@ namespace {
 
 constexpr double reach = 12; ///< logical pixels from a dot to a pointer that means it
 constexpr int marginsOfAxis = 70; ///< logical pixels above and below the axis, together
+constexpr int lowHeight = 220; ///< logical pixels
 constexpr double room = 1.25; ///< beside the outermost dots, as a factor
 
 } // namespace
@@ -143,8 +144,12 @@ void ParetoPlot::setAxes()
     QCPAxis *times = plot()->xAxis2;
     times->setVisible(reference != m_chart.points.end());
     if (times->visible()) {
-        setLogRange(times, low / reference->cost.median, high / reference->cost.median);
-        times->setLabel(tr("times the seed's method (column scan, float32)"));
+        setLogRange(times, low / reference->cost.median, high / reference->cost.median,
+                    QStringLiteral("×"));
+        // Where the chart is low, the decades need the height of these words.
+        times->setLabel(height() < lowHeight
+                            ? QString()
+                            : tr("times the seed's method (column scan, float32)"));
     }
 }
 
