@@ -100,10 +100,17 @@ private slots:
         QSignalSpy spy(m_lab, &AccuracyLab::resultsChanged);
         click("labRun");
         QTRY_VERIFY_WITH_TIMEOUT(m_lab->results() && m_lab->results()->study.rounds > 0, longest);
+        const int shown = m_lab->results()->study.rounds;
 
         click("labCancel");
 
-        QVERIFY(!m_lab->isRunning());
+        QTRY_VERIFY(!m_lab->isRunning());
+        const Study &study = m_lab->results()->study;
+        QVERIFY(study.rounds >= shown);
+        for (const LabRow &row : study.rows) {
+            if (row.family == QStringLiteral("own-scene"))
+                QVERIFY(row.cost && row.cost->rounds >= shown);
+        }
         QVERIFY(!m_lab->results()->study.isComplete);
         QVERIFY(m_lab->results()->study.rows.front().accuracy);
         QVERIFY(m_lab->results()->study.rows.front().cost);

@@ -204,7 +204,7 @@ bool AccuracyLab::openResults(const QString &path)
     std::optional<Study> study = m_files->read(path);
     if (!study)
         return false;
-    m_run->cancel();
+    m_run->drop();
     m_charts->forgetChanges();
     take(std::make_shared<const LabResults>(LabResults{std::move(*study), {}, {}}));
     return true;
@@ -212,8 +212,14 @@ bool AccuracyLab::openResults(const QString &path)
 
 bool AccuracyLab::compareWith(const QString &path)
 {
+    if (!m_results) {
+        emit complaint(tr("Nothing is measured yet that %1 could be compared with: press Run or "
+                          "open results first.")
+                           .arg(QFileInfo(path).fileName()));
+        return false;
+    }
     const std::optional<Study> before = m_files->read(path);
-    if (!before || !m_results)
+    if (!before)
         return false;
     m_charts->showChanges(*before, m_results->study, QFileInfo(path).fileName());
     return true;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/labrun.h"
 
+#include <atomic>
 #include <mutex>
 
 namespace pixelplumb {
@@ -63,7 +64,11 @@ public:
         return std::make_shared<const LabResults>(m_results);
     }
 
+    void stop() { m_isStopped = true; }
+    bool isStopped() const { return m_isStopped; }
+
 private:
+    std::atomic<bool> m_isStopped = false;
     std::mutex m_mutex;
     LabResults m_results;
     bool m_isNews = false;
@@ -86,7 +91,10 @@ void LabRun::start(const StudySettings &settings)
 {
     m_timeLeft = {};
     m_board = std::make_shared<Board>();
-    const auto work = [settings, board = m_board](const ProgressListener &listener) {
+    const auto work = [settings, board = m_board](const ProgressListener &job) {
+        const ProgressListener listener = [&](const JobProgress &progress) {
+            return job(progress) && !board->isStopped();
+        };
         StudyListener hears;
         hears.progress = listener;
         hears.rowChanged = [&board](const Study &study, std::size_t) { board->offer(study); };
@@ -114,15 +122,21 @@ void LabRun::start(const StudySettings &settings)
 
 void LabRun::cancel()
 {
-    if (!m_job.isRunning())
-        return;
+    if (isRunning())
+        m_board->stop();
+}
+
+void LabRun::drop()
+{
+    m_board = nullptr;
     m_job.cancel();
-    takeNews();
     emit ended();
 }
 
 void LabRun::takeNews()
 {
+    if (!m_board)
+        return;
     if (const auto news = m_board->takeNews())
         emit resultsChanged(news);
 }

@@ -23,7 +23,10 @@ public:
     const TimeLeft &timeLeft() const { return m_timeLeft; }
 
     void start(const StudySettings &settings);
+    /// Ends it after the sample that it is at; then what it has is told, and ended().
     void cancel();
+    /// Ends it and drops what it has.
+    void drop();
 
 signals:
     void resultsChanged(const std::shared_ptr<const pixelplumb::LabResults> &results);
