@@ -244,6 +244,26 @@ private slots:
         QVERIFY(!runSizeStudy(contenders, 1, [](const JobProgress &) { return false; }));
     }
 
+    void aContenderThatFailsIsLeftOutOfTheSizes()
+    {
+        std::vector<LabContender> contenders
+            = contendersOf({QStringLiteral("column-scan:exact"), QStringLiteral("row-walk:exact")});
+        // It gets through the first axis, whose frames are 37 px high.
+        contenders[1].draw = [](const Primitives &, const ScanSettings &, FrameView frame) {
+            if (frame.height > 100)
+                throw std::runtime_error("out of luck");
+        };
+
+        const auto curves = runSizeStudy(contenders, 2);
+
+        QVERIFY(curves.has_value());
+        QCOMPARE(curves->size(), allSizeAxes.size());
+        for (const SizeCurve &curve : *curves) {
+            QCOMPARE(curve.contender, QStringLiteral("column-scan:exact"));
+            QCOMPARE(curve.points.size(), std::size_t(7));
+        }
+    }
+
     void theCommandDoesItAgain()
     {
         const Study study = runStudy(smallStudy());
