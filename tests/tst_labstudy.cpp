@@ -230,6 +230,22 @@ private slots:
         QVERIFY(!ended);
     }
 
+    void theSceneInHandIsTimedAsTheStudyTimesIt()
+    {
+        StudySettings settings = smallStudy();
+        settings.ownScene = std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact, 3));
+        settings.rounds = 1;
+
+        const auto live = liveFiguresOf(settings.ownScene);
+        const Study study = runStudy(settings);
+
+        // Three triangles on top of each other: each pixel is written three times.
+        QCOMPARE(live->timedPixels, study.family(QStringLiteral("own-scene"))->timedPixels);
+        QCOMPARE(live->timedPixels, 3 * live->pixels);
+        QVERIFY(live->perPixel.has_value());
+        QVERIFY(live->rounds > 0);
+    }
+
     void aSizeStudyHasACurveForEachAxis()
     {
         const auto contenders = contendersOf({QStringLiteral("column-scan:exact")});
