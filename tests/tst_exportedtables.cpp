@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/traceexport.h"
 #include "core/scan/choicenames.h"
-#include "tests/support/hardcasescenes.h"
+#include "tests/support/scenesformethods.h"
 #include "tests/support/tablefolder.h"
 
 #include <QSet>
@@ -22,12 +22,7 @@ class TestExportedTables : public QObject {
     Q_OBJECT
 
 private slots:
-    void initTestCase()
-    {
-        QVERIFY(scenesForEveryMethod().size() > 12);
-        m_cases = hardCaseDetails();
-        QVERIFY(m_cases.size() > 70);
-    }
+    void initTestCase() { QVERIFY(scenesForEveryMethod().size() > 12); }
 
     void everyMethodNamesItsNumbersOnce_data() { addMethods(); }
     void everyMethodNamesItsNumbersOnce()
@@ -67,27 +62,7 @@ private slots:
                 const QString name = QStringLiteral("%1-%2-%3")
                                          .arg(method->id, each.first, nameText(nameOf(arithmetic)));
                 const QString fault
-                    = m_folder.faultOfKept(*runOf(each.second, *method, arithmetic), name);
-                QVERIFY2(fault.isEmpty(), qPrintable(name + QStringLiteral(": ") + fault));
-            }
-        }
-    }
-
-    void everyTableOfEveryHardCaseIsWellFormed_data() { addMethods(); }
-    void everyTableOfEveryHardCaseIsWellFormed()
-    {
-        QFETCH(const Method *, method);
-
-        std::size_t turn = 0;
-        for (const NamedScene &each : m_cases) {
-            // python3 is given one arithmetic of each case: they take turns.
-            const Arithmetic kept = method->arithmetics[turn++ % method->arithmetics.size()];
-            for (const Arithmetic arithmetic : method->arithmetics) {
-                const QString name = QStringLiteral("%1-%2-%3")
-                                         .arg(method->id, each.first, nameText(nameOf(arithmetic)));
-                const auto traced = runOf(each.second, *method, arithmetic);
-                const QString fault = arithmetic == kept ? m_folder.faultOfKept(*traced, name)
-                                                         : m_folder.faultOf(*traced);
+                    = m_folder.faultOfKept(*tracedBy(*method, arithmetic, each.second), name);
                 QVERIFY2(fault.isEmpty(), qPrintable(name + QStringLiteral(": ") + fault));
             }
         }
@@ -107,17 +82,7 @@ private:
         for (const Method &method : methods())
             QTest::newRow(qPrintable(method.id)) << &method;
     }
-    static std::shared_ptr<const TracedScene> runOf(Scene scene, const Method &method,
-                                                    Arithmetic arithmetic)
-    {
-        scene.method = method.id.toStdString();
-        scene.settings.arithmetic = arithmetic;
-        scene.settings = method.adapted(scene.settings);
-        return traceScene(scene);
-    }
-
     TableFolder m_folder;
-    std::vector<NamedScene> m_cases;
 };
 
 QTEST_GUILESS_MAIN(TestExportedTables)

@@ -200,6 +200,55 @@ private slots:
                  QString());
     }
 
+    void aPlaneEquationIsCountedAsByHandForTheColoursAlone()
+    {
+        const OperationCounts counts
+            = countsOf("interpolate-plane", Arithmetic::Float32, tentTriangle());
+        QCOMPARE(counts.spans, std::int64_t(5));
+        QCOMPARE(counts.pixels, std::int64_t(13));
+        // A channel's plane: 3 points of 3 coordinates each become floats; the cross product has 3
+        // times 2 products and 5 differences; D has 3 products and 2 sums; 3 quotients.
+        // What is covered is walked in integers along 3 edges. y: 3 differences and a sum, ΔX = 0?,
+        // 4 products; slope: 2 differences, ΔX = 0?, 2 products; each then a quotient and remainder
+        // of 1 division, 1 comparison, 2 subtractions and 1 product.
+        QCOMPARE(departure(counts, WorkStage::SetUp,
+                           {{Division, 3 * 3 + 3 * 2},
+                            {FloatAddition, 3 * (3 * 5 + 2)},
+                            {IntegerAddition, 3 * (4 + 2 + 2 * 2)},
+                            {Multiplication, 3 * (3 * 2 + 3) + 3 * (4 + 2 + 2 * 1)},
+                            {Operation::Comparison, 3 * (2 + 2 * 1)},
+                            {Conversion, 3 * 3 * 3}}),
+                 QString());
+        // ⌈y_B⌉: remainder ≠ 0?, 1 addition. 2 edges advance: 2 additions, 1 comparison.
+        QCOMPARE(
+            departure(counts, WorkStage::Span,
+                      {{IntegerAddition, 5 * (1 + 2 * 2)}, {Operation::Comparison, 5 * (1 + 2)}}),
+            QString());
+        // Each of R G B: a·x + b·y + c with x and y converted, and a rounding.
+        QCOMPARE(departure(counts, WorkStage::Pixel,
+                           {{Rounding, 13 * 3},
+                            {FloatAddition, 13 * 3 * 2},
+                            {Multiplication, 13 * 3 * 2},
+                            {Conversion, 13 * 3 * 2}}),
+                 QString());
+    }
+
+    void theOtherFormsOfInterpolationCostASampleWhatTheySay()
+    {
+        // R G B rounded, and their rates added.
+        QCOMPARE(departure(countsOf("interpolate-bilinear", Arithmetic::Float32, tentTriangle()),
+                           WorkStage::Pixel, {{Rounding, 13 * 3}, {FloatAddition, 13 * 3}}),
+                 QString());
+        // Three weights a·x + b·y + c; each of R G B is α·v0 + β·v1 + γ·v2 and rounded.
+        QCOMPARE(departure(countsOf("interpolate-barycentric", Arithmetic::Float32, tentTriangle()),
+                           WorkStage::Pixel,
+                           {{Rounding, 13 * 3},
+                            {FloatAddition, 13 * (3 * 2 + 3 * 2)},
+                            {Multiplication, 13 * (3 * 2 + 3 * 3)},
+                            {Conversion, 13 * 3 * 2}}),
+                 QString());
+    }
+
     void theRectangleSavesSamplesAndIncrementsSaveTheirOperations()
     {
         for (const Arithmetic arithmetic :

@@ -29,6 +29,7 @@ const std::vector<QStringList> &commandLines()
            {"compare", "%1", "--methods", "column-scan,truth", "--json"},
            {"render", "%1", "--ascii"},
            {"render", "%1", "-o", "-"},
+           {"lab", "%1", "--family", "own-scene", "--contender", "column-scan:float32"},
            {"check", "%1"},
            {"check", "%1", "--json"}};
     return lines;
@@ -181,7 +182,10 @@ private:
     {
         if (arguments.front() != QStringLiteral("check"))
             return *readFile(defaultScene());
-        return *readFile(QStringLiteral(PIXELPLUMB_RESOURCES "/../tests/data/more_cases.json"));
+        return "{\"version\": 1, \"cases\": [{\"id\": \"small\", \"kind\": \"triangle\", "
+               "\"scale\": 1, "
+               "\"vertices\": [[0, 0], [4, 0], [0, 4]], \"canvas\": [6, 6], \"origin\": [0, 0], "
+               "\"expected\": {\"closed\": {\"count\": 15}}}]}";
     }
 };
 

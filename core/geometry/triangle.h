@@ -37,8 +37,10 @@ constexpr Int128 doubledArea(const Triangle &triangle)
                        triangle.vertices[2].position);
 }
 
-/// The vertices' indices sorted by x, then y, then index: P0, P1, P2 of the assignment.
-constexpr std::array<int, 3> sortedByColumn(const Triangle &triangle)
+/// The vertices' indices sorted by x, then y, then index: P0, P1, P2 of the assignment. Inlined by
+/// order: a call would read them back from memory in other words than it stored them in, and wait
+/// until every pixel before is stored.
+[[gnu::always_inline]] inline constexpr std::array<int, 3> sortedByColumn(const Triangle &triangle)
 {
     std::array<int, 3> order = {0, 1, 2};
     const auto before = [&](int a, int b) {

@@ -3,6 +3,7 @@
 
 #include "core/geometry/primitiverejection.h"
 #include "core/lab/operationtally.h"
+#include "core/scan/scanobserver.h"
 
 #include <QRgb>
 
@@ -43,5 +44,9 @@ public:
 private:
     OperationTally *m_tally;
 };
+
+/// It counts the operations that draw, and no others.
+template <>
+inline constexpr bool readsNumbers<CountingObserver> = false;
 
 } // namespace pixelplumb

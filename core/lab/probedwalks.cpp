@@ -10,7 +10,8 @@ std::span<const ProbedMethod> probedWalks()
         {"column-scan", probeWith<ColumnScanKernel>},
         {"row-walk", probeWith<RowWalk>},
         {"column-scan-bias", probeWith<BiasScan>},
-        {"column-scan-constant-rate", probeWith<ConstantRateScan>},
+        {"column-scan-constant-rate", probeWith<ConstantRateWalk<SpanAxis::Column>>},
+        {"row-walk-constant-rate", probeWith<ConstantRateWalk<SpanAxis::Row>>},
     };
     return table;
 }

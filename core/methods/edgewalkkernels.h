@@ -14,8 +14,9 @@ using ColumnScanKernel
 using RowWalk
     = EdgeWalkKernel<EdgeWalkForm{SpanAxis::Row, WalkForm::Accumulated, ColourRate::Bilinear}>;
 
-struct ConstantRateScan
-    : EdgeWalkKernel<EdgeWalkForm{SpanAxis::Column, WalkForm::Accumulated, ColourRate::Plane}> {
+template <SpanAxis axis>
+struct ConstantRateWalk
+    : EdgeWalkKernel<EdgeWalkForm{axis, WalkForm::Accumulated, ColourRate::Plane}> {
     template <class Function>
     static decltype(auto) withNumbers(const ScanSettings &settings, IntegerWidth width,
                                       const Function &function)

@@ -26,7 +26,7 @@ Method rowWalkMethod()
 
 Method constantRateColumnScanMethod()
 {
-    Method method = edgeWalkMethod<ConstantRateScan>();
+    Method method = edgeWalkMethod<ConstantRateWalk<SpanAxis::Column>>();
     method.id = QStringLiteral("column-scan-constant-rate");
     method.title = QStringLiteral("Column scan, constant ΔR");
     method.family = MethodFamily::StableForms;

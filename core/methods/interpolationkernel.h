@@ -8,19 +8,18 @@
 
 namespace pixelplumb {
 
-inline std::array<VertexAttributes, 3> attributesOf(const Primitives &primitives,
-                                                    std::size_t triangle)
+/// Those of one triangle; null where it has none.
+inline const TriangleAttributes *attributesOf(const Primitives &primitives, std::size_t triangle)
 {
     const auto found = std::ranges::lower_bound(primitives.attributes, triangle, {},
                                                 &TriangleAttributes::triangle);
-    if (found == primitives.attributes.end() || found->triangle != triangle)
-        return {};
-    return found->vertices;
+    const bool isThere = found != primitives.attributes.end() && found->triangle == triangle;
+    return isThere ? &*found : nullptr;
 }
 
 struct AttributedTriangle {
     const Triangle &triangle;
-    std::array<VertexAttributes, 3> attributes;
+    const TriangleAttributes *attributes = nullptr;
 };
 
 template <InterpolationForm Form>
@@ -37,9 +36,21 @@ struct InterpolationKernel : TriangleKernel,
     static void scan(const AttributedTriangle &scanned, const ScanSettings &settings,
                      FrameView frame, Observer observer)
     {
-        InterpolationScan<Form, Number, Observer>(scanned.triangle, scanned.attributes, settings,
-                                                  frame, observer)
-            .run();
+        // The picture shows the colour: of the other channels it needs none.
+        constexpr std::size_t channels = readsNumbers<Observer> ? channelCount : colourChannelCount;
+        const auto scanIn = [&]<class Integer>() {
+            InterpolationScan<Form, Number, Integer, channels, Observer>(
+                scanned.triangle, scanned.attributes, settings, frame, observer)
+                .run();
+        };
+        // What is covered is the same in both; who reads the numbers has one type of them.
+        if constexpr (!readsNumbers<Observer>) {
+            if (integerWidthFor(scanned.triangle) == IntegerWidth::Bits64) {
+                scanIn.template operator()<NarrowBeside<Number>>();
+                return;
+            }
+        }
+        scanIn.template operator()<WideBeside<Number>>();
     }
 };
 

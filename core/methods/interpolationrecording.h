@@ -89,7 +89,7 @@ struct InterpolationRecording : InterpolationNumbers<Number> {
         const FrameView frame{
             pixels.data(),       1, std::int32_t(column.x), std::int32_t(column.firstDrawn), 1,
             std::int32_t(height)};
-        fillInterpolated<Form>(setUp, column, settings.rounding, frame, observer);
+        fillAgain<Form>(setUp, column, settings.rounding, frame, observer);
     }
 };
 

@@ -3,6 +3,7 @@
 
 #include "core/methods/barycentric.h"
 #include "core/methods/columnscan.h"
+#include "core/methods/constantraterowwalk.h"
 #include "core/methods/curves.h"
 #include "core/methods/edgeequations.h"
 #include "core/methods/edgewalks.h"
@@ -119,6 +120,7 @@ std::span<const Method> methods()
         offScreenBarycentricMethod(),
         biasColumnScanMethod(),
         constantRateColumnScanMethod(),
+        constantRateRowWalkMethod(),
         canonicalEdgeEquationsMethod(),
         relativeBarycentricMethod(),
         bilinearInterpolationMethod(),

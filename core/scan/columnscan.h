@@ -54,7 +54,8 @@ struct EdgeWalker {
 /// Colours the rows of one column, bottom to top. The column's state is all it reads, so that a
 /// column can be drawn again, alone, with the same numbers.
 template <class A, class View, class Observer>
-void fillColumn(const ColumnState<A> &column, ByteRounding rounding, View frame, Observer observer)
+[[gnu::always_inline]] inline void fillColumn(const ColumnState<A> &column, ByteRounding rounding,
+                                              View frame, Observer observer)
 {
     if (column.firstDrawnRow >= column.endDrawnRow)
         return;
@@ -205,8 +206,9 @@ private:
         return m_setUp.longEdge;
     }
 
-    void scanColumn(ColumnHalf half, std::int64_t x, const EdgeWalker<A> &shortEdge,
-                    const EdgeWalker<A> &longEdge)
+    [[gnu::always_inline]] void scanColumn(ColumnHalf half, std::int64_t x,
+                                           const EdgeWalker<A> &shortEdge,
+                                           const EdgeWalker<A> &longEdge)
     {
         ColumnState<A> column;
         column.x = x;

@@ -29,11 +29,12 @@ struct PlaneNormal {
     Number a, b, c, d;
 };
 
-template <FloatingNumber Float>
-PlaneNormal<Float> planeNormal(const std::array<ChannelVertex, 3> &vertices, std::size_t channel)
+template <FloatingNumber Float, class Corner>
+[[gnu::always_inline]] inline PlaneNormal<Float> planeNormal(const std::array<Corner, 3> &vertices,
+                                                             std::size_t channel)
 {
     const auto real = [](Lattice units) { return NumberTraits<Float>::fromLattice(units); };
-    const auto point = [&](const ChannelVertex &vertex) {
+    const auto point = [&](const Corner &vertex) {
         return std::array<Float, 3>{real(vertex.position.x), real(vertex.position.y),
                                     real(vertex.channels[channel])};
     };
@@ -69,8 +70,8 @@ PlaneNormal<Exact> planeNormal(const std::array<ChannelVertex, 3> &vertices, std
 }
 
 /// The plane (Scan Conversion slides, "2. Plane Equation"): v = −(A/C)·x − (B/C)·y − D/C.
-template <class Integer>
-void setPlane(InterpolationSetUp<FractionOf<Integer>> &setUp, std::size_t channel)
+template <class Integer, std::size_t channelsInAll>
+void setPlane(InterpolationSetUp<FractionOf<Integer>, channelsInAll> &setUp, std::size_t channel)
 {
     const auto &[p, q, r] = setUp.vertices;
     const Integer v0 = p.channels[channel];
@@ -92,8 +93,9 @@ void setPlane(InterpolationSetUp<FractionOf<Integer>> &setUp, std::size_t channe
                                denominator}};
 }
 
-template <FloatingNumber Float>
-void setPlane(InterpolationSetUp<Float> &setUp, std::size_t channel)
+template <FloatingNumber Float, std::size_t channelsInAll>
+[[gnu::always_inline]] inline void setPlane(InterpolationSetUp<Float, channelsInAll> &setUp,
+                                            std::size_t channel)
 {
     const PlaneNormal<Float> normal = planeNormal<Float>(setUp.vertices, channel);
     setUp.plane[channel] = {-normal.a / normal.c, -normal.b / normal.c, -normal.d / normal.c};
@@ -101,8 +103,8 @@ void setPlane(InterpolationSetUp<Float> &setUp, std::size_t channel)
 
 /// The weight of a vertex (Scan Conversion slides, "Computing Barycentric Coordinates"): the
 /// equation F of the line through the other two, times the k that makes it 1 at the vertex.
-template <class Integer>
-void setWeight(InterpolationSetUp<FractionOf<Integer>> &setUp, std::size_t vertex)
+template <class Integer, std::size_t channelsInAll>
+void setWeight(InterpolationSetUp<FractionOf<Integer>, channelsInAll> &setUp, std::size_t vertex)
 {
     const LatticePoint &at = setUp.vertices[vertex].position;
     const LatticePoint &from = setUp.vertices[(vertex + 1) % 3].position;
@@ -123,8 +125,8 @@ struct ScaledLine {
     Number a, b, c, k;
 };
 
-template <FloatingNumber Float>
-ScaledLine<Float> scaledLine(const std::array<ChannelVertex, 3> &vertices, std::size_t vertex)
+template <FloatingNumber Float, class Corner>
+ScaledLine<Float> scaledLine(const std::array<Corner, 3> &vertices, std::size_t vertex)
 {
     const auto x = [&](std::size_t i) {
         return NumberTraits<Float>::fromLattice(vertices[i % 3].position.x);
@@ -153,17 +155,26 @@ ScaledLine<Exact> scaledLine(const std::array<ChannelVertex, 3> &vertices, std::
     return {{a, unit}, {b, unit}, {c, unit * unit}, {sign * unit * unit, sign * there}};
 }
 
-template <FloatingNumber Float>
-void setWeight(InterpolationSetUp<Float> &setUp, std::size_t vertex)
+template <FloatingNumber Float, std::size_t channelsInAll>
+void setWeight(InterpolationSetUp<Float, channelsInAll> &setUp, std::size_t vertex)
 {
     const ScaledLine<Float> line = scaledLine<Float>(setUp.vertices, vertex);
     setUp.weight[vertex] = {line.k * line.a, line.k * line.b, line.k * line.c};
 }
 
+/// What a vertex has in all channels, to be weighted.
+template <class Number, std::size_t channelsInAll>
+void setWeighted(InterpolationSetUp<Number, channelsInAll> &setUp, std::size_t vertex)
+{
+    for (std::size_t channel = 0; channel < channelsInAll; ++channel)
+        setUp.weighted[channel][vertex]
+            = VertexValue<Number>::of(setUp.vertices[vertex].channels[channel]);
+}
+
 /// α·v0 + β·v1 + γ·v2; the exact weights share their denominator, the doubled area.
 template <class Integer>
-FractionOf<Integer> weighted(const std::array<FractionOf<Integer>, 3> &weight,
-                             const std::array<Lattice, 3> &value)
+FractionOf<Integer> weightedSum(const std::array<FractionOf<Integer>, 3> &weight,
+                                const std::array<Lattice, 3> &value)
 {
     FractionOf<Integer> sum{0, weight[0].denominator * unitsPerPixel};
     for (std::size_t i = 0; i < 3; ++i)
@@ -172,10 +183,9 @@ FractionOf<Integer> weighted(const std::array<FractionOf<Integer>, 3> &weight,
 }
 
 template <FloatingNumber Float>
-Float weighted(const std::array<Float, 3> &weight, const std::array<Lattice, 3> &value)
+Float weightedSum(const std::array<Float, 3> &weight, const std::array<Float, 3> &value)
 {
-    const auto real = [](Lattice units) { return NumberTraits<Float>::fromLattice(units); };
-    return weight[0] * real(value[0]) + weight[1] * real(value[1]) + weight[2] * real(value[2]);
+    return weight[0] * value[0] + weight[1] * value[1] + weight[2] * value[2];
 }
 
 } // namespace pixelplumb

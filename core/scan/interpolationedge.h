@@ -8,22 +8,24 @@ namespace pixelplumb {
 
 /// An edge under way in the bilinear form: y and all channels where it meets the current column,
 /// each changed by adding a rate.
-template <class Number>
+template <class Number, std::size_t channelsInAll = channelCount>
 struct ChannelEdge {
-    Number y = {}, slope = {};
-    std::array<Number, channelCount> channel = {}, rate = {};
+    using Vertex = VertexOfChannels<channelsInAll>;
 
-    ChannelEdge(const ChannelVertex &a, const ChannelVertex &b, std::int64_t column)
+    Number y = {}, slope = {};
+    std::array<Number, channelsInAll> channel = {}, rate = {};
+
+    ChannelEdge(const Vertex &a, const Vertex &b, std::int64_t column)
     {
         start(y, slope, a.position.y, b.position.y, a, b, column);
-        for (std::size_t i = 0; i < channelCount; ++i)
+        for (std::size_t i = 0; i < channelsInAll; ++i)
             start(channel[i], rate[i], a.channels[i], b.channels[i], a, b, column);
     }
 
     void stepToNextColumn()
     {
         advance(y, slope);
-        for (std::size_t i = 0; i < channelCount; ++i)
+        for (std::size_t i = 0; i < channelsInAll; ++i)
             advance(channel[i], rate[i]);
     }
 
@@ -32,8 +34,7 @@ private:
     /// column; a vertical edge stays at a.
     template <class Integer>
     static void start(FractionOf<Integer> &value, FractionOf<Integer> &perColumn, Lattice atA,
-                      Lattice atB, const ChannelVertex &a, const ChannelVertex &b,
-                      std::int64_t column)
+                      Lattice atB, const Vertex &a, const Vertex &b, std::int64_t column)
     {
         const Integer width = Integer(b.position.x) - a.position.x;
         const Integer run = Integer(column) * unitsPerPixel - a.position.x;
@@ -44,8 +45,8 @@ private:
         perColumn = {isVertical ? Integer(0) : rise * unitsPerPixel, denominator};
     }
     template <FloatingNumber Float>
-    static void start(Float &value, Float &perColumn, Lattice atA, Lattice atB,
-                      const ChannelVertex &a, const ChannelVertex &b, std::int64_t column)
+    static void start(Float &value, Float &perColumn, Lattice atA, Lattice atB, const Vertex &a,
+                      const Vertex &b, std::int64_t column)
     {
         const auto real = [](Lattice units) { return NumberTraits<Float>::fromLattice(units); };
         perColumn = a.position.x == b.position.x
@@ -62,10 +63,11 @@ private:
 /// Q = n_T·d_B − n_B·d_T, and the value N/Q with N = m_B(n_T − y·d_T) + m_T(y·d_B − n_B), up to
 /// the units. Both are written over the doubled area, which they have as a denominator because they
 /// belong to a plane: the divisions leave no remainder. The products take up to 236 bits.
-template <class Integer>
-void interpolateColumn(const ChannelEdge<FractionOf<Integer>> &bottom,
-                       const ChannelEdge<FractionOf<Integer>> &top, Int128 doubledArea,
-                       InterpolationColumn<FractionOf<Integer>> &column)
+template <class Integer, std::size_t channelsInAll>
+void interpolateColumn(const ChannelEdge<FractionOf<Integer>, channelsInAll> &bottom,
+                       const ChannelEdge<FractionOf<Integer>, channelsInAll> &top,
+                       Int128 doubledArea,
+                       InterpolationColumn<FractionOf<Integer>, channelsInAll> &column)
 {
     using Wider = TwiceAsWide<Integer>;
     const Integer area = doubledArea;
@@ -75,7 +77,7 @@ void interpolateColumn(const ChannelEdge<FractionOf<Integer>> &bottom,
     const Wider topY = top.y.numerator;
     const Wider height = topY * bottomWidth - bottomY * topWidth;
     const Wider row = Wider(column.firstDrawn) * unitsPerPixel;
-    for (std::size_t i = 0; i < channelCount; ++i) {
+    for (std::size_t i = 0; i < channelsInAll; ++i) {
         if (height == 0) {
             column.rate[i] = {Integer(0), bottom.channel[i].denominator};
             column.first[i] = bottom.channel[i];
@@ -92,12 +94,13 @@ void interpolateColumn(const ChannelEdge<FractionOf<Integer>> &bottom,
 }
 
 /// The same to the letter, in numbers that round; 0 where y_B = y_T.
-template <FloatingNumber Float>
-void interpolateColumn(const ChannelEdge<Float> &bottom, const ChannelEdge<Float> &top, Int128,
-                       InterpolationColumn<Float> &column)
+template <FloatingNumber Float, std::size_t channelsInAll>
+void interpolateColumn(const ChannelEdge<Float, channelsInAll> &bottom,
+                       const ChannelEdge<Float, channelsInAll> &top, Int128,
+                       InterpolationColumn<Float, channelsInAll> &column)
 {
     const Float height = top.y - bottom.y;
-    for (std::size_t i = 0; i < channelCount; ++i) {
+    for (std::size_t i = 0; i < channelsInAll; ++i) {
         column.rate[i]
             = height == Float(0) ? Float(0) : (top.channel[i] - bottom.channel[i]) / height;
         column.first[i]

@@ -14,43 +14,74 @@
 /// all alike.
 namespace pixelplumb {
 
-inline constexpr std::size_t channelCount = 9;
-
-/// A vertex with all that is interpolated, in units of 1/256.
-struct ChannelVertex {
-    LatticePoint position;
-    std::array<Lattice, channelCount> channels = {};
+enum class InterpolationForm {
+    Bilinear, ///< along both edges, then along the column, by adding rates
+    Plane, ///< v = a·x + b·y + c at each sample
+    Barycentric, ///< α·v0 + β·v1 + γ·v2 at each sample
 };
 
-constexpr ChannelVertex channelVertex(const Vertex &vertex, const VertexAttributes &attributes)
+inline constexpr std::size_t channelCount = 9;
+/// R G B, the first ones: all that a picture needs.
+inline constexpr std::size_t colourChannelCount = 3;
+
+/// A vertex with what is interpolated, in units of 1/256.
+template <std::size_t channelsInAll>
+struct VertexOfChannels {
+    LatticePoint position;
+    std::array<Lattice, channelsInAll> channels = {};
+};
+using ChannelVertex = VertexOfChannels<channelCount>;
+
+/// Attributes that are not there are zeros.
+template <std::size_t channelsInAll>
+constexpr VertexOfChannels<channelsInAll> channelVertex(const Vertex &vertex,
+                                                        const VertexAttributes *attributes)
 {
-    ChannelVertex result;
+    VertexOfChannels<channelsInAll> result;
     result.position = vertex.position;
-    for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t i = 0; i < colourChannelCount; ++i)
         result.channels[i] = vertex.colour.channels[i] * unitsPerPixel;
-    result.channels[3] = attributes.z;
-    for (std::size_t i = 0; i < 2; ++i)
-        result.channels[4 + i] = attributes.texture[i];
-    for (std::size_t i = 0; i < 3; ++i)
-        result.channels[6 + i] = attributes.normal[i];
+    if constexpr (channelsInAll == channelCount) {
+        if (!attributes)
+            return result;
+        result.channels[3] = attributes->z;
+        for (std::size_t i = 0; i < 2; ++i)
+            result.channels[4 + i] = attributes->texture[i];
+        for (std::size_t i = 0; i < 3; ++i)
+            result.channels[6 + i] = attributes->normal[i];
+    }
     return result;
 }
 
-/// What is computed once for a triangle.
+/// What a vertex has in a channel, as weights multiply it: an integer of 1/256 in exact numbers.
 template <class Number>
+struct VertexValue {
+    using Type = Lattice;
+    static constexpr Type of(Lattice units) { return units; }
+};
+template <FloatingNumber Float>
+struct VertexValue<Float> {
+    using Type = Float;
+    static Type of(Lattice units) { return NumberTraits<Float>::fromLattice(units); }
+};
+
+/// What is computed once for a triangle.
+template <class Number, std::size_t channelsInAll = channelCount>
 struct InterpolationSetUp {
     std::array<int, 3> order = {0, 1, 2}; ///< indices of P0, P1, P2 in the caller's triangle
     LongEdge longEdge = LongEdge::Above;
     bool zeroArea = false;
-    std::array<ChannelVertex, 3> vertices; ///< as the caller gave them
+    std::array<VertexOfChannels<channelsInAll>, 3> vertices; ///< as the caller gave them
     /// Plane equation: value = a·x + b·y + c, [channel].
-    std::array<std::array<Number, 3>, channelCount> plane = {};
+    std::array<std::array<Number, 3>, channelsInAll> plane = {};
     /// Barycentric coordinates: weight = a·x + b·y + c, [vertex].
     std::array<std::array<Number, 3>, 3> weight = {};
+    /// What they weight, [channel][vertex].
+    std::array<std::array<typename VertexValue<Number>::Type, 3>, channelsInAll> weighted = {};
 };
 
 /// What one column uses.
-template <class Number>
+template <class Number, std::size_t channelsInAll = channelCount>
 struct InterpolationColumn {
     std::int64_t x = 0;
     ColumnHalf half = ColumnHalf::First;
@@ -58,15 +89,15 @@ struct InterpolationColumn {
     std::int64_t firstRow = 0, endRow = 0; ///< covered: between the two
     std::int64_t firstDrawn = 0, endDrawn = 0; ///< the same, clipped to the frame
     Number yBottom = {}, yTop = {}; ///< px; of the bilinear form, as it has them
-    std::array<Number, channelCount> bottom = {}, top = {}; ///< on the two edges
-    std::array<Number, channelCount> rate = {}; ///< per row
-    std::array<Number, channelCount> first = {}; ///< at firstDrawn
+    std::array<Number, channelsInAll> bottom = {}, top = {}; ///< on the two edges
+    std::array<Number, channelsInAll> rate = {}; ///< per row
+    std::array<Number, channelsInAll> first = {}; ///< at firstDrawn
 };
 
 /// What one sample has.
-template <class Number>
+template <class Number, std::size_t channelsInAll = channelCount>
 struct InterpolationSample {
-    std::array<Number, channelCount> value = {};
+    std::array<Number, channelsInAll> value = {};
     std::array<Number, 3> weight = {}; ///< α β γ; of the barycentric form
     std::array<std::int64_t, 3> level = {}; ///< R G B rounded, before clamping
 
@@ -76,11 +107,11 @@ struct InterpolationSample {
     }
 };
 
-template <class N>
+template <class N, std::size_t channelsInAll = channelCount>
 struct InterpolationNumbers {
-    using SetUp = InterpolationSetUp<N>;
-    using Span = InterpolationColumn<N>;
-    using Sample = InterpolationSample<N>;
+    using SetUp = InterpolationSetUp<N, channelsInAll>;
+    using Span = InterpolationColumn<N, channelsInAll>;
+    using Sample = InterpolationSample<N, channelsInAll>;
 };
 
 /// A level's byte before clamping.

@@ -2,13 +2,13 @@
 #pragma once
 
 #include "core/frame/frameview.h"
-#include "core/frame/levelpixel.h"
 #include "core/scan/exactarithmetic.h"
-#include "core/scan/interpolationcoefficients.h"
-#include "core/scan/interpolationedge.h"
+#include "core/scan/interpolationfill.h"
 #include "core/scan/interval.h"
 #include "core/scan/scanobserver.h"
 #include "core/scan/workstage.h"
+
+#include <type_traits>
 
 /// Interpolation during scan conversion (Scan Conversion slides, "Interpolation During Scan
 /// Conversion"): three forms that are the same in exact numbers. What is covered is decided
@@ -16,83 +16,13 @@
 /// differ in their values alone.
 namespace pixelplumb {
 
-enum class InterpolationForm {
-    Bilinear, ///< along both edges, then along the column, by adding rates
-    Plane, ///< v = a·x + b·y + c at each sample
-    Barycentric, ///< α·v0 + β·v1 + γ·v2 at each sample
-};
-
-/// The values of a triangle of zero area at a sample: along L₀₂, the only line that it has.
-template <class Number>
-Number alongSegment(const InterpolationSetUp<Number> &setUp, std::size_t channel, std::int64_t x,
-                    std::int64_t y)
-{
-    const ChannelVertex &a = setUp.vertices[std::size_t(setUp.order[0])];
-    const ChannelVertex &b = setUp.vertices[std::size_t(setUp.order[2])];
-    const bool isVertical = a.position.x == b.position.x;
-    // ChannelEdge walks along x; a vertical segment is mirrored.
-    const auto along = [&](const ChannelVertex &vertex) {
-        ChannelVertex result;
-        result.position.x = isVertical ? vertex.position.y : vertex.position.x;
-        result.channels[channel] = vertex.channels[channel];
-        return result;
-    };
-    return ChannelEdge<Number>(along(a), along(b), isVertical ? y : x).channel[channel];
-}
-
-/// Computes a sample's channels from its place. The bilinear ones are added up instead.
-template <InterpolationForm Form, class Number>
-void evaluate(const InterpolationSetUp<Number> &setUp, std::int64_t x, std::int64_t y,
-              InterpolationSample<Number> &sample)
-{
-    if constexpr (Form == InterpolationForm::Plane) {
-        for (std::size_t channel = 0; channel < channelCount; ++channel)
-            sample.value[channel] = linearAt(setUp.plane[channel], x, y);
-    } else if constexpr (Form == InterpolationForm::Barycentric) {
-        for (std::size_t i = 0; i < 3; ++i)
-            sample.weight[i] = linearAt(setUp.weight[i], x, y);
-        for (std::size_t channel = 0; channel < channelCount; ++channel)
-            sample.value[channel] = weighted(sample.weight,
-                                             {setUp.vertices[0].channels[channel],
-                                              setUp.vertices[1].channels[channel],
-                                              setUp.vertices[2].channels[channel]});
-    }
-}
-
-/// Colours the rows of one column, bottom to top. The set-up and the column are all it reads.
-template <InterpolationForm Form, class Number, class Observer>
-void fillInterpolated(const InterpolationSetUp<Number> &setUp,
-                      const InterpolationColumn<Number> &column, ByteRounding rounding,
-                      FrameView frame, Observer observer)
-{
-    [[maybe_unused]] const WorkScope samples(observer, WorkStage::Pixel);
-    InterpolationSample<Number> sample;
-    sample.value = column.first;
-    for (std::int64_t y = column.firstDrawn; y < column.endDrawn; ++y) {
-        if (setUp.zeroArea) {
-            for (std::size_t channel = 0; channel < channelCount; ++channel)
-                sample.value[channel] = alongSegment(setUp, channel, column.x, y);
-        } else {
-            evaluate<Form>(setUp, column.x, y, sample);
-        }
-        for (std::size_t i = 0; i < 3; ++i)
-            sample.level[i] = levelOf(sample.value[i], rounding);
-        QRgb *pixel = frame.at(column.x, y);
-        const QRgb after = pixelOfLevels(sample.level);
-        observer.pixelWritten(column.x, y, *pixel, after, sample);
-        *pixel = after;
-        if (Form == InterpolationForm::Bilinear && !setUp.zeroArea) {
-            for (std::size_t channel = 0; channel < channelCount; ++channel)
-                advance(sample.value[channel], column.rate[channel]);
-        }
-    }
-}
-
-/// The scan of one triangle into one frame.
-template <InterpolationForm Form, class Number, ScanObserver<InterpolationNumbers<Number>> Observer>
+/// The scan of one triangle into one frame. What is covered is decided in `Integer`: std::int64_t
+/// up to 2^15 px, Int128 beyond.
+template <InterpolationForm Form, class Number, class Integer, std::size_t channelsInAll,
+          ScanObserver<InterpolationNumbers<Number, channelsInAll>> Observer>
 class InterpolationScan {
 public:
-    InterpolationScan(const Triangle &triangle, const std::array<VertexAttributes, 3> &attributes,
+    InterpolationScan(const Triangle &triangle, const TriangleAttributes *attributes,
                       const ScanSettings &settings, FrameView frame, Observer observer)
         : m_triangle(triangle)
         , m_settings(settings)
@@ -101,7 +31,8 @@ public:
         , m_observer(observer)
     {
         for (std::size_t i = 0; i < 3; ++i)
-            m_setUp.vertices[i] = channelVertex(triangle.vertices[i], attributes[i]);
+            m_setUp.vertices[i] = channelVertex<channelsInAll>(
+                triangle.vertices[i], attributes ? &attributes->vertices[i] : nullptr);
         m_setUp.order = sortedByColumn(triangle);
         m_area = doubledArea(at(0).position, at(1).position, at(2).position);
         m_setUp.longEdge = m_area >= 0 ? LongEdge::Above : LongEdge::Below;
@@ -109,7 +40,7 @@ public:
         m_area = absolute(m_area);
     }
 
-    void run()
+    [[gnu::always_inline]] void run()
     {
         if (!m_setUp.zeroArea)
             computeCoefficients();
@@ -122,106 +53,159 @@ public:
             = std::min(endSampleAt(at(2).position.x, m_intervals.columns), m_frame.endColumn());
         const std::int64_t first = std::max<std::int64_t>(
             firstSampleFrom(at(0).position.x, m_intervals.columns), m_frame.firstColumn);
-        const auto [low, high]
-            = std::minmax({at(0).position.y, at(1).position.y, at(2).position.y});
-        if (first >= end || ceilPixel(low) >= m_frame.endRow()
-            || floorPixel(high) < m_frame.firstRow) {
+        if (first >= end || isAboveOrBelowFrame()) {
             m_observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
             return;
         }
-        const bool isVertical = at(0).position.x == at(2).position.x;
         if (m_setUp.zeroArea) {
-            // Both bounds are L₀₂; a vertical segment goes from P0 to P2 in one column.
-            const ColumnHalf half
-                = at(0).position.x == at(1).position.x ? ColumnHalf::Second : ColumnHalf::First;
-            scanHalf(half, first, end, {0, 2}, {std::size_t(isVertical ? 2 : 0), 2});
+            scanSegment(*this, first, end);
             return;
         }
         const std::int64_t middle = std::clamp(ceilPixel(at(1).position.x), first, end);
-        scanHalf(ColumnHalf::First, first, middle, {0, 1}, {0, 2});
+        Walker longEdge = walkerOn({0, 2}, first);
+        scanHalf(ColumnHalf::First, first, middle, {0, 1}, longEdge);
         // L₀₂ goes on from where it is.
-        scanHalf(ColumnHalf::Second, middle, end, {1, 2}, {0, 2});
+        scanHalf(ColumnHalf::Second, middle, end, {1, 2}, longEdge);
     }
 
 private:
     using Corners = std::array<std::size_t, 2>; ///< of an edge, in column order
-    using Integer = WideBeside<Number>;
     using Exact = ExactArithmetic<Integer>;
+    using Column = InterpolationColumn<Number, channelsInAll>;
 
     std::size_t indexAt(std::size_t corner) const { return std::size_t(m_setUp.order[corner]); }
-    const ChannelVertex &at(std::size_t corner) const { return m_setUp.vertices[indexAt(corner)]; }
+    const VertexOfChannels<channelsInAll> &at(std::size_t corner) const
+    {
+        return m_setUp.vertices[indexAt(corner)];
+    }
+
+    /// Asked of one vertex after the other: mostly the first one answers.
+    bool isAboveOrBelowFrame() const
+    {
+        const auto all
+            = [&](const auto &isThere) { return isThere(0) && isThere(1) && isThere(2); };
+        return all([&](std::size_t i) {
+                   return m_setUp.vertices[i].position.y > (m_frame.endRow() - 1) * unitsPerPixel;
+               })
+            || all([&](std::size_t i) {
+                   return m_setUp.vertices[i].position.y < m_frame.firstRow * unitsPerPixel;
+               });
+    }
 
     void computeCoefficients()
     {
         if constexpr (Form == InterpolationForm::Plane) {
-            for (std::size_t channel = 0; channel < channelCount; ++channel)
+            for (std::size_t channel = 0; channel < channelsInAll; ++channel)
                 setPlane(m_setUp, channel);
         } else if constexpr (Form == InterpolationForm::Barycentric) {
-            for (std::size_t vertex = 0; vertex < 3; ++vertex)
+            for (std::size_t vertex = 0; vertex < 3; ++vertex) {
                 setWeight(m_setUp, vertex);
+                setWeighted(m_setUp, vertex);
+            }
         }
     }
+
+    /// What the other forms walk along edges.
+    struct NoChannels {
+        template <class Corner>
+        NoChannels(const Corner &, const Corner &, std::int64_t)
+        {
+        }
+        void stepToNextColumn() { }
+    };
 
     /// An edge's exact y, which decides what is covered, and its channels.
     struct Walker {
         MixedNumber<Integer> y, slope;
-        ChannelEdge<Number> channels;
+        std::conditional_t<Form == InterpolationForm::Bilinear, ChannelEdge<Number, channelsInAll>,
+                           NoChannels>
+            channels;
 
         void stepToNextColumn()
         {
             y.advance(slope);
-            if constexpr (Form == InterpolationForm::Bilinear)
-                channels.stepToNextColumn();
+            channels.stepToNextColumn();
         }
     };
 
-    Walker walkerOn(const Corners &edge, std::int64_t column) const
+    /// Inlined by order: an edge that is returned through memory, or copied there, is read in other
+    /// words than it was stored in, and waits until every pixel before is stored.
+    [[gnu::always_inline]] Walker walkerOn(const Corners &edge, std::int64_t column) const
     {
         const Vertex &a = m_triangle.vertices[indexAt(edge[0])];
         const Vertex &b = m_triangle.vertices[indexAt(edge[1])];
-        return {Exact::edgeOrdinate(a, b, column), Exact::edgeSlope(a, b),
-                ChannelEdge<Number>(at(edge[0]), at(edge[1]), column)};
+        return {Exact::edgeOrdinate(a, b, column),
+                Exact::edgeSlope(a, b),
+                {at(edge[0]), at(edge[1]), column}};
     }
 
-    void scanHalf(ColumnHalf half, std::int64_t first, std::int64_t end, const Corners &shortEdge,
-                  const Corners &longEdge)
+    /// Both bounds are L₀₂; a vertical segment goes from P0 to P2 in one column.
+    [[gnu::noinline]] static void scanSegment(InterpolationScan scan, std::int64_t first,
+                                              std::int64_t end)
+    {
+        const bool isVertical = scan.at(0).position.x == scan.at(2).position.x;
+        const ColumnHalf half = scan.at(0).position.x == scan.at(1).position.x ? ColumnHalf::Second
+                                                                               : ColumnHalf::First;
+        Walker lower = scan.walkerOn({0, 2}, first);
+        Walker upper = scan.walkerOn({std::size_t(isVertical ? 2 : 0), 2}, first);
+        const auto fill = [&](const Column &column) {
+            fillSegment(scan.m_setUp, column, scan.m_settings.rounding, scan.m_frame,
+                        scan.m_observer);
+        };
+        for (std::int64_t x = first; x < end; ++x)
+            scan.scanColumn(half, x, lower, upper, fill);
+    }
+
+    [[gnu::always_inline]] void scanHalf(ColumnHalf half, std::int64_t first, std::int64_t end,
+                                         const Corners &shortEdge, Walker &longWalker)
     {
         if (first >= end)
             return;
         Walker shortWalker = walkerOn(shortEdge, first);
-        if (half == ColumnHalf::First || !m_longWalker)
-            m_longWalker = walkerOn(longEdge, first);
         const bool longAbove = m_setUp.longEdge == LongEdge::Above;
-        for (std::int64_t x = first; x < end; ++x) {
-            [[maybe_unused]] const WorkScope span(m_observer, WorkStage::Span);
-            scanColumn(half, x, longAbove ? shortWalker : *m_longWalker,
-                       longAbove ? *m_longWalker : shortWalker);
-            shortWalker.stepToNextColumn();
-            m_longWalker->stepToNextColumn();
-        }
+        Walker &bottom = longAbove ? shortWalker : longWalker;
+        Walker &top = longAbove ? longWalker : shortWalker;
+        const auto fill = [&](Column &column) {
+            fillInterpolated<Form>(m_setUp, column, m_settings.rounding, m_frame, m_observer);
+        };
+        for (std::int64_t x = first; x < end; ++x)
+            scanColumn(half, x, bottom, top, fill);
     }
 
-    void scanColumn(ColumnHalf half, std::int64_t x, const Walker &bottom, const Walker &top)
+    template <class Fill>
+    [[gnu::always_inline]] void scanColumn(ColumnHalf half, std::int64_t x, Walker &bottom,
+                                           Walker &top, const Fill &fill)
     {
-        InterpolationColumn<Number> column;
+        [[maybe_unused]] const WorkScope span(m_observer, WorkStage::Span);
+        Column column;
         column.x = x;
         column.half = half;
-        column.lower = bottom.y;
-        column.upper = top.y;
         column.firstRow = ownsFirst(m_intervals.rows) ? bottom.y.ceil() : bottom.y.floor() + 1;
         column.endRow = ownsLast(m_intervals.rows) ? top.y.floor() + 1 : top.y.ceil();
         column.firstDrawn = std::max<std::int64_t>(column.firstRow, m_frame.firstRow);
         column.endDrawn = std::min(column.endRow, m_frame.endRow());
         if constexpr (Form == InterpolationForm::Bilinear) {
+            if (!m_setUp.zeroArea)
+                interpolateColumn(bottom.channels, top.channels, m_area, column);
+        }
+        if constexpr (readsNumbers<Observer>)
+            showEdges(bottom, top, column);
+        m_observer.spanEntered(column);
+        fill(column);
+        bottom.stepToNextColumn();
+        top.stepToNextColumn();
+    }
+
+    static void showEdges(const Walker &bottom, const Walker &top, Column &column)
+    {
+        column.lower = bottom.y;
+        column.upper = top.y;
+        if constexpr (Form == InterpolationForm::Bilinear) {
             column.yBottom = bottom.channels.y;
             column.yTop = top.channels.y;
             column.bottom = bottom.channels.channel;
             column.top = top.channels.channel;
-            if (!m_setUp.zeroArea)
-                interpolateColumn(bottom.channels, top.channels, m_area, column);
         }
-        m_observer.spanEntered(column);
-        fillInterpolated<Form>(m_setUp, column, m_settings.rounding, m_frame, m_observer);
     }
 
     const Triangle &m_triangle;
@@ -229,9 +213,8 @@ private:
     ScanIntervals m_intervals;
     FrameView m_frame;
     Observer m_observer;
-    InterpolationSetUp<Number> m_setUp;
+    InterpolationSetUp<Number, channelsInAll> m_setUp;
     Int128 m_area = 0; ///< doubled, without sign, in square lattice units
-    std::optional<Walker> m_longWalker;
 };
 
 } // namespace pixelplumb

@@ -57,4 +57,11 @@ struct NullObserver {
     }
 };
 
+/// Whether an observer reads the numbers that it hears of. For one that does not, a kernel need not
+/// compute what the picture does not show.
+template <class Observer>
+inline constexpr bool readsNumbers = true;
+template <>
+inline constexpr bool readsNumbers<NullObserver> = false;
+
 } // namespace pixelplumb

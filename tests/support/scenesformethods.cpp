@@ -67,4 +67,13 @@ std::vector<NamedScene> scenesForEveryMethod()
     return scenes;
 }
 
+std::shared_ptr<const TracedScene> tracedBy(const Method &method, Arithmetic arithmetic,
+                                            Scene scene)
+{
+    scene.method = method.id.toStdString();
+    scene.settings.arithmetic = arithmetic;
+    scene.settings = method.adapted(scene.settings);
+    return traceScene(scene);
+}
+
 } // namespace pixelplumb

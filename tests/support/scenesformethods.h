@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/scene/scene.h"
+#include "core/runs/tracedscene.h"
 
 #include <QString>
 
@@ -16,5 +16,10 @@ using NamedScene = std::pair<QString, Scene>;
 /// The examples, cropped to what a test has time for, and scenes on which a method may stumble:
 /// empty ones, zero areas, vertices at ±2^30 px, several kinds of primitives in one.
 std::vector<NamedScene> scenesForEveryMethod();
+
+/// The scene's run by a method in one of its arithmetics; a rule that it does not know is replaced
+/// by one that it does.
+std::shared_ptr<const TracedScene> tracedBy(const Method &method, Arithmetic arithmetic,
+                                            Scene scene);
 
 } // namespace pixelplumb

@@ -10,7 +10,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto rest = 300ms; ///< a drag asks at each move
+constexpr auto pauseBetween = 300ms; ///< a drag asks at each move
 
 } // namespace
 
@@ -20,7 +20,7 @@ StatusFigures::StatusFigures(Playhead *playhead, QWidget *parent)
 {
     setObjectName(QStringLiteral("statusFigures"));
     setAccessibleName(tr("Wrong pixels and time of the method in hand"));
-    m_job.setRest(rest);
+    m_job.setRest(pauseBetween);
     connect(playhead, &Playhead::tracedChanged, this, [this] {
         m_isStale = true;
         measure();

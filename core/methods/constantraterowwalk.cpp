@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/constantraterowwalk.h"
+
+#include "core/methods/edgewalkkernels.h"
+
+namespace pixelplumb {
+
+Method constantRateRowWalkMethod()
+{
+    Method method = edgeWalkMethod<ConstantRateWalk<SpanAxis::Row>>();
+    method.id = QStringLiteral("row-walk-constant-rate");
+    method.title = QStringLiteral("Row edge walking, constant ΔR");
+    method.family = MethodFamily::StableForms;
+    method.source
+        = QStringLiteral("stable form of the Rasterization slides, “Edge Walking”, by the "
+                         "Scan Conversion slides, “2. Plane Equation”");
+    method.summary
+        = QStringLiteral("Walks down the rows between two edges with ΔR computed once from the "
+                         "plane through the three vertices, so that short rows cannot blow it up.");
+    method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
+    method.stableArithmetics = {Arithmetic::Exact};
+    method.fillRules = {FillRule::Closed, FillRule::TopLeft, FillRule::Open};
+    method.fillRuleReason = spanRuleReason(SpanAxis::Row);
+    return method;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scan/choicenames.h"
+#include "tests/support/hardcasescenes.h"
+#include "tests/support/tablefolder.h"
+
+#include <QtTest>
+
+using namespace pixelplumb;
+
+Q_DECLARE_METATYPE(const pixelplumb::Method *)
+
+/// Every table of every hard case can be read by the programs for which it is meant.
+class TestExportedCases : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        m_cases = hardCaseDetails();
+        QVERIFY(m_cases.size() > 70);
+    }
+
+    void everyTableOfEveryHardCaseIsWellFormed_data()
+    {
+        QTest::addColumn<const Method *>("method");
+        for (const Method &method : methods())
+            QTest::newRow(qPrintable(method.id)) << &method;
+    }
+    void everyTableOfEveryHardCaseIsWellFormed()
+    {
+        QFETCH(const Method *, method);
+
+        std::size_t turn = 0;
+        for (const NamedScene &each : m_cases) {
+            // python3 is given one arithmetic of each case: they take turns.
+            const Arithmetic kept = method->arithmetics[turn++ % method->arithmetics.size()];
+            for (const Arithmetic arithmetic : method->arithmetics) {
+                const QString name = QStringLiteral("%1-%2-%3")
+                                         .arg(method->id, each.first, nameText(nameOf(arithmetic)));
+                const auto traced = tracedBy(*method, arithmetic, each.second);
+                QString fault;
+                if (arithmetic == kept)
+                    fault = m_folder.faultOfKept(*traced, name);
+                else if (!PIXELPLUMB_SANITIZED) // which take ten times as long to write
+                    fault = m_folder.faultOf(*traced);
+                QVERIFY2(fault.isEmpty(), qPrintable(name + QStringLiteral(": ") + fault));
+            }
+        }
+    }
+
+    void pythonReadsThemToo()
+    {
+        QVERIFY(m_folder.keptCount() > 1000);
+        const QString fault = m_folder.faultByPython();
+        QVERIFY2(fault.isEmpty(), qPrintable(fault));
+    }
+
+private:
+    TableFolder m_folder;
+    std::vector<NamedScene> m_cases;
+};
+
+QTEST_GUILESS_MAIN(TestExportedCases)
+#include "tst_exportedcases.moc"
