@@ -230,6 +230,22 @@ private slots:
         QVERIFY(!ended);
     }
 
+    void theSceneInHandIsTimedAsTheStudyTimesIt()
+    {
+        StudySettings settings = smallStudy();
+        settings.ownScene = std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact, 3));
+        settings.rounds = 1;
+
+        const auto live = liveFiguresOf(settings.ownScene);
+        const Study study = runStudy(settings);
+
+        // Three triangles on top of each other: each pixel is written three times.
+        QCOMPARE(live->timedPixels, study.family(QStringLiteral("own-scene"))->timedPixels);
+        QCOMPARE(live->timedPixels, 3 * live->pixels);
+        QVERIFY(live->perPixel.has_value());
+        QVERIFY(live->rounds > 0);
+    }
+
     void aSizeStudyHasACurveForEachAxis()
     {
         const auto contenders = contendersOf({QStringLiteral("column-scan:exact")});
@@ -242,6 +258,26 @@ private slots:
             QVERIFY(curve.exponent.has_value());
         }
         QVERIFY(!runSizeStudy(contenders, 1, [](const JobProgress &) { return false; }));
+    }
+
+    void aContenderThatFailsIsLeftOutOfTheSizes()
+    {
+        std::vector<LabContender> contenders
+            = contendersOf({QStringLiteral("column-scan:exact"), QStringLiteral("row-walk:exact")});
+        // It gets through the first axis, whose frames are 37 px high.
+        contenders[1].draw = [](const Primitives &, const ScanSettings &, FrameView frame) {
+            if (frame.height > 100)
+                throw std::runtime_error("out of luck");
+        };
+
+        const auto curves = runSizeStudy(contenders, 2);
+
+        QVERIFY(curves.has_value());
+        QCOMPARE(curves->size(), allSizeAxes.size());
+        for (const SizeCurve &curve : *curves) {
+            QCOMPARE(curve.contender, QStringLiteral("column-scan:exact"));
+            QCOMPARE(curve.points.size(), std::size_t(7));
+        }
     }
 
     void theCommandDoesItAgain()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/bounderrors.h"
+#include "core/lab/contenderfailure.h"
 #include "core/lab/sizestudy.h"
 #include "core/methods/method.h"
 
@@ -18,7 +19,9 @@ std::optional<std::vector<DriftCurve>> driftOver(std::int64_t columns,
     scene.triangles = {{{{{latticePixel(0, 0), {{255, 0, 0}}},
                           {latticePixel(columns / 3, columns - 1), {{0, 255, 0}}},
                           {latticePixel(columns, 3 * columns / 7), {{0, 0, 255}}}}}}};
-    const auto errors = boundErrorsOf(scene, 0, listener);
+    std::optional<std::vector<BoundErrors>> errors;
+    if (failureOf([&] { errors = boundErrorsOf(scene, 0, listener); }))
+        return std::vector<DriftCurve>();
     if (!errors)
         return std::nullopt;
     std::vector<DriftCurve> curves;

@@ -2,10 +2,11 @@
 #include "core/lab/labcandidate.h"
 
 #include "core/frame/writtenframe.h"
+#include "core/lab/contenderfailure.h"
 #include "core/lab/invariance.h"
 #include "core/measure/stopwatch.h"
 
-#include <exception>
+#include <algorithm>
 
 namespace pixelplumb {
 
@@ -53,7 +54,7 @@ void LabCandidate::fail(const QString &why)
 
 void LabCandidate::takeChunk(const LabChunk &chunk, const FrameView &frame)
 {
-    try {
+    const auto why = failureOf([&] {
         const PictureJudge judgeBefore = m_judge;
         const std::optional<MeshCover> coverBefore = m_cover;
         drawAll(chunk, frame, Look::Near);
@@ -68,9 +69,9 @@ void LabCandidate::takeChunk(const LabChunk &chunk, const FrameView &frame)
             m_frameOfMiss = chunk.picture->frame;
         if (isRunning())
             lookClosely(chunk, frame);
-    } catch (const std::exception &exception) {
-        fail(QString::fromLocal8Bit(exception.what()));
-    }
+    });
+    if (why)
+        fail(*why);
     if (!isRunning())
         wipe(frame, samplesOf(frame));
 }
@@ -151,11 +152,12 @@ void LabCandidate::finish(const MeshCover *trueCover)
 {
     if (!isRunning())
         return;
-    try {
+    const auto why = failureOf([&] {
         addFlicker();
         countOperationsOfFirst();
-    } catch (const std::exception &exception) {
-        fail(QString::fromLocal8Bit(exception.what()));
+    });
+    if (why) {
+        fail(*why);
         return;
     }
     AccuracyFigures &figures = m_judge.figures();

@@ -11,9 +11,7 @@ std::optional<Spread> perPixelOf(const Study &study, const LabRow *row)
 {
     if (!row || !study.perPixel(*row))
         return std::nullopt;
-    const double pixels = double(study.family(row->family)->timedPixels);
-    const Spread &draw = row->cost->perDraw;
-    return Spread{draw.lower / pixels, draw.median / pixels, draw.upper / pixels};
+    return scaled(row->cost->perDraw, 1 / double(study.family(row->family)->timedPixels));
 }
 
 std::optional<double> wrongOf(const LabRow *row)

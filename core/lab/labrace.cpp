@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/labrace.h"
 
+#include "core/lab/contenderfailure.h"
+#include "core/lab/drawsample.h"
 #include "core/lab/pixelwindow.h"
-#include "core/measure/stopwatch.h"
 #include "core/measure/writecount.h"
 
 #include <algorithm>
-#include <cmath>
-#include <exception>
 
 namespace pixelplumb {
 
@@ -51,23 +50,6 @@ bool mayDrawStraight(const LabContender &contender, const LabFamily &family,
     const bool fits = settings.arithmetic != Arithmetic::Fixed16 || family.isOnWholePixels;
     return contender.straight && family.staysInside && fits && settings.fillRule == FillRule::Closed
         && settings.rounding == ByteRounding::Nearest;
-}
-
-double timeOf(const std::function<void()> &draw, int draws)
-{
-    const Stopwatch stopwatch;
-    for (int i = 0; i < draws; ++i)
-        draw();
-    return std::max(stopwatch.elapsed().thread, 1.0) / draws;
-}
-
-/// Draws once before the clock runs: what another one left in the caches is nobody's cost.
-double takeSample(const std::function<void()> &draw, int &draws, double nanoseconds)
-{
-    draw();
-    if (draws == 0)
-        draws = std::clamp(int(std::ceil(nanoseconds / timeOf(draw, 1))), 1, 100'000);
-    return timeOf(draw, draws);
 }
 
 } // namespace
@@ -158,7 +140,7 @@ void LabRace::sample(Entry &entry) const
     const FrameView frame = entry.frame->view();
     const LabContender &contender = *entry.contender;
     entry.samples.push_back(
-        takeSample([&] { contender.draw(*entry.primitives, entry.settings, frame); },
+        sampleDraw([&] { contender.draw(*entry.primitives, entry.settings, frame); },
                    entry.drawsPerSample, m_options.sampleNanoseconds));
     if (entry.forStraight.empty())
         return;
@@ -168,7 +150,7 @@ void LabRace::sample(Entry &entry) const
             contender.straight->draw(triangle, raw);
     };
     entry.straightSamples.push_back(
-        takeSample(drawStraight, entry.straightDrawsPerSample, m_options.sampleNanoseconds));
+        sampleDraw(drawStraight, entry.straightDrawsPerSample, m_options.sampleNanoseconds));
 }
 
 bool LabRace::runRound(int round, int rounds, const ProgressListener &listener)
@@ -179,13 +161,10 @@ bool LabRace::runRound(int round, int rounds, const ProgressListener &listener)
             return false;
         // Each round begins with another one: nobody always follows the same neighbour.
         Entry &entry = m_entries[std::size_t((turn + round) % count)];
-        if (!entry.failure.isEmpty())
+        if (entry.failure)
             continue;
-        try {
-            sample(entry);
-        } catch (const std::exception &exception) {
-            entry.failure = QString::fromLocal8Bit(exception.what());
-        }
+        if (const auto why = failureOf([&] { sample(entry); }))
+            entry.failure = *why;
     }
     return true;
 }

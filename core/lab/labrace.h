@@ -49,7 +49,7 @@ public:
     struct Result {
         std::size_t row = 0;
         CostFigures cost; ///< without operations; of no rounds where none was taken
-        QString failure; ///< what was thrown; else empty
+        std::optional<QString> failure; ///< what was thrown
     };
     std::vector<Result> results() const;
 
@@ -65,7 +65,7 @@ private:
         int straightDrawsPerSample = 0;
         std::vector<double> samples = {}; ///< ns a draw
         std::vector<double> straightSamples = {};
-        QString failure = {};
+        std::optional<QString> failure = {};
     };
     struct Part {
         const TimedFamily *of;

@@ -2,18 +2,19 @@
 #include "core/lab/livefigures.h"
 
 #include "core/frame/framebuffer.h"
+#include "core/lab/contenderfailure.h"
+#include "core/lab/familyaccuracy.h"
+#include "core/lab/labrace.h"
 #include "core/measure/stopwatch.h"
 #include "core/methods/method.h"
 #include "core/runs/scenepicture.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pixelplumb {
 
 namespace {
 
-constexpr double liveSampleNanoseconds = 5e6;
 constexpr double mostLiveNanoseconds = 200e6; ///< of timing
 constexpr int mostLiveRounds = 7;
 
@@ -32,6 +33,48 @@ std::int64_t pixelsOf(const Primitives &primitives, const ScanSettings &settings
         pixels += view.width - std::count(row, row + view.width, 0U);
     }
     return pixels;
+}
+
+/// Times the scene as the study times its family own-scene: the same triangles by the plain kernel,
+/// in the same samples. False where the listener ended it.
+bool addTimes(LiveFigures &figures, const std::shared_ptr<const Scene> &scene, const Method &method,
+              const ProgressListener &listener)
+{
+    FamilyRequest request;
+    request.ownScene = scene;
+    const auto family = makeFamily(*labFamilyNamed(QStringLiteral("own-scene")), request);
+    if (!family)
+        return true;
+    const RaceOptions options;
+    const TimedFamily part = timedPartOf(*family, options);
+    const LabContender contender = contenderOf(method, scene->settings.arithmetic);
+    const auto settings = settingsFor(contender, *family);
+    figures.timedPixels = part.described.timedPixels;
+    if (!part.isTimed() || !settings)
+        return true;
+    // The study knows from its pictures what a draw takes; here the first triangle tells.
+    const LabPicture &picture = family->pictures.front();
+    const FrameBuffer frame(picture.frame);
+    const Stopwatch stopwatch;
+    if (failureOf([&] {
+            contender.draw({{picture.triangles.front()}, {}}, *settings, frame.view());
+        }))
+        return true;
+    LabRace race(options);
+    if (!race.enter(0, contender, part, *settings,
+                    stopwatch.elapsed().thread * double(part.triangles)))
+        return true;
+    const Stopwatch all;
+    for (int round = 0; round < mostLiveRounds && all.elapsed().wall < mostLiveNanoseconds;
+         ++round) {
+        if (!race.runRound(round, mostLiveRounds, listener))
+            return false;
+    }
+    const CostFigures cost = race.results().front().cost;
+    figures.rounds = cost.rounds;
+    if (cost.rounds > 0)
+        figures.perPixel = scaled(cost.perDraw, 1 / double(figures.timedPixels));
+    return true;
 }
 
 } // namespace
@@ -66,24 +109,9 @@ std::optional<LiveFigures> liveFiguresOf(const std::shared_ptr<const Scene> &sce
     const ScanSettings closest = methodNamed(u"column-scan")->adapted(scene->settings);
     figures.pixels = pixelsOf(primitives, {Arithmetic::Exact, closest.fillRule, closest.rounding},
                               scene->frame);
-    if (figures.pixels == 0 || !method.draws(PrimitiveKind::Triangle))
-        return figures;
-    const FrameBuffer frame(scene->frame);
-    std::vector<double> samples;
-    const Stopwatch all;
-    while (samples.size() < mostLiveRounds && all.elapsed().wall < mostLiveNanoseconds) {
-        if (!goesOn(listener, {JobPhase::Measuring, std::int64_t(samples.size()), mostLiveRounds}))
-            return std::nullopt;
-        const Stopwatch stopwatch;
-        int draws = 0;
-        do {
-            method.drawFastest(primitives, scene->settings, frame.view());
-            ++draws;
-        } while (stopwatch.elapsed().wall < liveSampleNanoseconds);
-        samples.push_back(stopwatch.elapsed().wall / draws / double(figures.pixels));
-    }
-    figures.perPixel = spreadOf(samples);
-    figures.rounds = int(samples.size());
+    if (figures.pixels > 0 && method.draws(PrimitiveKind::Triangle)
+        && !addTimes(figures, scene, method, listener))
+        return std::nullopt;
     return figures;
 }
 

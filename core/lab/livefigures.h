@@ -15,7 +15,11 @@ struct LiveFigures {
     std::int64_t pixels = 0; ///< of the true picture
     std::optional<std::int64_t> wrongPixels; ///< of the finished picture
     bool isProved = false; ///< that there are none
-    std::optional<Spread> perPixel; ///< ns, by the fastest way that the method has; none of nothing
+    /// That the timed triangles write, each as often as it is written; 0 where none is timed.
+    std::int64_t timedPixels = 0;
+    /// ns of each of these, by the method's plain kernel on one thread: the number of the lab's
+    /// family own-scene. None of nothing and of draws that take too long.
+    std::optional<Spread> perPixel;
     int rounds = 0;
 
     /// "0 wrong, proved · 1.1 ns/px", "68 wrong of a million · 1.7 ns/px"

@@ -39,11 +39,6 @@ constexpr ErrorAxis axes[] = {
      }},
 };
 
-Spread scaled(const Spread &spread, double factor)
-{
-    return {spread.lower * factor, spread.median * factor, spread.upper * factor};
-}
-
 /// From the worst class to the best.
 int rankOf(ErrorClass errorClass) { return int(errorClass); }
 

@@ -2,11 +2,13 @@
 #include "core/lab/sizestudy.h"
 
 #include "core/frame/framebuffer.h"
+#include "core/lab/contenderfailure.h"
+#include "core/lab/drawsample.h"
 #include "core/lab/familyshapes.h"
-#include "core/measure/stopwatch.h"
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace pixelplumb {
 
@@ -69,19 +71,17 @@ std::vector<SizedWork> workAlong(SizeAxis axis)
     return works;
 }
 
-double timePerDraw(const LabContender &contender, const SizedWork &work, FrameView frame)
-{
-    const ScanSettings settings = contender.settingsUnder(FillRule::Closed);
-    contender.draw(work.primitives, settings, frame);
-    Stopwatch once;
-    contender.draw(work.primitives, settings, frame);
-    const double first = std::max(once.elapsed().thread, 1.0);
-    const int draws = std::clamp(int(sizedSampleNanoseconds / first), 1, 100'000);
-    const Stopwatch stopwatch;
-    for (int i = 0; i < draws; ++i)
-        contender.draw(work.primitives, settings, frame);
-    return std::max(stopwatch.elapsed().thread, 1.0) / draws;
-}
+/// One who draws at all sizes of an axis.
+struct SizedContender {
+    std::vector<std::vector<double>> samples; ///< by size, ns a draw
+    std::vector<int> draws; ///< by size, of a sample
+
+    explicit SizedContender(std::size_t sizes)
+        : samples(sizes)
+        , draws(sizes)
+    {
+    }
+};
 
 } // namespace
 
@@ -119,12 +119,12 @@ std::optional<std::vector<SizeCurve>> runSizeStudy(const std::vector<LabContende
                                                    int rounds, const ProgressListener &listener)
 {
     std::vector<SizeCurve> curves;
+    std::set<QString> failed;
     const std::int64_t all = std::int64_t(allSizeAxes.size()) * rounds;
     std::int64_t done = 0;
     for (const SizeAxis axis : allSizeAxes) {
         const std::vector<SizedWork> works = workAlong(axis);
-        std::vector<std::vector<std::vector<double>>> samples(
-            contenders.size(), std::vector<std::vector<double>>(works.size()));
+        std::vector<SizedContender> sized(contenders.size(), SizedContender(works.size()));
         for (int round = 0; round < rounds; ++round, ++done) {
             for (std::size_t at = 0; at < works.size(); ++at) {
                 const FrameBuffer frame(works[at].frame);
@@ -132,20 +132,31 @@ std::optional<std::vector<SizeCurve>> runSizeStudy(const std::vector<LabContende
                     if (!goesOn(listener, {JobPhase::Measuring, done, all}))
                         return std::nullopt;
                     const std::size_t who = (turn + std::size_t(round)) % contenders.size();
-                    samples[who][at].push_back(
-                        timePerDraw(contenders[who], works[at], frame.view()));
+                    const LabContender &contender = contenders[who];
+                    const ScanSettings settings = contender.settingsUnder(FillRule::Closed);
+                    const auto draw
+                        = [&] { contender.draw(works[at].primitives, settings, frame.view()); };
+                    const auto sample = [&] {
+                        sized[who].samples[at].push_back(
+                            sampleDraw(draw, sized[who].draws[at], sizedSampleNanoseconds));
+                    };
+                    if (!failed.contains(contender.id) && failureOf(sample))
+                        failed.insert(contender.id);
                 }
             }
         }
         for (std::size_t who = 0; who < contenders.size() && rounds > 0; ++who) {
+            if (failed.contains(contenders[who].id))
+                continue;
             SizeCurve curve{contenders[who].id, axis, {}, {}};
             for (std::size_t at = 0; at < works.size(); ++at)
-                curve.points.push_back({works[at].size, spreadOf(samples[who][at])});
+                curve.points.push_back({works[at].size, spreadOf(sized[who].samples[at])});
             curve.exponent
                 = fittedExponent(std::span(curve.points).last((curve.points.size() + 1) / 2));
             curves.push_back(std::move(curve));
         }
     }
+    std::erase_if(curves, [&](const SizeCurve &curve) { return failed.contains(curve.contender); });
     return curves;
 }
 

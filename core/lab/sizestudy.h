@@ -36,7 +36,8 @@ struct SizeCurve {
 /// The slope of the logarithms by least squares; none of fewer than two points.
 std::optional<double> fittedExponent(std::span<const SizePoint> points);
 
-/// All contenders in turn, round by round, at prime sizes. None where the listener ended it.
+/// All contenders in turn, round by round, at prime sizes. One that throws is left out of the
+/// result. None where the listener ended it.
 std::optional<std::vector<SizeCurve>> runSizeStudy(const std::vector<LabContender> &contenders,
                                                    int rounds,
                                                    const ProgressListener &listener = {});
@@ -57,7 +58,7 @@ struct DriftCurve {
 };
 
 /// Of the column scan over a triangle of so many columns, a prime number, in every arithmetic that
-/// rounds. None where the listener ended it.
+/// rounds; no curves where that fails. None where the listener ended it.
 std::optional<std::vector<DriftCurve>> driftOver(std::int64_t columns,
                                                  const ProgressListener &listener = {});
 

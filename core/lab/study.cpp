@@ -179,9 +179,9 @@ private:
     {
         for (const LabRace::Result &result : laps.results()) {
             LabRow &row = m_study.rows[result.row];
-            if (!result.failure.isEmpty()) {
+            if (result.failure) {
                 row.outcome = LabOutcome::Failed;
-                row.remark = result.failure;
+                row.remark = *result.failure;
             }
             if (result.cost.rounds > 0) {
                 const auto operations

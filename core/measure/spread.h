@@ -29,4 +29,10 @@ inline Spread spreadOf(std::vector<double> samples)
     return {at(0.25), at(0.5), at(0.75)};
 }
 
+/// In another unit: ns a pixel in place of ns a draw.
+inline Spread scaled(const Spread &spread, double factor)
+{
+    return {spread.lower * factor, spread.median * factor, spread.upper * factor};
+}
+
 } // namespace pixelplumb

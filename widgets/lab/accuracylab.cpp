@@ -153,7 +153,7 @@ void AccuracyLab::showState()
     m_controls->showRunning();
     m_controls->setHasResults(m_results != nullptr);
     m_charts->setVisible(m_results != nullptr);
-    m_conditions->setVisible(m_results != nullptr);
+    m_conditions->setVisible(m_results && !isRunning()); // progress stands for it
     m_invitation->setVisible(!m_results);
     m_invitation->setText(isRunning() ? tr("The first pictures are being judged.")
                                       : invitationText(m_controls->extent()));

@@ -36,6 +36,9 @@ public:
     LabPlot *chartInFront() const;
     const QString &selected() const { return m_selected; } ///< id; empty where none is
 
+    /// The window can be small; whoever wants to read a chart there floats the panel.
+    QSize minimumSizeHint() const override { return {240, 88}; }
+
 public slots:
     void select(const QString &contender);
 

@@ -135,8 +135,10 @@ void ParetoPlot::setAxes()
         ticker->addTick(tick.axis, tick.label);
     plot()->yAxis->setTicker(ticker);
     plot()->yAxis->setRange(ErrorScale::bottom, m_scale.top());
-    plot()->yAxis->setLabel(QStringLiteral("%1, %2").arg(QString::fromUtf8(m_axis->title),
-                                                         QString::fromUtf8(m_axis->unit)));
+    const QString unit = QString::fromUtf8(m_axis->unit);
+    plot()->yAxis->setLabel(height() < lowHeight ? unit
+                                                 : QStringLiteral("%1, %2").arg(
+                                                     QString::fromUtf8(m_axis->title), unit));
 
     const auto reference = std::ranges::find_if(m_chart.points, [](const ParetoPoint &point) {
         return point.contender == QLatin1String(referenceContenderId);
