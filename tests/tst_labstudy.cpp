@@ -112,7 +112,7 @@ private slots:
         QVERIFY(study.perPixel(study.rows[3]).has_value());
     }
 
-    void aContenderThatTakesTooLongIsShownSo()
+    void aContenderThatHangsIsShownSo()
     {
         StudySettings settings = smallStudy();
         settings.contenders[1].draw
@@ -120,7 +120,7 @@ private slots:
                   for (int i = 0; i < 2000; ++i)
                       methodNamed(u"column-scan")->draw(primitives, drawn, frame);
               };
-        settings.accuracyLimit = 1e-6;
+        settings.hangSeconds = 1e-6;
         settings.contenders.resize(2);
 
         const Study study = runStudy(settings);
@@ -130,6 +130,32 @@ private slots:
                  qPrintable(study.rows[1].remark));
         QVERIFY(!study.rows[1].accuracy);
         QVERIFY(study.isComplete);
+    }
+
+    void howMuchIsJudgedDependsOnTheTrianglesNotOnTheSpeed()
+    {
+        StudySettings settings = smallStudy();
+        settings.ownScene = std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact, 9));
+        settings.contenders = contendersOf(
+            {QStringLiteral("column-scan:exact"), QStringLiteral("barycentric-all:float32")});
+        settings.mostSamples = 30'000; // nine boxes, but not nine frames
+        StudySettings slow = settings;
+        slow.hangSeconds = 3600;
+        for (LabContender &contender : slow.contenders) {
+            contender.draw = [draw = contender.draw](const Primitives &primitives,
+                                                     const ScanSettings &drawn, FrameView frame) {
+                for (int i = 0; i < 50; ++i)
+                    draw(primitives, drawn, frame);
+            };
+        }
+
+        const Study study = runStudy(settings);
+
+        QCOMPARE(study.rows[0].outcome, LabOutcome::Measured);
+        QCOMPARE(study.rows[1].outcome, LabOutcome::TookTooLong);
+        QVERIFY2(study.rows[1].remark.startsWith(QStringLiteral("looked at more than 30000 ")),
+                 qPrintable(study.rows[1].remark));
+        QVERIFY(writeAccuracy(study) == writeAccuracy(runStudy(slow)));
     }
 
     void rowsAreToldAsTheyStandAndACancelledStudyKeepsThem()

@@ -21,12 +21,14 @@ Plan planFor(const StudySettings &settings)
 {
     Plan plan;
     if (settings.extent == StudyExtent::Full) {
-        plan.accuracy = {3, 200'000, 1'000'000, 40'000};
+        plan.accuracy = {600'000'000, 60, 200'000, 1'000'000, 40'000};
         plan.race.longestDraw = 60e6;
         plan.rounds = 7;
     }
-    if (settings.accuracyLimit > 0)
-        plan.accuracy.limitSeconds = settings.accuracyLimit;
+    if (settings.mostSamples > 0)
+        plan.accuracy.mostSamples = settings.mostSamples;
+    if (settings.hangSeconds > 0)
+        plan.accuracy.hangSeconds = settings.hangSeconds;
     if (settings.rounds >= 0)
         plan.rounds = settings.rounds;
     return plan;

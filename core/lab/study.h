@@ -19,9 +19,11 @@ struct StudySettings {
     std::vector<HardCase> hardCases = {};
     QStringList families = {}; ///< ids; empty: all
     std::vector<LabContender> contenders = {}; ///< empty: those of the extent
-    /// Seconds of processor time that a contender may take for the accuracy of one family; 0: the
-    /// extent's.
-    double accuracyLimit = 0;
+    /// Samples that a contender may take for the accuracy of one family; 0: the extent's.
+    std::int64_t mostSamples = 0;
+    /// Seconds of processor time after which a contender hangs; 0: the extent's, far more than any
+    /// takes within its samples.
+    double hangSeconds = 0;
     int rounds = -1; ///< of timing; below 0: the extent's; 0: nothing is timed
 };
 
@@ -110,7 +112,8 @@ struct StudyListener {
 };
 
 /// Judges every contender on every family, then times all of them in turn, round by round. The
-/// accuracy depends on nothing but the settings. Nothing of it is thrown when a contender fails.
+/// accuracy depends on nothing but the settings: how much is judged is limited in samples, and the
+/// limit in seconds only ends what hangs. Nothing of it is thrown when a contender fails.
 Study runStudy(const StudySettings &settings, const StudyListener &listener = {});
 
 } // namespace pixelplumb
