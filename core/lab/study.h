@@ -50,6 +50,8 @@ struct LabRow {
 
     /// How many times its straight loop it takes, where that is more than what is fair (1.3).
     std::optional<double> missesStraight() const;
+    /// What depends on the seed alone: no cost, and no remark, which may tell of times.
+    LabRow withoutTimes() const;
 
     friend bool operator==(const LabRow &, const LabRow &) = default;
 };

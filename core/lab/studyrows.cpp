@@ -66,6 +66,14 @@ const StudyFamily *Study::family(const QString &id) const
     return firstOf(families, [&](const StudyFamily &each) { return each.id == id; });
 }
 
+LabRow LabRow::withoutTimes() const
+{
+    LabRow row = *this;
+    row.cost.reset();
+    row.remark.clear();
+    return row;
+}
+
 std::optional<double> Study::perPixel(const LabRow &row) const
 {
     const StudyFamily *drawn = family(row.family);
