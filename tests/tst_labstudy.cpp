@@ -67,12 +67,36 @@ private slots:
 
     void leavingAFamilyOutChangesNoOther()
     {
-        FamilyRequest request;
-        request.seed = 9;
-        const LabFamilyInfo &info = *labFamilyNamed(QStringLiteral("ties"));
+        StudySettings settings = smallStudy();
+        settings.ownScene = nullptr;
+        settings.contenders.resize(1);
+        settings.families = {QStringLiteral("ties"), QStringLiteral("far")};
 
-        QVERIFY(makeFamily(info, request)->pictures.front().triangles
-                == makeFamily(info, request)->pictures.front().triangles);
+        const Study both = runStudy(settings);
+        settings.families = {QStringLiteral("far")};
+        const Study alone = runStudy(settings);
+
+        QCOMPARE(both.rows.size(), std::size_t(2));
+        QCOMPARE(alone.rows.size(), std::size_t(1));
+        QVERIFY(both.rows[1].withoutTimes() == alone.rows[0].withoutTimes());
+        QVERIFY(both.rows[0].withoutTimes() != alone.rows[0].withoutTimes());
+    }
+
+    void everyFamilyMakesTriangles()
+    {
+        FamilyRequest request;
+        request.ownScene = std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact));
+        HardCase hardCase;
+        hardCase.triangles = request.ownScene->triangles;
+        request.hardCases = {hardCase};
+
+        QCOMPARE(labFamilies().size(), std::size_t(10));
+        for (const LabFamilyInfo &info : labFamilies()) {
+            const auto family = makeFamily(info, request);
+            QVERIFY2(family.has_value(), info.id);
+            QVERIFY2(family->triangleCount() > 0, info.id);
+            QCOMPARE(family->id, QString::fromLatin1(info.id));
+        }
     }
 
     void familiesThatPromiseItStayInsideTheirFrame()
