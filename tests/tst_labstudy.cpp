@@ -340,6 +340,31 @@ private slots:
                                 "column-scan:exact,column-scan:float32,column-scan:exact:fast"));
     }
 
+    void spansAreThoseOfTheMethod_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<std::int64_t>("spans");
+        constexpr std::int64_t columns = 7, rows = 5;
+        QTest::newRow("column scan") << QStringLiteral("column-scan:exact") << columns;
+        QTest::newRow("fast kernel") << QStringLiteral("column-scan:exact:fast") << columns;
+        QTest::newRow("row walk") << QStringLiteral("row-walk:float32") << rows;
+        QTest::newRow("row walk at a constant rate")
+            << QStringLiteral("row-walk-constant-rate:float32") << rows;
+        QTest::newRow("column scan at a constant rate")
+            << QStringLiteral("column-scan-constant-rate:float32") << columns;
+        QTest::newRow("nobody") << QStringLiteral("nobody:exact") << columns;
+    }
+    void spansAreThoseOfTheMethod()
+    {
+        QFETCH(const QString, id);
+        QFETCH(const std::int64_t, spans);
+        StudyFamily family;
+        family.timedColumns = 7;
+        family.timedRows = 5;
+
+        QCOMPARE(family.timedSpans(id), spans);
+    }
+
     void contendersAreFoundByTheirIds()
     {
         QCOMPARE(quickContenders().size(), std::size_t(14));

@@ -198,14 +198,13 @@ private:
     void addFits()
     {
         for (StudyContender &contender : m_study.contenders) {
-            const bool walksRows = contender.id.startsWith(QLatin1String("row-walk:"));
             std::vector<CostPoint> points;
             for (const StudyFamily &family : m_study.families) {
                 const LabRow *row = m_study.row(contender.id, family.id);
                 if (!row || !row->cost || row->cost->rounds == 0)
                     continue;
                 points.push_back({double(family.timedTriangles),
-                                  double(walksRows ? family.timedRows : family.timedColumns),
+                                  double(family.timedSpans(contender.id)),
                                   double(family.timedPixels), row->cost->perDraw.median});
             }
             contender.fit = fitCost(points);

@@ -78,6 +78,9 @@ struct StudyFamily {
     std::int64_t timedRows = 0;
     std::int64_t timedBytes = 0; ///< of the cache lines that they write to
 
+    /// Rows of a contender whose spans are rows, columns of everyone else.
+    std::int64_t timedSpans(const QString &contender) const;
+
     friend bool operator==(const StudyFamily &, const StudyFamily &) = default;
 };
 

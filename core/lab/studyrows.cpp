@@ -66,6 +66,12 @@ const StudyFamily *Study::family(const QString &id) const
     return firstOf(families, [&](const StudyFamily &each) { return each.id == id; });
 }
 
+std::int64_t StudyFamily::timedSpans(const QString &contender) const
+{
+    const auto named = labContenderNamed(contender);
+    return named && named->spanAxis() == SpanAxis::Row ? timedRows : timedColumns;
+}
+
 LabRow LabRow::withoutTimes() const
 {
     LabRow row = *this;
