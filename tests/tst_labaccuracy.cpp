@@ -28,7 +28,7 @@ FamilyVerdict verdictOn(const LabFamily &family, const LabContender &contender)
 {
     FamilyVerdict verdict;
     const auto take = [&](std::size_t, const FamilyVerdict &told) { verdict = told; };
-    judgeFamily(family, {contender}, {60, 60'000, 30'000, 1'000}, take, {});
+    judgeFamily(family, {contender}, {1'000'000'000, 60, 60'000, 30'000, 1'000}, take, {});
     return verdict;
 }
 

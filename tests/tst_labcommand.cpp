@@ -63,6 +63,30 @@ private slots:
         QCOMPARE(result.output.count('\n'), 3);
     }
 
+    void theSameSeedWritesTheSameBytes_data()
+    {
+        QTest::addColumn<QString>("format");
+        QTest::newRow("json") << QStringLiteral("json");
+        QTest::newRow("csv") << QStringLiteral("csv");
+    }
+    void theSameSeedWritesTheSameBytes()
+    {
+        QFETCH(const QString, format);
+        const auto write = [&](const QString &seed) {
+            return run({"lab", "--family", "far", "--contender", "column-scan:float32",
+                        "--accuracy-only", "--format", format, "--seed", seed});
+        };
+
+        const ProgramRun first = write(QStringLiteral("3"));
+        const ProgramRun second = write(QStringLiteral("3"));
+        const ProgramRun other = write(QStringLiteral("4"));
+
+        QCOMPARE(first.exitCode, 0);
+        QVERIFY2(first.output.contains("wrongTriangles"), first.output.constData());
+        QVERIFY(first.output == second.output);
+        QVERIFY(first.output != other.output);
+    }
+
     void namesTheCheapestWithinABudget()
     {
         const ProgramRun result = lab({"--budget", "exact"});
@@ -87,6 +111,11 @@ private slots:
         QTest::newRow("seed") << QStringList{"--seed", "-1"} << QByteArray("--seed");
         QTest::newRow("extents") << QStringList{"--quick", "--full"}
                                  << QByteArray("expected one of them");
+        QTest::newRow("accuracy as text")
+            << QStringList{"--accuracy-only"} << QByteArray("expected --format json or csv");
+        QTest::newRow("accuracy within a budget")
+            << QStringList{"--accuracy-only", "--format", "csv", "--budget", "exact"}
+            << QByteArray("--accuracy-only and --budget; expected one of them");
         QTest::newRow("comparison")
             << QStringList{"--compare", "a.json"} << QByteArray("the second file is missing");
     }

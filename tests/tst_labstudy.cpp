@@ -67,12 +67,36 @@ private slots:
 
     void leavingAFamilyOutChangesNoOther()
     {
-        FamilyRequest request;
-        request.seed = 9;
-        const LabFamilyInfo &info = *labFamilyNamed(QStringLiteral("ties"));
+        StudySettings settings = smallStudy();
+        settings.ownScene = nullptr;
+        settings.contenders.resize(1);
+        settings.families = {QStringLiteral("ties"), QStringLiteral("far")};
 
-        QVERIFY(makeFamily(info, request)->pictures.front().triangles
-                == makeFamily(info, request)->pictures.front().triangles);
+        const Study both = runStudy(settings);
+        settings.families = {QStringLiteral("far")};
+        const Study alone = runStudy(settings);
+
+        QCOMPARE(both.rows.size(), std::size_t(2));
+        QCOMPARE(alone.rows.size(), std::size_t(1));
+        QVERIFY(both.rows[1].withoutTimes() == alone.rows[0].withoutTimes());
+        QVERIFY(both.rows[0].withoutTimes() != alone.rows[0].withoutTimes());
+    }
+
+    void everyFamilyMakesTriangles()
+    {
+        FamilyRequest request;
+        request.ownScene = std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact));
+        HardCase hardCase;
+        hardCase.triangles = request.ownScene->triangles;
+        request.hardCases = {hardCase};
+
+        QCOMPARE(labFamilies().size(), std::size_t(10));
+        for (const LabFamilyInfo &info : labFamilies()) {
+            const auto family = makeFamily(info, request);
+            QVERIFY2(family.has_value(), info.id);
+            QVERIFY2(family->triangleCount() > 0, info.id);
+            QCOMPARE(family->id, QString::fromLatin1(info.id));
+        }
     }
 
     void familiesThatPromiseItStayInsideTheirFrame()
@@ -112,7 +136,7 @@ private slots:
         QVERIFY(study.perPixel(study.rows[3]).has_value());
     }
 
-    void aContenderThatTakesTooLongIsShownSo()
+    void aContenderThatHangsIsShownSo()
     {
         StudySettings settings = smallStudy();
         settings.contenders[1].draw
@@ -120,7 +144,7 @@ private slots:
                   for (int i = 0; i < 2000; ++i)
                       methodNamed(u"column-scan")->draw(primitives, drawn, frame);
               };
-        settings.accuracyLimit = 1e-6;
+        settings.hangSeconds = 1e-6;
         settings.contenders.resize(2);
 
         const Study study = runStudy(settings);
@@ -130,6 +154,32 @@ private slots:
                  qPrintable(study.rows[1].remark));
         QVERIFY(!study.rows[1].accuracy);
         QVERIFY(study.isComplete);
+    }
+
+    void howMuchIsJudgedDependsOnTheTrianglesNotOnTheSpeed()
+    {
+        StudySettings settings = smallStudy();
+        settings.ownScene = std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact, 9));
+        settings.contenders = contendersOf(
+            {QStringLiteral("column-scan:exact"), QStringLiteral("barycentric-all:float32")});
+        settings.mostSamples = 30'000; // nine boxes, but not nine frames
+        StudySettings slow = settings;
+        slow.hangSeconds = 3600;
+        for (LabContender &contender : slow.contenders) {
+            contender.draw = [draw = contender.draw](const Primitives &primitives,
+                                                     const ScanSettings &drawn, FrameView frame) {
+                for (int i = 0; i < 50; ++i)
+                    draw(primitives, drawn, frame);
+            };
+        }
+
+        const Study study = runStudy(settings);
+
+        QCOMPARE(study.rows[0].outcome, LabOutcome::Measured);
+        QCOMPARE(study.rows[1].outcome, LabOutcome::TookTooLong);
+        QVERIFY2(study.rows[1].remark.startsWith(QStringLiteral("looked at more than 30000 ")),
+                 qPrintable(study.rows[1].remark));
+        QVERIFY(writeAccuracy(study) == writeAccuracy(runStudy(slow)));
     }
 
     void rowsAreToldAsTheyStandAndACancelledStudyKeepsThem()
@@ -288,6 +338,31 @@ private slots:
                  QStringLiteral("pixelplumb-cli lab SCENE --quick --seed 1 --family own-scene "
                                 "--contender "
                                 "column-scan:exact,column-scan:float32,column-scan:exact:fast"));
+    }
+
+    void spansAreThoseOfTheMethod_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<std::int64_t>("spans");
+        constexpr std::int64_t columns = 7, rows = 5;
+        QTest::newRow("column scan") << QStringLiteral("column-scan:exact") << columns;
+        QTest::newRow("fast kernel") << QStringLiteral("column-scan:exact:fast") << columns;
+        QTest::newRow("row walk") << QStringLiteral("row-walk:float32") << rows;
+        QTest::newRow("row walk at a constant rate")
+            << QStringLiteral("row-walk-constant-rate:float32") << rows;
+        QTest::newRow("column scan at a constant rate")
+            << QStringLiteral("column-scan-constant-rate:float32") << columns;
+        QTest::newRow("nobody") << QStringLiteral("nobody:exact") << columns;
+    }
+    void spansAreThoseOfTheMethod()
+    {
+        QFETCH(const QString, id);
+        QFETCH(const std::int64_t, spans);
+        StudyFamily family;
+        family.timedColumns = 7;
+        family.timedRows = 5;
+
+        QCOMPARE(family.timedSpans(id), spans);
     }
 
     void contendersAreFoundByTheirIds()

@@ -23,6 +23,7 @@ const QString fullOption = QStringLiteral("full");
 const QString seedOption = QStringLiteral("seed");
 const QString familyOption = QStringLiteral("family");
 const QString contenderOption = QStringLiteral("contender");
+const QString accuracyOnlyOption = QStringLiteral("accuracy-only");
 const QString budgetOption = QStringLiteral("budget");
 const QString formatOption = QStringLiteral("format");
 const QString outputOption = QStringLiteral("output");
@@ -38,6 +39,10 @@ Result<LabFormat> chosenFormat(const CommandLine &line)
     const qsizetype index = names.indexOf(word);
     if (index < 0)
         return unknownName(QStringLiteral("--format"), QStringLiteral("format"), word, names);
+    if (line.isSet(accuracyOnlyOption) && LabFormat(index) == LabFormat::Text)
+        return InputError{QStringLiteral("--accuracy-only"),
+                          QStringLiteral("text tells of this machine"),
+                          QStringLiteral("--format json or csv")};
     return LabFormat(index);
 }
 
@@ -108,6 +113,12 @@ Result<StudySettings> settingsFrom(const CommandLine &line)
     if (line.isSet(quickOption) && line.isSet(fullOption))
         return InputError{{}, QStringLiteral("--quick and --full"), QStringLiteral("one of them")};
     settings.extent = line.isSet(fullOption) ? StudyExtent::Full : StudyExtent::Quick;
+    if (line.isSet(accuracyOnlyOption)) {
+        if (line.isSet(budgetOption))
+            return InputError{
+                {}, QStringLiteral("--accuracy-only and --budget"), QStringLiteral("one of them")};
+        settings.rounds = 0;
+    }
     const auto families = chosenFamilies(line);
     if (!families)
         return families.error();
@@ -192,6 +203,11 @@ ExitCode compareFiles(const CommandLine &line)
     return comparison.count(LabChange::Slower) > 0 ? ExitCode::FallsShort : ExitCode::Done;
 }
 
+QByteArray accuracyBytesOf(const Study &study, LabFormat format)
+{
+    return format == LabFormat::Csv ? accuracyCsvOf(study) : writeAccuracy(study);
+}
+
 QByteArray bytesOf(const Study &study, LabFormat format)
 {
     switch (format) {
@@ -220,6 +236,9 @@ void addOptions(CommandLine &line)
     line.addOption({contenderOption,
                     QStringLiteral("These alone: column-scan:float32,column-scan:exact:fast."),
                     QStringLiteral("ids")});
+    line.addOption({accuracyOnlyOption,
+                    QStringLiteral("Time nothing and write the accuracy as JSON or CSV: the same "
+                                   "seed, the same bytes.")});
     line.addOption({budgetOption,
                     QStringLiteral("Name the cheapest that meets it on the scene, or on random "
                                    "triangles: exact, 1-level, 10-ppm, 16-ms."),
@@ -265,7 +284,8 @@ ExitCode lab(const Command &command, const QStringList &arguments)
     StudyListener listener;
     listener.progress = progress.listener();
     const Study study = runStudy(*settings, listener);
-    output.device().write(bytesOf(study, *format));
+    output.device().write(line.isSet(accuracyOnlyOption) ? accuracyBytesOf(study, *format)
+                                                         : bytesOf(study, *format));
     if (const auto error = output.finish())
         return line.refuse(*error);
     if (!*budget)

@@ -7,7 +7,10 @@ namespace pixelplumb {
 
 /// How much of a family is looked at more closely than by its pictures.
 struct AccuracyOptions {
-    double limitSeconds = 1; ///< of processor time, for one contender
+    /// Of one contender's work: the samples of the triangles' boxes, or of the whole frame for each
+    /// triangle where its method looks at all of it. The same on every machine.
+    std::int64_t mostSamples = 200'000'000;
+    double hangSeconds = 20; ///< of processor time: what takes longer hangs
     std::int64_t probedPixels = 60'000; ///< of which levels are compared before they are bytes
     std::int64_t movedPixels = 300'000; ///< of boxes drawn in other orders and elsewhere
     std::int64_t countedPixels = 20'000; ///< of which operations are counted

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/labcandidate.h"
 
+#include "core/frame/framebuffer.h"
 #include "core/frame/writtenframe.h"
 #include "core/lab/contenderfailure.h"
 #include "core/lab/invariance.h"
@@ -28,6 +29,30 @@ void wipe(const FrameView &frame, const SampleBox &box)
         std::fill_n(frame.at(box.firstX, y), box.endX - box.firstX, QRgb(0));
 }
 
+std::int64_t samplesIn(const SampleBox &box)
+{
+    return std::max<std::int64_t>(0, box.endX - box.firstX)
+        * std::max<std::int64_t>(0, box.endY - box.firstY);
+}
+
+/// Whether a method does more work for the same triangle when the frame around it is larger, by
+/// its counted operations.
+bool visitsWholeFrame(const Method &method, const ScanSettings &settings)
+{
+    Primitives corner;
+    corner.triangles
+        = {{{{{latticePixel(2, 2), {}}, {latticePixel(9, 3), {}}, {latticePixel(4, 8), {}}}}}};
+    const auto workIn = [&](std::int32_t side) {
+        FrameSpec spec;
+        spec.width = side;
+        spec.height = side;
+        const FrameBuffer frame(spec);
+        const auto counts = countOperations(method, settings, corner, frame.view());
+        return counts ? counts->pixels + counts->refused : 0;
+    };
+    return workIn(37) > workIn(17);
+}
+
 } // namespace
 
 LabCandidate::LabCandidate(const LabContender &contender, const LabFamily &family,
@@ -38,6 +63,7 @@ LabCandidate::LabCandidate(const LabContender &contender, const LabFamily &famil
 {
     if (const auto settings = settingsFor(contender, family)) {
         m_verdict.settings = *settings;
+        m_visitsFrame = visitsWholeFrame(*contender.method, *settings);
         if (family.isMesh)
             m_cover.emplace(family.pictures.front().frame);
     } else {
@@ -50,6 +76,15 @@ void LabCandidate::fail(const QString &why)
 {
     m_verdict.outcome = LabOutcome::Failed;
     m_verdict.remark = why;
+}
+
+void LabCandidate::giveUp(const QString &why)
+{
+    m_verdict.outcome = LabOutcome::TookTooLong;
+    m_verdict.remark = why
+        + QStringLiteral(" for %1 of %2 triangles")
+              .arg(m_judge.figures().triangles)
+              .arg(m_family.triangleCount());
 }
 
 void LabCandidate::takeChunk(const LabChunk &chunk, const FrameView &frame)
@@ -89,14 +124,14 @@ void LabCandidate::drawAll(const LabChunk &chunk, const FrameView &frame, Look l
         if (m_cover)
             m_cover->add(frame, box);
         wipe(frame, box);
-        if (m_verdict.nanoseconds > m_options.limitSeconds * 1e9) {
-            m_verdict.outcome = LabOutcome::TookTooLong;
-            m_verdict.remark = QStringLiteral("took more than %1 s for %2 of %3 triangles")
-                                   .arg(m_options.limitSeconds)
-                                   .arg(m_judge.figures().triangles)
-                                   .arg(m_family.triangleCount());
+        m_samples
+            += look == Look::Near && m_visitsFrame ? samplesIn(samplesOf(frame)) : samplesIn(box);
+        if (m_samples > m_options.mostSamples)
+            giveUp(QStringLiteral("looked at more than %1 samples").arg(m_options.mostSamples));
+        else if (m_verdict.nanoseconds > m_options.hangSeconds * 1e9)
+            giveUp(QStringLiteral("took more than %1 s").arg(m_options.hangSeconds));
+        if (!isRunning())
             return;
-        }
     }
 }
 

@@ -39,6 +39,7 @@ private:
     void addFlicker();
     void countOperationsOfFirst();
     void fail(const QString &why);
+    void giveUp(const QString &why);
 
     const LabContender &m_contender;
     const LabFamily &m_family;
@@ -48,6 +49,8 @@ private:
     LevelTally m_levels;
     std::optional<MeshCover> m_cover; ///< of a mesh
     std::optional<FrameSpec> m_frameOfMiss; ///< of the first one
+    bool m_visitsFrame = false; ///< of each triangle, not its box alone
+    std::int64_t m_samples = 0; ///< of the work
     std::int64_t m_probedPixels = 0;
     std::int64_t m_movedPixels = 0;
 };

@@ -2,6 +2,7 @@
 #include "core/lab/labcontender.h"
 
 #include "core/fast/fastscan.h"
+#include "core/frame/framebuffer.h"
 #include "core/scan/choicenames.h"
 
 #include <algorithm>
@@ -39,6 +40,17 @@ QString LabContender::domain() const
 ScanSettings LabContender::settingsUnder(FillRule rule) const
 {
     return method->adapted({arithmetic, rule, ByteRounding::Nearest});
+}
+
+SpanAxis LabContender::spanAxis() const
+{
+    const FrameBuffer frame{FrameSpec()};
+    Primitives primitives;
+    primitives.triangles
+        = {{{{{latticePixel(2, 2), {}}, {latticePixel(9, 3), {}}, {latticePixel(4, 8), {}}}}}};
+    const auto trace = method->trace(primitives, settingsUnder(FillRule::Closed), frame.view(),
+                                     {.progress = {}, .detail = TraceDetail::Spans});
+    return trace && trace->spanCount() > 0 ? trace->placeOf(0).axis : SpanAxis::Free;
 }
 
 std::optional<FillRule> LabContender::watertightRule() const

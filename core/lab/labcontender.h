@@ -36,6 +36,8 @@ struct LabContender {
     QString domain() const;
     /// The rule, or the method's own first where it does not keep that.
     ScanSettings settingsUnder(FillRule rule) const;
+    /// What the spans of its method are, as a trace of a triangle has them.
+    SpanAxis spanAxis() const;
     /// The first rule of the method's under which every sample of a mesh has one owner; none where
     /// it keeps no such rule.
     std::optional<FillRule> watertightRule() const;

@@ -86,4 +86,12 @@ QByteArray csvOf(const Study &study)
     return text;
 }
 
+QByteArray accuracyCsvOf(const Study &study)
+{
+    Study accuracy = study;
+    for (LabRow &row : accuracy.rows)
+        row = row.withoutTimes();
+    return csvOf(accuracy);
+}
+
 } // namespace pixelplumb

@@ -19,76 +19,106 @@ FrameSpec primeFrame()
     return frame;
 }
 
-constexpr LabFamilyInfo infos[] = {
-    {"random-integer", "Random, whole pixels",
-     "Vertices on samples, as three clicks make them: many ties."},
-    {"random-subpixel", "Random, 1/256 px", "Vertices between samples: hardly any ties."},
-    {"slivers", "Slivers",
-     "As long as the frame and 1 to 3 px thick: colours change by levels "
-     "from pixel to pixel across."},
-    {"ties", "Ties", "Edges along small whole vectors: each passes exactly through samples."},
-    {"far", "Far from the origin",
-     "Triangles of 8 to 60 px at (30000, 30000): products of coordinates cancel."},
-    {"small", "Small triangles", "Boxes of 3 to 12 px: set-up is most of the work."},
-    {"large", "Large triangles", "A quarter of the frame and more: increments add up longest."},
-    {"mesh", "Mesh",
-     "Triangles that share all edges, at 1/256 px, under a rule that gives every "
-     "sample one owner."},
-    {"own-scene", "Own scene", "The triangles of the scene in hand under its own rule."},
-    {"hard-cases", "Hard cases", "The cases that were collected because methods fail in them."},
-};
-
 std::size_t chosen(StudyExtent extent, std::size_t quick, std::size_t full)
 {
     return extent == StudyExtent::Quick ? quick : full;
 }
 
-void addGenerated(LabFamily &family, const FamilyRequest &request)
+/// Each family has random numbers of its own: leaving one out changes no other.
+SeededRandom randomOf(const LabFamily &family, const FamilyRequest &request)
 {
-    using namespace familyshapes;
-    // Each family has random numbers of its own: leaving one out changes no other.
     std::uint64_t seed = request.seed;
     for (const QChar letter : family.id)
         seed = seed * 31 + letter.unicode();
-    SeededRandom random(seed);
-    LabPicture picture{primeFrame(), {}, {}};
-    const auto many
-        = [&](std::size_t quick, std::size_t full) { return chosen(request.extent, quick, full); };
-    family.isOnWholePixels = true;
-    family.staysInside = true;
-    if (family.id == QLatin1String("random-integer")) {
-        picture.triangles = scattered(random, picture.frame, many(60, 200), unitsPerPixel);
-    } else if (family.id == QLatin1String("random-subpixel")) {
-        picture.triangles = scattered(random, picture.frame, many(60, 200), 1);
-        family.isOnWholePixels = false;
-    } else if (family.id == QLatin1String("slivers")) {
-        picture.triangles = slivers(random, picture.frame, many(200, 600));
-        family.motion = slidingSliver(picture.frame, many(24, 64));
-    } else if (family.id == QLatin1String("ties")) {
-        picture.triangles = tied(random, picture.frame, many(150, 500));
-    } else if (family.id == QLatin1String("far")) {
-        picture.frame.firstColumn = 30000 - 510;
-        picture.frame.firstRow = 30000 - 504;
-        picture.triangles = boxed(random, picture.frame, many(1000, 4000), 8, 60, 1);
-        family.isOnWholePixels = false;
-        family.staysInside = false;
-    } else if (family.id == QLatin1String("small")) {
-        picture.triangles = boxed(random, picture.frame, many(3000, 10000), 3, 12, unitsPerPixel);
-    } else if (family.id == QLatin1String("large")) {
-        picture.triangles = large(random, picture.frame, many(12, 40));
-    } else if (family.id == QLatin1String("mesh")) {
-        const int cells = int(many(40, 70));
-        picture.triangles = mesh(random, picture.frame, cells, cells);
-        family.isOnWholePixels = false;
-        family.staysInside = false; // its rule is not the straight loops'
-        family.isMesh = true;
-        family.settings.fillRule = FillRule::HalfOpenColumn;
-    }
-    family.pictures.push_back(std::move(picture));
+    return SeededRandom(seed);
 }
 
-bool addScene(LabFamily &family, const Scene &scene)
+/// Of whole pixels inside the frame.
+bool take(LabFamily &family, const FrameSpec &frame, std::vector<Triangle> triangles)
 {
+    family.isOnWholePixels = true;
+    family.staysInside = true;
+    family.pictures.push_back({frame, std::move(triangles), {}});
+    return true;
+}
+
+bool makeRandomInteger(LabFamily &family, const FamilyRequest &request)
+{
+    SeededRandom random = randomOf(family, request);
+    const std::size_t count = chosen(request.extent, 60, 200);
+    return take(family, primeFrame(),
+                familyshapes::scattered(random, primeFrame(), count, unitsPerPixel));
+}
+
+bool makeRandomSubpixel(LabFamily &family, const FamilyRequest &request)
+{
+    SeededRandom random = randomOf(family, request);
+    const std::size_t count = chosen(request.extent, 60, 200);
+    take(family, primeFrame(), familyshapes::scattered(random, primeFrame(), count, 1));
+    family.isOnWholePixels = false;
+    return true;
+}
+
+bool makeSlivers(LabFamily &family, const FamilyRequest &request)
+{
+    SeededRandom random = randomOf(family, request);
+    const std::size_t count = chosen(request.extent, 200, 600);
+    family.motion = familyshapes::slidingSliver(primeFrame(), chosen(request.extent, 24, 64));
+    return take(family, primeFrame(), familyshapes::slivers(random, primeFrame(), count));
+}
+
+bool makeTies(LabFamily &family, const FamilyRequest &request)
+{
+    SeededRandom random = randomOf(family, request);
+    const std::size_t count = chosen(request.extent, 150, 500);
+    return take(family, primeFrame(), familyshapes::tied(random, primeFrame(), count));
+}
+
+bool makeFar(LabFamily &family, const FamilyRequest &request)
+{
+    SeededRandom random = randomOf(family, request);
+    FrameSpec frame = primeFrame();
+    frame.firstColumn = 30000 - 510;
+    frame.firstRow = 30000 - 504;
+    const std::size_t count = chosen(request.extent, 1000, 4000);
+    take(family, frame, familyshapes::boxed(random, frame, count, 8, 60, 1));
+    family.isOnWholePixels = false;
+    family.staysInside = false; // the frame does not begin at (0, 0)
+    return true;
+}
+
+bool makeSmall(LabFamily &family, const FamilyRequest &request)
+{
+    SeededRandom random = randomOf(family, request);
+    const std::size_t count = chosen(request.extent, 3000, 10000);
+    return take(family, primeFrame(),
+                familyshapes::boxed(random, primeFrame(), count, 3, 12, unitsPerPixel));
+}
+
+bool makeLarge(LabFamily &family, const FamilyRequest &request)
+{
+    SeededRandom random = randomOf(family, request);
+    const std::size_t count = chosen(request.extent, 12, 40);
+    return take(family, primeFrame(), familyshapes::large(random, primeFrame(), count));
+}
+
+bool makeMesh(LabFamily &family, const FamilyRequest &request)
+{
+    SeededRandom random = randomOf(family, request);
+    const auto cells = int(chosen(request.extent, 40, 70));
+    take(family, primeFrame(), familyshapes::mesh(random, primeFrame(), cells, cells));
+    family.isOnWholePixels = false;
+    family.staysInside = false; // its rule is not the straight loops'
+    family.isMesh = true;
+    family.settings.fillRule = FillRule::HalfOpenColumn;
+    return true;
+}
+
+bool makeOwnScene(LabFamily &family, const FamilyRequest &request)
+{
+    if (!request.ownScene)
+        return false;
+    const Scene &scene = *request.ownScene;
     Primitives primitives = primitivesOnSamples(scene);
     if (primitives.triangles.empty())
         return false;
@@ -101,14 +131,40 @@ bool addScene(LabFamily &family, const Scene &scene)
     return true;
 }
 
-bool addHardCases(LabFamily &family, const std::vector<HardCase> &hardCases)
+bool makeHardCases(LabFamily &family, const FamilyRequest &request)
 {
-    for (const HardCase &hardCase : hardCases) {
+    for (const HardCase &hardCase : request.hardCases) {
         if (!hardCase.triangles.empty())
             family.pictures.push_back({hardCase.canvas, hardCase.triangles, hardCase.id});
     }
     return !family.pictures.empty();
 }
+
+constexpr LabFamilyInfo infos[] = {
+    {"random-integer", "Random, whole pixels",
+     "Vertices on samples, as three clicks make them: many ties.", makeRandomInteger},
+    {"random-subpixel", "Random, 1/256 px", "Vertices between samples: hardly any ties.",
+     makeRandomSubpixel},
+    {"slivers", "Slivers",
+     "As long as the frame and 1 to 3 px thick: colours change by levels "
+     "from pixel to pixel across.",
+     makeSlivers},
+    {"ties", "Ties", "Edges along small whole vectors: each passes exactly through samples.",
+     makeTies},
+    {"far", "Far from the origin",
+     "Triangles of 8 to 60 px at (30000, 30000): products of coordinates cancel.", makeFar},
+    {"small", "Small triangles", "Boxes of 3 to 12 px: set-up is most of the work.", makeSmall},
+    {"large", "Large triangles", "A quarter of the frame and more: increments add up longest.",
+     makeLarge},
+    {"mesh", "Mesh",
+     "Triangles that share all edges, at 1/256 px, under a rule that gives every "
+     "sample one owner.",
+     makeMesh},
+    {"own-scene", "Own scene", "The triangles of the scene in hand under its own rule.",
+     makeOwnScene},
+    {"hard-cases", "Hard cases", "The cases that were collected because methods fail in them.",
+     makeHardCases},
+};
 
 } // namespace
 
@@ -139,15 +195,8 @@ std::optional<LabFamily> makeFamily(const LabFamilyInfo &info, const FamilyReque
     LabFamily family;
     family.id = QString::fromLatin1(info.id);
     family.title = QString::fromUtf8(info.title);
-    if (family.id == QLatin1String("own-scene")) {
-        if (!request.ownScene || !addScene(family, *request.ownScene))
-            return std::nullopt;
-    } else if (family.id == QLatin1String("hard-cases")) {
-        if (!addHardCases(family, request.hardCases))
-            return std::nullopt;
-    } else {
-        addGenerated(family, request);
-    }
+    if (!info.make(family, request))
+        return std::nullopt;
     return family;
 }
 

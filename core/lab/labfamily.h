@@ -37,15 +37,6 @@ struct LabFamily {
     std::size_t triangleCount() const;
 };
 
-/// A row of the table of families.
-struct LabFamilyInfo {
-    const char *id;
-    const char *title;
-    const char *stresses; ///< one sentence: what is hard about it
-};
-std::span<const LabFamilyInfo> labFamilies();
-const LabFamilyInfo *labFamilyNamed(const QString &id);
-
 /// What families are made of. The same request makes the same triangles on every machine.
 struct FamilyRequest {
     std::uint64_t seed = 1;
@@ -53,6 +44,17 @@ struct FamilyRequest {
     std::shared_ptr<const Scene> ownScene; ///< for the family own-scene; may be null
     std::vector<HardCase> hardCases = {}; ///< for the family hard-cases
 };
+
+/// A row of the table of families.
+struct LabFamilyInfo {
+    const char *id;
+    const char *title;
+    const char *stresses; ///< one sentence: what is hard about it
+    /// Adds the pictures and what is special of them. False where the request has nothing for it.
+    bool (*make)(LabFamily &family, const FamilyRequest &request);
+};
+std::span<const LabFamilyInfo> labFamilies();
+const LabFamilyInfo *labFamilyNamed(const QString &id);
 
 /// None where the request has nothing for it: no own scene, no hard cases.
 std::optional<LabFamily> makeFamily(const LabFamilyInfo &info, const FamilyRequest &request);

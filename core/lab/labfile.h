@@ -19,5 +19,7 @@ QByteArray writeAccuracy(const Study &study);
 
 /// A line a row, numbers with a decimal point; what was not measured is an empty field.
 QByteArray csvOf(const Study &study);
+/// The same with the accuracy alone.
+QByteArray accuracyCsvOf(const Study &study);
 
 } // namespace pixelplumb

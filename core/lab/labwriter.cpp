@@ -87,12 +87,8 @@ QByteArray writeStudy(const Study &study)
 QByteArray writeAccuracy(const Study &study)
 {
     QJsonArray rows;
-    for (const LabRow &row : study.rows) {
-        LabRow accuracy = row;
-        accuracy.cost.reset();
-        accuracy.remark.clear(); // it may tell of times
-        rows.append(jsonOf(accuracy));
-    }
+    for (const LabRow &row : study.rows)
+        rows.append(jsonOf(row.withoutTimes()));
     return QJsonDocument(rows).toJson();
 }
 

@@ -21,12 +21,14 @@ Plan planFor(const StudySettings &settings)
 {
     Plan plan;
     if (settings.extent == StudyExtent::Full) {
-        plan.accuracy = {3, 200'000, 1'000'000, 40'000};
+        plan.accuracy = {600'000'000, 60, 200'000, 1'000'000, 40'000};
         plan.race.longestDraw = 60e6;
         plan.rounds = 7;
     }
-    if (settings.accuracyLimit > 0)
-        plan.accuracy.limitSeconds = settings.accuracyLimit;
+    if (settings.mostSamples > 0)
+        plan.accuracy.mostSamples = settings.mostSamples;
+    if (settings.hangSeconds > 0)
+        plan.accuracy.hangSeconds = settings.hangSeconds;
     if (settings.rounds >= 0)
         plan.rounds = settings.rounds;
     return plan;
@@ -196,14 +198,13 @@ private:
     void addFits()
     {
         for (StudyContender &contender : m_study.contenders) {
-            const bool walksRows = contender.id.startsWith(QLatin1String("row-walk:"));
             std::vector<CostPoint> points;
             for (const StudyFamily &family : m_study.families) {
                 const LabRow *row = m_study.row(contender.id, family.id);
                 if (!row || !row->cost || row->cost->rounds == 0)
                     continue;
                 points.push_back({double(family.timedTriangles),
-                                  double(walksRows ? family.timedRows : family.timedColumns),
+                                  double(family.timedSpans(contender.id)),
                                   double(family.timedPixels), row->cost->perDraw.median});
             }
             contender.fit = fitCost(points);

@@ -19,9 +19,11 @@ struct StudySettings {
     std::vector<HardCase> hardCases = {};
     QStringList families = {}; ///< ids; empty: all
     std::vector<LabContender> contenders = {}; ///< empty: those of the extent
-    /// Seconds of processor time that a contender may take for the accuracy of one family; 0: the
-    /// extent's.
-    double accuracyLimit = 0;
+    /// Samples that a contender may take for the accuracy of one family; 0: the extent's.
+    std::int64_t mostSamples = 0;
+    /// Seconds of processor time after which a contender hangs; 0: the extent's, far more than any
+    /// takes within its samples.
+    double hangSeconds = 0;
     int rounds = -1; ///< of timing; below 0: the extent's; 0: nothing is timed
 };
 
@@ -48,6 +50,8 @@ struct LabRow {
 
     /// How many times its straight loop it takes, where that is more than what is fair (1.3).
     std::optional<double> missesStraight() const;
+    /// What depends on the seed alone: no cost, and no remark, which may tell of times.
+    LabRow withoutTimes() const;
 
     friend bool operator==(const LabRow &, const LabRow &) = default;
 };
@@ -73,6 +77,9 @@ struct StudyFamily {
     std::int64_t timedColumns = 0; ///< samples that their columns are at
     std::int64_t timedRows = 0;
     std::int64_t timedBytes = 0; ///< of the cache lines that they write to
+
+    /// Rows of a contender whose spans are rows, columns of everyone else.
+    std::int64_t timedSpans(const QString &contender) const;
 
     friend bool operator==(const StudyFamily &, const StudyFamily &) = default;
 };
@@ -110,7 +117,8 @@ struct StudyListener {
 };
 
 /// Judges every contender on every family, then times all of them in turn, round by round. The
-/// accuracy depends on nothing but the settings. Nothing of it is thrown when a contender fails.
+/// accuracy depends on nothing but the settings: how much is judged is limited in samples, and the
+/// limit in seconds only ends what hangs. Nothing of it is thrown when a contender fails.
 Study runStudy(const StudySettings &settings, const StudyListener &listener = {});
 
 } // namespace pixelplumb

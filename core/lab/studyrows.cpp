@@ -66,6 +66,20 @@ const StudyFamily *Study::family(const QString &id) const
     return firstOf(families, [&](const StudyFamily &each) { return each.id == id; });
 }
 
+std::int64_t StudyFamily::timedSpans(const QString &contender) const
+{
+    const auto named = labContenderNamed(contender);
+    return named && named->spanAxis() == SpanAxis::Row ? timedRows : timedColumns;
+}
+
+LabRow LabRow::withoutTimes() const
+{
+    LabRow row = *this;
+    row.cost.reset();
+    row.remark.clear();
+    return row;
+}
+
 std::optional<double> Study::perPixel(const LabRow &row) const
 {
     const StudyFamily *drawn = family(row.family);
