@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/labfile.h"
+#include "core/scene/fileaccess.h"
 #include "tests/support/programrun.h"
 
 #include <QFile>
+#include <QProcess>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <csignal>
 
 using namespace pixelplumb;
 
@@ -85,6 +89,37 @@ private slots:
         QVERIFY2(first.output.contains("wrongTriangles"), first.output.constData());
         QVERIFY(first.output == second.output);
         QVERIFY(first.output != other.output);
+    }
+
+    void anInterruptedStudyWritesWhatItHas()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("study.json"));
+        QProcess process;
+        process.start(program(), {"lab", "--full", "--format", "json", "-o", file});
+        QVERIFY(process.waitForStarted());
+        QTest::qWait(1000); // its judging takes minutes
+
+        ::kill(pid_t(process.processId()), SIGINT);
+
+        QVERIFY(process.waitForFinished(60'000));
+        QCOMPARE(process.exitCode(), 1);
+        QVERIFY(process.readAllStandardError().contains("interrupted"));
+        const auto study = readStudy(*readFile(file));
+        QVERIFY(study);
+        QVERIFY(!study->isComplete);
+        QVERIFY(!study->rows.empty());
+    }
+
+    void aSceneWithoutTrianglesIsRefused()
+    {
+        const ProgramRun lines = run({"lab", sceneFile(QStringLiteral("lines.json"))});
+        const ProgramRun none = run({"lab", "--family", "own-scene"});
+
+        QCOMPARE(lines.exitCode, 2);
+        QVERIFY2(lines.messages.contains("has no triangles"), lines.messages.constData());
+        QCOMPARE(none.exitCode, 2);
+        QVERIFY2(none.messages.contains("SCENE: is missing"), none.messages.constData());
     }
 
     void namesTheCheapestWithinABudget()

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/input.h"
+#include "app/cli/interruption.h"
 #include "app/cli/labreport.h"
 #include "app/cli/output.h"
-#include "app/cli/progress.h"
 #include "app/cli/sceneoptions.h"
+#include "app/cli/studyprogress.h"
 #include "app/cli/suggestion.h"
 #include "core/lab/budget.h"
 #include "core/lab/labcomparison.h"
 #include "core/lab/labfile.h"
 #include "core/scan/choicenames.h"
 
-#include <QElapsedTimer>
 #include <QFile>
 
 namespace pixelplumb::cli {
@@ -28,6 +28,7 @@ const QString budgetOption = QStringLiteral("budget");
 const QString formatOption = QStringLiteral("format");
 const QString outputOption = QStringLiteral("output");
 const QString compareOption = QStringLiteral("compare");
+const QString ownSceneFamily = QStringLiteral("own-scene");
 
 enum class LabFormat { Text, Csv, Json };
 
@@ -136,41 +137,21 @@ Result<StudySettings> settingsFrom(const CommandLine &line)
         return cases.error();
     settings.hardCases = *cases;
     settings.ownSceneName = line.argument(0);
+    if (settings.ownSceneName.isEmpty() && settings.families == QStringList{ownSceneFamily})
+        return InputError{QStringLiteral("SCENE"), QStringLiteral("is missing"),
+                          QStringLiteral("the scene that --family own-scene measures")};
     if (!settings.ownSceneName.isEmpty()) {
         const auto scene = readSceneAt(settings.ownSceneName);
         if (!scene)
             return scene.error();
+        if (scene->triangles.empty())
+            return InputError{settings.ownSceneName,
+                              QStringLiteral("has no triangles, which alone are measured"),
+                              QStringLiteral("a scene with triangles")};
         settings.ownScene = std::make_shared<const Scene>(*scene);
     }
     return settings;
 }
-
-/// "judging: 40 %, about 6 s left"; both halves of a study take about as long.
-class StudyProgress {
-public:
-    StudyProgress() { m_clock.start(); }
-
-    ProgressListener listener()
-    {
-        return [this](const JobProgress &progress) {
-            const double within
-                = progress.total == 0 ? 0 : double(progress.done) / double(progress.total);
-            const double done = (within + (progress.phase == JobPhase::Measuring ? 1 : 0)) / 2;
-            QString text
-                = nameText(nameOf(progress.phase)) + QStringLiteral(": %1 %").arg(int(100 * done));
-            if (done > 0.05) {
-                const double left = double(m_clock.elapsed()) * (1 - done) / done / 1000;
-                text += QStringLiteral(", about %1 s left").arg(int(left) + 1);
-            }
-            m_progress.show(text);
-            return true;
-        };
-    }
-
-private:
-    Progress m_progress;
-    QElapsedTimer m_clock;
-};
 
 Result<Study> readStudyAt(const QString &path)
 {
@@ -282,16 +263,23 @@ ExitCode lab(const Command &command, const QStringList &arguments)
 
     StudyProgress progress;
     StudyListener listener;
-    listener.progress = progress.listener();
+    const Interruption interruption;
+    listener.progress = [&progress](const JobProgress &told) {
+        progress.show(told);
+        return !Interruption::isAsked();
+    };
     const Study study = runStudy(*settings, listener);
     output.device().write(line.isSet(accuracyOnlyOption) ? accuracyBytesOf(study, *format)
                                                          : bytesOf(study, *format));
     if (const auto error = output.finish())
         return line.refuse(*error);
+    if (!study.isComplete) {
+        sayLine(QStringLiteral("interrupted; what was measured until then is written"));
+        return ExitCode::FallsShort;
+    }
     if (!*budget)
         return ExitCode::Done;
-    const QString family
-        = settings->ownScene ? QStringLiteral("own-scene") : QStringLiteral("random-integer");
+    const QString family = settings->ownScene ? ownSceneFamily : QStringLiteral("random-integer");
     const BudgetAnswer answer = cheapestFor(**budget, study, family);
     sayLine(QStringLiteral("%1 on %2: %3").arg(textOf(**budget), family, answer.reason));
     return answer.ground == BudgetGround::Nobody ? ExitCode::FallsShort : ExitCode::Done;

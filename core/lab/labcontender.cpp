@@ -32,6 +32,9 @@ QString LabContender::domain() const
 {
     if (!isProved())
         return {};
+    if (kernel == LabKernel::Fast)
+        return QStringLiteral("every triangle of the lattice by the plain kernel, whose bytes this "
+                              "one is tested to draw");
     if (arithmetic == Arithmetic::Exact)
         return QStringLiteral("every triangle of the lattice");
     return QStringLiteral("W'·H' ≤ 2^40 lattice units; beyond, integers take over");
