@@ -219,6 +219,29 @@ private slots:
         QVERIFY(warningsOf(study).join(u'\n').contains(QStringLiteral("Only 1 rounds")));
     }
 
+    void aRoundIsToldAtOnceWithItsNumber()
+    {
+        StudySettings settings = smallStudy();
+        settings.rounds = 3;
+        std::vector<int> rounds;
+        StudyListener listener;
+        listener.roundDone = [&](const Study &study) {
+            rounds.push_back(study.rounds);
+            for (const LabRow &row : study.rows)
+                QCOMPARE(row.cost->rounds, study.rounds);
+        };
+        std::size_t rowsTold = 0;
+        listener.rowChanged = [&](const Study &study, std::size_t) {
+            QCOMPARE(study.rounds, 0);
+            ++rowsTold;
+        };
+
+        runStudy(settings, listener);
+
+        QCOMPARE(rounds, (std::vector<int>{1, 2, 3}));
+        QCOMPARE(rowsTold, std::size_t(3));
+    }
+
     void aStudyOfNothingIsEmpty()
     {
         StudySettings settings = smallStudy();
