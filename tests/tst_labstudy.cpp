@@ -159,7 +159,10 @@ private slots:
     void howMuchIsJudgedDependsOnTheTrianglesNotOnTheSpeed()
     {
         StudySettings settings = smallStudy();
-        settings.ownScene = std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact, 9));
+        Scene scene = defaultSceneIn(Arithmetic::Exact, 9);
+        scene.frame.width = 640;
+        scene.frame.height = 480;
+        settings.ownScene = std::make_shared<const Scene>(scene);
         settings.contenders = contendersOf(
             {QStringLiteral("column-scan:exact"), QStringLiteral("barycentric-all:float32")});
         settings.mostSamples = 30'000; // nine boxes, but not nine frames
