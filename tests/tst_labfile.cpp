@@ -5,6 +5,8 @@
 
 #include <QTest>
 
+#include <functional>
+
 using namespace pixelplumb;
 
 namespace {
@@ -31,6 +33,8 @@ QByteArray replaced(QByteArray text, const QByteArray &before, const QByteArray 
 }
 
 } // namespace
+
+Q_DECLARE_METATYPE(std::function<void(pixelplumb::Study &)>)
 
 class TestLabFile : public QObject {
     Q_OBJECT
@@ -119,6 +123,71 @@ private slots:
                  std::int64_t(measuredStudy().rows.size()));
         QVERIFY(comparison.remarks.isEmpty());
         QVERIFY(!comparison.rows[0].isAccuracyChanged());
+    }
+
+    void whatElseDiffersIsRemarked_data()
+    {
+        using Change = std::function<void(Study &)>;
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<QString>("remark");
+        QTest::addColumn<int>("notComparable");
+        const auto row
+            = [](const char *name, const Change &change, const char *remark, int notComparable) {
+                  QTest::newRow(name) << change << QString::fromLatin1(remark) << notComparable;
+              };
+        row(
+            "machine", [](Study &study) { study.conditions.processor = "Z80"; }, "machine: ", 0);
+        row(
+            "build", [](Study &study) { study.conditions.buildType = "Tiny"; }, "build type: ", 0);
+        row(
+            "sanitizers",
+            [](Study &study) {
+                study.conditions.sanitizers = {"a", "b"};
+            },
+            "sanitizers: none before, a, b after", 0);
+        row(
+            "instructions", [](Study &study) { study.conditions.instructionSet = "z"; },
+            "instruction set: ", 0);
+        row(
+            "extent", [](Study &study) { study.extent = StudyExtent::Full; },
+            "extent: quick before, full after", 0);
+        row(
+            "end", [](Study &study) { study.isComplete = false; },
+            "study: complete before, ended early after", 0);
+        row(
+            "settings", [](Study &study) { study.rows[0].settings.fillRule = FillRule::Open; },
+            "other settings, times not compared: column-scan:float32 on ", 1);
+        row(
+            "own scene",
+            [](Study &study) {
+                for (StudyFamily &family : study.families)
+                    family.timedPixels += family.id == QStringLiteral("own-scene") ? 1 : 0;
+            },
+            "own scene: 2 triangles, ", 2);
+        row(
+            "no own scene",
+            [](Study &study) {
+                std::erase_if(study.families, [](const StudyFamily &family) {
+                    return family.id == QStringLiteral("own-scene");
+                });
+            },
+            "own scene: 2 triangles, ", 2);
+    }
+    void whatElseDiffersIsRemarked()
+    {
+        QFETCH(const std::function<void(Study &)>, change);
+        QFETCH(const QString, remark);
+        QFETCH(const int, notComparable);
+        Study after = measuredStudy();
+        change(after);
+
+        const LabComparison comparison = compareStudies(measuredStudy(), after);
+
+        QCOMPARE(comparison.remarks.size(), 1);
+        QVERIFY2(comparison.remarks.front().startsWith(remark),
+                 qPrintable(comparison.remarks.front()));
+        QCOMPARE(comparison.count(LabChange::NotComparable), notComparable);
+        QCOMPARE(comparison.count(LabChange::Faster) + comparison.count(LabChange::Slower), 0);
     }
 
     void changesBeyondTheSpreadAreTold()

@@ -159,7 +159,10 @@ private slots:
     void howMuchIsJudgedDependsOnTheTrianglesNotOnTheSpeed()
     {
         StudySettings settings = smallStudy();
-        settings.ownScene = std::make_shared<const Scene>(defaultSceneIn(Arithmetic::Exact, 9));
+        Scene scene = defaultSceneIn(Arithmetic::Exact, 9);
+        scene.frame.width = 640;
+        scene.frame.height = 480;
+        settings.ownScene = std::make_shared<const Scene>(scene);
         settings.contenders = contendersOf(
             {QStringLiteral("column-scan:exact"), QStringLiteral("barycentric-all:float32")});
         settings.mostSamples = 30'000; // nine boxes, but not nine frames
@@ -217,6 +220,29 @@ private slots:
         QCOMPARE(study.rows[0].cost->rounds, 1);
         QCOMPARE(study.rows[1].cost->rounds, 2); // the second round begins with it
         QVERIFY(warningsOf(study).join(u'\n').contains(QStringLiteral("Only 1 rounds")));
+    }
+
+    void aRoundIsToldAtOnceWithItsNumber()
+    {
+        StudySettings settings = smallStudy();
+        settings.rounds = 3;
+        std::vector<int> rounds;
+        StudyListener listener;
+        listener.roundDone = [&](const Study &study) {
+            rounds.push_back(study.rounds);
+            for (const LabRow &row : study.rows)
+                QCOMPARE(row.cost->rounds, study.rounds);
+        };
+        std::size_t rowsTold = 0;
+        listener.rowChanged = [&](const Study &study, std::size_t) {
+            QCOMPARE(study.rounds, 0);
+            ++rowsTold;
+        };
+
+        runStudy(settings, listener);
+
+        QCOMPARE(rounds, (std::vector<int>{1, 2, 3}));
+        QCOMPARE(rowsTold, std::size_t(3));
     }
 
     void aStudyOfNothingIsEmpty()

@@ -2,10 +2,8 @@
 #include "core/lab/costorder.h"
 
 #include "core/frame/writtenframe.h"
+#include "core/lab/picturejudge.h"
 #include "core/oracle/oracle.h"
-
-#include <algorithm>
-#include <cstdlib>
 
 namespace pixelplumb {
 
@@ -29,33 +27,6 @@ constexpr CostOrderEntry publishedOrder[] = {
     {"barycentric-off-screen:exact", 11.7},
     {"barycentric-relative:float32", 12.1},
 };
-
-/// What is wrong of a finished picture.
-AccuracyFigures figuresOf(const WrittenFrame &drawn, const WrittenFrame &truth)
-{
-    AccuracyFigures figures;
-    const FrameView a = drawn.view(), b = truth.view();
-    for (std::int64_t y = a.firstRow; y < a.endRow(); ++y) {
-        for (std::int64_t x = a.firstColumn; x < a.endColumn(); ++x) {
-            const QRgb used = *a.at(x, y), wanted = *b.at(x, y);
-            figures.pixels += wanted != 0 ? 1 : 0;
-            if (used == wanted)
-                continue;
-            if (used == 0) {
-                ++figures.missing;
-            } else if (wanted == 0) {
-                ++figures.extra;
-            } else {
-                ++figures.wrongBytes;
-                const int off = std::max({std::abs(qRed(used) - qRed(wanted)),
-                                          std::abs(qGreen(used) - qGreen(wanted)),
-                                          std::abs(qBlue(used) - qBlue(wanted))});
-                figures.largestByteError = std::max(figures.largestByteError, off);
-            }
-        }
-    }
-    return figures;
-}
 
 const std::vector<LabContender> &orderedContenders()
 {
@@ -102,7 +73,7 @@ std::optional<CostOrderChoice> firstInOrder(Budget budget, const Scene &scene,
         }
         const WrittenFrame drawn(scene.frame);
         contender.draw(primitives, settings, drawn.view());
-        const AccuracyFigures figures = figuresOf(drawn, *truth);
+        const AccuracyFigures figures = figuresOfPicture(truth->view(), drawn.view());
         if (!meets(budget, figures))
             continue;
         return CostOrderChoice{

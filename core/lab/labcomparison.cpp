@@ -7,6 +7,8 @@ namespace pixelplumb {
 
 namespace {
 
+const QString ownSceneId = QStringLiteral("own-scene");
+
 std::optional<Spread> perPixelOf(const Study &study, const LabRow *row)
 {
     if (!row || !study.perPixel(*row))
@@ -30,6 +32,46 @@ LabChange changeBetween(const Spread &before, const Spread &after)
     return LabChange::WithinSpread;
 }
 
+/// What was drawn in both studies is the same, as far as they tell: other triangles take other
+/// times.
+bool isSameScene(const StudyFamily *before, const StudyFamily *after)
+{
+    if (!before || !after)
+        return !before && !after;
+    return *before == *after;
+}
+
+/// Rows of own scenes that differ, and rows under other settings, tell nothing of a change.
+bool isSameWork(const Study &before, const Study &after, const LabRow *old, const LabRow *fresh)
+{
+    const bool isOwn = old->family == ownSceneId;
+    return old->settings == fresh->settings
+        && (!isOwn || isSameScene(before.family(ownSceneId), after.family(ownSceneId)));
+}
+
+QStringList settingsChanged(const Study &before, const Study &after)
+{
+    QStringList changed;
+    for (const LabRow &row : before.rows) {
+        const LabRow *const fresh = after.row(row.contender, row.family);
+        if (fresh && row.settings != fresh->settings)
+            changed << row.contender + QStringLiteral(" on ") + row.family;
+    }
+    return changed;
+}
+
+QString textOf(const StudyFamily *scene)
+{
+    if (!scene)
+        return QStringLiteral("none");
+    return QStringLiteral("%1 triangles, %2 px of %3 triangles timed")
+        .arg(scene->triangles)
+        .arg(scene->timedPixels)
+        .arg(scene->timedTriangles);
+}
+
+QString orNone(const QString &text) { return text.isEmpty() ? QStringLiteral("none") : text; }
+
 LabRowComparison comparisonOf(const Study &before, const Study &after, const LabRow &row)
 {
     const LabRow *old = before.row(row.contender, row.family);
@@ -39,7 +81,7 @@ LabRowComparison comparisonOf(const Study &before, const Study &after, const Lab
     result.family = row.family;
     result.before = perPixelOf(before, old);
     result.after = perPixelOf(after, fresh);
-    if (result.before && result.after) {
+    if (result.before && result.after && isSameWork(before, after, old, fresh)) {
         result.timesBefore = result.after->median / result.before->median;
         result.change = changeBetween(*result.before, *result.after);
     }
@@ -89,15 +131,34 @@ LabComparison compareStudies(const Study &before, const Study &after)
         if (!before.row(row.contender, row.family))
             comparison.rows.push_back(comparisonOf(before, after, row));
     }
-    const auto remark = [&](const QString &what, const QString &was, const QString &is) {
-        if (was != is)
-            comparison.remarks << QStringLiteral("%1: %2 before, %3 after").arg(what, was, is);
-    };
-    remark(QStringLiteral("machine"), before.conditions.processor, after.conditions.processor);
-    remark(QStringLiteral("compiler"), before.conditions.compiler, after.conditions.compiler);
-    remark(QStringLiteral("flags"), before.conditions.flags, after.conditions.flags);
+    const auto remark =
+        [&](const QString &what, const QString &was, const QString &is) {
+            if (was != is)
+                comparison.remarks
+                    << QStringLiteral("%1: %2 before, %3 after").arg(what, orNone(was), orNone(is));
+        };
+    const MachineConditions &was = before.conditions, &is = after.conditions;
+    remark(QStringLiteral("machine"), was.processor, is.processor);
+    remark(QStringLiteral("compiler"), was.compiler, is.compiler);
+    remark(QStringLiteral("flags"), was.flags, is.flags);
+    remark(QStringLiteral("build type"), was.buildType, is.buildType);
+    remark(QStringLiteral("sanitizers"), was.sanitizers.join(QStringLiteral(", ")),
+           is.sanitizers.join(QStringLiteral(", ")));
+    remark(QStringLiteral("instruction set"), was.instructionSet, is.instructionSet);
     remark(QStringLiteral("seed"), QString::number(before.seed), QString::number(after.seed));
     remark(QStringLiteral("extent"), nameOf(before.extent), nameOf(after.extent));
+    const auto completeness = [](const Study &study) {
+        return study.isComplete ? QStringLiteral("complete") : QStringLiteral("ended early");
+    };
+    remark(QStringLiteral("study"), completeness(before), completeness(after));
+    if (const auto *scene = before.family(ownSceneId), *fresh = after.family(ownSceneId);
+        !isSameScene(scene, fresh))
+        comparison.remarks << QStringLiteral("own scene: %1 before, %2 after; its times are not "
+                                             "compared")
+                                  .arg(textOf(scene), textOf(fresh));
+    if (const QStringList changed = settingsChanged(before, after); !changed.isEmpty())
+        comparison.remarks << QStringLiteral("other settings, times not compared: ")
+                + changed.join(QStringLiteral(", "));
     return comparison;
 }
 

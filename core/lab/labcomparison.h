@@ -25,7 +25,9 @@ struct LabRowComparison {
 
 struct LabComparison {
     std::vector<LabRowComparison> rows; ///< of either study
-    QStringList remarks; ///< other machine, other compiler, other seed
+    /// What else differs: machine, build, seed, own scene, settings. Times of other work are not
+    /// comparable.
+    QStringList remarks;
 
     std::int64_t count(LabChange change) const;
 };

@@ -83,10 +83,6 @@ struct AccuracyFigures {
     std::int64_t wrongPixels() const { return wrongCoverage() + wrongBytes; }
     /// Of a million pixels of the truth.
     double wrongPerMillion() const { return LabShare{wrongPixels(), pixels}.perMillion(); }
-    double wrongCoveragePerMillion() const
-    {
-        return LabShare{wrongCoverage(), pixels}.perMillion();
-    }
 
     friend bool operator==(const AccuracyFigures &, const AccuracyFigures &) = default;
 };

@@ -40,7 +40,6 @@ public:
     /// draw of the part may take. False where that is too long.
     bool enter(std::size_t row, const LabContender &contender, const TimedFamily &part,
                const ScanSettings &settings, double expected);
-    std::size_t size() const { return m_entries.size(); }
 
     /// One sample of everyone. False where the listener, who hears of each, ended it: what was
     /// sampled stays.

@@ -68,6 +68,8 @@ bool dominates(const ParetoPoint &a, const ParetoPoint &b)
     return a.cost.median < b.cost.median || !isAsExact(b, a);
 }
 
+namespace {
+
 std::vector<std::size_t> markFrontier(std::vector<ParetoPoint> &points)
 {
     std::vector<std::size_t> frontier;
@@ -82,6 +84,8 @@ std::vector<std::size_t> markFrontier(std::vector<ParetoPoint> &points)
     });
     return frontier;
 }
+
+} // namespace
 
 std::vector<StaircaseCorner> ParetoChart::staircase() const
 {

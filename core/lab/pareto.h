@@ -64,7 +64,4 @@ struct ParetoChart {
 
 ParetoChart paretoOf(const Study &study, const QString &family, const ErrorAxis &axis);
 
-/// Marks the frontier of any points.
-std::vector<std::size_t> markFrontier(std::vector<ParetoPoint> &points);
-
 } // namespace pixelplumb

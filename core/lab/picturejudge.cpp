@@ -4,10 +4,25 @@
 #include "core/lab/missdistance.h"
 #include "core/oracle/oracle.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <cstring>
 
 namespace pixelplumb {
+
+namespace {
+
+/// Both painted, in other bytes.
+void addWrongBytes(AccuracyFigures &figures, QRgb drawn, QRgb wanted)
+{
+    ++figures.wrongBytes;
+    const int off
+        = std::max({std::abs(qRed(drawn) - qRed(wanted)), std::abs(qGreen(drawn) - qGreen(wanted)),
+                    std::abs(qBlue(drawn) - qBlue(wanted))});
+    figures.largestByteError = std::max(figures.largestByteError, off);
+}
+
+} // namespace
 
 TruePicture::TruePicture(const Triangle &of, const BoundaryRule &rule, ByteRounding rounding,
                          const FrameView &frame)
@@ -54,7 +69,7 @@ void PictureJudge::judge(const TruePicture &truth, const FrameView &drawn, const
             else if (right[i] == 0)
                 noteExtra(truth, x, y);
             else
-                noteBytes(row[i], right[i]);
+                addWrongBytes(m_figures, row[i], right[i]);
         }
     }
     if (m_figures.wrongPixels() > wrongBefore)
@@ -85,19 +100,30 @@ void PictureJudge::noteExtra(const TruePicture &truth, std::int64_t x, std::int6
     m_figures.farthestExtra = std::max(m_figures.farthestExtra, distance);
 }
 
-void PictureJudge::noteBytes(QRgb drawn, QRgb wanted)
-{
-    ++m_figures.wrongBytes;
-    const int off
-        = std::max({std::abs(qRed(drawn) - qRed(wanted)), std::abs(qGreen(drawn) - qGreen(wanted)),
-                    std::abs(qBlue(drawn) - qBlue(wanted))});
-    m_figures.largestByteError = std::max(m_figures.largestByteError, off);
-}
-
 void PictureJudge::noteFirst(const TruePicture &truth, std::int64_t x, std::int64_t y)
 {
     if (!m_firstMiss)
         m_firstMiss = FirstMiss{*truth.triangle, x, y};
+}
+
+AccuracyFigures figuresOfPicture(const FrameView &truth, const FrameView &drawn)
+{
+    AccuracyFigures figures;
+    for (std::int64_t y = drawn.firstRow; y < drawn.endRow(); ++y) {
+        for (std::int64_t x = drawn.firstColumn; x < drawn.endColumn(); ++x) {
+            const QRgb used = *drawn.at(x, y), wanted = *truth.at(x, y);
+            figures.pixels += wanted != 0 ? 1 : 0;
+            if (used == wanted)
+                continue;
+            if (used == 0)
+                ++figures.missing;
+            else if (wanted == 0)
+                ++figures.extra;
+            else
+                addWrongBytes(figures, used, wanted);
+        }
+    }
+    return figures;
 }
 
 } // namespace pixelplumb

@@ -40,11 +40,14 @@ public:
 private:
     void noteMissing(const TruePicture &truth, std::int64_t x, std::int64_t y);
     void noteExtra(const TruePicture &truth, std::int64_t x, std::int64_t y);
-    void noteBytes(QRgb drawn, QRgb wanted);
     void noteFirst(const TruePicture &truth, std::int64_t x, std::int64_t y);
 
     AccuracyFigures m_figures;
     std::optional<FirstMiss> m_firstMiss;
 };
+
+/// What is wrong of a finished picture of many triangles. Ties and distances are not told apart:
+/// every miss is missing or extra.
+AccuracyFigures figuresOfPicture(const FrameView &truth, const FrameView &drawn);
 
 } // namespace pixelplumb

@@ -169,10 +169,11 @@ private:
         }
         for (int round = 0; round < m_plan.rounds; ++round) {
             const bool goesOnNow = laps.runRound(round, m_plan.rounds, m_listener.progress);
+            if (goesOnNow)
+                m_study.rounds = round + 1;
             takeTimes(laps);
             if (!goesOnNow)
                 return false;
-            m_study.rounds = round + 1;
         }
         return true;
     }
@@ -191,8 +192,9 @@ private:
                 row.cost = result.cost;
                 row.cost->operations = operations;
             }
-            tellRow(result.row);
         }
+        if (m_listener.roundDone)
+            m_listener.roundDone(m_study);
     }
 
     void addFits()

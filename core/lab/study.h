@@ -112,8 +112,10 @@ QStringList warningsOf(const Study &study);
 /// Hears from the study, in its thread.
 struct StudyListener {
     ProgressListener progress; ///< false ends the study, which keeps what it has
-    /// A row has something new: its accuracy, then its times, which get better from round to round.
+    /// A row has its accuracy, or why it has none, or why it is not timed.
     std::function<void(const Study &study, std::size_t row)> rowChanged;
+    /// Another round is over, whole or not, and all timed rows have its times.
+    std::function<void(const Study &study)> roundDone = {};
 };
 
 /// Judges every contender on every family, then times all of them in turn, round by round. The
