@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/comparepanel.h"
 
-#include "core/lab/livefigures.h"
 #include "core/scene/colourtext.h"
 #include "widgets/model/playhead.h"
 #include "widgets/studies/agreementview.h"
@@ -48,6 +47,11 @@ ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
     connect(&m_job, &Job::progressChanged, this, &ComparePanel::tellProgress);
     connect(&m_job, &Job::ended, m_progress, &QWidget::hide);
     connect(&m_job, &Job::ended, m_cancel, &QWidget::hide);
+    connect(&m_timing, &ContestTiming::measured, this,
+            [this](std::size_t run, const LiveFigures &figures) {
+                if (run < m_panes.size())
+                    m_panes[run]->showFigures(figures);
+            });
     connect(playhead, &Playhead::tracedChanged, this, &ComparePanel::restart);
     connect(playhead, &Playhead::pickedPixelChanged, this, &ComparePanel::tellPixel);
     addPane();
@@ -238,32 +242,8 @@ void ComparePanel::take(const std::shared_ptr<const Contest> &contest)
     }
     m_legend->setText(legend.join(QStringLiteral(" &nbsp; ")));
     tellPixel();
-    measure();
+    m_timing.measure(contest);
     emit contestChanged();
-}
-
-/// What each contender takes, beside the GUI thread and after the pictures are there.
-void ComparePanel::measure()
-{
-    std::vector<std::shared_ptr<const Scene>> scenes;
-    for (const ContenderRun &run : m_contest->runs)
-        scenes.push_back(run.contender.isTruth() ? nullptr
-                                                 : std::make_shared<const Scene>(
-                                                     sceneFor(m_contest->scene, run.contender)));
-    using Figures = std::vector<std::optional<LiveFigures>>;
-    m_timing.start(
-        [scenes](const ProgressListener &listener) {
-            Figures figures;
-            for (const auto &scene : scenes)
-                figures.push_back(scene ? liveFiguresOf(scene, listener) : std::nullopt);
-            return figures;
-        },
-        [this, measured = m_contest](const Figures &figures) {
-            for (std::size_t i = 0; measured == m_contest && i < figures.size(); ++i) {
-                if (figures[i])
-                    m_panes[i]->showFigures(*figures[i]);
-            }
-        });
 }
 
 /// Seen only where it takes longer than a moment.

@@ -3,6 +3,7 @@
 
 #include "core/compare/contest.h"
 #include "widgets/model/job.h"
+#include "widgets/studies/contesttiming.h"
 
 #include <QWidget>
 
@@ -57,7 +58,6 @@ private:
     void choosePanes();
     void restart();
     void take(const std::shared_ptr<const Contest> &contest);
-    void measure();
     void tellPixel();
     void tellProgress(const JobProgress &progress);
     QString pixelText() const;
@@ -78,7 +78,7 @@ private:
     std::shared_ptr<const Contest> m_contest;
     std::optional<QPoint> m_lookedAt; ///< when the next contest is there
     Job m_job;
-    Job m_timing; ///< of the contenders of the contest
+    ContestTiming m_timing;
 };
 
 } // namespace pixelplumb

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compare/contest.h"
+#include "core/lab/livefigures.h"
+#include "widgets/model/job.h"
+
+namespace pixelplumb {
+
+/// What each contender of a contest takes, measured beside the GUI thread after their pictures are
+/// there. The truth is not timed.
+class ContestTiming : public QObject {
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    void measure(const std::shared_ptr<const Contest> &contest);
+    void cancel() { m_job.cancel(); }
+
+signals:
+    void measured(std::size_t run, const pixelplumb::LiveFigures &figures);
+
+private:
+    Job m_job;
+};
+
+} // namespace pixelplumb
