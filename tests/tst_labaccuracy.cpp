@@ -262,39 +262,33 @@ private slots:
         QCOMPARE(doubled.doubles->count, 47); // the diagonal, both ends included
     }
 
-    /// resources/numerics.md, 2.1, whole pixels, closed: triangles that are wrong in coverage,
-    /// within three standard deviations of the sample. The vertices keep 2 px from the border.
+    /// resources/numerics.md, 2.1, 2048², whole pixels, half-open: triangles that are wrong in
+    /// coverage, within three standard deviations of the sample. Of the closed rule the table has
+    /// more than ours: it draws nothing where rounding takes the bounds past each other.
     void sharesOfWrongTrianglesAreThoseOfTheTables_data()
     {
         QTest::addColumn<QString>("id");
-        QTest::addColumn<int>("side");
-        QTest::addColumn<int>("count");
         QTest::addColumn<double>("share");
-        QTest::newRow("float32, 64 px")
-            << QStringLiteral("column-scan:float32") << 68 << 2000 << 0.653;
-        QTest::newRow("float64, 64 px")
-            << QStringLiteral("column-scan:float64") << 68 << 2000 << 0.654;
-        QTest::newRow("float32, 2048 px")
-            << QStringLiteral("column-scan:float32") << 2048 << 60 << 0.974;
-        QTest::newRow("float64, 2048 px")
-            << QStringLiteral("column-scan:float64") << 2048 << 60 << 0.816;
-        QTest::newRow("bias, 2048 px")
-            << QStringLiteral("column-scan-bias:float64") << 2048 << 60 << 0.0;
+        QTest::newRow("float32") << QStringLiteral("column-scan:float32") << 0.934;
+        QTest::newRow("float64") << QStringLiteral("column-scan:float64") << 0.501;
+        QTest::newRow("bias") << QStringLiteral("column-scan-bias:float64") << 0.0;
     }
     void sharesOfWrongTrianglesAreThoseOfTheTables()
     {
         QFETCH(const QString, id);
-        QFETCH(const int, side);
-        QFETCH(const int, count);
         QFETCH(const double, share);
+        constexpr int count = 150;
         SeededRandom random(11);
-        const FrameSpec frame = frameOf(side, side);
+        const FrameSpec frame = frameOf(2048, 2048);
         LabContender contender = *labContenderNamed(id);
         contender.kernel = LabKernel::Fast; // its numbers are not asked for
         int wrong = 0;
         for (const Triangle &triangle :
-             familyshapes::scattered(random, frame, std::size_t(count), unitsPerPixel))
-            wrong += figuresOf(familyOf(frame, {triangle}), contender).wrongCoverage() > 0 ? 1 : 0;
+             familyshapes::scattered(random, frame, count, unitsPerPixel)) {
+            LabFamily family = familyOf(frame, {triangle});
+            family.settings.fillRule = FillRule::HalfOpenColumn;
+            wrong += figuresOf(family, contender).wrongCoverage() > 0 ? 1 : 0;
+        }
 
         const double off = double(wrong) / count - share;
         const double deviation = std::sqrt(share * (1 - share) / count);
