@@ -277,7 +277,7 @@ private slots:
     {
         QFETCH(const QString, id);
         QFETCH(const double, share);
-        constexpr int count = 150;
+        constexpr int count = 60;
         SeededRandom random(11);
         const FrameSpec frame = frameOf(2048, 2048);
         LabContender contender = *labContenderNamed(id);

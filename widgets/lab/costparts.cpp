@@ -9,12 +9,10 @@ std::optional<CostParts> costPartsOf(const Study &study, const LabRow &row)
     const StudyFamily *family = study.family(row.family);
     if (!contender || !contender->fit || !family || family->timedPixels == 0)
         return std::nullopt;
-    const bool walksRows = row.contender.startsWith(QLatin1String("row-walk:"));
     const CostFit &fit = *contender->fit;
     const auto pixels = double(family->timedPixels);
     return CostParts{fit.perTriangle * double(family->timedTriangles) / pixels,
-                     fit.perColumn * double(walksRows ? family->timedRows : family->timedColumns)
-                         / pixels,
+                     fit.perColumn * double(family->timedSpans(row.contender)) / pixels,
                      fit.perPixel};
 }
 

@@ -92,12 +92,12 @@ void LabRun::start(const StudySettings &settings)
     m_timeLeft = {};
     m_board = std::make_shared<Board>();
     const auto work = [settings, board = m_board](const ProgressListener &job) {
-        const ProgressListener listener = [&](const JobProgress &progress) {
-            return job(progress) && !board->isStopped();
-        };
+        const ProgressListener listener
+            = [&](const JobProgress &progress) { return job(progress) && !board->isStopped(); };
         StudyListener hears;
         hears.progress = listener;
         hears.rowChanged = [&board](const Study &study, std::size_t) { board->offer(study); };
+        hears.roundDone = [&board](const Study &study) { board->offer(study); };
         const Study study = runStudy(settings, hears);
         board->post([&](LabResults &results) { results.study = study; });
         if (!study.isComplete)
