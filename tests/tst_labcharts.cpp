@@ -155,6 +155,18 @@ private slots:
                  qPrintable(answer.reason));
     }
 
+    void aTimeIsNeverProved()
+    {
+        Study study = exampleStudy();
+        std::erase_if(study.rows,
+                      [](const LabRow &row) { return row.contender != QStringLiteral("proved"); });
+
+        const auto answer = cheapestFor(Budget::SixteenMilliseconds, study, QStringLiteral("f"));
+
+        QCOMPARE(answer.contender, QStringLiteral("proved"));
+        QCOMPARE(answer.ground, BudgetGround::Measurement);
+    }
+
     void aBudgetThatNobodyMeetsSaysSo()
     {
         const Study study = studyOf({{"wrong", 1, 500, 9}});

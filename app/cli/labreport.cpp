@@ -104,7 +104,7 @@ Line lineOf(const Study &study, const LabRow &row)
 QStringList familyText(const Study &study, const StudyFamily &family)
 {
     std::vector<Line> lines
-        = {{QStringLiteral("contender"), QStringLiteral("ns/px"), QStringLiteral("× seed"),
+        = {{QStringLiteral("contender"), QStringLiteral("ns/px"), QStringLiteral("× assignment"),
             QStringLiteral("× straight"), QStringLiteral("wrong ppm"),
             QStringLiteral("% triangles"), QStringLiteral("missing"), QStringLiteral("extra"),
             QStringLiteral("ties"), QStringLiteral("farthest px"), QStringLiteral("bytes"),

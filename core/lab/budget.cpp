@@ -51,7 +51,9 @@ BudgetAnswer answerFor(Budget budget, const Offer &offer)
 {
     BudgetAnswer answer;
     answer.budget = budget;
-    answer.ground = offer.isProved() ? BudgetGround::Proof : BudgetGround::Measurement;
+    // A time is never proved.
+    const bool isProved = offer.isProved() && budget != Budget::SixteenMilliseconds;
+    answer.ground = isProved ? BudgetGround::Proof : BudgetGround::Measurement;
     answer.contender = offer.contender->id;
     answer.nanosecondsPerPixel = offer.perPixel;
     answer.reason

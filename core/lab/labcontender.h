@@ -43,7 +43,7 @@ struct LabContender {
     std::optional<FillRule> watertightRule() const;
 };
 
-/// The seed's method in the seed's arithmetic: times are told in its, as ×1.
+/// The assignment's method in float32: times are told in its, as ×1.
 inline constexpr const char *referenceContenderId = "column-scan:float32";
 
 LabContender contenderOf(const Method &method, Arithmetic arithmetic,

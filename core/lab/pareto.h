@@ -30,7 +30,7 @@ struct ParetoPoint {
     QString contender;
     QString label;
     Spread cost; ///< ns a pixel
-    std::optional<double> timesReference; ///< of the seed's method, ×1
+    std::optional<double> timesReference; ///< of the assignment's method, ×1
     std::optional<Spread> straight; ///< ns a pixel: the hollow dot beside it
     std::optional<double> missesStraight;
     ErrorClass errorClass = ErrorClass::Positive;

@@ -62,7 +62,7 @@ QString pointHtml(const Study &study, const ParetoPoint &point, const QString &f
     }
     QString cost = translated("%1 ns a pixel").arg(spreadText(point.cost));
     if (point.timesReference)
-        cost += translated(", ×%1 the seed's method").arg(figureText(*point.timesReference));
+        cost += translated(", ×%1 the assignment's method").arg(figureText(*point.timesReference));
     lines.append(cost);
     if (point.straight)
         lines.append(

@@ -100,7 +100,8 @@ void ParetoPlot::build()
         return;
     setAxes();
     if (m_chart.points.empty()) {
-        addMessage(tr("No contender has both an error and a time here yet."));
+        addMessage(tr("No contender has both an error and a time here: while a study runs, times "
+                      "come last; hard cases are not timed."));
         return;
     }
     addStaircase();
@@ -151,7 +152,7 @@ void ParetoPlot::setAxes()
         // Where the chart is low, the decades need the height of these words.
         times->setLabel(height() < lowHeight
                             ? QString()
-                            : tr("times the seed's method (column scan, float32)"));
+                            : tr("times the assignment's method (column scan, float32)"));
     }
 }
 

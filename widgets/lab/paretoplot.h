@@ -9,8 +9,8 @@
 namespace pixelplumb {
 
 /// What accuracy costs in time (objectName "labPareto"): cost against error, both logarithmic, with
-/// rows below for no error at all; the frontier as a staircase, times ×1 by the seed's method, a
-/// hollow dot for each straight loop. A dot's shape and colour tell its arithmetic.
+/// rows below for no error at all; the frontier as a staircase, times ×1 by the assignment's
+/// method, a hollow dot for each straight loop. A dot's shape and colour tell its arithmetic.
 class ParetoPlot : public LabPlot {
     Q_OBJECT
 
