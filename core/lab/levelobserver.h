@@ -7,6 +7,7 @@
 #include "core/scan/columnstate.h"
 #include "core/scan/edgeteststate.h"
 #include "core/scan/interpolationnumbers.h"
+#include "core/scan/scanobserver.h"
 
 namespace pixelplumb {
 
@@ -43,7 +44,7 @@ bool isInfinite(const Number &number)
 }
 
 /// Hears of pixels and tells a tally how far their levels are from the exact ones.
-class LevelObserver {
+class LevelObserver : public NullObserver {
 public:
     LevelObserver(const ExactLevels &exact, const FrameView &truth, LevelTally &tally)
         : m_exact(&exact)
@@ -52,19 +53,6 @@ public:
     {
     }
 
-    template <class SetUp>
-    void primitiveBegun(const SetUp &)
-    {
-    }
-    void primitiveRejected(const Rejection &) { }
-    template <class Span>
-    void spanEntered(const Span &)
-    {
-    }
-    template <class Sample>
-    void sampleRejected(std::int64_t, std::int64_t, QRgb, const Sample &)
-    {
-    }
     template <class Sample>
     void pixelWritten(std::int64_t x, std::int64_t y, QRgb, QRgb, const Sample &sample)
     {
