@@ -2,7 +2,6 @@
 #include "core/oracle/shapeoracle.h"
 #include "tests/support/shapes.h"
 
-#include <QRandomGenerator>
 #include <QTest>
 
 #include <set>
@@ -92,16 +91,6 @@ bool comesNear(const Shape &curve, std::int64_t parts, std::int64_t x, std::int6
             return true;
     }
     return false;
-}
-
-Shape randomCurve(QRandomGenerator &random, Lattice step)
-{
-    std::vector<LatticePoint> controls;
-    const int count = 3 + random.bounded(2);
-    const int steps = int(60 * unitsPerPixel / step);
-    for (int i = 0; i < count; ++i)
-        controls.push_back({random.bounded(steps) * step, random.bounded(steps) * step});
-    return bezierAt(controls);
 }
 
 } // namespace

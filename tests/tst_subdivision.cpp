@@ -3,7 +3,6 @@
 #include "core/scene/scenefile.h"
 #include "tests/support/shapes.h"
 
-#include <QRandomGenerator>
 #include <QTest>
 
 #include <cmath>
@@ -13,16 +12,6 @@
 using namespace pixelplumb;
 
 namespace {
-
-Shape randomCurve(QRandomGenerator &random, Lattice step)
-{
-    std::vector<LatticePoint> controls;
-    const int count = 3 + random.bounded(2);
-    const int steps = int(60 * unitsPerPixel / step);
-    for (int i = 0; i < count; ++i)
-        controls.push_back({random.bounded(steps) * step, random.bounded(steps) * step});
-    return bezierAt(controls);
-}
 
 /// The point at a parameter, px: near enough to see to which pixel it rounds, but at borders.
 std::array<double, 2> pointAt(const Shape &curve, double parameter)

@@ -101,6 +101,16 @@ Shape bezierAt(const std::vector<LatticePoint> &controls)
     return curve;
 }
 
+Shape randomCurve(QRandomGenerator &random, Lattice step)
+{
+    std::vector<LatticePoint> controls;
+    const int count = 3 + random.bounded(2);
+    const int steps = int(60 * unitsPerPixel / step);
+    for (int i = 0; i < count; ++i)
+        controls.push_back({random.bounded(steps) * step, random.bounded(steps) * step});
+    return bezierAt(controls);
+}
+
 bool isConnected(const CasePicture &picture)
 {
     std::int64_t count = 0;

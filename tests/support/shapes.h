@@ -6,6 +6,8 @@
 #include "core/scene/scene.h"
 #include "tests/support/framespec.h"
 
+#include <QRandomGenerator>
+
 /// What the tests of lines and curves share: shapes in short, and their pictures.
 namespace pixelplumb {
 
@@ -20,6 +22,8 @@ Shape circleAt(std::int64_t x, std::int64_t y, std::int64_t radius,
 
 /// Of three control points or four.
 Shape bezierAt(const std::vector<LatticePoint> &controls);
+/// The same at random within 60 by 60 px, at multiples of a step in lattice units.
+Shape randomCurve(QRandomGenerator &random, Lattice step);
 
 Scene sceneOf(const Shape &shape, const char *method, const FrameSpec &spec);
 
