@@ -12,8 +12,6 @@
 #include "core/lab/labfile.h"
 #include "core/scan/choicenames.h"
 
-#include <QFile>
-
 namespace pixelplumb::cli {
 
 namespace {
@@ -100,14 +98,6 @@ Result<std::uint64_t> chosenSeed(const CommandLine &line)
     return std::uint64_t(seed);
 }
 
-Result<std::vector<HardCase>> builtInCases()
-{
-    QFile file(QStringLiteral(":/cases/hard_cases.json"));
-    if (!file.open(QIODevice::ReadOnly))
-        return std::vector<HardCase>();
-    return readHardCases(file.readAll());
-}
-
 Result<StudySettings> settingsFrom(const CommandLine &line)
 {
     StudySettings settings;
@@ -132,7 +122,7 @@ Result<StudySettings> settingsFrom(const CommandLine &line)
     if (!seed)
         return seed.error();
     settings.seed = *seed;
-    const auto cases = builtInCases();
+    const auto cases = builtInHardCases();
     if (!cases)
         return cases.error();
     settings.hardCases = *cases;

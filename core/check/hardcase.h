@@ -78,5 +78,8 @@ struct HardCase {
 
 /// Reads a file of hard cases (JSON, format version 1).
 Result<std::vector<HardCase>> readHardCases(const QByteArray &text);
+/// Those that are part of the program, so that every machine has the same ones; none in a program
+/// without them.
+Result<std::vector<HardCase>> builtInHardCases();
 
 } // namespace pixelplumb

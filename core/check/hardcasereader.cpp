@@ -5,6 +5,7 @@
 #include "core/check/shapecase.h"
 #include "core/scene/coordinatetext.h"
 
+#include <QFile>
 #include <QJsonObject>
 
 #include <limits>
@@ -266,6 +267,14 @@ Result<std::vector<HardCase>> readHardCases(const QByteArray &text)
     if (json.hasFailed())
         return json.error();
     return cases;
+}
+
+Result<std::vector<HardCase>> builtInHardCases()
+{
+    QFile file(QStringLiteral(":/cases/hard_cases.json"));
+    if (!file.open(QIODevice::ReadOnly))
+        return std::vector<HardCase>();
+    return readHardCases(file.readAll());
 }
 
 } // namespace pixelplumb

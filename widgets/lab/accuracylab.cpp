@@ -12,7 +12,6 @@
 #include <QApplication>
 #include <QBoxLayout>
 #include <QClipboard>
-#include <QFile>
 #include <QFileInfo>
 
 namespace pixelplumb {
@@ -20,16 +19,6 @@ namespace pixelplumb {
 namespace {
 
 constexpr int lowPanel = 340; ///< logical pixels
-
-/// Part of the program, so that every machine has the same ones.
-std::vector<HardCase> builtInCases()
-{
-    QFile file(QStringLiteral(":/cases/hard_cases.json"));
-    if (!file.open(QIODevice::ReadOnly))
-        return {};
-    const Result<std::vector<HardCase>> cases = readHardCases(file.readAll());
-    return cases ? *cases : std::vector<HardCase>();
-}
 
 } // namespace
 
@@ -124,8 +113,10 @@ void AccuracyLab::run()
     if (const auto traced = m_playhead->sharedTraced())
         settings.ownScene = {traced, &traced->scene};
     settings.ownSceneName = m_scenePath;
-    if (settings.hardCases.empty())
-        settings.hardCases = builtInCases();
+    if (settings.hardCases.empty()) {
+        if (auto cases = builtInHardCases())
+            settings.hardCases = std::move(*cases);
+    }
     m_charts->forgetChanges();
     m_run->start(settings);
     showState();
