@@ -6,9 +6,9 @@
 
 namespace pixelplumb {
 
-/// Of the JSON that writeStudy() writes; readStudy() reads this one and says which it was of
-/// others.
-inline constexpr int labFileVersion = 1;
+/// Of the JSON that writeStudy() writes. readStudy() reads all versions up to it and says which it
+/// was of others: version 1 had no curves of drift and growth.
+inline constexpr int labFileVersion = 2;
 
 /// The same study, the same bytes.
 QByteArray writeStudy(const Study &study);

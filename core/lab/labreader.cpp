@@ -121,6 +121,14 @@ private:
         if (!m_json.hasFailed())
             read(node, value);
     }
+    /// What an earlier version did not have.
+    template <class T>
+    requires std::same_as<T, DriftCurve> || std::same_as<T, SizeCurve>
+    void readMember(const JsonNode &node, std::vector<T> &curves)
+    {
+        if (!node.isMissing() && !m_json.hasFailed())
+            read(node, curves);
+    }
     template <class T>
     void readMember(const JsonNode &node, std::optional<T> &value)
     {
@@ -141,13 +149,15 @@ Result<Study> readStudy(const QByteArray &text)
         return json.error();
     const QString versionKey = QStringLiteral("pixelplumbLab");
     const JsonNode version = json.root()[versionKey];
-    const QString expected = QStringLiteral("%1, the version of a lab's file").arg(labFileVersion);
+    const QString expected
+        = QStringLiteral("1 to %1, the versions of a lab's file").arg(labFileVersion);
     if (json.root().value.isObject() && version.isMissing()) {
         json.fail(json.root(), QStringLiteral("no “%1”").arg(versionKey), expected);
         return json.error();
     }
     Study study;
-    if (version.value.toInt(labFileVersion) != labFileVersion || !version.value.isDouble())
+    const int number = version.value.toInt(0);
+    if (number < 1 || number > labFileVersion)
         json.fail(version, describe(version), expected);
     else
         LabReader(json).readMembers(json.root(), study, {versionKey, QStringLiteral("warnings")});
