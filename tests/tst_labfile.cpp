@@ -53,6 +53,20 @@ private slots:
         QVERIFY(writeStudy(*read) == text);
     }
 
+    void filesOfTheFirstVersionAreRead()
+    {
+        QByteArray text = writeStudy(measuredStudy());
+        text.replace("            \"kernel\": \"plain\",\n", "");
+        text.replace("            \"kernel\": \"SIMD\",\n", "");
+        QVERIFY(!text.contains("kernel\""));
+        text = replaced(text, "\"pixelplumbLab\": 2", "\"pixelplumbLab\": 1");
+
+        const Result<Study> read = readStudy(text);
+
+        QVERIFY2(bool(read), read ? "" : qPrintable(read.error().message()));
+        QVERIFY(*read == measuredStudy());
+    }
+
     void whatIsNotMeasuredIsNotInTheFile()
     {
         const QByteArray text = writeStudy(measuredStudy());
@@ -73,11 +87,14 @@ private slots:
         QTest::newRow("another kind of file")
             << QByteArray("{ \"pixelplumb\": 1 }") << QStringLiteral("no “pixelplumbLab”");
         QTest::newRow("newer version")
-            << replaced(text, "\"pixelplumbLab\": 1", "\"pixelplumbLab\": 7")
-            << QStringLiteral("pixelplumbLab: 7; expected 1");
+            << replaced(text, "\"pixelplumbLab\": 2", "\"pixelplumbLab\": 7")
+            << QStringLiteral("pixelplumbLab: 7; expected 1 to 2");
         QTest::newRow("version of another type")
-            << replaced(text, "\"pixelplumbLab\": 1", "\"pixelplumbLab\": \"1\"")
+            << replaced(text, "\"pixelplumbLab\": 2", "\"pixelplumbLab\": \"1\"")
             << QStringLiteral("expected 1");
+        QTest::newRow("contender without its kernel")
+            << QByteArray(text).replace("            \"kernel\": \"plain\",\n", "")
+            << QStringLiteral("kernel");
         QTest::newRow("text for a number")
             << replaced(text, "\"rounds\": 2", "\"rounds\": \"2\"") << QStringLiteral("rounds");
         QTest::newRow("number for a flag")

@@ -137,6 +137,7 @@ void eachField(Self &self, const Visit &visit)
 {
     visit("id", self.id);
     visit("label", self.label);
+    visit("kernel", self.kernel);
     visit("proved", self.isProved);
     visit("domain", self.domain);
     visit("fit", self.fit);
@@ -202,6 +203,10 @@ struct FileWords<LabOutcome> {
     static constexpr std::array all
         = {LabOutcome::Pending, LabOutcome::Measured, LabOutcome::Refused, LabOutcome::TookTooLong,
            LabOutcome::Failed};
+};
+template <>
+struct FileWords<LabKernel> {
+    static constexpr const auto &all = allLabKernels;
 };
 template <>
 struct FileWords<Arithmetic> {

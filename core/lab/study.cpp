@@ -81,8 +81,12 @@ private:
         m_study.conditions = thisMachine();
         m_study.command = commandFor(m_settings);
         for (const LabContender &contender : m_contenders) {
-            m_study.contenders.push_back(
-                {contender.id, contender.label, contender.isProved(), contender.domain(), {}});
+            m_study.contenders.push_back({contender.id,
+                                          contender.label,
+                                          contender.kernel,
+                                          contender.isProved(),
+                                          contender.domain(),
+                                          {}});
         }
         const FamilyRequest request{m_settings.seed, m_settings.extent, m_settings.ownScene,
                                     m_settings.hardCases};
