@@ -54,10 +54,13 @@ private slots:
         QVERIFY(writeStudy(*read) == text);
     }
 
-    void aFileOfTheFirstVersionHasNoCurves()
+    void filesOfTheFirstVersionAreRead()
     {
-        QByteArray text
-            = replaced(writeStudy(measuredStudy()), "\"pixelplumbLab\": 2", "\"pixelplumbLab\": 1");
+        QByteArray text = writeStudy(measuredStudy());
+        text.replace("            \"kernel\": \"plain\",\n", "");
+        text.replace("            \"kernel\": \"SIMD\",\n", "");
+        QVERIFY(!text.contains("kernel\""));
+        text = replaced(text, "\"pixelplumbLab\": 2", "\"pixelplumbLab\": 1");
         for (const char *key : {"drift", "growth"}) {
             const qsizetype begin = text.indexOf(QByteArray("    \"") + key);
             text.remove(begin, text.indexOf(']', begin) + 3 - begin);
@@ -109,6 +112,9 @@ private slots:
         QTest::newRow("version of another type")
             << replaced(text, "\"pixelplumbLab\": 2", "\"pixelplumbLab\": \"1\"")
             << QStringLiteral("expected 1 to 2");
+        QTest::newRow("contender without its kernel")
+            << QByteArray(text).replace("            \"kernel\": \"plain\",\n", "")
+            << QStringLiteral("kernel");
         QTest::newRow("text for a number")
             << replaced(text, "\"rounds\": 2", "\"rounds\": \"2\"") << QStringLiteral("rounds");
         QTest::newRow("number for a flag")

@@ -440,7 +440,7 @@ private slots:
 
     void contendersAreFoundByTheirIds()
     {
-        QCOMPARE(quickContenders().size(), std::size_t(14));
+        QCOMPARE(quickContenders().size(), std::size_t(15));
         for (const LabContender &contender : fullContenders()) {
             const auto found = labContenderNamed(contender.id);
             QVERIFY2(found.has_value(), qPrintable(contender.id));

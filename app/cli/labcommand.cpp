@@ -198,7 +198,7 @@ QByteArray bytesOf(const Study &study, LabFormat format)
 void addOptions(CommandLine &line)
 {
     line.addOption({quickOption,
-                    QStringLiteral("Fourteen contenders within 20 seconds; this if "
+                    QStringLiteral("Fifteen contenders within 20 seconds; this if "
                                    "left out.")});
     line.addOption({fullOption,
                     QStringLiteral("Every method in every arithmetic, within five "

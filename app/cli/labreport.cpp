@@ -45,11 +45,14 @@ QString shortNumber(const std::optional<double> &value)
     return value ? QString::number(*value, 'g', 3) : QString();
 }
 
-QString wrongText(const AccuracyFigures &figures, bool isProved)
+QString wrongText(const AccuracyFigures &figures, const StudyContender &contender)
 {
     if (figures.wrongPixels() > 0)
         return number(figures.wrongPerMillion(), 2);
-    return isProved ? QStringLiteral("0 proved") : QStringLiteral("0 seen");
+    if (!contender.isProved)
+        return QStringLiteral("0 seen");
+    return contender.kernel == LabKernel::Fast ? QStringLiteral("0 tested")
+                                               : QStringLiteral("0 proved");
 }
 
 QString shareText(std::int64_t count, std::int64_t of)
@@ -85,7 +88,7 @@ Line lineOf(const Study &study, const LabRow &row)
                               : std::nullopt,
                           2));
     if (const auto &figures = row.accuracy) {
-        line.push_back(wrongText(*figures, contender.isProved));
+        line.push_back(wrongText(*figures, contender));
         line.push_back(shareText(figures->wrongTriangles, figures->triangles));
         line.push_back(QString::number(figures->missing));
         line.push_back(QString::number(figures->extra));

@@ -168,6 +168,7 @@ void eachField(Self &self, const Visit &visit)
 {
     visit("id", self.id);
     visit("label", self.label);
+    visit("kernel", self.kernel);
     visit("proved", self.isProved);
     visit("domain", self.domain);
     visit("fit", self.fit);
@@ -239,6 +240,10 @@ struct FileWords<LabOutcome> {
 template <>
 struct FileWords<SizeAxis> {
     static constexpr const auto &all = allSizeAxes;
+};
+template <>
+struct FileWords<LabKernel> {
+    static constexpr const auto &all = allLabKernels;
 };
 template <>
 struct FileWords<Arithmetic> {

@@ -6,8 +6,12 @@
 
 namespace pixelplumb {
 
-/// Of the JSON that writeStudy() writes. readStudy() reads all versions up to it and says which it
-/// was of others: version 1 had no curves of drift and growth.
+/// Of the JSON that writeStudy() writes. readStudy() reads all up to it and says which it was of
+/// others.
+///
+/// 1. the first
+/// 2. contenders have a "kernel", "plain" or "SIMD"; before, only the contender's id tells it;
+///    drift and growth are in the file
 inline constexpr int labFileVersion = 2;
 
 /// The same study, the same bytes.

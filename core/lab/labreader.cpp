@@ -16,8 +16,9 @@ namespace {
 /// Reads into parts of a study; errors stay with the JsonReader.
 class LabReader {
 public:
-    explicit LabReader(JsonReader &json)
+    LabReader(JsonReader &json, int version)
         : m_json(json)
+        , m_version(version)
     {
     }
 
@@ -126,8 +127,13 @@ private:
     requires std::same_as<T, DriftCurve> || std::same_as<T, SizeCurve>
     void readMember(const JsonNode &node, std::vector<T> &curves)
     {
-        if (!node.isMissing() && !m_json.hasFailed())
+        if ((m_version >= 2 || !node.isMissing()) && !m_json.hasFailed())
             read(node, curves);
+    }
+    void readMember(const JsonNode &node, LabKernel &kernel)
+    {
+        if (m_version >= 2 || !node.isMissing())
+            readMember<LabKernel>(node, kernel);
     }
     template <class T>
     void readMember(const JsonNode &node, std::optional<T> &value)
@@ -138,6 +144,7 @@ private:
     }
 
     JsonReader &m_json;
+    int m_version; ///< of the file
 };
 
 } // namespace
@@ -156,13 +163,18 @@ Result<Study> readStudy(const QByteArray &text)
         return json.error();
     }
     Study study;
-    const int number = version.value.toInt(0);
-    if (number < 1 || number > labFileVersion)
+    const int written = version.value.toInt();
+    if (written < 1 || written > labFileVersion)
         json.fail(version, describe(version), expected);
     else
-        LabReader(json).readMembers(json.root(), study, {versionKey, QStringLiteral("warnings")});
+        LabReader(json, written)
+            .readMembers(json.root(), study, {versionKey, QStringLiteral("warnings")});
     if (json.hasFailed())
         return json.error();
+    if (written == 1) {
+        for (StudyContender &contender : study.contenders)
+            contender.kernel = kernelOf(contender.id);
+    }
     return study;
 }
 

@@ -51,8 +51,12 @@ public:
         m_study.conditions = thisMachine();
         m_study.command = commandFor(settings);
         for (const LabContender &contender : m_contenders) {
-            m_study.contenders.push_back(
-                {contender.id, contender.label, contender.isProved(), contender.domain(), {}});
+            m_study.contenders.push_back({contender.id,
+                                          contender.label,
+                                          contender.kernel,
+                                          contender.isProved(),
+                                          contender.domain(),
+                                          {}});
         }
         for (const LabFamily &family : m_families) {
             m_parts.push_back(timedPartOf(family, {}));

@@ -61,7 +61,8 @@ struct LabRow {
 struct StudyContender {
     QString id;
     QString label;
-    bool isProved = false;
+    LabKernel kernel = LabKernel::Plain;
+    bool isProved = false; ///< of the plain kernel (see LabContender)
     QString domain; ///< of the proof
     std::optional<CostFit> fit; ///< over the families that were timed
 
