@@ -114,6 +114,9 @@ Result<StudySettings> settingsFrom(const CommandLine &line)
     if (!families)
         return families.error();
     settings.families = *families;
+    // Who asks for some families alone waits for nothing else.
+    if (!families->isEmpty())
+        settings.growthRounds = 0;
     const auto contenders = chosenContenders(line);
     if (!contenders)
         return contenders.error();

@@ -122,6 +122,14 @@ private:
         if (!m_json.hasFailed())
             read(node, value);
     }
+    /// What an earlier version did not have.
+    template <class T>
+    requires std::same_as<T, DriftCurve> || std::same_as<T, SizeCurve>
+    void readMember(const JsonNode &node, std::vector<T> &curves)
+    {
+        if ((m_version >= 2 || !node.isMissing()) && !m_json.hasFailed())
+            read(node, curves);
+    }
     void readMember(const JsonNode &node, LabKernel &kernel)
     {
         if (m_version >= 2 || !node.isMissing())

@@ -200,7 +200,7 @@ bool AccuracyLab::openResults(const QString &path)
         return false;
     m_run->drop();
     m_charts->forgetChanges();
-    take(std::make_shared<const LabResults>(LabResults{std::move(*study), {}, {}}));
+    take(std::make_shared<const LabResults>(LabResults{*study, study->growth, study->drift}));
     return true;
 }
 
