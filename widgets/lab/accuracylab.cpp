@@ -13,6 +13,7 @@
 #include <QBoxLayout>
 #include <QClipboard>
 #include <QFileInfo>
+#include <QStackedWidget>
 
 namespace pixelplumb {
 
@@ -32,6 +33,7 @@ AccuracyLab::AccuracyLab(Playhead *playhead, QWidget *parent)
     , m_invitation(new QLabel(this))
     , m_warnings(new ElidedLabel(this))
     , m_conditions(new ElidedLabel(this))
+    , m_lastLine(new QStackedWidget(this))
 {
     setObjectName(QStringLiteral("accuracyLab"));
     setAccessibleName(tr("Accuracy lab"));
@@ -43,15 +45,18 @@ AccuracyLab::AccuracyLab(Playhead *playhead, QWidget *parent)
     m_conditions->setObjectName(QStringLiteral("labConditions"));
     m_conditions->setAccessibleName(tr("Machine, compiler, and the command that does it again"));
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 4);
+    layout->setContentsMargins(8, 4, 8, 4);
     layout->setSpacing(4);
     layout->addWidget(m_controls);
     layout->addWidget(m_invitation, 1);
     layout->addWidget(m_charts, 1);
     m_foot = new QBoxLayout(QBoxLayout::TopToBottom);
     m_foot->setSpacing(4);
-    m_foot->addWidget(m_warnings);
-    m_foot->addWidget(m_conditions);
+    m_foot->addWidget(m_warnings, 1);
+    m_lastLine->addWidget(m_conditions);
+    m_lastLine->addWidget(m_controls->progress());
+    m_lastLine->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    m_foot->addWidget(m_lastLine, 1);
     layout->addLayout(m_foot);
     connect(m_run, &LabRun::resultsChanged, this, &AccuracyLab::take);
     connect(m_run, &LabRun::ended, this, &AccuracyLab::showState);
@@ -144,7 +149,7 @@ void AccuracyLab::showState()
     m_controls->showRunning();
     m_controls->setHasResults(m_results != nullptr);
     m_charts->setVisible(m_results != nullptr);
-    m_conditions->setVisible(m_results && !isRunning()); // progress stands for it
+    m_lastLine->setCurrentWidget(isRunning() ? m_controls->progress() : m_conditions);
     m_invitation->setVisible(!m_results);
     m_invitation->setText(isRunning() ? tr("The first pictures are being judged.")
                                       : invitationText(m_controls->extent()));

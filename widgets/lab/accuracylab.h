@@ -7,6 +7,7 @@
 
 class QBoxLayout;
 class QLabel;
+class QStackedWidget;
 
 namespace pixelplumb {
 
@@ -71,7 +72,8 @@ private:
     QLabel *m_invitation;
     ElidedLabel *m_warnings;
     ElidedLabel *m_conditions;
-    QBoxLayout *m_foot = nullptr; ///< of these two
+    QStackedWidget *m_lastLine; ///< conditions, or progress while a study runs
+    QBoxLayout *m_foot = nullptr; ///< of the warnings and the last line
     StudySettings m_request;
     QString m_scenePath;
     SharedResults m_results;

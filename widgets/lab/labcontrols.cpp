@@ -46,7 +46,7 @@ LabControls::LabControls(const LabRun *run, QWidget *parent)
     row->setStretch(row->indexOf(m_error), 2);
     addFileMenu(row);
     layout->addLayout(row);
-    addProgress(layout);
+    makeProgress();
     connect(m_start, &QPushButton::clicked, this, &LabControls::runRequested);
     connect(m_extent, &QComboBox::currentIndexChanged, this, &LabControls::extentChanged);
     connect(m_family, &QComboBox::currentIndexChanged, this, &LabControls::choiceChanged);
@@ -100,7 +100,7 @@ void LabControls::addFileMenu(QBoxLayout *row)
     row->addWidget(button);
 }
 
-void LabControls::addProgress(QBoxLayout *layout)
+void LabControls::makeProgress()
 {
     m_running = new QWidget(this);
     m_progress = new QProgressBar(m_running);
@@ -114,7 +114,10 @@ void LabControls::addProgress(QBoxLayout *layout)
     row->setSpacing(8);
     row->addWidget(m_progress, 1);
     row->addWidget(cancel);
-    layout->addWidget(m_running);
+    // No higher than the line of text that it takes turns with.
+    const int lineHeight = fontMetrics().height() + 4;
+    m_progress->setFixedHeight(lineHeight);
+    cancel->setFixedHeight(lineHeight);
     connect(cancel, &QPushButton::clicked, this, &LabControls::cancelRequested);
 }
 
@@ -156,11 +159,10 @@ void LabControls::setHasResults(bool hasResults)
 void LabControls::showRunning()
 {
     const bool isRunning = m_run->isRunning();
-    if (m_running->isHidden() != isRunning)
+    if (m_start->isEnabled() != isRunning)
         return;
     m_start->setEnabled(!isRunning);
     m_extent->setEnabled(!isRunning);
-    m_running->setVisible(isRunning);
     m_progress->setRange(0, 0);
     m_progress->setFormat({});
 }

@@ -75,8 +75,9 @@ protected:
     QCPGraph *addKey(const QString &name, const QString &meaning = {});
     QFont smallFont() const;
 
-    /// A logarithmic axis from `low` to `high`, both above 0; its figures begin with the prefix.
-    static void setLogRange(QCPAxis *axis, double low, double high, const QString &prefix = {});
+    /// A logarithmic axis from `low` to `high`, both above 0; each figure stands for %1.
+    static void setLogRange(QCPAxis *axis, double low, double high,
+                            const QString &pattern = QStringLiteral("%1"));
 
 private:
     void dress();
