@@ -181,13 +181,11 @@ void AccuracyLab::saveChart()
         return;
     }
     const QString path = m_files->askForOutput(tr("Save the Chart"),
-                                               tr("SVG drawings (*.svg);;PNG pictures (*.png)"),
+                                               tr("SVG drawings (*.svg);;PNG pictures (*.png);;"
+                                                  "Numbers, CSV (*.csv)"),
                                                QStringLiteral("svg"));
-    const StudyFamily *family = m_results->study.family(m_controls->family());
-    const QString title = family ? tr("%1: %2").arg(chart->accessibleName(), family->title)
-                                 : chart->accessibleName();
     if (!path.isEmpty())
-        m_files->writeChart(path, *chart, title, m_results->study);
+        m_files->writeChart(path, *chart, m_results->study);
 }
 
 bool AccuracyLab::openResults(const QString &path)
@@ -197,7 +195,7 @@ bool AccuracyLab::openResults(const QString &path)
         return false;
     m_run->drop();
     m_charts->forgetChanges();
-    take(std::make_shared<const LabResults>(LabResults{std::move(*study), {}, {}}));
+    take(std::make_shared<const LabResults>(LabResults{*study, study->growth, study->drift}));
     return true;
 }
 
