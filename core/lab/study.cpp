@@ -4,6 +4,8 @@
 #include "core/lab/familyaccuracy.h"
 #include "core/lab/labrace.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 
 namespace pixelplumb {
@@ -34,12 +36,26 @@ Plan planFor(const StudySettings &settings)
     return plan;
 }
 
+/// A path as one word of a shell's line, and never an option.
+QString quoted(const QString &path)
+{
+    static const QRegularExpression plain(QStringLiteral("^[A-Za-z0-9_@%+:,./-]+\\z"));
+    QString text = path;
+    if (text.startsWith(u'-') && text.size() > 1)
+        text.prepend(QStringLiteral("./"));
+    if (plain.match(text).hasMatch())
+        return text;
+    return u'\'' + text.replace(u'\'', QStringLiteral("'\\''")) + u'\'';
+}
+
+/// Empty where the scene has no name to call it by.
 QString commandFor(const StudySettings &settings)
 {
+    if (settings.ownScene && settings.ownSceneName.isEmpty())
+        return {};
     QStringList words = {QStringLiteral("pixelplumb-cli lab")};
     if (settings.ownScene)
-        words << (settings.ownSceneName.isEmpty() ? QStringLiteral("SCENE")
-                                                  : settings.ownSceneName);
+        words << quoted(settings.ownSceneName);
     words << QStringLiteral("--") + nameOf(settings.extent)
           << QStringLiteral("--seed %1").arg(settings.seed);
     if (!settings.families.isEmpty())

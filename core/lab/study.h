@@ -89,7 +89,7 @@ struct Study {
     StudyExtent extent = StudyExtent::Quick;
     std::uint64_t seed = 1;
     MachineConditions conditions;
-    QString command; ///< that does it again
+    QString command; ///< that does it again; empty where its scene was in no file
     std::vector<StudyContender> contenders;
     std::vector<StudyFamily> families;
     std::vector<LabRow> rows; ///< by families, each with all contenders in their order

@@ -14,7 +14,6 @@ class QToolButton;
 namespace pixelplumb {
 
 class LabRun;
-class TimeLeft;
 
 /// The lab's row of buttons and boxes: run, how much, what is shown, files; below it progress while
 /// a study runs.
@@ -32,6 +31,7 @@ public:
     void setFamilies(const std::vector<StudyFamily> &families);
     /// Whether there is anything to save.
     void setHasResults(bool hasResults);
+    void setHasEarlier(bool hasEarlier); ///< results that can be brought back
     void showRunning(); ///< or not
 
 signals:
@@ -40,6 +40,7 @@ signals:
     void extentChanged();
     void choiceChanged(); ///< of the family or the error
     void openRequested();
+    void earlierRequested();
     void compareRequested();
     void saveRequested();
     void saveTableRequested();
@@ -61,6 +62,7 @@ private:
     QWidget *m_running = nullptr; ///< the row of the progress
     QProgressBar *m_progress = nullptr;
     QList<QAction *> m_outputs; ///< that need results
+    QAction *m_earlier = nullptr;
 };
 
 } // namespace pixelplumb

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/labrun.h"
 
+#include "core/lab/studystages.h"
+#include "widgets/model/measuringpool.h"
+
 #include <atomic>
 #include <mutex>
 
@@ -30,6 +33,21 @@ std::vector<LabContender> contendersOfSizes(const StudySettings &settings)
             contenders.push_back(std::move(*contender));
     }
     return contenders;
+}
+
+int roundsOfSizes(const StudySettings &settings)
+{
+    return settings.extent == StudyExtent::Quick ? 3 : 7;
+}
+
+/// Of a study and of how times grow, which follows it.
+std::vector<JobStage> stagesOfRun(const StudySettings &settings)
+{
+    std::vector<JobStage> stages = stagesOf(settings);
+    if (settings.rounds != 0)
+        stages.push_back(
+            sizeStudyStage(contendersOfSizes(settings).size(), roundsOfSizes(settings)));
+    return stages;
 }
 
 } // namespace
@@ -77,6 +95,7 @@ private:
 
 LabRun::LabRun(QObject *parent)
     : QObject(parent)
+    , m_job(nullptr, measuringPool())
 {
     connect(&m_job, &Job::progressChanged, this, [this](const JobProgress &progress) {
         m_timeLeft.tell(progress, TimeLeft::Clock::now());
@@ -87,9 +106,14 @@ LabRun::LabRun(QObject *parent)
 
 LabRun::~LabRun() = default;
 
+double LabRun::expectedSeconds(const StudySettings &settings)
+{
+    return TimeLeft(stagesOfRun(settings)).seconds();
+}
+
 void LabRun::start(const StudySettings &settings)
 {
-    m_timeLeft = {};
+    m_timeLeft = TimeLeft(stagesOfRun(settings));
     m_board = std::make_shared<Board>();
     const auto work = [settings, board = m_board](const ProgressListener &job) {
         const ProgressListener listener
@@ -108,8 +132,7 @@ void LabRun::start(const StudySettings &settings)
         board->post([&](LabResults &results) { results.drift = std::move(*drift); });
         if (study.rounds == 0)
             return true;
-        const int rounds = settings.extent == StudyExtent::Quick ? 3 : 7;
-        auto sizes = runSizeStudy(contendersOfSizes(settings), rounds, listener);
+        auto sizes = runSizeStudy(contendersOfSizes(settings), roundsOfSizes(settings), listener);
         if (sizes)
             board->post([&](LabResults &results) { results.sizes = std::move(*sizes); });
         return sizes.has_value();
@@ -130,7 +153,6 @@ void LabRun::drop()
 {
     m_board = nullptr;
     m_job.cancel();
-    emit ended();
 }
 
 void LabRun::takeNews()

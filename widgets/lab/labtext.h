@@ -25,7 +25,7 @@ QString outcomeText(const LabRow &row);
 /// Machine, compiler and flags; the command that does it again. For the foot of a chart.
 QStringList originOf(const Study &study);
 
-/// What a lab says before its first run: what the button does and how long it takes.
-QString invitationText(StudyExtent extent);
+/// What a lab says before its first run: what the button does and how many s that takes.
+QString invitationText(StudyExtent extent, double seconds);
 
 } // namespace pixelplumb

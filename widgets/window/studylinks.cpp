@@ -4,6 +4,7 @@
 #include "widgets/lab/accuracylab.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
 #include "widgets/studies/comparepanel.h"
 #include "widgets/studies/differenceopening.h"
 #include "widgets/studies/hardcasespanel.h"
@@ -45,6 +46,8 @@ void connectStudies(const WindowParts &parts, WindowDocks &docks, QObject *windo
             const Method *method = methodNamed(QString::fromStdString(miss.scene.method));
             showComparison(docks, {{method, miss.scene.settings}, {nullptr, miss.scene.settings}});
         });
+    QObject::connect(parts.document, &SceneDocument::modifiedChanged, lab,
+                     &AccuracyLab::setSceneModified);
     QObject::connect(lab, &AccuracyLab::complaint, parts.messageBar, &MessageBar::complain);
     QObject::connect(lab, &AccuracyLab::notice, parts.playhead, &Playhead::message);
 }
