@@ -30,7 +30,11 @@ namespace {
 constexpr int longest = 60'000; // ms
 const QString contenderId = QStringLiteral("column-scan:float32");
 
-Scene randomTriangle(const QString &method, Arithmetic arithmetic, std::mt19937 &random)
+enum class Colours { One, Three };
+
+/// On the lattice, not on whole pixels.
+Scene randomTriangle(const QString &method, Arithmetic arithmetic, Colours colours,
+                     std::mt19937 &random)
 {
     Scene scene;
     scene.method = method.toStdString();
@@ -39,8 +43,11 @@ Scene randomTriangle(const QString &method, Arithmetic arithmetic, std::mt19937 
     const auto level = [&next] { return std::uint8_t(next(256)); };
     Triangle &triangle = scene.triangles.emplace_back();
     for (Vertex &vertex : triangle.vertices) {
-        vertex.position = latticePixel(next(scene.frame.width), next(scene.frame.height));
+        vertex.position = {Lattice(next(int(scene.frame.width * unitsPerPixel))),
+                           Lattice(next(int(scene.frame.height * unitsPerPixel)))};
         vertex.colour = {{level(), level(), level()}};
+        if (colours == Colours::One)
+            vertex.colour = triangle.vertices.front().colour;
     }
     return scene;
 }
@@ -49,8 +56,10 @@ Scene randomTriangle(const QString &method, Arithmetic arithmetic, std::mt19937 
 LabMiss missOf(Difference kind, const QString &method, Arithmetic arithmetic)
 {
     std::mt19937 random(1);
+    // Where the colour goes wrong it mostly does so first.
+    const Colours colours = kind == Difference::Colour ? Colours::Three : Colours::One;
     for (int attempt = 0; attempt < 100'000; ++attempt) {
-        const Scene scene = randomTriangle(method, arithmetic, random);
+        const Scene scene = randomTriangle(method, arithmetic, colours, random);
         const auto traced = traceScene(scene);
         const auto first = traced->firstWrongPixel();
         if (first && traced->differences.at(first->x, first->y) == kind)
@@ -125,6 +134,7 @@ private slots:
         }
         const auto *canvas = named<Canvas>(*m_window, "canvas");
         QVERIFY(canvas->view().contains(canvas->positionOf(pixel)));
+        QVERIFY(canvas->zoom() >= 8);
         const QString place = QStringLiteral("(%1, %2)").arg(pixel.x()).arg(pixel.y());
         QVERIFY(named<QLabel>(*m_window, "pixelHistoryHeading")->text().contains(place));
         QVERIFY(named<QLabel>(*m_window, "compareReason")->text().contains(place));

@@ -2,6 +2,7 @@
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "widgets/lab/accuracylab.h"
+#include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QComboBox>
@@ -170,6 +171,7 @@ private slots:
         settings.fillRule = FillRule::HalfOpenColumn;
         m_window->parts().document->setSettings(settings);
         QSignalSpy complaints(m_lab, &AccuracyLab::complaint);
+        QTRY_VERIFY_WITH_TIMEOUT(m_window->parts().playhead->traced(), longest);
 
         runToItsEnd();
 
