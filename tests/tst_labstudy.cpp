@@ -349,8 +349,17 @@ private slots:
         QVERIFY(!rounded->isProved);
         QVERIFY(*rounded->wrongPixels > 0);
         QVERIFY(exact->perPixel.has_value());
-        QVERIFY(exact->text().startsWith(QStringLiteral("0 wrong, proved · ")));
+        QVERIFY(exact->text().startsWith(QStringLiteral("0 wrong, proved · plain kernel ")));
+        QVERIFY(exact->details().contains(QStringLiteral("median of ")));
         QVERIFY(!ended);
+    }
+
+    void anEmptySceneHasNothingToMeasureYet()
+    {
+        const auto nothing = liveFiguresOf(std::make_shared<const Scene>());
+
+        QCOMPARE(nothing->text(), QStringLiteral("nothing to measure yet"));
+        QCOMPARE(nothing->details(), nothing->text());
     }
 
     void theSceneInHandIsTimedAsTheStudyTimesIt()
@@ -403,14 +412,36 @@ private slots:
         }
     }
 
+    void theCommandDoesItAgain_data()
+    {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("words");
+        const auto row = [](const char *name, const char *path, const char *quoted) {
+            QTest::newRow(name) << QString::fromUtf8(
+                path) << QStringLiteral("pixelplumb-cli lab ") + QString::fromUtf8(quoted);
+        };
+        row("plain", "/a/b-c_1.json", "/a/b-c_1.json");
+        row("standard input", "-", "-");
+        row("spaces", "my scene.json", "'my scene.json'");
+        row("quotes", "it's.json", "'it'\\''s.json'");
+        row("what a shell would expand", "$HOME*.json", "'$HOME*.json'");
+        row("two lines", "a\n", "'a\n'");
+        row("like an option", "-full", "./-full");
+        QTest::newRow("no file") << QString() << QString();
+    }
     void theCommandDoesItAgain()
     {
-        const Study study = runStudy(smallStudy());
+        QFETCH(const QString, path);
+        QFETCH(const QString, words);
+        StudySettings settings = smallStudy();
+        settings.ownSceneName = path;
+        settings.mostSamples = 1;
+        settings.rounds = 0;
 
-        QCOMPARE(study.command,
-                 QStringLiteral("pixelplumb-cli lab SCENE --quick --seed 1 --family own-scene "
-                                "--contender "
-                                "column-scan:exact,column-scan:float32,column-scan:exact:fast"));
+        const QString options
+            = QStringLiteral(" --quick --seed 1 --family own-scene --contender "
+                             "column-scan:exact,column-scan:float32,column-scan:exact:fast");
+        QCOMPARE(runStudy(settings).command, words.isEmpty() ? QString() : words + options);
     }
 
     void spansAreThoseOfTheMethod_data()

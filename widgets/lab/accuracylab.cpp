@@ -15,11 +15,21 @@
 #include <QFileInfo>
 #include <QStackedWidget>
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 namespace {
 
 constexpr int lowPanel = 340; ///< logical pixels
+
+/// Whether there is a dot to show, or never will be.
+bool hasDots(const Study &study)
+{
+    return study.isComplete || std::ranges::any_of(study.rows, [](const LabRow &row) {
+               return row.cost && row.cost->rounds > 0;
+           });
+}
 
 } // namespace
 
@@ -58,8 +68,8 @@ AccuracyLab::AccuracyLab(Playhead *playhead, QWidget *parent)
     m_lastLine->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_foot->addWidget(m_lastLine, 1);
     layout->addLayout(m_foot);
-    connect(m_run, &LabRun::resultsChanged, this, &AccuracyLab::take);
-    connect(m_run, &LabRun::ended, this, &AccuracyLab::showState);
+    connect(m_run, &LabRun::resultsChanged, this, &AccuracyLab::takeNews);
+    connect(m_run, &LabRun::ended, this, &AccuracyLab::endRun);
     connect(m_charts, &LabCharts::missRequested, this, &AccuracyLab::openMiss);
     connect(m_files, &LabFiles::complaint, this, &AccuracyLab::complaint);
     connect(m_files, &LabFiles::notice, this, &AccuracyLab::notice);
@@ -97,7 +107,13 @@ void AccuracyLab::connectControls()
             m_files->writeTable(path, m_results->study);
     });
     connect(m_controls, &LabControls::saveChartRequested, this, &AccuracyLab::saveChart);
+    connect(m_controls, &LabControls::earlierRequested, this, &AccuracyLab::showEarlier);
     connect(m_controls, &LabControls::copyCommandRequested, this, [this] {
+        if (m_results->study.command.isEmpty()) {
+            emit complaint(tr("There is no command: the scene was in no file when it was measured. "
+                              "Save it and run the lab again."));
+            return;
+        }
         QApplication::clipboard()->setText(m_results->study.command);
         emit notice(tr("The command is on the clipboard."));
     });
@@ -111,23 +127,63 @@ void AccuracyLab::setScenePath(const QString &path)
     m_files->setScenePath(path);
 }
 
-void AccuracyLab::run()
+StudySettings AccuracyLab::settings() const
 {
     StudySettings settings = m_request;
     settings.extent = m_controls->extent();
     if (const auto traced = m_playhead->sharedTraced())
         settings.ownScene = {traced, &traced->scene};
-    settings.ownSceneName = m_scenePath;
-    if (settings.hardCases.empty()) {
+    settings.ownSceneName = m_isSceneModified ? QString() : m_scenePath;
+    return settings;
+}
+
+void AccuracyLab::run()
+{
+    StudySettings asked = settings();
+    if (asked.hardCases.empty()) {
         if (auto cases = builtInHardCases())
-            settings.hardCases = std::move(*cases);
+            asked.hardCases = std::move(*cases);
     }
-    m_charts->forgetChanges();
-    m_run->start(settings);
+    m_isRunShown = false;
+    m_run->start(asked);
     showState();
 }
 
 void AccuracyLab::cancel() { m_run->cancel(); }
+
+/// What a run has before its first times takes no other results' place.
+void AccuracyLab::takeNews(const SharedResults &news)
+{
+    if (m_isRunShown)
+        return take(news);
+    if (m_results && !hasDots(news->study))
+        return;
+    m_isRunShown = true;
+    replaceBy(news);
+}
+
+void AccuracyLab::endRun()
+{
+    if (m_results && !m_isRunShown)
+        emit notice(tr("Cancelled before anything was timed: the results before it stay."));
+    else if (m_earlier && !m_results->study.isComplete)
+        emit notice(tr("Cancelled. Those before are under Files, Results before these."));
+    showState();
+}
+
+void AccuracyLab::replaceBy(SharedResults results)
+{
+    if (m_results)
+        m_earlier = m_results;
+    m_charts->forgetChanges();
+    take(results);
+}
+
+void AccuracyLab::showEarlier()
+{
+    if (m_earlier && !isRunning())
+        replaceBy(m_earlier);
+}
 
 void AccuracyLab::take(const SharedResults &results)
 {
@@ -148,13 +204,20 @@ void AccuracyLab::showState()
 {
     m_controls->showRunning();
     m_controls->setHasResults(m_results != nullptr);
+    m_controls->setHasEarlier(m_earlier && !isRunning());
     m_charts->setVisible(m_results != nullptr);
     m_lastLine->setCurrentWidget(isRunning() ? m_controls->progress() : m_conditions);
     m_invitation->setVisible(!m_results);
-    m_invitation->setText(isRunning() ? tr("The first pictures are being judged.")
-                                      : invitationText(m_controls->extent()));
-    const QStringList warnings = m_results ? warningsOf(m_results->study) : QStringList();
-    m_warnings->setVisible(!warnings.isEmpty() && !isRunning());
+    m_invitation->setText(isRunning()
+                              ? tr("The first pictures are being judged.")
+                              : invitationText(m_controls->extent(), expectedSeconds(settings())));
+    QStringList warnings;
+    if (m_results && !isRunning())
+        warnings = warningsOf(m_results->study);
+    else if (m_results && !m_isRunShown)
+        warnings = {tr("These are the results before; those of this run follow when it has timed "
+                       "everyone once.")};
+    m_warnings->setVisible(!warnings.isEmpty());
     m_warnings->setWholeText(QStringLiteral("⚠ ") + warnings.join(QStringLiteral(" ⚠ ")));
     if (m_results)
         m_conditions->setWholeText(originOf(m_results->study).join(QStringLiteral(" · ")));
@@ -199,8 +262,7 @@ bool AccuracyLab::openResults(const QString &path)
     if (!study)
         return false;
     m_run->drop();
-    m_charts->forgetChanges();
-    take(std::make_shared<const LabResults>(LabResults{*study, study->growth, study->drift}));
+    replaceBy(std::make_shared<const LabResults>(LabResults{*study, study->growth, study->drift}));
     return true;
 }
 

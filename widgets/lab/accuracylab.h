@@ -28,14 +28,19 @@ public:
     ~AccuracyLab() override;
 
     bool isRunning() const;
-    /// Null before the first run, and before a file was opened.
+    /// Null before the first run, and before a file was opened. While a run has no times yet, those
+    /// before it.
     const SharedResults &results() const { return m_results; }
+    /// What these took the place of.
+    const SharedResults &earlierResults() const { return m_earlier; }
     LabFiles *files() const { return m_files; }
 
     /// What is asked of a study beside its extent, its scene and the hard cases.
     void setRequest(const StudySettings &request) { m_request = request; }
     /// For the command that does a study again; empty where the scene has no file.
     void setScenePath(const QString &path);
+    /// A scene that is not as its file says has no command either.
+    void setSceneModified(bool isModified) { m_isSceneModified = isModified; }
     /// False after a complaint.
     bool openResults(const QString &path);
     bool compareWith(const QString &path);
@@ -45,6 +50,8 @@ public:
 public slots:
     void run();
     void cancel();
+    /// Back to what the results in hand took the place of, and forth again.
+    void showEarlier();
 
 signals:
     void resultsChanged();
@@ -58,6 +65,10 @@ protected:
 
 private:
     void connectControls();
+    StudySettings settings() const;
+    void takeNews(const SharedResults &news);
+    void endRun();
+    void replaceBy(SharedResults results);
     void take(const SharedResults &results);
     void showChoice();
     void showState();
@@ -76,7 +87,10 @@ private:
     QBoxLayout *m_foot = nullptr; ///< of the warnings and the last line
     StudySettings m_request;
     QString m_scenePath;
+    bool m_isSceneModified = false;
+    bool m_isRunShown = false; ///< of the last run; else results of before it are
     SharedResults m_results;
+    SharedResults m_earlier;
 };
 
 } // namespace pixelplumb
