@@ -75,7 +75,9 @@ std::vector<CostStack::Bar> CostStack::bars() const
 void CostStack::build()
 {
     QCPAxis *up = plot()->yAxis;
-    plot()->xAxis->setLabel(tr("ns a pixel"));
+    // At both ends, of which one may be scrolled out of sight.
+    plot()->xAxis2->setVisible(true);
+    plot()->xAxis2->setLabel(tr("ns a pixel"));
     plot()->xAxis->grid()->setVisible(true);
     up->setTickLength(0);
     up->grid()->setVisible(false);
@@ -148,6 +150,7 @@ void CostStack::addMeasured()
                               "add up to it."));
     key->setPen(QPen(text, 1));
     plot()->xAxis->setRange(0, most * 1.05);
+    plot()->xAxis2->setRange(plot()->xAxis->range());
 }
 
 std::vector<QStringList> CostStack::numbers() const

@@ -163,7 +163,7 @@ QString plainText(const QString &html)
 QString pointLabel(const ParetoPoint &point)
 {
     QString text = point.label;
-    if (point.contender == QLatin1String(referenceContenderId))
+    if (point.isReference())
         text += QStringLiteral(" ×1");
     if (point.missesStraight)
         text += QStringLiteral(" ! ×%1").arg(figureText(*point.missesStraight));
@@ -192,6 +192,7 @@ QStringList originOf(const Study &study) { return {summaryOf(study.conditions), 
 QStringList figureOrigin(const Study &study)
 {
     QStringList lines = originOf(study);
+    lines.removeAll(QString());
     for (const QString &warning : warningsOf(study))
         lines.append(QStringLiteral("⚠ ") + warning);
     return lines;

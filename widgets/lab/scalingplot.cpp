@@ -108,7 +108,7 @@ void ScalingPlot::build()
     if (least <= 0) {
         setLogRange(plot()->xAxis, 1, 1000);
         setLogRange(plot()->yAxis, 1, 1000);
-        return addMessage(tr("How times grow is measured after the study, and not kept in files."));
+        return addMessage(tr("How times grow is measured at the end of a study."));
     }
     setLogRange(plot()->xAxis, least / 1.3, most * 1.3);
     setLogRange(plot()->yAxis, shortest / 1.5, longest * 1.5);
