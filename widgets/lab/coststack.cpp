@@ -88,6 +88,7 @@ void CostStack::build()
     up->setRange(-double(std::max<std::size_t>(m_bars.size(), 1)) + 0.4, 0.6);
     if (m_bars.empty()) {
         plot()->xAxis->setRange(0, 1);
+        plot()->xAxis2->setRange(0, 1);
         return addMessage(tr("Set-up, columns and pixels stand apart when several families are "
                              "timed."));
     }

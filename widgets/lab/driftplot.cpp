@@ -65,7 +65,7 @@ QString DriftPlot::textAt(const QPointF &position) const
 void DriftPlot::build()
 {
     plot()->xAxis->setLabel(tr("columns walked"));
-    plot()->yAxis->setLabel(tr("error of a bound, px"));
+    plot()->yAxis->setLabel(isLow() ? tr("px") : tr("error of a bound, px"));
     double smallest = fencePixels;
     double largest = fencePixels;
     std::int64_t last = 0;

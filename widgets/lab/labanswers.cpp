@@ -12,6 +12,8 @@ namespace {
 
 enum AnswerColumn { BudgetColumn, ContenderColumn, GroundColumn, TimeColumn, ReasonColumn };
 
+constexpr int leastReason = 320; ///< logical pixels of its column
+
 QString groundText(const BudgetAnswer &answer)
 {
     switch (answer.ground) {
@@ -61,6 +63,20 @@ LabAnswers::LabAnswers(QWidget *parent)
         if (currentRow() >= 0)
             emit contenderSelected(item(currentRow(), BudgetColumn)->data(Qt::UserRole).toString());
     });
+}
+
+/// The reasons take the rest, and where that is too little for them, they are scrolled to.
+void LabAnswers::resizeEvent(QResizeEvent *event)
+{
+    QTableWidget::resizeEvent(event);
+    int others = 0;
+    for (int column = 0; column < ReasonColumn; ++column)
+        others += columnWidth(column);
+    const bool isRoom = viewport()->width() - others >= leastReason;
+    horizontalHeader()->setSectionResizeMode(ReasonColumn,
+                                             isRoom ? QHeaderView::Stretch : QHeaderView::Fixed);
+    if (!isRoom)
+        setColumnWidth(ReasonColumn, leastReason);
 }
 
 void LabAnswers::show(const Study &study, const QString &family)

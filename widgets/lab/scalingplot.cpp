@@ -77,7 +77,7 @@ QString ScalingPlot::labelOf(const SizeCurve &curve) const
 void ScalingPlot::build()
 {
     plot()->xAxis->setLabel(sizeText(m_axis));
-    plot()->yAxis->setLabel(tr("a draw, µs"));
+    plot()->yAxis->setLabel(isLow() ? tr("µs") : tr("a draw, µs"));
     double least = 0;
     double most = 0;
     double shortest = 0;
