@@ -223,11 +223,16 @@ void AccuracyLab::showState()
         m_conditions->setWholeText(originOf(m_results->study).join(QStringLiteral(" · ")));
 }
 
-/// A low panel gives the charts the second line of its foot.
+/// A low panel gives the charts the second line of its foot. No chart changes its size when
+/// warnings come or go.
 void AccuracyLab::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    m_foot->setDirection(height() < lowPanel ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    const bool isLow = height() < lowPanel;
+    m_foot->setDirection(isLow ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    QSizePolicy policy = m_warnings->sizePolicy();
+    policy.setRetainSizeWhenHidden(!isLow);
+    m_warnings->setSizePolicy(policy);
 }
 
 void AccuracyLab::openMiss(const QString &contender)

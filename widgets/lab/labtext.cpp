@@ -167,7 +167,7 @@ QString plainText(const QString &html)
 QString pointLabel(const ParetoPoint &point)
 {
     QString text = point.label;
-    if (point.contender == QLatin1String(referenceContenderId))
+    if (point.isReference())
         text += QStringLiteral(" ×1");
     if (point.missesStraight)
         text += QStringLiteral(" ! ×%1").arg(figureText(*point.missesStraight));
@@ -201,6 +201,7 @@ QStringList originOf(const Study &study)
 QStringList figureOrigin(const Study &study)
 {
     QStringList lines = originOf(study);
+    lines.removeAll(QString());
     for (const QString &warning : warningsOf(study))
         lines.append(QStringLiteral("⚠ ") + warning);
     return lines;
