@@ -167,12 +167,13 @@ private slots:
         const QString svg = m_folder.filePath(QStringLiteral("chart.svg"));
         const QString png = m_folder.filePath(QStringLiteral("chart.png"));
 
-        QVERIFY(m_lab->files()->writeChart(svg, plot, QStringLiteral("A title"), results->study));
-        QVERIFY(m_lab->files()->writeChart(png, plot, QStringLiteral("A title"), results->study));
+        QVERIFY(m_lab->files()->writeChart(svg, plot, results->study));
+        QVERIFY(m_lab->files()->writeChart(png, plot, results->study));
 
         const QString text = QString::fromUtf8(*readFile(svg));
-        for (const char *part : {"A title", "pixelplumb-cli lab --quick --seed 1", "a processor",
-                                 "cost, ns a pixel", "0, proved"})
+        for (const char *part :
+             {"Cost against error: Family f", "pixelplumb-cli lab --quick --seed 1", "a processor",
+              "cost, ns a pixel", "0, proved"})
             QVERIFY2(text.contains(QLatin1String(part)), part);
         const QImage picture(png);
         QCOMPARE(picture.size(), QSize(1920, 1280));

@@ -142,6 +142,34 @@ private slots:
             QVERIFY(QRectF(pane->view()->rect()).contains(pane->view()->positionOf(pixel)));
     }
 
+    void theFirstIsThatOfTheOrderOfDrawing()
+    {
+        StudySettings settings;
+        settings.families = {QStringLiteral("slivers"), QStringLiteral("random-subpixel")};
+        settings.mostSamples = 20'000'000;
+        settings.rounds = 0;
+        for (const char *id :
+             {"column-scan:fixed16.16", "row-walk:float32", "barycentric-incremental:float32"})
+            settings.contenders.push_back(*labContenderNamed(QLatin1String(id)));
+        int higherThanAnother = 0;
+        for (const LabRow &row : runStudy(settings).rows) {
+            if (!row.firstMiss)
+                continue;
+            const auto traced = traceScene(row.firstMiss->scene);
+            const std::size_t decided = traced->decidedAt(row.firstMiss->x, row.firstMiss->y);
+            const FrameSpec &frame = traced->scene.frame;
+            for (int y = 0; y < frame.height; ++y) {
+                for (int x = 0; x < frame.width; ++x) {
+                    if (traced->differences.at(x, y) == Difference::None)
+                        continue;
+                    QVERIFY(traced->decidedAt(x, y) >= decided);
+                    higherThanAnother += y < row.firstMiss->y ? 1 : 0;
+                }
+            }
+        }
+        QVERIFY(higherThanAnother > 0); // it is not the lowest one
+    }
+
     void unsavedChangesAreAskedAboutFirst()
     {
         const LabMiss miss

@@ -3,6 +3,7 @@
 #include "core/lab/livefigures.h"
 #include "core/lab/sizestudy.h"
 #include "core/lab/study.h"
+#include "tests/support/caselist.h"
 #include "tests/support/defaultscene.h"
 
 #include <QTest>
@@ -31,6 +32,7 @@ StudySettings smallStudy()
         = contendersOf({QStringLiteral("column-scan:exact"), QStringLiteral("column-scan:float32"),
                         QStringLiteral("column-scan:exact:fast")});
     settings.rounds = 0;
+    settings.growthRounds = 0;
     return settings;
 }
 
@@ -210,8 +212,9 @@ private slots:
         StudySettings settings = smallStudy();
         settings.rounds = 5;
         StudyListener listener;
+        int samples = 0;
         listener.progress = [&](const JobProgress &progress) {
-            return progress.phase != JobPhase::Measuring || progress.done < 4;
+            return progress.phase != JobPhase::Measuring || samples++ < 4;
         };
 
         const Study study = runStudy(settings, listener);
@@ -243,6 +246,50 @@ private slots:
 
         QCOMPARE(rounds, (std::vector<int>{1, 2, 3}));
         QCOMPARE(rowsTold, std::size_t(3));
+    }
+
+    void theProgressOfAWholeStudyIsOneScale()
+    {
+        StudySettings settings = smallStudy();
+        settings.families << QStringLiteral("ties");
+        settings.rounds = 2;
+        std::vector<JobProgress> told;
+        StudyListener listener;
+        listener.progress = [&](const JobProgress &progress) {
+            told.push_back(progress);
+            return true;
+        };
+
+        runStudy(settings, listener);
+
+        QVERIFY(told.size() > 10);
+        QCOMPARE(told.front().done, std::int64_t(0));
+        for (std::size_t i = 1; i < told.size(); ++i) {
+            QCOMPARE(told[i].total, told.front().total);
+            QVERIFY(told[i].done >= told[i - 1].done);
+        }
+        QVERIFY(double(told.back().done) / double(told.back().total) > 0.9);
+    }
+
+    void aFamilyIsTimedOnceAsSoonAsItIsJudged()
+    {
+        StudySettings settings = smallStudy();
+        settings.families = {QStringLiteral("ties"), QStringLiteral("hard-cases")};
+        settings.hardCases = casesOf(QFINDTESTDATA("data/hard_cases.json"));
+        settings.rounds = 2;
+        std::vector<std::size_t> timed;
+        StudyListener listener;
+        listener.roundDone = [&](const Study &study) {
+            timed.push_back(std::size_t(std::ranges::count_if(
+                study.rows, [](const LabRow &row) { return row.cost && row.cost->rounds > 0; })));
+        };
+
+        const Study study = runStudy(settings, listener);
+
+        QCOMPARE(study.families.size(), std::size_t(2));
+        QVERIFY(study.families[1].timedTriangles > 3); // of many pictures
+        const std::size_t contenders = study.contenders.size();
+        QCOMPARE(timed, (std::vector<std::size_t>{contenders, 2 * contenders, 2 * contenders}));
     }
 
     void aStudyOfNothingIsEmpty()
@@ -424,7 +471,7 @@ private slots:
 
     void contendersAreFoundByTheirIds()
     {
-        QCOMPARE(quickContenders().size(), std::size_t(14));
+        QCOMPARE(quickContenders().size(), std::size_t(15));
         for (const LabContender &contender : fullContenders()) {
             const auto found = labContenderNamed(contender.id);
             QVERIFY2(found.has_value(), qPrintable(contender.id));

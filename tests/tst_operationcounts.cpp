@@ -31,17 +31,18 @@ private slots:
                             {Multiplication, 3 * 4},
                             {Conversion, 3 * (4 + 3 * 3 + 2 + 4)}}),
                  QString());
-        // A column: ⌈y_B⌉ and ⌊y_T⌋; for each of R G B, y_B = y_T?, then ΔR = (R_T − R_B)/(y_T −
-        // y_B), which the two columns of one pixel do without, their 0 being converted; R_B + (y −
-        // y_B)·ΔR with y converted; 2 edges each add 1 slope and 3 rates. Which edge is above takes
-        // one comparison, and two where they meet, in the first and the last column.
+        // A column: ⌈y_B⌉ and ⌊y_T⌋; y_B = y_T?, then y_T − y_B and for each of R G B ΔR = (R_T −
+        // R_B)/(y_T − y_B), which the two columns of one pixel do without, a 0 being converted; y
+        // converted, y − y_B, and for each of R G B R_B + (y − y_B)·ΔR; 2 edges each add 1 slope
+        // and 3 rates. Which edge is above takes one comparison, and two where they meet, in the
+        // first and the last column.
         QCOMPARE(departure(counts, WorkStage::Span,
                            {{Division, 3 * 3},
                             {Rounding, 5 * 2},
-                            {FloatAddition, 3 * 3 * 2 + 5 * 3 * 2 + 5 * 8},
+                            {FloatAddition, 3 * (1 + 3) + 5 * (1 + 3) + 5 * 8},
                             {Multiplication, 5 * 3},
-                            {Operation::Comparison, 5 * 3 + 5 + 2},
-                            {Conversion, 2 * 3 + 5 * 3}}),
+                            {Operation::Comparison, 5 + 5 + 2},
+                            {Conversion, 2 + 5}}),
                  QString());
         // A pixel: R G B rounded, and ΔR ΔG ΔB added.
         QCOMPARE(departure(counts, WorkStage::Pixel, {{Rounding, 13 * 3}, {FloatAddition, 13 * 3}}),
@@ -66,27 +67,27 @@ private slots:
         const OperationCounts counts = countsOf("column-scan", Arithmetic::Exact, tentTriangle());
         // n/d as quotient and remainder is 1 division, 1 comparison and 1 subtraction that make it
         // a floor, 1 multiplication and 1 subtraction for the remainder. It is wanted for each
-        // edge's slope, y, 3 rates and 3 colours: 8 times.
+        // edge's slope and y.
         // The plane: 4 differences, x1·y2 − x2·y1, its sign; a channel: 2 differences of levels,
         // twice s·(c·y − c′·y′), area ≠ 0?, and ΔR, a quotient of a numerator with 1
         // multiplication.
-        // Slope: 2 differences, ΔX = 0?, 2 multiplications. Rate: 2, 1, 1. y and a colour: 3
-        // differences and 1 sum, ΔX = 0?, 1 + 2 (and for y 1 more) multiplications.
-        QCOMPARE(
-            departure(counts, WorkStage::SetUp,
-                      {{Division, 3 + 3 * 8},
-                       {IntegerAddition, 4 + 1 + 3 * (4 + 2) + 3 * (8 * 2 + 2 + 3 * 2 + 4 * 4)},
-                       {Multiplication, 3 + 3 * (6 + 1 + 1) + 3 * (8 * 1 + 2 + 3 * 1 + 4 + 3 * 3)},
-                       {Operation::Comparison, 1 + 3 * (1 + 1) + 3 * (8 * 1 + 8)}}),
-            QString());
-        // ⌈y_B⌉: remainder ≠ 0?, 1 addition. Each channel: twice area ≠ 0?, and R, a quotient of a
-        // numerator with 5 multiplications and 4 additions. 8 numbers advance: 2 additions, 1
+        // Slope: 2 differences, ΔX = 0?, 2 multiplications. y: 3 differences and 1 sum, ΔX = 0?, 4
+        // multiplications. Columns start on the plane: no edge's colour is walked.
+        QCOMPARE(departure(counts, WorkStage::SetUp,
+                           {{Division, 3 + 3 * 2},
+                            {IntegerAddition, 4 + 1 + 3 * (4 + 2) + 3 * (2 * 2 + 2 + 4)},
+                            {Multiplication, 3 + 3 * (6 + 1 + 1) + 3 * (2 * 1 + 2 + 4)},
+                            {Operation::Comparison, 1 + 3 * (1 + 1) + 3 * (2 * 1 + 2)}}),
+                 QString());
+        // ⌈y_B⌉: remainder ≠ 0?, 1 addition. Twice area ≠ 0?; the ways to the column and to the row
+        // are 1 multiplication and 1 subtraction each; each channel's R is a quotient of a
+        // numerator with 3 multiplications and 2 additions. 2 numbers advance: 2 additions, 1
         // comparison for the carry.
         QCOMPARE(departure(counts, WorkStage::Span,
                            {{Division, 5 * 3},
-                            {IntegerAddition, 5 * (1 + 3 * (2 + 4) + 8 * 2)},
-                            {Multiplication, 5 * 3 * (1 + 5)},
-                            {Operation::Comparison, 5 * (1 + 3 * (1 + 2) + 8)}}),
+                            {IntegerAddition, 5 * (1 + 2 + 3 * (2 + 2) + 2 * 2)},
+                            {Multiplication, 5 * (2 + 3 * (1 + 3))},
+                            {Operation::Comparison, 5 * (1 + 2 + 3 * 1 + 2)}}),
                  QString());
         // Each channel: 2 remainders more than the denominator?, 2 additions; then it advances.
         QCOMPARE(departure(counts, WorkStage::Pixel,

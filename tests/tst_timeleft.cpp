@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/lab/studystages.h"
+#include "core/lab/studytime.h"
 #include "core/measure/timeleft.h"
 
 #include <QTest>
@@ -7,63 +7,56 @@
 using namespace pixelplumb;
 using namespace std::chrono_literals;
 
-/// How far a job of several stages is.
+/// How long a job will still take.
 class TestTimeLeft : public QObject {
     Q_OBJECT
 
 private slots:
     void beforeTheFirstWordItIsWhatIsKnownBefore()
     {
-        const TimeLeft left({{JobPhase::Judging, 8}, {JobPhase::Measuring, 6}});
+        const TimeLeft left(14);
 
         QCOMPARE(left.share(), 0.0);
         QCOMPARE(left.seconds(), 14.0);
         QCOMPARE(left.text(), QStringLiteral("waiting: 0 %, about 14 s left"));
     }
 
-    void sharesAndTimesAreOfTheWholeJob()
+    void whatIsLeftIsOfTheWholeJob()
     {
-        TimeLeft left({{JobPhase::Judging, 8}, {JobPhase::Measuring, 6}, {JobPhase::Measuring, 2}});
+        TimeLeft left(16);
         left.tell({JobPhase::Judging, 0, 100}, m_begin);
-        left.tell({JobPhase::Judging, 50, 100}, m_begin + 4s);
-        QCOMPARE(left.share(), 0.25);
+        QCOMPARE(left.seconds(), 16.0);
+        left.tell({JobPhase::Judging, 25, 100}, m_begin + 4s);
         QCOMPARE(left.seconds(), 12.0);
         QCOMPARE(left.text(), QStringLiteral("judging: 25 %, about 12 s left"));
-
-        left.tell({JobPhase::Measuring, 30, 60}, m_begin + 11s);
-        QCOMPARE(left.share(), 11.0 / 16);
-        left.tell({JobPhase::Measuring, 60, 60}, m_begin + 14s);
-        left.tell({JobPhase::Measuring, 0, 9}, m_begin + 14s); // it counts from the start: the next
-        QCOMPARE(left.share(), 14.0 / 16);
-        left.tell({JobPhase::Measuring, 9, 9}, m_begin + 16s);
+        left.tell({JobPhase::Measuring, 75, 100}, m_begin + 12s); // another phase is no other job
+        QCOMPARE(left.text(), QStringLiteral("measuring: 75 %, about 4 s left"));
+        left.tell({JobPhase::Measuring, 100, 100}, m_begin + 16s);
         QCOMPARE(left.share(), 1.0);
         QCOMPARE(left.seconds(), 0.0);
     }
 
     void aSlowMachineIsToldFromWhatItDid()
     {
-        TimeLeft left({{JobPhase::Judging, 50}, {JobPhase::Measuring, 50}});
+        TimeLeft left(100);
         left.tell({JobPhase::Judging, 0, 10}, m_begin);
-        left.tell({JobPhase::Judging, 10, 10}, m_begin + 154s); // 50 expected, and 2 of trust
+        left.tell({JobPhase::Judging, 5, 10}, m_begin + 154s); // 50 expected, and 2 of trust
 
         QCOMPARE(left.seconds(), 50 * (154.0 + 2) / (50 + 2));
         QCOMPARE(left.text(), QStringLiteral("judging: 50 %, about 3 min left"));
     }
 
-    void phasesThatNobodyExpectsChangeNothing()
+    void ofAnUnknownTotalNothingIsDone()
     {
-        TimeLeft left({{JobPhase::Judging, 5}, {JobPhase::Measuring, 5}});
-        left.tell({JobPhase::Measuring, 1, 2}, m_begin);
-        left.tell({JobPhase::Judging, 1, 2}, m_begin + 1s); // its stage is over
-        left.tell({JobPhase::Writing, 1, 2}, m_begin + 1s);
+        TimeLeft left(8);
+        left.tell({JobPhase::Judging, 7, 0}, m_begin);
 
-        QCOMPARE(left.share(), 0.75);
+        QCOMPARE(left.share(), 0.0);
+        QCOMPARE(left.seconds(), 8.0);
     }
 
     void aStudyTakesLongerTheMoreIsAsked()
     {
-        const auto secondsOf
-            = [](const StudySettings &settings) { return TimeLeft(stagesOf(settings)).seconds(); };
         StudySettings quick;
         StudySettings full;
         full.extent = StudyExtent::Full;
@@ -74,12 +67,11 @@ private slots:
         StudySettings longer;
         longer.rounds = 50;
 
-        QVERIFY(secondsOf(quick) > 5 && secondsOf(quick) < 20); // what the manual promises
-        QVERIFY(secondsOf(full) > 60 && secondsOf(full) < 300);
-        QVERIFY(secondsOf(few) < secondsOf(quick) / 5);
-        QVERIFY(secondsOf(untimed) < secondsOf(quick));
-        QVERIFY(secondsOf(longer) > 2 * secondsOf(quick));
-        QCOMPARE(stagesOf(untimed).size(), std::size_t(1));
+        QVERIFY(expectedSecondsOf(quick) > 5 && expectedSecondsOf(quick) < 20); // as promised
+        QVERIFY(expectedSecondsOf(full) > 60 && expectedSecondsOf(full) < 300);
+        QVERIFY(expectedSecondsOf(few) < expectedSecondsOf(quick) / 4);
+        QVERIFY(expectedSecondsOf(untimed) < expectedSecondsOf(quick));
+        QVERIFY(expectedSecondsOf(longer) > 2 * expectedSecondsOf(quick));
     }
 
 private:

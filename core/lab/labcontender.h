@@ -4,6 +4,7 @@
 #include "core/lab/straightloop.h"
 #include "core/methods/method.h"
 
+#include <array>
 #include <functional>
 #include <vector>
 
@@ -12,8 +13,12 @@ namespace pixelplumb {
 /// Which code of a method draws.
 enum class LabKernel : std::uint8_t {
     Plain, ///< the kernel that a trace steps through, with nothing listening
-    Fast, ///< its SIMD twin on one thread: the same bytes
+    Fast, ///< its SIMD twin on one thread, tested to write the same bytes
 };
+inline constexpr std::array allLabKernels = {LabKernel::Plain, LabKernel::Fast};
+QString nameOf(LabKernel kernel); ///< "plain", "SIMD"
+/// By a contender's id alone, which may be none of today's.
+LabKernel kernelOf(const QString &contender);
 
 /// One who takes part in a study: a method in one arithmetic by one kernel. A value, a row of a
 /// table.
@@ -30,7 +35,8 @@ struct LabContender {
     /// What it is measured by; null where there is no straight loop of this kind.
     const StraightLoop *straight = nullptr;
 
-    /// Every picture is the truth, by proof, over the whole lattice.
+    /// Every picture of the plain kernel is the truth, by proof, over the whole lattice. That the
+    /// fast one draws the same is tested.
     bool isProved() const { return method->isStableIn(arithmetic); }
     /// Where the proof holds, and what stands in beyond; empty where nothing is proved.
     QString domain() const;
@@ -51,7 +57,7 @@ LabContender contenderOf(const Method &method, Arithmetic arithmetic,
 /// Null where there is none of this id.
 std::optional<LabContender> labContenderNamed(const QString &id);
 
-/// The fourteen of the quick study.
+/// The fifteen of the quick study.
 std::vector<LabContender> quickContenders();
 /// Every method that draws triangles, in every arithmetic that it has, and the fast kernels.
 std::vector<LabContender> fullContenders();

@@ -46,7 +46,7 @@ bool addTimes(LiveFigures &figures, const std::shared_ptr<const Scene> &scene, c
     if (!family)
         return true;
     const RaceOptions options;
-    const TimedFamily part = timedPartOf(*family, options);
+    const TimedFamily part = timedPartOf(*family, {});
     const LabContender contender = contenderOf(method, scene->settings.arithmetic);
     const auto settings = settingsFor(contender, *family);
     figures.timedPixels = part.described.timedPixels;
@@ -62,12 +62,15 @@ bool addTimes(LiveFigures &figures, const std::shared_ptr<const Scene> &scene, c
         return true;
     LabRace race(options);
     if (!race.enter(0, contender, part, *settings,
-                    stopwatch.elapsed().thread * double(part.triangles)))
+                    stopwatch.elapsed().thread * double(part.described.timedTriangles)))
         return true;
     const Stopwatch all;
     for (int round = 0; round < mostLiveRounds && all.elapsed().wall < mostLiveNanoseconds;
          ++round) {
-        if (!race.runRound(round, mostLiveRounds, listener))
+        const auto hear = [&](const JobProgress &progress) {
+            return goesOn(listener, {progress.phase, round, mostLiveRounds});
+        };
+        if (!race.runRound(round, hear))
             return false;
     }
     const CostFigures cost = race.results().front().cost;

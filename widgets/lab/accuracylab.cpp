@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/accuracylab.h"
 
+#include "core/lab/studytime.h"
 #include "widgets/lab/labcharts.h"
 #include "widgets/lab/labcontrols.h"
 #include "widgets/lab/labfiles.h"
@@ -22,11 +23,12 @@ namespace {
 
 constexpr int lowPanel = 340; ///< logical pixels
 
-/// Whether there is a dot to show, or never will be.
-bool hasDots(const Study &study)
+/// Whether a family has a dot to show, or never will have.
+bool hasDots(const Study &study, const QString &family)
 {
-    return study.isComplete || std::ranges::any_of(study.rows, [](const LabRow &row) {
-               return row.cost && row.cost->rounds > 0;
+    return study.isComplete || std::ranges::any_of(study.rows, [&](const LabRow &row) {
+               return (row.family == family || !study.family(family)) && row.cost
+                   && row.cost->rounds > 0;
            });
 }
 
@@ -140,29 +142,39 @@ void AccuracyLab::run()
             asked.hardCases = std::move(*cases);
     }
     m_isRunShown = false;
+    m_news = nullptr;
     m_run->start(asked);
     showState();
 }
 
 void AccuracyLab::cancel() { m_run->cancel(); }
 
-/// What a run has before its first times takes no other results' place.
+/// A run takes other results' place when it has times of the family that is looked at.
 void AccuracyLab::takeNews(const SharedResults &news)
 {
     if (m_isRunShown)
         return take(news);
-    if (m_results && !hasDots(news->study))
+    m_news = news;
+    if (m_results && !hasDots(news->study, m_controls->family()))
         return;
+    showRun();
+}
+
+void AccuracyLab::showRun()
+{
     m_isRunShown = true;
-    replaceBy(news);
+    replaceBy(std::exchange(m_news, nullptr));
 }
 
 void AccuracyLab::endRun()
 {
+    if (!m_isRunShown && m_news && hasDots(m_news->study, {}))
+        showRun();
     if (m_results && !m_isRunShown)
         emit notice(tr("Cancelled before anything was timed: the results before it stay."));
     else if (m_earlier && !m_results->study.isComplete)
         emit notice(tr("Cancelled. Those before are under Files, Results before these."));
+    m_news = nullptr;
     showState();
 }
 
@@ -205,13 +217,13 @@ void AccuracyLab::showState()
     m_invitation->setVisible(!m_results);
     m_invitation->setText(
         isRunning() ? tr("The first pictures are being judged.")
-                    : invitationText(m_controls->extent(), LabRun::expectedSeconds(settings())));
+                    : invitationText(m_controls->extent(), expectedSecondsOf(settings())));
     QStringList warnings;
     if (m_results && !isRunning())
         warnings = warningsOf(m_results->study);
     else if (m_results && !m_isRunShown)
         warnings = {tr("These are the results before; those of this run follow when it has timed "
-                       "everyone once.")};
+                       "this family.")};
     m_warnings->setVisible(!warnings.isEmpty());
     m_warnings->setWholeText(QStringLiteral("⚠ ") + warnings.join(QStringLiteral(" ⚠ ")));
     if (m_results)
@@ -244,13 +256,11 @@ void AccuracyLab::saveChart()
         return;
     }
     const QString path = m_files->askForOutput(tr("Save the Chart"),
-                                               tr("SVG drawings (*.svg);;PNG pictures (*.png)"),
+                                               tr("SVG drawings (*.svg);;PNG pictures (*.png);;"
+                                                  "Numbers, CSV (*.csv)"),
                                                QStringLiteral("svg"));
-    const StudyFamily *family = m_results->study.family(m_controls->family());
-    const QString title = family ? tr("%1: %2").arg(chart->accessibleName(), family->title)
-                                 : chart->accessibleName();
     if (!path.isEmpty())
-        m_files->writeChart(path, *chart, title, m_results->study);
+        m_files->writeChart(path, *chart, m_results->study);
 }
 
 bool AccuracyLab::openResults(const QString &path)
@@ -259,7 +269,7 @@ bool AccuracyLab::openResults(const QString &path)
     if (!study)
         return false;
     m_run->drop();
-    replaceBy(std::make_shared<const LabResults>(LabResults{std::move(*study), {}, {}}));
+    replaceBy(std::make_shared<const LabResults>(LabResults{*study, study->growth, study->drift}));
     return true;
 }
 

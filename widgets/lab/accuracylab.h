@@ -66,6 +66,7 @@ private:
     void connectControls();
     StudySettings settings() const;
     void takeNews(const SharedResults &news);
+    void showRun();
     void endRun();
     void replaceBy(SharedResults results);
     void take(const SharedResults &results);
@@ -87,6 +88,7 @@ private:
     QString m_scenePath;
     bool m_isSceneModified = false;
     bool m_isRunShown = false; ///< of the last run; else results of before it are
+    SharedResults m_news; ///< of it, while it is not shown
     SharedResults m_results;
     SharedResults m_earlier;
 };

@@ -12,6 +12,7 @@
 
 #include <QBoxLayout>
 #include <QComboBox>
+#include <QScrollArea>
 
 #include <algorithm>
 
@@ -68,7 +69,11 @@ LabCharts::LabCharts(QWidget *parent)
             tr("The cheapest contender that is accurate enough"));
     addPage(m_contender, m_misses, tr("Misses"),
             tr("How far missed samples lie from the boundary"));
-    addPage(nullptr, m_costs, tr("Parts"), tr("What set-up, columns and pixels take"));
+    auto *scroller = new QScrollArea(this);
+    scroller->setFrameShape(QFrame::NoFrame);
+    scroller->setWidgetResizable(true);
+    scroller->setWidget(m_costs);
+    addPage(nullptr, scroller, tr("Parts"), tr("What set-up, columns and pixels take"));
     addPage(m_sizeAxis, m_scaling, tr("Growth"), tr("How times grow with sizes"));
     addPage(nullptr, m_drift, tr("Drift"), tr("How errors of increments grow with the columns"));
     addPage(nullptr, m_changes, tr("Changes"), tr("Before and after"));
@@ -80,6 +85,7 @@ LabCharts::LabCharts(QWidget *parent)
         select(contender);
         emit missRequested(contender);
     });
+    connect(m_pareto, &ParetoPlot::contenderSelected, this, &LabCharts::select);
     connect(m_table, &LabTable::contenderSelected, this, &LabCharts::select);
     connect(m_table, &LabTable::contenderActivated, this, &LabCharts::missRequested);
     connect(m_answers, &LabAnswers::contenderSelected, this, &LabCharts::select);

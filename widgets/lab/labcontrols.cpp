@@ -32,7 +32,7 @@ LabControls::LabControls(const LabRun *run, QWidget *parent)
     m_start->setToolTip(tr("Judge and time every contender"));
     row->addWidget(m_start);
     m_extent = addBox(row, "labExtent", tr("Extent of the study"),
-                      tr("Quick: fourteen contenders, 20 seconds. Full: every method in every "
+                      tr("Quick: fifteen contenders, 20 seconds. Full: every method in every "
                          "arithmetic, five minutes"));
     m_extent->addItem(tr("quick"), int(StudyExtent::Quick));
     m_extent->addItem(tr("full"), int(StudyExtent::Full));
@@ -95,7 +95,7 @@ void LabControls::addFileMenu(QBoxLayout *row)
     m_outputs
         += add("labCompare", tr("&Compare with earlier results …"), &LabControls::compareRequested);
     menu->addSeparator();
-    m_outputs += add("labSaveChart", tr("Save the chart, SVG or &PNG …"),
+    m_outputs += add("labSaveChart", tr("Save the chart, SVG, &PNG or CSV …"),
                      &LabControls::saveChartRequested);
     m_outputs += add("labCopyCommand", tr("Copy the co&mmand that does it again"),
                      &LabControls::copyCommandRequested);

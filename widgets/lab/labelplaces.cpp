@@ -27,24 +27,24 @@ std::array<QPointF, 8> cornersFor(const LabelledDot &dot)
 
 } // namespace
 
+QRectF coveredBy(const QPointF &dot)
+{
+    return {dot.x() - dotRadius, dot.y() - dotRadius, 2 * dotRadius, 2 * dotRadius};
+}
+
 std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelledDot> &dots,
-                                               const std::vector<QPointF> &others,
+                                               const std::vector<QRectF> &others,
                                                const QRectF &area)
 {
-    std::vector<QRectF> taken;
-    const auto take = [&taken](const QPointF &dot) {
-        taken.emplace_back(dot.x() - dotRadius, dot.y() - dotRadius, 2 * dotRadius, 2 * dotRadius);
-    };
+    std::vector<QRectF> taken = others;
     for (const LabelledDot &dot : dots)
-        take(dot.centre);
-    for (const QPointF &other : others)
-        take(other);
+        taken.push_back(coveredBy(dot.centre));
     std::vector<std::optional<QRectF>> places;
     for (const LabelledDot &dot : dots) {
         std::optional<QRectF> place;
         for (const QPointF &corner : cornersFor(dot)) {
             const QRectF candidate(corner, dot.label);
-            if (!area.contains(candidate)
+            if (candidate.isEmpty() || !area.contains(candidate)
                 || std::ranges::any_of(
                     taken, [&candidate](const QRectF &each) { return each.intersects(candidate); }))
                 continue;

@@ -12,14 +12,17 @@ namespace pixelplumb {
 /// A dot of a chart and the size of its label, logical pixels of the chart.
 struct LabelledDot {
     QPointF centre;
-    QSizeF label;
+    QSizeF label; ///< empty: none
 };
 
-/// Where labels stand so that none covers another, a dot or one of the `others`, dots without a
-/// label: beside, above or below its dot, within the area; none where there is no room for it. The
-/// first dots choose first.
+/// What a dot covers.
+QRectF coveredBy(const QPointF &dot);
+
+/// Where labels stand so that none covers another, a dot or one of the others, such as lines and
+/// dots without a label: beside, above or below its dot, within the area; none where there is no
+/// room for it. The first dots choose first.
 std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelledDot> &dots,
-                                               const std::vector<QPointF> &others,
+                                               const std::vector<QRectF> &others,
                                                const QRectF &area);
 
 } // namespace pixelplumb

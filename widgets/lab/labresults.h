@@ -6,8 +6,7 @@
 
 namespace pixelplumb {
 
-/// What the lab shows: a study, finished or not, and how times and errors grow. The curves of a
-/// study that comes from a file are not there.
+/// What the lab shows: a study, finished or not, and how times and errors grow.
 struct LabResults {
     Study study;
     std::vector<SizeCurve> sizes;

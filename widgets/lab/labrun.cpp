@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/labrun.h"
 
-#include "core/lab/studystages.h"
+#include "core/lab/studytime.h"
 #include "widgets/model/measuringpool.h"
 
 #include <atomic>
@@ -14,41 +14,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto betweenNews = 250ms; ///< a copy of a study takes time from what is measured
-constexpr std::int64_t driftColumns = 2003;
-
-/// Those whose growth is worth a curve: the column scan in every arithmetic, its fast kernel, and
-/// the walk over rows.
-constexpr const char *scalingContenders[]
-    = {"column-scan:exact",   "column-scan:exact:fast", "column-scan:float32",
-       "column-scan:float64", "column-scan:fixed16.16", "column-scan:fixed32.32",
-       "row-walk:float32"};
-
-std::vector<LabContender> contendersOfSizes(const StudySettings &settings)
-{
-    if (!settings.contenders.empty())
-        return settings.contenders;
-    std::vector<LabContender> contenders;
-    for (const char *id : scalingContenders) {
-        if (auto contender = labContenderNamed(QLatin1String(id)))
-            contenders.push_back(std::move(*contender));
-    }
-    return contenders;
-}
-
-int roundsOfSizes(const StudySettings &settings)
-{
-    return settings.extent == StudyExtent::Quick ? 3 : 7;
-}
-
-/// Of a study and of how times grow, which follows it.
-std::vector<JobStage> stagesOfRun(const StudySettings &settings)
-{
-    std::vector<JobStage> stages = stagesOf(settings);
-    if (settings.rounds != 0)
-        stages.push_back(
-            sizeStudyStage(contendersOfSizes(settings).size(), roundsOfSizes(settings)));
-    return stages;
-}
 
 } // namespace
 
@@ -62,7 +27,7 @@ public:
         if (now - m_lastOffer < betweenNews)
             return;
         m_lastOffer = now;
-        post([&](LabResults &results) { results.study = study; });
+        post([&](LabResults &results) { results = {study, study.growth, study.drift}; });
     }
 
     template <class Change>
@@ -106,14 +71,9 @@ LabRun::LabRun(QObject *parent)
 
 LabRun::~LabRun() = default;
 
-double LabRun::expectedSeconds(const StudySettings &settings)
-{
-    return TimeLeft(stagesOfRun(settings)).seconds();
-}
-
 void LabRun::start(const StudySettings &settings)
 {
-    m_timeLeft = TimeLeft(stagesOfRun(settings));
+    m_timeLeft = TimeLeft(expectedSecondsOf(settings));
     m_board = std::make_shared<Board>();
     const auto work = [settings, board = m_board](const ProgressListener &job) {
         const ProgressListener listener
@@ -123,19 +83,8 @@ void LabRun::start(const StudySettings &settings)
         hears.rowChanged = [&board](const Study &study, std::size_t) { board->offer(study); };
         hears.roundDone = [&board](const Study &study) { board->offer(study); };
         const Study study = runStudy(settings, hears);
-        board->post([&](LabResults &results) { results.study = study; });
-        if (!study.isComplete)
-            return false;
-        auto drift = driftOver(driftColumns, listener);
-        if (!drift)
-            return false;
-        board->post([&](LabResults &results) { results.drift = std::move(*drift); });
-        if (study.rounds == 0)
-            return true;
-        auto sizes = runSizeStudy(contendersOfSizes(settings), roundsOfSizes(settings), listener);
-        if (sizes)
-            board->post([&](LabResults &results) { results.sizes = std::move(*sizes); });
-        return sizes.has_value();
+        board->post([&](LabResults &results) { results = {study, study.growth, study.drift}; });
+        return study.isComplete;
     };
     m_job.start(work, [this](bool) {
         takeNews();

@@ -21,8 +21,6 @@ public:
     bool isRunning() const { return m_job.isRunning(); }
     /// How far it is and how long it will take, for people.
     const TimeLeft &timeLeft() const { return m_timeLeft; }
-    /// s that a run takes about, as far as that is known before.
-    static double expectedSeconds(const StudySettings &settings);
 
     void start(const StudySettings &settings);
     /// Ends it after the sample that it is at; then what it has is told, and ended().
@@ -41,7 +39,7 @@ private:
     void takeNews();
 
     Job m_job;
-    TimeLeft m_timeLeft{{}};
+    TimeLeft m_timeLeft{0};
     std::shared_ptr<Board> m_board; ///< shared with the worker
 };
 

@@ -120,12 +120,27 @@ void MissPlot::addBars(double from, double to, Qt::BrushStyle style, const QColo
     shown->setWidth(barWidth);
     shown->setPen(QPen(colour, 1));
     shown->setBrush(QBrush(colour, style));
-    shown->setName(name);
-    shown->addToLegend();
+    addKey(shown, name, {});
     for (const Bar &bar : m_bars) {
         if (bar.place > from && bar.place < to && bar.count > 0)
             shown->addData(bar.place, double(bar.count) - baseline); // bars begin at the base
     }
+}
+
+QString MissPlot::figureTitle() const
+{
+    const StudyContender *contender = m_results ? m_results->study.contender(m_contender) : nullptr;
+    const QString title = titleOn(m_results, m_family);
+    return contender ? tr("%1; %2").arg(title, contender->label) : title;
+}
+
+std::vector<QStringList> MissPlot::numbers() const
+{
+    std::vector<QStringList> lines
+        = {{QStringLiteral("contender"), QStringLiteral("samples"), QStringLiteral("count")}};
+    for (const Bar &bar : m_bars)
+        lines.push_back({m_contender, bar.meaning, QString::number(bar.count)});
+    return lines;
 }
 
 QString MissPlot::textAt(const QPointF &position) const

@@ -35,14 +35,7 @@ Arithmetic arithmeticOfCurve(const SizeCurve &curve)
     return contender ? contender->arithmetic : Arithmetic::Exact;
 }
 
-/// Only the plain column scan's are solid: its fast kernel and other methods share its arithmetics.
-DotFill fillOfCurve(const SizeCurve &curve)
-{
-    const std::optional<LabContender> contender = labContenderNamed(curve.contender);
-    const bool isPlainScan = contender && contender->kernel == LabKernel::Plain
-        && contender->method->id == QStringLiteral("column-scan");
-    return isPlainScan ? DotFill::Solid : DotFill::Hollow;
-}
+QString methodOfCurve(const SizeCurve &curve) { return curve.contender.section(u':', 0, 0); }
 
 } // namespace
 
@@ -56,6 +49,21 @@ void ScalingPlot::show(const SharedResults &results, SizeAxis axis)
     m_results = results;
     m_axis = axis;
     rebuild();
+}
+
+/// The column scan has dots; its arithmetics are shared by other methods, which have crosses.
+QCPScatterStyle ScalingPlot::markOf(const SizeCurve &curve) const
+{
+    const Arithmetic arithmetic = arithmeticOfCurve(curve);
+    QStringList others;
+    for (const SizeCurve &each : m_results->sizes) {
+        if (const QString method = methodOfCurve(each); !others.contains(method))
+            others.append(method);
+    }
+    others.removeOne(QStringLiteral("column-scan"));
+    const qsizetype other = others.indexOf(methodOfCurve(curve));
+    return other < 0 ? kernelDot(arithmetic, kernelOf(curve.contender), palette())
+                     : otherMethodDot(arithmetic, std::size_t(other), palette());
 }
 
 QString ScalingPlot::labelOf(const SizeCurve &curve) const
@@ -81,11 +89,14 @@ void ScalingPlot::build()
     for (const SizeCurve &curve : m_results ? m_results->sizes : std::vector<SizeCurve>()) {
         if (curve.axis != m_axis)
             continue;
-        QCPGraph *graph = addKey(labelOf(curve));
+        QCPGraph *graph
+            = addKey(labelOf(curve),
+                     tr("n^1 doubles its time where the size doubles, n^0 does not grow: the "
+                        "exponent is fitted to the larger half of the sizes."));
         const Arithmetic arithmetic = arithmeticOfCurve(curve);
         graph->setPen(
             QPen(arithmeticColour(arithmetic, palette()), 1.5, arithmeticLine(arithmetic)));
-        graph->setScatterStyle(arithmeticDot(arithmetic, fillOfCurve(curve), palette()));
+        graph->setScatterStyle(markOf(curve));
         for (const SizePoint &point : curve.points) {
             if (point.size <= 0 || point.perDraw.median <= 0)
                 continue;
@@ -101,6 +112,28 @@ void ScalingPlot::build()
     }
     setLogRange(plot()->xAxis, least / 1.3, most * 1.3);
     setLogRange(plot()->yAxis, shortest / 1.5, longest * 1.5);
+}
+
+QString ScalingPlot::figureTitle() const
+{
+    return tr("%1: %2").arg(accessibleName(), sizeText(m_axis));
+}
+
+std::vector<QStringList> ScalingPlot::numbers() const
+{
+    std::vector<QStringList> lines
+        = {{QStringLiteral("contender"), QStringLiteral("axis"), QStringLiteral("size"),
+            QStringLiteral("nsADrawLower"), QStringLiteral("nsADraw"),
+            QStringLiteral("nsADrawUpper"), QStringLiteral("exponent")}};
+    for (const SizeCurve &curve : m_results ? m_results->sizes : std::vector<SizeCurve>()) {
+        for (const SizePoint &point : curve.points)
+            lines.push_back({curve.contender, nameOf(curve.axis), QString::number(point.size),
+                             QString::number(point.perDraw.lower),
+                             QString::number(point.perDraw.median),
+                             QString::number(point.perDraw.upper),
+                             curve.exponent ? QString::number(*curve.exponent) : QString()});
+    }
+    return lines;
 }
 
 QString ScalingPlot::textAt(const QPointF &position) const

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/studyplan.h"
+
+namespace pixelplumb {
+
+StudyPlan studyPlanFor(const StudySettings &settings)
+{
+    StudyPlan plan;
+    if (settings.extent == StudyExtent::Full) {
+        plan.accuracy = {600'000'000, 60, 200'000, 1'000'000, 40'000};
+        plan.race.longestDraw = 60e6;
+        plan.rounds = 7;
+        plan.growthRounds = 7;
+    }
+    if (settings.mostSamples > 0)
+        plan.accuracy.mostSamples = settings.mostSamples;
+    if (settings.hangSeconds > 0)
+        plan.accuracy.hangSeconds = settings.hangSeconds;
+    if (settings.rounds >= 0)
+        plan.rounds = settings.rounds;
+    if (settings.growthRounds >= 0)
+        plan.growthRounds = settings.growthRounds;
+    if (plan.rounds == 0)
+        plan.growthRounds = 0;
+    plan.growing = settings.contenders.empty() ? growingContenders() : settings.contenders;
+    return plan;
+}
+
+std::vector<LabContender> contendersFor(const StudySettings &settings)
+{
+    if (!settings.contenders.empty())
+        return settings.contenders;
+    return settings.extent == StudyExtent::Quick ? quickContenders() : fullContenders();
+}
+
+std::vector<LabFamily> familiesFor(const StudySettings &settings)
+{
+    const FamilyRequest request{settings.seed, settings.extent, settings.ownScene,
+                                settings.hardCases};
+    std::vector<LabFamily> families;
+    for (const LabFamilyInfo &info : labFamilies()) {
+        if (!settings.families.isEmpty() && !settings.families.contains(QLatin1String(info.id)))
+            continue;
+        if (auto family = makeFamily(info, request))
+            families.push_back(std::move(*family));
+    }
+    return families;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/lab/familyaccuracy.h"
+#include "core/lab/labrace.h"
+
+namespace pixelplumb {
+
+/// What the settings of a study come to.
+struct StudyPlan {
+    AccuracyOptions accuracy;
+    RaceOptions race;
+    int rounds = 5;
+    std::vector<LabContender> growing; ///< whose growth is measured
+    int growthRounds = 3; ///< 0: no curves
+
+    bool hasCurves() const { return growthRounds > 0; }
+};
+
+StudyPlan studyPlanFor(const StudySettings &settings);
+std::vector<LabContender> contendersFor(const StudySettings &settings);
+/// Those that are asked for and that there is something for.
+std::vector<LabFamily> familiesFor(const StudySettings &settings);
+
+} // namespace pixelplumb
