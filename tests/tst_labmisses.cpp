@@ -28,6 +28,8 @@ using namespace pixelplumb;
 namespace {
 
 constexpr int longest = 60'000; // ms
+/// What a screen of 1366 × 768 leaves.
+constexpr QSize sizeOnSmallScreen(1358, 728);
 const QString contenderId = QStringLiteral("column-scan:float32");
 
 enum class Colours { One, Three };
@@ -80,6 +82,7 @@ private slots:
     {
         m_settings.clear();
         m_window = openedWindow();
+        m_window->resize(sizeOnSmallScreen);
         action(*m_window, "accuracyLabDockToggle")->trigger();
         m_lab = named<AccuracyLab>(*m_window, "accuracyLab");
         QCoreApplication::processEvents();
@@ -135,6 +138,7 @@ private slots:
         const auto *canvas = named<Canvas>(*m_window, "canvas");
         QVERIFY(canvas->view().contains(canvas->positionOf(pixel)));
         QVERIFY(canvas->zoom() >= 8);
+        QCOMPARE(m_window->size(), sizeOnSmallScreen);
         const QString place = QStringLiteral("(%1, %2)").arg(pixel.x()).arg(pixel.y());
         QVERIFY(named<QLabel>(*m_window, "pixelHistoryHeading")->text().contains(place));
         QVERIFY(named<QLabel>(*m_window, "compareReason")->text().contains(place));
