@@ -191,7 +191,7 @@ private slots:
             dots.push_back({{40.0 + i * 37 % 290, 30.0 + i * 53 % 140}, {80, 14}});
         const QRectF area(0, 0, 400, 200);
 
-        const auto places = placeLabels(dots, {coveredBy({200, 100})}, area);
+        const auto places = placeLabels(dots, {area, {coveredBy({200, 100})}, {}});
 
         std::vector<QRectF> there;
         for (const auto &place : places) {
@@ -207,6 +207,21 @@ private slots:
         }
         QVERIFY(places.front());
         QVERIFY(there.size() >= 8);
+    }
+
+    void aLabelKeepsOffALineWhereItCan()
+    {
+        const std::vector<LabelledDot> dots = {{{50, 100}, {80, 14}}};
+        const QRectF area(0, 0, 200, 200);
+        const QRectF right(60, 99, 140, 2); // a line through the first choice
+
+        const auto free = placeLabels(dots, {area, {}, {}});
+        const auto lined = placeLabels(dots, {area, {}, {right}});
+        const auto beside = placeLabels(dots, {area, {}, {right}, LabelArea::Sides::Beside});
+
+        QVERIFY(free[0] && free[0]->intersects(right));
+        QVERIFY(lined[0] && !lined[0]->intersects(right));
+        QVERIFY(beside[0] && beside[0]->intersects(right)); // there is no other place
     }
 
     void missesStandOnTheirSides()

@@ -65,6 +65,8 @@ private:
 
 std::optional<ScanSettings> settingsFor(const LabContender &contender, const LabFamily &family)
 {
+    if (contender.kernel == LabKernel::Peer && !(family.isOnWholePixels && family.staysInside))
+        return std::nullopt;
     ScanSettings settings = contender.settingsUnder(family.settings.fillRule);
     settings.rounding = family.settings.rounding;
     if (family.isMesh) {

@@ -64,12 +64,15 @@ LabCandidate::LabCandidate(const LabContender &contender, const LabFamily &famil
 {
     if (const auto settings = settingsFor(contender, family)) {
         m_verdict.settings = *settings;
-        m_visitsFrame = visitsWholeFrame(*contender.method, *settings);
+        m_visitsFrame = contender.kernel == LabKernel::Plain
+            && visitsWholeFrame(*contender.method, *settings);
         if (family.isMesh)
             m_cover.emplace(family.pictures.front().frame);
     } else {
         m_verdict.outcome = LabOutcome::Refused;
-        m_verdict.remark = QStringLiteral("keeps no rule under which every sample has one owner");
+        m_verdict.remark = contender.kernel == LabKernel::Peer
+            ? QStringLiteral("is given whole pixels inside the frame alone")
+            : QStringLiteral("keeps no rule under which every sample has one owner");
     }
 }
 
@@ -148,7 +151,8 @@ void LabCandidate::lookClosely(const LabChunk &chunk, const FrameView &frame)
                             truth.window.view(), m_levels))
                 m_probedPixels += std::max<std::int64_t>(truth.pixels, 1);
         }
-        if (m_movedPixels < m_options.movedPixels) {
+        // What a peer does on a frame elsewhere depends on who hands it over.
+        if (m_contender.kernel != LabKernel::Peer && m_movedPixels < m_options.movedPixels) {
             m_movedPixels += std::int64_t(truth.window.pixels().size());
             addInvariance(m_contender, settings(), *truth.triangle, frame, m_judge.figures());
         }
@@ -157,7 +161,7 @@ void LabCandidate::lookClosely(const LabChunk &chunk, const FrameView &frame)
 
 void LabCandidate::addFlicker()
 {
-    if (m_family.motion.empty())
+    if (m_family.motion.empty() || m_contender.kernel == LabKernel::Peer)
         return;
     const WrittenFrame frame(m_family.pictures.front().frame);
     const Toggles toggles = togglesOf(m_contender, settings(), m_family.motion, frame.view());

@@ -30,7 +30,15 @@ bool isFastIn(const Method &method, Arithmetic arithmetic)
 
 QString nameOf(LabKernel kernel)
 {
-    return kernel == LabKernel::Fast ? QStringLiteral("SIMD") : QStringLiteral("plain");
+    switch (kernel) {
+    case LabKernel::Plain:
+        return QStringLiteral("plain");
+    case LabKernel::Fast:
+        return QStringLiteral("SIMD");
+    case LabKernel::Peer:
+        return QStringLiteral("peer");
+    }
+    return {};
 }
 
 LabKernel kernelOf(const QString &contender)
@@ -53,6 +61,8 @@ QString LabContender::domain() const
 
 ScanSettings LabContender::settingsUnder(FillRule rule) const
 {
+    if (ownRule)
+        return {arithmetic, *ownRule, ByteRounding::Nearest};
     return method->adapted({arithmetic, rule, ByteRounding::Nearest});
 }
 

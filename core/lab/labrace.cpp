@@ -60,10 +60,15 @@ bool LabRace::enter(std::size_t row, const LabContender &contender, const TimedF
 void LabRace::sample(Entry &entry) const
 {
     const LabContender &contender = *entry.contender;
-    const auto draw = [&] {
+    std::function<void()> draw = [&] {
         for (const Picture &picture : entry.part->pictures)
             contender.draw(picture.primitives, entry.settings, picture.frame.view());
     };
+    if (contender.loaded) { // of families of one picture alone
+        const Picture &picture = entry.part->pictures.front();
+        contender.loaded->load(picture.primitives, picture.frame.view());
+        draw = contender.loaded->draw;
+    }
     entry.samples.push_back(sampleDraw(draw, entry.drawsPerSample, m_options.sampleNanoseconds));
     if (entry.forStraight.empty())
         return;

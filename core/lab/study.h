@@ -20,6 +20,7 @@ struct StudySettings {
     std::vector<HardCase> hardCases = {};
     QStringList families = {}; ///< ids; empty: all
     std::vector<LabContender> contenders = {}; ///< empty: those of the extent
+    std::vector<LabContender> peers = {}; ///< beside them
     /// Samples that a contender may take for the accuracy of one family; 0: the extent's.
     std::int64_t mostSamples = 0;
     /// Seconds of processor time after which a contender hangs; 0: the extent's, far more than any

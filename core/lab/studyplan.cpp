@@ -28,9 +28,11 @@ StudyPlan studyPlanFor(const StudySettings &settings)
 
 std::vector<LabContender> contendersFor(const StudySettings &settings)
 {
-    if (!settings.contenders.empty())
-        return settings.contenders;
-    return settings.extent == StudyExtent::Quick ? quickContenders() : fullContenders();
+    std::vector<LabContender> contenders = settings.contenders;
+    if (contenders.empty())
+        contenders = settings.extent == StudyExtent::Quick ? quickContenders() : fullContenders();
+    contenders.insert(contenders.end(), settings.peers.begin(), settings.peers.end());
+    return contenders;
 }
 
 std::vector<LabFamily> familiesFor(const StudySettings &settings)

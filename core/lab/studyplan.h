@@ -18,6 +18,7 @@ struct StudyPlan {
 };
 
 StudyPlan studyPlanFor(const StudySettings &settings);
+/// With the peers.
 std::vector<LabContender> contendersFor(const StudySettings &settings);
 /// Those that are asked for and that there is something for.
 std::vector<LabFamily> familiesFor(const StudySettings &settings);

@@ -14,23 +14,13 @@
 #include <QBoxLayout>
 #include <QClipboard>
 #include <QFileInfo>
-
-#include <algorithm>
+#include <QStackedWidget>
 
 namespace pixelplumb {
 
 namespace {
 
 constexpr int lowPanel = 340; ///< logical pixels
-
-/// Whether a family has a dot to show, or never will have.
-bool hasDots(const Study &study, const QString &family)
-{
-    return study.isComplete || std::ranges::any_of(study.rows, [&](const LabRow &row) {
-               return (row.family == family || !study.family(family)) && row.cost
-                   && row.cost->rounds > 0;
-           });
-}
 
 } // namespace
 
@@ -44,6 +34,7 @@ AccuracyLab::AccuracyLab(Playhead *playhead, QWidget *parent)
     , m_invitation(new QLabel(this))
     , m_warnings(new ElidedLabel(this))
     , m_conditions(new ElidedLabel(this))
+    , m_lastLine(new QStackedWidget(this))
 {
     setObjectName(QStringLiteral("accuracyLab"));
     setAccessibleName(tr("Accuracy lab"));
@@ -55,15 +46,18 @@ AccuracyLab::AccuracyLab(Playhead *playhead, QWidget *parent)
     m_conditions->setObjectName(QStringLiteral("labConditions"));
     m_conditions->setAccessibleName(tr("Machine, compiler, and the command that does it again"));
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 4);
+    layout->setContentsMargins(8, 4, 8, 4);
     layout->setSpacing(4);
     layout->addWidget(m_controls);
     layout->addWidget(m_invitation, 1);
     layout->addWidget(m_charts, 1);
     m_foot = new QBoxLayout(QBoxLayout::TopToBottom);
     m_foot->setSpacing(4);
-    m_foot->addWidget(m_warnings);
-    m_foot->addWidget(m_conditions);
+    m_foot->addWidget(m_warnings, 1);
+    m_lastLine->addWidget(m_conditions);
+    m_lastLine->addWidget(m_controls->progress());
+    m_lastLine->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    m_foot->addWidget(m_lastLine, 1);
     layout->addLayout(m_foot);
     connect(m_run, &LabRun::resultsChanged, this, &AccuracyLab::takeNews);
     connect(m_run, &LabRun::ended, this, &AccuracyLab::endRun);
@@ -95,23 +89,23 @@ void AccuracyLab::connectControls()
         const QString path = m_files->askForOutput(
             tr("Save the Results"), tr("Results of the lab (*.json)"), QStringLiteral("json"));
         if (!path.isEmpty())
-            m_files->writeResults(path, m_results->study);
+            m_files->writeResults(path, results()->study);
     });
     connect(m_controls, &LabControls::saveTableRequested, this, [this] {
         const QString path = m_files->askForOutput(tr("Save the Table"), tr("CSV tables (*.csv)"),
                                                    QStringLiteral("csv"));
         if (!path.isEmpty())
-            m_files->writeTable(path, m_results->study);
+            m_files->writeTable(path, results()->study);
     });
     connect(m_controls, &LabControls::saveChartRequested, this, &AccuracyLab::saveChart);
     connect(m_controls, &LabControls::earlierRequested, this, &AccuracyLab::showEarlier);
     connect(m_controls, &LabControls::copyCommandRequested, this, [this] {
-        if (m_results->study.command.isEmpty()) {
+        if (results()->study.command.isEmpty()) {
             emit complaint(tr("There is no command: the scene was in no file when it was measured. "
                               "Save it and run the lab again."));
             return;
         }
-        QApplication::clipboard()->setText(m_results->study.command);
+        QApplication::clipboard()->setText(results()->study.command);
         emit notice(tr("The command is on the clipboard."));
     });
 }
@@ -141,61 +135,50 @@ void AccuracyLab::run()
         if (auto cases = builtInHardCases())
             asked.hardCases = std::move(*cases);
     }
-    m_isRunShown = false;
-    m_news = nullptr;
+    m_shown.beginRun();
     m_run->start(asked);
     showState();
 }
 
 void AccuracyLab::cancel() { m_run->cancel(); }
 
-/// A run takes other results' place when it has times of the family that is looked at.
 void AccuracyLab::takeNews(const SharedResults &news)
 {
-    if (m_isRunShown)
-        return take(news);
-    m_news = news;
-    if (m_results && !hasDots(news->study, m_controls->family()))
+    const bool wasOfRun = m_shown.areOfRun();
+    if (!m_shown.takeNews(news, m_controls->family()))
         return;
-    showRun();
-}
-
-void AccuracyLab::showRun()
-{
-    m_isRunShown = true;
-    replaceBy(std::exchange(m_news, nullptr));
+    if (!wasOfRun)
+        m_charts->forgetChanges();
+    showResults();
 }
 
 void AccuracyLab::endRun()
 {
-    if (!m_isRunShown && m_news && hasDots(m_news->study, {}))
-        showRun();
-    if (m_results && !m_isRunShown)
+    if (m_shown.endRun())
+        showResults();
+    if (results() && !m_shown.areOfRun())
         emit notice(tr("Cancelled before anything was timed: the results before it stay."));
-    else if (m_earlier && !m_results->study.isComplete)
+    else if (earlierResults() && !results()->study.isComplete)
         emit notice(tr("Cancelled. Those before are under Files, Results before these."));
-    m_news = nullptr;
     showState();
 }
 
-void AccuracyLab::replaceBy(SharedResults results)
+void AccuracyLab::replaceBy(const SharedResults &results)
 {
-    if (m_results)
-        m_earlier = m_results;
+    m_shown.replaceBy(results);
     m_charts->forgetChanges();
-    take(results);
+    showResults();
 }
 
 void AccuracyLab::showEarlier()
 {
-    if (m_earlier && !isRunning())
-        replaceBy(m_earlier);
+    if (earlierResults() && !isRunning())
+        replaceBy(earlierResults());
 }
 
-void AccuracyLab::take(const SharedResults &results)
+void AccuracyLab::showResults()
 {
-    m_results = results;
-    m_controls->setFamilies(results->study.families);
+    m_controls->setFamilies(results()->study.families);
     showChoice();
     showState();
     emit resultsChanged();
@@ -203,31 +186,31 @@ void AccuracyLab::take(const SharedResults &results)
 
 void AccuracyLab::showChoice()
 {
-    if (m_results)
-        m_charts->show(m_results, m_controls->family(), m_controls->errorAxis());
+    if (results())
+        m_charts->show(results(), m_controls->family(), m_controls->errorAxis());
 }
 
 void AccuracyLab::showState()
 {
     m_controls->showRunning();
-    m_controls->setHasResults(m_results != nullptr);
-    m_controls->setHasEarlier(m_earlier && !isRunning());
-    m_charts->setVisible(m_results != nullptr);
-    m_conditions->setVisible(m_results && !isRunning()); // progress stands for it
-    m_invitation->setVisible(!m_results);
+    m_controls->setHasResults(results() != nullptr);
+    m_controls->setHasEarlier(earlierResults() && !isRunning());
+    m_charts->setVisible(results() != nullptr);
+    m_lastLine->setCurrentWidget(isRunning() ? m_controls->progress() : m_conditions);
+    m_invitation->setVisible(!results());
     m_invitation->setText(
         isRunning() ? tr("The first pictures are being judged.")
                     : invitationText(m_controls->extent(), expectedSecondsOf(settings())));
     QStringList warnings;
-    if (m_results && !isRunning())
-        warnings = warningsOf(m_results->study);
-    else if (m_results && !m_isRunShown)
+    if (results() && !isRunning())
+        warnings = warningsOf(results()->study);
+    else if (results() && !m_shown.areOfRun())
         warnings = {tr("These are the results before; those of this run follow when it has timed "
                        "this family.")};
     m_warnings->setVisible(!warnings.isEmpty());
     m_warnings->setWholeText(QStringLiteral("⚠ ") + warnings.join(QStringLiteral(" ⚠ ")));
-    if (m_results)
-        m_conditions->setWholeText(originOf(m_results->study).join(QStringLiteral(" · ")));
+    if (results())
+        m_conditions->setWholeText(originOf(results()->study).join(QStringLiteral(" · ")));
 }
 
 /// A low panel gives the charts the second line of its foot.
@@ -239,7 +222,7 @@ void AccuracyLab::resizeEvent(QResizeEvent *event)
 
 void AccuracyLab::openMiss(const QString &contender)
 {
-    const LabRow *row = m_results ? m_results->study.row(contender, m_controls->family()) : nullptr;
+    const LabRow *row = results() ? results()->study.row(contender, m_controls->family()) : nullptr;
     if (!row)
         return;
     if (row->firstMiss)
@@ -260,7 +243,7 @@ void AccuracyLab::saveChart()
                                                   "Numbers, CSV (*.csv)"),
                                                QStringLiteral("svg"));
     if (!path.isEmpty())
-        m_files->writeChart(path, *chart, m_results->study);
+        m_files->writeChart(path, *chart, results()->study);
 }
 
 bool AccuracyLab::openResults(const QString &path)
@@ -275,7 +258,7 @@ bool AccuracyLab::openResults(const QString &path)
 
 bool AccuracyLab::compareWith(const QString &path)
 {
-    if (!m_results) {
+    if (!results()) {
         emit complaint(tr("Nothing is measured yet that %1 could be compared with: press Run or "
                           "open results first.")
                            .arg(QFileInfo(path).fileName()));
@@ -284,7 +267,7 @@ bool AccuracyLab::compareWith(const QString &path)
     const std::optional<Study> before = m_files->read(path);
     if (!before)
         return false;
-    m_charts->showChanges(*before, m_results->study, QFileInfo(path).fileName());
+    m_charts->showChanges(*before, results()->study, QFileInfo(path).fileName());
     return true;
 }
 

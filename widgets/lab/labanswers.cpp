@@ -16,9 +16,9 @@ QString groundText(BudgetGround ground)
 {
     switch (ground) {
     case BudgetGround::Proof:
-        return LabAnswers::tr("by proof");
+        return LabAnswers::tr("proof");
     case BudgetGround::Measurement:
-        return LabAnswers::tr("by measurement");
+        return LabAnswers::tr("measurement");
     case BudgetGround::Nobody:
         break;
     }
@@ -33,10 +33,16 @@ LabAnswers::LabAnswers(QWidget *parent)
     setObjectName(QStringLiteral("labAnswers"));
     setAccessibleName(tr("The cheapest contender for each budget"));
     setHorizontalHeaderLabels(
-        {tr("budget"), tr("cheapest contender"), tr("ground"), tr("ns a pixel"), tr("reason")});
+        {tr("budget"), tr("cheapest contender"), tr("known by"), tr("ns a pixel"), tr("reason")});
     for (int column = 0; column <= ReasonColumn; ++column)
         horizontalHeaderItem(column)->setTextAlignment(
             (column == TimeColumn ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    horizontalHeaderItem(BudgetColumn)->setToolTip(tr("What is asked for"));
+    horizontalHeaderItem(ContenderColumn)
+        ->setToolTip(tr("Who gives it for the least time on this family of triangles"));
+    horizontalHeaderItem(GroundColumn)
+        ->setToolTip(tr("Whether it is proved, or was only never seen otherwise in this study"));
+    horizontalHeaderItem(TimeColumn)->setToolTip(tr("The median of all rounds"));
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::SingleSelection);

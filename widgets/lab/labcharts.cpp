@@ -5,6 +5,7 @@
 #include "widgets/lab/driftplot.h"
 #include "widgets/lab/labanswers.h"
 #include "widgets/lab/labchanges.h"
+#include "widgets/lab/labfiltermenu.h"
 #include "widgets/lab/labtable.h"
 #include "widgets/lab/missplot.h"
 #include "widgets/lab/paretoplot.h"
@@ -58,10 +59,12 @@ LabCharts::LabCharts(QWidget *parent)
     , m_changes(new LabChanges(this))
     , m_contender(namedBox("labMissContender", tr("Whose misses"), this))
     , m_sizeAxis(namedBox("labSizeAxis", tr("Which size grows"), this))
+    , m_filter(new LabFilterMenu(this))
 {
     setObjectName(QStringLiteral("labTabs"));
     setAccessibleName(tr("Charts of the lab"));
     setDocumentMode(true);
+    setCornerWidget(m_filter);
     addPage(nullptr, m_pareto, tr("Cost and error"),
             tr("Every contender by what it costs and what it gets wrong"));
     addPage(nullptr, m_table, tr("Table"), tr("The same in figures, sorted by any column"));
@@ -92,7 +95,8 @@ LabCharts::LabCharts(QWidget *parent)
     connect(m_contender, &QComboBox::activated, this,
             [this] { select(m_contender->currentData().toString()); });
     connect(m_sizeAxis, &QComboBox::currentIndexChanged, this,
-            [this] { m_scaling->show(m_results, SizeAxis(m_sizeAxis->currentData().toInt())); });
+            [this] { m_scaling->show(m_shown, SizeAxis(m_sizeAxis->currentData().toInt())); });
+    connect(m_filter, &LabFilterMenu::filterChanged, this, &LabCharts::showAll);
 }
 
 void LabCharts::addPage(QWidget *box, QWidget *shown, const QString &title, const QString &toolTip)
@@ -111,14 +115,25 @@ void LabCharts::show(const SharedResults &results, const QString &family, const 
 {
     m_results = results;
     m_family = family;
-    m_pareto->show(results, family, axis);
-    m_table->show(results, family);
-    m_answers->show(results->study, family);
+    m_axis = &axis;
+    m_filter->setContenders(results->study.contenders);
+    showAll();
+}
+
+/// Budgets and misses are asked of everyone.
+void LabCharts::showAll()
+{
+    if (!m_results)
+        return;
+    m_shown = filtered(m_results, m_filter->filter());
+    m_pareto->show(m_shown, m_family, *m_axis);
+    m_table->show(m_shown, m_family);
+    m_answers->show(m_results->study, m_family);
     fillContenders();
     showMisses();
-    m_costs->show(results, family);
-    m_scaling->show(results, SizeAxis(m_sizeAxis->currentData().toInt()));
-    m_drift->show(results);
+    m_costs->show(m_shown, m_family);
+    m_scaling->show(m_shown, SizeAxis(m_sizeAxis->currentData().toInt()));
+    m_drift->show(m_shown);
 }
 
 void LabCharts::fillContenders()

@@ -46,7 +46,7 @@ LabControls::LabControls(const LabRun *run, QWidget *parent)
     row->setStretch(row->indexOf(m_error), 2);
     addFileMenu(row);
     layout->addLayout(row);
-    addProgress(layout);
+    makeProgress();
     connect(m_start, &QPushButton::clicked, this, &LabControls::runRequested);
     connect(m_extent, &QComboBox::currentIndexChanged, this, &LabControls::extentChanged);
     connect(m_family, &QComboBox::currentIndexChanged, this, &LabControls::choiceChanged);
@@ -103,7 +103,7 @@ void LabControls::addFileMenu(QBoxLayout *row)
     row->addWidget(button);
 }
 
-void LabControls::addProgress(QBoxLayout *layout)
+void LabControls::makeProgress()
 {
     m_running = new QWidget(this);
     m_progress = new QProgressBar(m_running);
@@ -117,7 +117,10 @@ void LabControls::addProgress(QBoxLayout *layout)
     row->setSpacing(8);
     row->addWidget(m_progress, 1);
     row->addWidget(cancel);
-    layout->addWidget(m_running);
+    // No higher than the line of text that it takes turns with.
+    const int lineHeight = fontMetrics().height() + 4;
+    m_progress->setFixedHeight(lineHeight);
+    cancel->setFixedHeight(lineHeight);
     connect(cancel, &QPushButton::clicked, this, &LabControls::cancelRequested);
 }
 
@@ -161,11 +164,10 @@ void LabControls::setHasEarlier(bool hasEarlier) { m_earlier->setEnabled(hasEarl
 void LabControls::showRunning()
 {
     const bool isRunning = m_run->isRunning();
-    if (m_running->isHidden() != isRunning)
+    if (m_start->isEnabled() != isRunning)
         return;
     m_start->setEnabled(!isRunning);
     m_extent->setEnabled(!isRunning);
-    m_running->setVisible(isRunning);
     tellProgress();
 }
 

@@ -15,8 +15,8 @@ namespace pixelplumb {
 
 class LabRun;
 
-/// The lab's row of buttons and boxes: run, how much, what is shown, files; below it progress while
-/// a study runs.
+/// The lab's row of buttons and boxes: run, how much, what is shown, files; and a line of progress,
+/// which stands elsewhere.
 class LabControls : public QWidget {
     Q_OBJECT
 
@@ -26,6 +26,8 @@ public:
     StudyExtent extent() const;
     QString family() const; ///< id; empty before there are any
     const ErrorAxis &errorAxis() const;
+    /// The progress of a running study, and how to end it; a line for whoever has room for it.
+    QWidget *progress() const { return m_running; }
 
     /// Keeps the choice where the new ones have it.
     void setFamilies(const std::vector<StudyFamily> &families);
@@ -51,7 +53,7 @@ private:
     QComboBox *addBox(QBoxLayout *row, const char *name, const QString &accessibleName,
                       const QString &toolTip);
     void addFileMenu(QBoxLayout *row);
-    void addProgress(QBoxLayout *layout);
+    void makeProgress();
     void tellProgress();
 
     const LabRun *m_run;
@@ -59,7 +61,7 @@ private:
     QComboBox *m_extent = nullptr;
     QComboBox *m_family = nullptr;
     QComboBox *m_error = nullptr;
-    QWidget *m_running = nullptr; ///< the row of the progress
+    QWidget *m_running = nullptr; ///< the line of the progress
     QProgressBar *m_progress = nullptr;
     QList<QAction *> m_outputs; ///< that need results
     QAction *m_earlier = nullptr;

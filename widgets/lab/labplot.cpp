@@ -190,7 +190,7 @@ QCPGraph *LabPlot::addKey(const QString &name, const QString &meaning)
     return key;
 }
 
-void LabPlot::setLogRange(QCPAxis *axis, double low, double high, const QString &prefix)
+void LabPlot::setLogRange(QCPAxis *axis, double low, double high, const QString &pattern)
 {
     axis->setScaleType(QCPAxis::stLogarithmic);
     axis->setRange(low, high);
@@ -206,7 +206,7 @@ void LabPlot::setLogRange(QCPAxis *axis, double low, double high, const QString 
             const bool isPlain = exponent >= -2 && exponent <= 4 && decades <= 2 * fewDecades;
             ticker->addTick(
                 place,
-                prefix + (isPlain ? QString::number(place, 'g', 6) : powerOfTenText(exponent)));
+                pattern.arg(isPlain ? QString::number(place, 'g', 6) : powerOfTenText(exponent)));
         }
     }
     axis->setTicker(ticker);

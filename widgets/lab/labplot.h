@@ -16,8 +16,6 @@ class QCustomPlot;
 
 namespace pixelplumb {
 
-using SharedResults = std::shared_ptr<const LabResults>;
-
 /// A chart of the lab: axes and text in the window's palette, a text for what is under the pointer,
 /// and the same chart as a figure on paper.
 class LabPlot : public QWidget {
@@ -75,8 +73,9 @@ protected:
     QCPGraph *addKey(const QString &name, const QString &meaning = {});
     QFont smallFont() const;
 
-    /// A logarithmic axis from `low` to `high`, both above 0; its figures begin with the prefix.
-    static void setLogRange(QCPAxis *axis, double low, double high, const QString &prefix = {});
+    /// A logarithmic axis from `low` to `high`, both above 0; each figure stands for %1.
+    static void setLogRange(QCPAxis *axis, double low, double high,
+                            const QString &pattern = QStringLiteral("%1"));
 
 private:
     void dress();

@@ -103,8 +103,8 @@ QString pointHtml(const Study &study, const ParetoPoint &point, const QString &f
                          .arg(figureText(*point.missesStraight)));
     if (point.isOnFrontier)
         lines.append(point.kernel == LabKernel::Plain
-                         ? translated("of the plain kernels none is as exact for less time")
-                         : translated("of the SIMD kernels none is as exact for less time"));
+                         ? translated("of the plain kernels shown none is as exact for less time")
+                         : translated("of the SIMD kernels shown none is as exact for less time"));
     return joinedLines(lines, row);
 }
 

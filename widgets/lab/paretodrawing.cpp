@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scan/choicenames.h"
-#include "widgets/lab/labelplaces.h"
 #include "widgets/lab/labmarks.h"
 #include "widgets/lab/labtext.h"
 #include "widgets/lab/paretoplot.h"
@@ -52,7 +51,6 @@ void ParetoPlot::build()
     if (m_dots.empty())
         return addMessage(tr("Nothing is judged here yet."));
     addRows();
-    m_lines.clear();
     for (const LabKernel kernel : allLabKernels)
         addStaircase(kernel);
     addKeys();
@@ -82,15 +80,17 @@ void ParetoPlot::setAxes()
     high = std::max(high, low) * roomBeside;
     if (!m_chart.untimed.empty())
         low /= std::pow(high / low, waitingShare / (1 - waitingShare));
-    setLogRange(plot()->xAxis, low, high);
-    plot()->xAxis->setLabel(m_chart.points.empty() ? tr("cost, ns a pixel: not known yet")
-                                                   : tr("cost, ns a pixel"));
+    // Where the chart is low, the figures say what they are, and the words leave their room.
+    setLogRange(plot()->xAxis, low, high, isLow() ? tr("%1 ns") : QStringLiteral("%1"));
+    plot()->xAxis->setLabel(isLow()                      ? QString()
+                                : m_chart.points.empty() ? tr("cost, ns a pixel: not known yet")
+                                                         : tr("cost, ns a pixel"));
     setErrorTicks();
     QCPAxis *times = plot()->xAxis2;
     times->setVisible(reference && !isLow());
     if (times->visible()) {
         setLogRange(times, low / reference->cost.median, high / reference->cost.median,
-                    QStringLiteral("×"));
+                    QStringLiteral("×%1"));
         times->setLabel(tr("times the assignment's method (column scan, float32)"));
     }
 }
@@ -144,8 +144,10 @@ void ParetoPlot::addStaircase(LabKernel kernel)
     const bool isPlain = kernel == LabKernel::Plain;
     auto *stairs = new QCPCurve(plot()->xAxis, plot()->yAxis);
     stairs->setPen(QPen(staircaseColour(kernel), 1.5, isPlain ? Qt::SolidLine : Qt::DashLine));
-    addKey(stairs, isPlain ? tr("best plain kernels") : tr("best SIMD kernels"),
-           isPlain ? tr("The frontier: of plain kernels, which draw a pixel at a time, none is as "
+    if (!isLow()) // the arithmetics need the legend's room
+        addKey(stairs, isPlain ? tr("best plain kernels") : tr("best SIMD kernels"),
+               isPlain
+                   ? tr("The frontier: of plain kernels, which draw a pixel at a time, none is as "
                         "exact for less time than those on this line.")
                    : tr("The frontier of the SIMD kernels, which draw several pixels at once. They "
                         "are compared among themselves: they are faster by how they are "
@@ -205,9 +207,39 @@ void ParetoPlot::addStraight(const Dot &dot)
     loop->setLineStyle(QCPGraph::lsNone);
     loop->setScatterStyle(straightLoopDot(arithmetic, palette()));
     loop->setData({cost}, {dot.error}, true);
-    const QPointF place(plot()->xAxis->coordToPixel(cost), placeOf(dot).y());
-    m_lines.push_back(coveredBy(place));
-    m_lines.push_back(QRectF(place, placeOf(dot)).normalized());
+}
+
+LabelArea ParetoPlot::labelArea() const
+{
+    LabelArea area;
+    const QRectF axes(plot()->axisRect()->rect());
+    area.whole = axes;
+    area.sides = isLow() ? LabelArea::Sides::Beside : LabelArea::Sides::All;
+    const auto addLine = [&area](const QPointF &from, const QPointF &to) {
+        area.lines.push_back(QRectF(from, to).normalized().adjusted(-lineMargin, -lineMargin,
+                                                                    lineMargin, lineMargin));
+    };
+    for (const Dot &dot : m_dots) {
+        if (!dot.point.straight)
+            continue;
+        const QPointF loop(plot()->xAxis->coordToPixel(dot.point.straight->median),
+                           placeOf(dot).y());
+        area.others.push_back(coveredBy(loop));
+        addLine(loop, placeOf(dot));
+    }
+    for (const LabKernel kernel : allLabKernels) {
+        QPointF before;
+        for (const StaircaseCorner &corner : m_chart.staircase(kernel)) {
+            const QPointF here(
+                plot()->xAxis->coordToPixel(corner.cost),
+                plot()->yAxis->coordToPixel(m_scale.toAxis(corner.errorClass, corner.error)));
+            addLine(before.isNull() ? QPointF(here.x(), axes.top() - 1) : before, here);
+            before = here;
+        }
+        if (!before.isNull())
+            addLine(before, {axes.right(), before.y()});
+    }
+    return area;
 }
 
 /// The dots that matter most choose their labels' places first; in a low chart the others have
@@ -234,23 +266,7 @@ void ParetoPlot::addLabels()
             {placeOf(*dot),
              isSilent ? QSizeF() : metrics.size(Qt::TextSingleLine, pointLabel(dot->point))});
     }
-    for (const LabKernel kernel : allLabKernels) {
-        QPointF before;
-        for (const StaircaseCorner &corner : m_chart.staircase(kernel)) {
-            const QPointF here(
-                plot()->xAxis->coordToPixel(corner.cost),
-                plot()->yAxis->coordToPixel(m_scale.toAxis(corner.errorClass, corner.error)));
-            if (before.isNull())
-                before = {here.x(), plot()->axisRect()->top() - 1.0};
-            m_lines.push_back(QRectF(before, here).normalized());
-            before = here;
-        }
-        if (!before.isNull())
-            m_lines.emplace_back(before, QPointF(plot()->axisRect()->right(), before.y()));
-    }
-    for (QRectF &line : m_lines)
-        line.adjust(-lineMargin, -lineMargin, lineMargin, lineMargin);
-    const auto places = placeLabels(labelled, m_lines, QRectF(plot()->axisRect()->rect()));
+    const auto places = placeLabels(labelled, labelArea());
     for (std::size_t i = 0; i < places.size(); ++i) {
         if (!places[i])
             continue;
@@ -258,6 +274,7 @@ void ParetoPlot::addLabels()
         label->setText(pointLabel(dots[i]->point));
         label->setFont(smallFont());
         label->setColor(arithmeticColour(arithmeticOf(dots[i]->point), palette()));
+        label->setBrush(QBrush(palette().color(QPalette::Base)));
         label->setPadding({});
         label->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
         label->position->setType(QCPItemPosition::ptAbsolute);
@@ -284,6 +301,8 @@ void ParetoPlot::addKeys()
                "write the same bytes as the plain kernel."));
     if (hasAny([](const Dot &dot) { return dot.point.straight.has_value(); }))
         add(tr("straight loop"), straightLoopDot(Arithmetic::Exact, palette()), straightLoopText());
+    if (isLow())
+        return;
     if (hasAny([](const Dot &dot) { return dot.point.missesStraight.has_value(); }))
         add(tr("over 1.3 × its loop"),
             QCPScatterStyle(QCPScatterStyle::ssCircle, missPen(), QBrush(Qt::NoBrush), 12),

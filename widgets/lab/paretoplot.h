@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/lab/errorscale.h"
+#include "widgets/lab/labelplaces.h"
 #include "widgets/lab/labplot.h"
 
 #include <QPen>
@@ -24,6 +25,7 @@ public:
     /// axis: a row of errorAxes().
     void show(const SharedResults &results, const QString &family, const ErrorAxis &axis);
     void select(const QString &contender);
+    const QString &selected() const { return m_selected; } ///< id; empty where none is
 
     const ParetoChart &chart() const { return m_chart; }
     const ErrorScale &scale() const { return m_scale; }
@@ -67,6 +69,7 @@ private:
     void addStaircase(LabKernel kernel);
     void addDot(const Dot &dot);
     void addStraight(const Dot &dot);
+    LabelArea labelArea() const;
     void addLabels();
     void addKeys();
 
@@ -76,7 +79,6 @@ private:
     ParetoChart m_chart;
     ErrorScale m_scale;
     std::vector<Dot> m_dots; ///< the cheapest first, then those that wait
-    std::vector<QRectF> m_lines; ///< that labels keep off, in the plot
     QString m_selected;
 };
 
