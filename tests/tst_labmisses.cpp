@@ -28,6 +28,8 @@ using namespace pixelplumb;
 namespace {
 
 constexpr int longest = 60'000; // ms
+/// What a screen of 1366 × 768 leaves.
+constexpr QSize sizeOnSmallScreen(1358, 728);
 const QString contenderId = QStringLiteral("column-scan:float32");
 
 enum class Colours { One, Three };
@@ -80,6 +82,7 @@ private slots:
     {
         m_settings.clear();
         m_window = openedWindow();
+        m_window->resize(sizeOnSmallScreen);
         action(*m_window, "accuracyLabDockToggle")->trigger();
         m_lab = named<AccuracyLab>(*m_window, "accuracyLab");
         QCoreApplication::processEvents();
@@ -135,11 +138,40 @@ private slots:
         const auto *canvas = named<Canvas>(*m_window, "canvas");
         QVERIFY(canvas->view().contains(canvas->positionOf(pixel)));
         QVERIFY(canvas->zoom() >= 8);
+        QCOMPARE(m_window->size(), sizeOnSmallScreen);
         const QString place = QStringLiteral("(%1, %2)").arg(pixel.x()).arg(pixel.y());
         QVERIFY(named<QLabel>(*m_window, "pixelHistoryHeading")->text().contains(place));
         QVERIFY(named<QLabel>(*m_window, "compareReason")->text().contains(place));
         for (const ComparePane *pane : compare->panes())
             QVERIFY(QRectF(pane->view()->rect()).contains(pane->view()->positionOf(pixel)));
+    }
+
+    void theFirstIsThatOfTheOrderOfDrawing()
+    {
+        StudySettings settings;
+        settings.families = {QStringLiteral("slivers"), QStringLiteral("random-subpixel")};
+        settings.mostSamples = 20'000'000;
+        settings.rounds = 0;
+        for (const char *id :
+             {"column-scan:fixed16.16", "row-walk:float32", "barycentric-incremental:float32"})
+            settings.contenders.push_back(*labContenderNamed(QLatin1String(id)));
+        int higherThanAnother = 0;
+        for (const LabRow &row : runStudy(settings).rows) {
+            if (!row.firstMiss)
+                continue;
+            const auto traced = traceScene(row.firstMiss->scene);
+            const std::size_t decided = traced->decidedAt(row.firstMiss->x, row.firstMiss->y);
+            const FrameSpec &frame = traced->scene.frame;
+            for (int y = 0; y < frame.height; ++y) {
+                for (int x = 0; x < frame.width; ++x) {
+                    if (traced->differences.at(x, y) == Difference::None)
+                        continue;
+                    QVERIFY(traced->decidedAt(x, y) >= decided);
+                    higherThanAnother += y < row.firstMiss->y ? 1 : 0;
+                }
+            }
+        }
+        QVERIFY(higherThanAnother > 0); // it is not the lowest one
     }
 
     void unsavedChangesAreAskedAboutFirst()

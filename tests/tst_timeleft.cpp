@@ -21,7 +21,7 @@ private slots:
         QCOMPARE(left.text(), QStringLiteral("waiting: 0 %, about 14 s left"));
     }
 
-    void sharesAndTimesAreOfTheWholeJob()
+    void whatIsLeftIsOfTheWholeJob()
     {
         TimeLeft left(16);
         left.tell({JobPhase::Judging, 0, 100}, m_begin);

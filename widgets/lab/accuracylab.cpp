@@ -15,21 +15,11 @@
 #include <QFileInfo>
 #include <QStackedWidget>
 
-#include <algorithm>
-
 namespace pixelplumb {
 
 namespace {
 
 constexpr int lowPanel = 340; ///< logical pixels
-
-/// Whether there is a dot to show, or never will be.
-bool hasDots(const Study &study)
-{
-    return study.isComplete || std::ranges::any_of(study.rows, [](const LabRow &row) {
-               return row.cost && row.cost->rounds > 0;
-           });
-}
 
 } // namespace
 
@@ -98,23 +88,23 @@ void AccuracyLab::connectControls()
         const QString path = m_files->askForOutput(
             tr("Save the Results"), tr("Results of the lab (*.json)"), QStringLiteral("json"));
         if (!path.isEmpty())
-            m_files->writeResults(path, m_results->study);
+            m_files->writeResults(path, results()->study);
     });
     connect(m_controls, &LabControls::saveTableRequested, this, [this] {
         const QString path = m_files->askForOutput(tr("Save the Table"), tr("CSV tables (*.csv)"),
                                                    QStringLiteral("csv"));
         if (!path.isEmpty())
-            m_files->writeTable(path, m_results->study);
+            m_files->writeTable(path, results()->study);
     });
     connect(m_controls, &LabControls::saveChartRequested, this, &AccuracyLab::saveChart);
     connect(m_controls, &LabControls::earlierRequested, this, &AccuracyLab::showEarlier);
     connect(m_controls, &LabControls::copyCommandRequested, this, [this] {
-        if (m_results->study.command.isEmpty()) {
+        if (results()->study.command.isEmpty()) {
             emit complaint(tr("There is no command: the scene was in no file when it was measured. "
                               "Save it and run the lab again."));
             return;
         }
-        QApplication::clipboard()->setText(m_results->study.command);
+        QApplication::clipboard()->setText(results()->study.command);
         emit notice(tr("The command is on the clipboard."));
     });
 }
@@ -144,51 +134,50 @@ void AccuracyLab::run()
         if (auto cases = builtInHardCases())
             asked.hardCases = std::move(*cases);
     }
-    m_isRunShown = false;
+    m_shown.beginRun();
     m_run->start(asked);
     showState();
 }
 
 void AccuracyLab::cancel() { m_run->cancel(); }
 
-/// What a run has before its first times takes no other results' place.
 void AccuracyLab::takeNews(const SharedResults &news)
 {
-    if (m_isRunShown)
-        return take(news);
-    if (m_results && !hasDots(news->study))
+    const bool wasOfRun = m_shown.areOfRun();
+    if (!m_shown.takeNews(news, m_controls->family()))
         return;
-    m_isRunShown = true;
-    replaceBy(news);
+    if (!wasOfRun)
+        m_charts->forgetChanges();
+    showResults();
 }
 
 void AccuracyLab::endRun()
 {
-    if (m_results && !m_isRunShown)
+    if (m_shown.endRun())
+        showResults();
+    if (results() && !m_shown.areOfRun())
         emit notice(tr("Cancelled before anything was timed: the results before it stay."));
-    else if (m_earlier && !m_results->study.isComplete)
+    else if (earlierResults() && !results()->study.isComplete)
         emit notice(tr("Cancelled. Those before are under Files, Results before these."));
     showState();
 }
 
-void AccuracyLab::replaceBy(SharedResults results)
+void AccuracyLab::replaceBy(const SharedResults &results)
 {
-    if (m_results)
-        m_earlier = m_results;
+    m_shown.replaceBy(results);
     m_charts->forgetChanges();
-    take(results);
+    showResults();
 }
 
 void AccuracyLab::showEarlier()
 {
-    if (m_earlier && !isRunning())
-        replaceBy(m_earlier);
+    if (earlierResults() && !isRunning())
+        replaceBy(earlierResults());
 }
 
-void AccuracyLab::take(const SharedResults &results)
+void AccuracyLab::showResults()
 {
-    m_results = results;
-    m_controls->setFamilies(results->study.families);
+    m_controls->setFamilies(results()->study.families);
     showChoice();
     showState();
     emit resultsChanged();
@@ -196,31 +185,31 @@ void AccuracyLab::take(const SharedResults &results)
 
 void AccuracyLab::showChoice()
 {
-    if (m_results)
-        m_charts->show(m_results, m_controls->family(), m_controls->errorAxis());
+    if (results())
+        m_charts->show(results(), m_controls->family(), m_controls->errorAxis());
 }
 
 void AccuracyLab::showState()
 {
     m_controls->showRunning();
-    m_controls->setHasResults(m_results != nullptr);
-    m_controls->setHasEarlier(m_earlier && !isRunning());
-    m_charts->setVisible(m_results != nullptr);
+    m_controls->setHasResults(results() != nullptr);
+    m_controls->setHasEarlier(earlierResults() && !isRunning());
+    m_charts->setVisible(results() != nullptr);
     m_lastLine->setCurrentWidget(isRunning() ? m_controls->progress() : m_conditions);
-    m_invitation->setVisible(!m_results);
+    m_invitation->setVisible(!results());
     m_invitation->setText(isRunning()
                               ? tr("The first pictures are being judged.")
                               : invitationText(m_controls->extent(), expectedSeconds(settings())));
     QStringList warnings;
-    if (m_results && !isRunning())
-        warnings = warningsOf(m_results->study);
-    else if (m_results && !m_isRunShown)
+    if (results() && !isRunning())
+        warnings = warningsOf(results()->study);
+    else if (results() && !m_shown.areOfRun())
         warnings = {tr("These are the results before; those of this run follow when it has timed "
-                       "everyone once.")};
+                       "this family.")};
     m_warnings->setVisible(!warnings.isEmpty());
     m_warnings->setWholeText(QStringLiteral("⚠ ") + warnings.join(QStringLiteral(" ⚠ ")));
-    if (m_results)
-        m_conditions->setWholeText(originOf(m_results->study).join(QStringLiteral(" · ")));
+    if (results())
+        m_conditions->setWholeText(originOf(results()->study).join(QStringLiteral(" · ")));
 }
 
 /// A low panel gives the charts the second line of its foot. No chart changes its size when
@@ -237,7 +226,7 @@ void AccuracyLab::resizeEvent(QResizeEvent *event)
 
 void AccuracyLab::openMiss(const QString &contender)
 {
-    const LabRow *row = m_results ? m_results->study.row(contender, m_controls->family()) : nullptr;
+    const LabRow *row = results() ? results()->study.row(contender, m_controls->family()) : nullptr;
     if (!row)
         return;
     if (row->firstMiss)
@@ -258,7 +247,7 @@ void AccuracyLab::saveChart()
                                                   "Numbers, CSV (*.csv)"),
                                                QStringLiteral("svg"));
     if (!path.isEmpty())
-        m_files->writeChart(path, *chart, m_results->study);
+        m_files->writeChart(path, *chart, results()->study);
 }
 
 bool AccuracyLab::openResults(const QString &path)
@@ -273,7 +262,7 @@ bool AccuracyLab::openResults(const QString &path)
 
 bool AccuracyLab::compareWith(const QString &path)
 {
-    if (!m_results) {
+    if (!results()) {
         emit complaint(tr("Nothing is measured yet that %1 could be compared with: press Run or "
                           "open results first.")
                            .arg(QFileInfo(path).fileName()));
@@ -282,7 +271,7 @@ bool AccuracyLab::compareWith(const QString &path)
     const std::optional<Study> before = m_files->read(path);
     if (!before)
         return false;
-    m_charts->showChanges(*before, m_results->study, QFileInfo(path).fileName());
+    m_charts->showChanges(*before, results()->study, QFileInfo(path).fileName());
     return true;
 }
 

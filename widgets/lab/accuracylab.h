@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/lab/labplot.h"
+#include "widgets/lab/shownresults.h"
 
 #include <QWidget>
 
@@ -30,9 +30,9 @@ public:
     bool isRunning() const;
     /// Null before the first run, and before a file was opened. While a run has no times yet, those
     /// before it.
-    const SharedResults &results() const { return m_results; }
+    const SharedResults &results() const { return m_shown.results(); }
     /// What these took the place of.
-    const SharedResults &earlierResults() const { return m_earlier; }
+    const SharedResults &earlierResults() const { return m_shown.earlier(); }
     LabFiles *files() const { return m_files; }
 
     /// What is asked of a study beside its extent, its scene and the hard cases.
@@ -68,8 +68,8 @@ private:
     StudySettings settings() const;
     void takeNews(const SharedResults &news);
     void endRun();
-    void replaceBy(SharedResults results);
-    void take(const SharedResults &results);
+    void replaceBy(const SharedResults &results);
+    void showResults();
     void showChoice();
     void showState();
     void openMiss(const QString &contender);
@@ -88,9 +88,7 @@ private:
     StudySettings m_request;
     QString m_scenePath;
     bool m_isSceneModified = false;
-    bool m_isRunShown = false; ///< of the last run; else results of before it are
-    SharedResults m_results;
-    SharedResults m_earlier;
+    ShownResults m_shown;
 };
 
 } // namespace pixelplumb
