@@ -115,8 +115,9 @@ QString untimedHtml(const Study &study, const ParetoPoint &point, const QString 
     else if (drawn && drawn->timedPixels == 0)
         lines.append(translated("these triangles are judged and not timed"));
     else
-        lines.append(study.isComplete ? translated("not timed")
-                                      : translated("its time comes when all are judged"));
+        lines.append(study.isComplete
+                         ? translated("not timed")
+                         : translated("its time comes when all are judged on these triangles"));
     return joinedLines(lines, row);
 }
 
