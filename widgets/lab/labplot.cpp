@@ -221,6 +221,12 @@ void LabPlot::setLogRange(QCPAxis *axis, double low, double high, const QString 
     axis->setTicker(ticker);
 }
 
+void LabPlot::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    rebuild();
+}
+
 void LabPlot::focusInEvent(QFocusEvent *event)
 {
     QWidget::focusInEvent(event);

@@ -13,7 +13,8 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int narrow = 760; ///< logical pixels
+constexpr int narrow = 560; ///< logical pixels
+constexpr int wide = 760; ///< logical pixels
 constexpr double tiePlace = 0.5; ///< of the ties' two bars, at both sides of 0
 constexpr double barWidth = 0.8;
 constexpr double baseline = 0.5; ///< of a logarithmic axis of counts: one is to be seen
@@ -77,12 +78,15 @@ void MissPlot::build()
     QCPAxis *across = plot()->xAxis;
     QCPAxis *up = plot()->yAxis;
     across->setRange(-farthest, farthest);
-    across->setLabel(tr("? missing, px inside   ←   = on the boundary   →   ! extra, px outside"));
+    across->setLabel(width() < wide
+                         ? tr("? px inside   ←   =   →   ! px outside")
+                         : tr("? missing, px inside   ←   = on the boundary   →   ! extra, px "
+                              "outside"));
     up->setLabel(tr("samples"));
     const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
     ticker->addTick(0, QStringLiteral("="));
     // A tick stands where the bin's nearer end is: between two bars.
-    const int stride = width() < narrow ? 3 : 2;
+    const int stride = width() < narrow ? 4 : width() < wide ? 3 : 2;
     for (int exponent = -7; exponent <= 2; exponent += stride) {
         const double place = firstBin + 0.5 + exponent + 7;
         ticker->addTick(place, powerOfTenText(exponent));
