@@ -148,6 +148,35 @@ private slots:
         QVERIFY(pareto->accessibleDescription().contains(QStringLiteral("ns a pixel")));
     }
 
+    void progressMovesNoTab_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("low panel") << QSize(1016, 600);
+        QTest::newRow("high panel") << QSize(1440, 1100);
+    }
+    void progressMovesNoTab()
+    {
+        QFETCH(QSize, size);
+        m_window->resize(size);
+        runToItsEnd();
+        QTest::qWait(50); // the docks take their places by events
+        const auto *tabs = named<QTabWidget>(*m_lab, "labTabs");
+        const QRect place = tabs->geometry();
+        StudySettings request = smallRequest();
+        request.rounds = 100'000;
+        m_lab->setRequest(request);
+
+        click("labRun");
+        QTest::qWait(50);
+        QVERIFY(named<QProgressBar>(*m_lab, "labProgress")->isVisible());
+        QCOMPARE(tabs->geometry(), place);
+
+        click("labCancel");
+        QTRY_VERIFY(!m_lab->isRunning());
+        QTest::qWait(50);
+        QCOMPARE(tabs->geometry(), place);
+    }
+
     void resultsGoToAFileAndComeBack()
     {
         runToItsEnd();

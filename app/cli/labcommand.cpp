@@ -10,7 +10,6 @@
 #include "core/lab/budget.h"
 #include "core/lab/labcomparison.h"
 #include "core/lab/labfile.h"
-#include "core/lab/studytime.h"
 #include "core/measure/timeleft.h"
 #include "core/scan/choicenames.h"
 
@@ -257,7 +256,7 @@ ExitCode lab(const Command &command, const QStringList &arguments)
         return line.refuse(*error);
 
     Progress progress;
-    TimeLeft left(expectedSecondsOf(*settings));
+    TimeLeft left(expectedSeconds(*settings));
     StudyListener listener;
     const Interruption interruption;
     listener.progress = [&](const JobProgress &told) {

@@ -40,6 +40,9 @@ struct ParetoPoint {
     double error = 0; ///< in the axis' unit
     std::int64_t pixels = 0; ///< observed
     bool isOnFrontier = false;
+
+    /// The assignment's method.
+    bool isReference() const { return contender == QLatin1String(referenceContenderId); }
 };
 
 /// As cheap and as exact, and better in one of the two. Proved is better than tested, and that than

@@ -30,6 +30,9 @@ struct StudySettings {
     int growthRounds = -1; ///< of how times grow; below 0: the extent's; 0: no curves
 };
 
+/// s that the study takes about on two idle cores, for who waits.
+double expectedSeconds(const StudySettings &settings);
+
 enum class LabOutcome : std::uint8_t {
     Pending, ///< the study was ended before its turn
     Measured,

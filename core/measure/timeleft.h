@@ -13,20 +13,22 @@ namespace pixelplumb {
 /// "about 14 s"; from two minutes on "about 5 min".
 QString aboutText(double seconds);
 
-/// How long a job will still take of which is known before what it takes about, and which tells its
-/// progress as a whole: what was known, scaled by how it went so far.
+/// How far a long job is, and how long it will still take: what was known before, scaled by how it
+/// went so far.
 class TimeLeft {
 public:
     using Clock = std::chrono::steady_clock;
 
-    explicit TimeLeft(double expectedSeconds)
-        : m_expected(expectedSeconds)
+    /// s that the job is known to take about.
+    explicit TimeLeft(double expected)
+        : m_expected(expected)
     {
     }
 
+    /// The job's phases count on one scale.
     void tell(const JobProgress &progress, Clock::time_point now);
 
-    double share() const; ///< 0 … 1 that are done
+    double share() const; ///< 0 … 1
     double seconds() const; ///< that are left; before the first word those known before
     /// "judging: 40 %, about 6 s left"
     QString text() const;

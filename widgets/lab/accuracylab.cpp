@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/accuracylab.h"
 
-#include "core/lab/studytime.h"
 #include "widgets/lab/labcharts.h"
 #include "widgets/lab/labcontrols.h"
 #include "widgets/lab/labfiles.h"
@@ -198,9 +197,9 @@ void AccuracyLab::showState()
     m_charts->setVisible(results() != nullptr);
     m_lastLine->setCurrentWidget(isRunning() ? m_controls->progress() : m_conditions);
     m_invitation->setVisible(!results());
-    m_invitation->setText(
-        isRunning() ? tr("The first pictures are being judged.")
-                    : invitationText(m_controls->extent(), expectedSecondsOf(settings())));
+    m_invitation->setText(isRunning()
+                              ? tr("The first pictures are being judged.")
+                              : invitationText(m_controls->extent(), expectedSeconds(settings())));
     QStringList warnings;
     if (results() && !isRunning())
         warnings = warningsOf(results()->study);
@@ -212,11 +211,16 @@ void AccuracyLab::showState()
         m_conditions->setWholeText(originOf(results()->study).join(QStringLiteral(" · ")));
 }
 
-/// A low panel gives the charts the second line of its foot.
+/// A low panel gives the charts the second line of its foot. No chart changes its size when
+/// warnings come or go.
 void AccuracyLab::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    m_foot->setDirection(height() < lowPanel ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    const bool isLow = height() < lowPanel;
+    m_foot->setDirection(isLow ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    QSizePolicy policy = m_warnings->sizePolicy();
+    policy.setRetainSizeWhenHidden(!isLow);
+    m_warnings->setSizePolicy(policy);
 }
 
 void AccuracyLab::openMiss(const QString &contender)

@@ -75,7 +75,9 @@ std::vector<CostStack::Bar> CostStack::bars() const
 void CostStack::build()
 {
     QCPAxis *up = plot()->yAxis;
-    plot()->xAxis->setLabel(tr("ns a pixel"));
+    // At both ends, of which one may be scrolled out of sight.
+    plot()->xAxis2->setVisible(true);
+    plot()->xAxis2->setLabel(tr("ns a pixel"));
     plot()->xAxis->grid()->setVisible(true);
     up->setTickLength(0);
     up->grid()->setVisible(false);
@@ -86,6 +88,7 @@ void CostStack::build()
     up->setRange(-double(std::max<std::size_t>(m_bars.size(), 1)) + 0.4, 0.6);
     if (m_bars.empty()) {
         plot()->xAxis->setRange(0, 1);
+        plot()->xAxis2->setRange(0, 1);
         return addMessage(tr("Set-up, columns and pixels stand apart when several families are "
                              "timed."));
     }
@@ -148,6 +151,7 @@ void CostStack::addMeasured()
                               "add up to it."));
     key->setPen(QPen(text, 1));
     plot()->xAxis->setRange(0, most * 1.05);
+    plot()->xAxis2->setRange(plot()->xAxis->range());
 }
 
 std::vector<QStringList> CostStack::numbers() const

@@ -65,7 +65,7 @@ QString DriftPlot::textAt(const QPointF &position) const
 void DriftPlot::build()
 {
     plot()->xAxis->setLabel(tr("columns walked"));
-    plot()->yAxis->setLabel(tr("error of a bound, px"));
+    plot()->yAxis->setLabel(isLow() ? tr("px") : tr("error of a bound, px"));
     double smallest = fencePixels;
     double largest = fencePixels;
     std::int64_t last = 0;
@@ -93,7 +93,7 @@ void DriftPlot::build()
     setLogRange(plot()->xAxis, 1, double(std::max<std::int64_t>(last, 10)));
     setLogRange(plot()->yAxis, smallest / 2, largest * 2);
     if (last == 0)
-        return addMessage(tr("Drift is computed with a study, and not kept in files."));
+        return addMessage(tr("Drift is computed at the end of a study."));
     QCPGraph *limitKey = addKey(tr("limit by proof"),
                                 tr("No error of this arithmetic can be larger: its curve stays "
                                    "below the dotted one of its colour."));

@@ -10,6 +10,7 @@
 #include "widgets/lab/missplot.h"
 #include "widgets/lab/paretoplot.h"
 #include "widgets/lab/scalingplot.h"
+#include "widgets/look/elidingbox.h"
 
 #include <QBoxLayout>
 #include <QComboBox>
@@ -23,13 +24,47 @@ namespace {
 
 QComboBox *namedBox(const char *name, const QString &accessibleName, QWidget *parent)
 {
-    auto *box = new QComboBox(parent);
+    auto *box = new ElidingBox(parent);
     box->setObjectName(QLatin1String(name));
     box->setAccessibleName(accessibleName);
     box->setToolTip(accessibleName);
     box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     return box;
 }
+
+/// A chart with a box of choices above it, or beside it where it is low.
+class LabPage : public QWidget {
+public:
+    LabPage(QWidget *box, QWidget *shown, QWidget *parent)
+        : QWidget(parent)
+        , m_box(box)
+        , m_layout(new QBoxLayout(QBoxLayout::TopToBottom, this))
+    {
+        m_layout->setContentsMargins(0, 4, 0, 0);
+        m_layout->setSpacing(4);
+        if (box)
+            m_layout->addWidget(box, 0, Qt::AlignLeft | Qt::AlignTop);
+        m_layout->addWidget(shown, 1);
+    }
+
+protected:
+    void resizeEvent(QResizeEvent *event) override
+    {
+        QWidget::resizeEvent(event);
+        if (!m_box)
+            return;
+        const bool isLow = height() < lowPage;
+        m_layout->setDirection(isLow ? QBoxLayout::RightToLeft : QBoxLayout::TopToBottom);
+        m_box->setMaximumWidth(isLow ? boxBeside : QWIDGETSIZE_MAX);
+    }
+
+private:
+    static constexpr int lowPage = 180; ///< logical pixels
+    static constexpr int boxBeside = 120;
+
+    QWidget *m_box;
+    QBoxLayout *m_layout;
+};
 
 /// Of those that missed any sample, the one that missed most.
 QString worstOf(const Study &study, const QString &family)
@@ -102,14 +137,7 @@ LabCharts::LabCharts(QWidget *parent)
 
 void LabCharts::addPage(QWidget *box, QWidget *shown, const QString &title, const QString &toolTip)
 {
-    auto *page = new QWidget(this);
-    auto *layout = new QVBoxLayout(page);
-    layout->setContentsMargins(0, 4, 0, 0);
-    layout->setSpacing(4);
-    if (box)
-        layout->addWidget(box, 0, Qt::AlignLeft);
-    layout->addWidget(shown, 1);
-    setTabToolTip(addTab(page, title), toolTip);
+    setTabToolTip(addTab(new LabPage(box, shown, this), title), toolTip);
 }
 
 void LabCharts::show(const SharedResults &results, const QString &family, const ErrorAxis &axis)

@@ -16,6 +16,9 @@ namespace pixelplumb {
 namespace {
 
 constexpr double fewDecades = 3; ///< up to so many, 2 and 5 have ticks of their own
+constexpr double mostDecades = 6; ///< with a figure each
+constexpr int aroundAxis = 50; ///< of labels and margins beside an axis, logical pixels
+constexpr double tickWidth = 45; ///< of a figure on a horizontal axis, logical pixels
 constexpr int lowHeight = 220; ///< logical pixels
 constexpr QSize iconSize(24, 14); ///< of the legend, logical pixels
 constexpr int besideIcon = 20; ///< the legend's paddings in a line, logical pixels
@@ -190,17 +193,23 @@ QCPGraph *LabPlot::addKey(const QString &name, const QString &meaning)
     return key;
 }
 
-void LabPlot::setLogRange(QCPAxis *axis, double low, double high, const QString &pattern)
+void LabPlot::setLogRange(QCPAxis *axis, double low, double high, const QString &pattern) const
 {
     axis->setScaleType(QCPAxis::stLogarithmic);
     axis->setRange(low, high);
     const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
     const double decades = std::log10(high / low);
-    const int stride = std::max(1, int(decades / 6));
+    const bool isAcross = axis->orientation() == Qt::Horizontal;
+    const double most
+        = std::max(2.0,
+                   isAcross ? (m_plot->width() - aroundAxis) / tickWidth
+                            : (m_plot->height() - aroundAxis) / double(2 * fontMetrics().height()));
+    const bool isFine = decades <= fewDecades && 3 * decades <= most;
+    const int stride = std::max(1, int(std::ceil(decades / std::min(most, mostDecades))));
     for (int exponent = int(std::floor(std::log10(low))); exponent <= std::log10(high);
          exponent += stride) {
         for (const int factor : {1, 2, 5}) {
-            if (factor > 1 && decades > fewDecades)
+            if (factor > 1 && !isFine)
                 break;
             const double place = factor * std::pow(10.0, exponent);
             const bool isPlain = exponent >= -2 && exponent <= 4 && decades <= 2 * fewDecades;
@@ -210,12 +219,6 @@ void LabPlot::setLogRange(QCPAxis *axis, double low, double high, const QString 
         }
     }
     axis->setTicker(ticker);
-}
-
-void LabPlot::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    rebuild();
 }
 
 void LabPlot::focusInEvent(QFocusEvent *event)

@@ -73,9 +73,10 @@ protected:
     QCPGraph *addKey(const QString &name, const QString &meaning = {});
     QFont smallFont() const;
 
-    /// A logarithmic axis from `low` to `high`, both above 0; each figure stands for %1.
-    static void setLogRange(QCPAxis *axis, double low, double high,
-                            const QString &pattern = QStringLiteral("%1"));
+    /// A logarithmic axis from `low` to `high`, both above 0, with as many figures as there is room
+    /// for; each stands for %1.
+    void setLogRange(QCPAxis *axis, double low, double high,
+                     const QString &pattern = QStringLiteral("%1")) const;
 
 private:
     void dress();

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/labrun.h"
 
-#include "core/lab/studytime.h"
 #include "widgets/model/measuringpool.h"
 
 #include <atomic>
@@ -73,7 +72,7 @@ LabRun::~LabRun() = default;
 
 void LabRun::start(const StudySettings &settings)
 {
-    m_timeLeft = TimeLeft(expectedSecondsOf(settings));
+    m_timeLeft = TimeLeft(expectedSeconds(settings));
     m_board = std::make_shared<Board>();
     const auto work = [settings, board = m_board](const ProgressListener &job) {
         const ProgressListener listener

@@ -118,8 +118,9 @@ QString untimedHtml(const Study &study, const ParetoPoint &point, const QString 
     else if (drawn && drawn->timedPixels == 0)
         lines.append(translated("these triangles are judged and not timed"));
     else
-        lines.append(study.isComplete ? translated("not timed")
-                                      : translated("its time comes when all are judged"));
+        lines.append(study.isComplete
+                         ? translated("not timed")
+                         : translated("its time comes when all of this family are judged"));
     return joinedLines(lines, row);
 }
 
@@ -166,7 +167,7 @@ QString plainText(const QString &html)
 QString pointLabel(const ParetoPoint &point)
 {
     QString text = point.label;
-    if (point.contender == QLatin1String(referenceContenderId))
+    if (point.isReference())
         text += QStringLiteral(" ×1");
     if (point.missesStraight)
         text += QStringLiteral(" ! ×%1").arg(figureText(*point.missesStraight));
@@ -200,6 +201,7 @@ QStringList originOf(const Study &study)
 QStringList figureOrigin(const Study &study)
 {
     QStringList lines = originOf(study);
+    lines.removeAll(QString());
     for (const QString &warning : warningsOf(study))
         lines.append(QStringLiteral("⚠ ") + warning);
     return lines;

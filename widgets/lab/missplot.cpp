@@ -13,6 +13,7 @@ namespace pixelplumb {
 
 namespace {
 
+constexpr int narrow = 760; ///< logical pixels
 constexpr double tiePlace = 0.5; ///< of the ties' two bars, at both sides of 0
 constexpr double barWidth = 0.8;
 constexpr double baseline = 0.5; ///< of a logarithmic axis of counts: one is to be seen
@@ -81,7 +82,7 @@ void MissPlot::build()
     const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
     ticker->addTick(0, QStringLiteral("="));
     // A tick stands where the bin's nearer end is: between two bars.
-    const int stride = width() < 560 ? 3 : 2;
+    const int stride = width() < narrow ? 3 : 2;
     for (int exponent = -7; exponent <= 2; exponent += stride) {
         const double place = firstBin + 0.5 + exponent + 7;
         ticker->addTick(place, powerOfTenText(exponent));

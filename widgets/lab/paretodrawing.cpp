@@ -17,12 +17,6 @@ constexpr int marginsOfAxis = 70; ///< logical pixels above and below the axis, 
 constexpr double roomBeside = 1.25; ///< of the outermost dots, as a factor
 constexpr double waitingShare = 0.14; ///< of the axis, for dots that have no time
 constexpr double betweenWaiting = 15; ///< logical pixels
-constexpr double lineMargin = 2; ///< logical pixels that a label keeps off a line
-
-bool isReference(const ParetoPoint &point)
-{
-    return point.contender == QLatin1String(referenceContenderId);
-}
 
 } // namespace
 
@@ -73,7 +67,7 @@ void ParetoPlot::setAxes()
         const Spread straight = point.straight.value_or(point.cost);
         low = std::min({isFirst ? point.cost.lower : low, point.cost.lower, straight.lower});
         high = std::max({isFirst ? point.cost.upper : high, point.cost.upper, straight.upper});
-        if (isReference(point))
+        if (point.isReference())
             reference = &point;
     }
     low = std::max(low, 1e-3) / roomBeside;
@@ -207,79 +201,6 @@ void ParetoPlot::addStraight(const Dot &dot)
     loop->setLineStyle(QCPGraph::lsNone);
     loop->setScatterStyle(straightLoopDot(arithmetic, palette()));
     loop->setData({cost}, {dot.error}, true);
-}
-
-LabelArea ParetoPlot::labelArea() const
-{
-    LabelArea area;
-    const QRectF axes(plot()->axisRect()->rect());
-    area.whole = axes;
-    area.sides = isLow() ? LabelArea::Sides::Beside : LabelArea::Sides::All;
-    const auto addLine = [&area](const QPointF &from, const QPointF &to) {
-        area.lines.push_back(QRectF(from, to).normalized().adjusted(-lineMargin, -lineMargin,
-                                                                    lineMargin, lineMargin));
-    };
-    for (const Dot &dot : m_dots) {
-        if (!dot.point.straight)
-            continue;
-        const QPointF loop(plot()->xAxis->coordToPixel(dot.point.straight->median),
-                           placeOf(dot).y());
-        area.others.push_back(coveredBy(loop));
-        addLine(loop, placeOf(dot));
-    }
-    for (const LabKernel kernel : allLabKernels) {
-        QPointF before;
-        for (const StaircaseCorner &corner : m_chart.staircase(kernel)) {
-            const QPointF here(
-                plot()->xAxis->coordToPixel(corner.cost),
-                plot()->yAxis->coordToPixel(m_scale.toAxis(corner.errorClass, corner.error)));
-            addLine(before.isNull() ? QPointF(here.x(), axes.top() - 1) : before, here);
-            before = here;
-        }
-        if (!before.isNull())
-            addLine(before, {axes.right(), before.y()});
-    }
-    return area;
-}
-
-/// The dots that matter most choose their labels' places first; in a low chart the others have
-/// none.
-void ParetoPlot::addLabels()
-{
-    const auto rank = [this](const Dot *dot) {
-        const ParetoPoint &point = dot->point;
-        if (point.contender == m_selected)
-            return 0;
-        if (point.isOnFrontier)
-            return 1;
-        return isReference(point) || point.missesStraight ? 2 : 3;
-    };
-    std::vector<const Dot *> dots;
-    for (const Dot &dot : m_dots)
-        dots.push_back(&dot);
-    std::ranges::stable_sort(dots, {}, rank);
-    const QFontMetricsF metrics(smallFont());
-    std::vector<LabelledDot> labelled;
-    for (const Dot *dot : dots) {
-        const bool isSilent = isLow() && rank(dot) > 2;
-        labelled.push_back(
-            {placeOf(*dot),
-             isSilent ? QSizeF() : metrics.size(Qt::TextSingleLine, pointLabel(dot->point))});
-    }
-    const auto places = placeLabels(labelled, labelArea());
-    for (std::size_t i = 0; i < places.size(); ++i) {
-        if (!places[i])
-            continue;
-        auto *label = new QCPItemText(plot());
-        label->setText(pointLabel(dots[i]->point));
-        label->setFont(smallFont());
-        label->setColor(arithmeticColour(arithmeticOf(dots[i]->point), palette()));
-        label->setBrush(QBrush(palette().color(QPalette::Base)));
-        label->setPadding({});
-        label->setPositionAlignment(Qt::AlignLeft | Qt::AlignTop);
-        label->position->setType(QCPItemPosition::ptAbsolute);
-        label->position->setCoords(places[i]->topLeft());
-    }
 }
 
 void ParetoPlot::addKeys()

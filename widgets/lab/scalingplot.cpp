@@ -77,7 +77,7 @@ QString ScalingPlot::labelOf(const SizeCurve &curve) const
 void ScalingPlot::build()
 {
     plot()->xAxis->setLabel(sizeText(m_axis));
-    plot()->yAxis->setLabel(tr("a draw, µs"));
+    plot()->yAxis->setLabel(isLow() ? tr("µs") : tr("a draw, µs"));
     double least = 0;
     double most = 0;
     double shortest = 0;
@@ -108,7 +108,7 @@ void ScalingPlot::build()
     if (least <= 0) {
         setLogRange(plot()->xAxis, 1, 1000);
         setLogRange(plot()->yAxis, 1, 1000);
-        return addMessage(tr("How times grow is measured after the study, and not kept in files."));
+        return addMessage(tr("How times grow is measured at the end of a study."));
     }
     setLogRange(plot()->xAxis, least / 1.3, most * 1.3);
     setLogRange(plot()->yAxis, shortest / 1.5, longest * 1.5);
