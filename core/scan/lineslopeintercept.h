@@ -121,8 +121,8 @@ void scanLineBySlopeIntercept(const Shape &line, ByteRounding rounding, FrameVie
         observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
         return;
     }
-    const auto colourRate
-        = threeOf([&](std::size_t channel) { return A::edgeColourRate(a, b, channel); });
+    const auto colourRate = threeOf(
+        [&](std::size_t channel) { return A::edgeColourRate(setUp.start, setUp.end, channel); });
     for (std::int64_t x = columns.first; x < columns.end; ++x) {
         [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
         SlopeInterceptStep<A> step;
@@ -131,7 +131,7 @@ void scanLineBySlopeIntercept(const Shape &line, ByteRounding rounding, FrameVie
         step.place.findIn(frame);
         const auto run = A::runTo(x, a);
         step.colour = threeOf([&](std::size_t channel) {
-            return A::edgeColour(a, b, channel, run, colourRate[channel]);
+            return A::edgeColour(setUp.start, setUp.end, channel, run, colourRate[channel]);
         });
         observer.spanEntered(step);
         plot<A>(step.place, step.colour, rounding, frame, observer);
