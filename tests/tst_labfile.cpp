@@ -255,6 +255,62 @@ private slots:
         QCOMPARE(comparison.remarks.size(), 1);
         QVERIFY(textOf(comparison).last().startsWith(QStringLiteral("1 faster, 1 slower, 1 ")));
     }
+
+    void whatIsWorseIsToldFromWhatIsOther_data()
+    {
+        using Change = std::function<void(Study &)>;
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<QString>("summary"); // the end of the last line
+        QTest::addColumn<bool>("isWorse");
+        const auto row
+            = [](const char *name, const Change &change, const char *summary, bool isWorse) {
+                  QTest::newRow(name) << change << QString::fromLatin1(summary) << isWorse;
+              };
+        row(
+            "nothing", [](Study &) {}, "0 less accurate, 0 missing", false);
+        row(
+            "more wrong pixels", [](Study &study) { study.rows[0].accuracy->wrongBytes += 1; },
+            "1 less accurate, 0 missing", true);
+        row(
+            "fewer wrong pixels", [](Study &study) { study.rows[0].accuracy->pixels *= 2; },
+            "0 less accurate, 0 missing", false);
+        row(
+            "more wrong pixels under another rule",
+            [](Study &study) {
+                study.rows[0].accuracy->wrongBytes += 1;
+                study.rows[0].settings.fillRule = FillRule::Open;
+            },
+            "0 less accurate, 0 missing", false);
+        row(
+            "a row is gone", [](Study &study) { study.rows.pop_back(); },
+            "0 less accurate, 1 missing", true);
+        row(
+            "a contender failed", [](Study &study) { study.rows[0].outcome = LabOutcome::Failed; },
+            "0 less accurate, 1 missing", true);
+        row(
+            "slower",
+            [](Study &study) {
+                Spread &slower = study.rows[0].cost->perDraw;
+                slower = {slower.upper * 7, slower.upper * 8, slower.upper * 9};
+            },
+            "0 less accurate, 0 missing", true);
+    }
+    void whatIsWorseIsToldFromWhatIsOther()
+    {
+        QFETCH(const std::function<void(Study &)>, change);
+        QFETCH(const QString, summary);
+        QFETCH(const bool, isWorse);
+        Study after = measuredStudy();
+        QVERIFY(after.rows[0].accuracy->wrongPixels() > 0);
+        change(after);
+
+        const LabComparison comparison = compareStudies(measuredStudy(), after);
+
+        QVERIFY2(textOf(comparison).last().endsWith(summary),
+                 qPrintable(textOf(comparison).last()));
+        QCOMPARE(comparison.isWorse(), isWorse);
+        QVERIFY(!compareStudies(after, after).isWorse());
+    }
 };
 
 QTEST_APPLESS_MAIN(TestLabFile)

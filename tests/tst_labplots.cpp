@@ -10,7 +10,6 @@
 #include "widgets/lab/missplot.h"
 #include "widgets/lab/paretoplot.h"
 #include "widgets/lab/scalingplot.h"
-#include "widgets/lab/timeleft.h"
 
 #include <QAbstractItemModelTester>
 #include <QHeaderView>
@@ -280,22 +279,6 @@ private slots:
             order.append(table.model()->index(row, 0).data().toString());
         QCOMPARE(order, (QStringList{"cheap", "lucky", "column-scan:float32", "proved", "dear"}));
         QCOMPARE(table.selected(), QStringLiteral("lucky"));
-    }
-
-    void timeLeftFollowsThePhase()
-    {
-        TimeLeft left;
-        QVERIFY(!left.share() && !left.left());
-        const TimeLeft::Clock::time_point begin;
-        using namespace std::chrono_literals;
-        left.tell({JobPhase::Judging, 0, 100}, begin);
-        left.tell({JobPhase::Judging, 25, 100}, begin + 2s);
-        QCOMPARE(left.share(), std::optional(0.25));
-        QCOMPARE(left.left()->count(), 6);
-        QCOMPARE(left.text(), QStringLiteral("judging: 25 %, about 6 s left"));
-        left.tell({JobPhase::Measuring, 1, 4}, begin + 3s);
-        QVERIFY(!left.left());
-        QCOMPARE(left.text(), QStringLiteral("measuring: 25 %"));
     }
 };
 

@@ -101,26 +101,6 @@ private slots:
         }
     }
 
-    void familiesThatPromiseItStayInsideTheirFrame()
-    {
-        for (const LabFamilyInfo &info : labFamilies()) {
-            const auto family = makeFamily(info, {});
-            if (!family || !family->staysInside)
-                continue;
-            const LabPicture &picture = family->pictures.front();
-            for (const Triangle &triangle : picture.triangles) {
-                QVERIFY2(doubledArea(triangle) != 0, info.id);
-                for (const Vertex &vertex : triangle.vertices) {
-                    const LatticePoint &at = vertex.position;
-                    QVERIFY2(at.x >= 2 * unitsPerPixel && at.y >= 2 * unitsPerPixel, info.id);
-                    QVERIFY2(at.x <= (picture.frame.width - 3) * unitsPerPixel, info.id);
-                    QVERIFY2(at.y <= (picture.frame.height - 3) * unitsPerPixel, info.id);
-                    QVERIFY2(!family->isOnWholePixels || at.x % unitsPerPixel == 0, info.id);
-                }
-            }
-        }
-    }
-
     void aContenderThatFailsIsShownSoAndTheOthersAreMeasured()
     {
         StudySettings settings = smallStudy();
@@ -322,14 +302,17 @@ private slots:
     void straightLoopsAreTimedInTheSameRounds()
     {
         StudySettings settings = smallStudy();
-        settings.ownScene = nullptr;
-        settings.families = {QStringLiteral("small")};
+        settings.families = {QStringLiteral("far"), QStringLiteral("small"), QStringLiteral("mesh"),
+                             QStringLiteral("own-scene")};
         settings.rounds = 2;
 
         const Study study = runStudy(settings);
 
-        QVERIFY(study.rows[0].cost->straight.has_value());
-        QVERIFY(study.rows[0].cost->timesStraight.has_value());
+        for (const LabRow &row : study.rows) {
+            const bool isPlain = row.contender != QStringLiteral("column-scan:exact:fast");
+            QCOMPARE(row.cost->straight.has_value(), isPlain);
+            QCOMPARE(row.cost->timesStraight.has_value(), isPlain);
+        }
         QCOMPARE(study.family(QStringLiteral("small"))->timedTriangles, 3000);
     }
 
@@ -349,8 +332,17 @@ private slots:
         QVERIFY(!rounded->isProved);
         QVERIFY(*rounded->wrongPixels > 0);
         QVERIFY(exact->perPixel.has_value());
-        QVERIFY(exact->text().startsWith(QStringLiteral("0 wrong, proved · ")));
+        QVERIFY(exact->text().startsWith(QStringLiteral("0 wrong, proved · plain kernel ")));
+        QVERIFY(exact->details().contains(QStringLiteral("median of ")));
         QVERIFY(!ended);
+    }
+
+    void anEmptySceneHasNothingToMeasureYet()
+    {
+        const auto nothing = liveFiguresOf(std::make_shared<const Scene>());
+
+        QCOMPARE(nothing->text(), QStringLiteral("nothing to measure yet"));
+        QCOMPARE(nothing->details(), nothing->text());
     }
 
     void theSceneInHandIsTimedAsTheStudyTimesIt()
@@ -403,14 +395,36 @@ private slots:
         }
     }
 
+    void theCommandDoesItAgain_data()
+    {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("words");
+        const auto row = [](const char *name, const char *path, const char *quoted) {
+            QTest::newRow(name) << QString::fromUtf8(
+                path) << QStringLiteral("pixelplumb-cli lab ") + QString::fromUtf8(quoted);
+        };
+        row("plain", "/a/b-c_1.json", "/a/b-c_1.json");
+        row("standard input", "-", "-");
+        row("spaces", "my scene.json", "'my scene.json'");
+        row("quotes", "it's.json", "'it'\\''s.json'");
+        row("what a shell would expand", "$HOME*.json", "'$HOME*.json'");
+        row("two lines", "a\n", "'a\n'");
+        row("like an option", "-full", "./-full");
+        QTest::newRow("no file") << QString() << QString();
+    }
     void theCommandDoesItAgain()
     {
-        const Study study = runStudy(smallStudy());
+        QFETCH(const QString, path);
+        QFETCH(const QString, words);
+        StudySettings settings = smallStudy();
+        settings.ownSceneName = path;
+        settings.mostSamples = 1;
+        settings.rounds = 0;
 
-        QCOMPARE(study.command,
-                 QStringLiteral("pixelplumb-cli lab SCENE --quick --seed 1 --family own-scene "
-                                "--contender "
-                                "column-scan:exact,column-scan:float32,column-scan:exact:fast"));
+        const QString options
+            = QStringLiteral(" --quick --seed 1 --family own-scene --contender "
+                             "column-scan:exact,column-scan:float32,column-scan:exact:fast");
+        QCOMPARE(runStudy(settings).command, words.isEmpty() ? QString() : words + options);
     }
 
     void spansAreThoseOfTheMethod_data()

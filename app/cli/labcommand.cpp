@@ -4,12 +4,13 @@
 #include "app/cli/interruption.h"
 #include "app/cli/labreport.h"
 #include "app/cli/output.h"
+#include "app/cli/progress.h"
 #include "app/cli/sceneoptions.h"
-#include "app/cli/studyprogress.h"
 #include "app/cli/suggestion.h"
 #include "core/lab/budget.h"
 #include "core/lab/labcomparison.h"
 #include "core/lab/labfile.h"
+#include "core/measure/timeleft.h"
 #include "core/scan/choicenames.h"
 
 namespace pixelplumb::cli {
@@ -174,7 +175,7 @@ ExitCode compareFiles(const CommandLine &line)
     const LabComparison comparison = compareStudies(*before, *after);
     for (const QString &each : textOf(comparison))
         printLine(each);
-    return comparison.count(LabChange::Slower) > 0 ? ExitCode::FallsShort : ExitCode::Done;
+    return comparison.isWorse() ? ExitCode::FallsShort : ExitCode::Done;
 }
 
 QByteArray accuracyBytesOf(const Study &study, LabFormat format)
@@ -254,11 +255,13 @@ ExitCode lab(const Command &command, const QStringList &arguments)
     if (const auto error = output.open())
         return line.refuse(*error);
 
-    StudyProgress progress;
+    Progress progress;
+    TimeLeft left(expectedSeconds(*settings));
     StudyListener listener;
     const Interruption interruption;
-    listener.progress = [&progress](const JobProgress &told) {
-        progress.show(told);
+    listener.progress = [&](const JobProgress &told) {
+        left.tell(told, TimeLeft::Clock::now());
+        progress.show(left.text());
         return !Interruption::isAsked();
     };
     const Study study = runStudy(*settings, listener);

@@ -6,6 +6,7 @@
 #include "core/lab/contenderfailure.h"
 #include "core/lab/invariance.h"
 #include "core/measure/stopwatch.h"
+#include "core/runs/tracedscene.h"
 
 #include <algorithm>
 
@@ -187,6 +188,24 @@ void LabCandidate::countOperationsOfFirst()
     m_verdict.operations = countOperations(*m_contender.method, settings(), first, frame.view());
 }
 
+/// Of the first wrong triangle the pixel that its drawing gets wrong first.
+void LabCandidate::findFirstMiss()
+{
+    const auto &miss = m_judge.firstMiss();
+    if (!miss)
+        return;
+    Scene scene;
+    scene.frame = *m_frameOfMiss;
+    scene.settings = settings();
+    scene.method = m_contender.method->id.toStdString();
+    scene.triangles = {miss->triangle};
+    m_verdict.firstMiss = LabMiss{scene, miss->x, miss->y};
+    if (const auto first = traceScene(scene)->firstWrongPixel()) {
+        m_verdict.firstMiss->x = first->x;
+        m_verdict.firstMiss->y = first->y;
+    }
+}
+
 void LabCandidate::finish(const MeshCover *trueCover)
 {
     if (!isRunning())
@@ -194,6 +213,7 @@ void LabCandidate::finish(const MeshCover *trueCover)
     const auto why = failureOf([&] {
         addFlicker();
         countOperationsOfFirst();
+        findFirstMiss();
     });
     if (why) {
         fail(*why);
@@ -209,14 +229,6 @@ void LabCandidate::finish(const MeshCover *trueCover)
     if (m_cover && trueCover) {
         figures.gaps = m_cover->gapsBeside(*trueCover);
         figures.doubles = m_cover->doublesBeside(*trueCover);
-    }
-    if (const auto &miss = m_judge.firstMiss()) {
-        Scene scene;
-        scene.frame = *m_frameOfMiss;
-        scene.settings = settings();
-        scene.method = m_contender.method->id.toStdString();
-        scene.triangles = {miss->triangle};
-        m_verdict.firstMiss = LabMiss{scene, miss->x, miss->y};
     }
     m_verdict.accuracy = figures;
     m_verdict.outcome = LabOutcome::Measured;

@@ -10,13 +10,17 @@ namespace pixelplumb {
 
 namespace {
 
-bool mayDrawStraight(const LabContender &contender, const LabFamily &family,
-                     const ScanSettings &settings)
+/// What draws the triangles in the contender's place; null where no straight loop may.
+StraightDraw straightDrawOf(const LabContender &contender, const ScanSettings &settings,
+                            std::span<const Triangle> triangles, const FrameView &frame)
 {
-    // 16.16 wraps on slopes that steep sub-pixel edges have, and a straight loop clips nothing.
-    const bool fits = settings.arithmetic != Arithmetic::Fixed16 || family.isOnWholePixels;
-    return contender.straight && family.staysInside && fits && settings.fillRule == FillRule::Closed
-        && settings.rounding == ByteRounding::Nearest;
+    const auto mayDraw = [&](const Triangle &triangle) {
+        return mayDrawStraight(*contender.straight, triangle, frame);
+    };
+    if (!contender.straight || settings.rounding != ByteRounding::Nearest
+        || !std::ranges::all_of(triangles, mayDraw))
+        return nullptr;
+    return contender.straight->drawUnder(settings.fillRule, frame.origin);
 }
 
 } // namespace
@@ -46,12 +50,17 @@ bool LabRace::enter(std::size_t row, const LabContender &contender, const TimedF
     entry.contender = &contender;
     entry.settings = settings;
     entry.part = &partFor(part);
-    if (mayDrawStraight(contender, *part.family, settings)) {
-        for (const Picture &picture : entry.part->pictures) {
-            std::vector<Triangle> &triangles = entry.forStraight.emplace_back();
-            for (const Triangle &triangle : picture.primitives.triangles)
-                triangles.push_back(triangleFor(*contender.straight, triangle));
+    for (const Picture &picture : entry.part->pictures) {
+        const std::vector<Triangle> &triangles = picture.primitives.triangles;
+        StraightPicture straight;
+        straight.draw = straightDrawOf(contender, settings, triangles, picture.frame.view());
+        if (!straight.draw) {
+            entry.straight.clear();
+            break;
         }
+        for (const Triangle &triangle : triangles)
+            straight.triangles.push_back(triangleFor(*contender.straight, triangle));
+        entry.straight.push_back(std::move(straight));
     }
     m_entries.push_back(std::move(entry));
     return true;
@@ -70,14 +79,15 @@ void LabRace::sample(Entry &entry) const
         draw = contender.loaded->draw;
     }
     entry.samples.push_back(sampleDraw(draw, entry.drawsPerSample, m_options.sampleNanoseconds));
-    if (entry.forStraight.empty())
+    if (entry.straight.empty())
         return;
     const auto drawStraight = [&] {
-        auto triangles = entry.forStraight.begin();
+        auto straight = entry.straight.begin();
         for (const Picture &picture : entry.part->pictures) {
             const RawFrame raw = rawFrameFor(*contender.straight, picture.frame.view());
-            for (const Triangle &triangle : *triangles++)
-                contender.straight->draw(triangle, raw);
+            for (const Triangle &triangle : straight->triangles)
+                straight->draw(triangle, raw);
+            ++straight;
         }
     };
     entry.straightSamples.push_back(

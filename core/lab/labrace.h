@@ -49,13 +49,17 @@ private:
         const TimedFamily *of;
         std::list<Picture> pictures;
     };
+    /// A picture as the straight loop wants it.
+    struct StraightPicture {
+        std::vector<Triangle> triangles;
+        StraightDraw draw = nullptr;
+    };
     struct Entry {
         std::size_t row = 0;
         const LabContender *contender = nullptr;
         ScanSettings settings;
         const Part *part = nullptr;
-        /// By picture, as the straight loop wants them; empty where it may not draw them.
-        std::vector<std::vector<Triangle>> forStraight = {};
+        std::vector<StraightPicture> straight = {}; ///< empty where one may not be drawn so
         int drawsPerSample = 0; ///< 0: not yet known
         int straightDrawsPerSample = 0;
         std::vector<double> samples = {}; ///< ns a draw

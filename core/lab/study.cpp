@@ -4,18 +4,34 @@
 #include "core/lab/studyplan.h"
 #include "core/lab/studyscale.h"
 
+#include <QRegularExpression>
+
 #include <algorithm>
 
 namespace pixelplumb {
 
 namespace {
 
+/// A path as one word of a shell's line, and never an option.
+QString quoted(const QString &path)
+{
+    static const QRegularExpression plain(QStringLiteral("^[A-Za-z0-9_@%+:,./-]+\\z"));
+    QString text = path;
+    if (text.startsWith(u'-') && text.size() > 1)
+        text.prepend(QStringLiteral("./"));
+    if (plain.match(text).hasMatch())
+        return text;
+    return u'\'' + text.replace(u'\'', QStringLiteral("'\\''")) + u'\'';
+}
+
+/// Empty where the scene has no name to call it by.
 QString commandFor(const StudySettings &settings)
 {
+    if (settings.ownScene && settings.ownSceneName.isEmpty())
+        return {};
     QStringList words = {QStringLiteral("pixelplumb-cli lab")};
     if (settings.ownScene)
-        words << (settings.ownSceneName.isEmpty() ? QStringLiteral("SCENE")
-                                                  : settings.ownSceneName);
+        words << quoted(settings.ownSceneName);
     words << QStringLiteral("--") + nameOf(settings.extent)
           << QStringLiteral("--seed %1").arg(settings.seed);
     if (!settings.families.isEmpty())
@@ -28,12 +44,6 @@ QString commandFor(const StudySettings &settings)
     return words.join(u' ');
 }
 
-// What parts of a study weigh: about their shares of the time of a quick one.
-constexpr std::int64_t judgingWeight = 8; ///< a family
-constexpr std::int64_t roundWeight = 1; ///< a family's round
-constexpr std::int64_t driftWeight = 2;
-constexpr std::int64_t growthWeight = 10;
-
 constexpr std::int64_t driftColumns = 2003; ///< a prime
 
 class StudyRun {
@@ -44,7 +54,8 @@ public:
         , m_contenders(contendersFor(settings))
         , m_families(familiesFor(settings))
         , m_race(m_plan.race)
-        , m_scale(listener.progress, weightOfAll())
+        , m_times(studyTimesFor(settings, m_plan))
+        , m_scale(listener.progress, m_times.ofAll(m_families.size(), m_plan.rounds))
     {
         m_study.extent = settings.extent;
         m_study.seed = settings.seed;
@@ -84,13 +95,6 @@ private:
             m_listener.rowChanged(m_study, row);
     }
 
-    std::int64_t weightOfAll() const
-    {
-        const std::int64_t families
-            = std::int64_t(m_families.size()) * (judgingWeight + m_plan.rounds * roundWeight);
-        return families + (m_plan.hasCurves() ? driftWeight + growthWeight : 0);
-    }
-
     /// Judges family by family, and times each once as soon as it is judged: so results appear.
     bool judgeAndStart()
     {
@@ -100,7 +104,7 @@ private:
                 take(index, contender, verdict);
             };
             if (!judgeFamily(m_families[index], m_contenders, m_plan.accuracy, tell,
-                             m_scale.next(judgingWeight)))
+                             m_scale.next(m_times.judging)))
                 return false;
             if (m_plan.rounds > 0 && !startRace(index))
                 return false;
@@ -140,7 +144,7 @@ private:
                              .arg(m_expected[index] / 1e6, 0, 'f', 0);
             tellRow(index);
         }
-        const bool goesOnNow = m_race.runRound(0, m_scale.next(roundWeight), firstEntry);
+        const bool goesOnNow = m_race.runRound(0, m_scale.next(m_times.round), firstEntry);
         if (goesOnNow && family + 1 == m_families.size())
             m_study.rounds = 1;
         takeTimes();
@@ -149,9 +153,9 @@ private:
 
     bool finishRace()
     {
-        const std::int64_t weight = roundWeight * std::int64_t(m_families.size());
+        const double seconds = m_times.round * double(m_families.size());
         for (int round = 1; round < m_plan.rounds; ++round) {
-            const bool goesOnNow = m_race.runRound(round, m_scale.next(weight));
+            const bool goesOnNow = m_race.runRound(round, m_scale.next(seconds));
             if (goesOnNow)
                 m_study.rounds = round + 1;
             takeTimes();
@@ -165,11 +169,12 @@ private:
     {
         if (!m_plan.hasCurves())
             return true;
-        auto drift = driftOver(driftColumns, m_scale.next(driftWeight));
+        auto drift = driftOver(driftColumns, m_scale.next(m_times.drift));
         if (!drift)
             return false;
         m_study.drift = std::move(*drift);
-        auto growth = runSizeStudy(m_plan.growing, m_plan.growthRounds, m_scale.next(growthWeight));
+        auto growth
+            = runSizeStudy(m_plan.growing, m_plan.growthRounds, m_scale.next(m_times.growth));
         if (!growth)
             return false;
         m_study.growth = std::move(*growth);
@@ -218,6 +223,7 @@ private:
     std::vector<TimedFamily> m_parts; ///< by family
     std::vector<double> m_expected; ///< by row: ns that a draw of the timed part may take
     LabRace m_race;
+    StudyTimes m_times;
     StudyScale m_scale;
     Study m_study;
 };

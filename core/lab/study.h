@@ -30,6 +30,9 @@ struct StudySettings {
     int growthRounds = -1; ///< of how times grow; below 0: the extent's; 0: no curves
 };
 
+/// s that the study takes about on two idle cores, for who waits.
+double expectedSeconds(const StudySettings &settings);
+
 enum class LabOutcome : std::uint8_t {
     Pending, ///< the study was ended before its turn
     Measured,
@@ -93,7 +96,7 @@ struct Study {
     StudyExtent extent = StudyExtent::Quick;
     std::uint64_t seed = 1;
     MachineConditions conditions;
-    QString command; ///< that does it again
+    QString command; ///< that does it again; empty where its scene was in no file
     std::vector<StudyContender> contenders;
     std::vector<StudyFamily> families;
     std::vector<LabRow> rows; ///< by families, each with all contenders in their order

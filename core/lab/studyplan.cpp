@@ -3,6 +3,17 @@
 
 namespace pixelplumb {
 
+namespace {
+
+// s of one contender
+constexpr double quickJudging = 0.065; ///< of a family
+constexpr double fullJudging = 0.2; ///< of a family
+constexpr double oneRound = 0.0085; ///< of a family
+constexpr double oneGrowthRound = 0.05;
+constexpr double wholeDrift = 0.1; ///< of all together
+
+} // namespace
+
 StudyPlan studyPlanFor(const StudySettings &settings)
 {
     StudyPlan plan;
@@ -24,6 +35,29 @@ StudyPlan studyPlanFor(const StudySettings &settings)
         plan.growthRounds = 0;
     plan.growing = settings.contenders.empty() ? growingContenders() : settings.contenders;
     return plan;
+}
+
+StudyTimes studyTimesFor(const StudySettings &settings, const StudyPlan &plan)
+{
+    const auto contenders = double(contendersFor(settings).size());
+    StudyTimes times;
+    times.judging
+        = contenders * (settings.extent == StudyExtent::Quick ? quickJudging : fullJudging);
+    times.round = contenders * oneRound;
+    if (plan.hasCurves()) {
+        times.drift = wholeDrift;
+        times.growth = double(plan.growing.size()) * plan.growthRounds * oneGrowthRound;
+    }
+    return times;
+}
+
+double expectedSeconds(const StudySettings &settings)
+{
+    const StudyPlan plan = studyPlanFor(settings);
+    auto families = std::size_t(settings.families.size());
+    if (families == 0)
+        families = labFamilies().size() - (settings.ownScene ? 0 : 1);
+    return studyTimesFor(settings, plan).ofAll(families, plan.rounds);
 }
 
 std::vector<LabContender> contendersFor(const StudySettings &settings)

@@ -17,6 +17,21 @@ struct StudyPlan {
     bool hasCurves() const { return growthRounds > 0; }
 };
 
+/// s that parts of a study take about on two idle cores: rates that were measured once, times how
+/// much is asked.
+struct StudyTimes {
+    double judging = 0; ///< a family
+    double round = 0; ///< a family
+    double drift = 0;
+    double growth = 0;
+
+    double ofAll(std::size_t families, int rounds) const
+    {
+        return double(families) * (judging + rounds * round) + drift + growth;
+    }
+};
+StudyTimes studyTimesFor(const StudySettings &settings, const StudyPlan &plan);
+
 StudyPlan studyPlanFor(const StudySettings &settings);
 /// With the peers.
 std::vector<LabContender> contendersFor(const StudySettings &settings);

@@ -3,39 +3,42 @@
 
 #include "core/number/jobprogress.h"
 
+#include <algorithm>
+
 namespace pixelplumb {
 
-/// The progress of all parts of a study as one: each part has a weight, about the time that it
-/// takes.
+/// The progress of all parts of a study as one, each for as long as it takes about.
 class StudyScale {
 public:
-    /// `whole`: the weights of all parts. The listener outlives the scale.
-    StudyScale(const ProgressListener &listener, std::int64_t whole)
+    /// `whole`: s of all parts. The listener outlives the scale.
+    StudyScale(const ProgressListener &listener, double whole)
         : m_listener(listener)
         , m_whole(whole)
     {
     }
 
-    /// For the next part, which tells its own progress to it.
-    ProgressListener next(std::int64_t weight)
+    /// For the next part, which tells its own progress to it and takes so many s.
+    ProgressListener next(double seconds)
     {
-        const std::int64_t before = m_before;
-        m_before += weight;
-        return [this, before, weight](const JobProgress &part) {
+        const double before = m_before;
+        m_before += seconds;
+        return [this, before, seconds](const JobProgress &part) {
             const double share = part.total == 0 ? 0 : double(part.done) / double(part.total);
-            return goesOn(m_listener,
-                          {part.phase,
-                           steps * before + std::int64_t(double(steps * weight) * share),
-                           steps * m_whole});
+            return goesOn(m_listener, {part.phase, stepsOf(before + seconds * share), steps});
         };
     }
 
 private:
-    static constexpr std::int64_t steps = 1000; ///< of a weight of 1
+    static constexpr std::int64_t steps = 100'000;
+
+    std::int64_t stepsOf(double seconds) const
+    {
+        return std::min(steps, std::int64_t(double(steps) * seconds / m_whole));
+    }
 
     const ProgressListener &m_listener;
-    std::int64_t m_whole;
-    std::int64_t m_before = 0;
+    double m_whole;
+    double m_before = 0;
 };
 
 } // namespace pixelplumb

@@ -58,8 +58,8 @@ AccuracyLab::AccuracyLab(Playhead *playhead, QWidget *parent)
     m_lastLine->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
     m_foot->addWidget(m_lastLine, 1);
     layout->addLayout(m_foot);
-    connect(m_run, &LabRun::resultsChanged, this, &AccuracyLab::take);
-    connect(m_run, &LabRun::ended, this, &AccuracyLab::showState);
+    connect(m_run, &LabRun::resultsChanged, this, &AccuracyLab::takeNews);
+    connect(m_run, &LabRun::ended, this, &AccuracyLab::endRun);
     connect(m_charts, &LabCharts::missRequested, this, &AccuracyLab::openMiss);
     connect(m_files, &LabFiles::complaint, this, &AccuracyLab::complaint);
     connect(m_files, &LabFiles::notice, this, &AccuracyLab::notice);
@@ -88,17 +88,23 @@ void AccuracyLab::connectControls()
         const QString path = m_files->askForOutput(
             tr("Save the Results"), tr("Results of the lab (*.json)"), QStringLiteral("json"));
         if (!path.isEmpty())
-            m_files->writeResults(path, m_results->study);
+            m_files->writeResults(path, results()->study);
     });
     connect(m_controls, &LabControls::saveTableRequested, this, [this] {
         const QString path = m_files->askForOutput(tr("Save the Table"), tr("CSV tables (*.csv)"),
                                                    QStringLiteral("csv"));
         if (!path.isEmpty())
-            m_files->writeTable(path, m_results->study);
+            m_files->writeTable(path, results()->study);
     });
     connect(m_controls, &LabControls::saveChartRequested, this, &AccuracyLab::saveChart);
+    connect(m_controls, &LabControls::earlierRequested, this, &AccuracyLab::showEarlier);
     connect(m_controls, &LabControls::copyCommandRequested, this, [this] {
-        QApplication::clipboard()->setText(m_results->study.command);
+        if (results()->study.command.isEmpty()) {
+            emit complaint(tr("There is no command: the scene was in no file when it was measured. "
+                              "Save it and run the lab again."));
+            return;
+        }
+        QApplication::clipboard()->setText(results()->study.command);
         emit notice(tr("The command is on the clipboard."));
     });
 }
@@ -111,28 +117,67 @@ void AccuracyLab::setScenePath(const QString &path)
     m_files->setScenePath(path);
 }
 
-void AccuracyLab::run()
+StudySettings AccuracyLab::settings() const
 {
     StudySettings settings = m_request;
     settings.extent = m_controls->extent();
     if (const auto traced = m_playhead->sharedTraced())
         settings.ownScene = {traced, &traced->scene};
-    settings.ownSceneName = m_scenePath;
-    if (settings.hardCases.empty()) {
+    settings.ownSceneName = m_isSceneModified ? QString() : m_scenePath;
+    return settings;
+}
+
+void AccuracyLab::run()
+{
+    StudySettings asked = settings();
+    if (asked.hardCases.empty()) {
         if (auto cases = builtInHardCases())
-            settings.hardCases = std::move(*cases);
+            asked.hardCases = std::move(*cases);
     }
-    m_charts->forgetChanges();
-    m_run->start(settings);
+    m_shown.beginRun();
+    m_run->start(asked);
     showState();
 }
 
 void AccuracyLab::cancel() { m_run->cancel(); }
 
-void AccuracyLab::take(const SharedResults &results)
+void AccuracyLab::takeNews(const SharedResults &news)
 {
-    m_results = results;
-    m_controls->setFamilies(results->study.families);
+    const bool wasOfRun = m_shown.areOfRun();
+    if (!m_shown.takeNews(news, m_controls->family()))
+        return;
+    if (!wasOfRun)
+        m_charts->forgetChanges();
+    showResults();
+}
+
+void AccuracyLab::endRun()
+{
+    if (m_shown.endRun())
+        showResults();
+    if (results() && !m_shown.areOfRun())
+        emit notice(tr("Cancelled before anything was timed: the results before it stay."));
+    else if (earlierResults() && !results()->study.isComplete)
+        emit notice(tr("Cancelled. Those before are under Files, Results before these."));
+    showState();
+}
+
+void AccuracyLab::replaceBy(const SharedResults &results)
+{
+    m_shown.replaceBy(results);
+    m_charts->forgetChanges();
+    showResults();
+}
+
+void AccuracyLab::showEarlier()
+{
+    if (earlierResults() && !isRunning())
+        replaceBy(earlierResults());
+}
+
+void AccuracyLab::showResults()
+{
+    m_controls->setFamilies(results()->study.families);
     showChoice();
     showState();
     emit resultsChanged();
@@ -140,24 +185,31 @@ void AccuracyLab::take(const SharedResults &results)
 
 void AccuracyLab::showChoice()
 {
-    if (m_results)
-        m_charts->show(m_results, m_controls->family(), m_controls->errorAxis());
+    if (results())
+        m_charts->show(results(), m_controls->family(), m_controls->errorAxis());
 }
 
 void AccuracyLab::showState()
 {
     m_controls->showRunning();
-    m_controls->setHasResults(m_results != nullptr);
-    m_charts->setVisible(m_results != nullptr);
+    m_controls->setHasResults(results() != nullptr);
+    m_controls->setHasEarlier(earlierResults() && !isRunning());
+    m_charts->setVisible(results() != nullptr);
     m_lastLine->setCurrentWidget(isRunning() ? m_controls->progress() : m_conditions);
-    m_invitation->setVisible(!m_results);
-    m_invitation->setText(isRunning() ? tr("The first pictures are being judged.")
-                                      : invitationText(m_controls->extent()));
-    const QStringList warnings = m_results ? warningsOf(m_results->study) : QStringList();
-    m_warnings->setVisible(!warnings.isEmpty() && !isRunning());
+    m_invitation->setVisible(!results());
+    m_invitation->setText(isRunning()
+                              ? tr("The first pictures are being judged.")
+                              : invitationText(m_controls->extent(), expectedSeconds(settings())));
+    QStringList warnings;
+    if (results() && !isRunning())
+        warnings = warningsOf(results()->study);
+    else if (results() && !m_shown.areOfRun())
+        warnings = {tr("These are the results before; those of this run follow when it has timed "
+                       "this family.")};
+    m_warnings->setVisible(!warnings.isEmpty());
     m_warnings->setWholeText(QStringLiteral("⚠ ") + warnings.join(QStringLiteral(" ⚠ ")));
-    if (m_results)
-        m_conditions->setWholeText(originOf(m_results->study).join(QStringLiteral(" · ")));
+    if (results())
+        m_conditions->setWholeText(originOf(results()->study).join(QStringLiteral(" · ")));
 }
 
 /// A low panel gives the charts the second line of its foot. No chart changes its size when
@@ -174,7 +226,7 @@ void AccuracyLab::resizeEvent(QResizeEvent *event)
 
 void AccuracyLab::openMiss(const QString &contender)
 {
-    const LabRow *row = m_results ? m_results->study.row(contender, m_controls->family()) : nullptr;
+    const LabRow *row = results() ? results()->study.row(contender, m_controls->family()) : nullptr;
     if (!row)
         return;
     if (row->firstMiss)
@@ -195,7 +247,7 @@ void AccuracyLab::saveChart()
                                                   "Numbers, CSV (*.csv)"),
                                                QStringLiteral("svg"));
     if (!path.isEmpty())
-        m_files->writeChart(path, *chart, m_results->study);
+        m_files->writeChart(path, *chart, results()->study);
 }
 
 bool AccuracyLab::openResults(const QString &path)
@@ -204,14 +256,13 @@ bool AccuracyLab::openResults(const QString &path)
     if (!study)
         return false;
     m_run->drop();
-    m_charts->forgetChanges();
-    take(std::make_shared<const LabResults>(LabResults{*study, study->growth, study->drift}));
+    replaceBy(std::make_shared<const LabResults>(LabResults{*study, study->growth, study->drift}));
     return true;
 }
 
 bool AccuracyLab::compareWith(const QString &path)
 {
-    if (!m_results) {
+    if (!results()) {
         emit complaint(tr("Nothing is measured yet that %1 could be compared with: press Run or "
                           "open results first.")
                            .arg(QFileInfo(path).fileName()));
@@ -220,7 +271,7 @@ bool AccuracyLab::compareWith(const QString &path)
     const std::optional<Study> before = m_files->read(path);
     if (!before)
         return false;
-    m_charts->showChanges(*before, m_results->study, QFileInfo(path).fileName());
+    m_charts->showChanges(*before, results()->study, QFileInfo(path).fileName());
     return true;
 }
 

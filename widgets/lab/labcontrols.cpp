@@ -53,6 +53,7 @@ LabControls::LabControls(const LabRun *run, QWidget *parent)
     connect(m_error, &QComboBox::currentIndexChanged, this, &LabControls::choiceChanged);
     connect(run, &LabRun::progressed, this, &LabControls::tellProgress);
     setHasResults(false);
+    setHasEarlier(false);
     showRunning();
 }
 
@@ -85,6 +86,8 @@ void LabControls::addFileMenu(QBoxLayout *row)
         return action;
     };
     add("labOpen", tr("&Open results …"), &LabControls::openRequested);
+    m_earlier = add("labEarlier", tr("Results &before these"), &LabControls::earlierRequested);
+    m_earlier->setToolTip(tr("What a run or a file took the place of"));
     m_outputs += add("labSave", tr("&Save results …"), &LabControls::saveRequested);
     m_outputs
         += add("labSaveTable", tr("Save as a &table, CSV …"), &LabControls::saveTableRequested);
@@ -156,6 +159,8 @@ void LabControls::setHasResults(bool hasResults)
     m_error->setEnabled(hasResults);
 }
 
+void LabControls::setHasEarlier(bool hasEarlier) { m_earlier->setEnabled(hasEarlier); }
+
 void LabControls::showRunning()
 {
     const bool isRunning = m_run->isRunning();
@@ -163,17 +168,14 @@ void LabControls::showRunning()
         return;
     m_start->setEnabled(!isRunning);
     m_extent->setEnabled(!isRunning);
-    m_progress->setRange(0, 0);
-    m_progress->setFormat({});
+    tellProgress();
 }
 
 void LabControls::tellProgress()
 {
     const TimeLeft &left = m_run->timeLeft();
-    const std::optional<double> share = left.share();
-    m_progress->setRange(0, share ? progressSteps : 0);
-    if (share)
-        m_progress->setValue(int(*share * progressSteps));
+    m_progress->setRange(0, progressSteps);
+    m_progress->setValue(int(left.share() * progressSteps));
     m_progress->setFormat(left.text());
     m_progress->setToolTip(left.text());
 }

@@ -14,7 +14,6 @@ class QToolButton;
 namespace pixelplumb {
 
 class LabRun;
-class TimeLeft;
 
 /// The lab's row of buttons and boxes: run, how much, what is shown, files; and a line of progress,
 /// which stands elsewhere.
@@ -34,6 +33,7 @@ public:
     void setFamilies(const std::vector<StudyFamily> &families);
     /// Whether there is anything to save.
     void setHasResults(bool hasResults);
+    void setHasEarlier(bool hasEarlier); ///< results that can be brought back
     void showRunning(); ///< or not
 
 signals:
@@ -42,6 +42,7 @@ signals:
     void extentChanged();
     void choiceChanged(); ///< of the family or the error
     void openRequested();
+    void earlierRequested();
     void compareRequested();
     void saveRequested();
     void saveTableRequested();
@@ -63,6 +64,7 @@ private:
     QWidget *m_running = nullptr; ///< the line of the progress
     QProgressBar *m_progress = nullptr;
     QList<QAction *> m_outputs; ///< that need results
+    QAction *m_earlier = nullptr;
 };
 
 } // namespace pixelplumb

@@ -16,8 +16,6 @@ class QCustomPlot;
 
 namespace pixelplumb {
 
-using SharedResults = std::shared_ptr<const LabResults>;
-
 /// A chart of the lab: axes and text in the window's palette, a text for what is under the pointer,
 /// and the same chart as a figure on paper.
 class LabPlot : public QWidget {

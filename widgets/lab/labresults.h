@@ -4,6 +4,8 @@
 #include "core/lab/sizestudy.h"
 #include "core/lab/study.h"
 
+#include <memory>
+
 namespace pixelplumb {
 
 /// What the lab shows: a study, finished or not, and how times and errors grow.
@@ -12,5 +14,7 @@ struct LabResults {
     std::vector<SizeCurve> sizes;
     std::vector<DriftCurve> drift;
 };
+
+using SharedResults = std::shared_ptr<const LabResults>;
 
 } // namespace pixelplumb

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/labrun.h"
 
+#include "widgets/model/measuringpool.h"
+
 #include <atomic>
 #include <mutex>
 
@@ -57,6 +59,7 @@ private:
 
 LabRun::LabRun(QObject *parent)
     : QObject(parent)
+    , m_job(nullptr, measuringPool())
 {
     connect(&m_job, &Job::progressChanged, this, [this](const JobProgress &progress) {
         m_timeLeft.tell(progress, TimeLeft::Clock::now());
@@ -69,7 +72,7 @@ LabRun::~LabRun() = default;
 
 void LabRun::start(const StudySettings &settings)
 {
-    m_timeLeft = {};
+    m_timeLeft = TimeLeft(expectedSeconds(settings));
     m_board = std::make_shared<Board>();
     const auto work = [settings, board = m_board](const ProgressListener &job) {
         const ProgressListener listener
@@ -98,7 +101,6 @@ void LabRun::drop()
 {
     m_board = nullptr;
     m_job.cancel();
-    emit ended();
 }
 
 void LabRun::takeNews()

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/labtext.h"
 
+#include "core/measure/timeleft.h"
+
 #include <QCoreApplication>
 #include <QTextDocumentFragment>
 
@@ -76,7 +78,8 @@ QStringList errorLines(const Study &study, const ParetoPoint &point, const LabRo
 QString joinedLines(QStringList lines, const LabRow *row)
 {
     if (row && row->firstMiss)
-        lines.append(translated("click: Compare at its first wrong pixel (%1, %2)")
+        lines.append(translated("Click: opens the scene of its first wrong pixel (%1, %2) here and "
+                                "in Compare; unsaved changes are asked about first")
                          .arg(row->firstMiss->x)
                          .arg(row->firstMiss->y));
     return lines.join(QStringLiteral("<br>"));
@@ -117,7 +120,7 @@ QString untimedHtml(const Study &study, const ParetoPoint &point, const QString 
     else
         lines.append(study.isComplete
                          ? translated("not timed")
-                         : translated("its time comes when all are judged on these triangles"));
+                         : translated("its time comes when all of this family are judged"));
     return joinedLines(lines, row);
 }
 
@@ -188,7 +191,12 @@ QString outcomeText(const LabRow &row)
     return {};
 }
 
-QStringList originOf(const Study &study) { return {summaryOf(study.conditions), study.command}; }
+QStringList originOf(const Study &study)
+{
+    return {summaryOf(study.conditions),
+            study.command.isEmpty() ? translated("(save the scene to get its command)")
+                                    : study.command};
+}
 
 QStringList figureOrigin(const Study &study)
 {
@@ -199,16 +207,15 @@ QStringList figureOrigin(const Study &study)
     return lines;
 }
 
-QString invitationText(StudyExtent extent)
+QString invitationText(StudyExtent extent, double seconds)
 {
     const QString what = translated("Run draws the same triangles by every contender, counts the "
                                     "pixels that differ from the truth, and times all of them in "
                                     "turn, beside straight loops that do the same work.");
     const QString howLong = extent == StudyExtent::Quick
-        ? translated("The quick study takes fifteen contenders and about 20 seconds.")
-        : translated("The full study takes every method in every arithmetic and about five "
-                     "minutes.");
-    return what + u' ' + howLong;
+        ? translated("The quick study takes fifteen contenders and %1.")
+        : translated("The full study takes every method in every arithmetic and %1.");
+    return what + u' ' + howLong.arg(aboutText(seconds));
 }
 
 } // namespace pixelplumb

@@ -37,7 +37,7 @@ QStringList originOf(const Study &study);
 /// The same, then each warning: for the foot of a chart on paper.
 QStringList figureOrigin(const Study &study);
 
-/// What a lab says before its first run: what the button does and how long it takes.
-QString invitationText(StudyExtent extent);
+/// What a lab says before its first run: what the button does and how many s that takes.
+QString invitationText(StudyExtent extent, double seconds);
 
 } // namespace pixelplumb
