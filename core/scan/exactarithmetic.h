@@ -114,11 +114,13 @@ struct ExactArithmetic {
                 return m_rate;
             const Integer height = m_p2->position.y - m_p0->position.y;
             const bool isVertical = m_p0->position.x == m_p2->position.x && height != 0;
-            return threeOf([&](std::size_t channel) {
-                return isVertical
+            std::array<Number, 3> rates;
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                rates[channel] = isVertical
                     ? Number::fromFraction(rise(channel) * unitsPerPixel, height)
                     : Number::fromFraction(0, column.colourBottom[channel].denominator);
-            });
+            }
+            return rates;
         }
 
         /// R G B at a row of the column.
@@ -140,9 +142,11 @@ struct ExactArithmetic {
             const Integer height = m_p2->position.y - m_p0->position.y;
             if (m_p0->position.x != m_p2->position.x || height == 0)
                 return column.colourBottom;
-            return threeOf([&](std::size_t channel) {
-                return Number::fromFraction(c0(channel) * height + rise(channel) * up, height);
-            });
+            std::array<Number, 3> starts;
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                starts[channel]
+                    = Number::fromFraction(c0(channel) * height + rise(channel) * up, height);
+            return starts;
         }
 
     private:

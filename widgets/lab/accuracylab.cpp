@@ -204,8 +204,7 @@ void AccuracyLab::showState()
     if (results() && !isRunning())
         warnings = warningsOf(results()->study);
     else if (results() && !m_shown.areOfRun())
-        warnings = {tr("These are the results before; those of this run follow when it has timed "
-                       "this family.")};
+        warnings = {tr("Results before this run, until it has times of this family.")};
     m_warnings->setVisible(!warnings.isEmpty());
     m_warnings->setWholeText(QStringLiteral("⚠ ") + warnings.join(QStringLiteral(" ⚠ ")));
     if (results())

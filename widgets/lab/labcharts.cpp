@@ -108,6 +108,7 @@ LabCharts::LabCharts(QWidget *parent)
     addPage(m_contender, m_misses, tr("Misses"),
             tr("How far missed samples lie from the boundary"));
     auto *scroller = new QScrollArea(this);
+    scroller->setAccessibleName(tr("Parts of the cost"));
     scroller->setFrameShape(QFrame::NoFrame);
     scroller->setWidgetResizable(true);
     scroller->setWidget(m_costs);
