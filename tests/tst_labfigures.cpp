@@ -181,7 +181,7 @@ private slots:
         QVERIFY(
             plot->textAt(at("column-scan:float32")).contains(QStringLiteral("5221 of 1000000")));
         QVERIFY(plot->textAt(at("column-scan:exact"))
-                    .contains(QStringLiteral("its time comes when all are judged")));
+                    .contains(QStringLiteral("its time comes when all of this family are judged")));
         QVERIFY(textsOf(*plot).contains(QStringLiteral("not timed (yet)")));
     }
 
