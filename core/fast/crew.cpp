@@ -1,53 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fast/crew.h"
 
+#include <atomic>
+#include <cstdint>
 #include <system_error>
+#include <thread>
+#include <vector>
 
 namespace pixelplumb {
 
-Crew::Crew(int threads)
+void shareJobs(int threads, int count, const std::function<void(int job)> &job)
 {
-    m_others.reserve(std::size_t(threads - 1));
+    std::vector<std::atomic<bool>> isTaken(static_cast<std::size_t>(count));
+    const auto takeJobs = [&](int thread) {
+        const int first = int(std::int64_t(count) * thread / threads);
+        for (int k = 0; k < count; ++k) {
+            const int mine = (first + k) % count;
+            if (!isTaken[std::size_t(mine)].exchange(true))
+                job(mine);
+        }
+    };
+    std::vector<std::jthread> others; // joined before the rest goes
+    others.reserve(std::size_t(threads - 1));
     try {
-        while (int(m_others.size()) < threads - 1)
-            m_others.emplace_back([this] { workUntilDismissed(); });
+        while (int(others.size()) < threads - 1)
+            others.emplace_back(takeJobs, int(others.size()) + 1);
     } catch (const std::system_error &) {
         // Those that started, or the caller alone, do the work.
     }
-}
-
-Crew::~Crew()
-{
-    m_isDismissed = true;
-    m_begun.release(std::ptrdiff_t(m_others.size()));
-}
-
-void Crew::share(int count, const std::function<void(int job)> &job)
-{
-    m_job = &job;
-    m_count = count;
-    m_next = 0;
-    m_begun.release(std::ptrdiff_t(m_others.size()));
-    takeJobs();
-    for (std::size_t i = 0; i < m_others.size(); ++i)
-        m_finished.acquire();
-}
-
-void Crew::workUntilDismissed()
-{
-    while (true) {
-        m_begun.acquire();
-        if (m_isDismissed)
-            return;
-        takeJobs();
-        m_finished.release();
-    }
-}
-
-void Crew::takeJobs()
-{
-    for (int mine = m_next++; mine < m_count; mine = m_next++)
-        (*m_job)(mine);
+    takeJobs(0);
 }
 
 } // namespace pixelplumb

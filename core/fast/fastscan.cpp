@@ -84,16 +84,21 @@ public:
         }
     }
     /// Draws those at some places of a scene.
-    void draw(std::span<const Triangle> scene, std::span<const std::uint32_t> places)
+    void draw(std::span<const Triangle> scene, std::span<const std::uint16_t> places)
     {
         if (!isBatched()) {
-            for (const std::uint32_t place : places)
+            for (const std::uint16_t place : places)
                 drawOne(scene[place]);
             return;
         }
         while (!places.empty()) {
             const std::size_t count = std::min(places.size(), TriangleBatch::capacity);
             const auto rest = places.subspan(count);
+            if (std::size_t(places[count - 1] - places[0]) == count - 1) { // as in a mesh
+                drawBatch(scene.subspan(places[0], count));
+                places = rest;
+                continue;
+            }
             for (std::size_t i = 0; i < count; ++i) {
                 if (i < rest.size()) // arrives while these are drawn
                     prefetchTriangle(reinterpret_cast<std::uintptr_t>(&scene[rest[i]]));
@@ -198,10 +203,6 @@ int bandCountFor(std::span<const Triangle> triangles, FrameView frame, int threa
     return int(std::min<std::int64_t>(std::max(forCaches, forThreads), frame.height));
 }
 
-/// Binned and drawn before the next ones are: while they are still in a cache that the threads
-/// share (4.5 MiB).
-constexpr std::size_t trianglesPerChunk = 65'536;
-
 /// That the system lets this process have, 1 or more.
 int threadsOfMachine() { return int(std::max(1U, std::thread::hardware_concurrency())); }
 
@@ -210,16 +211,17 @@ RouteTally drawInBands(std::span<const Triangle> triangles, const ScanSettings &
 {
     std::vector<RouteTally> tallies(std::size_t(bands.count()));
     BandBins bins(bands);
-    Crew crew(threads);
     while (!triangles.empty()) {
-        const auto chunk = triangles.first(std::min(triangles.size(), trianglesPerChunk));
+        // Binned and drawn before the next ones are: while still in a cache that the threads share.
+        const auto chunk = triangles.first(std::min(triangles.size(), BandBins::mostTriangles));
         triangles = triangles.subspan(chunk.size());
-        const int pieces = bins.begin(chunk);
-        crew.share(pieces, [&](int piece) { bins.gather(piece); });
-        crew.share(bands.count(), [&](int band) {
+        bins.begin(chunk);
+        shareJobs(threads, bands.count(), [&](int band) {
             WindowDrawing drawing(kernels, settings, bands.band(band), tallies[std::size_t(band)]);
             bins.forEach(
-                band, [&](std::span<const std::uint32_t> places) { drawing.draw(chunk, places); });
+                band, [&](std::span<const Triangle> piece, std::span<const std::uint16_t> places) {
+                    drawing.draw(piece, places);
+                });
         });
     }
     RouteTally sum;
