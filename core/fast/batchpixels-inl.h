@@ -49,13 +49,15 @@ public:
         auto bits = hn::Zero(integers);
         for (std::size_t corner = 0; corner < 3; ++corner)
             bits = hn::Or3(bits, lattice(m_batch.x[corner], i), lattice(m_batch.y[corner], i));
+        const auto isUnused = hn::Not(hn::FirstN(floats, m_batch.size - i));
         const auto fractions = hn::And(bits, hn::Set(integers, unitsPerPixel - 1));
-        if (!hn::AllTrue(integers, hn::Eq(fractions, hn::Zero(integers))))
+        const auto isWhole = hn::RebindMask(floats, hn::Eq(fractions, hn::Zero(integers)));
+        if (!hn::AllTrue(floats, hn::Or(isWhole, isUnused)))
             return false;
         const BatchBox<Rule, Floats> box(m_batch, i, m_width, m_height);
         const BatchCorners<Floats> corners = cornersFrom(i, box);
         const auto isSmall = hn::And(box.isSmall, hn::Gt(corners.area, hn::Zero(floats)));
-        if (!hn::AllTrue(floats, hn::Or(isSmall, box.isEmpty)))
+        if (!hn::AllTrue(floats, hn::Or(hn::Or(isSmall, box.isEmpty), isUnused)))
             return false;
         addTo(floats, isSmall, i, m_batch.small);
         addTo(floats, box.isNarrow, i, m_batch.narrow);

@@ -5,11 +5,14 @@
 
 namespace pixelplumb {
 
-/// Does jobs 0 … count − 1, each once, in the calling thread and `threads` − 1 more, and returns
-/// when all are done; fewer threads where the system has none left. The jobs throw nothing. Threads
-/// of the standard library, which a race detector sees through; to start and join one takes as long
-/// as to wake one and wait for it. Each begins at a place of its own, the same every time, and goes
-/// on from there: what it wrote the last time is still in its caches.
+/// Does jobs 0 … count − 1, each once, in the calling thread and up to `threads` − 1 more, and
+/// returns when all are done. The jobs throw nothing and share none themselves. Each thread begins
+/// at a place of its own, the same every time, and goes on from there: what it wrote the last time
+/// is still in its caches.
+///
+/// The threads are kept until the process ends, since to start and to join one takes some 100 µs;
+/// who calls while they work for another waits. They are handed over by the standard library's
+/// semaphores, which a race detector sees through.
 void shareJobs(int threads, int count, const std::function<void(int job)> &job);
 
 } // namespace pixelplumb
