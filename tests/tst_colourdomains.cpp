@@ -35,7 +35,7 @@ std::int64_t levelByProduct(const ColourPlace &place)
     const A::ColourRamp ramp(corners[0], corners[1], corners[2]);
     ColumnState<A> column;
     column.x = 0; // ColourPlace::triangle() lays the sample there
-    const BiasOrExactNumber number = ramp.start(column, 0, 0);
+    const BiasOrExactNumber number = ramp.starts(column, 0)[0];
     return number.isExact ? -1 : A::level(number, ByteRounding::Nearest);
 }
 

@@ -61,7 +61,9 @@ Rows rowsByProduct(const Place &place)
 {
     const Vertex a = {{place.xa, place.ya}, {}};
     const Vertex b = {{place.xa + place.dx, place.ya + place.dy}, {}};
-    const BiasOrExactNumber y = BiasArithmetic<BiasOrExactNumber>::edgeOrdinate(a, b, place.column);
+    using A = BiasArithmetic<BiasOrExactNumber>;
+    const BiasOrExactNumber y
+        = A::edgeOrdinate(a, b, A::runTo(place.column, a), A::edgeSlope(a, b));
     if (y.isExact || place.scale != unitsPerPixel)
         return {1, 0}; // right nowhere
     return {y.floor(), y.ceil()};

@@ -148,9 +148,9 @@ private slots:
         const ExactLine ca = lineThrough(c, a), ac = lineThrough(a, c);
         const LatticePoint sample = latticePixel(5, 4);
         const auto weight = [&](const ExactLine &line) {
-            const CommonFraction ratio = ExactPlane<Int128>::ratio(
-                line.valueAt<LineForm::Absolute>(sample), line.valueAt<LineForm::Absolute>(b));
-            return ExactPlane<Int128>::quantityOf(ratio);
+            using Plane = ExactPlane<Int128>;
+            const Plane::Divisor atB(line.valueAt<LineForm::Absolute>(b));
+            return Plane::quantityOf(Plane::ratio(line.valueAt<LineForm::Absolute>(sample), atB));
         };
         QCOMPARE(weight(ac), weight(ca));
         QCOMPARE(ac.valueAt<LineForm::Absolute>(sample), -ca.valueAt<LineForm::Absolute>(sample));

@@ -35,8 +35,8 @@ void walk(const Vertex &a, const Vertex &b, std::int64_t skipped, Excess &excess
     const double extent = double(absolute(b.position.y - a.position.y)) / 256;
     const std::int64_t first = ceilPixel(a.position.x);
     const std::int64_t start = first + skipped;
-    typename A::Number y = A::edgeOrdinate(a, b, start);
     const typename A::Number slope = A::edgeSlope(a, b);
+    typename A::Number y = A::edgeOrdinate(a, b, A::runTo(start, a), slope);
     for (std::int64_t column = start; column * unitsPerPixel <= b.position.x; ++column) {
         const double error = std::abs(errorOf(Quantity::of(y), exactOrdinate(a, b, column)));
         const auto additions = double(column - first + 1);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/model/job.h"
+#include "widgets/model/measuringpool.h"
 
 #include <QtTest>
 
@@ -131,6 +132,33 @@ private slots:
 
         QTRY_VERIFY_WITH_TIMEOUT(taken, timeout);
         QVERIFY(taken->empty());
+    }
+
+    void jobsThatMeasureTakeTurns()
+    {
+        Job first(nullptr, measuringPool());
+        Job second(nullptr, measuringPool());
+        const Gate gate;
+        std::atomic<int> underWay = 0;
+        std::atomic<int> mostUnderWay = 0;
+        QStringList taken;
+        const auto work = [&, gate](const ProgressListener &listener) {
+            mostUnderWay = std::max<int>(mostUnderWay, ++underWay);
+            gate.passes(listener, {});
+            --underWay;
+            return 1;
+        };
+        QCOMPARE(measuringNote(), QStringLiteral("Measuring …"));
+        first.start(work, [&taken](int) { taken += "first"; });
+        second.start(work, [&taken](int) { taken += "second"; });
+        QTRY_COMPARE_WITH_TIMEOUT(measuringNote(),
+                                  QStringLiteral("Waiting for another measurement …"), timeout);
+        QTest::qWait(50);
+        QCOMPARE(int(underWay), 1);
+        gate.open();
+
+        QTRY_COMPARE_WITH_TIMEOUT(taken, (QStringList{"first", "second"}), timeout);
+        QCOMPARE(int(mostUnderWay), 1);
     }
 
     void newerWorkWaitsForARest()

@@ -35,7 +35,7 @@ Study studyOf(const std::vector<MadeRow> &made)
     study.families = {family};
     for (const MadeRow &row : made) {
         const QString id = QString::fromLatin1(row.contender);
-        study.contenders.push_back({id, id, row.isProved, QStringLiteral("all"), {}});
+        study.contenders.push_back({id, id, kernelOf(id), row.isProved, QStringLiteral("all"), {}});
         LabRow measured;
         measured.contender = id;
         measured.family = family.id;
@@ -62,10 +62,10 @@ const Study &exampleStudy()
     return study;
 }
 
-QStringList frontierOf(const ParetoChart &chart)
+QStringList frontierOf(const ParetoChart &chart, LabKernel kernel = LabKernel::Plain)
 {
     QStringList names;
-    for (const std::size_t index : chart.frontier)
+    for (const std::size_t index : chart.frontier(kernel))
         names << chart.points[index].contender;
     return names;
 }
@@ -95,7 +95,43 @@ private slots:
                                                        {1.5, ErrorClass::ZeroObserved, 0},
                                                        {3.0, ErrorClass::ZeroObserved, 0},
                                                        {3.0, ErrorClass::ZeroProved, 0}};
-        QVERIFY(chart.staircase() == expected);
+        QVERIFY(chart.staircase(LabKernel::Plain) == expected);
+        QVERIFY(chart.staircase(LabKernel::Fast).empty());
+    }
+
+    void noSimdKernelBeatsAPlainOneNorTheReverse()
+    {
+        const ParetoChart chart = paretoOf(studyOf({{"cheap", 1.0, 100, 7},
+                                                    {"proved", 3.0, 0, 0, true},
+                                                    {"wrong:fast", 0.2, 50, 1},
+                                                    {"proved:fast", 0.1, 0, 0, true},
+                                                    {"lucky:fast", 0.05, 0, 0}}),
+                                           QStringLiteral("f"), *errorAxisNamed("wrong-pixels"));
+
+        QCOMPARE(frontierOf(chart), (QStringList{"cheap", "proved"}));
+        QCOMPARE(frontierOf(chart, LabKernel::Fast), (QStringList{"lucky:fast", "proved:fast"}));
+        const std::vector<StaircaseCorner> expected = {{0.05, ErrorClass::ZeroObserved, 0},
+                                                       {0.1, ErrorClass::ZeroObserved, 0},
+                                                       {0.1, ErrorClass::ZeroTested, 0}};
+        QVERIFY(chart.staircase(LabKernel::Fast) == expected);
+        QVERIFY(!chart.points[2].isOnFrontier);
+    }
+
+    void errorsWithoutATimeWait()
+    {
+        Study study = exampleStudy();
+        study.rows[1].cost.reset();
+        study.rows[2].cost->rounds = 0;
+        study.rows[3].accuracy.reset();
+
+        const ParetoChart chart
+            = paretoOf(study, QStringLiteral("f"), *errorAxisNamed("wrong-pixels"));
+
+        QCOMPARE(chart.points.size(), std::size_t(3));
+        QCOMPARE(chart.untimed.size(), std::size_t(2));
+        QCOMPARE(chart.untimed[0].contender, QStringLiteral("cheap"));
+        QCOMPARE(chart.untimed[0].error, 100.0);
+        QVERIFY(chart.untimed[1].errorClass == ErrorClass::ZeroObserved);
     }
 
     void timesAreToldInTheSeedsMethodAndZerosByWhatVouchesForThem()
@@ -117,8 +153,8 @@ private slots:
         const ParetoChart nothing = paretoOf(Study(), QStringLiteral("f"), axis);
         const ParetoChart one = paretoOf(studyOf({{"only", 1, 3, 1}}), QStringLiteral("f"), axis);
 
-        QVERIFY(nothing.points.empty() && nothing.staircase().empty());
-        QCOMPARE(one.staircase().size(), std::size_t(1));
+        QVERIFY(nothing.points.empty() && nothing.staircase(LabKernel::Plain).empty());
+        QCOMPARE(one.staircase(LabKernel::Plain).size(), std::size_t(1));
         QVERIFY(!one.points[0].timesReference);
     }
 

@@ -59,6 +59,24 @@ private slots:
                  compared.output.constData());
     }
 
+    void aComparisonFallsShortWhereAContenderIsMissing()
+    {
+        const QTemporaryDir folder;
+        const QString both = folder.filePath(QStringLiteral("both.json"));
+        const QString one = folder.filePath(QStringLiteral("one.json"));
+        QCOMPARE(lab({"--format", "json", "-o", both}).exitCode, 0);
+        QCOMPARE(run({"lab", defaultScene(), "--family", "own-scene", "--contender",
+                      "column-scan:exact", "--format", "json", "-o", one})
+                     .exitCode,
+                 0);
+
+        const ProgramRun compared = run({"lab", "--compare", both, one});
+
+        QCOMPARE(compared.exitCode, 1);
+        QVERIFY2(compared.output.contains("0 less accurate, 1 missing"),
+                 compared.output.constData());
+    }
+
     void printsCsv()
     {
         const ProgramRun result = lab({"--format", "csv"});

@@ -21,6 +21,7 @@ const Study &measuredStudy()
         settings.contenders = {*labContenderNamed(QStringLiteral("column-scan:float32")),
                                *labContenderNamed(QStringLiteral("column-scan:exact:fast"))};
         settings.rounds = 2;
+        settings.growthRounds = 0;
         settings.seed = 18'446'744'073'709'551'615U;
         return runStudy(settings);
     }();
@@ -53,6 +54,39 @@ private slots:
         QVERIFY(writeStudy(*read) == text);
     }
 
+    void filesOfTheFirstVersionAreRead()
+    {
+        QByteArray text = writeStudy(measuredStudy());
+        text.replace("            \"kernel\": \"plain\",\n", "");
+        text.replace("            \"kernel\": \"SIMD\",\n", "");
+        QVERIFY(!text.contains("kernel\""));
+        text = replaced(text, "\"pixelplumbLab\": 2", "\"pixelplumbLab\": 1");
+        for (const char *key : {"drift", "growth"}) {
+            const qsizetype begin = text.indexOf(QByteArray("    \"") + key);
+            text.remove(begin, text.indexOf(']', begin) + 3 - begin);
+        }
+        QVERIFY(!text.contains("growth"));
+
+        const Result<Study> read = readStudy(text);
+
+        QVERIFY2(bool(read), read ? "" : qPrintable(read.error().message()));
+        QVERIFY(*read == measuredStudy());
+    }
+
+    void curvesAreKept()
+    {
+        Study study = measuredStudy();
+        study.drift = {{Arithmetic::Float32, {{1, 0.25, 0.5}, {2, 0.375, 1}}}};
+        study.growth
+            = {{QStringLiteral("column-scan:exact"), SizeAxis::Area, {{13, {1, 2, 3}}}, {}},
+               {QStringLiteral("column-scan:exact"), SizeAxis::Width, {}, 1.5}};
+
+        const Result<Study> read = readStudy(writeStudy(study));
+
+        QVERIFY2(bool(read), read ? "" : qPrintable(read.error().message()));
+        QVERIFY(*read == study);
+    }
+
     void whatIsNotMeasuredIsNotInTheFile()
     {
         const QByteArray text = writeStudy(measuredStudy());
@@ -73,11 +107,14 @@ private slots:
         QTest::newRow("another kind of file")
             << QByteArray("{ \"pixelplumb\": 1 }") << QStringLiteral("no “pixelplumbLab”");
         QTest::newRow("newer version")
-            << replaced(text, "\"pixelplumbLab\": 1", "\"pixelplumbLab\": 7")
-            << QStringLiteral("pixelplumbLab: 7; expected 1");
+            << replaced(text, "\"pixelplumbLab\": 2", "\"pixelplumbLab\": 7")
+            << QStringLiteral("pixelplumbLab: 7; expected 1 to 2");
         QTest::newRow("version of another type")
-            << replaced(text, "\"pixelplumbLab\": 1", "\"pixelplumbLab\": \"1\"")
-            << QStringLiteral("expected 1");
+            << replaced(text, "\"pixelplumbLab\": 2", "\"pixelplumbLab\": \"1\"")
+            << QStringLiteral("expected 1 to 2");
+        QTest::newRow("contender without its kernel")
+            << QByteArray(text).replace("            \"kernel\": \"plain\",\n", "")
+            << QStringLiteral("kernel");
         QTest::newRow("text for a number")
             << replaced(text, "\"rounds\": 2", "\"rounds\": \"2\"") << QStringLiteral("rounds");
         QTest::newRow("number for a flag")
@@ -111,6 +148,12 @@ private slots:
         const qsizetype fields = lines.front().split(',').size();
         QVERIFY(lines.front().startsWith("contender,family,outcome,remark,"));
         QVERIFY(lines.front().contains("accuracy.tiesMissing"));
+        const qsizetype divisions
+            = lines.front().split(',').indexOf("cost.operations.span divisions");
+        QVERIFY(divisions > 0);
+        const auto &operations = measuredStudy().rows[0].cost->operations;
+        QCOMPARE(lines[1].split(',').at(divisions).toLongLong(),
+                 operations->of(WorkStage::Span, Operation::Division));
         for (const QByteArray &line : lines)
             QCOMPARE(line.split(',').size(), fields);
     }
@@ -211,6 +254,62 @@ private slots:
         QVERIFY(comparison.rows[3].change == LabChange::NotComparable);
         QCOMPARE(comparison.remarks.size(), 1);
         QVERIFY(textOf(comparison).last().startsWith(QStringLiteral("1 faster, 1 slower, 1 ")));
+    }
+
+    void whatIsWorseIsToldFromWhatIsOther_data()
+    {
+        using Change = std::function<void(Study &)>;
+        QTest::addColumn<Change>("change");
+        QTest::addColumn<QString>("summary"); // the end of the last line
+        QTest::addColumn<bool>("isWorse");
+        const auto row
+            = [](const char *name, const Change &change, const char *summary, bool isWorse) {
+                  QTest::newRow(name) << change << QString::fromLatin1(summary) << isWorse;
+              };
+        row(
+            "nothing", [](Study &) {}, "0 less accurate, 0 missing", false);
+        row(
+            "more wrong pixels", [](Study &study) { study.rows[0].accuracy->wrongBytes += 1; },
+            "1 less accurate, 0 missing", true);
+        row(
+            "fewer wrong pixels", [](Study &study) { study.rows[0].accuracy->pixels *= 2; },
+            "0 less accurate, 0 missing", false);
+        row(
+            "more wrong pixels under another rule",
+            [](Study &study) {
+                study.rows[0].accuracy->wrongBytes += 1;
+                study.rows[0].settings.fillRule = FillRule::Open;
+            },
+            "0 less accurate, 0 missing", false);
+        row(
+            "a row is gone", [](Study &study) { study.rows.pop_back(); },
+            "0 less accurate, 1 missing", true);
+        row(
+            "a contender failed", [](Study &study) { study.rows[0].outcome = LabOutcome::Failed; },
+            "0 less accurate, 1 missing", true);
+        row(
+            "slower",
+            [](Study &study) {
+                Spread &slower = study.rows[0].cost->perDraw;
+                slower = {slower.upper * 7, slower.upper * 8, slower.upper * 9};
+            },
+            "0 less accurate, 0 missing", true);
+    }
+    void whatIsWorseIsToldFromWhatIsOther()
+    {
+        QFETCH(const std::function<void(Study &)>, change);
+        QFETCH(const QString, summary);
+        QFETCH(const bool, isWorse);
+        Study after = measuredStudy();
+        QVERIFY(after.rows[0].accuracy->wrongPixels() > 0);
+        change(after);
+
+        const LabComparison comparison = compareStudies(measuredStudy(), after);
+
+        QVERIFY2(textOf(comparison).last().endsWith(summary),
+                 qPrintable(textOf(comparison).last()));
+        QCOMPARE(comparison.isWorse(), isWorse);
+        QVERIFY(!compareStudies(after, after).isWorse());
     }
 };
 

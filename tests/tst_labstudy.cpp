@@ -3,6 +3,7 @@
 #include "core/lab/livefigures.h"
 #include "core/lab/sizestudy.h"
 #include "core/lab/study.h"
+#include "tests/support/caselist.h"
 #include "tests/support/defaultscene.h"
 
 #include <QTest>
@@ -31,6 +32,7 @@ StudySettings smallStudy()
         = contendersOf({QStringLiteral("column-scan:exact"), QStringLiteral("column-scan:float32"),
                         QStringLiteral("column-scan:exact:fast")});
     settings.rounds = 0;
+    settings.growthRounds = 0;
     return settings;
 }
 
@@ -96,26 +98,6 @@ private slots:
             QVERIFY2(family.has_value(), info.id);
             QVERIFY2(family->triangleCount() > 0, info.id);
             QCOMPARE(family->id, QString::fromLatin1(info.id));
-        }
-    }
-
-    void familiesThatPromiseItStayInsideTheirFrame()
-    {
-        for (const LabFamilyInfo &info : labFamilies()) {
-            const auto family = makeFamily(info, {});
-            if (!family || !family->staysInside)
-                continue;
-            const LabPicture &picture = family->pictures.front();
-            for (const Triangle &triangle : picture.triangles) {
-                QVERIFY2(doubledArea(triangle) != 0, info.id);
-                for (const Vertex &vertex : triangle.vertices) {
-                    const LatticePoint &at = vertex.position;
-                    QVERIFY2(at.x >= 2 * unitsPerPixel && at.y >= 2 * unitsPerPixel, info.id);
-                    QVERIFY2(at.x <= (picture.frame.width - 3) * unitsPerPixel, info.id);
-                    QVERIFY2(at.y <= (picture.frame.height - 3) * unitsPerPixel, info.id);
-                    QVERIFY2(!family->isOnWholePixels || at.x % unitsPerPixel == 0, info.id);
-                }
-            }
         }
     }
 
@@ -210,8 +192,9 @@ private slots:
         StudySettings settings = smallStudy();
         settings.rounds = 5;
         StudyListener listener;
+        int samples = 0;
         listener.progress = [&](const JobProgress &progress) {
-            return progress.phase != JobPhase::Measuring || progress.done < 4;
+            return progress.phase != JobPhase::Measuring || samples++ < 4;
         };
 
         const Study study = runStudy(settings, listener);
@@ -245,6 +228,50 @@ private slots:
         QCOMPARE(rowsTold, std::size_t(3));
     }
 
+    void theProgressOfAWholeStudyIsOneScale()
+    {
+        StudySettings settings = smallStudy();
+        settings.families << QStringLiteral("ties");
+        settings.rounds = 2;
+        std::vector<JobProgress> told;
+        StudyListener listener;
+        listener.progress = [&](const JobProgress &progress) {
+            told.push_back(progress);
+            return true;
+        };
+
+        runStudy(settings, listener);
+
+        QVERIFY(told.size() > 10);
+        QCOMPARE(told.front().done, std::int64_t(0));
+        for (std::size_t i = 1; i < told.size(); ++i) {
+            QCOMPARE(told[i].total, told.front().total);
+            QVERIFY(told[i].done >= told[i - 1].done);
+        }
+        QVERIFY(double(told.back().done) / double(told.back().total) > 0.9);
+    }
+
+    void aFamilyIsTimedOnceAsSoonAsItIsJudged()
+    {
+        StudySettings settings = smallStudy();
+        settings.families = {QStringLiteral("ties"), QStringLiteral("hard-cases")};
+        settings.hardCases = casesOf(QFINDTESTDATA("data/hard_cases.json"));
+        settings.rounds = 2;
+        std::vector<std::size_t> timed;
+        StudyListener listener;
+        listener.roundDone = [&](const Study &study) {
+            timed.push_back(std::size_t(std::ranges::count_if(
+                study.rows, [](const LabRow &row) { return row.cost && row.cost->rounds > 0; })));
+        };
+
+        const Study study = runStudy(settings, listener);
+
+        QCOMPARE(study.families.size(), std::size_t(2));
+        QVERIFY(study.families[1].timedTriangles > 3); // of many pictures
+        const std::size_t contenders = study.contenders.size();
+        QCOMPARE(timed, (std::vector<std::size_t>{contenders, 2 * contenders, 2 * contenders}));
+    }
+
     void aStudyOfNothingIsEmpty()
     {
         StudySettings settings = smallStudy();
@@ -275,14 +302,17 @@ private slots:
     void straightLoopsAreTimedInTheSameRounds()
     {
         StudySettings settings = smallStudy();
-        settings.ownScene = nullptr;
-        settings.families = {QStringLiteral("small")};
+        settings.families = {QStringLiteral("far"), QStringLiteral("small"), QStringLiteral("mesh"),
+                             QStringLiteral("own-scene")};
         settings.rounds = 2;
 
         const Study study = runStudy(settings);
 
-        QVERIFY(study.rows[0].cost->straight.has_value());
-        QVERIFY(study.rows[0].cost->timesStraight.has_value());
+        for (const LabRow &row : study.rows) {
+            const bool isPlain = row.contender != QStringLiteral("column-scan:exact:fast");
+            QCOMPARE(row.cost->straight.has_value(), isPlain);
+            QCOMPARE(row.cost->timesStraight.has_value(), isPlain);
+        }
         QCOMPARE(study.family(QStringLiteral("small"))->timedTriangles, 3000);
     }
 
@@ -302,8 +332,17 @@ private slots:
         QVERIFY(!rounded->isProved);
         QVERIFY(*rounded->wrongPixels > 0);
         QVERIFY(exact->perPixel.has_value());
-        QVERIFY(exact->text().startsWith(QStringLiteral("0 wrong, proved · ")));
+        QVERIFY(exact->text().startsWith(QStringLiteral("0 wrong, proved · plain kernel ")));
+        QVERIFY(exact->details().contains(QStringLiteral("median of ")));
         QVERIFY(!ended);
+    }
+
+    void anEmptySceneHasNothingToMeasureYet()
+    {
+        const auto nothing = liveFiguresOf(std::make_shared<const Scene>());
+
+        QCOMPARE(nothing->text(), QStringLiteral("nothing to measure yet"));
+        QCOMPARE(nothing->details(), nothing->text());
     }
 
     void theSceneInHandIsTimedAsTheStudyTimesIt()
@@ -356,14 +395,36 @@ private slots:
         }
     }
 
+    void theCommandDoesItAgain_data()
+    {
+        QTest::addColumn<QString>("path");
+        QTest::addColumn<QString>("words");
+        const auto row = [](const char *name, const char *path, const char *quoted) {
+            QTest::newRow(name) << QString::fromUtf8(
+                path) << QStringLiteral("pixelplumb-cli lab ") + QString::fromUtf8(quoted);
+        };
+        row("plain", "/a/b-c_1.json", "/a/b-c_1.json");
+        row("standard input", "-", "-");
+        row("spaces", "my scene.json", "'my scene.json'");
+        row("quotes", "it's.json", "'it'\\''s.json'");
+        row("what a shell would expand", "$HOME*.json", "'$HOME*.json'");
+        row("two lines", "a\n", "'a\n'");
+        row("like an option", "-full", "./-full");
+        QTest::newRow("no file") << QString() << QString();
+    }
     void theCommandDoesItAgain()
     {
-        const Study study = runStudy(smallStudy());
+        QFETCH(const QString, path);
+        QFETCH(const QString, words);
+        StudySettings settings = smallStudy();
+        settings.ownSceneName = path;
+        settings.mostSamples = 1;
+        settings.rounds = 0;
 
-        QCOMPARE(study.command,
-                 QStringLiteral("pixelplumb-cli lab SCENE --quick --seed 1 --family own-scene "
-                                "--contender "
-                                "column-scan:exact,column-scan:float32,column-scan:exact:fast"));
+        const QString options
+            = QStringLiteral(" --quick --seed 1 --family own-scene --contender "
+                             "column-scan:exact,column-scan:float32,column-scan:exact:fast");
+        QCOMPARE(runStudy(settings).command, words.isEmpty() ? QString() : words + options);
     }
 
     void spansAreThoseOfTheMethod_data()
@@ -393,7 +454,7 @@ private slots:
 
     void contendersAreFoundByTheirIds()
     {
-        QCOMPARE(quickContenders().size(), std::size_t(14));
+        QCOMPARE(quickContenders().size(), std::size_t(15));
         for (const LabContender &contender : fullContenders()) {
             const auto found = labContenderNamed(contender.id);
             QVERIFY2(found.has_value(), qPrintable(contender.id));

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/isolatedsettings.h"
+#include "tests/support/promisednames.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/dialogs/keysheet.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/signs.h"
 #include "widgets/window/mainwindow.h"
+#include "widgets/window/panels.h"
 
 #include <QAbstractItemView>
 #include <QAccessible>
@@ -19,23 +21,6 @@
 using namespace pixelplumb;
 
 namespace {
-
-/// The parts of the window that design and README promise to programs.
-const QStringList promisedNames{
-    "canvas",         "columnTable",      "pixelGrid",      "formulaPanel",    "pixelHistory",
-    "stepperBar",     "scrubber",         "methodBox",      "arithmeticBox",   "fillRuleBox",
-    "roundingBox",    "unitBox",          "speedSlider",    "speedBox",        "positionLabel",
-    "messageBar",     "traceProgress",    "cancelTrace",    "statusPixel",     "statusColumn",
-    "statusStep",     "statusSettings",   "formulaDock",    "pixelGridDock",   "pixelHistoryDock",
-    "columnsDock",    "nextColourButton", "compare",        "compareDock",     "agreementMap",
-    "compareReason",  "hardCases",        "hardCasesDock",  "precision",       "precisionDock",
-    "precisionPlot",  "overdrawMap",      "performance",    "performanceDock", "loadProgress",
-    "cancelLoad",     "saveProgress",     "exportProgress", "cancelExport",    "operations",
-    "operationTable", "operationsDock",   "statusFigures",  "accuracyLab",     "accuracyLabDock",
-    "labRun",         "labExtent",        "labCancel",      "labProgress",     "labFamily",
-    "labError",       "labFiles",         "labTabs",        "labPareto",       "labTable",
-    "labAnswers",     "labMisses",        "labCostStack",   "labScaling",      "labDrift",
-    "labChanges",     "labWarnings",      "labConditions"};
 
 /// Keys that act in the same scope, by scope: window-wide, or in one widget.
 QString scopeOf(const QAction &action)
@@ -62,8 +47,37 @@ private slots:
 
     void everyPromisedNameIsThereOnce()
     {
-        for (const QString &name : promisedNames)
+        for (const QString &name : promisedWidgets)
             QVERIFY2(m_window->findChildren<QWidget *>(name).size() == 1, qPrintable(name));
+        for (const QString &name : promisedActions)
+            QVERIFY2(m_window->findChildren<QAction *>(name).size() == 1, qPrintable(name));
+    }
+
+    void theManualListsThePromisedNames()
+    {
+        const QString manual = contentOf(QStringLiteral("/../README.md"));
+        const QString heading = QStringLiteral("## Object names for QTest programs");
+        const qsizetype begin = manual.indexOf(heading);
+        QVERIFY(begin >= 0);
+        const QString section
+            = manual.mid(begin, manual.indexOf(QStringLiteral("\n## "), begin + 1) - begin);
+        QStringList listed;
+        static const QRegularExpression name(QStringLiteral("`([A-Za-z]\\w*)`"));
+        for (auto match = name.globalMatch(section); match.hasNext();)
+            listed += match.next().captured(1);
+        QStringList promised = promisedWidgets + promisedActions + promisedDialogs;
+        listed.sort();
+        promised.sort();
+        QCOMPARE(listed, promised);
+    }
+
+    void theManPageNamesEveryPanel()
+    {
+        const QString page = contentOf(QStringLiteral("/man/pixelplumb.1")).simplified();
+        for (const Panel &panel : panels())
+            QVERIFY2(page.contains(QLatin1String(panel.title)), panel.title);
+        for (const char *key : {"Alt+1", "Alt+9", "Alt+0"})
+            QVERIFY2(page.contains(QLatin1String(key)), key);
     }
 
     void everyActionOfTheMenusHasANameOfItsOwn()
@@ -185,6 +199,11 @@ private slots:
     }
 
 private:
+    static QString contentOf(const QString &path)
+    {
+        QFile file(QStringLiteral(PIXELPLUMB_RESOURCES) + path);
+        return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+    }
     QList<QAction *> menuActions() const
     {
         QList<QAction *> all;

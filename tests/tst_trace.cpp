@@ -5,6 +5,7 @@
 
 #include <QTest>
 
+#include <map>
 #include <random>
 
 using namespace pixelplumb;
@@ -176,6 +177,55 @@ private slots:
         const TraceStep step = traced->trace->stepAt(mark->step);
         QCOMPARE(traced->trace->placeOf(step.span).coordinate, std::int64_t(37));
         QCOMPARE(traced->differences.at(37, 33), Difference::Missing);
+    }
+
+    void aWrongPixelIsDecidedByItsLastVisit_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<Arithmetic>("arithmetic");
+        for (const char *method : {"column-scan", "row-walk", "barycentric-incremental"}) {
+            for (const Arithmetic arithmetic : {Arithmetic::Float32, Arithmetic::Fixed16}) {
+                if (methodNamed(QString::fromLatin1(method))->supports(arithmetic))
+                    QTest::addRow("%s, %s", method, nameOf(arithmetic).data())
+                        << QString::fromLatin1(method) << arithmetic;
+            }
+        }
+    }
+    void aWrongPixelIsDecidedByItsLastVisit()
+    {
+        QFETCH(const QString, method);
+        QFETCH(const Arithmetic, arithmetic);
+        Scene scene = threeTriangles({arithmetic, FillRule::Closed, ByteRounding::Nearest});
+        scene.method = method.toStdString();
+        scene.triangles.push_back(triangleAt(6, 44, 9, 36, 37, 33));
+        const auto traced = traceScene(scene);
+        const ScanTrace &trace = *traced->trace;
+        QVERIFY(traced->differences.total() > 0);
+
+        std::map<std::pair<int, int>, std::size_t> lastVisits; // positions
+        for (std::size_t sample = 0; sample < trace.sampleCount(); ++sample) {
+            const PixelChange &change = trace.changes()[sample];
+            const Difference kind = traced->differences.at(change.x, change.y);
+            if (kind == Difference::Missing || (kind != Difference::None && change.isWritten()))
+                lastVisits[{change.x, change.y}] = trace.indexOfSample(sample) + 1;
+        }
+        std::size_t first = trace.stepCount() + 1;
+        for (int y = 0; y < scene.frame.height; ++y) {
+            for (int x = 0; x < scene.frame.width; ++x) {
+                if (traced->differences.at(x, y) == Difference::None)
+                    continue;
+                first = std::min(first, traced->decidedAt(x, y));
+                const auto visit = lastVisits.find({x, y});
+                if (visit != lastVisits.end())
+                    QCOMPARE(traced->decidedAt(x, y), visit->second);
+                else
+                    QVERIFY(traced->differences.at(x, y) == Difference::Missing);
+            }
+        }
+        QCOMPARE(traced->firstWrongPixel()->decidedAt, first);
+        const auto mark
+            = std::ranges::find(traced->marks, MarkKind::FirstDifference, &TraceMark::kind);
+        QCOMPARE(mark->step + 1, first);
     }
 
     void aRecordingAtItsLimitKeepsItsFirstStepsAndSaysSo()

@@ -2,6 +2,7 @@
 #include "app/cli/labreport.h"
 
 #include "core/lab/pareto.h"
+#include "core/scan/choicenames.h"
 
 #include <algorithm>
 #include <array>
@@ -44,11 +45,14 @@ QString shortNumber(const std::optional<double> &value)
     return value ? QString::number(*value, 'g', 3) : QString();
 }
 
-QString wrongText(const AccuracyFigures &figures, bool isProved)
+QString wrongText(const AccuracyFigures &figures, const StudyContender &contender)
 {
     if (figures.wrongPixels() > 0)
         return number(figures.wrongPerMillion(), 2);
-    return isProved ? QStringLiteral("0 proved") : QStringLiteral("0 seen");
+    if (!contender.isProved)
+        return QStringLiteral("0 seen");
+    return contender.kernel == LabKernel::Fast ? QStringLiteral("0 tested")
+                                               : QStringLiteral("0 proved");
 }
 
 QString shareText(std::int64_t count, std::int64_t of)
@@ -84,7 +88,7 @@ Line lineOf(const Study &study, const LabRow &row)
                               : std::nullopt,
                           2));
     if (const auto &figures = row.accuracy) {
-        line.push_back(wrongText(*figures, contender.isProved));
+        line.push_back(wrongText(*figures, contender));
         line.push_back(shareText(figures->wrongTriangles, figures->triangles));
         line.push_back(QString::number(figures->missing));
         line.push_back(QString::number(figures->extra));
@@ -139,6 +143,54 @@ QStringList fitText(const Study &study)
     + aligned(lines);
 }
 
+/// How a contender's time grows with each size.
+QStringList growthText(const Study &study)
+{
+    if (study.growth.empty())
+        return {};
+    std::vector<Line> lines = {{QStringLiteral("contender")}};
+    for (const SizeAxis axis : allSizeAxes)
+        lines.front().push_back(nameOf(axis));
+    lines.front().emplace_back();
+    for (const StudyContender &contender : study.contenders) {
+        Line line = {contender.id};
+        for (const SizeAxis axis : allSizeAxes) {
+            const auto curve = std::ranges::find_if(study.growth, [&](const SizeCurve &each) {
+                return each.contender == contender.id && each.axis == axis;
+            });
+            if (curve != study.growth.end())
+                line.push_back(number(curve->exponent, 2));
+        }
+        line.emplace_back();
+        if (line.size() == lines.front().size())
+            lines.push_back(line);
+    }
+    return QStringList{QString(),
+                       QStringLiteral("How times grow: exponent of the width, the area, the number "
+                                      "of triangles")}
+    + aligned(lines);
+}
+
+/// How far the bounds of the column scan have drifted at the last column.
+QStringList driftText(const Study &study)
+{
+    if (study.drift.empty())
+        return {};
+    std::vector<Line> lines
+        = {{QStringLiteral("arithmetic"), QStringLiteral("columns"),
+            QStringLiteral("largest error px"), QStringLiteral("proved limit px"), QString()}};
+    for (const DriftCurve &curve : study.drift) {
+        if (curve.points.empty())
+            continue;
+        const auto largest = std::ranges::max_element(curve.points, {}, &DriftPoint::error);
+        lines.push_back({nameText(nameOf(curve.arithmetic)), QString::number(curve.points.size()),
+                         shortNumber(largest->error), shortNumber(curve.points.back().limit),
+                         QString()});
+    }
+    return QStringList{QString(), QStringLiteral("How far the column scan's bounds drift")}
+    + aligned(lines);
+}
+
 } // namespace
 
 QStringList textOf(const Study &study)
@@ -149,6 +201,8 @@ QStringList textOf(const Study &study)
     for (const StudyFamily &family : study.families)
         text += familyText(study, family);
     text += fitText(study);
+    text += growthText(study);
+    text += driftText(study);
     text << QString() << QStringLiteral("again: ") + study.command;
     return text;
 }

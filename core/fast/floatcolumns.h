@@ -70,6 +70,10 @@ struct FloatColumnTaker : NullObserver {
     FloatColumns *columns = nullptr;
 };
 
+/// It takes what the picture needs.
+template <>
+inline constexpr bool readsNumbers<FloatColumnTaker> = false;
+
 /// Instead of the plain fillColumn(): ColumnScan picks it by its observer, so that everything up to
 /// the column's first colour is the plain kernel's own code and therefore its own roundings.
 inline void fillColumn(const ColumnState<RoundedArithmetic<float>> &column, ByteRounding rounding,

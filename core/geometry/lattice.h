@@ -52,8 +52,10 @@ constexpr bool isWithinRange(const LatticePoint &point)
 
 constexpr bool isNarrow(const LatticePoint &point)
 {
-    return absolute(point.x) <= largestNarrowCoordinate
-        && absolute(point.y) <= largestNarrowCoordinate;
+    const auto isNarrow = [](Lattice coordinate) {
+        return coordinate >= -largestNarrowCoordinate && coordinate <= largestNarrowCoordinate;
+    };
+    return isNarrow(point.x) && isNarrow(point.y);
 }
 
 } // namespace pixelplumb

@@ -41,34 +41,17 @@ struct NumberTraits<Counted<T>> {
     }
 };
 
-/// The increments in a number that rounds: an edge's quotients and its pre-step are taken once.
+/// The increments in a number that rounds.
 template <class T>
 struct CountedRounded : RoundedArithmetic<Counted<T>> {
     using Base = RoundedArithmetic<Counted<T>>;
     using typename Base::Number;
-    using typename Base::Traits;
 
-    static Number edgeSlope(const Vertex &a, const Vertex &b)
-    {
-        const OncePerEdge once(a, b, OncePerEdge::slope);
-        return Base::edgeSlope(a, b);
-    }
     static Number edgeColourRate(const Vertex &a, const Vertex &b, std::size_t channel)
     {
-        const OncePerEdge once(a, b, int(channel));
         if (a.position.x != b.position.x)
             OperationTally::count(Operation::IntegerAddition); // of the two levels
         return Base::edgeColourRate(a, b, channel);
-    }
-    static Number edgeOrdinate(const Vertex &a, const Vertex &b, std::int64_t column)
-    {
-        return Traits::fromLattice(a.position.y) + preStep(a, b, column) * edgeSlope(a, b);
-    }
-    static Number edgeColour(const Vertex &a, const Vertex &b, std::size_t channel,
-                             std::int64_t column)
-    {
-        return Traits::fromInteger(a.colour.channels[channel])
-            + preStep(a, b, column) * edgeColourRate(a, b, channel);
     }
     /// One rounding, of the half that makes it the nearest level too.
     static std::int64_t level(const Number &number, ByteRounding rounding)
@@ -76,32 +59,10 @@ struct CountedRounded : RoundedArithmetic<Counted<T>> {
         OperationTally::count(Operation::Rounding);
         return RoundedArithmetic<T>::level(number.plain(), rounding);
     }
-
-private:
-    static Number preStep(const Vertex &a, const Vertex &b, std::int64_t column)
-    {
-        const OncePerEdge once(a, b, OncePerEdge::preStep);
-        return Traits::fromInteger(column) - Traits::fromLattice(a.position.x);
-    }
 };
 
-/// Quotients and remainders of counting integers.
-template <class Integer>
-struct CountedExact : ExactArithmetic<Counted<Integer>> {
-    using Base = ExactArithmetic<Counted<Integer>>;
-    using typename Base::Number;
-
-    static Number edgeSlope(const Vertex &a, const Vertex &b)
-    {
-        const OncePerEdge once(a, b, OncePerEdge::slope);
-        return Base::edgeSlope(a, b);
-    }
-    static Number edgeColourRate(const Vertex &a, const Vertex &b, std::size_t channel)
-    {
-        const OncePerEdge once(a, b, int(channel));
-        return Base::edgeColourRate(a, b, channel);
-    }
-};
+/// Quotients and remainders: the plain ones' code in counting integers.
+using CountedExact = ExactArithmetic<Counted<Int128>>;
 
 /// A fixed-point quotient is rounded to nearest within the division.
 template <class T>
@@ -114,10 +75,6 @@ struct RoundedFraction<Counted<T>> {
     }
 };
 
-template <class Integer>
-struct ConstantRateArithmetic<CountedExact<Integer>> : CountedExact<Integer> {
-};
-
 template <class T>
 struct LineEquation<CountedRounded<T>> : LineEquation<RoundedArithmetic<Counted<T>>> {
     /// (int)(y + 1/2) is one rounding.
@@ -127,15 +84,9 @@ struct LineEquation<CountedRounded<T>> : LineEquation<RoundedArithmetic<Counted<
         return LineEquation<RoundedArithmetic<T>>::rounded(y.plain());
     }
 };
-template <class Integer>
-struct LineEquation<CountedExact<Integer>> : LineEquation<ExactArithmetic<Counted<Integer>>> {
-};
 
 template <class T>
 struct ExplicitRoot<CountedRounded<T>> : ExplicitRoot<RoundedArithmetic<Counted<T>>> {
-};
-template <class Integer>
-struct ExplicitRoot<CountedExact<Integer>> : ExplicitRoot<ExactArithmetic<Counted<Integer>>> {
 };
 
 } // namespace pixelplumb

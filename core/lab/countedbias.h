@@ -15,35 +15,35 @@ struct CountedBias : BiasArithmetic<BiasOrExactNumber> {
     /// Two differences, each made a double; one quotient.
     static Number edgeSlope(const Vertex &a, const Vertex &b)
     {
-        const OncePerEdge once(a, b, OncePerEdge::slope);
-        if (isCounted(a, b) && once.isFirst())
+        const Number slope = Base::edgeSlope(a, b);
+        if (!slope.isExact && a.position.x != b.position.x)
             countQuotient();
-        return Base::edgeSlope(a, b);
+        return slope;
     }
-    /// y₀ and x − x₀ become doubles; β is a quotient.
-    static Number edgeOrdinate(const Vertex &a, const Vertex &b, std::int64_t column)
+    static Lattice runTo(std::int64_t column, const Vertex &a)
     {
-        if (isInDomain(a, b)) {
-            countPreStep(a, b);
-            countOrigin();
-        }
-        return Base::edgeOrdinate(a, b, column);
+        OperationTally::count(Operation::IntegerAddition);
+        return Base::runTo(column, a);
+    }
+    static Number edgeOrdinate(const Vertex &a, const Vertex &b, Lattice run, const Number &slope)
+    {
+        const Number ordinate = Base::edgeOrdinate(a, b, run, slope);
+        countStart(ordinate);
+        return ordinate;
     }
     static Number edgeColourRate(const Vertex &a, const Vertex &b, std::size_t channel)
     {
-        const OncePerEdge once(a, b, int(channel));
-        if (isCounted(a, b) && once.isFirst())
+        const Number rate = Base::edgeColourRate(a, b, channel);
+        if (!rate.isExact && a.position.x != b.position.x)
             countQuotient();
-        return Base::edgeColourRate(a, b, channel);
+        return rate;
     }
-    static Number edgeColour(const Vertex &a, const Vertex &b, std::size_t channel,
-                             std::int64_t column)
+    static Number edgeColour(const Vertex &a, const Vertex &b, std::size_t channel, Lattice run,
+                             const Number &rate)
     {
-        if (isInDomain(a, b)) {
-            countPreStep(a, b);
-            countOrigin();
-        }
-        return Base::edgeColour(a, b, channel, column);
+        const Number colour = Base::edgeColour(a, b, channel, run, rate);
+        countStart(colour);
+        return colour;
     }
 
     static std::int64_t floor(const Number &number)
@@ -73,8 +73,9 @@ struct CountedBias : BiasArithmetic<BiasOrExactNumber> {
     class ColourRamp : public Base::ColourRamp {
     public:
         /// The plane: four differences of coordinates and two products make its area, which the
-        /// bias divides; two differences of levels, four products and two additions a channel's two
-        /// numerators, each scaled, made a double, and divided.
+        /// bias divides; three levels of P0 are made doubles; two differences of levels, four
+        /// products and two additions a channel's two numerators, each scaled, made a double, and
+        /// divided.
         ColourRamp(const Vertex &p0, const Vertex &p1, const Vertex &p2)
             : Base::ColourRamp(p0, p1, p2)
             , m_hasPlane(doubledArea(p0.position, p1.position, p2.position) != 0)
@@ -83,7 +84,7 @@ struct CountedBias : BiasArithmetic<BiasOrExactNumber> {
                 return;
             OperationTally::count(Operation::IntegerAddition, 5);
             OperationTally::count(Operation::Multiplication, 2);
-            OperationTally::count(Operation::Conversion);
+            OperationTally::count(Operation::Conversion, 1 + 3);
             if (!m_hasPlane)
                 return;
             OperationTally::count(Operation::Division);
@@ -92,18 +93,19 @@ struct CountedBias : BiasArithmetic<BiasOrExactNumber> {
             OperationTally::count(Operation::Conversion, 3 * 2);
             OperationTally::count(Operation::Division, 3 * 2);
         }
-        /// c₀, the way to the row and to the column become doubles; c₀ + g_x·Δx is computed.
+        /// The ways to the row and to the column become doubles; a channel's c₀ + g_x·Δx is
+        /// computed.
         template <class ColumnState>
-        Number start(const ColumnState &column, std::size_t channel, std::int64_t row) const
+        std::array<Number, 3> starts(const ColumnState &column, std::int64_t row) const
         {
-            const Number number = Base::ColourRamp::start(column, channel, row);
-            if (!number.isExact && m_hasPlane) {
+            const std::array<Number, 3> numbers = Base::ColourRamp::starts(column, row);
+            if (!numbers[0].isExact && m_hasPlane) {
                 OperationTally::count(Operation::IntegerAddition, 2);
-                OperationTally::count(Operation::Conversion, 3);
-                OperationTally::count(Operation::Multiplication);
-                OperationTally::count(Operation::FloatAddition);
+                OperationTally::count(Operation::Conversion, 2);
+                OperationTally::count(Operation::Multiplication, 3);
+                OperationTally::count(Operation::FloatAddition, 3);
             }
-            return number;
+            return numbers;
         }
 
     private:
@@ -111,30 +113,18 @@ struct CountedBias : BiasArithmetic<BiasOrExactNumber> {
     };
 
 private:
-    static bool isInDomain(const Vertex &a, const Vertex &b)
-    {
-        return biasdomain::containsEdge(a.position, b.position);
-    }
-    static bool isCounted(const Vertex &a, const Vertex &b)
-    {
-        return isInDomain(a, b) && a.position.x != b.position.x;
-    }
     static void countQuotient()
     {
         OperationTally::count(Operation::IntegerAddition, 2);
         OperationTally::count(Operation::Conversion, 2);
         OperationTally::count(Operation::Division);
     }
-    static void countPreStep(const Vertex &a, const Vertex &b)
+    /// The value at the first vertex, the way from there, and what β divides.
+    static void countStart(const Number &number)
     {
-        const OncePerEdge once(a, b, OncePerEdge::preStep);
-        OperationTally::count(Operation::IntegerAddition);
-        OperationTally::count(Operation::Conversion);
-    }
-    /// The value at the first vertex, and β.
-    static void countOrigin()
-    {
-        OperationTally::count(Operation::Conversion, 2);
+        if (number.isExact)
+            return;
+        OperationTally::count(Operation::Conversion, 3);
         OperationTally::count(Operation::Division);
     }
     /// origin + run·rate ± bias, to an integer.

@@ -22,7 +22,7 @@ struct CountingTwin<RoundedArithmetic<T>> {
 };
 template <class Integer>
 struct CountingTwin<ExactArithmetic<Integer>> {
-    using Type = CountedExact<Int128>;
+    using Type = CountedExact;
 };
 template <class Base>
 struct CountingTwin<ConstantRateArithmetic<Base>> {

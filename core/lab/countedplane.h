@@ -40,7 +40,13 @@ struct CountedFloatPlane {
         OperationTally::count(Operation::IntegerAddition);
         return length(to - from);
     }
-    static Ratio ratio(const Number &a, const Number &b) { return a / b; }
+    using Divisor = Number;
+    static Ratio ratio(const Number &a, const Divisor &b) { return a / b; }
+    static bool isInside(const Number &number, bool ownsTie)
+    {
+        OperationTally::count(Operation::Comparison);
+        return Plain::isInside(number.plain(), ownsTie);
+    }
     static Ratio fraction(Int128 numerator, Int128 denominator)
     {
         OperationTally::count(Operation::Conversion, 2);

@@ -61,10 +61,31 @@ private:
     std::map<FillRule, MeshCover> m_covers;
 };
 
+bool isPixelOf(const FrameSpec &frame, const LatticePoint &point)
+{
+    return point == latticePixel(floorPixel(point.x), floorPixel(point.y)) && point.x >= 0
+        && point.y >= 0 && floorPixel(point.x) < frame.width && floorPixel(point.y) < frame.height;
+}
+
+/// One picture on a frame that begins at (0, 0), of triangles with vertices on its pixels.
+bool isForPeers(const LabFamily &family)
+{
+    const LabPicture &picture = family.pictures.front();
+    const auto isInside = [&](const Triangle &triangle) {
+        return std::ranges::all_of(triangle.vertices, [&](const Vertex &vertex) {
+            return isPixelOf(picture.frame, vertex.position);
+        });
+    };
+    return family.pictures.size() == 1 && picture.frame.firstColumn == 0
+        && picture.frame.firstRow == 0 && std::ranges::all_of(picture.triangles, isInside);
+}
+
 } // namespace
 
 std::optional<ScanSettings> settingsFor(const LabContender &contender, const LabFamily &family)
 {
+    if (contender.kernel == LabKernel::Peer && !isForPeers(family))
+        return std::nullopt;
     ScanSettings settings = contender.settingsUnder(family.settings.fillRule);
     settings.rounding = family.settings.rounding;
     if (family.isMesh) {

@@ -27,7 +27,8 @@ struct FamilyVerdict {
     double nanoseconds = 0; ///< of processor time that the drawing took
 };
 
-/// The settings under which a contender takes part; none where it keeps no rule that fits.
+/// The settings under which a contender takes part; none where it keeps no rule that fits, or is a
+/// peer, and those take whole pixels inside the frame alone.
 std::optional<ScanSettings> settingsFor(const LabContender &contender, const LabFamily &family);
 
 /// Judges the contenders one after the other, or, where the true pictures take much memory, some

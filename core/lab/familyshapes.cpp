@@ -153,8 +153,9 @@ std::vector<Triangle> large(SeededRandom &random, const FrameSpec &frame, std::s
 std::vector<Triangle> mesh(SeededRandom &random, const FrameSpec &frame, int columns, int rows)
 {
     const LatticePoint low = lowest(frame), high = highest(frame);
-    const Lattice width = (high.x - low.x) / columns;
-    const Lattice height = (high.y - low.y) / rows;
+    // Corners move by up to a third of a cell, the last ones too.
+    const Lattice width = 3 * (high.x - low.x) / (3 * columns + 1);
+    const Lattice height = 3 * (high.y - low.y) / (3 * rows + 1);
     const auto stride = std::size_t(columns) + 1;
     std::vector<Vertex> corners;
     for (int row = 0; row <= rows; ++row) {

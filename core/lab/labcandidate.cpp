@@ -6,6 +6,7 @@
 #include "core/lab/contenderfailure.h"
 #include "core/lab/invariance.h"
 #include "core/measure/stopwatch.h"
+#include "core/runs/tracedscene.h"
 
 #include <algorithm>
 
@@ -63,12 +64,15 @@ LabCandidate::LabCandidate(const LabContender &contender, const LabFamily &famil
 {
     if (const auto settings = settingsFor(contender, family)) {
         m_verdict.settings = *settings;
-        m_visitsFrame = visitsWholeFrame(*contender.method, *settings);
+        m_visitsFrame = contender.kernel == LabKernel::Plain
+            && visitsWholeFrame(*contender.method, *settings);
         if (family.isMesh)
             m_cover.emplace(family.pictures.front().frame);
     } else {
         m_verdict.outcome = LabOutcome::Refused;
-        m_verdict.remark = QStringLiteral("keeps no rule under which every sample has one owner");
+        m_verdict.remark = contender.kernel == LabKernel::Peer
+            ? QStringLiteral("is given whole pixels inside the frame alone")
+            : QStringLiteral("keeps no rule under which every sample has one owner");
     }
 }
 
@@ -147,7 +151,8 @@ void LabCandidate::lookClosely(const LabChunk &chunk, const FrameView &frame)
                             truth.window.view(), m_levels))
                 m_probedPixels += std::max<std::int64_t>(truth.pixels, 1);
         }
-        if (m_movedPixels < m_options.movedPixels) {
+        // What a peer does on a frame elsewhere depends on who hands it over.
+        if (m_contender.kernel != LabKernel::Peer && m_movedPixels < m_options.movedPixels) {
             m_movedPixels += std::int64_t(truth.window.pixels().size());
             addInvariance(m_contender, settings(), *truth.triangle, frame, m_judge.figures());
         }
@@ -156,7 +161,7 @@ void LabCandidate::lookClosely(const LabChunk &chunk, const FrameView &frame)
 
 void LabCandidate::addFlicker()
 {
-    if (m_family.motion.empty())
+    if (m_family.motion.empty() || m_contender.kernel == LabKernel::Peer)
         return;
     const WrittenFrame frame(m_family.pictures.front().frame);
     const Toggles toggles = togglesOf(m_contender, settings(), m_family.motion, frame.view());
@@ -183,6 +188,24 @@ void LabCandidate::countOperationsOfFirst()
     m_verdict.operations = countOperations(*m_contender.method, settings(), first, frame.view());
 }
 
+/// Of the first wrong triangle the pixel that its drawing gets wrong first.
+void LabCandidate::findFirstMiss()
+{
+    const auto &miss = m_judge.firstMiss();
+    if (!miss)
+        return;
+    Scene scene;
+    scene.frame = *m_frameOfMiss;
+    scene.settings = settings();
+    scene.method = m_contender.method->id.toStdString();
+    scene.triangles = {miss->triangle};
+    m_verdict.firstMiss = LabMiss{scene, miss->x, miss->y};
+    if (const auto first = traceScene(scene)->firstWrongPixel()) {
+        m_verdict.firstMiss->x = first->x;
+        m_verdict.firstMiss->y = first->y;
+    }
+}
+
 void LabCandidate::finish(const MeshCover *trueCover)
 {
     if (!isRunning())
@@ -190,6 +213,7 @@ void LabCandidate::finish(const MeshCover *trueCover)
     const auto why = failureOf([&] {
         addFlicker();
         countOperationsOfFirst();
+        findFirstMiss();
     });
     if (why) {
         fail(*why);
@@ -205,14 +229,6 @@ void LabCandidate::finish(const MeshCover *trueCover)
     if (m_cover && trueCover) {
         figures.gaps = m_cover->gapsBeside(*trueCover);
         figures.doubles = m_cover->doublesBeside(*trueCover);
-    }
-    if (const auto &miss = m_judge.firstMiss()) {
-        Scene scene;
-        scene.frame = *m_frameOfMiss;
-        scene.settings = settings();
-        scene.method = m_contender.method->id.toStdString();
-        scene.triangles = {miss->triangle};
-        m_verdict.firstMiss = LabMiss{scene, miss->x, miss->y};
     }
     m_verdict.accuracy = figures;
     m_verdict.outcome = LabOutcome::Measured;

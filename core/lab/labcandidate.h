@@ -38,6 +38,7 @@ private:
     void lookClosely(const LabChunk &chunk, const FrameView &frame);
     void addFlicker();
     void countOperationsOfFirst();
+    void findFirstMiss();
     void fail(const QString &why);
     void giveUp(const QString &why);
 

@@ -23,6 +23,8 @@ std::optional<double> wrongOf(const LabRow *row)
     return row->accuracy->wrongPerMillion();
 }
 
+bool isMeasured(const LabRow *row) { return row && row->outcome == LabOutcome::Measured; }
+
 LabChange changeBetween(const Spread &before, const Spread &after)
 {
     if (after.lower > before.upper)
@@ -44,6 +46,8 @@ bool isSameScene(const StudyFamily *before, const StudyFamily *after)
 /// Rows of own scenes that differ, and rows under other settings, tell nothing of a change.
 bool isSameWork(const Study &before, const Study &after, const LabRow *old, const LabRow *fresh)
 {
+    if (!old || !fresh)
+        return false;
     const bool isOwn = old->family == ownSceneId;
     return old->settings == fresh->settings
         && (!isOwn || isSameScene(before.family(ownSceneId), after.family(ownSceneId)));
@@ -81,7 +85,10 @@ LabRowComparison comparisonOf(const Study &before, const Study &after, const Lab
     result.family = row.family;
     result.before = perPixelOf(before, old);
     result.after = perPixelOf(after, fresh);
-    if (result.before && result.after && isSameWork(before, after, old, fresh)) {
+    const bool isSame = isSameWork(before, after, old, fresh);
+    result.isSamePictures = isSame && before.seed == after.seed && before.extent == after.extent;
+    result.isMissing = isMeasured(old) && !isMeasured(fresh);
+    if (result.before && result.after && isSame) {
         result.timesBefore = result.after->median / result.before->median;
         result.change = changeBetween(*result.before, *result.after);
     }
@@ -120,6 +127,21 @@ QString nameOf(LabChange change)
 std::int64_t LabComparison::count(LabChange change) const
 {
     return std::ranges::count(rows, change, &LabRowComparison::change);
+}
+
+std::int64_t LabComparison::countLessAccurate() const
+{
+    return std::ranges::count_if(rows, &LabRowComparison::isLessAccurate);
+}
+
+std::int64_t LabComparison::countMissing() const
+{
+    return std::ranges::count(rows, true, &LabRowComparison::isMissing);
+}
+
+bool LabComparison::isWorse() const
+{
+    return count(LabChange::Slower) + countLessAccurate() + countMissing() > 0;
 }
 
 LabComparison compareStudies(const Study &before, const Study &after)
@@ -164,30 +186,38 @@ LabComparison compareStudies(const Study &before, const Study &after)
 
 QStringList textOf(const LabComparison &comparison)
 {
-    const QString line = QStringLiteral("%1 %2 %3 %4 %5  %6 %7 %8");
+    const QString line = QStringLiteral("%1 %2 %3 %4 %5  %6 %7 %8  %9");
     const auto padded = [](const QString &text, int width) { return text.leftJustified(width); };
     const auto right = [](const QString &text, int width) { return text.rightJustified(width); };
     const auto row = [&](const QString &contender, const QString &family, const QString &before,
                          const QString &after, const QString &times, const QString &change,
-                         const QString &wrongBefore, const QString &wrongAfter) {
-        return line.arg(padded(family, 15), padded(contender, 36), right(before, 10),
-                        right(after, 10), right(times, 7), padded(change, 14),
-                        right(wrongBefore, 11), right(wrongAfter, 11));
+                         const QString &wrongBefore, const QString &wrongAfter,
+                         const QString &remark) {
+        const QString text = line.arg(padded(family, 15), padded(contender, 36), right(before, 10),
+                                      right(after, 10), right(times, 7), padded(change, 14),
+                                      right(wrongBefore, 11), right(wrongAfter, 11), remark);
+        return text.trimmed();
     };
     QStringList lines = comparison.remarks;
     lines << row(QStringLiteral("contender"), QStringLiteral("family"), QStringLiteral("ns/px was"),
                  QStringLiteral("ns/px is"), QStringLiteral("times"), QStringLiteral("change"),
-                 QStringLiteral("wrong was"), QStringLiteral("wrong is"));
+                 QStringLiteral("wrong was"), QStringLiteral("wrong is"), QString());
     for (const LabRowComparison &each : comparison.rows) {
         lines << row(each.contender, each.family, median(each.before), median(each.after),
                      number(each.timesBefore, 2), nameOf(each.change), number(each.wrongBefore, 2),
-                     number(each.wrongAfter, 2));
+                     number(each.wrongAfter, 2),
+                     each.isMissing              ? QStringLiteral("missing")
+                         : each.isLessAccurate() ? QStringLiteral("less accurate")
+                                                 : QString());
     }
-    lines << QStringLiteral("%1 faster, %2 slower, %3 within spread, %4 not comparable")
+    lines << QStringLiteral("%1 faster, %2 slower, %3 within spread, %4 not comparable; "
+                            "%5 less accurate, %6 missing")
                  .arg(comparison.count(LabChange::Faster))
                  .arg(comparison.count(LabChange::Slower))
                  .arg(comparison.count(LabChange::WithinSpread))
-                 .arg(comparison.count(LabChange::NotComparable));
+                 .arg(comparison.count(LabChange::NotComparable))
+                 .arg(comparison.countLessAccurate())
+                 .arg(comparison.countMissing());
     return lines;
 }
 

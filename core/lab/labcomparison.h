@@ -19,8 +19,14 @@ struct LabRowComparison {
     LabChange change = LabChange::NotComparable;
     std::optional<double> wrongBefore; ///< pixels of a million
     std::optional<double> wrongAfter;
+    bool isSamePictures = false; ///< were to be drawn, under the same settings
+    bool isMissing = false; ///< it was measured before, and is not after
 
     bool isAccuracyChanged() const { return wrongBefore != wrongAfter; }
+    bool isLessAccurate() const
+    {
+        return isSamePictures && wrongBefore && wrongAfter && *wrongBefore < *wrongAfter;
+    }
 };
 
 struct LabComparison {
@@ -30,6 +36,10 @@ struct LabComparison {
     QStringList remarks;
 
     std::int64_t count(LabChange change) const;
+    std::int64_t countLessAccurate() const;
+    std::int64_t countMissing() const;
+    /// Anything is slower, less accurate or missing.
+    bool isWorse() const;
 };
 
 LabComparison compareStudies(const Study &before, const Study &after);

@@ -28,20 +28,41 @@ bool isFastIn(const Method &method, Arithmetic arithmetic)
 
 } // namespace
 
+QString nameOf(LabKernel kernel)
+{
+    switch (kernel) {
+    case LabKernel::Plain:
+        return QStringLiteral("plain");
+    case LabKernel::Fast:
+        return QStringLiteral("SIMD");
+    case LabKernel::Peer:
+        return QStringLiteral("peer");
+    }
+    return {};
+}
+
+LabKernel kernelOf(const QString &contender)
+{
+    return contender.endsWith(u':' + fastWord) ? LabKernel::Fast : LabKernel::Plain;
+}
+
 QString LabContender::domain() const
 {
     if (!isProved())
         return {};
     if (kernel == LabKernel::Fast)
-        return QStringLiteral("every triangle of the lattice by the plain kernel, whose bytes this "
-                              "one is tested to draw");
+        return QStringLiteral("every triangle with vertices at 1/256 px by the plain kernel, whose "
+                              "bytes this one is tested to draw");
     if (arithmetic == Arithmetic::Exact)
-        return QStringLiteral("every triangle of the lattice");
-    return QStringLiteral("W'·H' ≤ 2^40 lattice units; beyond, integers take over");
+        return QStringLiteral("every triangle with vertices at 1/256 px");
+    return QStringLiteral("triangles in boxes of up to 2^24 px², such as 4096 × 4096; larger ones "
+                          "are drawn in integers");
 }
 
 ScanSettings LabContender::settingsUnder(FillRule rule) const
 {
+    if (ownRule)
+        return {arithmetic, *ownRule, ByteRounding::Nearest};
     return method->adapted({arithmetic, rule, ByteRounding::Nearest});
 }
 
@@ -74,7 +95,7 @@ LabContender contenderOf(const Method &method, Arithmetic arithmetic, LabKernel 
     contender.label = method.title + QStringLiteral(", ") + nameText(nameOf(arithmetic));
     if (isFast) {
         contender.id += u':' + fastWord;
-        contender.label += QStringLiteral(", fast kernel");
+        contender.label += QStringLiteral(", ") + nameOf(kernel);
     }
     contender.method = &method;
     contender.arithmetic = arithmetic;
@@ -111,6 +132,7 @@ std::vector<LabContender> quickContenders()
         "column-scan:fixed32.32",
         "column-scan-bias:float64",
         "column-scan:exact:fast",
+        "column-scan:float32:fast",
         "row-walk:exact",
         "row-walk:float32",
         "edge-equations-incremental:exact",

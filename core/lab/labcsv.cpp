@@ -35,7 +35,20 @@ public:
     void add(const QString &name, Enum value) { add(name, fileWord(nameOf(value))); }
     /// Too much for a line: they are in the JSON.
     void add(const QString &, const Scene &) { }
-    void add(const QString &, const OperationCounts &) { }
+    void add(const QString &name, const OperationCounts &counts)
+    {
+        for (const WorkStage stage : allWorkStages) {
+            for (const Operation operation : allOperations) {
+                add(QStringLiteral("%1.%2 %3")
+                        .arg(name, fileWord(nameOf(stage)), fileWord(nameOf(operation))),
+                    counts.of(stage, operation));
+            }
+        }
+        add(name + QStringLiteral(".primitives"), counts.primitives);
+        add(name + QStringLiteral(".spans"), counts.spans);
+        add(name + QStringLiteral(".pixels"), counts.pixels);
+        add(name + QStringLiteral(".refused"), counts.refused);
+    }
     template <class T, std::size_t count>
     void add(const QString &name, const std::array<T, count> &values)
     {
@@ -70,6 +83,7 @@ CsvLine lineOf(const Study &study, const LabRow &row, CsvLine::Kind kind)
     CsvLine line(kind);
     line.add(QString(), row);
     const StudyContender *contender = study.contender(row.contender);
+    line.add(QStringLiteral("kernel"), contender ? contender->kernel : kernelOf(row.contender));
     line.add(QStringLiteral("proved"), contender && contender->isProved);
     line.add(QStringLiteral("nsPerPixel"), study.perPixel(row));
     line.add(QStringLiteral("missesStraight"), row.missesStraight());

@@ -36,8 +36,6 @@ SeededRandom randomOf(const LabFamily &family, const FamilyRequest &request)
 /// Of whole pixels inside the frame.
 bool take(LabFamily &family, const FrameSpec &frame, std::vector<Triangle> triangles)
 {
-    family.isOnWholePixels = true;
-    family.staysInside = true;
     family.pictures.push_back({frame, std::move(triangles), {}});
     return true;
 }
@@ -55,7 +53,6 @@ bool makeRandomSubpixel(LabFamily &family, const FamilyRequest &request)
     SeededRandom random = randomOf(family, request);
     const std::size_t count = chosen(request.extent, 60, 200);
     take(family, primeFrame(), familyshapes::scattered(random, primeFrame(), count, 1));
-    family.isOnWholePixels = false;
     return true;
 }
 
@@ -82,8 +79,6 @@ bool makeFar(LabFamily &family, const FamilyRequest &request)
     frame.firstRow = 30000 - 504;
     const std::size_t count = chosen(request.extent, 1000, 4000);
     take(family, frame, familyshapes::boxed(random, frame, count, 8, 60, 1));
-    family.isOnWholePixels = false;
-    family.staysInside = false; // the frame does not begin at (0, 0)
     return true;
 }
 
@@ -107,8 +102,6 @@ bool makeMesh(LabFamily &family, const FamilyRequest &request)
     SeededRandom random = randomOf(family, request);
     const auto cells = int(chosen(request.extent, 40, 70));
     take(family, primeFrame(), familyshapes::mesh(random, primeFrame(), cells, cells));
-    family.isOnWholePixels = false;
-    family.staysInside = false; // its rule is not the straight loops'
     family.isMesh = true;
     family.settings.fillRule = FillRule::HalfOpenColumn;
     return true;

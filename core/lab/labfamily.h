@@ -28,10 +28,6 @@ struct LabFamily {
     std::vector<LabPicture> pictures; ///< one, but of the hard cases
     ScanSettings settings; ///< the rule and the rounding that are asked for
     bool isMesh = false; ///< drawn under a rule that gives every sample one owner
-    bool isOnWholePixels = false; ///< all vertices
-    /// All triangles have an area and lie at least 2 px inside the frame, which begins at (0, 0),
-    /// so that straight loops, which clip nothing, may draw them.
-    bool staysInside = false;
     std::vector<Triangle> motion = {}; ///< the same triangle from frame to frame; for flicker
 
     std::size_t triangleCount() const;

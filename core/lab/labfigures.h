@@ -98,7 +98,8 @@ struct CostFigures {
     friend bool operator==(const CostFigures &, const CostFigures &) = default;
 };
 
-/// A pixel that a contender gets wrong, as a scene that Compare can open.
+/// The pixel that a contender gets wrong first, in its order of drawing, as a scene that Compare
+/// can open.
 struct LabMiss {
     Scene scene; ///< the triangle alone, with the method, the arithmetic and the rule
     std::int64_t x = 0;

@@ -6,9 +6,13 @@
 
 namespace pixelplumb {
 
-/// Of the JSON that writeStudy() writes; readStudy() reads this one and says which it was of
+/// Of the JSON that writeStudy() writes. readStudy() reads all up to it and says which it was of
 /// others.
-inline constexpr int labFileVersion = 1;
+///
+/// 1. the first
+/// 2. contenders have a "kernel", "plain" or "SIMD"; before, only the contender's id tells it;
+///    drift and growth are in the file
+inline constexpr int labFileVersion = 2;
 
 /// The same study, the same bytes.
 QByteArray writeStudy(const Study &study);

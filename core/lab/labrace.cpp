@@ -3,8 +3,6 @@
 
 #include "core/lab/contenderfailure.h"
 #include "core/lab/drawsample.h"
-#include "core/lab/pixelwindow.h"
-#include "core/measure/writecount.h"
 
 #include <algorithm>
 
@@ -12,96 +10,20 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr std::size_t fewestTimed = 3; ///< triangles, where a family has them
-constexpr std::int64_t cacheLineBytes = 64;
-
-std::int64_t pixelsIn(const SampleBox &box)
+/// What draws the triangles in the contender's place; null where no straight loop may.
+StraightDraw straightDrawOf(const LabContender &contender, const ScanSettings &settings,
+                            std::span<const Triangle> triangles, const FrameView &frame)
 {
-    return box.isEmpty() ? 0 : (box.endX - box.firstX) * (box.endY - box.firstY);
-}
-
-/// px of the triangle's area, no more than its box within the frame.
-std::int64_t aboutPixels(const Triangle &triangle, const SampleBox &box)
-{
-    const auto area
-        = std::int64_t(absolute(doubledArea(triangle)) / (2 * unitsPerPixel * unitsPerPixel));
-    return std::min(area, pixelsIn(box));
-}
-
-/// Of the cache lines that a picture writes to.
-std::int64_t bytesOfLines(const FrameView &frame)
-{
-    constexpr auto perLine = cacheLineBytes / std::int64_t(sizeof(QRgb));
-    std::int64_t lines = 0;
-    for (std::int64_t y = frame.firstRow; y < frame.endRow(); ++y) {
-        const QRgb *const row = frame.at(frame.firstColumn, y);
-        for (std::int64_t x = 0; x < frame.width; x += perLine) {
-            const auto end = std::min<std::int64_t>(x + perLine, frame.width);
-            lines += std::any_of(row + x, row + end, [](QRgb pixel) { return pixel != 0; }) ? 1 : 0;
-        }
-    }
-    return lines * cacheLineBytes;
-}
-
-bool mayDrawStraight(const LabContender &contender, const LabFamily &family,
-                     const ScanSettings &settings)
-{
-    // 16.16 wraps on slopes that steep sub-pixel edges have, and a straight loop clips nothing.
-    const bool fits = settings.arithmetic != Arithmetic::Fixed16 || family.isOnWholePixels;
-    return contender.straight && family.staysInside && fits && settings.fillRule == FillRule::Closed
-        && settings.rounding == ByteRounding::Nearest;
+    const auto mayDraw = [&](const Triangle &triangle) {
+        return mayDrawStraight(*contender.straight, triangle, frame);
+    };
+    if (!contender.straight || settings.rounding != ByteRounding::Nearest
+        || !std::ranges::all_of(triangles, mayDraw))
+        return nullptr;
+    return contender.straight->drawUnder(settings.fillRule, frame.origin);
 }
 
 } // namespace
-
-TimedFamily timedPartOf(const LabFamily &family, const RaceOptions &options)
-{
-    TimedFamily part;
-    part.family = &family;
-    part.described.id = family.id;
-    part.described.title = family.title;
-    if (const LabFamilyInfo *info = labFamilyNamed(family.id))
-        part.described.stresses = QString::fromUtf8(info->stresses);
-    part.described.triangles = std::int64_t(family.triangleCount());
-    if (family.pictures.size() != 1)
-        return part;
-    const LabPicture &picture = family.pictures.front();
-    FrameSpec black = picture.frame;
-    black.background = {};
-    const FrameBuffer frame(black);
-    std::int64_t pixels = 0, boxPixels = 0;
-    for (const Triangle &triangle : picture.triangles) {
-        if (part.triangles >= fewestTimed
-            && (pixels > options.timedPixels || boxPixels > options.timedBoxPixels))
-            break;
-        ++part.triangles;
-        const SampleBox box = windowAround(triangle, 0, frame.view());
-        pixels += aboutPixels(triangle, box);
-        boxPixels += pixelsIn(box);
-        part.described.timedColumns += std::max<std::int64_t>(0, box.endX - box.firstX);
-        part.described.timedRows += std::max<std::int64_t>(0, box.endY - box.firstY);
-    }
-    const auto first = std::span(picture.triangles).first(part.triangles);
-    const Method &scan = *methodNamed(u"column-scan");
-    const ScanSettings exact
-        = scan.adapted({Arithmetic::Exact, family.settings.fillRule, ByteRounding::Nearest});
-    part.described.timedTriangles = std::int64_t(part.triangles);
-    part.described.timedPixels
-        = std::int64_t(countWrites(first, exact.fillRule, black, {}).value_or(0));
-    std::vector<Triangle> white(first.begin(), first.end());
-    for (Triangle &triangle : white) {
-        for (Vertex &vertex : triangle.vertices)
-            vertex.colour = {{255, 255, 255}};
-    }
-    FrameView transparent = frame.view();
-    for (std::int64_t y = transparent.firstRow; y < transparent.endRow(); ++y)
-        std::fill_n(transparent.at(transparent.firstColumn, y), transparent.width, 0U);
-    scan.drawFastest({white, {}}, exact, transparent);
-    part.described.timedBytes = bytesOfLines(transparent);
-    if (part.described.timedPixels == 0)
-        part.triangles = 0;
-    return part;
-}
 
 LabRace::Part &LabRace::partFor(const TimedFamily &part)
 {
@@ -109,10 +31,13 @@ LabRace::Part &LabRace::partFor(const TimedFamily &part)
         = std::ranges::find_if(m_parts, [&](const Part &each) { return each.of == &part; });
     if (found != m_parts.end())
         return *found;
-    const LabPicture &picture = part.family->pictures.front();
-    const auto first = std::span(picture.triangles).first(part.triangles);
-    m_parts.push_back({&part, {{first.begin(), first.end()}, {}}, FrameBuffer(picture.frame)});
-    return m_parts.back();
+    Part &made = m_parts.emplace_back(Part{&part, {}});
+    for (const TimedPicture &timed : part.pictures) {
+        const auto first = timed.first();
+        made.pictures.push_back(
+            {{{first.begin(), first.end()}, {}}, FrameBuffer(timed.picture->frame)});
+    }
+    return made;
 }
 
 bool LabRace::enter(std::size_t row, const LabContender &contender, const TimedFamily &part,
@@ -120,16 +45,22 @@ bool LabRace::enter(std::size_t row, const LabContender &contender, const TimedF
 {
     if (!part.isTimed() || expected > m_options.longestDraw)
         return false;
-    Part &timed = partFor(part);
     Entry entry;
     entry.row = row;
     entry.contender = &contender;
     entry.settings = settings;
-    entry.primitives = &timed.primitives;
-    entry.frame = &timed.frame;
-    if (mayDrawStraight(contender, *part.family, settings)) {
-        for (const Triangle &triangle : timed.primitives.triangles)
-            entry.forStraight.push_back(triangleFor(*contender.straight, triangle));
+    entry.part = &partFor(part);
+    for (const Picture &picture : entry.part->pictures) {
+        const std::vector<Triangle> &triangles = picture.primitives.triangles;
+        StraightPicture straight;
+        straight.draw = straightDrawOf(contender, settings, triangles, picture.frame.view());
+        if (!straight.draw) {
+            entry.straight.clear();
+            break;
+        }
+        for (const Triangle &triangle : triangles)
+            straight.triangles.push_back(triangleFor(*contender.straight, triangle));
+        entry.straight.push_back(std::move(straight));
     }
     m_entries.push_back(std::move(entry));
     return true;
@@ -137,30 +68,40 @@ bool LabRace::enter(std::size_t row, const LabContender &contender, const TimedF
 
 void LabRace::sample(Entry &entry) const
 {
-    const FrameView frame = entry.frame->view();
     const LabContender &contender = *entry.contender;
-    entry.samples.push_back(
-        sampleDraw([&] { contender.draw(*entry.primitives, entry.settings, frame); },
-                   entry.drawsPerSample, m_options.sampleNanoseconds));
-    if (entry.forStraight.empty())
+    std::function<void()> draw = [&] {
+        for (const Picture &picture : entry.part->pictures)
+            contender.draw(picture.primitives, entry.settings, picture.frame.view());
+    };
+    if (contender.loaded) { // of families of one picture alone
+        const Picture &picture = entry.part->pictures.front();
+        contender.loaded->load(picture.primitives, picture.frame.view());
+        draw = contender.loaded->draw;
+    }
+    entry.samples.push_back(sampleDraw(draw, entry.drawsPerSample, m_options.sampleNanoseconds));
+    if (entry.straight.empty())
         return;
-    const RawFrame raw = rawFrameFor(*contender.straight, frame);
     const auto drawStraight = [&] {
-        for (const Triangle &triangle : entry.forStraight)
-            contender.straight->draw(triangle, raw);
+        auto straight = entry.straight.begin();
+        for (const Picture &picture : entry.part->pictures) {
+            const RawFrame raw = rawFrameFor(*contender.straight, picture.frame.view());
+            for (const Triangle &triangle : straight->triangles)
+                straight->draw(triangle, raw);
+            ++straight;
+        }
     };
     entry.straightSamples.push_back(
         sampleDraw(drawStraight, entry.straightDrawsPerSample, m_options.sampleNanoseconds));
 }
 
-bool LabRace::runRound(int round, int rounds, const ProgressListener &listener)
+bool LabRace::runRound(int round, const ProgressListener &listener, std::size_t firstEntry)
 {
-    const auto count = std::int64_t(m_entries.size());
-    for (std::int64_t turn = 0; turn < count; ++turn) {
-        if (!goesOn(listener, {JobPhase::Measuring, round * count + turn, rounds * count}))
+    const std::size_t count = m_entries.size() - firstEntry;
+    for (std::size_t turn = 0; turn < count; ++turn) {
+        if (!goesOn(listener, {JobPhase::Measuring, std::int64_t(turn), std::int64_t(count)}))
             return false;
         // Each round begins with another one: nobody always follows the same neighbour.
-        Entry &entry = m_entries[std::size_t((turn + round) % count)];
+        Entry &entry = m_entries[firstEntry + (turn + std::size_t(round)) % count];
         if (entry.failure)
             continue;
         if (const auto why = failureOf([&] { sample(entry); }))

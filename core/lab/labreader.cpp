@@ -16,8 +16,9 @@ namespace {
 /// Reads into parts of a study; errors stay with the JsonReader.
 class LabReader {
 public:
-    explicit LabReader(JsonReader &json)
+    LabReader(JsonReader &json, int version)
         : m_json(json)
+        , m_version(version)
     {
     }
 
@@ -121,6 +122,19 @@ private:
         if (!m_json.hasFailed())
             read(node, value);
     }
+    /// What an earlier version did not have.
+    template <class T>
+    requires std::same_as<T, DriftCurve> || std::same_as<T, SizeCurve>
+    void readMember(const JsonNode &node, std::vector<T> &curves)
+    {
+        if ((m_version >= 2 || !node.isMissing()) && !m_json.hasFailed())
+            read(node, curves);
+    }
+    void readMember(const JsonNode &node, LabKernel &kernel)
+    {
+        if (m_version >= 2 || !node.isMissing())
+            readMember<LabKernel>(node, kernel);
+    }
     template <class T>
     void readMember(const JsonNode &node, std::optional<T> &value)
     {
@@ -130,6 +144,7 @@ private:
     }
 
     JsonReader &m_json;
+    int m_version; ///< of the file
 };
 
 } // namespace
@@ -141,18 +156,25 @@ Result<Study> readStudy(const QByteArray &text)
         return json.error();
     const QString versionKey = QStringLiteral("pixelplumbLab");
     const JsonNode version = json.root()[versionKey];
-    const QString expected = QStringLiteral("%1, the version of a lab's file").arg(labFileVersion);
+    const QString expected
+        = QStringLiteral("1 to %1, the versions of a lab's file").arg(labFileVersion);
     if (json.root().value.isObject() && version.isMissing()) {
         json.fail(json.root(), QStringLiteral("no “%1”").arg(versionKey), expected);
         return json.error();
     }
     Study study;
-    if (version.value.toInt(labFileVersion) != labFileVersion || !version.value.isDouble())
+    const int written = version.value.toInt();
+    if (written < 1 || written > labFileVersion)
         json.fail(version, describe(version), expected);
     else
-        LabReader(json).readMembers(json.root(), study, {versionKey, QStringLiteral("warnings")});
+        LabReader(json, written)
+            .readMembers(json.root(), study, {versionKey, QStringLiteral("warnings")});
     if (json.hasFailed())
         return json.error();
+    if (written == 1) {
+        for (StudyContender &contender : study.contenders)
+            contender.kernel = kernelOf(contender.id);
+    }
     return study;
 }
 

@@ -46,7 +46,7 @@ bool addTimes(LiveFigures &figures, const std::shared_ptr<const Scene> &scene, c
     if (!family)
         return true;
     const RaceOptions options;
-    const TimedFamily part = timedPartOf(*family, options);
+    const TimedFamily part = timedPartOf(*family, {});
     const LabContender contender = contenderOf(method, scene->settings.arithmetic);
     const auto settings = settingsFor(contender, *family);
     figures.timedPixels = part.described.timedPixels;
@@ -62,12 +62,15 @@ bool addTimes(LiveFigures &figures, const std::shared_ptr<const Scene> &scene, c
         return true;
     LabRace race(options);
     if (!race.enter(0, contender, part, *settings,
-                    stopwatch.elapsed().thread * double(part.triangles)))
+                    stopwatch.elapsed().thread * double(part.described.timedTriangles)))
         return true;
     const Stopwatch all;
     for (int round = 0; round < mostLiveRounds && all.elapsed().wall < mostLiveNanoseconds;
          ++round) {
-        if (!race.runRound(round, mostLiveRounds, listener))
+        const auto hear = [&](const JobProgress &progress) {
+            return goesOn(listener, {progress.phase, round, mostLiveRounds});
+        };
+        if (!race.runRound(round, hear))
             return false;
     }
     const CostFigures cost = race.results().front().cost;
@@ -81,14 +84,35 @@ bool addTimes(LiveFigures &figures, const std::shared_ptr<const Scene> &scene, c
 
 QString LiveFigures::text() const
 {
+    if (pixels == 0 && wrongPixels.value_or(0) == 0)
+        return QStringLiteral("nothing to measure yet");
     QString wrong = QStringLiteral("truth not known");
     if (isProved)
         wrong = QStringLiteral("0 wrong, proved");
     else if (wrongPixels)
         wrong = QStringLiteral("%1 wrong of %2 px").arg(*wrongPixels).arg(pixels);
+    return perPixel ? wrong + QStringLiteral(" · ") + timeText() : wrong;
+}
+
+QString LiveFigures::timeText() const
+{
     if (!perPixel)
-        return wrong;
-    return wrong + QStringLiteral(" · %1 ns/px").arg(perPixel->median, 0, 'f', 2);
+        return {};
+    return QStringLiteral("plain kernel %1 ns a pixel").arg(perPixel->median, 0, 'f', 2);
+}
+
+QString LiveFigures::details() const
+{
+    if (!perPixel)
+        return text();
+    const auto number = [](double value) { return QString::number(value, 'f', 2); };
+    return text()
+        + QStringLiteral("\nThe time is that of the plain kernel, the one that is stepped through, "
+                         "on one thread:\nmedian of %1 rounds %2 ns a pixel, the middle half "
+                         "%3 … %4, over %5 px of triangles, each as often as it is written.")
+              .arg(rounds)
+              .arg(number(perPixel->median), number(perPixel->lower), number(perPixel->upper))
+              .arg(timedPixels);
 }
 
 std::optional<LiveFigures> liveFiguresOf(const std::shared_ptr<const Scene> &scene,

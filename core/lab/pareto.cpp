@@ -53,6 +53,21 @@ bool isAsExact(const ParetoPoint &a, const ParetoPoint &b)
 
 std::span<const ErrorAxis> errorAxes() { return axes; }
 
+QString nameOf(ErrorClass errorClass)
+{
+    switch (errorClass) {
+    case ErrorClass::Positive:
+        break;
+    case ErrorClass::ZeroObserved:
+        return QStringLiteral("observed");
+    case ErrorClass::ZeroTested:
+        return QStringLiteral("tested");
+    case ErrorClass::ZeroProved:
+        return QStringLiteral("proved");
+    }
+    return {};
+}
+
 const ErrorAxis *errorAxisNamed(const QString &id)
 {
     const auto *const found = std::ranges::find_if(
@@ -63,34 +78,26 @@ const ErrorAxis *errorAxisNamed(const QString &id)
 bool dominates(const ParetoPoint &a, const ParetoPoint &b)
 {
     const bool isAsCheap = a.cost.median <= b.cost.median;
-    if (!isAsCheap || !isAsExact(a, b))
+    if (a.kernel != b.kernel || !isAsCheap || !isAsExact(a, b))
         return false;
     return a.cost.median < b.cost.median || !isAsExact(b, a);
 }
 
-namespace {
-
-std::vector<std::size_t> markFrontier(std::vector<ParetoPoint> &points)
+std::vector<std::size_t> ParetoChart::frontier(LabKernel kernel) const
 {
-    std::vector<std::size_t> frontier;
+    std::vector<std::size_t> indices;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        points[i].isOnFrontier = std::ranges::none_of(
-            points, [&](const ParetoPoint &other) { return dominates(other, points[i]); });
-        if (points[i].isOnFrontier)
-            frontier.push_back(i);
+        if (points[i].isOnFrontier && points[i].kernel == kernel)
+            indices.push_back(i);
     }
-    std::ranges::stable_sort(frontier, [&](std::size_t a, std::size_t b) {
-        return points[a].cost.median < points[b].cost.median;
-    });
-    return frontier;
+    std::ranges::stable_sort(indices, {}, [this](std::size_t i) { return points[i].cost.median; });
+    return indices;
 }
 
-} // namespace
-
-std::vector<StaircaseCorner> ParetoChart::staircase() const
+std::vector<StaircaseCorner> ParetoChart::staircase(LabKernel kernel) const
 {
     std::vector<StaircaseCorner> corners;
-    for (const std::size_t index : frontier) {
+    for (const std::size_t index : frontier(kernel)) {
         const ParetoPoint &point = points[index];
         if (!corners.empty()) {
             StaircaseCorner above = corners.back();
@@ -102,40 +109,58 @@ std::vector<StaircaseCorner> ParetoChart::staircase() const
     return corners;
 }
 
+namespace {
+
+ErrorClass classOf(double error, const StudyContender &contender)
+{
+    if (error > 0)
+        return ErrorClass::Positive;
+    if (!contender.isProved)
+        return ErrorClass::ZeroObserved;
+    return contender.kernel == LabKernel::Fast ? ErrorClass::ZeroTested : ErrorClass::ZeroProved;
+}
+
+} // namespace
+
 ParetoChart paretoOf(const Study &study, const QString &family, const ErrorAxis &axis)
 {
     ParetoChart chart;
     chart.family = family;
     chart.axis = QString::fromLatin1(axis.id);
     const StudyFamily *drawn = study.family(family);
-    if (!drawn || drawn->timedPixels == 0)
+    if (!drawn)
         return chart;
-    const double perPixel = 1 / double(drawn->timedPixels);
     const LabRow *reference = study.row(QLatin1String(referenceContenderId), family);
     for (const StudyContender &contender : study.contenders) {
         const LabRow *row = study.row(contender.id, family);
-        if (!row || !row->accuracy || !row->cost || row->cost->rounds == 0)
-            continue;
-        const std::optional<double> error = axis.read(*row->accuracy);
+        const auto error
+            = row && row->accuracy ? axis.read(*row->accuracy) : std::optional<double>();
         if (!error)
             continue;
         ParetoPoint point;
         point.contender = contender.id;
         point.label = contender.label;
+        point.kernel = contender.kernel;
+        point.error = *error;
+        point.errorClass = classOf(*error, contender);
+        point.pixels = row->accuracy->pixels;
+        if (drawn->timedPixels == 0 || !row->cost || row->cost->rounds == 0) {
+            chart.untimed.push_back(std::move(point));
+            continue;
+        }
+        const double perPixel = 1 / double(drawn->timedPixels);
         point.cost = scaled(row->cost->perDraw, perPixel);
         if (reference && reference->cost && reference->cost->rounds > 0)
             point.timesReference = row->cost->perDraw.median / reference->cost->perDraw.median;
         if (row->cost->straight)
             point.straight = scaled(*row->cost->straight, perPixel);
         point.missesStraight = row->missesStraight();
-        point.error = *error;
-        if (*error == 0)
-            point.errorClass
-                = contender.isProved ? ErrorClass::ZeroProved : ErrorClass::ZeroObserved;
-        point.pixels = row->accuracy->pixels;
         chart.points.push_back(std::move(point));
     }
-    chart.frontier = markFrontier(chart.points);
+    for (ParetoPoint &point : chart.points) {
+        point.isOnFrontier = std::ranges::none_of(
+            chart.points, [&](const ParetoPoint &other) { return dominates(other, point); });
+    }
     return chart;
 }
 

@@ -22,13 +22,16 @@ const ErrorAxis *errorAxisNamed(const QString &id);
 enum class ErrorClass : std::uint8_t {
     Positive,
     ZeroObserved, ///< over so many pixels
+    ZeroTested, ///< of a fast kernel: proved of the plain one, whose bytes it is tested to write
     ZeroProved,
 };
+QString nameOf(ErrorClass errorClass); ///< "observed", "tested", "proved"; empty: above 0
 
 /// A contender on the chart.
 struct ParetoPoint {
     QString contender;
     QString label;
+    LabKernel kernel = LabKernel::Plain;
     Spread cost; ///< ns a pixel
     std::optional<double> timesReference; ///< of the assignment's method, ×1
     std::optional<Spread> straight; ///< ns a pixel: the hollow dot beside it
@@ -37,10 +40,14 @@ struct ParetoPoint {
     double error = 0; ///< in the axis' unit
     std::int64_t pixels = 0; ///< observed
     bool isOnFrontier = false;
+
+    /// The assignment's method.
+    bool isReference() const { return contender == QLatin1String(referenceContenderId); }
 };
 
-/// No other point is as cheap and as exact and better in one of the two. Proved is better than
-/// observed.
+/// As cheap and as exact, and better in one of the two. Proved is better than tested, and that than
+/// observed. Asked of equally well made things alone: no SIMD kernel beats a plain one, nor the
+/// reverse.
 bool dominates(const ParetoPoint &a, const ParetoPoint &b);
 
 /// A place on the staircase of the frontier.
@@ -56,10 +63,13 @@ struct ParetoChart {
     QString family;
     QString axis;
     std::vector<ParetoPoint> points; ///< of the rows that have both
-    std::vector<std::size_t> frontier; ///< indices, from the cheapest to the dearest
+    /// Of the rows that have an error and no time, or none yet; they have no cost.
+    std::vector<ParetoPoint> untimed;
 
-    /// Right from each point of the frontier, then down to the next.
-    std::vector<StaircaseCorner> staircase() const;
+    /// Indices of points that no other of the kernel dominates, from the cheapest to the dearest.
+    std::vector<std::size_t> frontier(LabKernel kernel) const;
+    /// Right from each point of that frontier, then down to the next.
+    std::vector<StaircaseCorner> staircase(LabKernel kernel) const;
 };
 
 ParetoChart paretoOf(const Study &study, const QString &family, const ErrorAxis &axis);

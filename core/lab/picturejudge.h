@@ -19,7 +19,7 @@ struct TruePicture {
     std::int64_t pixels = 0; ///< covered
 };
 
-/// Where a contender first was wrong.
+/// The first triangle of which a contender was wrong, and its lowest wrong pixel.
 struct FirstMiss {
     Triangle triangle;
     std::int64_t x = 0;

@@ -98,6 +98,18 @@ QString nameOf(SizeAxis axis)
     return {};
 }
 
+std::vector<LabContender> growingContenders()
+{
+    static constexpr const char *ids[]
+        = {"column-scan:exact",   "column-scan:exact:fast", "column-scan:float32",
+           "column-scan:float64", "column-scan:fixed16.16", "column-scan:fixed32.32",
+           "row-walk:float32"};
+    std::vector<LabContender> contenders;
+    for (const char *id : ids)
+        contenders.push_back(*labContenderNamed(QLatin1String(id)));
+    return contenders;
+}
+
 std::optional<double> fittedExponent(std::span<const SizePoint> points)
 {
     double count = 0, sumX = 0, sumY = 0, sumXX = 0, sumXY = 0;

@@ -33,6 +33,10 @@ struct SizeCurve {
     friend bool operator==(const SizeCurve &, const SizeCurve &) = default;
 };
 
+/// Those whose growth is worth a curve: the column scan in every arithmetic, its fast kernel, and
+/// the walk over rows.
+std::vector<LabContender> growingContenders();
+
 /// The slope of the logarithms by least squares; none of fewer than two points.
 std::optional<double> fittedExponent(std::span<const SizePoint> points);
 

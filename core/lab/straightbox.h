@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/triangle.h"
+#include "core/lab/straightloop.h"
 
 #include <algorithm>
 
@@ -21,10 +21,22 @@ inline StraightBox straightBoxOf(const Triangle &triangle)
     return {ceilPixel(left), floorPixel(right), ceilPixel(low), floorPixel(high)};
 }
 
-/// Line i faces vertex (i + 2) % 3 of edge equations, vertex i of barycentric coordinates.
-constexpr std::size_t facedVertex(bool isBarycentric, std::size_t line)
+/// Edge equations are printed row by row, barycentric coordinates column by column.
+enum class StraightLines { OfEdges, OfWeights };
+
+/// Which vertex a line faces: the order in which the lines are asked and summed up.
+constexpr std::size_t facedVertex(StraightLines lines, std::size_t line)
 {
-    return isBarycentric ? line : (line + 2) % 3;
+    return lines == StraightLines::OfWeights ? line : (line + 2) % 3;
+}
+
+/// Whether a sample exactly on a line a·x + b·y + c belongs to the side where it is positive.
+template <class Number>
+bool straightOwnsTie(StraightRule rule, const Number &a, const Number &b)
+{
+    if (rule == StraightRule::Closed)
+        return true;
+    return b == Number(0) ? a > Number(0) : b > Number(0);
 }
 
 } // namespace pixelplumb

@@ -17,7 +17,10 @@ struct Real {
     static Float whole(std::int64_t integer) { return Float(integer); }
     static std::int64_t floor(Float v) { return straightFloor(v); }
     static std::int64_t ceil(Float v) { return straightCeil(v); }
-    static int byte(Float level) { return byteOf(level); }
+    static QRgb pixel(const Float (&level)[3])
+    {
+        return qRgb(byteOf(level[0]), byteOf(level[1]), byteOf(level[2]));
+    }
 };
 
 template <class Fixed>
@@ -27,9 +30,11 @@ struct Binary {
     static Fixed whole(std::int64_t integer) { return Fixed::fromInteger(integer); }
     static std::int64_t floor(Fixed v) { return v.floor(); }
     static std::int64_t ceil(Fixed v) { return v.ceil(); }
-    static int byte(Fixed level)
+    static QRgb pixel(const Fixed (&level)[3])
     {
-        return clampedByte((level + Fixed::fromBinaryFraction(1, 2)).floor());
+        const auto nearest
+            = [](Fixed value) { return (value + Fixed::fromBinaryFraction(1, 2)).floor(); };
+        return pixelOfLevels({nearest(level[0]), nearest(level[1]), nearest(level[2])});
     }
 };
 
@@ -64,12 +69,12 @@ struct Edge {
     }
 };
 
-template <class N>
+template <class N, StraightRule rule>
 void drawColumn(std::int64_t x, const Edge<N> &bottom, const Edge<N> &top, RawFrame frame)
 {
     using Number = typename N::Number;
     const std::int64_t first = N::ceil(bottom.y);
-    const std::int64_t last = N::floor(top.y);
+    const std::int64_t end = rule == StraightRule::Closed ? N::floor(top.y) + 1 : N::ceil(top.y);
     const Number height = top.y - bottom.y;
     const Number start = N::whole(first) - bottom.y;
     Number level[3], rate[3];
@@ -78,8 +83,8 @@ void drawColumn(std::int64_t x, const Edge<N> &bottom, const Edge<N> &top, RawFr
         level[i] = bottom.level[i] + start * rate[i];
     }
     QRgb *pixel = frame.at(x, first);
-    for (std::int64_t y = first; y <= last; ++y) {
-        *pixel = qRgb(N::byte(level[0]), N::byte(level[1]), N::byte(level[2]));
+    for (std::int64_t y = first; y < end; ++y) {
+        *pixel = N::pixel(level);
         pixel += frame.perV;
         level[0] = level[0] + rate[0];
         level[1] = level[1] + rate[1];
@@ -87,7 +92,7 @@ void drawColumn(std::int64_t x, const Edge<N> &bottom, const Edge<N> &top, RawFr
     }
 }
 
-template <class N>
+template <class N, StraightRule rule>
 void drawRounded(const Triangle &triangle, RawFrame frame)
 {
     const auto [i0, i1, i2] = sortedByColumn(triangle);
@@ -97,29 +102,42 @@ void drawRounded(const Triangle &triangle, RawFrame frame)
     const bool longAbove = doubledArea(p0.position, p1.position, p2.position) >= 0;
     const std::int64_t begin = ceilPixel(p0.position.x);
     const std::int64_t middle = ceilPixel(p1.position.x);
-    const std::int64_t last = floorPixel(p2.position.x);
+    const std::int64_t end = straightEnd(rule, p2.position.x);
     Edge<N> longEdge(p0, p2, begin);
+    const auto isAbove = [&](const Edge<N> &shortEdge) {
+        if (rule != StraightRule::Closed || longEdge.y == shortEdge.y)
+            return longAbove;
+        return shortEdge.y < longEdge.y;
+    };
     const auto walk = [&](Edge<N> shortEdge, std::int64_t from, std::int64_t to) {
         for (std::int64_t x = from; x < to; ++x) {
-            const bool above = longEdge.y == shortEdge.y ? longAbove : shortEdge.y < longEdge.y;
-            drawColumn<N>(x, above ? shortEdge : longEdge, above ? longEdge : shortEdge, frame);
+            const bool above = isAbove(shortEdge);
+            drawColumn<N, rule>(x, above ? shortEdge : longEdge, above ? longEdge : shortEdge,
+                                frame);
             shortEdge.step();
             longEdge.step();
         }
     };
     walk(Edge<N>(p0, p1, begin), begin, middle);
-    walk(Edge<N>(p1, p2, middle), middle, last + 1);
+    walk(Edge<N>(p1, p2, middle), middle, end);
+}
+
+template <class N>
+constexpr StraightLoop row(const char *method, Arithmetic arithmetic, SpanAxis axis)
+{
+    return {method, arithmetic, axis, drawRounded<N, StraightRule::Closed>,
+            drawRounded<N, StraightRule::HalfOpen>};
 }
 
 constexpr StraightLoop rows[] = {
-    {"column-scan", Arithmetic::Float32, false, drawRounded<Real<float>>},
-    {"column-scan", Arithmetic::Float64, false, drawRounded<Real<double>>},
-    {"column-scan", Arithmetic::Fixed16, false, drawRounded<Binary<FixedPoint16>>},
-    {"column-scan", Arithmetic::Fixed32, false, drawRounded<Binary<FixedPoint32>>},
-    {"row-walk", Arithmetic::Float32, true, drawRounded<Real<float>>},
-    {"row-walk", Arithmetic::Float64, true, drawRounded<Real<double>>},
-    {"row-walk", Arithmetic::Fixed16, true, drawRounded<Binary<FixedPoint16>>},
-    {"row-walk", Arithmetic::Fixed32, true, drawRounded<Binary<FixedPoint32>>},
+    row<Real<float>>("column-scan", Arithmetic::Float32, SpanAxis::Column),
+    row<Real<double>>("column-scan", Arithmetic::Float64, SpanAxis::Column),
+    row<Binary<FixedPoint16>>("column-scan", Arithmetic::Fixed16, SpanAxis::Column),
+    row<Binary<FixedPoint32>>("column-scan", Arithmetic::Fixed32, SpanAxis::Column),
+    row<Real<float>>("row-walk", Arithmetic::Float32, SpanAxis::Row),
+    row<Real<double>>("row-walk", Arithmetic::Float64, SpanAxis::Row),
+    row<Binary<FixedPoint16>>("row-walk", Arithmetic::Fixed16, SpanAxis::Row),
+    row<Binary<FixedPoint32>>("row-walk", Arithmetic::Fixed32, SpanAxis::Row),
 };
 
 } // namespace

@@ -20,13 +20,15 @@ struct Mixed {
             remainder += denominator;
         }
     }
+    std::int64_t ceil() const { return whole + std::int64_t(remainder != 0); }
     void add(const Mixed &rate, std::int64_t denominator)
     {
         whole += rate.whole;
         remainder += rate.remainder;
-        const bool carries = remainder >= denominator;
-        whole += carries ? 1 : 0;
-        remainder -= carries ? denominator : 0;
+        if (remainder >= denominator) {
+            remainder -= denominator;
+            ++whole;
+        }
     }
 };
 
@@ -50,6 +52,7 @@ struct MixedEdge {
 };
 
 /// Quotients and remainders in 64 bits: edges by increments, colours by the plane's.
+template <StraightRule rule>
 void drawExact(const Triangle &triangle, RawFrame frame)
 {
     const auto [i0, i1, i2] = sortedByColumn(triangle);
@@ -72,38 +75,40 @@ void drawExact(const Triangle &triangle, RawFrame frame)
     }
     const std::int64_t begin = ceilPixel(p0.position.x);
     const std::int64_t middle = ceilPixel(p1.position.x);
-    const std::int64_t last = floorPixel(p2.position.x);
+    const std::int64_t endColumn = straightEnd(rule, p2.position.x);
     MixedEdge longEdge(p0, p2, begin);
     const auto walk = [&](MixedEdge shortEdge, std::int64_t first, std::int64_t end) {
         for (std::int64_t x = first; x < end; ++x) {
             const Mixed &bottom = sign > 0 ? shortEdge.y : longEdge.y;
             const Mixed &top = sign > 0 ? longEdge.y : shortEdge.y;
-            const std::int64_t low = bottom.whole + std::int64_t(bottom.remainder != 0);
+            const std::int64_t low = bottom.ceil();
+            const std::int64_t endRow = rule == StraightRule::Closed ? top.whole + 1 : top.ceil();
             const std::int64_t along = x * unitsPerPixel - p0.position.x;
             const std::int64_t up = low * unitsPerPixel - p0.position.y;
             Mixed level[3];
             for (std::size_t i = 0; i < 3; ++i)
                 level[i] = Mixed(from[i] * area + perX[i] * along + perY[i] * up, area);
             QRgb *pixel = frame.at(x, low);
-            for (std::int64_t y = low; y <= top.whole; ++y) {
-                int byte[3];
-                for (std::size_t i = 0; i < 3; ++i) {
-                    const bool isUp = level[i].remainder >= area - level[i].remainder;
-                    byte[i] = clampedByte(level[i].whole + (isUp ? 1 : 0));
-                    level[i].add(rate[i], area);
-                }
-                *pixel = qRgb(byte[0], byte[1], byte[2]);
+            for (std::int64_t y = low; y < endRow; ++y) {
+                const auto nearest = [&](const Mixed &each) {
+                    return each.whole + std::int64_t(each.remainder >= area - each.remainder);
+                };
+                *pixel = pixelOfLevels({nearest(level[0]), nearest(level[1]), nearest(level[2])});
                 pixel += frame.perV;
+                level[0].add(rate[0], area);
+                level[1].add(rate[1], area);
+                level[2].add(rate[2], area);
             }
             shortEdge.y.add(shortEdge.slope, shortEdge.width);
             longEdge.y.add(longEdge.slope, longEdge.width);
         }
     };
     walk(MixedEdge(p0, p1, begin), begin, middle);
-    walk(MixedEdge(p1, p2, middle), middle, last + 1);
+    walk(MixedEdge(p1, p2, middle), middle, endColumn);
 }
 
 /// float64, multiplied instead of added up, with half a quantum of bias.
+template <StraightRule rule>
 void drawBias(const Triangle &triangle, RawFrame frame)
 {
     const auto [i0, i1, i2] = sortedByColumn(triangle);
@@ -136,7 +141,7 @@ void drawBias(const Triangle &triangle, RawFrame frame)
     };
     const std::int64_t begin = ceilPixel(p0.position.x);
     const std::int64_t middle = ceilPixel(p1.position.x);
-    const std::int64_t last = floorPixel(p2.position.x);
+    const std::int64_t endColumn = straightEnd(rule, p2.position.x);
     BiasEdge longEdge(p0, p2, begin);
     const auto walk = [&](BiasEdge shortEdge, std::int64_t first, std::int64_t end) {
         for (std::int64_t x = first; x < end; ++x) {
@@ -144,14 +149,17 @@ void drawBias(const Triangle &triangle, RawFrame frame)
             const BiasEdge &top = area > 0 ? longEdge : shortEdge;
             const std::int64_t low
                 = straightCeil(bottom.y + bottom.run * bottom.slope - bottom.bias);
-            const std::int64_t high = straightFloor(top.y + top.run * top.slope + top.bias);
+            const double highest = top.y + top.run * top.slope;
+            const std::int64_t endRow = rule == StraightRule::Closed
+                ? straightFloor(highest + top.bias) + 1
+                : straightCeil(highest - top.bias);
             const double along = double(x * unitsPerPixel - p0.position.x) / unitsPerPixel;
             double up = double(low * unitsPerPixel - p0.position.y) / unitsPerPixel;
             double base[3];
             for (std::size_t i = 0; i < 3; ++i)
                 base[i] = from[i] + perX[i] * along;
             QRgb *pixel = frame.at(x, low);
-            for (std::int64_t y = low; y <= high; ++y, up += 1) {
+            for (std::int64_t y = low; y < endRow; ++y, up += 1) {
                 const auto byte = [&](std::size_t i) {
                     const double level = base[i] + up * perY[i] + half;
                     return int(level < 0 ? 0 : level > 255 ? 255 : level);
@@ -164,13 +172,16 @@ void drawBias(const Triangle &triangle, RawFrame frame)
         }
     };
     walk(BiasEdge(p0, p1, begin), begin, middle);
-    walk(BiasEdge(p1, p2, middle), middle, last + 1);
+    walk(BiasEdge(p1, p2, middle), middle, endColumn);
 }
 
 constexpr StraightLoop rows[] = {
-    {"column-scan", Arithmetic::Exact, false, drawExact},
-    {"column-scan-bias", Arithmetic::Float64, false, drawBias},
-    {"row-walk", Arithmetic::Exact, true, drawExact},
+    {"column-scan", Arithmetic::Exact, SpanAxis::Column, drawExact<StraightRule::Closed>,
+     drawExact<StraightRule::HalfOpen>},
+    {"column-scan-bias", Arithmetic::Float64, SpanAxis::Column, drawBias<StraightRule::Closed>,
+     drawBias<StraightRule::HalfOpen>},
+    {"row-walk", Arithmetic::Exact, SpanAxis::Row, drawExact<StraightRule::Closed>,
+     drawExact<StraightRule::HalfOpen>},
 };
 
 } // namespace

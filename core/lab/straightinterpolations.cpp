@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/straightedge.h"
 #include "core/lab/straightloop.h"
+#include "core/scan/interpolationnumbers.h"
 
 #include <algorithm>
 #include <array>
@@ -10,52 +12,13 @@ namespace pixelplumb {
 
 namespace {
 
-enum class Form { Bilinear, Plane, Barycentric };
+using Form = InterpolationForm;
 
 template <class Float>
 Float pixels(Lattice units)
 {
     return Float(units) / Float(unitsPerPixel);
 }
-
-/// Where an edge meets the columns, exactly: whole + remainder / denominator px.
-struct EdgeRow {
-    std::int64_t whole = 0, remainder = 0, denominator = 1;
-    std::int64_t perColumn = 0, remainderPerColumn = 0;
-
-    EdgeRow(const Vertex &a, const Vertex &b, std::int64_t column)
-    {
-        const std::int64_t width = b.position.x - a.position.x;
-        const std::int64_t rise = b.position.y - a.position.y;
-        denominator = (width == 0 ? 1 : width) * unitsPerPixel;
-        const std::int64_t run = column * unitsPerPixel - a.position.x;
-        const std::int64_t numerator
-            = width == 0 ? a.position.y : a.position.y * width + run * rise;
-        divide(numerator, whole, remainder);
-        divide(width == 0 ? 0 : rise * unitsPerPixel, perColumn, remainderPerColumn);
-    }
-    std::int64_t ceil() const { return whole + (remainder != 0 ? 1 : 0); }
-    void step()
-    {
-        whole += perColumn;
-        remainder += remainderPerColumn;
-        if (remainder >= denominator) {
-            remainder -= denominator;
-            ++whole;
-        }
-    }
-
-private:
-    void divide(std::int64_t numerator, std::int64_t &quotient, std::int64_t &rest) const
-    {
-        quotient = numerator / denominator;
-        rest = numerator % denominator;
-        if (rest < 0) {
-            --quotient;
-            rest += denominator;
-        }
-    }
-};
 
 /// y and R G B along an edge by adding rates.
 template <class Float>
@@ -129,7 +92,7 @@ Forms<Float> weightsOf(const Triangle &triangle)
     return forms;
 }
 
-template <class Float, Form form>
+template <class Float, Form form, StraightRule rule>
 void drawInterpolated(const Triangle &triangle, RawFrame frame)
 {
     const auto [i0, i1, i2] = sortedByColumn(triangle);
@@ -152,14 +115,16 @@ void drawInterpolated(const Triangle &triangle, RawFrame frame)
     };
     const std::int64_t begin = ceilPixel(p0.position.x);
     const std::int64_t middle = ceilPixel(p1.position.x);
-    const std::int64_t last = floorPixel(p2.position.x);
-    EdgeRow longEdge(p0, p2, begin);
+    const std::int64_t endColumn = straightEnd(rule, p2.position.x);
+    StraightEdge longEdge(p0, p2, begin);
     ChannelRow<Float> longRow(p0, p2, begin);
-    const auto walk = [&](EdgeRow shortEdge, ChannelRow<Float> shortRow, std::int64_t first,
+    const auto walk = [&](StraightEdge shortEdge, ChannelRow<Float> shortRow, std::int64_t first,
                           std::int64_t end) {
         for (std::int64_t x = first; x < end; ++x) {
             const std::int64_t low = (longAbove ? shortEdge : longEdge).ceil();
-            const std::int64_t high = (longAbove ? longEdge : shortEdge).whole;
+            const StraightEdge &topEdge = longAbove ? longEdge : shortEdge;
+            const std::int64_t endRow
+                = rule == StraightRule::Closed ? topEdge.whole + 1 : topEdge.ceil();
             Float value[3] = {}, rate[3] = {};
             if constexpr (form == Form::Bilinear) {
                 const ChannelRow<Float> &bottom = longAbove ? shortRow : longRow;
@@ -174,7 +139,7 @@ void drawInterpolated(const Triangle &triangle, RawFrame frame)
                 longRow.step();
             }
             QRgb *pixel = frame.at(x, low);
-            for (std::int64_t y = low; y <= high; ++y, pixel += frame.perV) {
+            for (std::int64_t y = low; y < endRow; ++y, pixel += frame.perV) {
                 if constexpr (form == Form::Plane) {
                     for (std::size_t i = 0; i < 3; ++i)
                         value[i] = at(i, x, y);
@@ -193,19 +158,30 @@ void drawInterpolated(const Triangle &triangle, RawFrame frame)
             longEdge.step();
         }
     };
-    walk(EdgeRow(p0, p1, begin), ChannelRow<Float>(p0, p1, begin), begin, middle);
-    walk(EdgeRow(p1, p2, middle), ChannelRow<Float>(p1, p2, middle), middle, last + 1);
+    walk(StraightEdge(p0, p1, begin), ChannelRow<Float>(p0, p1, begin), begin, middle);
+    walk(StraightEdge(p1, p2, middle), ChannelRow<Float>(p1, p2, middle), middle, endColumn);
 }
 
+using enum StraightRule;
+
 constexpr StraightLoop rows[] = {
-    {"interpolate-bilinear", Arithmetic::Float32, false, drawInterpolated<float, Form::Bilinear>},
-    {"interpolate-bilinear", Arithmetic::Float64, false, drawInterpolated<double, Form::Bilinear>},
-    {"interpolate-plane", Arithmetic::Float32, false, drawInterpolated<float, Form::Plane>},
-    {"interpolate-plane", Arithmetic::Float64, false, drawInterpolated<double, Form::Plane>},
-    {"interpolate-barycentric", Arithmetic::Float32, false,
-     drawInterpolated<float, Form::Barycentric>},
-    {"interpolate-barycentric", Arithmetic::Float64, false,
-     drawInterpolated<double, Form::Barycentric>},
+    {"interpolate-bilinear", Arithmetic::Float32, SpanAxis::Column,
+     drawInterpolated<float, Form::Bilinear, Closed>,
+     drawInterpolated<float, Form::Bilinear, HalfOpen>},
+    {"interpolate-bilinear", Arithmetic::Float64, SpanAxis::Column,
+     drawInterpolated<double, Form::Bilinear, Closed>,
+     drawInterpolated<double, Form::Bilinear, HalfOpen>},
+    {"interpolate-plane", Arithmetic::Float32, SpanAxis::Column,
+     drawInterpolated<float, Form::Plane, Closed>, drawInterpolated<float, Form::Plane, HalfOpen>},
+    {"interpolate-plane", Arithmetic::Float64, SpanAxis::Column,
+     drawInterpolated<double, Form::Plane, Closed>,
+     drawInterpolated<double, Form::Plane, HalfOpen>},
+    {"interpolate-barycentric", Arithmetic::Float32, SpanAxis::Column,
+     drawInterpolated<float, Form::Barycentric, Closed>,
+     drawInterpolated<float, Form::Barycentric, HalfOpen>},
+    {"interpolate-barycentric", Arithmetic::Float64, SpanAxis::Column,
+     drawInterpolated<double, Form::Barycentric, Closed>,
+     drawInterpolated<double, Form::Barycentric, HalfOpen>},
 };
 
 } // namespace

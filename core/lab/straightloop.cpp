@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/straightloop.h"
 
+#include "core/scan/biasarithmetic.h"
+#include "core/scan/rowwalk.h"
+
 #include <algorithm>
 
 namespace pixelplumb {
@@ -18,8 +21,9 @@ const std::vector<StraightLoop> &table()
 std::vector<StraightLoop> straightLoops()
 {
     std::vector<StraightLoop> loops;
-    for (const auto part : {straightColumns(), straightExactColumns(), straightSamples(),
-                            straightExactSamples(), straightInterpolations()})
+    for (const auto part :
+         {straightColumns(), straightExactColumns(), straightSamples(), straightExactSamples(),
+          straightInterpolations(), straightExactInterpolations()})
         loops.insert(loops.end(), part.begin(), part.end());
     return loops;
 }
@@ -32,20 +36,46 @@ const StraightLoop *straightLoopOf(std::string_view method, Arithmetic arithmeti
     return found == table().end() ? nullptr : &*found;
 }
 
+bool mayDrawStraight(const StraightLoop &loop, const Triangle &triangle, const FrameView &frame)
+{
+    constexpr Lattice margin = 2 * unitsPerPixel;
+    const LatticePoint first = latticePixel(frame.firstColumn, frame.firstRow);
+    const LatticePoint last = latticePixel(frame.endColumn() - 1, frame.endRow() - 1);
+    const auto isInside = [&](const Vertex &vertex) {
+        const auto [x, y] = vertex.position;
+        return x >= first.x + margin && x <= last.x - margin && y >= first.y + margin
+            && y <= last.y - margin;
+    };
+    const auto isOnPixel = [](const Vertex &vertex) {
+        return vertex.position.x % unitsPerPixel == 0 && vertex.position.y % unitsPerPixel == 0;
+    };
+    return doubledArea(triangle) != 0 && integerWidthFor(triangle) == IntegerWidth::Bits64
+        && biasdomain::containsPlane(triangle) && std::ranges::all_of(triangle.vertices, isInside)
+        && (loop.arithmetic != Arithmetic::Fixed16
+            || std::ranges::all_of(triangle.vertices, isOnPixel));
+}
+
+StraightDraw StraightLoop::drawUnder(FillRule rule, FrameOrigin origin) const
+{
+    if (rule == FillRule::Closed)
+        return drawClosed;
+    // Turned, the one displacement is the other.
+    const bool isHalfOpen = axis == SpanAxis::Column
+        ? rule == FillRule::HalfOpenColumn
+        : rule == FillRule::TopLeft && origin == FrameOrigin::BottomLeft;
+    return isHalfOpen ? drawHalfOpen : nullptr;
+}
+
 Triangle triangleFor(const StraightLoop &loop, const Triangle &triangle)
 {
-    Triangle turned = triangle;
-    if (loop.isRowWalk) {
-        for (Vertex &vertex : turned.vertices)
-            vertex.position = {-vertex.position.y, vertex.position.x};
-    }
-    return turned;
+    return loop.axis == SpanAxis::Row ? turned(triangle) : triangle;
 }
 
 RawFrame rawFrameFor(const StraightLoop &loop, const FrameView &frame)
 {
-    QRgb *const origin = frame.at(0, 0);
-    return loop.isRowWalk ? RawFrame{origin, -frame.stride, 1} : RawFrame{origin, 1, frame.stride};
+    if (loop.axis == SpanAxis::Row)
+        return {frame.base, -frame.firstRow, frame.firstColumn, -frame.stride, 1};
+    return {frame.base, frame.firstColumn, frame.firstRow, 1, frame.stride};
 }
 
 } // namespace pixelplumb

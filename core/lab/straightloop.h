@@ -5,6 +5,7 @@
 #include "core/frame/levelpixel.h"
 #include "core/geometry/triangle.h"
 #include "core/scan/scansettings.h"
+#include "core/scan/spanaxis.h"
 
 #include <QRgb>
 
@@ -14,27 +15,41 @@
 #include <string_view>
 #include <vector>
 
-/// What a plain kernel is measured by: the same arithmetic under the closed rule, rounded to
-/// nearest, as one function that writes through a raw pointer, without clipping, rules, traces or
-/// observers. Its pictures are the plain kernel's, bit for bit, where the triangles lie inside the
-/// frame and have area.
+/// What a plain kernel is measured by: the same arithmetic, rounded to nearest, as one function
+/// that writes through a raw pointer, without clipping, choices, traces or observers. Its pictures
+/// are the plain kernel's, bit for bit, of triangles that it may draw.
 namespace pixelplumb {
 
 /// A frame as an address and two steps: of a column walk u is x and v is y, of a row walk u is −y
 /// and v is x.
 struct RawFrame {
-    QRgb *origin = nullptr; ///< the pixel (0, 0)
+    QRgb *pixel = nullptr; ///< (firstU, firstV)
+    std::ptrdiff_t firstU = 0, firstV = 0;
     std::ptrdiff_t perU = 0, perV = 0; ///< pixels
 
-    QRgb *at(std::ptrdiff_t u, std::ptrdiff_t v) const { return origin + u * perU + v * perV; }
+    QRgb *at(std::ptrdiff_t u, std::ptrdiff_t v) const
+    {
+        return pixel + (u - firstU) * perU + (v - firstV) * perV;
+    }
 };
+
+/// Whose a sample on the boundary is.
+enum class StraightRule {
+    Closed, ///< the triangle's
+    HalfOpen, ///< as displaced by (+ε², +ε) in (u, v): ⌈v_B⌉ … ⌈v_T⌉−1, ⌈u₀⌉ … ⌈u₂⌉−1
+};
+
+using StraightDraw = void (*)(const Triangle &triangle, RawFrame frame);
 
 /// A row of the table of straight loops.
 struct StraightLoop {
     const char *method; ///< the plain kernel that draws the same picture
     Arithmetic arithmetic;
-    bool isRowWalk = false; ///< gets the triangle and the frame turned by a quarter
-    void (*draw)(const Triangle &triangle, RawFrame frame) = nullptr;
+    SpanAxis axis; ///< rows: gets the triangle and the frame turned by a quarter
+    StraightDraw drawClosed, drawHalfOpen;
+
+    /// What draws the kernel's picture under a rule; null where none does.
+    StraightDraw drawUnder(FillRule rule, FrameOrigin origin) const;
 };
 
 /// One after the other, they are the whole table.
@@ -43,16 +58,28 @@ std::span<const StraightLoop> straightExactColumns();
 std::span<const StraightLoop> straightSamples();
 std::span<const StraightLoop> straightExactSamples();
 std::span<const StraightLoop> straightInterpolations();
+std::span<const StraightLoop> straightExactInterpolations();
 
 /// All of them.
 std::vector<StraightLoop> straightLoops();
 /// Null where the kernel has none.
 const StraightLoop *straightLoopOf(std::string_view method, Arithmetic arithmetic);
 
+/// Whether nothing has to be clipped and no 64 bits overflow: the triangle has an area, its box is
+/// within 2^40 square lattice units, and it lies 2 px inside the frame and within 2^15 px. In 16.16
+/// also on whole pixels, because slopes of steep sub-pixel edges wrap there.
+bool mayDrawStraight(const StraightLoop &loop, const Triangle &triangle, const FrameView &frame);
+
 /// The triangle as the loop wants it: turned by a quarter for a row walk.
 Triangle triangleFor(const StraightLoop &loop, const Triangle &triangle);
-/// The frame as the loop wants it; pixel (0, 0) must lie in the frame.
+/// The frame as the loop wants it.
 RawFrame rawFrameFor(const StraightLoop &loop, const FrameView &frame);
+
+/// One past the last column of a triangle that ends at a coordinate.
+constexpr std::int64_t straightEnd(StraightRule rule, Lattice coordinate)
+{
+    return rule == StraightRule::Closed ? floorPixel(coordinate) + 1 : ceilPixel(coordinate);
+}
 
 // Whole numbers of a float, for values that fit.
 
@@ -70,7 +97,7 @@ std::int64_t straightCeil(Float v)
     return towardsZero + std::int64_t(Float(towardsZero) < v);
 }
 
-// A level as a byte, as briefly as it can be said in each number. NaN is 0.
+/// A level as a byte; NaN is 0.
 
 template <std::floating_point Float>
 int byteOf(Float level)

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/straightbox.h"
-#include "core/lab/straightloop.h"
+#include "core/scan/edgetestform.h"
 
 #include <algorithm>
 
-/// Edge equations and barycentric coordinates: every sample of the box is tested, in
-/// floating point.
+/// Edge equations and barycentric coordinates: every sample of the box is tested, in floating
+/// point.
 namespace pixelplumb {
 
 namespace {
@@ -21,6 +21,7 @@ template <class Float>
 struct Line {
     Float a, b, c;
     Float atFacing; ///< its value at the vertex that faces it
+    bool ownsTie = true;
     Float level[3]; ///< R G B of that vertex
 
     Line(const Triangle &triangle, std::size_t vertex)
@@ -39,6 +40,17 @@ struct Line {
     }
 
     Float at(Float x, Float y) const { return a * x + b * y + c; }
+    /// To be asked before the first sample.
+    void decideTie(StraightRule rule)
+    {
+        ownsTie = atFacing > Float(0) ? straightOwnsTie(rule, a, b) : straightOwnsTie(rule, -a, -b);
+    }
+    /// Of its value at a sample, or of that over its value at the vertex.
+    template <StraightRule rule>
+    bool accepts(Float value) const
+    {
+        return rule == StraightRule::Closed || ownsTie ? value >= Float(0) : value > Float(0);
+    }
     void flip()
     {
         a = Float(0) - a;
@@ -57,15 +69,24 @@ QRgb weighted(const Line<Float> (&line)[3], Float w0, Float w1, Float w2)
     return qRgb(byte[0], byte[1], byte[2]);
 }
 
-template <class Float, bool isIncremental>
+template <StraightRule rule, class Float>
+bool areInside(const Line<Float> (&line)[3], Float v0, Float v1, Float v2)
+{
+    return line[0].template accepts<rule>(v0) && line[1].template accepts<rule>(v1)
+        && line[2].template accepts<rule>(v2);
+}
+
+template <class Float, Evaluation evaluation, StraightRule rule>
 void drawEdges(const Triangle &triangle, RawFrame frame)
 {
-    Line<Float> line[3] = {{triangle, facedVertex(false, 0)},
-                           {triangle, facedVertex(false, 1)},
-                           {triangle, facedVertex(false, 2)}};
+    constexpr bool isIncremental = evaluation == Evaluation::Increments;
+    Line<Float> line[3] = {{triangle, facedVertex(StraightLines::OfEdges, 0)},
+                           {triangle, facedVertex(StraightLines::OfEdges, 1)},
+                           {triangle, facedVertex(StraightLines::OfEdges, 2)}};
     for (Line<Float> &each : line) {
         if (each.atFacing < Float(0))
             each.flip();
+        each.decideTie(rule);
     }
     const StraightBox box = straightBoxOf(triangle);
     const auto left = Float(box.left), low = Float(box.low);
@@ -78,7 +99,7 @@ void drawEdges(const Triangle &triangle, RawFrame frame)
                 for (std::size_t i = 0; i < 3; ++i)
                     e[i] = line[i].at(Float(x), Float(y));
             }
-            if (e[0] >= Float(0) && e[1] >= Float(0) && e[2] >= Float(0)) {
+            if (areInside<rule>(line, e[0], e[1], e[2])) {
                 *pixel = weighted(line, e[0] / line[0].atFacing, e[1] / line[1].atFacing,
                                   e[2] / line[2].atFacing);
             }
@@ -92,10 +113,12 @@ void drawEdges(const Triangle &triangle, RawFrame frame)
     }
 }
 
-template <class Float>
+template <class Float, StraightRule rule>
 void drawRectangle(const Triangle &triangle, RawFrame frame)
 {
-    const Line<Float> line[3] = {{triangle, 0}, {triangle, 1}, {triangle, 2}};
+    Line<Float> line[3] = {{triangle, 0}, {triangle, 1}, {triangle, 2}};
+    for (Line<Float> &each : line)
+        each.decideTie(rule);
     const StraightBox box = straightBoxOf(triangle);
     for (std::int64_t x = box.left; x <= box.right; ++x) {
         QRgb *pixel = frame.at(x, box.low);
@@ -103,18 +126,21 @@ void drawRectangle(const Triangle &triangle, RawFrame frame)
             Float w[3];
             for (std::size_t i = 0; i < 3; ++i)
                 w[i] = line[i].at(Float(x), Float(y)) / line[i].atFacing;
-            const auto within
-                = [](Float weight) { return weight >= Float(0) && weight <= Float(1); };
-            if (within(w[0]) && within(w[1]) && within(w[2]))
+            const auto within = [&](std::size_t i) {
+                return line[i].template accepts<rule>(w[i]) && w[i] <= Float(1);
+            };
+            if (within(0) && within(1) && within(2))
                 *pixel = weighted(line, w[0], w[1], w[2]);
         }
     }
 }
 
-template <class Float>
+template <class Float, StraightRule rule>
 void drawIncremental(const Triangle &triangle, RawFrame frame)
 {
-    const Line<Float> line[3] = {{triangle, 0}, {triangle, 1}, {triangle, 2}};
+    Line<Float> line[3] = {{triangle, 0}, {triangle, 1}, {triangle, 2}};
+    for (Line<Float> &each : line)
+        each.decideTie(rule);
     const StraightBox box = straightBoxOf(triangle);
     // Three weights, then three levels.
     Float perX[6], perY[6], start[6];
@@ -136,7 +162,7 @@ void drawIncremental(const Triangle &triangle, RawFrame frame)
         std::copy_n(start, 6, v);
         QRgb *pixel = frame.at(x, box.low);
         for (std::int64_t y = box.low; y <= box.high; ++y, pixel += frame.perV) {
-            if (v[0] >= Float(0) && v[1] >= Float(0) && v[2] >= Float(0))
+            if (areInside<rule>(line, v[0], v[1], v[2]))
                 *pixel = qRgb(byteOf(v[3]), byteOf(v[4]), byteOf(v[5]));
             for (std::size_t i = 0; i < 6; ++i)
                 v[i] = v[i] + perY[i];
@@ -147,7 +173,7 @@ void drawIncremental(const Triangle &triangle, RawFrame frame)
 }
 
 /// Each line from its first end, where the differences are exact.
-template <class Float>
+template <class Float, StraightRule rule>
 void drawRelative(const Triangle &triangle, RawFrame frame)
 {
     Line<Float> line[3] = {{triangle, 0}, {triangle, 1}, {triangle, 2}};
@@ -160,6 +186,7 @@ void drawRelative(const Triangle &triangle, RawFrame frame)
         line[i].b = pixels<Float>(from[i].x - to.x);
         line[i].atFacing = line[i].a * pixels<Float>(facing.x - from[i].x)
             + line[i].b * pixels<Float>(facing.y - from[i].y);
+        line[i].decideTie(rule);
     }
     const StraightBox box = straightBoxOf(triangle);
     for (std::int64_t x = box.left; x <= box.right; ++x) {
@@ -171,23 +198,39 @@ void drawRelative(const Triangle &triangle, RawFrame frame)
                         + line[i].b * pixels<Float>(y * unitsPerPixel - from[i].y))
                     / line[i].atFacing;
             }
-            if (w[0] >= Float(0) && w[1] >= Float(0) && w[2] >= Float(0))
+            if (areInside<rule>(line, w[0], w[1], w[2]))
                 *pixel = weighted(line, w[0], w[1], w[2]);
         }
     }
 }
 
+using enum StraightRule;
+
 constexpr StraightLoop rows[] = {
-    {"edge-equations", Arithmetic::Float32, false, drawEdges<float, false>},
-    {"edge-equations", Arithmetic::Float64, false, drawEdges<double, false>},
-    {"edge-equations-incremental", Arithmetic::Float32, false, drawEdges<float, true>},
-    {"edge-equations-incremental", Arithmetic::Float64, false, drawEdges<double, true>},
-    {"barycentric-rectangle", Arithmetic::Float32, false, drawRectangle<float>},
-    {"barycentric-rectangle", Arithmetic::Float64, false, drawRectangle<double>},
-    {"barycentric-incremental", Arithmetic::Float32, false, drawIncremental<float>},
-    {"barycentric-incremental", Arithmetic::Float64, false, drawIncremental<double>},
-    {"barycentric-relative", Arithmetic::Float32, false, drawRelative<float>},
-    {"barycentric-relative", Arithmetic::Float64, false, drawRelative<double>},
+    {"edge-equations", Arithmetic::Float32, SpanAxis::Column,
+     drawEdges<float, Evaluation::EverySample, Closed>,
+     drawEdges<float, Evaluation::EverySample, HalfOpen>},
+    {"edge-equations", Arithmetic::Float64, SpanAxis::Column,
+     drawEdges<double, Evaluation::EverySample, Closed>,
+     drawEdges<double, Evaluation::EverySample, HalfOpen>},
+    {"edge-equations-incremental", Arithmetic::Float32, SpanAxis::Column,
+     drawEdges<float, Evaluation::Increments, Closed>,
+     drawEdges<float, Evaluation::Increments, HalfOpen>},
+    {"edge-equations-incremental", Arithmetic::Float64, SpanAxis::Column,
+     drawEdges<double, Evaluation::Increments, Closed>,
+     drawEdges<double, Evaluation::Increments, HalfOpen>},
+    {"barycentric-rectangle", Arithmetic::Float32, SpanAxis::Column, drawRectangle<float, Closed>,
+     drawRectangle<float, HalfOpen>},
+    {"barycentric-rectangle", Arithmetic::Float64, SpanAxis::Column, drawRectangle<double, Closed>,
+     drawRectangle<double, HalfOpen>},
+    {"barycentric-incremental", Arithmetic::Float32, SpanAxis::Column,
+     drawIncremental<float, Closed>, drawIncremental<float, HalfOpen>},
+    {"barycentric-incremental", Arithmetic::Float64, SpanAxis::Column,
+     drawIncremental<double, Closed>, drawIncremental<double, HalfOpen>},
+    {"barycentric-relative", Arithmetic::Float32, SpanAxis::Column, drawRelative<float, Closed>,
+     drawRelative<float, HalfOpen>},
+    {"barycentric-relative", Arithmetic::Float64, SpanAxis::Column, drawRelative<double, Closed>,
+     drawRelative<double, HalfOpen>},
 };
 
 } // namespace

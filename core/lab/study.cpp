@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/study.h"
 
-#include "core/lab/familyaccuracy.h"
-#include "core/lab/labrace.h"
+#include "core/lab/studyplan.h"
+#include "core/lab/studyscale.h"
+
+#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -10,36 +12,26 @@ namespace pixelplumb {
 
 namespace {
 
-/// What an extent comes to.
-struct Plan {
-    AccuracyOptions accuracy;
-    RaceOptions race;
-    int rounds = 5;
-};
-
-Plan planFor(const StudySettings &settings)
+/// A path as one word of a shell's line, and never an option.
+QString quoted(const QString &path)
 {
-    Plan plan;
-    if (settings.extent == StudyExtent::Full) {
-        plan.accuracy = {600'000'000, 60, 200'000, 1'000'000, 40'000};
-        plan.race.longestDraw = 60e6;
-        plan.rounds = 7;
-    }
-    if (settings.mostSamples > 0)
-        plan.accuracy.mostSamples = settings.mostSamples;
-    if (settings.hangSeconds > 0)
-        plan.accuracy.hangSeconds = settings.hangSeconds;
-    if (settings.rounds >= 0)
-        plan.rounds = settings.rounds;
-    return plan;
+    static const QRegularExpression plain(QStringLiteral("^[A-Za-z0-9_@%+:,./-]+\\z"));
+    QString text = path;
+    if (text.startsWith(u'-') && text.size() > 1)
+        text.prepend(QStringLiteral("./"));
+    if (plain.match(text).hasMatch())
+        return text;
+    return u'\'' + text.replace(u'\'', QStringLiteral("'\\''")) + u'\'';
 }
 
+/// Empty where the scene has no name to call it by.
 QString commandFor(const StudySettings &settings)
 {
+    if (settings.ownScene && settings.ownSceneName.isEmpty())
+        return {};
     QStringList words = {QStringLiteral("pixelplumb-cli lab")};
     if (settings.ownScene)
-        words << (settings.ownSceneName.isEmpty() ? QStringLiteral("SCENE")
-                                                  : settings.ownSceneName);
+        words << quoted(settings.ownSceneName);
     words << QStringLiteral("--") + nameOf(settings.extent)
           << QStringLiteral("--seed %1").arg(settings.seed);
     if (!settings.families.isEmpty())
@@ -52,49 +44,33 @@ QString commandFor(const StudySettings &settings)
     return words.join(u' ');
 }
 
+constexpr std::int64_t driftColumns = 2003; ///< a prime
+
 class StudyRun {
 public:
     StudyRun(const StudySettings &settings, const StudyListener &listener)
-        : m_settings(settings)
-        , m_listener(listener)
-        , m_plan(planFor(settings))
+        : m_listener(listener)
+        , m_plan(studyPlanFor(settings))
+        , m_contenders(contendersFor(settings))
+        , m_families(familiesFor(settings))
+        , m_race(m_plan.race)
+        , m_times(studyTimesFor(settings, m_plan))
+        , m_scale(listener.progress, m_times.ofAll(m_families.size(), m_plan.rounds))
     {
-        m_contenders = settings.contenders;
-        if (m_contenders.empty())
-            m_contenders
-                = settings.extent == StudyExtent::Quick ? quickContenders() : fullContenders();
-    }
-
-    Study run()
-    {
-        begin();
-        m_study.isComplete = judge() && race();
-        addFits();
-        return m_study;
-    }
-
-private:
-    void begin()
-    {
-        m_study.extent = m_settings.extent;
-        m_study.seed = m_settings.seed;
+        m_study.extent = settings.extent;
+        m_study.seed = settings.seed;
         m_study.conditions = thisMachine();
-        m_study.command = commandFor(m_settings);
+        m_study.command = commandFor(settings);
         for (const LabContender &contender : m_contenders) {
-            m_study.contenders.push_back(
-                {contender.id, contender.label, contender.isProved(), contender.domain(), {}});
-        }
-        const FamilyRequest request{m_settings.seed, m_settings.extent, m_settings.ownScene,
-                                    m_settings.hardCases};
-        for (const LabFamilyInfo &info : labFamilies()) {
-            if (!m_settings.families.isEmpty()
-                && !m_settings.families.contains(QLatin1String(info.id)))
-                continue;
-            if (auto family = makeFamily(info, request))
-                m_families.push_back(std::move(*family));
+            m_study.contenders.push_back({contender.id,
+                                          contender.label,
+                                          contender.kernel,
+                                          contender.isProved(),
+                                          contender.domain(),
+                                          {}});
         }
         for (const LabFamily &family : m_families) {
-            m_parts.push_back(timedPartOf(family, m_plan.race));
+            m_parts.push_back(timedPartOf(family, {}));
             m_study.families.push_back(m_parts.back().described);
             for (const LabContender &contender : m_contenders) {
                 LabRow row;
@@ -105,29 +81,32 @@ private:
         }
     }
 
+    Study run()
+    {
+        m_study.isComplete = judgeAndStart() && finishRace() && addCurves();
+        addFits();
+        return m_study;
+    }
+
+private:
     void tellRow(std::size_t row) const
     {
         if (m_listener.rowChanged)
             m_listener.rowChanged(m_study, row);
     }
 
-    bool judge()
+    /// Judges family by family, and times each once as soon as it is judged: so results appear.
+    bool judgeAndStart()
     {
-        constexpr std::int64_t share = 1000; // of progress, a family
         m_expected.assign(m_study.rows.size(), 0);
         for (std::size_t index = 0; index < m_families.size(); ++index) {
-            const LabFamily &family = m_families[index];
-            const auto hear = [&](const JobProgress &progress) {
-                const std::int64_t within
-                    = progress.total == 0 ? 0 : share * progress.done / progress.total;
-                return goesOn(m_listener.progress,
-                              {progress.phase, std::int64_t(index) * share + within,
-                               std::int64_t(m_families.size()) * share});
-            };
             const auto tell = [&](std::size_t contender, const FamilyVerdict &verdict) {
                 take(index, contender, verdict);
             };
-            if (!judgeFamily(family, m_contenders, m_plan.accuracy, tell, hear))
+            if (!judgeFamily(m_families[index], m_contenders, m_plan.accuracy, tell,
+                             m_scale.next(m_times.judging)))
+                return false;
+            if (m_plan.rounds > 0 && !startRace(index))
                 return false;
         }
         return true;
@@ -144,43 +123,67 @@ private:
         row.firstMiss = verdict.firstMiss;
         if (verdict.operations)
             row.cost.emplace().operations = verdict.operations;
-        if (verdict.accuracy && verdict.accuracy->triangles > 0)
-            m_expected[index] = verdict.nanoseconds / double(verdict.accuracy->triangles)
-                * double(m_parts[family].triangles);
+        if (verdict.accuracy && verdict.accuracy->pixels > 0)
+            m_expected[index] = verdict.nanoseconds / double(verdict.accuracy->pixels)
+                * double(m_study.families[family].timedPixels);
         tellRow(index);
     }
 
-    bool race()
+    /// Enters those who were judged, and runs their first round.
+    bool startRace(std::size_t family)
     {
-        if (m_plan.rounds == 0)
-            return true;
-        LabRace laps(m_plan.race);
-        for (std::size_t index = 0; index < m_study.rows.size(); ++index) {
+        const std::size_t firstEntry = m_race.entries();
+        const TimedFamily &part = m_parts[family];
+        for (std::size_t who = 0; who < m_contenders.size() && part.isTimed(); ++who) {
+            const std::size_t index = family * m_contenders.size() + who;
             LabRow &row = m_study.rows[index];
-            const TimedFamily &part = m_parts[index / m_contenders.size()];
-            if (row.outcome != LabOutcome::Measured || !part.isTimed())
+            if (row.outcome != LabOutcome::Measured
+                || m_race.enter(index, m_contenders[who], part, row.settings, m_expected[index]))
                 continue;
-            if (!laps.enter(index, m_contenders[index % m_contenders.size()], part, row.settings,
-                            m_expected[index])) {
-                row.remark = QStringLiteral("not timed: a draw takes about %1 ms")
-                                 .arg(m_expected[index] / 1e6, 0, 'f', 0);
-                tellRow(index);
-            }
+            row.remark = QStringLiteral("not timed: a draw takes about %1 ms")
+                             .arg(m_expected[index] / 1e6, 0, 'f', 0);
+            tellRow(index);
         }
-        for (int round = 0; round < m_plan.rounds; ++round) {
-            const bool goesOnNow = laps.runRound(round, m_plan.rounds, m_listener.progress);
+        const bool goesOnNow = m_race.runRound(0, m_scale.next(m_times.round), firstEntry);
+        if (goesOnNow && family + 1 == m_families.size())
+            m_study.rounds = 1;
+        takeTimes();
+        return goesOnNow;
+    }
+
+    bool finishRace()
+    {
+        const double seconds = m_times.round * double(m_families.size());
+        for (int round = 1; round < m_plan.rounds; ++round) {
+            const bool goesOnNow = m_race.runRound(round, m_scale.next(seconds));
             if (goesOnNow)
                 m_study.rounds = round + 1;
-            takeTimes(laps);
+            takeTimes();
             if (!goesOnNow)
                 return false;
         }
         return true;
     }
 
-    void takeTimes(const LabRace &laps)
+    bool addCurves()
     {
-        for (const LabRace::Result &result : laps.results()) {
+        if (!m_plan.hasCurves())
+            return true;
+        auto drift = driftOver(driftColumns, m_scale.next(m_times.drift));
+        if (!drift)
+            return false;
+        m_study.drift = std::move(*drift);
+        auto growth
+            = runSizeStudy(m_plan.growing, m_plan.growthRounds, m_scale.next(m_times.growth));
+        if (!growth)
+            return false;
+        m_study.growth = std::move(*growth);
+        return true;
+    }
+
+    void takeTimes()
+    {
+        for (const LabRace::Result &result : m_race.results()) {
             LabRow &row = m_study.rows[result.row];
             if (result.failure) {
                 row.outcome = LabOutcome::Failed;
@@ -213,13 +216,15 @@ private:
         }
     }
 
-    const StudySettings &m_settings;
     const StudyListener &m_listener;
-    Plan m_plan;
+    StudyPlan m_plan;
     std::vector<LabContender> m_contenders;
     std::vector<LabFamily> m_families;
     std::vector<TimedFamily> m_parts; ///< by family
     std::vector<double> m_expected; ///< by row: ns that a draw of the timed part may take
+    LabRace m_race;
+    StudyTimes m_times;
+    StudyScale m_scale;
     Study m_study;
 };
 

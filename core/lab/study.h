@@ -5,6 +5,7 @@
 #include "core/lab/labcontender.h"
 #include "core/lab/labfamily.h"
 #include "core/lab/labfigures.h"
+#include "core/lab/sizestudy.h"
 #include "core/measure/machine.h"
 #include "core/number/jobprogress.h"
 
@@ -19,13 +20,18 @@ struct StudySettings {
     std::vector<HardCase> hardCases = {};
     QStringList families = {}; ///< ids; empty: all
     std::vector<LabContender> contenders = {}; ///< empty: those of the extent
+    std::vector<LabContender> peers = {}; ///< beside them
     /// Samples that a contender may take for the accuracy of one family; 0: the extent's.
     std::int64_t mostSamples = 0;
     /// Seconds of processor time after which a contender hangs; 0: the extent's, far more than any
     /// takes within its samples.
     double hangSeconds = 0;
     int rounds = -1; ///< of timing; below 0: the extent's; 0: nothing is timed
+    int growthRounds = -1; ///< of how times grow; below 0: the extent's; 0: no curves
 };
+
+/// s that the study takes about on two idle cores, for who waits.
+double expectedSeconds(const StudySettings &settings);
 
 enum class LabOutcome : std::uint8_t {
     Pending, ///< the study was ended before its turn
@@ -59,7 +65,8 @@ struct LabRow {
 struct StudyContender {
     QString id;
     QString label;
-    bool isProved = false;
+    LabKernel kernel = LabKernel::Plain;
+    bool isProved = false; ///< of the plain kernel (see LabContender)
     QString domain; ///< of the proof
     std::optional<CostFit> fit; ///< over the families that were timed
 
@@ -89,10 +96,12 @@ struct Study {
     StudyExtent extent = StudyExtent::Quick;
     std::uint64_t seed = 1;
     MachineConditions conditions;
-    QString command; ///< that does it again
+    QString command; ///< that does it again; empty where its scene was in no file
     std::vector<StudyContender> contenders;
     std::vector<StudyFamily> families;
     std::vector<LabRow> rows; ///< by families, each with all contenders in their order
+    std::vector<DriftCurve> drift;
+    std::vector<SizeCurve> growth;
     int rounds = 0; ///< of timing, done
     bool isComplete = false;
 
@@ -114,13 +123,16 @@ struct StudyListener {
     ProgressListener progress; ///< false ends the study, which keeps what it has
     /// A row has its accuracy, or why it has none, or why it is not timed.
     std::function<void(const Study &study, std::size_t row)> rowChanged;
-    /// Another round is over, whole or not, and all timed rows have its times.
+    /// A family's first round or another round of all is over, whole or not, and the timed rows
+    /// have its times.
     std::function<void(const Study &study)> roundDone = {};
 };
 
-/// Judges every contender on every family, then times all of them in turn, round by round. The
-/// accuracy depends on nothing but the settings: how much is judged is limited in samples, and the
-/// limit in seconds only ends what hangs. Nothing of it is thrown when a contender fails.
+/// Judges every contender on every family and times each family once as soon as it is judged, then
+/// times all of them in turn, round by round; then it measures how increments drift and how times
+/// grow. The accuracy depends on nothing but the settings: how much
+/// is judged is limited in samples, and the limit in seconds only ends what hangs. Nothing of it is
+/// thrown when a contender fails.
 Study runStudy(const StudySettings &settings, const StudyListener &listener = {});
 
 } // namespace pixelplumb

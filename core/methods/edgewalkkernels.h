@@ -32,7 +32,9 @@ struct BiasScan
     /// Narrow is also what the bias is proved for.
     static IntegerWidth widthFor(const Triangle &triangle, const FrameView &)
     {
-        return biasdomain::contains(triangle) ? integerWidthFor(triangle) : IntegerWidth::Bits128;
+        const bool isNarrow = integerWidthFor(triangle) == IntegerWidth::Bits64;
+        return isNarrow && biasdomain::containsNarrow(triangle) ? IntegerWidth::Bits64
+                                                                : IntegerWidth::Bits128;
     }
     template <class Function>
     static decltype(auto) withNumbers(const ScanSettings &settings, IntegerWidth width,

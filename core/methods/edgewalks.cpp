@@ -50,11 +50,11 @@ Method biasColumnScanMethod()
     method.title = QStringLiteral("Column scan, half-quantum bias");
     method.family = MethodFamily::StableForms;
     method.source = QStringLiteral("stable form of the Assignment (Borst) in float64");
-    method.summary = QStringLiteral(
-        "Computes y₀ + (x − x₀)·m and the plane's colours in float64 and moves "
-        "them by half the distance between their possible values before rounding: "
-        "no wrong pixel, proved up to W'·H' = 2^40 lattice units; beyond, integers "
-        "take over and the set-up says so.");
+    method.summary
+        = QStringLiteral("Computes y₀ + (x − x₀)·m and the plane's colours in float64 and moves "
+                         "them by half the distance between their possible values before rounding: "
+                         "no wrong pixel, proved for triangles in boxes of up to 2^24 px², such as "
+                         "4096 × 4096; beyond, integers take over and the set-up says so.");
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float64};
     method.stableArithmetics = {Arithmetic::Exact, Arithmetic::Float64};
     method.fillRules = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::Open};

@@ -5,6 +5,7 @@
 #include "core/methods/kernelmethod.h"
 
 #include <algorithm>
+#include <type_traits>
 
 namespace pixelplumb {
 
@@ -15,6 +16,19 @@ inline const TriangleAttributes *attributesOf(const Primitives &primitives, std:
                                                 &TriangleAttributes::triangle);
     const bool isThere = found != primitives.attributes.end() && found->triangle == triangle;
     return isThere ? &*found : nullptr;
+}
+
+/// Whether the exact fractions of its colours fit 64 bits: within 2^15 px and no wider or higher
+/// than 4096 px. Then products with coordinates stay below 2^61, numerators at samples below 2^57,
+/// and the bilinear form's products along two edges below 2^123.
+constexpr bool hasNarrowFractions(const Triangle &triangle)
+{
+    constexpr Lattice longest = 4096 * unitsPerPixel;
+    const auto &v = triangle.vertices;
+    const auto [left, right] = std::minmax({v[0].position.x, v[1].position.x, v[2].position.x});
+    const auto [low, high] = std::minmax({v[0].position.y, v[1].position.y, v[2].position.y});
+    return integerWidthFor(triangle) == IntegerWidth::Bits64 && right - left <= longest
+        && high - low <= longest;
 }
 
 struct AttributedTriangle {
@@ -38,19 +52,25 @@ struct InterpolationKernel : TriangleKernel,
     {
         // The picture shows the colour: of the other channels it needs none.
         constexpr std::size_t channels = readsNumbers<Observer> ? channelCount : colourChannelCount;
-        const auto scanIn = [&]<class Integer>() {
-            InterpolationScan<Form, Number, Integer, channels, Observer>(
+        const auto scanIn = [&]<class InNumber, class Integer>() {
+            InterpolationScan<Form, InNumber, Integer, channels, Observer>(
                 scanned.triangle, scanned.attributes, settings, frame, observer)
                 .run();
         };
-        // What is covered is the same in both; who reads the numbers has one type of them.
+        // The picture is the same in all; who reads the numbers has one type of them.
         if constexpr (!readsNumbers<Observer>) {
+            if constexpr (std::is_same_v<Number, CommonFraction>) {
+                if (hasNarrowFractions(scanned.triangle)) {
+                    scanIn.template operator()<FractionOf<std::int64_t>, std::int64_t>();
+                    return;
+                }
+            }
             if (integerWidthFor(scanned.triangle) == IntegerWidth::Bits64) {
-                scanIn.template operator()<NarrowBeside<Number>>();
+                scanIn.template operator()<Number, NarrowBeside<Number>>();
                 return;
             }
         }
-        scanIn.template operator()<WideBeside<Number>>();
+        scanIn.template operator()<Number, WideBeside<Number>>();
     }
 };
 

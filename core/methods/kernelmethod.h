@@ -8,6 +8,7 @@
 #include "core/scan/scanobserver.h"
 #include "core/trace/tracerecorder.h"
 
+#include <concepts>
 #include <memory>
 
 /// How a kernel becomes a method: methodOf<Kernel>() draws, traces and describes its numbers by it.
@@ -46,12 +47,24 @@ struct ShapeKernel {
     }
 };
 
+/// A triangle's kernel with nothing listening is compiled into one function, whatever else is
+/// compiled beside it: a call would keep its innermost numbers in memory.
+template <class Kernel, class A, class Geometry>
+[[gnu::flatten, gnu::noinline]] void drawTriangle(const Geometry &triangle,
+                                                  const ScanSettings &settings, FrameView frame)
+{
+    Kernel::template scan<A>(triangle, settings, frame, NullObserver{});
+}
+
 /// Draws one primitive, in the narrowest integers that hold it.
 template <class Kernel, class Geometry>
 void drawGeometry(const Geometry &geometry, const ScanSettings &settings, FrameView frame)
 {
     Kernel::withNumbers(settings, Kernel::widthFor(geometry, frame), [&]<class A>() {
-        Kernel::template scan<A>(geometry, settings, frame, NullObserver{});
+        if constexpr (std::derived_from<Kernel, TriangleKernel>)
+            drawTriangle<Kernel, A>(geometry, settings, frame);
+        else
+            Kernel::template scan<A>(geometry, settings, frame, NullObserver{});
     });
 }
 

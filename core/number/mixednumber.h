@@ -18,7 +18,8 @@ struct MixedNumber {
     Integer denominator = 1;
 
     /// numerator / denominator by floor division; denominator > 0, quotient within int64.
-    static constexpr MixedNumber fromFraction(Integer numerator, Integer denominator)
+    [[gnu::always_inline]] static constexpr MixedNumber fromFraction(Integer numerator,
+                                                                     Integer denominator)
     {
         const Integer whole = floorDivide(numerator, denominator);
         return {Whole(whole), numerator - whole * denominator, denominator};

@@ -8,9 +8,9 @@ namespace pixelplumb {
 
 /// {function(0), function(1), function(2)}: of three edges, three vertices, three channels. Written
 /// out, because compilers keep in memory what a loop indexes, and these are a kernel's innermost
-/// numbers.
+/// numbers; inlined by order for the same reason.
 template <class Function>
-constexpr auto threeOf(const Function &function)
+[[gnu::always_inline]] constexpr auto threeOf(const Function &function)
 {
     using Value = decltype(function(std::size_t(0)));
     return std::array<Value, 3>{function(std::size_t(0)), function(std::size_t(1)),

@@ -29,8 +29,12 @@ constexpr std::int64_t floorOf(Float value)
 template <std::floating_point Float>
 constexpr std::int64_t ceilOf(Float value)
 {
-    const std::int64_t floor = floorOf(value);
-    return floor + std::int64_t(floor < largestWhole && Float(floor) < value);
+    constexpr auto limit = Float(largestWhole);
+    if (value > -limit && value < limit) [[likely]] {
+        const auto towardsZero = std::int64_t(value);
+        return towardsZero + std::int64_t(Float(towardsZero) < value);
+    }
+    return value >= limit ? largestWhole : -largestWhole;
 }
 
 } // namespace pixelplumb

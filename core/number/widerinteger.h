@@ -10,6 +10,10 @@ namespace pixelplumb {
 template <class Integer>
 struct WiderInteger;
 template <>
+struct WiderInteger<std::int64_t> {
+    using Type = Int128;
+};
+template <>
 struct WiderInteger<Int128> {
     using Type = Int256;
 };

@@ -91,40 +91,6 @@ DifferenceMap differencesBetween(const FrameBuffer &drawn, const CoverageMask &d
     return differences;
 }
 
-/// What all spans are; Free where they differ, and where there are none.
-SpanAxis commonAxisOf(const ScanTrace &trace)
-{
-    if (trace.spanCount() == 0)
-        return SpanAxis::Free;
-    const SpanAxis axis = trace.placeOf(0).axis;
-    for (std::size_t span = 1; span < trace.spanCount(); ++span) {
-        if (trace.placeOf(span).axis != axis)
-            return SpanAxis::Free;
-    }
-    return axis;
-}
-
-void decidePositions(TracedScene &traced)
-{
-    const ScanTrace &trace = *traced.trace;
-    const FrameSpec &spec = traced.scene.frame;
-    traced.decidedAlong = commonAxisOf(trace);
-    if (traced.decidedAlong == SpanAxis::Free)
-        return;
-    const bool byColumn = traced.decidedAlong == SpanAxis::Column;
-    const std::int64_t first = byColumn ? spec.firstColumn : spec.firstRow;
-    // A column or row that the kernel never entered is decided when everything is drawn.
-    std::vector<std::size_t> decided(std::size_t(byColumn ? spec.width : spec.height), 0);
-    for (std::size_t span = 0; span < trace.spanCount(); ++span) {
-        const std::int64_t place = trace.placeOf(span).coordinate - first;
-        if (place >= 0 && place < std::int64_t(decided.size()))
-            decided[std::size_t(place)]
-                = trace.indexOfSpan(span) + 1 + trace.endSampleOf(span) - trace.firstSampleOf(span);
-    }
-    std::ranges::replace(decided, std::size_t(0), trace.stepCount());
-    traced.decidedPositions = std::move(decided);
-}
-
 /// The spans of the same run in exact arithmetic, to stand beside a rounding trace. Gives up
 /// without a word at the limits: the exact numbers are then none.
 std::unique_ptr<const ScanTrace> exactTwinOf(const Method &method, const Primitives &primitives,
@@ -146,13 +112,24 @@ std::unique_ptr<const ScanTrace> exactTwinOf(const Method &method, const Primiti
 
 } // namespace
 
-std::size_t TracedScene::decidedAt(std::int64_t x, std::int64_t y) const
+std::optional<TracedScene::WrongPixel> TracedScene::firstWrongPixel() const
 {
-    const std::int64_t place
-        = decidedAlong == SpanAxis::Column ? x - scene.frame.firstColumn : y - scene.frame.firstRow;
-    if (place < 0 || place >= std::int64_t(decidedPositions.size()))
-        return trace->stepCount();
-    return decidedPositions[std::size_t(place)];
+    std::optional<WrongPixel> first;
+    if (differences.total() == 0)
+        return first;
+    const FrameSpec &spec = scene.frame;
+    for (std::int64_t y = spec.firstRow; y < std::int64_t(spec.firstRow) + spec.height; ++y) {
+        const std::span<const Difference> row = differences.row(y);
+        for (std::size_t column = 0; column < row.size(); ++column) {
+            if (row[column] == Difference::None)
+                continue;
+            const std::int64_t x = spec.firstColumn + std::int64_t(column);
+            const std::size_t position = decidedAt(x, y);
+            if (!first || position < first->decidedAt)
+                first = {x, y, position};
+        }
+    }
+    return first;
 }
 
 std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOptions &options)
@@ -179,7 +156,7 @@ std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOpt
         : differencesBetween(drawn, coverageOf(trace, scene.frame), traced->truth);
     for (std::int64_t y = truth.firstRow; y < truth.endRow(); ++y)
         makeOpaque(truth.at(truth.firstColumn, y), truth.width);
-    decidePositions(*traced);
+    traced->decided = {trace, traced->differences, scene.frame};
     traced->marks = marksOf(*traced);
     return traced;
 }

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/methods/method.h"
-#include "core/runs/differencemap.h"
+#include "core/runs/decidedpositions.h"
 #include "core/scene/scene.h"
 #include "core/trace/tracecursor.h"
 
@@ -50,13 +50,18 @@ struct TracedScene {
     DifferenceMap differences; ///< of the finished picture
     std::vector<TraceMark> marks; ///< ascending steps; ties and clamps at most one a span
 
-    /// The position from which on a pixel's difference is decided: the end of the last span on its
-    /// column or row, or of the whole run where spans are neither.
-    std::size_t decidedAt(std::int64_t x, std::int64_t y) const;
+    DecidedPositions decided;
 
-    SpanAxis decidedAlong = SpanAxis::Free; ///< what all spans are
-    /// By x − firstColumn or y − firstRow; empty where spans are neither.
-    std::vector<std::size_t> decidedPositions;
+    /// The position from which on a pixel's difference is decided (see DecidedPositions).
+    std::size_t decidedAt(std::int64_t x, std::int64_t y) const { return decided.at(x, y); }
+
+    struct WrongPixel {
+        std::int64_t x = 0;
+        std::int64_t y = 0;
+        std::size_t decidedAt = 0;
+    };
+    /// The first one that is decided, in the order of drawing; none where the picture is true.
+    std::optional<WrongPixel> firstWrongPixel() const;
 };
 
 /// The exact numbers for which the cells of a set-up or a span stand, in the same order; none where

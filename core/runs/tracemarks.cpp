@@ -9,37 +9,6 @@ namespace pixelplumb {
 
 namespace {
 
-/// The step after which the first wrong pixel stands in the frame.
-std::optional<std::size_t> firstDifferenceOf(const TracedScene &traced)
-{
-    if (traced.differences.total() == 0 || traced.trace->stepCount() == 0)
-        return std::nullopt;
-    const ScanTrace &trace = *traced.trace;
-    std::size_t first = trace.stepCount() - 1;
-    for (std::size_t sample = 0; sample < trace.sampleCount(); ++sample) {
-        const PixelChange &change = trace.changes()[sample];
-        const Difference kind = traced.differences.at(change.x, change.y);
-        if (change.isWritten() && (kind == Difference::Extra || kind == Difference::Colour)) {
-            first = trace.indexOfSample(sample);
-            break;
-        }
-    }
-    if (traced.differences.count(Difference::Missing) == 0)
-        return first;
-    const FrameSpec &spec = traced.scene.frame;
-    for (std::int64_t y = spec.firstRow; y < std::int64_t(spec.firstRow) + spec.height; ++y) {
-        for (std::int64_t x = spec.firstColumn; x < std::int64_t(spec.firstColumn) + spec.width;
-             ++x) {
-            if (traced.differences.at(x, y) != Difference::Missing)
-                continue;
-            const std::size_t decided = traced.decidedAt(x, y);
-            if (decided > 0)
-                first = std::min(first, decided - 1);
-        }
-    }
-    return first;
-}
-
 Triangle mirrored(Triangle triangle)
 {
     for (Vertex &vertex : triangle.vertices)
@@ -87,8 +56,8 @@ std::vector<TraceMark> marksOf(const TracedScene &traced)
             marks.push_back({trace.indexOfSample(sample), MarkKind::Clamp});
         lastClampSpan = span;
     }
-    if (const std::optional<std::size_t> step = firstDifferenceOf(traced))
-        marks.push_back({*step, MarkKind::FirstDifference});
+    if (const auto wrong = traced.firstWrongPixel(); wrong && wrong->decidedAt > 0)
+        marks.push_back({wrong->decidedAt - 1, MarkKind::FirstDifference});
     std::ranges::stable_sort(marks, {}, &TraceMark::step);
     return marks;
 }

@@ -34,12 +34,8 @@ constexpr bool containsPlane(const Triangle &triangle)
     return Int128(right - left) * (high - low) <= largestArea;
 }
 
-constexpr bool contains(const Triangle &triangle)
-{
-    const auto &v = triangle.vertices;
-    return containsPlane(triangle) && containsEdge(v[0].position, v[1].position)
-        && containsEdge(v[1].position, v[2].position) && containsEdge(v[2].position, v[0].position);
-}
+/// Up to 2^15 px: the edges lie in the box, and W'·max|Y| <= 2^24·2^23.
+constexpr bool containsNarrow(const Triangle &triangle) { return containsPlane(triangle); }
 
 } // namespace biasdomain
 
@@ -58,14 +54,19 @@ struct BiasArithmetic {
 
     static constexpr bool represents(const LatticePoint &) { return true; }
 
-    static Number edgeOrdinate(const Vertex &a, const Vertex &b, std::int64_t column)
+    /// The way from a vertex to a column, lattice units.
+    static Lattice runTo(std::int64_t column, const Vertex &a)
+    {
+        return column * unitsPerPixel - a.position.x;
+    }
+    static Number edgeOrdinate(const Vertex &a, const Vertex &b, Lattice run, const Number &slope)
     {
         if constexpr (canBeExact) {
-            if (!biasdomain::containsEdge(a.position, b.position))
-                return Exact::edgeOrdinate(a, b, column);
+            if (slope.isExact)
+                return Exact::edgeOrdinate(a, b, run, slope.exact);
         }
         const Lattice width = b.position.x - a.position.x;
-        return BiasNumber{inPixels(a.position.y), runTo(column, a), slopeOf(a, b),
+        return BiasNumber{inPixels(a.position.y), inPixels(run), biasedOf(slope).value(),
                           0.5 / (double(width == 0 ? 1 : width) * double(unitsPerPixel))};
     }
     static Number edgeSlope(const Vertex &a, const Vertex &b)
@@ -76,16 +77,16 @@ struct BiasArithmetic {
         }
         return BiasNumber{slopeOf(a, b)};
     }
-    static Number edgeColour(const Vertex &a, const Vertex &b, std::size_t channel,
-                             std::int64_t column)
+    static Number edgeColour(const Vertex &a, const Vertex &b, std::size_t channel, Lattice run,
+                             const Number &rate)
     {
         if constexpr (canBeExact) {
-            if (!biasdomain::containsEdge(a.position, b.position))
-                return Exact::edgeColour(a, b, channel, column);
+            if (rate.isExact)
+                return Exact::edgeColour(a, b, channel, run, rate.exact);
         }
         const Lattice width = b.position.x - a.position.x;
-        return BiasNumber{double(a.colour.channels[channel]), runTo(column, a),
-                          colourRateOf(a, b, channel), 0.25 / double(width == 0 ? 1 : width)};
+        return BiasNumber{double(a.colour.channels[channel]), inPixels(run), biasedOf(rate).value(),
+                          0.25 / double(width == 0 ? 1 : width)};
     }
     static Number edgeColourRate(const Vertex &a, const Vertex &b, std::size_t channel)
     {
@@ -113,6 +114,8 @@ struct BiasArithmetic {
 
     class ColourRamp {
     public:
+        static constexpr bool readsEdges = false;
+
         ColourRamp(const Vertex &p0, const Vertex &p1, const Vertex &p2)
             : m_p0(&p0)
             , m_p2(&p2)
@@ -132,6 +135,7 @@ struct BiasArithmetic {
             const Lattice area = x1 * y2 - x2 * y1;
             m_hasPlane = area != 0;
             m_bias = m_hasPlane ? 0.25 / double(absolute(area)) : 0;
+            m_origin = threeOf([&](std::size_t i) { return double(p0.colour.channels[i]); });
             for (std::size_t channel = 0; channel < 3 && m_hasPlane; ++channel) {
                 const Lattice c0 = p0.colour.channels[channel];
                 const Lattice c1 = p1.colour.channels[channel] - c0;
@@ -142,41 +146,45 @@ struct BiasArithmetic {
         }
 
         template <class ColumnState>
-        Number rate(const ColumnState &column, std::size_t channel) const
+        [[gnu::always_inline]] std::array<Number, 3> rates(const ColumnState &column) const
         {
             if constexpr (canBeExact) {
                 if (m_hasPlane && m_exact)
-                    return m_exact->rate(ExactPlace{column.x, {}}, channel);
-                if (!m_hasPlane && !isVertical() && column.colourBottom[channel].isExact)
-                    return MixedNumber<Int128>{0, 0,
-                                               column.colourBottom[channel].exact.denominator};
+                    return numbersOf(m_exact->rates(ExactPlace{column.x, {}}));
             }
-            if (m_hasPlane)
-                return BiasNumber{m_perRow[channel]};
-            return BiasNumber{isVertical() ? segmentRate(channel) : 0};
+            return threeOf([&](std::size_t channel) -> Number {
+                if (m_hasPlane)
+                    return BiasNumber{m_perRow[channel]};
+                if (isVertical())
+                    return BiasNumber{segmentRate(channel)};
+                if constexpr (canBeExact) {
+                    if (column.colourBottom[channel].isExact)
+                        return MixedNumber<Int128>{0, 0,
+                                                   column.colourBottom[channel].exact.denominator};
+                }
+                return BiasNumber{};
+            });
         }
 
         template <class ColumnState>
-        Number start(const ColumnState &column, std::size_t channel, std::int64_t row) const
+        [[gnu::always_inline]] std::array<Number, 3> starts(const ColumnState &column,
+                                                            std::int64_t row) const
         {
             if (!m_hasPlane && !isVertical())
-                return column.colourBottom[channel];
+                return column.colourBottom;
             if constexpr (canBeExact) {
                 if (m_hasPlane && m_exact)
-                    return m_exact->start(ExactPlace{column.x, {}}, channel, row);
+                    return numbersOf(m_exact->starts(ExactPlace{column.x, {}}, row));
             }
-            BiasNumber number;
-            number.origin = double(m_p0->colour.channels[channel]);
-            number.run = inPixels(row * unitsPerPixel - m_p0->position.y);
-            if (m_hasPlane) {
-                number.origin += m_perColumn[channel] * runTo(column.x, *m_p0);
-                number.rate = m_perRow[channel];
-                number.bias = m_bias;
-            } else {
-                number.rate = segmentRate(channel);
-                number.bias = 0.25 / double(m_p2->position.y - m_p0->position.y);
-            }
-            return number;
+            const double run = inPixels(row * unitsPerPixel - m_p0->position.y);
+            const double along = inPixels(runTo(column.x, *m_p0));
+            return threeOf([&](std::size_t channel) -> Number {
+                if (m_hasPlane)
+                    return BiasNumber{m_origin[channel] + m_perColumn[channel] * along, run,
+                                      m_perRow[channel], m_bias};
+                return BiasNumber{m_origin[channel], run, segmentRate(channel),
+                                  0.25 / double(m_p2->position.y - m_p0->position.y)};
+            });
         }
 
     private:
@@ -185,6 +193,10 @@ struct BiasArithmetic {
             std::int64_t x;
             std::array<MixedNumber<Int128>, 3> colourBottom;
         };
+        static std::array<Number, 3> numbersOf(const std::array<MixedNumber<Int128>, 3> &exact)
+        {
+            return threeOf([&](std::size_t channel) { return Number(exact[channel]); });
+        }
 
         /// Of a triangle of zero area: all samples lie on one column.
         bool isVertical() const
@@ -202,16 +214,15 @@ struct BiasArithmetic {
         std::optional<Exact::ColourRamp> m_exact; ///< beyond the proved domain
         bool m_hasPlane = false;
         double m_bias = 0; ///< of the plane, levels
+        std::array<double, 3> m_origin = {}; ///< levels of P0
         std::array<double, 3> m_perColumn = {}; ///< levels
         std::array<double, 3> m_perRow = {};
     };
 
 private:
     static double inPixels(Lattice units) { return double(units) / double(unitsPerPixel); }
-    static double runTo(std::int64_t column, const Vertex &a)
-    {
-        return inPixels(column * unitsPerPixel - a.position.x);
-    }
+    static const BiasNumber &biasedOf(const BiasNumber &number) { return number; }
+    static const BiasNumber &biasedOf(const BiasOrExactNumber &number) { return number.biased; }
     /// px per column; 0 of a vertical edge.
     static double slopeOf(const Vertex &a, const Vertex &b)
     {

@@ -4,6 +4,7 @@
 #include "core/frame/frameview.h"
 #include "core/frame/levelpixel.h"
 #include "core/scan/columnstate.h"
+#include "core/scan/edgewalker.h"
 #include "core/scan/exactarithmetic.h"
 #include "core/scan/interval.h"
 #include "core/scan/roundedarithmetic.h"
@@ -11,6 +12,7 @@
 #include "core/scan/workstage.h"
 
 #include <algorithm>
+#include <type_traits>
 
 /// Column-wise scan conversion of a smoothly shaded triangle (Assignment (Borst), "The Triangle
 /// Awakens"). Walk the columns from left to right; on each, the triangle is the interval from y_B
@@ -22,34 +24,6 @@
 /// This is the traced and the plain drawing. Untraced pictures in exact arithmetic and in float32
 /// come from core/fast, whose kernels are tested to write the same bytes.
 namespace pixelplumb {
-
-/// One edge under way: y and the colour where it meets the current column.
-template <class A>
-struct EdgeWalker {
-    typename A::Number y;
-    typename A::Number slope; ///< px per column
-    std::array<typename A::Number, 3> colour; ///< levels
-    std::array<typename A::Number, 3> colourRate; ///< levels per column
-
-    /// The edge from a to b where it meets a column: at a itself, or after a pre-step when a lies
-    /// between columns or outside the frame. A jump costs what a step costs.
-    EdgeWalker(const Vertex &a, const Vertex &b, std::int64_t column)
-        : y(A::edgeOrdinate(a, b, column))
-        , slope(A::edgeSlope(a, b))
-    {
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            colour[channel] = A::edgeColour(a, b, channel, column);
-            colourRate[channel] = A::edgeColourRate(a, b, channel);
-        }
-    }
-
-    void stepToNextColumn()
-    {
-        A::advance(y, slope);
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            A::advance(colour[channel], colourRate[channel]);
-    }
-};
 
 /// Colours the rows of one column, bottom to top. The column's state is all it reads, so that a
 /// column can be drawn again, alone, with the same numbers.
@@ -83,10 +57,10 @@ public:
     ColumnScan(const Triangle &triangle, ScanIntervals intervals, ByteRounding rounding, View frame,
                Observer observer)
         : m_intervals(intervals)
-        , m_setUp(setUpFor(triangle, intervals.columns))
-        , m_p0(triangle.vertices[std::size_t(m_setUp.order[0])])
-        , m_p1(triangle.vertices[std::size_t(m_setUp.order[1])])
-        , m_p2(triangle.vertices[std::size_t(m_setUp.order[2])])
+        , m_range(rangeOf(triangle, intervals.columns))
+        , m_p0(triangle.vertices[std::size_t(m_range.order[0])])
+        , m_p1(triangle.vertices[std::size_t(m_range.order[1])])
+        , m_p2(triangle.vertices[std::size_t(m_range.order[2])])
         , m_ramp(m_p0, m_p1, m_p2)
         , m_rounding(rounding)
         , m_frame(frame)
@@ -94,50 +68,54 @@ public:
     {
     }
 
-    void run()
+    [[gnu::always_inline]] void run()
     {
         if (!isRepresentable()) {
-            m_observer.primitiveBegun(m_setUp);
+            m_observer.primitiveBegun(ColumnSetUp<A>{m_range, {}, {}});
             m_observer.primitiveRejected(PrimitiveRejection::NotRepresentable);
             return;
         }
-        computeRates();
-        m_observer.primitiveBegun(m_setUp);
-        if (m_setUp.zeroArea && m_intervals.columns != Interval::Closed) {
+        m_observer.primitiveBegun(setUp());
+        if (m_range.zeroArea && m_intervals.columns != Interval::Closed) {
             m_observer.primitiveRejected(PrimitiveRejection::ZeroArea);
             return;
         }
-        const std::int64_t first = std::max<std::int64_t>(m_setUp.firstColumn, m_frame.firstColumn);
-        const std::int64_t end = std::min(m_setUp.endColumn, m_frame.endColumn());
+        const std::int64_t first = std::max<std::int64_t>(m_range.firstColumn, m_frame.firstColumn);
+        const std::int64_t end = std::min(m_range.endColumn, m_frame.endColumn());
         if (first >= end || isAboveOrBelowFrame()) {
             m_observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
             return;
         }
-        if (m_setUp.zeroArea) {
-            scanSegment(first, end);
+        if (m_range.zeroArea) {
+            scanSegment(*this, first, end);
             return;
         }
-        const std::int64_t middle = std::clamp(m_setUp.middleColumn, first, end);
-        EdgeWalker<A> longEdge(m_p0, m_p2, first);
-        scanHalf(ColumnHalf::First, first, middle, EdgeWalker<A>(m_p0, m_p1, first), longEdge);
-        scanHalf(ColumnHalf::Second, middle, end, EdgeWalker<A>(m_p1, m_p2, middle), longEdge);
+        const std::int64_t middle = std::clamp(m_range.middleColumn, first, end);
+        Walker longEdge(m_p0, m_p2, first);
+        scanHalf(ColumnHalf::First, first, middle, Walker(m_p0, m_p1, first), longEdge);
+        scanHalf(ColumnHalf::Second, middle, end, Walker(m_p1, m_p2, middle), longEdge);
     }
 
 private:
-    static ColumnSetUp<A> setUpFor(const Triangle &triangle, Interval columns)
+    static constexpr bool walksColours = A::ColourRamp::readsEdges || readsNumbers<Observer>;
+    /// In a triangle that has area.
+    using Walker
+        = EdgeWalker<A, std::conditional_t<walksColours, EdgeColours<A>, NoEdgeColours<A>>>;
+
+    static ColumnRange rangeOf(const Triangle &triangle, Interval columns)
     {
-        ColumnSetUp<A> setUp;
-        setUp.order = sortedByColumn(triangle);
+        ColumnRange range;
+        range.order = sortedByColumn(triangle);
         const auto position = [&](std::size_t corner) {
-            return triangle.vertices[std::size_t(setUp.order[corner])].position;
+            return triangle.vertices[std::size_t(range.order[corner])].position;
         };
         const Int128 area = doubledArea(position(0), position(1), position(2));
-        setUp.zeroArea = area == 0;
-        setUp.longEdge = area >= 0 ? LongEdge::Above : LongEdge::Below;
-        setUp.firstColumn = firstSampleFrom(position(0).x, columns);
-        setUp.middleColumn = ceilPixel(position(1).x);
-        setUp.endColumn = endSampleAt(position(2).x, columns);
-        return setUp;
+        range.zeroArea = area == 0;
+        range.longEdge = area >= 0 ? LongEdge::Above : LongEdge::Below;
+        range.firstColumn = firstSampleFrom(position(0).x, columns);
+        range.middleColumn = ceilPixel(position(1).x);
+        range.endColumn = endSampleAt(position(2).x, columns);
+        return range;
     }
 
     bool isRepresentable() const
@@ -146,42 +124,52 @@ private:
             && A::represents(m_p2.position);
     }
 
-    void computeRates()
+    /// With the quotients that the walkers start with, for who reads them.
+    ColumnSetUp<A> setUp() const
     {
-        const std::array<std::array<const Vertex *, 2>, 3> edges
-            = {{{&m_p0, &m_p1}, {&m_p1, &m_p2}, {&m_p0, &m_p2}}};
-        for (std::size_t edge = 0; edge < 3; ++edge) {
-            const Vertex &a = *edges[edge][0];
-            const Vertex &b = *edges[edge][1];
-            m_setUp.slope[edge] = A::edgeSlope(a, b);
-            for (std::size_t channel = 0; channel < 3; ++channel)
-                m_setUp.colourRate[edge][channel] = A::edgeColourRate(a, b, channel);
+        ColumnSetUp<A> setUp{m_range, {}, {}};
+        if constexpr (readsNumbers<Observer>) {
+            const std::array<std::array<const Vertex *, 2>, 3> edges
+                = {{{&m_p0, &m_p1}, {&m_p1, &m_p2}, {&m_p0, &m_p2}}};
+            for (std::size_t edge = 0; edge < 3; ++edge) {
+                const Vertex &a = *edges[edge][0];
+                const Vertex &b = *edges[edge][1];
+                setUp.slope[edge] = A::edgeSlope(a, b);
+                for (std::size_t channel = 0; channel < 3; ++channel)
+                    setUp.colourRate[edge][channel] = A::edgeColourRate(a, b, channel);
+            }
         }
+        return setUp;
     }
 
+    /// Asked of one vertex after the other: mostly the first one answers.
     bool isAboveOrBelowFrame() const
     {
-        const auto [lowest, highest]
-            = std::minmax({m_p0.position.y, m_p1.position.y, m_p2.position.y});
-        return ceilPixel(lowest) >= m_frame.endRow() || floorPixel(highest) < m_frame.firstRow;
+        const auto all = [&](const auto &isThere) {
+            return isThere(m_p0.position.y) && isThere(m_p1.position.y) && isThere(m_p2.position.y);
+        };
+        return all([&](Lattice y) { return y > (m_frame.endRow() - 1) * unitsPerPixel; })
+            || all([&](Lattice y) { return y < m_frame.firstRow * unitsPerPixel; });
     }
 
     /// Zero area, closed rule: both bounds of every column are L₀₂; a vertical segment, where every
     /// edge stays at its first vertex, is the one column from P0 to P2. Where x₀ = x₁ there is no
     /// first half.
-    void scanSegment(std::int64_t first, std::int64_t end)
+    [[gnu::noinline]] static void scanSegment(ColumnScan scan, std::int64_t first, std::int64_t end)
     {
-        const Vertex &upper = m_p0.position.x == m_p2.position.x ? m_p2 : m_p0;
-        EdgeWalker<A> longEdge(upper, m_p2, first);
+        const Vertex &p0 = scan.m_p0;
+        const Vertex &p2 = scan.m_p2;
+        EdgeWalker<A> longEdge(p0.position.x == p2.position.x ? p2 : p0, p2, first);
         const ColumnHalf half
-            = m_p0.position.x == m_p1.position.x ? ColumnHalf::Second : ColumnHalf::First;
-        scanHalf(half, first, end, EdgeWalker<A>(m_p0, m_p2, first), longEdge);
+            = p0.position.x == scan.m_p1.position.x ? ColumnHalf::Second : ColumnHalf::First;
+        scan.scanHalf(half, first, end, EdgeWalker<A>(p0, p2, first), longEdge);
     }
 
     /// The columns [first, end) between L₀₂ and the short edge of this half. L₀₂ is not started
     /// again at x₁: it goes on adding its slope.
-    void scanHalf(ColumnHalf half, std::int64_t first, std::int64_t end, EdgeWalker<A> shortEdge,
-                  EdgeWalker<A> &longEdge)
+    template <class AnyWalker>
+    [[gnu::always_inline]] void scanHalf(ColumnHalf half, std::int64_t first, std::int64_t end,
+                                         AnyWalker shortEdge, AnyWalker &longEdge)
     {
         for (std::int64_t x = first; x < end; ++x) {
             [[maybe_unused]] const WorkScope span(m_observer, WorkStage::Span);
@@ -194,7 +182,8 @@ private:
     /// The assignment has y_B ≤ y_T in each column: where rounding has taken the edges past each
     /// other, as it does near the last vertex, the column reaches from the one to the other all the
     /// same. Under the other rules such a column holds no sample.
-    LongEdge sideOfLongEdge(const EdgeWalker<A> &shortEdge, const EdgeWalker<A> &longEdge) const
+    template <class AnyWalker>
+    LongEdge sideOfLongEdge(const AnyWalker &shortEdge, const AnyWalker &longEdge) const
     {
         if constexpr (A::boundsMayCross) {
             const bool isClosed = m_intervals.rows == Interval::Closed;
@@ -203,38 +192,36 @@ private:
             if (isClosed && shortEdge.y < longEdge.y)
                 return LongEdge::Above;
         }
-        return m_setUp.longEdge;
+        return m_range.longEdge;
     }
 
+    template <class AnyWalker>
     [[gnu::always_inline]] void scanColumn(ColumnHalf half, std::int64_t x,
-                                           const EdgeWalker<A> &shortEdge,
-                                           const EdgeWalker<A> &longEdge)
+                                           const AnyWalker &shortEdge, const AnyWalker &longEdge)
     {
         ColumnState<A> column;
         column.x = x;
         column.half = half;
         column.longEdge = sideOfLongEdge(shortEdge, longEdge);
         const bool longAbove = column.longEdge == LongEdge::Above;
-        const EdgeWalker<A> &bottom = longAbove ? shortEdge : longEdge;
-        const EdgeWalker<A> &top = longAbove ? longEdge : shortEdge;
+        const AnyWalker &bottom = longAbove ? shortEdge : longEdge;
+        const AnyWalker &top = longAbove ? longEdge : shortEdge;
         column.yBottom = bottom.y;
         column.yTop = top.y;
-        column.colourBottom = bottom.colour;
-        column.colourTop = top.colour;
+        bottom.showAt(column.colourBottom);
+        top.showAt(column.colourTop);
         column.firstRow = ownsFirst(m_intervals.rows) ? A::ceil(bottom.y) : A::floor(bottom.y) + 1;
         column.endRow = ownsLast(m_intervals.rows) ? A::floor(top.y) + 1 : A::ceil(top.y);
         column.firstDrawnRow = std::max<std::int64_t>(column.firstRow, m_frame.firstRow);
         column.endDrawnRow = std::min(column.endRow, m_frame.endRow());
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            column.colourRate[channel] = m_ramp.rate(column, channel);
-            column.firstColour[channel] = m_ramp.start(column, channel, column.firstDrawnRow);
-        }
+        column.colourRate = m_ramp.rates(column);
+        column.firstColour = m_ramp.starts(column, column.firstDrawnRow);
         m_observer.spanEntered(column);
         fillColumn(column, m_rounding, m_frame, m_observer);
     }
 
     ScanIntervals m_intervals;
-    ColumnSetUp<A> m_setUp;
+    ColumnRange m_range;
     const Vertex &m_p0;
     const Vertex &m_p1;
     const Vertex &m_p2;

@@ -18,15 +18,19 @@ enum class SortedEdge { L01, L12, L02 };
 /// Which side of the triangle the long edge L₀₂ bounds.
 enum class LongEdge { Above, Below };
 
-/// Everything that is computed once for a triangle.
-template <class A>
-struct ColumnSetUp {
+/// Which columns a triangle has, and which way it lies.
+struct ColumnRange {
     std::array<int, 3> order = {}; ///< indices of P0, P1, P2 in the caller's triangle
     LongEdge longEdge = LongEdge::Above;
     bool zeroArea = false;
     std::int64_t firstColumn = 0; ///< ⌈x₀⌉, or ⌊x₀⌋ + 1 where x₀ itself is not scanned
     std::int64_t middleColumn = 0; ///< ⌈x₁⌉: the first column of the second half
     std::int64_t endColumn = 0; ///< one past the last column
+};
+
+/// Everything that is computed once for a triangle.
+template <class A>
+struct ColumnSetUp : ColumnRange {
     std::array<typename A::Number, 3> slope
         = {}; ///< px per column, by SortedEdge; 0 for a vertical edge
     /// Levels per column, [SortedEdge][channel].

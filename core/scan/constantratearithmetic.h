@@ -41,6 +41,8 @@ struct ConstantRateArithmetic : Base {
         using Integer = WideBeside<Number>;
 
     public:
+        static constexpr bool readsEdges = Base::ColourRamp::readsEdges;
+
         ColourRamp(const Vertex &p0, const Vertex &p1, const Vertex &p2)
             : m_ofColumn(p0, p1, p2)
         {
@@ -62,14 +64,15 @@ struct ConstantRateArithmetic : Base {
 
         /// A triangle of zero area has no plane and keeps its columns' own rates.
         template <class ColumnState>
-        Number rate(const ColumnState &column, std::size_t channel) const
+        [[gnu::always_inline]] std::array<Number, 3> rates(const ColumnState &column) const
         {
-            return m_hasPlane ? m_rate[channel] : m_ofColumn.rate(column, channel);
+            return m_hasPlane ? m_rate : m_ofColumn.rates(column);
         }
         template <class ColumnState>
-        Number start(const ColumnState &column, std::size_t channel, std::int64_t row) const
+        [[gnu::always_inline]] std::array<Number, 3> starts(const ColumnState &column,
+                                                            std::int64_t row) const
         {
-            return m_ofColumn.start(column, channel, row);
+            return m_ofColumn.starts(column, row);
         }
 
     private:

@@ -38,8 +38,8 @@ struct EdgeLine {
     int sign = 1; ///< −1 after a flip
 
     EdgeLine() = default;
-    EdgeLine(LineForm form, const LatticePoint &p, const LatticePoint &q,
-             const LatticePoint &common)
+    [[gnu::always_inline]] EdgeLine(LineForm form, const LatticePoint &p, const LatticePoint &q,
+                                    const LatticePoint &common)
     {
         switch (form) {
         case LineForm::Absolute:
@@ -68,7 +68,7 @@ struct EdgeLine {
     /// The value at a point. The stable forms subtract on the lattice, where nothing rounds; the
     /// literal one subtracts the rounded coordinates.
     template <LineForm form>
-    Number valueAt(const LatticePoint &point) const
+    [[gnu::always_inline]] Number valueAt(const LatticePoint &point) const
     {
         if constexpr (form == LineForm::Absolute || form == LineForm::Solved)
             return a * A::length(point.x) + b * A::length(point.y) + c;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/number/three.h"
 #include "core/scan/boundaryrule.h"
 #include "core/scan/edgeteststate.h"
 
@@ -30,7 +31,8 @@ constexpr int signOf(Number number)
 /// the others look to which side the rule's displacement takes it, or on which side of the line the
 /// off-screen point lies.
 template <class A, EdgeTestForm form>
-bool ownsTie(const EdgeTestSetUp<A> &setUp, std::size_t line, const BoundaryRule &rule)
+[[gnu::always_inline]] inline bool ownsTie(const EdgeTestSetUp<A> &setUp, std::size_t line,
+                                           const BoundaryRule &rule)
 {
     const EdgeLine<A> &edge = setUp.lines[line];
     const int inside = signOf(setUp.atOpposite[line]);
@@ -62,46 +64,57 @@ typename A::Ratio weightedLevel(const EdgeTestSetUp<A> &setUp,
 
 /// What one step of x and of y adds to the weights and the levels.
 template <class A>
-void setIncrements(EdgeTestSetUp<A> &setUp)
+[[gnu::always_inline]] inline void setIncrements(EdgeTestSetUp<A> &setUp)
 {
     const typename A::Number step = A::length(unitsPerPixel);
-    for (std::size_t line = 0; line < 3; ++line) {
-        const typename A::Number whole = setUp.atOpposite[line];
-        setUp.weightPerX[line] = A::ratio(setUp.lines[line].a * step, whole);
-        setUp.weightPerY[line] = A::ratio(setUp.lines[line].b * step, whole);
-    }
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        setUp.colourPerX[channel] = weightedLevel(setUp, setUp.weightPerX, channel);
-        setUp.colourPerY[channel] = weightedLevel(setUp, setUp.weightPerY, channel);
-    }
+    const auto weight = [&](const typename A::Number &change, std::size_t line) {
+        return A::ratio(change * step, typename A::Divisor(setUp.atOpposite[line]));
+    };
+    const auto colour = [&](const std::array<typename A::Ratio, 3> &weights) {
+        return threeOf([&](std::size_t channel) { return weightedLevel(setUp, weights, channel); });
+    };
+    setUp.weightPerX = threeOf([&](std::size_t i) { return weight(setUp.lines[i].a, i); });
+    setUp.weightPerY = threeOf([&](std::size_t i) { return weight(setUp.lines[i].b, i); });
+    setUp.colourPerX = colour(setUp.weightPerX);
+    setUp.colourPerY = colour(setUp.weightPerY);
 }
 
+/// One line of the set-up.
 template <class A, EdgeTestForm form>
-EdgeTestSetUp<A> edgeTestSetUp(const Triangle &triangle, const BoundaryRule &rule, FrameView frame)
+[[gnu::always_inline]] inline void setLine(EdgeTestSetUp<A> &setUp, std::size_t line,
+                                           const BoundaryRule &rule)
+{
+    const EdgeEnds ends = edgeEndsOf(form, line);
+    const auto position = [&](std::size_t vertex) { return setUp.vertices[vertex].position; };
+    EdgeLine<A> &edge = setUp.lines[line];
+    edge = EdgeLine<A>(form.line, position(ends.from), position(ends.to), position(2));
+    setUp.facing[line] = threeOf([&](std::size_t channel) {
+        return typename A::Level(setUp.vertices[ends.opposite].colour.channels[channel]);
+    });
+    setUp.atOpposite[line] = edge.template valueAt<form.line>(position(ends.opposite));
+    if (!form.isBarycentric() && setUp.atOpposite[line] < typename A::Number(0)) {
+        edge.flip();
+        setUp.atOpposite[line] = typename A::Number(0) - setUp.atOpposite[line];
+    }
+    setUp.ownsTie[line] = ownsTie<A, form>(setUp, line, rule);
+}
+
+/// Inlined by order, and without loops over the lines: a kernel's innermost numbers stay in
+/// registers only where nothing looks for them by an index.
+template <class A, EdgeTestForm form>
+[[gnu::always_inline]] inline EdgeTestSetUp<A> edgeTestSetUp(const Triangle &triangle,
+                                                             const BoundaryRule &rule,
+                                                             FrameView frame)
 {
     EdgeTestSetUp<A> setUp;
     setUp.vertices = triangle.vertices;
     setUp.zeroArea = doubledArea(triangle) == 0;
-    if (setUp.zeroArea)
-        setUp.segment = DegenerateSegment(triangle);
     setUp.visited
         = form.visited == VisitedSamples::Frame ? samplesOf(frame) : boundingBoxOf(triangle);
     setUp.tested = intersection(setUp.visited, samplesOf(frame));
-    const auto position = [&](std::size_t vertex) { return triangle.vertices[vertex].position; };
-    for (std::size_t line = 0; line < 3; ++line) {
-        const EdgeEnds ends = edgeEndsOf(form, line);
-        EdgeLine<A> &edge = setUp.lines[line];
-        edge = EdgeLine<A>(form.line, position(ends.from), position(ends.to), position(2));
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            setUp.facing[line][channel] =
-                typename A::Level(triangle.vertices[ends.opposite].colour.channels[channel]);
-        setUp.atOpposite[line] = edge.template valueAt<form.line>(position(ends.opposite));
-        if (!form.isBarycentric() && setUp.atOpposite[line] < typename A::Number(0)) {
-            edge.flip();
-            setUp.atOpposite[line] = typename A::Number(0) - setUp.atOpposite[line];
-        }
-        setUp.ownsTie[line] = ownsTie<A, form>(setUp, line, rule);
-    }
+    setLine<A, form>(setUp, 0, rule);
+    setLine<A, form>(setUp, 1, rule);
+    setLine<A, form>(setUp, 2, rule);
     if (form.isBarycentric() && form.evaluation == Evaluation::Increments && !setUp.zeroArea)
         setIncrements(setUp);
     return setUp;

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "core/frame/frameview.h"
-#include "core/scan/degeneratesegment.h"
 #include "core/scan/edgetestform.h"
 
 #include <algorithm>
@@ -46,7 +45,6 @@ struct EdgeTestSetUp {
 
     std::array<Vertex, 3> vertices;
     bool zeroArea = false;
-    DegenerateSegment segment; ///< of a triangle of zero area
     SampleBox visited; ///< unclipped
     SampleBox tested; ///< clipped to the frame
     std::array<EdgeLine<A>, 3> lines;

@@ -79,6 +79,9 @@ private:
     Observer m_observer;
 };
 
+template <class A, SpanAxis axis, class Observer>
+inline constexpr bool readsNumbers<EdgeWalkListener<A, axis, Observer>> = readsNumbers<Observer>;
+
 /// Walks a triangle's edges along the columns, or along the rows from the highest y to the lowest.
 template <class A, SpanAxis axis, ScanObserver<EdgeWalkNumbers<A>> Observer>
 void walkEdges(const Triangle &triangle, const ScanSettings &settings, FrameView frame,

@@ -3,6 +3,7 @@
 
 #include "core/geometry/triangle.h"
 #include "core/number/mixednumber.h"
+#include "core/number/three.h"
 #include "core/scan/scansettings.h"
 
 namespace pixelplumb {
@@ -20,17 +21,22 @@ struct ExactArithmetic {
     /// Every lattice point is an integer; which width holds the products is chosen by the caller.
     static constexpr bool represents(const LatticePoint &) { return true; }
 
+    /// The way from a vertex to a column, lattice units.
+    static constexpr Integer runTo(std::int64_t column, const Vertex &a)
+    {
+        return Integer(column) * unitsPerPixel - a.position.x;
+    }
     /// The edge's y at a column: (Ya·ΔX + (x·S − Xa)·ΔY) / (ΔX·S) px; a vertical edge stays at a.
-    static constexpr Number edgeOrdinate(const Vertex &a, const Vertex &b, std::int64_t column)
+    [[gnu::always_inline]] static constexpr Number edgeOrdinate(const Vertex &a, const Vertex &b,
+                                                                const Integer &run, const Number &)
     {
         const Integer width = Integer(b.position.x) - a.position.x;
         if (width == 0)
             return Number::fromFraction(a.position.y, unitsPerPixel);
         const Integer height = Integer(b.position.y) - a.position.y;
-        const Integer run = Integer(column) * unitsPerPixel - a.position.x;
         return Number::fromFraction(a.position.y * width + run * height, width * unitsPerPixel);
     }
-    static constexpr Number edgeSlope(const Vertex &a, const Vertex &b)
+    [[gnu::always_inline]] static constexpr Number edgeSlope(const Vertex &a, const Vertex &b)
     {
         const Integer width = Integer(b.position.x) - a.position.x;
         const Integer height = Integer(b.position.y) - a.position.y;
@@ -40,14 +46,13 @@ struct ExactArithmetic {
     }
     /// The edge's colour level at a column: (ca·ΔX + (x·S − Xa)·(cb − ca)) / ΔX.
     static constexpr Number edgeColour(const Vertex &a, const Vertex &b, std::size_t channel,
-                                       std::int64_t column)
+                                       const Integer &run, const Number &)
     {
         const Integer width = Integer(b.position.x) - a.position.x;
         const Integer from = a.colour.channels[channel];
         if (width == 0)
             return Number::fromFraction(from, 1);
         const Integer rise = Integer(b.colour.channels[channel]) - from;
-        const Integer run = Integer(column) * unitsPerPixel - a.position.x;
         return Number::fromFraction(from * width + run * rise, width);
     }
     static constexpr Number edgeColourRate(const Vertex &a, const Vertex &b, std::size_t channel)
@@ -75,6 +80,9 @@ struct ExactArithmetic {
     /// plane's value there: the same numbers as the assignment's, each one division from integers.
     class ColourRamp {
     public:
+        /// Whether a triangle that has area needs its edges' colours.
+        static constexpr bool readsEdges = false;
+
         ColourRamp(const Vertex &p0, const Vertex &p1, const Vertex &p2)
             : m_p0(&p0)
             , m_p2(&p2)
@@ -98,39 +106,55 @@ struct ExactArithmetic {
             }
         }
 
-        /// ΔR of a column.
+        /// ΔR ΔG ΔB of a column.
         template <class ColumnState>
-        Number rate(const ColumnState &column, std::size_t channel) const
+        [[gnu::always_inline]] std::array<Number, 3> rates(const ColumnState &column) const
         {
             if (m_area != 0)
-                return m_rate[channel];
+                return m_rate;
             const Integer height = m_p2->position.y - m_p0->position.y;
-            if (m_p0->position.x != m_p2->position.x || height == 0)
-                return Number::fromFraction(0, column.colourBottom[channel].denominator);
-            const Integer rise
-                = Integer(m_p2->colour.channels[channel]) - m_p0->colour.channels[channel];
-            return Number::fromFraction(rise * unitsPerPixel, height);
+            const bool isVertical = m_p0->position.x == m_p2->position.x && height != 0;
+            std::array<Number, 3> rates;
+            for (std::size_t channel = 0; channel < 3; ++channel) {
+                rates[channel] = isVertical
+                    ? Number::fromFraction(rise(channel) * unitsPerPixel, height)
+                    : Number::fromFraction(0, column.colourBottom[channel].denominator);
+            }
+            return rates;
         }
 
-        /// R at a row of the column.
+        /// R G B at a row of the column.
         template <class ColumnState>
-        Number start(const ColumnState &column, std::size_t channel, std::int64_t row) const
+        [[gnu::always_inline]] std::array<Number, 3> starts(const ColumnState &column,
+                                                            std::int64_t row) const
         {
-            const Integer c0 = m_p0->colour.channels[channel];
             const Integer up = Integer(row) * unitsPerPixel - m_p0->position.y;
+            const auto c0
+                = [&](std::size_t channel) { return Integer(m_p0->colour.channels[channel]); };
             if (m_area != 0) {
                 const Integer along = Integer(column.x) * unitsPerPixel - m_p0->position.x;
-                return Number::fromFraction(
-                    c0 * m_area + m_perColumn[channel] * along + m_perRow[channel] * up, m_area);
+                return threeOf([&](std::size_t channel) {
+                    return Number::fromFraction(c0(channel) * m_area + m_perColumn[channel] * along
+                                                    + m_perRow[channel] * up,
+                                                m_area);
+                });
             }
             const Integer height = m_p2->position.y - m_p0->position.y;
             if (m_p0->position.x != m_p2->position.x || height == 0)
-                return column.colourBottom[channel];
-            const Integer rise = Integer(m_p2->colour.channels[channel]) - c0;
-            return Number::fromFraction(c0 * height + rise * up, height);
+                return column.colourBottom;
+            std::array<Number, 3> starts;
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                starts[channel]
+                    = Number::fromFraction(c0(channel) * height + rise(channel) * up, height);
+            return starts;
         }
 
     private:
+        Integer rise(std::size_t channel) const
+        {
+            return Integer(m_p2->colour.channels[channel]) - m_p0->colour.channels[channel];
+        }
+
         const Vertex *m_p0;
         const Vertex *m_p2;
         Integer m_area = 0; ///< doubled, without sign, in square lattice units

@@ -134,8 +134,9 @@ private:
     {
         const Vertex &a = m_triangle.vertices[indexAt(edge[0])];
         const Vertex &b = m_triangle.vertices[indexAt(edge[1])];
-        return {Exact::edgeOrdinate(a, b, column),
-                Exact::edgeSlope(a, b),
+        const MixedNumber<Integer> slope = Exact::edgeSlope(a, b);
+        return {Exact::edgeOrdinate(a, b, Exact::runTo(column, a), slope),
+                slope,
                 {at(edge[0]), at(edge[1]), column}};
     }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/scan/edgewalker.h"
 #include "core/scan/exactarithmetic.h"
 #include "core/scan/linestep.h"
 #include "core/scan/scanobserver.h"
@@ -168,19 +169,17 @@ void scanLineByBresenham(const Shape &line, ByteRounding rounding, FrameView fra
     b = exchanged(b, setUp.axis);
     BresenhamSpanOf<Integer> span;
     span.step = bresenhamStepAt(setUp, pixels.first);
-    std::array<MixedNumber<Integer>, 3> colourRate;
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        span.colour[channel] = Colours::edgeColour(a, b, channel, span.step.place.along);
-        colourRate[channel] = Colours::edgeColourRate(a, b, channel);
-    }
+    EdgeColours<Colours> colours;
+    colours.start(a, b, Colours::runTo(span.step.place.along, a));
+    span.colour = colours.colour;
     for (std::int64_t pixel = pixels.first; pixel < pixels.end; ++pixel) {
         [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
         span.step.place.findIn(frame);
         observer.spanEntered(span);
         plot<Colours>(span.step.place, span.colour, rounding, frame, observer);
         advance(setUp, span.step);
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            Colours::advance(span.colour[channel], colourRate[channel]);
+        colours.stepToNextColumn();
+        span.colour = colours.colour;
     }
 }
 

@@ -47,9 +47,12 @@ void scanLineByDda(const Shape &line, ByteRounding rounding, FrameView frame, Ob
         observer.primitiveRejected(PrimitiveRejection::NotRepresentable);
         return;
     }
-    setUp.slope = A::edgeSlope(a, b);
-    for (std::size_t channel = 0; channel < 3; ++channel)
-        setUp.colourRate[channel] = A::edgeColourRate(a, b, channel);
+    // The quotients that the walker starts with.
+    if constexpr (readsNumbers<Observer>) {
+        setUp.slope = A::edgeSlope(a, b);
+        setUp.colourRate
+            = threeOf([&](std::size_t channel) { return A::edgeColourRate(a, b, channel); });
+    }
     observer.primitiveBegun(setUp);
 
     const StepRange steps

@@ -121,14 +121,18 @@ void scanLineBySlopeIntercept(const Shape &line, ByteRounding rounding, FrameVie
         observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
         return;
     }
+    const auto colourRate
+        = threeOf([&](std::size_t channel) { return A::edgeColourRate(a, b, channel); });
     for (std::int64_t x = columns.first; x < columns.end; ++x) {
         [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
         SlopeInterceptStep<A> step;
         step.ordinate = Equation::ordinate(a.position, b.position, setUp.slope, setUp.intercept, x);
         step.place = {LineAxis::X, x, Equation::rounded(step.ordinate)};
         step.place.findIn(frame);
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            step.colour[channel] = A::edgeColour(a, b, channel, x);
+        const auto run = A::runTo(x, a);
+        step.colour = threeOf([&](std::size_t channel) {
+            return A::edgeColour(a, b, channel, run, colourRate[channel]);
+        });
         observer.spanEntered(step);
         plot<A>(step.place, step.colour, rounding, frame, observer);
     }

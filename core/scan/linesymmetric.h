@@ -116,19 +116,17 @@ void scanLineSymmetrically(const Shape &line, ByteRounding rounding, FrameView f
         return;
     }
     SymmetricStepOf<Integer> step = symmetricStepAt(setUp, columns.first);
-    std::array<MixedNumber<Integer>, 3> colourRate;
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        step.colour[channel] = A::edgeColour(setUp.start, setUp.end, channel, columns.first);
-        colourRate[channel] = A::edgeColourRate(setUp.start, setUp.end, channel);
-    }
+    EdgeColours<A> colours;
+    colours.start(setUp.start, setUp.end, A::runTo(columns.first, setUp.start));
+    step.colour = colours.colour;
     for (std::int64_t along = columns.first; along < columns.end; ++along) {
         [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
         step.place.findIn(frame);
         observer.spanEntered(step);
         plot<A>(step.place, step.colour, rounding, frame, observer);
         advance(setUp, step);
-        for (std::size_t channel = 0; channel < 3; ++channel)
-            A::advance(step.colour[channel], colourRate[channel]);
+        colours.stepToNextColumn();
+        step.colour = colours.colour;
     }
 }
 

@@ -27,12 +27,26 @@ struct ExactPlane {
     {
         return NarrowBeside<Integer>(to) - from;
     }
-    /// The divisor of a triangle without area is 0 and never used; it must only not trap.
-    static constexpr Ratio ratio(Number a, Number b)
+    /// What numbers are divided by: not 0.
+    struct Divisor {
+        Number sign;
+        Number size; ///< > 0
+
+        constexpr explicit Divisor(const Number &number)
+            : sign(number < 0 ? -1 : 1)
+            , size(sign * number)
+        {
+        }
+    };
+    static constexpr Ratio ratio(const Number &a, const Divisor &b) { return {a * b.sign, b.size}; }
+    /// Of a sample's value or weight; 0 is inside where its tie is owned.
+    static constexpr bool isInside(const Number &number, bool ownsTie)
     {
-        if (b == 0)
-            return {0, 1};
-        return b < 0 ? Ratio{-a, -b} : Ratio{a, b};
+        return number >= Number(ownsTie ? 0 : 1);
+    }
+    static constexpr bool isInside(const Ratio &ratio, bool ownsTie)
+    {
+        return isInside(ratio.numerator, ownsTie);
     }
     static constexpr Ratio fraction(Int128 numerator, Int128 denominator)
     {
@@ -70,7 +84,16 @@ struct FloatPlane {
     static Number length(Lattice units) { return Float(units) / Float(unitsPerPixel); }
     /// Subtracted on the lattice, where nothing rounds.
     static Number distance(Lattice from, Lattice to) { return length(to - from); }
-    static Ratio ratio(Number a, Number b) { return a / b; }
+    using Divisor = Float;
+    static Ratio ratio(Number a, Divisor b) { return a / b; }
+    static bool isInside(Number number, bool ownsTie)
+    {
+        if (!(number >= Float(0)))
+            return false;
+        if (ownsTie) [[likely]]
+            return true;
+        return number > Float(0);
+    }
     static Ratio fraction(Int128 numerator, Int128 denominator)
     {
         return Float(numerator) / Float(denominator);

@@ -64,12 +64,12 @@ private:
         crossing.endRow = entry.endRow;
         crossing.slope = A::edgeSlope(entry.low, entry.high);
         crossing.base = onLattice(entry.low.position.y);
+        const auto run = A::runTo(row, entry.low);
         if constexpr (A::arithmetic == Arithmetic::Exact)
-            crossing.rise = onLattice(row * unitsPerPixel - entry.low.position.x);
+            crossing.rise = A::Number::fromFraction(run, unitsPerPixel);
         else
-            crossing.rise
-                = A::Traits::fromInteger(row) - A::Traits::fromLattice(entry.low.position.x);
-        crossing.x = A::edgeOrdinate(entry.low, entry.high, row);
+            crossing.rise = run;
+        crossing.x = A::edgeOrdinate(entry.low, entry.high, run, crossing.slope);
         crossing.firstRight = A::ceil(crossing.x);
         return crossing;
     }

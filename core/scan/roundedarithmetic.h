@@ -3,6 +3,7 @@
 
 #include "core/geometry/triangle.h"
 #include "core/number/fixedpoint.h"
+#include "core/number/three.h"
 #include "core/number/wholenumber.h"
 #include "core/scan/scansettings.h"
 
@@ -61,30 +62,36 @@ struct RoundedArithmetic {
         return Traits::represents(point.x) && Traits::represents(point.y);
     }
 
-    static Number edgeSlope(const Vertex &a, const Vertex &b)
+    [[gnu::always_inline]] static Number edgeSlope(const Vertex &a, const Vertex &b)
     {
         if (a.position.x == b.position.x)
             return Traits::fromInteger(0);
         return (Traits::fromLattice(b.position.y) - Traits::fromLattice(a.position.y))
             / (Traits::fromLattice(b.position.x) - Traits::fromLattice(a.position.x));
     }
-    /// y at the edge's first column: the vertex plus the pre-step to the column.
-    static Number edgeOrdinate(const Vertex &a, const Vertex &b, std::int64_t column)
+    /// The pre-step from a vertex to a column.
+    static Number runTo(std::int64_t column, const Vertex &a)
     {
-        return Traits::fromLattice(a.position.y) + preStep(a, column) * edgeSlope(a, b);
+        return Traits::fromInteger(column) - Traits::fromLattice(a.position.x);
     }
-    static Number edgeColourRate(const Vertex &a, const Vertex &b, std::size_t channel)
+    /// y at a column: the vertex plus the pre-step.
+    static Number edgeOrdinate(const Vertex &a, const Vertex &, const Number &run,
+                               const Number &slope)
+    {
+        return Traits::fromLattice(a.position.y) + run * slope;
+    }
+    [[gnu::always_inline]] static Number edgeColourRate(const Vertex &a, const Vertex &b,
+                                                        std::size_t channel)
     {
         if (a.position.x == b.position.x)
             return Traits::fromInteger(0);
         return Traits::fromInteger(b.colour.channels[channel] - a.colour.channels[channel])
             / (Traits::fromLattice(b.position.x) - Traits::fromLattice(a.position.x));
     }
-    static Number edgeColour(const Vertex &a, const Vertex &b, std::size_t channel,
-                             std::int64_t column)
+    static Number edgeColour(const Vertex &a, const Vertex &, std::size_t channel,
+                             const Number &run, const Number &rate)
     {
-        return Traits::fromInteger(a.colour.channels[channel])
-            + preStep(a, column) * edgeColourRate(a, b, channel);
+        return Traits::fromInteger(a.colour.channels[channel]) + run * rate;
     }
 
     static std::int64_t floor(Number number) { return Traits::floor(number); }
@@ -100,30 +107,34 @@ struct RoundedArithmetic {
 
     class ColourRamp {
     public:
+        /// Whether a triangle that has area needs its edges' colours.
+        static constexpr bool readsEdges = true;
+
         ColourRamp(const Vertex &, const Vertex &, const Vertex &) { }
 
         /// 0 where y_B = y_T: such a column has one sample at most and nothing to share out.
         template <class ColumnState>
-        Number rate(const ColumnState &column, std::size_t channel) const
+        [[gnu::always_inline]] std::array<Number, 3> rates(const ColumnState &column) const
         {
-            if (column.yTop == column.yBottom)
-                return Traits::fromInteger(0);
-            return (column.colourTop[channel] - column.colourBottom[channel])
-                / (column.yTop - column.yBottom);
+            if (column.yTop == column.yBottom) {
+                const Number none = Traits::fromInteger(0);
+                return {none, none, none};
+            }
+            const Number height = column.yTop - column.yBottom;
+            return threeOf([&](std::size_t channel) {
+                return (column.colourTop[channel] - column.colourBottom[channel]) / height;
+            });
         }
         template <class ColumnState>
-        Number start(const ColumnState &column, std::size_t channel, std::int64_t row) const
+        [[gnu::always_inline]] std::array<Number, 3> starts(const ColumnState &column,
+                                                            std::int64_t row) const
         {
-            return column.colourBottom[channel]
-                + (Traits::fromInteger(row) - column.yBottom) * column.colourRate[channel];
+            const Number up = Traits::fromInteger(row) - column.yBottom;
+            return threeOf([&](std::size_t channel) {
+                return column.colourBottom[channel] + up * column.colourRate[channel];
+            });
         }
     };
-
-private:
-    static Number preStep(const Vertex &a, std::int64_t column)
-    {
-        return Traits::fromInteger(column) - Traits::fromLattice(a.position.x);
-    }
 };
 
 } // namespace pixelplumb

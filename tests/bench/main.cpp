@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "labstudy.h"
 #include "report.h"
 #include "scaling.h"
 
@@ -25,6 +26,7 @@ struct Options {
     int rounds = 0;
     bool scaling = false;
     bool list = false;
+    QString labFile;
 
     RaceOptions race() const
     {
@@ -74,7 +76,12 @@ Options parse(const QCoreApplication &application)
         QStringLiteral("Our kernels over growing numbers of triangles and growing frames."));
     const QCommandLineOption list(QStringLiteral("list"),
                                   QStringLiteral("Name workloads and contenders."));
-    parser.addOptions({quick, filter, jsonFile, rounds, scaling, list});
+    const QCommandLineOption labFile(
+        QStringLiteral("lab"),
+        QStringLiteral("The lab's study with the other renderers among its contenders, written to "
+                       "<file>, which the lab opens; its --quick or --full."),
+        QStringLiteral("file"));
+    parser.addOptions({quick, filter, jsonFile, rounds, scaling, list, labFile});
     parser.addHelpOption();
     parser.process(application);
 
@@ -85,6 +92,7 @@ Options parse(const QCoreApplication &application)
     options.rounds = options.extent == Extent::Quick ? 3 : 11;
     options.scaling = parser.isSet(scaling);
     options.list = parser.isSet(list);
+    options.labFile = parser.value(labFile);
     if (!options.filter.isValid()) {
         refuse(QStringLiteral("--filter %1: %2")
                    .arg(options.filter.pattern(), options.filter.errorString()));
@@ -251,6 +259,11 @@ int main(int argc, char **argv)
     const Lineup lineup = makeLineup();
     if (options.list) {
         list(lineup, options);
+        return Done;
+    }
+    if (!options.labFile.isEmpty()) {
+        write(studyWithPeers(lineup, options.extent, showProgress), options.labFile);
+        std::fprintf(stderr, "The study is in %s\n", qPrintable(options.labFile));
         return Done;
     }
     if (options.scaling)

@@ -62,7 +62,8 @@ std::vector<Triangle> apart(const Workload &workload, std::int64_t mostPixels)
     return chosen;
 }
 
-/// The triangles as they lie to the renderer's samples, then in the rule's mirror.
+} // namespace
+
 std::vector<Triangle> seenBy(std::span<const Triangle> triangles, const TieRule &rule,
                              const LatticePoint &sampleOffset, FrameSize size)
 {
@@ -80,6 +81,8 @@ std::vector<Triangle> seenBy(std::span<const Triangle> triangles, const TieRule 
     }
     return seen;
 }
+
+namespace {
 
 Picture truthOf(FrameSize size, std::span<const Triangle> triangles, const TieRule &rule)
 {

@@ -17,6 +17,10 @@ struct PictureDifference {
     double bytes = 0; ///< anything that differs at all, coverage or a single level
 };
 
+/// The triangles as they lie to a renderer's samples, then in the rule's mirror.
+std::vector<Triangle> seenBy(std::span<const Triangle> triangles, const TieRule &rule,
+                             const LatticePoint &sampleOffset, FrameSize size);
+
 /// The share of a picture's pixels, of all that either writes, that are not the same bytes.
 double differingShare(const Picture &a, const Picture &b);
 

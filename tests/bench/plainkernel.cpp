@@ -77,7 +77,7 @@ public:
     {
         const RawFrame raw = rawFrameFor(m_loop, view());
         for (const Triangle &triangle : m_triangles)
-            m_loop.draw(triangle, raw);
+            m_loop.drawClosed(triangle, raw);
     }
 
 private:

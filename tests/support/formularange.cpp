@@ -3,64 +3,23 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace pixelplumb {
 
 namespace {
 
-/// How far an operation's result may be from the true one, relatively or absolutely.
-struct RoundingStep {
-    long double relative = 0;
-    long double absolute = 0;
-};
-
-/// Twice what the arithmetic promises, so that a number that is shown by the shortest decimal that
-/// reads back as the same is covered too. What long double itself rounds is added to all.
-constexpr long double ownRounding = 0x1p-60L;
-
-RoundingStep roundingOf(Arithmetic arithmetic)
-{
-    constexpr long double own = ownRounding;
-    switch (arithmetic) {
-    case Arithmetic::Exact:
-        return {own, 0};
-    case Arithmetic::Float32:
-        return {0x1p-23L, 0x1p-148L};
-    case Arithmetic::Float64:
-        return {0x1p-52L, 0};
-    case Arithmetic::Fixed16:
-        return {own, 0x1p-16L};
-    case Arithmetic::Fixed32:
-        return {own, 0x1p-32L};
-    }
-    return {};
-}
-
-/// How far apart two numbers are that a fixed-point number cannot tell from each other; 0 where
-/// there are none.
-long double periodOf(Arithmetic arithmetic)
-{
-    if (arithmetic == Arithmetic::Fixed16)
-        return 0x1p16L;
-    return arithmetic == Arithmetic::Fixed32 ? 0x1p32L : 0;
-}
-
-} // namespace
-
 /// Reads a formula by recursive descent and works it out on the way.
 class FormulaReader {
 public:
-    FormulaReader(const QString &text, Arithmetic arithmetic, long double period)
+    FormulaReader(const QString &text, const RangeArithmetic &arithmetic)
         : m_text(text)
-        , m_step(roundingOf(arithmetic))
-        , m_period(period)
+        , m_arithmetic(arithmetic)
     {
     }
 
-    std::optional<FormulaRange> result()
+    std::optional<NumberRange> result()
     {
-        const FormulaRange range = sum();
+        const NumberRange range = sum();
         if (m_failed || m_place != m_text.size() || std::isnan(range.least)
             || std::isnan(range.greatest))
             return std::nullopt;
@@ -96,172 +55,97 @@ private:
         m_failed = !takes(character) || m_failed;
     }
 
-    static FormulaRange between(Number least, Number greatest)
+    NumberRange sum()
     {
-        FormulaRange range;
-        range.least = least;
-        range.greatest = greatest;
-        return range;
-    }
-    /// Sums of whole numbers are not rounded, nor are any of fixed-point numbers; these wrap.
-    FormulaRange summed(Number least, Number greatest) const
-    {
-        const bool isWhole = least == greatest && std::floor(least) == least
-            && std::abs(least) < 0x1p62L && m_step.relative <= ownRounding;
-        return isWhole || m_step.absolute > ownRounding ? wrapped(between(least, greatest))
-                                                        : rounded(between(least, greatest));
-    }
-    /// Of fixed-point numbers that leave their range only the low bits are kept.
-    FormulaRange wrapped(const FormulaRange &range) const
-    {
-        if (m_period == 0 || !std::isfinite(range.least) || !std::isfinite(range.greatest))
-            return range;
-        const Number turns
-            = std::floor((range.least + range.greatest) / 2 / m_period + Number(0.5));
-        return between(range.least - turns * m_period, range.greatest - turns * m_period);
-    }
-    /// Anything: what two numbers that are shown alike leave of their quotient.
-    static FormulaRange unknown()
-    {
-        constexpr Number infinity = std::numeric_limits<Number>::infinity();
-        return between(-infinity, infinity);
-    }
-    /// An operation's result, with what the arithmetic may have rounded.
-    FormulaRange rounded(const FormulaRange &range) const
-    {
-        if (!std::isfinite(range.least) || !std::isfinite(range.greatest))
-            return unknown();
-        const Number slack = m_step.absolute
-            + m_step.relative * std::max(std::abs(range.least), std::abs(range.greatest));
-        return between(range.least - slack, range.greatest + slack);
-    }
-
-    FormulaRange sum()
-    {
-        FormulaRange value = product();
+        NumberRange value = product();
         for (;;) {
             skipBlanks();
             if (takes(u'+')) {
-                const FormulaRange other = product();
-                value = summed(value.least + other.least, value.greatest + other.greatest);
+                value = m_arithmetic.sum(value, product());
             } else if (takes(u'−')) {
-                const FormulaRange other = product();
-                value = summed(value.least - other.greatest, value.greatest - other.least);
+                value = m_arithmetic.sum(value, negated(product()));
             } else {
                 return value;
             }
         }
     }
-    FormulaRange product()
+    NumberRange product()
     {
-        FormulaRange value = factor();
+        NumberRange value = factor();
         for (;;) {
             if (takes(u'·'))
-                value = multiplied(value, factor());
+                value = m_arithmetic.product(value, factor());
             else if (takes(u'/'))
-                value = divided(value, factor());
+                value = orFailed(m_arithmetic.quotient(value, factor()));
             else if (takesWord(u" mod "))
-                value = remainder(value, factor());
+                value = orFailed(RangeArithmetic::remainder(value, factor()));
             else
                 return value;
         }
     }
-    /// Of numbers that are shown whole.
-    FormulaRange remainder(const FormulaRange &a, const FormulaRange &b)
+    NumberRange orFailed(const std::optional<NumberRange> &range)
     {
-        const Number whole = std::round(a.least), divisor = std::round(b.least);
-        m_failed = m_failed || divisor == 0;
-        const Number rest = m_failed ? 0 : std::fmod(whole, divisor);
-        return between(rest, rest);
+        m_failed = m_failed || !range;
+        return range.value_or(NumberRange());
     }
-    FormulaRange multiplied(const FormulaRange &a, const FormulaRange &b) const
+    static NumberRange negated(const NumberRange &range) { return {-range.greatest, -range.least}; }
+    NumberRange factor()
     {
-        const auto [least, greatest] = std::minmax({a.least * b.least, a.least * b.greatest,
-                                                    a.greatest * b.least, a.greatest * b.greatest});
-        return wrapped(rounded(between(least, greatest)));
-    }
-    FormulaRange divided(const FormulaRange &a, const FormulaRange &b)
-    {
-        if (b.least == 0 && b.greatest == 0) {
-            m_failed = true;
-            return {};
-        }
-        if (b.least <= 0 && b.greatest >= 0)
-            return unknown();
-        const auto [least, greatest] = std::minmax({a.least / b.least, a.least / b.greatest,
-                                                    a.greatest / b.least, a.greatest / b.greatest});
-        return wrapped(rounded(between(least, greatest)));
-    }
-    FormulaRange factor()
-    {
-        FormulaRange value = base();
+        NumberRange value = base();
         while (takes(u'²'))
-            value = multiplied(value, value);
+            value = m_arithmetic.product(value, value);
         return value;
     }
-    FormulaRange base()
+    NumberRange base()
     {
         skipBlanks();
-        if (takes(u'−')) {
-            const FormulaRange value = factor();
-            return between(-value.greatest, -value.least);
-        }
-        if (takes(u'√')) {
-            const FormulaRange value = factor();
-            return rounded(between(std::sqrt(std::max(value.least, Number(0))),
-                                   std::sqrt(std::max(value.greatest, Number(0)))));
-        }
+        if (takes(u'−'))
+            return negated(factor());
+        if (takes(u'√'))
+            return m_arithmetic.root(factor());
         // What a cast does: it drops the fraction of negative numbers too.
         if (takesWord(u"(int)")) {
-            const FormulaRange value = factor();
-            return between(std::trunc(value.least), std::trunc(value.greatest));
+            const NumberRange value = factor();
+            return {std::trunc(value.least), std::trunc(value.greatest)};
         }
         if (takesWord(u"cos "))
-            return turned(factor(), [](Number angle) { return std::cos(angle); });
+            return m_arithmetic.turned(factor(), std::cos);
         if (takesWord(u"sin "))
-            return turned(factor(), [](Number angle) { return std::sin(angle); });
+            return m_arithmetic.turned(factor(), std::sin);
         if (takes(u'(')) {
-            const FormulaRange value = sum();
+            const NumberRange value = sum();
             expect(u')');
             return value;
         }
         if (takes(u'⌈')) {
-            const FormulaRange value = sum();
+            const NumberRange value = sum();
             expect(u'⌉');
-            return between(std::ceil(value.least), std::ceil(value.greatest));
+            return {std::ceil(value.least), std::ceil(value.greatest)};
         }
         if (takes(u'⌊')) {
-            const FormulaRange value = sum();
+            const NumberRange value = sum();
             expect(u'⌋');
-            return between(std::floor(value.least), std::floor(value.greatest));
+            return {std::floor(value.least), std::floor(value.greatest)};
         }
         if (takesWord(u"min(")) {
             const auto [a, b] = pair();
-            return between(std::min(a.least, b.least), std::min(a.greatest, b.greatest));
+            return {std::min(a.least, b.least), std::min(a.greatest, b.greatest)};
         }
         if (takesWord(u"max(")) {
             const auto [a, b] = pair();
-            return between(std::max(a.least, b.least), std::max(a.greatest, b.greatest));
+            return {std::max(a.least, b.least), std::max(a.greatest, b.greatest)};
         }
-        return takes(u'½') ? between(0.5L, 0.5L) : number();
+        return takes(u'½') ? NumberRange{0.5L, 0.5L} : number();
     }
-    /// A sine or cosine, whose slope is never more than 1.
-    template <class Function>
-    FormulaRange turned(const FormulaRange &angle, const Function &function) const
+    std::pair<NumberRange, NumberRange> pair()
     {
-        const Number middle = function((angle.least + angle.greatest) / 2);
-        const Number reach = (angle.greatest - angle.least) / 2;
-        return rounded(between(middle - reach, middle + reach));
-    }
-    std::pair<FormulaRange, FormulaRange> pair()
-    {
-        const FormulaRange first = sum();
+        const NumberRange first = sum();
         expect(u',');
-        const FormulaRange second = sum();
+        const NumberRange second = sum();
         expect(u')');
         return {first, second};
     }
-    FormulaRange number()
+    NumberRange number()
     {
         const Number sign = takes(u'-') ? -1 : 1;
         Number value = digits();
@@ -272,12 +156,11 @@ private:
             const Number numerator = digits();
             m_failed = !takes(u'/') || m_failed;
             value += numerator / digits();
-            slack = ownRounding * value;
+            slack = NumberRange::ownRounding * value;
         }
         // "0.333333…": the last digit is rounded, or the digits after it are cut off.
         const Number unseen = slack + (takes(u'…') ? m_lastDigit : 0);
-        const FormulaRange seen = between(sign * value - unseen, sign * value + unseen);
-        return m_step.relative > ownRounding ? rounded(seen) : seen;
+        return m_arithmetic.shown({sign * value - unseen, sign * value + unseen});
     }
     /// "12", "0.5", "1e-07"
     Number digits()
@@ -305,21 +188,29 @@ private:
     }
 
     QString m_text;
-    RoundingStep m_step;
-    Number m_period; ///< of fixed-point numbers that wrap; 0: they do not
+    const RangeArithmetic &m_arithmetic;
     qsizetype m_place = 0;
     Number m_lastDigit = 1; ///< what 1 is in the last digit that was read
     bool m_failed = false;
 };
 
+} // namespace
+
 std::optional<FormulaRange> FormulaRange::of(const QString &text, Arithmetic arithmetic)
 {
-    return FormulaReader(text, arithmetic, 0).result();
+    return workedOut(text, {arithmetic, RangeArithmetic::Overflow::Never});
 }
 
 std::optional<FormulaRange> FormulaRange::wrappedOf(const QString &text, Arithmetic arithmetic)
 {
-    return FormulaReader(text, arithmetic, periodOf(arithmetic)).result();
+    return workedOut(text, {arithmetic, RangeArithmetic::Overflow::Wraps});
+}
+
+std::optional<FormulaRange> FormulaRange::workedOut(const QString &text,
+                                                    const RangeArithmetic &arithmetic)
+{
+    const auto range = FormulaReader(text, arithmetic).result();
+    return range ? std::optional(FormulaRange(*range)) : std::nullopt;
 }
 
 bool FormulaRange::holds(const Quantity &number) const
@@ -327,23 +218,24 @@ bool FormulaRange::holds(const Quantity &number) const
     const long double value = number.isRational() ? static_cast<long double>(number.numerator())
             / static_cast<long double>(number.denominator())
                                                   : static_cast<long double>(number.toDouble());
-    const long double slack = ownRounding * std::abs(value);
-    return value >= least - slack && value <= greatest + slack;
+    const long double slack = NumberRange::ownRounding * std::abs(value);
+    return value >= m_range.least - slack && value <= m_range.greatest + slack;
 }
 
 bool FormulaRange::isNarrow() const
 {
-    if (!std::isfinite(least) || !std::isfinite(greatest))
+    if (!m_range.isFinite())
         return false;
-    return greatest - least <= 0.01L * std::max(std::abs(least), std::abs(greatest))
-        || greatest - least <= 0.0001L;
+    return m_range.greatest - m_range.least
+        <= 0.01L * std::max(std::abs(m_range.least), std::abs(m_range.greatest))
+        || m_range.greatest - m_range.least <= 0.0001L;
 }
 
 QString FormulaRange::text() const
 {
     return QStringLiteral("%1 … %2")
-        .arg(double(least), 0, 'g', 17)
-        .arg(double(greatest), 0, 'g', 17);
+        .arg(double(m_range.least), 0, 'g', 17)
+        .arg(double(m_range.greatest), 0, 'g', 17);
 }
 
 } // namespace pixelplumb

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/number/quantity.h"
-#include "core/scan/scansettings.h"
+#include "tests/support/rangearithmetic.h"
 
 #include <QString>
 
@@ -27,10 +27,14 @@ public:
     QString text() const;
 
 private:
-    friend class FormulaReader;
+    explicit FormulaRange(const NumberRange &range)
+        : m_range(range)
+    {
+    }
+    static std::optional<FormulaRange> workedOut(const QString &text,
+                                                 const RangeArithmetic &arithmetic);
 
-    long double least = 0;
-    long double greatest = 0;
+    NumberRange m_range;
 };
 
 } // namespace pixelplumb

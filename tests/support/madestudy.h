@@ -48,9 +48,11 @@ inline std::shared_ptr<LabResults> madeResults(const std::vector<MadeContender> 
             study.rows.push_back(row);
         }
     }
-    for (const MadeContender &made : contenders)
-        study.contenders.push_back({QLatin1String(made.id), QLatin1String(made.id), made.isProved,
+    for (const MadeContender &made : contenders) {
+        const QString id = QLatin1String(made.id);
+        study.contenders.push_back({id, id, kernelOf(id), made.isProved,
                                     QStringLiteral("all triangles"), CostFit{20, 3, 0.5, 0}});
+    }
     return results;
 }
 

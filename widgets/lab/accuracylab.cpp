@@ -13,6 +13,7 @@
 #include <QBoxLayout>
 #include <QClipboard>
 #include <QFileInfo>
+#include <QStackedWidget>
 
 namespace pixelplumb {
 
@@ -32,6 +33,7 @@ AccuracyLab::AccuracyLab(Playhead *playhead, QWidget *parent)
     , m_invitation(new QLabel(this))
     , m_warnings(new ElidedLabel(this))
     , m_conditions(new ElidedLabel(this))
+    , m_lastLine(new QStackedWidget(this))
 {
     setObjectName(QStringLiteral("accuracyLab"));
     setAccessibleName(tr("Accuracy lab"));
@@ -43,18 +45,21 @@ AccuracyLab::AccuracyLab(Playhead *playhead, QWidget *parent)
     m_conditions->setObjectName(QStringLiteral("labConditions"));
     m_conditions->setAccessibleName(tr("Machine, compiler, and the command that does it again"));
     auto *layout = new QVBoxLayout(this);
-    layout->setContentsMargins(8, 8, 8, 4);
+    layout->setContentsMargins(8, 4, 8, 4);
     layout->setSpacing(4);
     layout->addWidget(m_controls);
     layout->addWidget(m_invitation, 1);
     layout->addWidget(m_charts, 1);
     m_foot = new QBoxLayout(QBoxLayout::TopToBottom);
     m_foot->setSpacing(4);
-    m_foot->addWidget(m_warnings);
-    m_foot->addWidget(m_conditions);
+    m_foot->addWidget(m_warnings, 1);
+    m_lastLine->addWidget(m_conditions);
+    m_lastLine->addWidget(m_controls->progress());
+    m_lastLine->setSizePolicy(QSizePolicy::Preferred, QSizePolicy::Fixed);
+    m_foot->addWidget(m_lastLine, 1);
     layout->addLayout(m_foot);
-    connect(m_run, &LabRun::resultsChanged, this, &AccuracyLab::take);
-    connect(m_run, &LabRun::ended, this, &AccuracyLab::showState);
+    connect(m_run, &LabRun::resultsChanged, this, &AccuracyLab::takeNews);
+    connect(m_run, &LabRun::ended, this, &AccuracyLab::endRun);
     connect(m_charts, &LabCharts::missRequested, this, &AccuracyLab::openMiss);
     connect(m_files, &LabFiles::complaint, this, &AccuracyLab::complaint);
     connect(m_files, &LabFiles::notice, this, &AccuracyLab::notice);
@@ -83,17 +88,23 @@ void AccuracyLab::connectControls()
         const QString path = m_files->askForOutput(
             tr("Save the Results"), tr("Results of the lab (*.json)"), QStringLiteral("json"));
         if (!path.isEmpty())
-            m_files->writeResults(path, m_results->study);
+            m_files->writeResults(path, results()->study);
     });
     connect(m_controls, &LabControls::saveTableRequested, this, [this] {
         const QString path = m_files->askForOutput(tr("Save the Table"), tr("CSV tables (*.csv)"),
                                                    QStringLiteral("csv"));
         if (!path.isEmpty())
-            m_files->writeTable(path, m_results->study);
+            m_files->writeTable(path, results()->study);
     });
     connect(m_controls, &LabControls::saveChartRequested, this, &AccuracyLab::saveChart);
+    connect(m_controls, &LabControls::earlierRequested, this, &AccuracyLab::showEarlier);
     connect(m_controls, &LabControls::copyCommandRequested, this, [this] {
-        QApplication::clipboard()->setText(m_results->study.command);
+        if (results()->study.command.isEmpty()) {
+            emit complaint(tr("There is no command: the scene was in no file when it was measured. "
+                              "Save it and run the lab again."));
+            return;
+        }
+        QApplication::clipboard()->setText(results()->study.command);
         emit notice(tr("The command is on the clipboard."));
     });
 }
@@ -106,28 +117,67 @@ void AccuracyLab::setScenePath(const QString &path)
     m_files->setScenePath(path);
 }
 
-void AccuracyLab::run()
+StudySettings AccuracyLab::settings() const
 {
     StudySettings settings = m_request;
     settings.extent = m_controls->extent();
     if (const auto traced = m_playhead->sharedTraced())
         settings.ownScene = {traced, &traced->scene};
-    settings.ownSceneName = m_scenePath;
-    if (settings.hardCases.empty()) {
+    settings.ownSceneName = m_isSceneModified ? QString() : m_scenePath;
+    return settings;
+}
+
+void AccuracyLab::run()
+{
+    StudySettings asked = settings();
+    if (asked.hardCases.empty()) {
         if (auto cases = builtInHardCases())
-            settings.hardCases = std::move(*cases);
+            asked.hardCases = std::move(*cases);
     }
-    m_charts->forgetChanges();
-    m_run->start(settings);
+    m_shown.beginRun();
+    m_run->start(asked);
     showState();
 }
 
 void AccuracyLab::cancel() { m_run->cancel(); }
 
-void AccuracyLab::take(const SharedResults &results)
+void AccuracyLab::takeNews(const SharedResults &news)
 {
-    m_results = results;
-    m_controls->setFamilies(results->study.families);
+    const bool wasOfRun = m_shown.areOfRun();
+    if (!m_shown.takeNews(news, m_controls->family()))
+        return;
+    if (!wasOfRun)
+        m_charts->forgetChanges();
+    showResults();
+}
+
+void AccuracyLab::endRun()
+{
+    if (m_shown.endRun())
+        showResults();
+    if (results() && !m_shown.areOfRun())
+        emit notice(tr("Cancelled before anything was timed: the results before it stay."));
+    else if (earlierResults() && !results()->study.isComplete)
+        emit notice(tr("Cancelled. Those before are under Files, Results before these."));
+    showState();
+}
+
+void AccuracyLab::replaceBy(const SharedResults &results)
+{
+    m_shown.replaceBy(results);
+    m_charts->forgetChanges();
+    showResults();
+}
+
+void AccuracyLab::showEarlier()
+{
+    if (earlierResults() && !isRunning())
+        replaceBy(earlierResults());
+}
+
+void AccuracyLab::showResults()
+{
+    m_controls->setFamilies(results()->study.families);
     showChoice();
     showState();
     emit resultsChanged();
@@ -135,36 +185,47 @@ void AccuracyLab::take(const SharedResults &results)
 
 void AccuracyLab::showChoice()
 {
-    if (m_results)
-        m_charts->show(m_results, m_controls->family(), m_controls->errorAxis());
+    if (results())
+        m_charts->show(results(), m_controls->family(), m_controls->errorAxis());
 }
 
 void AccuracyLab::showState()
 {
     m_controls->showRunning();
-    m_controls->setHasResults(m_results != nullptr);
-    m_charts->setVisible(m_results != nullptr);
-    m_conditions->setVisible(m_results && !isRunning()); // progress stands for it
-    m_invitation->setVisible(!m_results);
-    m_invitation->setText(isRunning() ? tr("The first pictures are being judged.")
-                                      : invitationText(m_controls->extent()));
-    const QStringList warnings = m_results ? warningsOf(m_results->study) : QStringList();
-    m_warnings->setVisible(!warnings.isEmpty() && !isRunning());
+    m_controls->setHasResults(results() != nullptr);
+    m_controls->setHasEarlier(earlierResults() && !isRunning());
+    m_charts->setVisible(results() != nullptr);
+    m_lastLine->setCurrentWidget(isRunning() ? m_controls->progress() : m_conditions);
+    m_invitation->setVisible(!results());
+    m_invitation->setText(isRunning()
+                              ? tr("The first pictures are being judged.")
+                              : invitationText(m_controls->extent(), expectedSeconds(settings())));
+    QStringList warnings;
+    if (results() && !isRunning())
+        warnings = warningsOf(results()->study);
+    else if (results() && !m_shown.areOfRun())
+        warnings = {tr("Results before this run, until it has times of this family.")};
+    m_warnings->setVisible(!warnings.isEmpty());
     m_warnings->setWholeText(QStringLiteral("⚠ ") + warnings.join(QStringLiteral(" ⚠ ")));
-    if (m_results)
-        m_conditions->setWholeText(originOf(m_results->study).join(QStringLiteral(" · ")));
+    if (results())
+        m_conditions->setWholeText(originOf(results()->study).join(QStringLiteral(" · ")));
 }
 
-/// A low panel gives the charts the second line of its foot.
+/// A low panel gives the charts the second line of its foot. No chart changes its size when
+/// warnings come or go.
 void AccuracyLab::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
-    m_foot->setDirection(height() < lowPanel ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    const bool isLow = height() < lowPanel;
+    m_foot->setDirection(isLow ? QBoxLayout::LeftToRight : QBoxLayout::TopToBottom);
+    QSizePolicy policy = m_warnings->sizePolicy();
+    policy.setRetainSizeWhenHidden(!isLow);
+    m_warnings->setSizePolicy(policy);
 }
 
 void AccuracyLab::openMiss(const QString &contender)
 {
-    const LabRow *row = m_results ? m_results->study.row(contender, m_controls->family()) : nullptr;
+    const LabRow *row = results() ? results()->study.row(contender, m_controls->family()) : nullptr;
     if (!row)
         return;
     if (row->firstMiss)
@@ -181,13 +242,11 @@ void AccuracyLab::saveChart()
         return;
     }
     const QString path = m_files->askForOutput(tr("Save the Chart"),
-                                               tr("SVG drawings (*.svg);;PNG pictures (*.png)"),
+                                               tr("SVG drawings (*.svg);;PNG pictures (*.png);;"
+                                                  "Numbers, CSV (*.csv)"),
                                                QStringLiteral("svg"));
-    const StudyFamily *family = m_results->study.family(m_controls->family());
-    const QString title = family ? tr("%1: %2").arg(chart->accessibleName(), family->title)
-                                 : chart->accessibleName();
     if (!path.isEmpty())
-        m_files->writeChart(path, *chart, title, m_results->study);
+        m_files->writeChart(path, *chart, results()->study);
 }
 
 bool AccuracyLab::openResults(const QString &path)
@@ -196,14 +255,13 @@ bool AccuracyLab::openResults(const QString &path)
     if (!study)
         return false;
     m_run->drop();
-    m_charts->forgetChanges();
-    take(std::make_shared<const LabResults>(LabResults{std::move(*study), {}, {}}));
+    replaceBy(std::make_shared<const LabResults>(LabResults{*study, study->growth, study->drift}));
     return true;
 }
 
 bool AccuracyLab::compareWith(const QString &path)
 {
-    if (!m_results) {
+    if (!results()) {
         emit complaint(tr("Nothing is measured yet that %1 could be compared with: press Run or "
                           "open results first.")
                            .arg(QFileInfo(path).fileName()));
@@ -212,7 +270,7 @@ bool AccuracyLab::compareWith(const QString &path)
     const std::optional<Study> before = m_files->read(path);
     if (!before)
         return false;
-    m_charts->showChanges(*before, m_results->study, QFileInfo(path).fileName());
+    m_charts->showChanges(*before, results()->study, QFileInfo(path).fileName());
     return true;
 }
 

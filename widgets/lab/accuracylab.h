@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/lab/labplot.h"
+#include "widgets/lab/shownresults.h"
 
 #include <QWidget>
 
 class QBoxLayout;
 class QLabel;
+class QStackedWidget;
 
 namespace pixelplumb {
 
@@ -27,14 +28,19 @@ public:
     ~AccuracyLab() override;
 
     bool isRunning() const;
-    /// Null before the first run, and before a file was opened.
-    const SharedResults &results() const { return m_results; }
+    /// Null before the first run, and before a file was opened. While a run has no times yet, those
+    /// before it.
+    const SharedResults &results() const { return m_shown.results(); }
+    /// What these took the place of.
+    const SharedResults &earlierResults() const { return m_shown.earlier(); }
     LabFiles *files() const { return m_files; }
 
     /// What is asked of a study beside its extent, its scene and the hard cases.
     void setRequest(const StudySettings &request) { m_request = request; }
     /// For the command that does a study again; empty where the scene has no file.
     void setScenePath(const QString &path);
+    /// A scene that is not as its file says has no command either.
+    void setSceneModified(bool isModified) { m_isSceneModified = isModified; }
     /// False after a complaint.
     bool openResults(const QString &path);
     bool compareWith(const QString &path);
@@ -44,6 +50,8 @@ public:
 public slots:
     void run();
     void cancel();
+    /// Back to what the results in hand took the place of, and forth again.
+    void showEarlier();
 
 signals:
     void resultsChanged();
@@ -57,7 +65,11 @@ protected:
 
 private:
     void connectControls();
-    void take(const SharedResults &results);
+    StudySettings settings() const;
+    void takeNews(const SharedResults &news);
+    void endRun();
+    void replaceBy(const SharedResults &results);
+    void showResults();
     void showChoice();
     void showState();
     void openMiss(const QString &contender);
@@ -71,10 +83,12 @@ private:
     QLabel *m_invitation;
     ElidedLabel *m_warnings;
     ElidedLabel *m_conditions;
-    QBoxLayout *m_foot = nullptr; ///< of these two
+    QStackedWidget *m_lastLine; ///< conditions, or progress while a study runs
+    QBoxLayout *m_foot = nullptr; ///< of the warnings and the last line
     StudySettings m_request;
     QString m_scenePath;
-    SharedResults m_results;
+    bool m_isSceneModified = false;
+    ShownResults m_shown;
 };
 
 } // namespace pixelplumb

@@ -11,13 +11,32 @@
 
 namespace pixelplumb {
 
+namespace {
+
+constexpr int aroundBars = 56; ///< of axis and margins, logical pixels
+constexpr int betweenBars = 4; ///< logical pixels
+
+} // namespace
+
 CostStack::CostStack(QWidget *parent)
     : LabPlot("labCostStack", tr("Cost of set-up, columns and pixels"), parent)
 {
-    // Of many contenders those that find no room come by dragging or by the wheel.
-    plot()->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
-    plot()->axisRect()->setRangeDrag(Qt::Vertical);
-    plot()->axisRect()->setRangeZoom(Qt::Vertical);
+    plot()->installEventFilter(this);
+}
+
+/// The wheel scrolls; the plot would keep it.
+bool CostStack::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() != QEvent::Wheel)
+        return LabPlot::eventFilter(watched, event);
+    event->ignore();
+    return true;
+}
+
+int CostStack::neededHeight() const
+{
+    const int bars = int(m_bars.size());
+    return bars == 0 ? 0 : aroundBars + bars * (fontMetrics().height() + betweenBars);
 }
 
 void CostStack::show(const SharedResults &results, const QString &family)
@@ -25,6 +44,7 @@ void CostStack::show(const SharedResults &results, const QString &family)
     m_results = results;
     m_family = family;
     m_bars = bars();
+    updateGeometry();
     rebuild();
 }
 
@@ -55,7 +75,9 @@ std::vector<CostStack::Bar> CostStack::bars() const
 void CostStack::build()
 {
     QCPAxis *up = plot()->yAxis;
-    plot()->xAxis->setLabel(tr("ns a pixel"));
+    // At both ends, of which one may be scrolled out of sight.
+    plot()->xAxis2->setVisible(true);
+    plot()->xAxis2->setLabel(tr("ns a pixel"));
     plot()->xAxis->grid()->setVisible(true);
     up->setTickLength(0);
     up->grid()->setVisible(false);
@@ -63,10 +85,10 @@ void CostStack::build()
     for (std::size_t i = 0; i < m_bars.size(); ++i)
         ticker->addTick(-double(i), m_bars[i].label);
     up->setTicker(ticker);
-    const double fitting = std::max(3.0, double(height() - 60) / fontMetrics().height());
-    up->setRange(-std::min(double(m_bars.size()), fitting) + 0.4, 0.6);
+    up->setRange(-double(std::max<std::size_t>(m_bars.size(), 1)) + 0.4, 0.6);
     if (m_bars.empty()) {
         plot()->xAxis->setRange(0, 1);
+        plot()->xAxis2->setRange(0, 1);
         return addMessage(tr("Set-up, columns and pixels stand apart when several families are "
                              "timed."));
     }
@@ -81,11 +103,15 @@ void CostStack::addBars()
         double CostParts::*value;
         Sign sign;
         Qt::BrushStyle style;
+        QString meaning;
     };
     const std::array<Part, 3> parts
-        = {Part{tr("set-up"), &CostParts::setUp, Sign::PickedPixel, Qt::SolidPattern},
-           Part{tr("columns or rows"), &CostParts::columns, Sign::ColumnInHand, Qt::BDiagPattern},
-           Part{tr("pixels"), &CostParts::pixels, Sign::LowerEdge, Qt::Dense4Pattern}};
+        = {Part{tr("set-up"), &CostParts::setUp, Sign::PickedPixel, Qt::SolidPattern,
+                tr("What a triangle takes before its first column, shared out among its pixels")},
+           Part{tr("columns or rows"), &CostParts::columns, Sign::ColumnInHand, Qt::BDiagPattern,
+                tr("What a column or a row takes, shared out among its pixels")},
+           Part{tr("pixels"), &CostParts::pixels, Sign::LowerEdge, Qt::Dense4Pattern,
+                tr("What a pixel takes by itself")}};
     QCPBars *before = nullptr;
     for (const Part &part : parts) {
         auto *shown = new QCPBars(plot()->yAxis, plot()->xAxis);
@@ -93,8 +119,7 @@ void CostStack::addBars()
         shown->setPen(QPen(colour, 1));
         shown->setBrush(QBrush(colour, part.style));
         shown->setWidth(0.6);
-        shown->setName(part.name);
-        shown->addToLegend();
+        addKey(shown, part.name, part.meaning);
         for (std::size_t i = 0; i < m_bars.size(); ++i)
             shown->addData(-double(i), m_bars[i].parts.*part.value);
         if (before)
@@ -120,9 +145,32 @@ void CostStack::addMeasured()
         bar->start->setCoords(time.lower, -double(i));
         bar->end->setCoords(time.upper, -double(i));
     }
-    QCPGraph *key = addKey(tr("measured"));
+    QCPGraph *key = addKey(tr("measured"),
+                           tr("The middle half of the measured times. The parts "
+                              "come from a fit over all families and need not "
+                              "add up to it."));
     key->setPen(QPen(text, 1));
     plot()->xAxis->setRange(0, most * 1.05);
+    plot()->xAxis2->setRange(plot()->xAxis->range());
+}
+
+std::vector<QStringList> CostStack::numbers() const
+{
+    std::vector<QStringList> lines
+        = {{QStringLiteral("contender"), QStringLiteral("setUpNsPerPixel"),
+            QStringLiteral("columnsNsPerPixel"), QStringLiteral("pixelsNsPerPixel"),
+            QStringLiteral("measuredNsPerPixelLower"), QStringLiteral("measuredNsPerPixel"),
+            QStringLiteral("measuredNsPerPixelUpper")}};
+    for (const Bar &bar : m_bars) {
+        const auto measured = [&bar](double Spread::*part) {
+            return bar.measured ? QString::number((*bar.measured).*part) : QString();
+        };
+        lines.push_back({bar.label, QString::number(bar.parts.setUp),
+                         QString::number(bar.parts.columns), QString::number(bar.parts.pixels),
+                         measured(&Spread::lower), measured(&Spread::median),
+                         measured(&Spread::upper)});
+    }
+    return lines;
 }
 
 QString CostStack::textAt(const QPointF &position) const

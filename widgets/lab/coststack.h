@@ -7,7 +7,8 @@
 namespace pixelplumb {
 
 /// Where the time of each contender goes (objectName "labCostStack"): set-up, columns and pixels as
-/// one bar, and the measured time with its middle half beside it.
+/// one bar, and the measured time with its middle half beside it. As high as its bars need; stands
+/// in a scroll area.
 class CostStack : public LabPlot {
     Q_OBJECT
 
@@ -17,8 +18,13 @@ public:
     void show(const SharedResults &results, const QString &family);
 
     QString textAt(const QPointF &position) const override;
+    QString figureTitle() const override { return titleOn(m_results, m_family); }
+    std::vector<QStringList> numbers() const override;
+
+    bool eventFilter(QObject *watched, QEvent *event) override;
 
 protected:
+    int neededHeight() const override;
     void build() override;
 
 private:

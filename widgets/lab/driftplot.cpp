@@ -28,10 +28,44 @@ void DriftPlot::show(const SharedResults &results)
     rebuild();
 }
 
+std::vector<QStringList> DriftPlot::numbers() const
+{
+    std::vector<QStringList> lines = {{QStringLiteral("arithmetic"), QStringLiteral("column"),
+                                       QStringLiteral("error"), QStringLiteral("limit")}};
+    for (const DriftCurve &curve : m_results ? m_results->drift : std::vector<DriftCurve>()) {
+        for (const DriftPoint &point : curve.points)
+            lines.push_back({nameText(nameOf(curve.arithmetic)), QString::number(point.column),
+                             QString::number(point.error), QString::number(point.limit)});
+    }
+    return lines;
+}
+
+/// The error of each arithmetic at the column under the pointer.
+QString DriftPlot::textAt(const QPointF &position) const
+{
+    if (!m_results || !plot()->axisRect()->rect().contains(position.toPoint()))
+        return {};
+    const auto column = std::int64_t(std::llround(plot()->xAxis->pixelToCoord(position.x())));
+    QStringList lines;
+    for (const DriftCurve &curve : m_results->drift) {
+        const auto point = std::ranges::lower_bound(curve.points, column, {}, &DriftPoint::column);
+        if (point == curve.points.end())
+            continue;
+        lines.append(tr("%1: %2 px, at most %3 px by proof")
+                         .arg(nameText(nameOf(curve.arithmetic)))
+                         .arg(point->error, 0, 'g', 3)
+                         .arg(point->limit, 0, 'g', 3));
+    }
+    if (lines.isEmpty())
+        return {};
+    lines.prepend(tr("<b>after %1 columns</b>").arg(column));
+    return lines.join(QStringLiteral("<br>"));
+}
+
 void DriftPlot::build()
 {
     plot()->xAxis->setLabel(tr("columns walked"));
-    plot()->yAxis->setLabel(tr("error of a bound, px"));
+    plot()->yAxis->setLabel(isLow() ? tr("px") : tr("error of a bound, px"));
     double smallest = fencePixels;
     double largest = fencePixels;
     std::int64_t last = 0;
@@ -59,10 +93,13 @@ void DriftPlot::build()
     setLogRange(plot()->xAxis, 1, double(std::max<std::int64_t>(last, 10)));
     setLogRange(plot()->yAxis, smallest / 2, largest * 2);
     if (last == 0)
-        return addMessage(tr("Drift is computed with a study, and not kept in files."));
-    QCPGraph *limitKey = addKey(tr("limit by proof"));
+        return addMessage(tr("Drift is computed at the end of a study."));
+    QCPGraph *limitKey = addKey(tr("limit by proof"),
+                                tr("No error of this arithmetic can be larger: its curve stays "
+                                   "below the dotted one of its colour."));
     limitKey->setPen(QPen(palette().color(QPalette::Text), 1, Qt::DotLine));
-    QCPGraph *fence = addKey(tr("½ px"));
+    QCPGraph *fence
+        = addKey(tr("½ px"), tr("From here on a bound is off by half a pixel and more."));
     fence->setPen(QPen(palette().color(QPalette::Text), 1, Qt::DashLine));
     fence->setData({1.0, double(last)}, {fencePixels, fencePixels}, true);
 }

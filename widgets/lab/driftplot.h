@@ -15,6 +15,9 @@ public:
 
     void show(const SharedResults &results);
 
+    QString textAt(const QPointF &position) const override;
+    std::vector<QStringList> numbers() const override;
+
 protected:
     void build() override;
 

@@ -10,8 +10,12 @@
 
 namespace pixelplumb {
 
-ErrorScale::ErrorScale(const std::vector<ParetoPoint> &points)
+ErrorScale::ErrorScale(const ParetoChart &chart)
 {
+    std::vector<ParetoPoint> points = chart.points;
+    points.insert(points.end(), chart.untimed.begin(), chart.untimed.end());
+    m_hasTested = std::ranges::find(points, ErrorClass::ZeroTested, &ParetoPoint::errorClass)
+        != points.end();
     double smallest = 0;
     double largest = 0;
     for (const ParetoPoint &point : points) {
@@ -31,36 +35,42 @@ double ErrorScale::toAxis(ErrorClass errorClass, double error) const
     switch (errorClass) {
     case ErrorClass::ZeroProved:
         return provedRow;
+    case ErrorClass::ZeroTested:
+        return testedRow();
     case ErrorClass::ZeroObserved:
-        return observedRow;
+        return observedRow();
     case ErrorClass::Positive:
         break;
     }
     // An infinite error stands at the upper end.
-    return std::min(decades + std::log10(error) - m_least, top());
+    return std::min(decades() + std::log10(error) - m_least, top());
 }
 
 ErrorClass ErrorScale::classAt(double axis) const
 {
-    if (axis >= separator)
+    if (axis >= separator())
         return ErrorClass::Positive;
-    return axis >= (provedRow + observedRow) / 2 ? ErrorClass::ZeroObserved
-                                                 : ErrorClass::ZeroProved;
+    if (axis >= observedRow() - betweenRows / 2)
+        return ErrorClass::ZeroObserved;
+    return m_hasTested && axis >= testedRow() - betweenRows / 2 ? ErrorClass::ZeroTested
+                                                                : ErrorClass::ZeroProved;
 }
 
 double ErrorScale::errorAt(double axis) const
 {
-    return classAt(axis) == ErrorClass::Positive ? std::pow(10.0, axis - decades + m_least) : 0;
+    return classAt(axis) == ErrorClass::Positive ? std::pow(10.0, axis - decades() + m_least) : 0;
 }
 
 std::vector<ErrorScale::Tick> ErrorScale::ticks(int most) const
 {
     std::vector<Tick> ticks
         = {{provedRow, QCoreApplication::translate("ErrorScale", "0, proved")},
-           {observedRow, QCoreApplication::translate("ErrorScale", "0, observed")}};
+           {observedRow(), QCoreApplication::translate("ErrorScale", "0, observed")}};
+    if (m_hasTested)
+        ticks.push_back({testedRow(), QCoreApplication::translate("ErrorScale", "0, tested")});
     const int stride = std::max(1, (m_largest - m_least + most) / std::max(1, most));
     for (int exponent = m_largest; exponent >= m_least; exponent -= stride)
-        ticks.push_back({decades + exponent - m_least, powerOfTenText(exponent)});
+        ticks.push_back({decades() + exponent - m_least, powerOfTenText(exponent)});
     return ticks;
 }
 

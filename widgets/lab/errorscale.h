@@ -6,12 +6,13 @@
 namespace pixelplumb {
 
 /// The error axis of the Pareto chart: logarithmic, one decade a unit, and below the decades a row
-/// for what is 0 as far as it was observed and one for what is 0 by proof.
+/// for what is 0 as far as it was observed, one for what is tested to be as a proved kernel where
+/// there is any, and one for what is 0 by proof.
 class ErrorScale {
 public:
     ErrorScale() = default;
     /// Whole decades around the errors of class Positive. Without one, three decades around 1.
-    explicit ErrorScale(const std::vector<ParetoPoint> &points);
+    explicit ErrorScale(const ParetoChart &chart);
 
     int leastExponent() const { return m_least; }
     int largestExponent() const { return m_largest; }
@@ -23,24 +24,27 @@ public:
 
     /// The axis' ends.
     static constexpr double bottom = -1;
-    double top() const { return double(m_largest - m_least) + decades + 0.25; }
+    double top() const { return double(m_largest - m_least) + decades() + 0.25; }
     /// Between the rows and the decades.
-    static constexpr double separator = 2.5;
+    double separator() const { return observedRow() + 1; }
 
     struct Tick {
         double axis = 0;
-        QString label; ///< "10⁻³", "0 observed", "0 proved"
+        QString label; ///< "10⁻³", "0, observed", "0, proved"
     };
-    /// Both rows, and about so many decades at most.
+    /// The rows, and about so many decades at most.
     std::vector<Tick> ticks(int most) const;
 
 private:
     static constexpr double provedRow = 0;
-    static constexpr double observedRow = 1.5;
-    static constexpr double decades = 3; ///< where 10^least is
+    static constexpr double betweenRows = 1.5;
+    double testedRow() const { return m_hasTested ? provedRow + betweenRows : provedRow; }
+    double observedRow() const { return testedRow() + betweenRows; }
+    double decades() const { return separator() + 0.5; } ///< where 10^least is
 
     int m_least = -1;
     int m_largest = 2;
+    bool m_hasTested = false;
 };
 
 } // namespace pixelplumb

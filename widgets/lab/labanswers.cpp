@@ -12,13 +12,16 @@ namespace {
 
 enum AnswerColumn { BudgetColumn, ContenderColumn, GroundColumn, TimeColumn, ReasonColumn };
 
-QString groundText(BudgetGround ground)
+constexpr int leastReason = 320; ///< logical pixels of its column
+
+QString groundText(const BudgetAnswer &answer)
 {
-    switch (ground) {
+    switch (answer.ground) {
     case BudgetGround::Proof:
-        return LabAnswers::tr("by proof");
+        return kernelOf(answer.contender) == LabKernel::Plain ? LabAnswers::tr("proof")
+                                                              : LabAnswers::tr("proof and test");
     case BudgetGround::Measurement:
-        return LabAnswers::tr("by measurement");
+        return LabAnswers::tr("measurement");
     case BudgetGround::Nobody:
         break;
     }
@@ -33,10 +36,17 @@ LabAnswers::LabAnswers(QWidget *parent)
     setObjectName(QStringLiteral("labAnswers"));
     setAccessibleName(tr("The cheapest contender for each budget"));
     setHorizontalHeaderLabels(
-        {tr("budget"), tr("cheapest contender"), tr("ground"), tr("ns a pixel"), tr("reason")});
+        {tr("budget"), tr("cheapest contender"), tr("known by"), tr("ns a pixel"), tr("reason")});
     for (int column = 0; column <= ReasonColumn; ++column)
         horizontalHeaderItem(column)->setTextAlignment(
             (column == TimeColumn ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    horizontalHeaderItem(BudgetColumn)->setToolTip(tr("What is asked for"));
+    horizontalHeaderItem(ContenderColumn)
+        ->setToolTip(tr("Who gives it for the least time on this family of triangles"));
+    horizontalHeaderItem(GroundColumn)
+        ->setToolTip(tr("Whether it is proved, or was only never seen otherwise in this study. A "
+                        "SIMD kernel is tested to write what the proved plain one does"));
+    horizontalHeaderItem(TimeColumn)->setToolTip(tr("The median of all rounds"));
     setEditTriggers(QAbstractItemView::NoEditTriggers);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::SingleSelection);
@@ -55,6 +65,20 @@ LabAnswers::LabAnswers(QWidget *parent)
     });
 }
 
+/// The reasons take the rest, and where that is too little for them, they are scrolled to.
+void LabAnswers::resizeEvent(QResizeEvent *event)
+{
+    QTableWidget::resizeEvent(event);
+    int others = 0;
+    for (int column = 0; column < ReasonColumn; ++column)
+        others += columnWidth(column);
+    const bool isRoom = viewport()->width() - others >= leastReason;
+    horizontalHeader()->setSectionResizeMode(ReasonColumn,
+                                             isRoom ? QHeaderView::Stretch : QHeaderView::Fixed);
+    if (!isRoom)
+        setColumnWidth(ReasonColumn, leastReason);
+}
+
 void LabAnswers::show(const Study &study, const QString &family)
 {
     const QSignalBlocker blocker(this);
@@ -71,7 +95,7 @@ void LabAnswers::show(const Study &study, const QString &family)
         };
         put(BudgetColumn, textOf(answer.budget));
         put(ContenderColumn, contender ? contender->label : answer.contender);
-        put(GroundColumn, groundText(answer.ground));
+        put(GroundColumn, groundText(answer));
         put(TimeColumn,
             answer.nanosecondsPerPixel > 0 ? figureText(answer.nanosecondsPerPixel) : QString());
         put(ReasonColumn, answer.reason);

@@ -17,6 +17,9 @@ public:
 
     void show(const Study &study, const QString &family);
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 signals:
     void contenderSelected(const QString &contender);
 };

@@ -81,6 +81,8 @@ void LabChanges::show(const Study &before, const Study &after, const QString &be
     summary += u' '
         + (changed == 0 ? tr("No accuracy changed.")
                         : tr("≠ Accuracy changed in %1 rows.").arg(changed));
+    if (const std::int64_t missing = comparison.countMissing(); missing > 0)
+        summary += u' ' + tr("%1 rows are missing.").arg(missing);
     for (const QString &remark : comparison.remarks)
         summary += QStringLiteral(" ⚠ ") + remark;
     m_summary->setText(summary);

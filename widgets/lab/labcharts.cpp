@@ -5,13 +5,16 @@
 #include "widgets/lab/driftplot.h"
 #include "widgets/lab/labanswers.h"
 #include "widgets/lab/labchanges.h"
+#include "widgets/lab/labfiltermenu.h"
 #include "widgets/lab/labtable.h"
 #include "widgets/lab/missplot.h"
 #include "widgets/lab/paretoplot.h"
 #include "widgets/lab/scalingplot.h"
+#include "widgets/look/elidingbox.h"
 
 #include <QBoxLayout>
 #include <QComboBox>
+#include <QScrollArea>
 
 #include <algorithm>
 
@@ -21,13 +24,47 @@ namespace {
 
 QComboBox *namedBox(const char *name, const QString &accessibleName, QWidget *parent)
 {
-    auto *box = new QComboBox(parent);
+    auto *box = new ElidingBox(parent);
     box->setObjectName(QLatin1String(name));
     box->setAccessibleName(accessibleName);
     box->setToolTip(accessibleName);
     box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
     return box;
 }
+
+/// A chart with a box of choices above it, or beside it where it is low.
+class LabPage : public QWidget {
+public:
+    LabPage(QWidget *box, QWidget *shown, QWidget *parent)
+        : QWidget(parent)
+        , m_box(box)
+        , m_layout(new QBoxLayout(QBoxLayout::TopToBottom, this))
+    {
+        m_layout->setContentsMargins(0, 4, 0, 0);
+        m_layout->setSpacing(4);
+        if (box)
+            m_layout->addWidget(box, 0, Qt::AlignLeft | Qt::AlignTop);
+        m_layout->addWidget(shown, 1);
+    }
+
+protected:
+    void resizeEvent(QResizeEvent *event) override
+    {
+        QWidget::resizeEvent(event);
+        if (!m_box)
+            return;
+        const bool isLow = height() < lowPage;
+        m_layout->setDirection(isLow ? QBoxLayout::RightToLeft : QBoxLayout::TopToBottom);
+        m_box->setMaximumWidth(isLow ? boxBeside : QWIDGETSIZE_MAX);
+    }
+
+private:
+    static constexpr int lowPage = 180; ///< logical pixels
+    static constexpr int boxBeside = 120;
+
+    QWidget *m_box;
+    QBoxLayout *m_layout;
+};
 
 /// Of those that missed any sample, the one that missed most.
 QString worstOf(const Study &study, const QString &family)
@@ -57,10 +94,12 @@ LabCharts::LabCharts(QWidget *parent)
     , m_changes(new LabChanges(this))
     , m_contender(namedBox("labMissContender", tr("Whose misses"), this))
     , m_sizeAxis(namedBox("labSizeAxis", tr("Which size grows"), this))
+    , m_filter(new LabFilterMenu(this))
 {
     setObjectName(QStringLiteral("labTabs"));
     setAccessibleName(tr("Charts of the lab"));
     setDocumentMode(true);
+    setCornerWidget(m_filter);
     addPage(nullptr, m_pareto, tr("Cost and error"),
             tr("Every contender by what it costs and what it gets wrong"));
     addPage(nullptr, m_table, tr("Table"), tr("The same in figures, sorted by any column"));
@@ -68,7 +107,12 @@ LabCharts::LabCharts(QWidget *parent)
             tr("The cheapest contender that is accurate enough"));
     addPage(m_contender, m_misses, tr("Misses"),
             tr("How far missed samples lie from the boundary"));
-    addPage(nullptr, m_costs, tr("Parts"), tr("What set-up, columns and pixels take"));
+    auto *scroller = new QScrollArea(this);
+    scroller->setAccessibleName(tr("Parts of the cost"));
+    scroller->setFrameShape(QFrame::NoFrame);
+    scroller->setWidgetResizable(true);
+    scroller->setWidget(m_costs);
+    addPage(nullptr, scroller, tr("Parts"), tr("What set-up, columns and pixels take"));
     addPage(m_sizeAxis, m_scaling, tr("Growth"), tr("How times grow with sizes"));
     addPage(nullptr, m_drift, tr("Drift"), tr("How errors of increments grow with the columns"));
     addPage(nullptr, m_changes, tr("Changes"), tr("Before and after"));
@@ -80,39 +124,45 @@ LabCharts::LabCharts(QWidget *parent)
         select(contender);
         emit missRequested(contender);
     });
+    connect(m_pareto, &ParetoPlot::contenderSelected, this, &LabCharts::select);
     connect(m_table, &LabTable::contenderSelected, this, &LabCharts::select);
     connect(m_table, &LabTable::contenderActivated, this, &LabCharts::missRequested);
     connect(m_answers, &LabAnswers::contenderSelected, this, &LabCharts::select);
     connect(m_contender, &QComboBox::activated, this,
             [this] { select(m_contender->currentData().toString()); });
     connect(m_sizeAxis, &QComboBox::currentIndexChanged, this,
-            [this] { m_scaling->show(m_results, SizeAxis(m_sizeAxis->currentData().toInt())); });
+            [this] { m_scaling->show(m_shown, SizeAxis(m_sizeAxis->currentData().toInt())); });
+    connect(m_filter, &LabFilterMenu::filterChanged, this, &LabCharts::showAll);
 }
 
 void LabCharts::addPage(QWidget *box, QWidget *shown, const QString &title, const QString &toolTip)
 {
-    auto *page = new QWidget(this);
-    auto *layout = new QVBoxLayout(page);
-    layout->setContentsMargins(0, 4, 0, 0);
-    layout->setSpacing(4);
-    if (box)
-        layout->addWidget(box, 0, Qt::AlignLeft);
-    layout->addWidget(shown, 1);
-    setTabToolTip(addTab(page, title), toolTip);
+    setTabToolTip(addTab(new LabPage(box, shown, this), title), toolTip);
 }
 
 void LabCharts::show(const SharedResults &results, const QString &family, const ErrorAxis &axis)
 {
     m_results = results;
     m_family = family;
-    m_pareto->show(results, family, axis);
-    m_table->show(results, family);
-    m_answers->show(results->study, family);
+    m_axis = &axis;
+    m_filter->setContenders(results->study.contenders);
+    showAll();
+}
+
+/// Budgets and misses are asked of everyone.
+void LabCharts::showAll()
+{
+    if (!m_results)
+        return;
+    m_shown = filtered(m_results, m_filter->filter());
+    m_pareto->show(m_shown, m_family, *m_axis);
+    m_table->show(m_shown, m_family);
+    m_answers->show(m_results->study, m_family);
     fillContenders();
     showMisses();
-    m_costs->show(results, family);
-    m_scaling->show(results, SizeAxis(m_sizeAxis->currentData().toInt()));
-    m_drift->show(results);
+    m_costs->show(m_shown, m_family);
+    m_scaling->show(m_shown, SizeAxis(m_sizeAxis->currentData().toInt()));
+    m_drift->show(m_shown);
 }
 
 void LabCharts::fillContenders()

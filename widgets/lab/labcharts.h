@@ -14,6 +14,7 @@ class CostStack;
 class DriftPlot;
 class LabAnswers;
 class LabChanges;
+class LabFilterMenu;
 class LabTable;
 class MissPlot;
 class ParetoPlot;
@@ -48,6 +49,7 @@ signals:
 private:
     /// box: of choices above the shown widget; may be null.
     void addPage(QWidget *box, QWidget *shown, const QString &title, const QString &toolTip);
+    void showAll();
     void fillContenders();
     void showMisses();
 
@@ -61,8 +63,11 @@ private:
     LabChanges *m_changes;
     QComboBox *m_contender; ///< whose misses are shown
     QComboBox *m_sizeAxis;
+    LabFilterMenu *m_filter;
     SharedResults m_results;
+    SharedResults m_shown; ///< without those who are left out
     QString m_family;
+    const ErrorAxis *m_axis = nullptr;
     QString m_selected;
 };
 

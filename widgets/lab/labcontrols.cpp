@@ -32,7 +32,7 @@ LabControls::LabControls(const LabRun *run, QWidget *parent)
     m_start->setToolTip(tr("Judge and time every contender"));
     row->addWidget(m_start);
     m_extent = addBox(row, "labExtent", tr("Extent of the study"),
-                      tr("Quick: fourteen contenders, 20 seconds. Full: every method in every "
+                      tr("Quick: fifteen contenders, 20 seconds. Full: every method in every "
                          "arithmetic, five minutes"));
     m_extent->addItem(tr("quick"), int(StudyExtent::Quick));
     m_extent->addItem(tr("full"), int(StudyExtent::Full));
@@ -46,13 +46,14 @@ LabControls::LabControls(const LabRun *run, QWidget *parent)
     row->setStretch(row->indexOf(m_error), 2);
     addFileMenu(row);
     layout->addLayout(row);
-    addProgress(layout);
+    makeProgress();
     connect(m_start, &QPushButton::clicked, this, &LabControls::runRequested);
     connect(m_extent, &QComboBox::currentIndexChanged, this, &LabControls::extentChanged);
     connect(m_family, &QComboBox::currentIndexChanged, this, &LabControls::choiceChanged);
     connect(m_error, &QComboBox::currentIndexChanged, this, &LabControls::choiceChanged);
     connect(run, &LabRun::progressed, this, &LabControls::tellProgress);
     setHasResults(false);
+    setHasEarlier(false);
     showRunning();
 }
 
@@ -85,6 +86,8 @@ void LabControls::addFileMenu(QBoxLayout *row)
         return action;
     };
     add("labOpen", tr("&Open results …"), &LabControls::openRequested);
+    m_earlier = add("labEarlier", tr("Results &before these"), &LabControls::earlierRequested);
+    m_earlier->setToolTip(tr("What a run or a file took the place of"));
     m_outputs += add("labSave", tr("&Save results …"), &LabControls::saveRequested);
     m_outputs
         += add("labSaveTable", tr("Save as a &table, CSV …"), &LabControls::saveTableRequested);
@@ -92,7 +95,7 @@ void LabControls::addFileMenu(QBoxLayout *row)
     m_outputs
         += add("labCompare", tr("&Compare with earlier results …"), &LabControls::compareRequested);
     menu->addSeparator();
-    m_outputs += add("labSaveChart", tr("Save the chart, SVG or &PNG …"),
+    m_outputs += add("labSaveChart", tr("Save the chart, SVG, &PNG or CSV …"),
                      &LabControls::saveChartRequested);
     m_outputs += add("labCopyCommand", tr("Copy the co&mmand that does it again"),
                      &LabControls::copyCommandRequested);
@@ -100,7 +103,7 @@ void LabControls::addFileMenu(QBoxLayout *row)
     row->addWidget(button);
 }
 
-void LabControls::addProgress(QBoxLayout *layout)
+void LabControls::makeProgress()
 {
     m_running = new QWidget(this);
     m_progress = new QProgressBar(m_running);
@@ -114,7 +117,10 @@ void LabControls::addProgress(QBoxLayout *layout)
     row->setSpacing(8);
     row->addWidget(m_progress, 1);
     row->addWidget(cancel);
-    layout->addWidget(m_running);
+    // No higher than the line of text that it takes turns with.
+    const int lineHeight = fontMetrics().height() + 4;
+    m_progress->setFixedHeight(lineHeight);
+    cancel->setFixedHeight(lineHeight);
     connect(cancel, &QPushButton::clicked, this, &LabControls::cancelRequested);
 }
 
@@ -153,25 +159,23 @@ void LabControls::setHasResults(bool hasResults)
     m_error->setEnabled(hasResults);
 }
 
+void LabControls::setHasEarlier(bool hasEarlier) { m_earlier->setEnabled(hasEarlier); }
+
 void LabControls::showRunning()
 {
     const bool isRunning = m_run->isRunning();
-    if (m_running->isHidden() != isRunning)
+    if (m_start->isEnabled() != isRunning)
         return;
     m_start->setEnabled(!isRunning);
     m_extent->setEnabled(!isRunning);
-    m_running->setVisible(isRunning);
-    m_progress->setRange(0, 0);
-    m_progress->setFormat({});
+    tellProgress();
 }
 
 void LabControls::tellProgress()
 {
     const TimeLeft &left = m_run->timeLeft();
-    const std::optional<double> share = left.share();
-    m_progress->setRange(0, share ? progressSteps : 0);
-    if (share)
-        m_progress->setValue(int(*share * progressSteps));
+    m_progress->setRange(0, progressSteps);
+    m_progress->setValue(int(left.share() * progressSteps));
     m_progress->setFormat(left.text());
     m_progress->setToolTip(left.text());
 }

@@ -14,10 +14,9 @@ class QToolButton;
 namespace pixelplumb {
 
 class LabRun;
-class TimeLeft;
 
-/// The lab's row of buttons and boxes: run, how much, what is shown, files; below it progress while
-/// a study runs.
+/// The lab's row of buttons and boxes: run, how much, what is shown, files; and a line of progress,
+/// which stands elsewhere.
 class LabControls : public QWidget {
     Q_OBJECT
 
@@ -27,11 +26,14 @@ public:
     StudyExtent extent() const;
     QString family() const; ///< id; empty before there are any
     const ErrorAxis &errorAxis() const;
+    /// The progress of a running study, and how to end it; a line for whoever has room for it.
+    QWidget *progress() const { return m_running; }
 
     /// Keeps the choice where the new ones have it.
     void setFamilies(const std::vector<StudyFamily> &families);
     /// Whether there is anything to save.
     void setHasResults(bool hasResults);
+    void setHasEarlier(bool hasEarlier); ///< results that can be brought back
     void showRunning(); ///< or not
 
 signals:
@@ -40,6 +42,7 @@ signals:
     void extentChanged();
     void choiceChanged(); ///< of the family or the error
     void openRequested();
+    void earlierRequested();
     void compareRequested();
     void saveRequested();
     void saveTableRequested();
@@ -50,7 +53,7 @@ private:
     QComboBox *addBox(QBoxLayout *row, const char *name, const QString &accessibleName,
                       const QString &toolTip);
     void addFileMenu(QBoxLayout *row);
-    void addProgress(QBoxLayout *layout);
+    void makeProgress();
     void tellProgress();
 
     const LabRun *m_run;
@@ -58,9 +61,10 @@ private:
     QComboBox *m_extent = nullptr;
     QComboBox *m_family = nullptr;
     QComboBox *m_error = nullptr;
-    QWidget *m_running = nullptr; ///< the row of the progress
+    QWidget *m_running = nullptr; ///< the line of the progress
     QProgressBar *m_progress = nullptr;
     QList<QAction *> m_outputs; ///< that need results
+    QAction *m_earlier = nullptr;
 };
 
 } // namespace pixelplumb

@@ -27,31 +27,44 @@ std::array<QPointF, 8> cornersFor(const LabelledDot &dot)
 
 } // namespace
 
-std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelledDot> &dots,
-                                               const std::vector<QPointF> &others,
-                                               const QRectF &area)
+QRectF coveredBy(const QPointF &dot)
 {
-    std::vector<QRectF> taken;
-    const auto take = [&taken](const QPointF &dot) {
-        taken.emplace_back(dot.x() - dotRadius, dot.y() - dotRadius, 2 * dotRadius, 2 * dotRadius);
-    };
+    return {dot.x() - dotRadius, dot.y() - dotRadius, 2 * dotRadius, 2 * dotRadius};
+}
+
+namespace {
+
+bool isCovered(const std::vector<QRectF> &places, const QRectF &candidate)
+{
+    return std::ranges::any_of(
+        places, [&candidate](const QRectF &each) { return each.intersects(candidate); });
+}
+
+} // namespace
+
+std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelledDot> &dots,
+                                               const LabelArea &area)
+{
+    std::vector<QRectF> taken = area.others;
     for (const LabelledDot &dot : dots)
-        take(dot.centre);
-    for (const QPointF &other : others)
-        take(other);
+        taken.push_back(coveredBy(dot.centre));
     std::vector<std::optional<QRectF>> places;
     for (const LabelledDot &dot : dots) {
         std::optional<QRectF> place;
-        for (const QPointF &corner : cornersFor(dot)) {
-            const QRectF candidate(corner, dot.label);
-            if (!area.contains(candidate)
-                || std::ranges::any_of(
-                    taken, [&candidate](const QRectF &each) { return each.intersects(candidate); }))
+        const auto corners = cornersFor(dot);
+        const std::size_t choices = area.sides == LabelArea::Sides::Beside ? 2 : corners.size();
+        for (std::size_t i = 0; i < choices && !dot.label.isEmpty(); ++i) {
+            const QRectF candidate(corners[i], dot.label);
+            if (!area.whole.contains(candidate) || isCovered(taken, candidate))
                 continue;
-            place = candidate;
-            taken.push_back(candidate);
-            break;
+            const bool isFree = !isCovered(area.lines, candidate);
+            if (isFree || !place)
+                place = candidate;
+            if (isFree)
+                break;
         }
+        if (place)
+            taken.push_back(*place);
         places.push_back(place);
     }
     return places;

@@ -27,12 +27,13 @@ bool LabFiles::writeTable(const QString &path, const Study &study)
     return write(path, csvOf(study));
 }
 
-bool LabFiles::writeChart(const QString &path, LabPlot &chart, const QString &title,
-                          const Study &study)
+bool LabFiles::writeChart(const QString &path, LabPlot &chart, const Study &study)
 {
+    const QStringList origin = figureOrigin(study);
+    if (path.endsWith(QStringLiteral(".csv"), Qt::CaseInsensitive))
+        return write(path, chart.csv(origin));
     const bool isPicture = path.endsWith(QStringLiteral(".png"), Qt::CaseInsensitive);
-    const QStringList origin = originOf(study);
-    return write(path, isPicture ? chart.png(title, origin) : chart.svg(title, origin));
+    return write(path, isPicture ? chart.png(origin) : chart.svg(origin));
 }
 
 std::optional<Study> LabFiles::read(const QString &path)

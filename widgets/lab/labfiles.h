@@ -27,8 +27,9 @@ public:
     /// Each is false or none after a complaint.
     bool writeResults(const QString &path, const Study &study);
     bool writeTable(const QString &path, const Study &study);
-    /// A figure; SVG or PNG by the path's ending.
-    bool writeChart(const QString &path, LabPlot &chart, const QString &title, const Study &study);
+    /// A figure or its numbers, SVG, PNG or CSV by the path's ending, with the machine, the command
+    /// and all warnings.
+    bool writeChart(const QString &path, LabPlot &chart, const Study &study);
     std::optional<Study> read(const QString &path);
 
     /// The same after a question; empty where the person thinks better of it.

@@ -3,11 +3,17 @@
 
 #include "widgets/studies/precisionplot.h"
 
+#include <array>
+
 namespace pixelplumb {
 
 namespace {
 
 constexpr double dotSize = 9; ///< logical pixels
+constexpr double pathSize = 6; ///< of a painter path that is drawn as it is
+constexpr double besideCentre = 4; ///< logical pixels to the middle of each half of a double dot
+constexpr double halfDot = 3.25; ///< half the size of those
+constexpr float faint = 0.45F;
 
 QCPScatterStyle::ScatterShape dotShapeOf(Arithmetic arithmetic)
 {
@@ -26,13 +32,69 @@ QCPScatterStyle::ScatterShape dotShapeOf(Arithmetic arithmetic)
     return QCPScatterStyle::ssCircle;
 }
 
+/// The same shapes as paths around a place on the horizontal.
+QPainterPath dotPath(Arithmetic arithmetic, double x)
+{
+    constexpr double r = halfDot;
+    QPainterPath path;
+    switch (arithmetic) {
+    case Arithmetic::Exact:
+        path.addEllipse(QPointF(x, 0), r, r);
+        break;
+    case Arithmetic::Float32:
+        path.addPolygon(QPolygonF({{x - r, r}, {x + r, r}, {x, -r}, {x - r, r}}));
+        break;
+    case Arithmetic::Float64:
+        path.addRect(x - r, -r, 2 * r, 2 * r);
+        break;
+    case Arithmetic::Fixed16:
+        path.addPolygon(QPolygonF({{x - r, 0}, {x, r}, {x + r, 0}, {x, -r}, {x - r, 0}}));
+        break;
+    case Arithmetic::Fixed32:
+        path.addPolygon(QPolygonF({{x - r, -r}, {x + r, -r}, {x, r}, {x - r, -r}}));
+        break;
+    }
+    return path;
+}
+
 } // namespace
 
-QCPScatterStyle arithmeticDot(Arithmetic arithmetic, DotFill fill, const QPalette &palette)
+QCPScatterStyle kernelDot(Arithmetic arithmetic, LabKernel kernel, const QPalette &palette)
 {
     const QColor colour = arithmeticColour(arithmetic, palette);
-    const QBrush inside(fill == DotFill::Solid ? colour : palette.color(QPalette::Base));
-    return {dotShapeOf(arithmetic), QPen(colour, 1.5), inside, dotSize};
+    const QPen pen(colour, 1.5);
+    if (kernel == LabKernel::Plain)
+        return {dotShapeOf(arithmetic), pen, QBrush(colour), dotSize};
+    QPainterPath path = dotPath(arithmetic, -besideCentre);
+    path.addPath(dotPath(arithmetic, besideCentre));
+    return {path, QPen(colour, 1), QBrush(colour), pathSize};
+}
+
+QCPScatterStyle straightLoopDot(Arithmetic arithmetic, const QPalette &palette)
+{
+    return {dotShapeOf(arithmetic), QPen(arithmeticColour(arithmetic, palette), 1.5),
+            QBrush(palette.color(QPalette::Base)), dotSize};
+}
+
+QCPScatterStyle otherMethodDot(Arithmetic arithmetic, std::size_t method, const QPalette &palette)
+{
+    constexpr std::array crosses
+        = {QCPScatterStyle::ssCross, QCPScatterStyle::ssPlus, QCPScatterStyle::ssStar};
+    return {crosses[method % crosses.size()], QPen(arithmeticColour(arithmetic, palette), 2),
+            QBrush(Qt::NoBrush), dotSize};
+}
+
+QCPScatterStyle waitingDot(QCPScatterStyle dot)
+{
+    QPen pen = dot.pen();
+    QBrush brush = dot.brush();
+    QColor colour = pen.color();
+    colour.setAlphaF(faint);
+    pen.setColor(colour);
+    brush.setColor(colour);
+    dot.setPen(pen);
+    dot.setBrush(brush);
+    return dot;
 }
 
 } // namespace pixelplumb

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/labplot.h"
 
-#include "widgets/look/appearance.h"
+#include "widgets/lab/wrappedlines.h"
 #include "widgets/studies/precisionscale.h"
 
 #include <QBoxLayout>
-#include <QBuffer>
 #include <QEvent>
-#include <QSvgGenerator>
 #include <QToolTip>
 #include <qcustomplot.h>
 
@@ -17,18 +15,14 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr QSize figureSize(960, 640); ///< logical pixels, captions included
-constexpr int figureMargin = 16;
-constexpr double figureRatio = 2; ///< of the picture's pixels to logical ones
 constexpr double fewDecades = 3; ///< up to so many, 2 and 5 have ticks of their own
-
-/// Figures are set in the program's font, which a person who opens them may not have.
-int linesHeight(const QFont &font, const QStringList &lines, int width)
-{
-    return QFontMetrics(font)
-        .boundingRect(QRect(0, 0, width, 1000), Qt::TextWordWrap, lines.join(u'\n'))
-        .height();
-}
+constexpr double mostDecades = 6; ///< with a figure each
+constexpr int aroundAxis = 50; ///< of labels and margins beside an axis, logical pixels
+constexpr double tickWidth = 45; ///< of a figure on a horizontal axis, logical pixels
+constexpr int lowHeight = 220; ///< logical pixels
+constexpr QSize iconSize(24, 14); ///< of the legend, logical pixels
+constexpr int besideIcon = 20; ///< the legend's paddings in a line, logical pixels
+constexpr double legendShare = 0.4; ///< of the chart's width, at most
 
 } // namespace
 
@@ -42,7 +36,6 @@ LabPlot::LabPlot(const char *name, const QString &accessibleName, QWidget *paren
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_plot);
     m_plot->setFocusPolicy(Qt::NoFocus);
-    m_plot->setMinimumSize(minimumSizeHint());
     m_plot->setAutoAddPlottableToLegend(false);
     m_plot->setAntialiasedElements(QCP::aeAll);
     // Beside the curves, not over them.
@@ -62,13 +55,32 @@ LabPlot::LabPlot(const char *name, const QString &accessibleName, QWidget *paren
     connect(m_plot, &QCustomPlot::mouseMove, this, [this](QMouseEvent *event) {
         const QString text = textAt(event->position());
         m_plot->setCursor(text.isEmpty() ? Qt::ArrowCursor : Qt::PointingHandCursor);
-        QToolTip::showText(event->globalPosition().toPoint(), text, m_plot);
+        QToolTip::showText(event->globalPosition().toPoint(),
+                           text.isEmpty() ? keyTextAt(event->position()) : text, m_plot);
     });
 }
 
 QString LabPlot::textAt(const QPointF &) const { return {}; }
 
-QCPLegend *LabPlot::legend() const { return m_plot->legend; }
+QString LabPlot::keyTextAt(const QPointF &position) const
+{
+    for (int i = 0; i < m_plot->legend->itemCount(); ++i) {
+        auto *item = qobject_cast<QCPPlottableLegendItem *>(m_plot->legend->item(i));
+        if (!item || !item->outerRect().contains(position.toPoint()))
+            continue;
+        const auto meaning = m_meanings.find(item->plottable());
+        return meaning == m_meanings.end() ? QString() : meaning->second;
+    }
+    return {};
+}
+
+bool LabPlot::isLow() const { return m_plot->height() < lowHeight; }
+
+QString LabPlot::titleOn(const SharedResults &results, const QString &family) const
+{
+    const StudyFamily *drawn = results ? results->study.family(family) : nullptr;
+    return drawn ? tr("%1: %2").arg(accessibleName(), drawn->title) : accessibleName();
+}
 
 QFont LabPlot::smallFont() const
 {
@@ -100,129 +112,130 @@ void LabPlot::dress()
     m_plot->legend->setTextColor(text);
     m_plot->legend->setFont(smallFont());
     m_plot->legend->setRowSpacing(0);
-    m_plot->legend->setIconSize(24, 14);
+    m_plot->legend->setIconSize(iconSize);
 }
 
 void LabPlot::rebuild()
 {
     m_plot->clearPlottables();
     m_plot->clearItems();
+    m_meanings.clear();
     dress();
     build();
-    m_plot->legend->setVisible(m_plot->legend->itemCount() > 0);
+    if (hasFocus() && !m_isOnPaper)
+        frameFocus();
+    layOut();
+}
+
+void LabPlot::layOut()
+{
+    fitLegend();
     m_plot->replot();
+}
+
+/// In columns where it is higher than the chart; nowhere where it would take the chart's room.
+void LabPlot::fitLegend()
+{
+    QCPLegend *legend = m_plot->legend;
+    const QFontMetrics metrics(smallFont());
+    int widest = 0;
+    for (int i = 0; i < legend->itemCount(); ++i) {
+        if (auto *item = qobject_cast<QCPPlottableLegendItem *>(legend->item(i)))
+            widest = std::max(widest, metrics.horizontalAdvance(item->plottable()->name()));
+    }
+    const int rows
+        = std::max(1, m_plot->height() / std::max(iconSize.height(), metrics.height()) - 2);
+    const int columns = (legend->itemCount() + rows - 1) / rows;
+    if (columns * (iconSize.width() + besideIcon + widest) > legendShare * m_plot->width())
+        legend->clearItems();
+    legend->setWrap(rows);
+    legend->setFillOrder(QCPLayoutGrid::foRowsFirst, true);
+    legend->setVisible(legend->itemCount() > 0);
+}
+
+void LabPlot::frameFocus()
+{
+    auto *frame = new QCPItemRect(m_plot);
+    frame->setPen(QPen(palette().color(QPalette::Highlight), 2));
+    frame->setBrush(Qt::NoBrush);
+    frame->setClipToAxisRect(false);
+    for (QCPItemPosition *corner : {frame->topLeft, frame->bottomRight})
+        corner->setType(QCPItemPosition::ptViewportRatio);
+    frame->topLeft->setCoords(0, 0);
+    frame->bottomRight->setCoords(1, 1);
 }
 
 void LabPlot::addMessage(const QString &text)
 {
     auto *message = new QCPItemText(m_plot);
-    message->setText(text);
+    message->setText(wrappedLines(text, font(), 0.8 * m_plot->width()).join(u'\n'));
     message->setFont(font());
     message->setColor(palette().color(QPalette::Text));
+    message->setBrush(QBrush(palette().color(QPalette::Base)));
+    message->setPadding({4, 2, 4, 2});
     message->setTextAlignment(Qt::AlignHCenter);
     message->setClipToAxisRect(false);
     message->position->setType(QCPItemPosition::ptAxisRectRatio);
     message->position->setCoords(0.5, 0.5);
 }
 
-QCPGraph *LabPlot::addKey(const QString &text)
+void LabPlot::addKey(QCPAbstractPlottable *plottable, const QString &name, const QString &meaning)
+{
+    plottable->setName(name);
+    plottable->addToLegend();
+    m_meanings[plottable] = meaning;
+}
+
+QCPGraph *LabPlot::addKey(const QString &name, const QString &meaning)
 {
     QCPGraph *key = m_plot->addGraph();
-    key->setName(text);
-    key->addToLegend();
+    addKey(key, name, meaning);
     return key;
 }
 
-void LabPlot::setLogRange(QCPAxis *axis, double low, double high, const QString &prefix)
+void LabPlot::setLogRange(QCPAxis *axis, double low, double high, const QString &pattern) const
 {
     axis->setScaleType(QCPAxis::stLogarithmic);
     axis->setRange(low, high);
     const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
     const double decades = std::log10(high / low);
-    const int stride = std::max(1, int(decades / 6));
+    const bool isAcross = axis->orientation() == Qt::Horizontal;
+    const double most
+        = std::max(2.0,
+                   isAcross ? (m_plot->width() - aroundAxis) / tickWidth
+                            : (m_plot->height() - aroundAxis) / double(2 * fontMetrics().height()));
+    const bool isFine = decades <= fewDecades && 3 * decades <= most;
+    const int stride = std::max(1, int(std::ceil(decades / std::min(most, mostDecades))));
     for (int exponent = int(std::floor(std::log10(low))); exponent <= std::log10(high);
          exponent += stride) {
         for (const int factor : {1, 2, 5}) {
-            if (factor > 1 && decades > fewDecades)
+            if (factor > 1 && !isFine)
                 break;
             const double place = factor * std::pow(10.0, exponent);
             const bool isPlain = exponent >= -2 && exponent <= 4 && decades <= 2 * fewDecades;
             ticker->addTick(
                 place,
-                prefix + (isPlain ? QString::number(place, 'g', 6) : powerOfTenText(exponent)));
+                pattern.arg(isPlain ? QString::number(place, 'g', 6) : powerOfTenText(exponent)));
         }
     }
     axis->setTicker(ticker);
 }
 
-void LabPlot::asFigure(const std::function<void()> &paint)
-{
-    const QPalette window = palette();
-    const bool isOwn = testAttribute(Qt::WA_SetPalette);
-    const QRect place = m_plot->geometry();
-    setPalette(lightPalette());
-    paint();
-    setPalette(isOwn ? window : QPalette());
-    m_plot->setGeometry(place);
-    rebuild();
-}
-
-void LabPlot::paintFigure(QCPPainter &painter, const QString &title, const QStringList &origin)
-{
-    const int width = figureSize.width() - 2 * figureMargin;
-    QFont bold = font();
-    bold.setBold(true);
-    const int above = linesHeight(bold, {title}, width) + figureMargin / 2;
-    const int below = linesHeight(smallFont(), origin, width) + figureMargin / 2;
-    const int height = figureSize.height() - 2 * figureMargin - above - below;
-    // Labels find their places in the size at hand.
-    m_plot->setGeometry(0, 0, width, height);
-    rebuild();
-    painter.fillRect(QRect(QPoint(), figureSize), Qt::white);
-    painter.setPen(Qt::black);
-    painter.setFont(bold);
-    painter.drawText(QRect(figureMargin, figureMargin, width, above), Qt::TextWordWrap, title);
-    painter.setFont(smallFont());
-    painter.drawText(QRect(figureMargin, figureSize.height() - figureMargin - below, width, below),
-                     Qt::TextWordWrap | Qt::AlignBottom, origin.join(u'\n'));
-    painter.translate(figureMargin, figureMargin + above);
-    m_plot->toPainter(&painter, width, height);
-}
-
-QByteArray LabPlot::svg(const QString &title, const QStringList &origin)
-{
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    asFigure([&] {
-        QSvgGenerator generator;
-        generator.setOutputDevice(&buffer);
-        generator.setSize(figureSize);
-        generator.setViewBox(QRect(QPoint(), figureSize));
-        generator.setTitle(title);
-        generator.setDescription(origin.join(u'\n'));
-        QCPPainter painter(&generator);
-        paintFigure(painter, title, origin);
-    });
-    return buffer.data();
-}
-
-QByteArray LabPlot::png(const QString &title, const QStringList &origin)
-{
-    QImage picture(figureSize * figureRatio, QImage::Format_RGB32);
-    picture.setDevicePixelRatio(figureRatio);
-    asFigure([&] {
-        QCPPainter painter(&picture);
-        paintFigure(painter, title, origin);
-    });
-    QBuffer buffer;
-    buffer.open(QIODevice::WriteOnly);
-    picture.save(&buffer, "PNG");
-    return buffer.data();
-}
-
 void LabPlot::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
+    rebuild();
+}
+
+void LabPlot::focusInEvent(QFocusEvent *event)
+{
+    QWidget::focusInEvent(event);
+    rebuild();
+}
+
+void LabPlot::focusOutEvent(QFocusEvent *event)
+{
+    QWidget::focusOutEvent(event);
     rebuild();
 }
 

@@ -4,14 +4,17 @@
 #include "core/lab/sizestudy.h"
 #include "core/lab/study.h"
 
+#include <memory>
+
 namespace pixelplumb {
 
-/// What the lab shows: a study, finished or not, and how times and errors grow. The curves of a
-/// study that comes from a file are not there.
+/// What the lab shows: a study, finished or not, and how times and errors grow.
 struct LabResults {
     Study study;
     std::vector<SizeCurve> sizes;
     std::vector<DriftCurve> drift;
 };
+
+using SharedResults = std::shared_ptr<const LabResults>;
 
 } // namespace pixelplumb

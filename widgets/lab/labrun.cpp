@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/labrun.h"
 
+#include "widgets/model/measuringpool.h"
+
 #include <atomic>
 #include <mutex>
 
@@ -11,26 +13,6 @@ namespace {
 using namespace std::chrono_literals;
 
 constexpr auto betweenNews = 250ms; ///< a copy of a study takes time from what is measured
-constexpr std::int64_t driftColumns = 2003;
-
-/// Those whose growth is worth a curve: the column scan in every arithmetic, its fast kernel, and
-/// the walk over rows.
-constexpr const char *scalingContenders[]
-    = {"column-scan:exact",   "column-scan:exact:fast", "column-scan:float32",
-       "column-scan:float64", "column-scan:fixed16.16", "column-scan:fixed32.32",
-       "row-walk:float32"};
-
-std::vector<LabContender> contendersOfSizes(const StudySettings &settings)
-{
-    if (!settings.contenders.empty())
-        return settings.contenders;
-    std::vector<LabContender> contenders;
-    for (const char *id : scalingContenders) {
-        if (auto contender = labContenderNamed(QLatin1String(id)))
-            contenders.push_back(std::move(*contender));
-    }
-    return contenders;
-}
 
 } // namespace
 
@@ -44,7 +26,7 @@ public:
         if (now - m_lastOffer < betweenNews)
             return;
         m_lastOffer = now;
-        post([&](LabResults &results) { results.study = study; });
+        post([&](LabResults &results) { results = {study, study.growth, study.drift}; });
     }
 
     template <class Change>
@@ -77,6 +59,7 @@ private:
 
 LabRun::LabRun(QObject *parent)
     : QObject(parent)
+    , m_job(nullptr, measuringPool())
 {
     connect(&m_job, &Job::progressChanged, this, [this](const JobProgress &progress) {
         m_timeLeft.tell(progress, TimeLeft::Clock::now());
@@ -89,7 +72,7 @@ LabRun::~LabRun() = default;
 
 void LabRun::start(const StudySettings &settings)
 {
-    m_timeLeft = {};
+    m_timeLeft = TimeLeft(expectedSeconds(settings));
     m_board = std::make_shared<Board>();
     const auto work = [settings, board = m_board](const ProgressListener &job) {
         const ProgressListener listener
@@ -99,20 +82,8 @@ void LabRun::start(const StudySettings &settings)
         hears.rowChanged = [&board](const Study &study, std::size_t) { board->offer(study); };
         hears.roundDone = [&board](const Study &study) { board->offer(study); };
         const Study study = runStudy(settings, hears);
-        board->post([&](LabResults &results) { results.study = study; });
-        if (!study.isComplete)
-            return false;
-        auto drift = driftOver(driftColumns, listener);
-        if (!drift)
-            return false;
-        board->post([&](LabResults &results) { results.drift = std::move(*drift); });
-        if (study.rounds == 0)
-            return true;
-        const int rounds = settings.extent == StudyExtent::Quick ? 3 : 7;
-        auto sizes = runSizeStudy(contendersOfSizes(settings), rounds, listener);
-        if (sizes)
-            board->post([&](LabResults &results) { results.sizes = std::move(*sizes); });
-        return sizes.has_value();
+        board->post([&](LabResults &results) { results = {study, study.growth, study.drift}; });
+        return study.isComplete;
     };
     m_job.start(work, [this](bool) {
         takeNews();
@@ -130,7 +101,6 @@ void LabRun::drop()
 {
     m_board = nullptr;
     m_job.cancel();
-    emit ended();
 }
 
 void LabRun::takeNews()

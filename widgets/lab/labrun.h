@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/measure/timeleft.h"
 #include "widgets/lab/labresults.h"
-#include "widgets/lab/timeleft.h"
 #include "widgets/model/job.h"
 
 #include <memory>
@@ -10,7 +10,7 @@
 namespace pixelplumb {
 
 /// Runs a study beside the GUI thread and shows what there is of it while it goes on. A cancelled
-/// run keeps what it has.
+/// run keeps what it has. Waits while something else is being timed.
 class LabRun : public QObject {
     Q_OBJECT
 
@@ -25,7 +25,7 @@ public:
     void start(const StudySettings &settings);
     /// Ends it after the sample that it is at; then what it has is told, and ended().
     void cancel();
-    /// Ends it and drops what it has.
+    /// Ends it without a word and drops what it has.
     void drop();
 
 signals:
@@ -39,7 +39,7 @@ private:
     void takeNews();
 
     Job m_job;
-    TimeLeft m_timeLeft;
+    TimeLeft m_timeLeft{0};
     std::shared_ptr<Board> m_board; ///< shared with the worker
 };
 

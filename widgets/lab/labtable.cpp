@@ -20,9 +20,7 @@ LabTable::LabTable(QWidget *parent)
     m_sorted->setSortRole(LabTableModel::SortRole);
     setModel(m_sorted);
     setSortingEnabled(true);
-    // As the study has them, until a header is clicked.
-    horizontalHeader()->setSortIndicator(-1, Qt::AscendingOrder);
-    horizontalHeader()->setSortIndicatorClearable(true);
+    sortByColumn(LabTableModel::costColumn, Qt::AscendingOrder);
     setSelectionBehavior(QAbstractItemView::SelectRows);
     setSelectionMode(QAbstractItemView::SingleSelection);
     setFrameShape(QFrame::NoFrame);

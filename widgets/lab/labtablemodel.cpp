@@ -64,36 +64,38 @@ struct FigureColumn {
 };
 
 constexpr FigureColumn figureColumns[] = {
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "wrong, ppm"),
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "wrong of a million"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
-                       "pixels that differ from the truth, of a million of the truth's"),
+                       "wrong pixels of a million: those that differ from the truth"),
      wrongPerMillion, Shown::AsFigure},
     {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "ns a pixel"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "the median of all rounds"), perPixel,
      Shown::AsFigure},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "× assignment"),
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "times assignment's"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
-                       "times the assignment's method, the column scan in float32"),
+                       "how many times what the assignment's method takes, the "
+                       "column scan in float32"),
      timesReference, Shown::AsFigure},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "× loop"),
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "times straight loop"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
-                       "times a straight loop that writes the same pixels; up to 1.3 is fair"),
+                       "how many times what the shortest loop takes that is written out "
+                       "by hand for the same pixels; up to 1.3 is fair"),
      timesStraight, Shown::AsFigure},
     {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "spread, %"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
                        "the middle half of all rounds, of their median"),
      spreadShare, Shown::AsFigure},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "? missing"),
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "missing ?"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "samples inside that are not painted"),
      countOf<&AccuracyFigures::missing>, Shown::AsCount},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "! extra"),
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "extra !"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "samples outside that are painted"),
      countOf<&AccuracyFigures::extra>, Shown::AsCount},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "= ties"),
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "ties ="),
      QT_TRANSLATE_NOOP("pixelplumb::LabTableModel",
                        "samples exactly on the boundary that are missing or extra"),
      ties, Shown::AsCount},
-    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "c bytes"),
+    {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "colours c"),
      QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "pixels that are there in another colour"),
      countOf<&AccuracyFigures::wrongBytes>, Shown::AsCount},
     {QT_TRANSLATE_NOOP("pixelplumb::LabTableModel", "levels off"),
@@ -181,7 +183,7 @@ QVariant LabTableModel::headerData(int section, Qt::Orientation orientation, int
         return {};
     if (isFigure)
         return tr(figureColumns[section - firstFigure].title);
-    return section == 0 ? tr("contender") : tr("remark");
+    return section == 0 ? tr("method, arithmetic, kernel") : tr("remark");
 }
 
 } // namespace pixelplumb

@@ -17,6 +17,7 @@ class LabTableModel : public QAbstractTableModel {
 public:
     /// A figure to sort by; of text columns the text.
     static constexpr int SortRole = Qt::UserRole;
+    static constexpr int costColumn = 2; ///< ns a pixel
     static constexpr int ContenderRole = Qt::UserRole + 1; ///< id
 
     using QAbstractTableModel::QAbstractTableModel;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/lab/labtext.h"
 
+#include "core/measure/timeleft.h"
+
 #include <QCoreApplication>
+#include <QTextDocumentFragment>
 
 namespace pixelplumb {
 
@@ -45,21 +48,49 @@ QString wrongText(const AccuracyFigures &figures)
     return text;
 }
 
-QString pointHtml(const Study &study, const ParetoPoint &point, const QString &family)
+namespace {
+
+/// Its name, what it gets wrong, and what is known about a zero.
+QStringList errorLines(const Study &study, const ParetoPoint &point, const LabRow *row)
 {
     QStringList lines = {QStringLiteral("<b>%1</b>").arg(point.label.toHtmlEscaped())};
-    const LabRow *row = study.row(point.contender, family);
     if (row && row->accuracy)
         lines.append(wrongText(*row->accuracy));
-    if (point.errorClass == ErrorClass::ZeroProved) {
-        const StudyContender *contender = study.contender(point.contender);
-        lines.append(translated("no error, by proof")
-                     + (contender && !contender->domain.isEmpty()
-                            ? QStringLiteral(": ") + contender->domain.toHtmlEscaped()
-                            : QString()));
-    } else if (point.errorClass == ErrorClass::ZeroObserved) {
-        lines.append(translated("no error observed over %1 pixels").arg(point.pixels));
+    const StudyContender *contender = study.contender(point.contender);
+    switch (point.errorClass) {
+    case ErrorClass::ZeroProved:
+        lines.append(translated("no error, by proof: %1").arg(contender->domain.toHtmlEscaped()));
+        break;
+    case ErrorClass::ZeroTested:
+        lines.append(translated("no error: proved of the plain kernel; that this SIMD kernel "
+                                "writes the same bytes is tested, not proved"));
+        break;
+    case ErrorClass::ZeroObserved:
+        lines.append(
+            translated("no error observed over %1 pixels; nothing is proved").arg(point.pixels));
+        break;
+    case ErrorClass::Positive:
+        break;
     }
+    return lines;
+}
+
+QString joinedLines(QStringList lines, const LabRow *row)
+{
+    if (row && row->firstMiss)
+        lines.append(translated("Click: opens the scene of its first wrong pixel (%1, %2) here and "
+                                "in Compare; unsaved changes are asked about first")
+                         .arg(row->firstMiss->x)
+                         .arg(row->firstMiss->y));
+    return lines.join(QStringLiteral("<br>"));
+}
+
+} // namespace
+
+QString pointHtml(const Study &study, const ParetoPoint &point, const QString &family)
+{
+    const LabRow *row = study.row(point.contender, family);
+    QStringList lines = errorLines(study, point, row);
     QString cost = translated("%1 ns a pixel").arg(spreadText(point.cost));
     if (point.timesReference)
         cost += translated(", ×%1 the assignment's method").arg(figureText(*point.timesReference));
@@ -71,18 +102,72 @@ QString pointHtml(const Study &study, const ParetoPoint &point, const QString &f
         lines.append(translated("<b>!</b> %1 times its straight loop: more than the fair 1.3")
                          .arg(figureText(*point.missesStraight)));
     if (point.isOnFrontier)
-        lines.append(translated("nobody is as exact for less time"));
-    if (row && row->firstMiss)
-        lines.append(translated("click: Compare at its first wrong pixel (%1, %2)")
-                         .arg(row->firstMiss->x)
-                         .arg(row->firstMiss->y));
-    return lines.join(QStringLiteral("<br>"));
+        lines.append(point.kernel == LabKernel::Plain
+                         ? translated("of the plain kernels shown none is as exact for less time")
+                         : translated("of the SIMD kernels shown none is as exact for less time"));
+    return joinedLines(lines, row);
+}
+
+QString untimedHtml(const Study &study, const ParetoPoint &point, const QString &family)
+{
+    const LabRow *row = study.row(point.contender, family);
+    QStringList lines = errorLines(study, point, row);
+    const StudyFamily *drawn = study.family(family);
+    if (row && !row->remark.isEmpty())
+        lines.append(row->remark.toHtmlEscaped());
+    else if (drawn && drawn->timedPixels == 0)
+        lines.append(translated("these triangles are judged and not timed"));
+    else
+        lines.append(study.isComplete
+                         ? translated("not timed")
+                         : translated("its time comes when all of this family are judged"));
+    return joinedLines(lines, row);
+}
+
+QString errorClassText(ErrorClass errorClass)
+{
+    switch (errorClass) {
+    case ErrorClass::Positive:
+        break;
+    case ErrorClass::ZeroObserved:
+        return translated("No error was seen over the pixels that were drawn. There may be some "
+                          "elsewhere.");
+    case ErrorClass::ZeroTested:
+        return translated("SIMD kernels of methods that are proved to make no error: that the SIMD "
+                          "kernel writes the same bytes as the proved plain one is tested.");
+    case ErrorClass::ZeroProved:
+        return translated("That there is no error anywhere is proved, for the triangles that the "
+                          "dot names.");
+    }
+    return {};
+}
+
+QString straightLoopText()
+{
+    return translated("The shortest loop that draws the same pixels in the same arithmetic, "
+                      "written out by hand. A method whose dot is near its loop costs what its "
+                      "arithmetic costs.");
+}
+
+QString errorLabel(const ErrorAxis &axis, LabelLength length)
+{
+    const QString unit = QString::fromUtf8(axis.unit);
+    const QString title = QString::fromUtf8(axis.title);
+    if (unit == QStringLiteral("ppm"))
+        return length == LabelLength::Short ? translated("of a million")
+                                            : translated("%1 of a million").arg(title);
+    return length == LabelLength::Short ? unit : QStringLiteral("%1, %2").arg(title, unit);
+}
+
+QString plainText(const QString &html)
+{
+    return QTextDocumentFragment::fromHtml(html).toPlainText();
 }
 
 QString pointLabel(const ParetoPoint &point)
 {
     QString text = point.label;
-    if (point.contender == QLatin1String(referenceContenderId))
+    if (point.isReference())
         text += QStringLiteral(" ×1");
     if (point.missesStraight)
         text += QStringLiteral(" ! ×%1").arg(figureText(*point.missesStraight));
@@ -106,18 +191,31 @@ QString outcomeText(const LabRow &row)
     return {};
 }
 
-QStringList originOf(const Study &study) { return {summaryOf(study.conditions), study.command}; }
+QStringList originOf(const Study &study)
+{
+    return {summaryOf(study.conditions),
+            study.command.isEmpty() ? translated("(save the scene to get its command)")
+                                    : study.command};
+}
 
-QString invitationText(StudyExtent extent)
+QStringList figureOrigin(const Study &study)
+{
+    QStringList lines = originOf(study);
+    lines.removeAll(QString());
+    for (const QString &warning : warningsOf(study))
+        lines.append(QStringLiteral("⚠ ") + warning);
+    return lines;
+}
+
+QString invitationText(StudyExtent extent, double seconds)
 {
     const QString what = translated("Run draws the same triangles by every contender, counts the "
                                     "pixels that differ from the truth, and times all of them in "
                                     "turn, beside straight loops that do the same work.");
     const QString howLong = extent == StudyExtent::Quick
-        ? translated("The quick study takes fourteen contenders and about 20 seconds.")
-        : translated("The full study takes every method in every arithmetic and about five "
-                     "minutes.");
-    return what + u' ' + howLong;
+        ? translated("The quick study takes fifteen contenders and %1.")
+        : translated("The full study takes every method in every arithmetic and %1.");
+    return what + u' ' + howLong.arg(aboutText(seconds));
 }
 
 } // namespace pixelplumb

@@ -12,8 +12,18 @@ QString figureText(double value);
 /// "1.65 (1.60 … 1.71)": the median and the middle half.
 QString spreadText(const Spread &spread);
 
-/// Everything that is known about a dot of the Pareto chart.
+/// Everything that is known about a dot of the Pareto chart; about one that has no time.
 QString pointHtml(const Study &study, const ParetoPoint &point, const QString &family);
+QString untimedHtml(const Study &study, const ParetoPoint &point, const QString &family);
+/// What a row of the error axis means; empty of errors above 0.
+QString errorClassText(ErrorClass errorClass);
+/// What a straight loop is, and what it is for.
+QString straightLoopText();
+/// "wrong pixels of a million"; "of a million".
+enum class LabelLength { Whole, Short };
+QString errorLabel(const ErrorAxis &axis, LabelLength length);
+/// Without its tags, a line each.
+QString plainText(const QString &html);
 /// What stands beside the dot: "Column scan, float32 ×1", "… ! 1.8 × its loop".
 QString pointLabel(const ParetoPoint &point);
 
@@ -22,10 +32,12 @@ QString wrongText(const AccuracyFigures &figures);
 /// Why a row shows nothing: "took too long", and the remark.
 QString outcomeText(const LabRow &row);
 
-/// Machine, compiler and flags; the command that does it again. For the foot of a chart.
+/// Machine, compiler and flags; the command that does it again.
 QStringList originOf(const Study &study);
+/// The same, then each warning: for the foot of a chart on paper.
+QStringList figureOrigin(const Study &study);
 
-/// What a lab says before its first run: what the button does and how long it takes.
-QString invitationText(StudyExtent extent);
+/// What a lab says before its first run: what the button does and how many s that takes.
+QString invitationText(StudyExtent extent, double seconds);
 
 } // namespace pixelplumb

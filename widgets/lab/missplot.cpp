@@ -13,6 +13,8 @@ namespace pixelplumb {
 
 namespace {
 
+constexpr int narrow = 560; ///< logical pixels
+constexpr int wide = 760; ///< logical pixels
 constexpr double tiePlace = 0.5; ///< of the ties' two bars, at both sides of 0
 constexpr double barWidth = 0.8;
 constexpr double baseline = 0.5; ///< of a logarithmic axis of counts: one is to be seen
@@ -76,12 +78,15 @@ void MissPlot::build()
     QCPAxis *across = plot()->xAxis;
     QCPAxis *up = plot()->yAxis;
     across->setRange(-farthest, farthest);
-    across->setLabel(tr("? missing, px inside   ←   = on the boundary   →   ! extra, px outside"));
+    across->setLabel(width() < wide
+                         ? tr("? px inside   ←   =   →   ! px outside")
+                         : tr("? missing, px inside   ←   = on the boundary   →   ! extra, px "
+                              "outside"));
     up->setLabel(tr("samples"));
     const QSharedPointer<QCPAxisTickerText> ticker(new QCPAxisTickerText);
     ticker->addTick(0, QStringLiteral("="));
     // A tick stands where the bin's nearer end is: between two bars.
-    const int stride = width() < 560 ? 3 : 2;
+    const int stride = width() < narrow ? 4 : width() < wide ? 3 : 2;
     for (int exponent = -7; exponent <= 2; exponent += stride) {
         const double place = firstBin + 0.5 + exponent + 7;
         ticker->addTick(place, powerOfTenText(exponent));
@@ -120,12 +125,27 @@ void MissPlot::addBars(double from, double to, Qt::BrushStyle style, const QColo
     shown->setWidth(barWidth);
     shown->setPen(QPen(colour, 1));
     shown->setBrush(QBrush(colour, style));
-    shown->setName(name);
-    shown->addToLegend();
+    addKey(shown, name, {});
     for (const Bar &bar : m_bars) {
         if (bar.place > from && bar.place < to && bar.count > 0)
             shown->addData(bar.place, double(bar.count) - baseline); // bars begin at the base
     }
+}
+
+QString MissPlot::figureTitle() const
+{
+    const StudyContender *contender = m_results ? m_results->study.contender(m_contender) : nullptr;
+    const QString title = titleOn(m_results, m_family);
+    return contender ? tr("%1; %2").arg(title, contender->label) : title;
+}
+
+std::vector<QStringList> MissPlot::numbers() const
+{
+    std::vector<QStringList> lines
+        = {{QStringLiteral("contender"), QStringLiteral("samples"), QStringLiteral("count")}};
+    for (const Bar &bar : m_bars)
+        lines.push_back({m_contender, bar.meaning, QString::number(bar.count)});
+    return lines;
 }
 
 QString MissPlot::textAt(const QPointF &position) const

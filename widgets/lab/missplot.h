@@ -21,6 +21,8 @@ public:
     static double placeOf(Side side, std::size_t bin);
 
     QString textAt(const QPointF &position) const override;
+    QString figureTitle() const override;
+    std::vector<QStringList> numbers() const override;
 
 protected:
     void build() override;

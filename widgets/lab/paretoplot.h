@@ -2,15 +2,20 @@
 #pragma once
 
 #include "widgets/lab/errorscale.h"
+#include "widgets/lab/labelplaces.h"
 #include "widgets/lab/labplot.h"
 
 #include <QPen>
 
+class QCPScatterStyle;
+
 namespace pixelplumb {
 
 /// What accuracy costs in time (objectName "labPareto"): cost against error, both logarithmic, with
-/// rows below for no error at all; the frontier as a staircase, times ×1 by the assignment's
-/// method, a hollow dot for each straight loop. A dot's shape and colour tell its arithmetic.
+/// rows below for no error at all; a staircase for the frontier of the plain kernels and a dashed
+/// one for that of the SIMD kernels, times ×1 by the assignment's method, a hollow dot for each
+/// straight loop. A dot's shape and colour tell its arithmetic; those that have no time yet wait at
+/// the left. Left and Right go from dot to dot, Return opens its first wrong pixel.
 class ParetoPlot : public LabPlot {
     Q_OBJECT
 
@@ -20,6 +25,7 @@ public:
     /// axis: a row of errorAxes().
     void show(const SharedResults &results, const QString &family, const ErrorAxis &axis);
     void select(const QString &contender);
+    const QString &selected() const { return m_selected; } ///< id; empty where none is
 
     const ParetoChart &chart() const { return m_chart; }
     const ErrorScale &scale() const { return m_scale; }
@@ -27,23 +33,43 @@ public:
     std::optional<QPointF> positionOf(const QString &contender) const;
 
     QString textAt(const QPointF &position) const override;
+    QString figureTitle() const override { return titleOn(m_results, m_family); }
+    std::vector<QStringList> numbers() const override;
 
 signals:
-    void contenderClicked(const QString &contender);
+    void contenderSelected(const QString &contender); ///< by a key
+    void contenderClicked(const QString &contender); ///< or Return
 
 protected:
     void build() override;
     void clickAt(const QPointF &position) override;
+    void keyPressEvent(QKeyEvent *event) override;
 
 private:
+    /// A point of the chart, timed or not, where it is drawn.
+    struct Dot {
+        ParetoPoint point;
+        double cost = 0; ///< on the axis
+        double error = 0; ///< on the axis
+        bool isTimed = true;
+    };
+
     Arithmetic arithmeticOf(const ParetoPoint &point) const;
-    QPointF placeOf(const ParetoPoint &point) const; ///< in the plot
-    const ParetoPoint *pointAt(const QPointF &position) const;
+    QString textOf(const Dot &dot) const;
+    QPointF placeOf(const Dot &dot) const; ///< in the plot
+    const Dot *dotOf(const QString &contender) const;
+    const Dot *dotAt(const QPointF &position) const;
+    QColor staircaseColour(LabKernel kernel) const;
     QPen missPen() const;
+    QCPScatterStyle styleOf(const Dot &dot) const;
     void setAxes();
-    void addStaircase();
-    void addPoint(const ParetoPoint &point);
-    void addStraight(const ParetoPoint &point);
+    void setErrorTicks();
+    void setWaitingPlaces();
+    void addRows();
+    void addStaircase(LabKernel kernel);
+    void addDot(const Dot &dot);
+    void addStraight(const Dot &dot);
+    LabelArea labelArea() const;
     void addLabels();
     void addKeys();
 
@@ -52,6 +78,7 @@ private:
     const ErrorAxis *m_axis = nullptr;
     ParetoChart m_chart;
     ErrorScale m_scale;
+    std::vector<Dot> m_dots; ///< the cheapest first, then those that wait
     QString m_selected;
 };
 

@@ -35,14 +35,7 @@ Arithmetic arithmeticOfCurve(const SizeCurve &curve)
     return contender ? contender->arithmetic : Arithmetic::Exact;
 }
 
-/// Only the plain column scan's are solid: its fast kernel and other methods share its arithmetics.
-DotFill fillOfCurve(const SizeCurve &curve)
-{
-    const std::optional<LabContender> contender = labContenderNamed(curve.contender);
-    const bool isPlainScan = contender && contender->kernel == LabKernel::Plain
-        && contender->method->id == QStringLiteral("column-scan");
-    return isPlainScan ? DotFill::Solid : DotFill::Hollow;
-}
+QString methodOfCurve(const SizeCurve &curve) { return curve.contender.section(u':', 0, 0); }
 
 } // namespace
 
@@ -58,6 +51,21 @@ void ScalingPlot::show(const SharedResults &results, SizeAxis axis)
     rebuild();
 }
 
+/// The column scan has dots; its arithmetics are shared by other methods, which have crosses.
+QCPScatterStyle ScalingPlot::markOf(const SizeCurve &curve) const
+{
+    const Arithmetic arithmetic = arithmeticOfCurve(curve);
+    QStringList others;
+    for (const SizeCurve &each : m_results->sizes) {
+        if (const QString method = methodOfCurve(each); !others.contains(method))
+            others.append(method);
+    }
+    others.removeOne(QStringLiteral("column-scan"));
+    const qsizetype other = others.indexOf(methodOfCurve(curve));
+    return other < 0 ? kernelDot(arithmetic, kernelOf(curve.contender), palette())
+                     : otherMethodDot(arithmetic, std::size_t(other), palette());
+}
+
 QString ScalingPlot::labelOf(const SizeCurve &curve) const
 {
     const std::optional<LabContender> contender = labContenderNamed(curve.contender);
@@ -69,7 +77,7 @@ QString ScalingPlot::labelOf(const SizeCurve &curve) const
 void ScalingPlot::build()
 {
     plot()->xAxis->setLabel(sizeText(m_axis));
-    plot()->yAxis->setLabel(tr("a draw, µs"));
+    plot()->yAxis->setLabel(isLow() ? tr("µs") : tr("a draw, µs"));
     double least = 0;
     double most = 0;
     double shortest = 0;
@@ -81,11 +89,14 @@ void ScalingPlot::build()
     for (const SizeCurve &curve : m_results ? m_results->sizes : std::vector<SizeCurve>()) {
         if (curve.axis != m_axis)
             continue;
-        QCPGraph *graph = addKey(labelOf(curve));
+        QCPGraph *graph
+            = addKey(labelOf(curve),
+                     tr("n^1 doubles its time where the size doubles, n^0 does not grow: the "
+                        "exponent is fitted to the larger half of the sizes."));
         const Arithmetic arithmetic = arithmeticOfCurve(curve);
         graph->setPen(
             QPen(arithmeticColour(arithmetic, palette()), 1.5, arithmeticLine(arithmetic)));
-        graph->setScatterStyle(arithmeticDot(arithmetic, fillOfCurve(curve), palette()));
+        graph->setScatterStyle(markOf(curve));
         for (const SizePoint &point : curve.points) {
             if (point.size <= 0 || point.perDraw.median <= 0)
                 continue;
@@ -97,10 +108,32 @@ void ScalingPlot::build()
     if (least <= 0) {
         setLogRange(plot()->xAxis, 1, 1000);
         setLogRange(plot()->yAxis, 1, 1000);
-        return addMessage(tr("How times grow is measured after the study, and not kept in files."));
+        return addMessage(tr("How times grow is measured at the end of a study."));
     }
     setLogRange(plot()->xAxis, least / 1.3, most * 1.3);
     setLogRange(plot()->yAxis, shortest / 1.5, longest * 1.5);
+}
+
+QString ScalingPlot::figureTitle() const
+{
+    return tr("%1: %2").arg(accessibleName(), sizeText(m_axis));
+}
+
+std::vector<QStringList> ScalingPlot::numbers() const
+{
+    std::vector<QStringList> lines
+        = {{QStringLiteral("contender"), QStringLiteral("axis"), QStringLiteral("size"),
+            QStringLiteral("nsADrawLower"), QStringLiteral("nsADraw"),
+            QStringLiteral("nsADrawUpper"), QStringLiteral("exponent")}};
+    for (const SizeCurve &curve : m_results ? m_results->sizes : std::vector<SizeCurve>()) {
+        for (const SizePoint &point : curve.points)
+            lines.push_back({curve.contender, nameOf(curve.axis), QString::number(point.size),
+                             QString::number(point.perDraw.lower),
+                             QString::number(point.perDraw.median),
+                             QString::number(point.perDraw.upper),
+                             curve.exponent ? QString::number(*curve.exponent) : QString()});
+    }
+    return lines;
 }
 
 QString ScalingPlot::textAt(const QPointF &position) const

@@ -3,6 +3,8 @@
 
 #include "widgets/lab/labplot.h"
 
+class QCPScatterStyle;
+
 namespace pixelplumb {
 
 /// How times grow with a size (objectName "labScaling"), both logarithmic, with the fitted
@@ -16,11 +18,14 @@ public:
     void show(const SharedResults &results, SizeAxis axis);
 
     QString textAt(const QPointF &position) const override;
+    QString figureTitle() const override;
+    std::vector<QStringList> numbers() const override;
 
 protected:
     void build() override;
 
 private:
+    QCPScatterStyle markOf(const SizeCurve &curve) const;
     QString labelOf(const SizeCurve &curve) const;
 
     SharedResults m_results;

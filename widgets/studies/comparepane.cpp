@@ -198,10 +198,10 @@ void ComparePane::clear(const QString &message)
 
 void ComparePane::showFigures(const LiveFigures &figures)
 {
-    if (figures.perPixel)
-        m_result->setText(
-            m_result->text()
-            + tr(" · %1 ns a pixel").arg(QString::number(figures.perPixel->median, 'f', 2)));
+    if (!figures.perPixel)
+        return;
+    m_result->setText(m_result->text() + QStringLiteral(" · ") + figures.timeText());
+    m_result->setToolTip(figures.details());
 }
 
 CompareView *ComparePane::view() const { return m_view; }

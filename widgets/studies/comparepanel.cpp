@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/comparepanel.h"
 
-#include "core/scene/colourtext.h"
 #include "widgets/model/playhead.h"
 #include "widgets/studies/agreementview.h"
 #include "widgets/studies/comparelink.h"
 #include "widgets/studies/comparepane.h"
+#include "widgets/studies/comparetext.h"
 
 #include <QBoxLayout>
 #include <QLabel>
@@ -232,15 +232,7 @@ void ComparePanel::take(const std::shared_ptr<const Contest> &contest)
         m_panes[i]->show(contest, i);
     m_agreement->setContest(contest);
     m_contest = contest;
-    QStringList legend;
-    const AgreementMap &agreement = contest->agreement;
-    for (int agreeing = agreement.contenderCount(); agreeing > 0; --agreeing) {
-        legend.append(
-            QStringLiteral("<span style=\"background:%1\">&nbsp;&nbsp;&nbsp;</span> %2")
-                .arg(agreementColour(agreeing, agreement.contenderCount(), palette()).name(),
-                     tr("%1 agree: %2").arg(agreeing).arg(agreement.countAgreeing(agreeing))));
-    }
-    m_legend->setText(legend.join(QStringLiteral(" &nbsp; ")));
+    m_legend->setText(agreementLegend(contest->agreement, palette()));
     tellPixel();
     m_timing.measure(contest);
     emit contestChanged();
@@ -255,45 +247,10 @@ void ComparePanel::tellProgress(const JobProgress &progress)
     m_cancel->show();
 }
 
-void ComparePanel::tellPixel() { m_reason->setText(pixelText()); }
-
-QString ComparePanel::pixelText() const
+void ComparePanel::tellPixel()
 {
-    const std::optional<QPoint> picked = m_playhead->pickedPixel();
-    if (!m_contest)
-        return tr("Nothing is compared yet.");
-    if (m_contest->agreement.differing() == 0)
-        return tr("All agree on every pixel.");
-    if (!picked || !m_contest->runs.front().picture.view().contains(picked->x(), picked->y()))
-        return tr("Pixels that differ: %1. Click one in the agreement map to see why.")
-            .arg(m_contest->agreement.differing());
-    const PixelComparison pixel = comparePixel(*m_contest, picked->x(), picked->y());
-    const int all = m_contest->agreement.contenderCount();
-    if (pixel.agreeing == all)
-        return tr("Pixel (%1, %2): all agree. Pixels that differ: %3; click one in the agreement "
-                  "map to see why.")
-            .arg(picked->x())
-            .arg(picked->y())
-            .arg(m_contest->agreement.differing());
-    QStringList lines = {tr("Pixel (%1, %2): %3 of %4 agree. %5: %6")
-                             .arg(picked->x())
-                             .arg(picked->y())
-                             .arg(pixel.agreeing)
-                             .arg(all)
-                             .arg(nameOf(pixel.reason), textOf(pixel.reason))};
-    QStringList right;
-    for (std::size_t i = 0; i < pixel.opinions.size(); ++i) {
-        const PixelOpinion &opinion = pixel.opinions[i];
-        const QString value = opinion.written ? colourText(opinion.colour) : tr("not drawn");
-        const QString text = tr("%1: %2").arg(i + 1).arg(value);
-        if (opinion.words.isEmpty())
-            right.append(text);
-        else
-            lines.append(text + QStringLiteral(", ") + opinion.words);
-    }
-    if (!right.isEmpty())
-        lines.append(right.join(QStringLiteral(";  ")));
-    return lines.join(u'\n');
+    const auto picked = m_playhead->pickedPixel();
+    m_reason->setText(m_contest ? pixelText(*m_contest, picked) : tr("Nothing is compared yet."));
 }
 
 } // namespace pixelplumb

@@ -60,7 +60,6 @@ private:
     void take(const std::shared_ptr<const Contest> &contest);
     void tellPixel();
     void tellProgress(const JobProgress &progress);
-    QString pixelText() const;
 
     Playhead *m_playhead;
     CompareLink *m_link;

@@ -1,7 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/contesttiming.h"
 
+#include "widgets/model/measuringpool.h"
+
 namespace pixelplumb {
+
+ContestTiming::ContestTiming(QObject *parent)
+    : QObject(parent)
+    , m_job(nullptr, measuringPool())
+{
+}
 
 void ContestTiming::measure(const std::shared_ptr<const Contest> &contest)
 {

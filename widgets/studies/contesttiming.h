@@ -13,7 +13,7 @@ class ContestTiming : public QObject {
     Q_OBJECT
 
 public:
-    using QObject::QObject;
+    explicit ContestTiming(QObject *parent = nullptr);
 
     void measure(const std::shared_ptr<const Contest> &contest);
     void cancel() { m_job.cancel(); }

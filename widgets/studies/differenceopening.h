@@ -29,10 +29,11 @@ public slots:
     bool openAt(const pixelplumb::Scene &scene, const QPoint &pixel);
 
 signals:
-    void pixelReached(const QPoint &pixel); ///< of openAt(): the run stands there
+    void pixelReached(const QPoint &pixel); ///< the run stands there
 
 private:
     void arrive();
+    void standAt(const QPoint &pixel, const TracedScene &traced);
     void goToFirstDifference(const TracedScene &traced);
 
     SceneFiles *m_files;

@@ -2,6 +2,7 @@
 #include "widgets/studies/performancepanel.h"
 
 #include "widgets/look/numberlayout.h"
+#include "widgets/model/measuringpool.h"
 #include "widgets/model/playhead.h"
 #include "widgets/studies/performancecachelines.h"
 #include "widgets/studies/performancetext.h"
@@ -46,6 +47,7 @@ QLabel *headingLabel(const QString &text, QWidget *parent)
 PerformancePanel::PerformancePanel(Playhead *playhead, QWidget *parent)
     : QWidget(parent)
     , m_playhead(playhead)
+    , m_job(nullptr, measuringPool())
 {
     setObjectName(QStringLiteral("performance"));
     setAccessibleName(tr("Performance"));
@@ -134,6 +136,7 @@ void PerformancePanel::measure()
     if (!traced)
         return;
     m_timing.reset();
+    tell(measuringNote());
     m_job.start(
         [traced](const ProgressListener &listener) {
             TimingOptions options;
@@ -143,7 +146,6 @@ void PerformancePanel::measure()
         [this](std::optional<SceneTiming> timing) { take(std::move(timing)); });
     m_progress->setRange(0, 0);
     present();
-    tell(tr("Measuring …"));
 }
 
 void PerformancePanel::cancel()

@@ -2,6 +2,7 @@
 #include "widgets/window/statusfigures.h"
 
 #include "core/lab/livefigures.h"
+#include "widgets/model/measuringpool.h"
 #include "widgets/model/playhead.h"
 
 namespace pixelplumb {
@@ -17,6 +18,7 @@ constexpr auto pauseBetween = 300ms; ///< a drag asks at each move
 StatusFigures::StatusFigures(Playhead *playhead, QWidget *parent)
     : ElidedLabel(parent)
     , m_playhead(playhead)
+    , m_job(nullptr, measuringPool())
 {
     setObjectName(QStringLiteral("statusFigures"));
     setAccessibleName(tr("Wrong pixels and time of the method in hand"));
@@ -32,18 +34,20 @@ void StatusFigures::measure()
     if (!isVisible() || !m_isStale)
         return;
     const std::shared_ptr<const TracedScene> traced = m_playhead->sharedTraced();
-    setWholeText({});
     // A run that was too large to be recorded is too large to be drawn beside the window.
     if (!traced || traced->trace->isCut()) {
         m_job.cancel();
+        setWholeText({});
         return;
     }
     m_isStale = false;
-    setWholeText(tr("measuring …"));
+    if (!m_job.isRunning())
+        setWholeText(measuringNote());
     m_job.start([scene = std::shared_ptr<const Scene>(traced, &traced->scene)](
                     const ProgressListener &listener) { return liveFiguresOf(scene, listener); },
                 [this](const std::optional<LiveFigures> &figures) {
                     setWholeText(figures ? figures->text() : QString());
+                    setToolTip(figures ? figures->details() : QString());
                 });
 }
 

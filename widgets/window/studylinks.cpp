@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/studylinks.h"
 
+#include "widgets/canvas/canvas.h"
 #include "widgets/lab/accuracylab.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
 #include "widgets/studies/comparepanel.h"
 #include "widgets/studies/differenceopening.h"
 #include "widgets/studies/hardcasespanel.h"
@@ -13,6 +15,16 @@
 namespace pixelplumb {
 
 namespace {
+
+constexpr int readableZoom = 8; ///< device pixels a frame pixel: its mark can be told
+
+/// So that the picked pixel, which keeps its place in the view, can be seen by itself.
+void showPickedPixel(Canvas &canvas)
+{
+    canvas.fitToView();
+    if (canvas.zoom() < readableZoom)
+        canvas.setZoom(readableZoom);
+}
 
 /// In front, with these in its panes.
 void showComparison(WindowDocks &docks, const std::vector<Contender> &contenders)
@@ -38,6 +50,8 @@ void connectStudies(const WindowParts &parts, WindowDocks &docks, QObject *windo
     auto *lab = docks.panel<AccuracyLab>();
     auto *compare = docks.panel<ComparePanel>();
     QObject::connect(opening, &DifferenceOpening::pixelReached, compare, &ComparePanel::lookAt);
+    QObject::connect(opening, &DifferenceOpening::pixelReached, parts.canvas,
+                     [canvas = parts.canvas] { showPickedPixel(*canvas); });
     QObject::connect(
         lab, &AccuracyLab::missRequested, window, [&docks, opening](const LabMiss &miss) {
             if (!opening->openAt(miss.scene, QPoint(int(miss.x), int(miss.y))))
@@ -45,6 +59,8 @@ void connectStudies(const WindowParts &parts, WindowDocks &docks, QObject *windo
             const Method *method = methodNamed(QString::fromStdString(miss.scene.method));
             showComparison(docks, {{method, miss.scene.settings}, {nullptr, miss.scene.settings}});
         });
+    QObject::connect(parts.document, &SceneDocument::modifiedChanged, lab,
+                     &AccuracyLab::setSceneModified);
     QObject::connect(lab, &AccuracyLab::complaint, parts.messageBar, &MessageBar::complain);
     QObject::connect(lab, &AccuracyLab::notice, parts.playhead, &Playhead::message);
 }

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/studyplan.h"
+
+namespace pixelplumb {
+
+namespace {
+
+// s of one contender
+constexpr double quickJudging = 0.065; ///< of a family
+constexpr double fullJudging = 0.2; ///< of a family
+constexpr double oneRound = 0.0085; ///< of a family
+constexpr double oneGrowthRound = 0.05;
+constexpr double wholeDrift = 0.1; ///< of all together
+
+} // namespace
+
+StudyPlan studyPlanFor(const StudySettings &settings)
+{
+    StudyPlan plan;
+    if (settings.extent == StudyExtent::Full) {
+        plan.accuracy = {600'000'000, 60, 200'000, 1'000'000, 40'000};
+        plan.race.longestDraw = 60e6;
+        plan.rounds = 7;
+        plan.growthRounds = 7;
+    }
+    if (settings.mostSamples > 0)
+        plan.accuracy.mostSamples = settings.mostSamples;
+    if (settings.hangSeconds > 0)
+        plan.accuracy.hangSeconds = settings.hangSeconds;
+    if (settings.rounds >= 0)
+        plan.rounds = settings.rounds;
+    if (settings.growthRounds >= 0)
+        plan.growthRounds = settings.growthRounds;
+    if (plan.rounds == 0)
+        plan.growthRounds = 0;
+    plan.growing = settings.contenders.empty() ? growingContenders() : settings.contenders;
+    return plan;
+}
+
+StudyTimes studyTimesFor(const StudySettings &settings, const StudyPlan &plan)
+{
+    const auto contenders = double(contendersFor(settings).size());
+    StudyTimes times;
+    times.judging
+        = contenders * (settings.extent == StudyExtent::Quick ? quickJudging : fullJudging);
+    times.round = contenders * oneRound;
+    if (plan.hasCurves()) {
+        times.drift = wholeDrift;
+        times.growth = double(plan.growing.size()) * plan.growthRounds * oneGrowthRound;
+    }
+    return times;
+}
+
+double expectedSeconds(const StudySettings &settings)
+{
+    const StudyPlan plan = studyPlanFor(settings);
+    auto families = std::size_t(settings.families.size());
+    if (families == 0)
+        families = labFamilies().size() - (settings.ownScene ? 0 : 1);
+    return studyTimesFor(settings, plan).ofAll(families, plan.rounds);
+}
+
+std::vector<LabContender> contendersFor(const StudySettings &settings)
+{
+    std::vector<LabContender> contenders = settings.contenders;
+    if (contenders.empty())
+        contenders = settings.extent == StudyExtent::Quick ? quickContenders() : fullContenders();
+    contenders.insert(contenders.end(), settings.peers.begin(), settings.peers.end());
+    return contenders;
+}
+
+std::vector<LabFamily> familiesFor(const StudySettings &settings)
+{
+    const FamilyRequest request{settings.seed, settings.extent, settings.ownScene,
+                                settings.hardCases};
+    std::vector<LabFamily> families;
+    for (const LabFamilyInfo &info : labFamilies()) {
+        if (!settings.families.isEmpty() && !settings.families.contains(QLatin1String(info.id)))
+            continue;
+        if (auto family = makeFamily(info, request))
+            families.push_back(std::move(*family));
+    }
+    return families;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/decidedpositions.h"
+
+#include <algorithm>
+#include <tuple>
+
+namespace pixelplumb {
+
+namespace {
+
+/// What all spans are; Free where they differ, and where there are none.
+SpanAxis commonAxisOf(const ScanTrace &trace)
+{
+    if (trace.spanCount() == 0)
+        return SpanAxis::Free;
+    const SpanAxis axis = trace.placeOf(0).axis;
+    for (std::size_t span = 1; span < trace.spanCount(); ++span) {
+        if (trace.placeOf(span).axis != axis)
+            return SpanAxis::Free;
+    }
+    return axis;
+}
+
+/// The position just after a span was entered.
+std::size_t enteredAt(const ScanTrace &trace, std::size_t span)
+{
+    return trace.indexOfSpan(span) + 1;
+}
+
+} // namespace
+
+DecidedPositions::DecidedPositions(const ScanTrace &trace, const DifferenceMap &differences,
+                                   const FrameSpec &frame)
+    : m_end(trace.stepCount())
+    , m_axis(commonAxisOf(trace))
+{
+    decidePlaces(trace, frame);
+    if (differences.total() > 0)
+        decideWrongPixels(trace, differences);
+}
+
+void DecidedPositions::decidePlaces(const ScanTrace &trace, const FrameSpec &frame)
+{
+    if (m_axis == SpanAxis::Free)
+        return;
+    const bool byColumn = m_axis == SpanAxis::Column;
+    m_firstPlace = byColumn ? frame.firstColumn : frame.firstRow;
+    // A column or row that the kernel never entered is decided when everything is drawn.
+    m_places.assign(std::size_t(byColumn ? frame.width : frame.height), m_end);
+    for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+        const std::int64_t place = trace.placeOf(span).coordinate - m_firstPlace;
+        if (place >= 0 && place < std::int64_t(m_places.size()))
+            m_places[std::size_t(place)]
+                = enteredAt(trace, span) + trace.endSampleOf(span) - trace.firstSampleOf(span);
+    }
+}
+
+void DecidedPositions::decideWrongPixels(const ScanTrace &trace, const DifferenceMap &differences)
+{
+    // Some visits more than pixels, so that many visits of few pixels take no memory.
+    const std::size_t most = 2 * std::size_t(differences.total()) + 1024;
+    for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+        const std::size_t first = trace.firstSampleOf(span);
+        for (std::size_t sample = first; sample < trace.endSampleOf(span); ++sample) {
+            const PixelChange &change = trace.changes()[sample];
+            const Difference kind = differences.at(change.x, change.y);
+            // What is missing was never written: refusals decide it.
+            if (kind == Difference::None || (kind != Difference::Missing && !change.isWritten()))
+                continue;
+            m_wrong.push_back({change.y, change.x, enteredAt(trace, span) + 1 + sample - first});
+            if (m_wrong.size() > most)
+                keepLastVisits();
+        }
+    }
+    keepLastVisits();
+    m_wrong.shrink_to_fit();
+}
+
+void DecidedPositions::keepLastVisits()
+{
+    const auto placeOf = [](const WrongPixel &pixel) { return std::tie(pixel.y, pixel.x); };
+    std::ranges::stable_sort(m_wrong, {}, placeOf);
+    const auto isSamePlace
+        = [&](const WrongPixel &a, const WrongPixel &b) { return placeOf(a) == placeOf(b); };
+    m_wrong.erase(m_wrong.begin(),
+                  std::unique(m_wrong.rbegin(), m_wrong.rend(), isSamePlace).base());
+}
+
+std::size_t DecidedPositions::at(std::int64_t x, std::int64_t y) const
+{
+    const auto wrong
+        = std::ranges::lower_bound(m_wrong, std::pair(y, x), {}, [](const WrongPixel &pixel) {
+              return std::pair<std::int64_t, std::int64_t>(pixel.y, pixel.x);
+          });
+    if (wrong != m_wrong.end() && wrong->x == x && wrong->y == y)
+        return wrong->position;
+    const std::int64_t place = (m_axis == SpanAxis::Column ? x : y) - m_firstPlace;
+    if (place < 0 || place >= std::int64_t(m_places.size()))
+        return m_end;
+    return m_places[std::size_t(place)];
+}
+
+} // namespace pixelplumb

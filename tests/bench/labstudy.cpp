@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "labstudy.h"
+
+#include "core/lab/labfile.h"
+#include "core/lab/pixelwindow.h"
+#include "core/scan/choicenames.h"
+#include "picturecheck.h"
+
+#include <algorithm>
+
+namespace pixelplumb::bench {
+
+namespace {
+
+constexpr std::int64_t beyondBox = 3; ///< px around a triangle's box in which its pixels are sought
+constexpr QRgb opaque = 0xff000000;
+
+/// Draws a triangle in the mirror in which the renderer's ties follow a rule of ours, and turns the
+/// pixels back into the frame, which begins at (0, 0).
+void drawMirrored(Contender &peer, const TieRule &rule, const Primitives &primitives,
+                  const FrameView &frame)
+{
+    const FrameSize size = {frame.width, frame.height};
+    const std::vector<Triangle> seen = seenBy(primitives.triangles, rule, {}, size);
+    peer.load({size, seen});
+    peer.draw();
+    const Picture picture = peer.picture();
+    for (const Triangle &triangle : primitives.triangles) {
+        const SampleBox box = windowAround(triangle, beyondBox, frame);
+        for (std::int64_t y = box.firstY; y < box.endY; ++y) {
+            for (std::int64_t x = box.firstX; x < box.endX; ++x) {
+                const auto pixel = picture.at(int(rule.mirrorsColumns ? size.width - 1 - x : x),
+                                              int(rule.mirrorsRows ? size.height - 1 - y : y));
+                if (pixel != 0)
+                    *frame.at(x, y) = opaque | pixel;
+            }
+        }
+    }
+}
+
+LabContender labPeer(Contender &peer, const TieRule &rule)
+{
+    LabContender contender;
+    contender.id = QStringLiteral("peer:") + peer.info().id;
+    contender.label
+        = peer.info().name + QStringLiteral(", ties by ") + QString::fromUtf8(rule.name);
+    contender.method = methodNamed(u"column-scan");
+    contender.kernel = LabKernel::Peer;
+    contender.ownRule = rule.rule;
+    contender.draw
+        = [&peer, rule](const Primitives &primitives, const ScanSettings &,
+                        const FrameView &frame) { drawMirrored(peer, rule, primitives, frame); };
+    contender.loaded = {[&peer](const Primitives &primitives, const FrameView &frame) {
+                            peer.load({{frame.width, frame.height}, primitives.triangles});
+                        },
+                        [&peer] { peer.draw(); }};
+    return contender;
+}
+
+/// Smooth, on the calling thread, sampled where we sample.
+bool takesPart(const ContenderInfo &info)
+{
+    const bool isOther = info.role == Role::Peer || info.role == Role::Student;
+    return isOther && info.shading == Shading::Smooth && info.threads == 1
+        && info.sampleOffset == LatticePoint();
+}
+
+} // namespace
+
+QByteArray studyWithPeers(const Lineup &lineup, Extent extent,
+                          const std::function<void(const QString &)> &progress)
+{
+    StudySettings settings;
+    const bool isQuick = extent == Extent::Quick;
+    settings.extent = isQuick ? StudyExtent::Quick : StudyExtent::Full;
+    if (auto cases = builtInHardCases())
+        settings.hardCases = std::move(*cases);
+    const std::vector<Workload> workloads = standardWorkloads(Extent::Quick);
+    const auto small = std::ranges::find(workloads, QStringLiteral("W3"), &Workload::id);
+    PictureCheck check(*small, Extent::Quick);
+    for (const std::unique_ptr<Contender> &peer : lineup.contenders) {
+        if (!takesPart(peer->info()))
+            continue;
+        progress(QStringLiteral("looking at %1").arg(peer->info().name));
+        settings.peers.push_back(labPeer(*peer, check.check(*peer).rule));
+    }
+    StudyListener listener;
+    listener.progress = [&](const JobProgress &told) {
+        const double share = told.total == 0 ? 0 : double(told.done) / double(told.total);
+        progress(
+            QStringLiteral("%1: %2 %").arg(nameText(nameOf(told.phase))).arg(int(100 * share)));
+        return true;
+    };
+    Study study = runStudy(settings, listener);
+    study.command = QStringLiteral("tests/bench/run --lab lab.json");
+    if (isQuick)
+        study.command += QStringLiteral(" --quick");
+    return writeStudy(study);
+}
+
+} // namespace pixelplumb::bench

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/frame/framebuffer.h"
+#include "core/lab/operationcounts.h"
+#include "core/methods/method.h"
+
+#include <QStringList>
+
+/// Operations that kernels in counting numbers counted, to be held against counts by hand.
+namespace pixelplumb {
+
+inline constexpr std::int32_t side = 16; // px, of every frame here
+
+inline FrameSpec square(std::int32_t pixels)
+{
+    FrameSpec spec;
+    spec.width = pixels;
+    spec.height = pixels;
+    return spec;
+}
+
+/// On columns 0 … 4 it has 1, 3, 5, 3 and 1 pixels. All slopes and all changes of its colours from
+/// pixel to pixel are integers, so that nothing is ever carried.
+inline Primitives tentTriangle()
+{
+    Triangle triangle;
+    triangle.vertices = {{{latticePixel(0, 0), {{0, 0, 0}}},
+                          {latticePixel(4, 0), {{80, 40, 0}}},
+                          {latticePixel(2, 4), {{40, 80, 20}}}}};
+    return {{triangle}, {}};
+}
+
+inline OperationCounts countsOf(const char *method, Arithmetic arithmetic,
+                                const Primitives &primitives, std::int32_t pixels = side)
+{
+    const FrameBuffer frame(square(pixels));
+    ScanSettings settings = methodNamed(QString::fromLatin1(method))->adapted({});
+    settings.arithmetic = arithmetic;
+    return countOperations(*methodNamed(QString::fromLatin1(method)), settings, primitives,
+                           frame.view())
+        .value();
+}
+
+/// What differs, in words; empty where a stage has these counts and no others.
+inline QString departure(const OperationCounts &counts, WorkStage stage,
+                         const std::vector<std::pair<Operation, std::int64_t>> &expected)
+{
+    OperationRow wanted = {};
+    for (const auto &[operation, count] : expected)
+        wanted[std::size_t(operation)] = count;
+    QStringList differing;
+    for (const Operation operation : allOperations) {
+        if (counts.of(stage, operation) != wanted[std::size_t(operation)])
+            differing.append(QStringLiteral("%1 %2 instead of %3")
+                                 .arg(counts.of(stage, operation))
+                                 .arg(QString::fromLatin1(nameOf(operation).data()))
+                                 .arg(wanted[std::size_t(operation)]));
+    }
+    return differing.join(QStringLiteral(", "));
+}
+
+} // namespace pixelplumb

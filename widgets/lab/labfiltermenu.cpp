@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/lab/labfiltermenu.h"
+
+#include "core/methods/method.h"
+#include "core/scan/choicenames.h"
+#include "widgets/lab/labmarks.h"
+
+#include <QEvent>
+#include <QMenu>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr int iconSide = 20; ///< logical pixels
+
+QIcon iconOf(const QCPScatterStyle &dot, const QWidget &widget)
+{
+    QPixmap picture(QSize(iconSide, iconSide) * widget.devicePixelRatioF());
+    picture.setDevicePixelRatio(widget.devicePixelRatioF());
+    picture.fill(Qt::transparent);
+    QCPPainter painter(&picture);
+    painter.setAntialiasing(true);
+    dot.applyTo(&painter, dot.pen());
+    dot.drawShape(&painter, iconSide / 2.0, iconSide / 2.0);
+    return QIcon(picture);
+}
+
+template <class Value>
+void leaveOut(std::set<Value> &values, const Value &value, bool isShown)
+{
+    if (isShown)
+        values.erase(value);
+    else
+        values.insert(value);
+}
+
+} // namespace
+
+LabFilterMenu::LabFilterMenu(QWidget *parent)
+    : QToolButton(parent)
+    , m_menu(new QMenu(this))
+{
+    setObjectName(QStringLiteral("labShown"));
+    setAccessibleName(tr("Who is shown"));
+    setToolTip(
+        tr("Choose whom charts and table show: arithmetics, kernels, methods. Best is who is "
+           "best of those shown."));
+    setPopupMode(QToolButton::InstantPopup);
+    setAutoRaise(true);
+    setMenu(m_menu);
+    fill();
+    tell();
+}
+
+void LabFilterMenu::setContenders(const std::vector<StudyContender> &contenders)
+{
+    QStringList methods;
+    for (const StudyContender &contender : contenders) {
+        if (const QString id = contender.id.section(u':', 0, 0); !methods.contains(id))
+            methods.append(id);
+    }
+    if (methods == m_methods)
+        return;
+    m_methods = methods;
+    fill();
+}
+
+void LabFilterMenu::addTick(const QString &name, const QString &text, const QIcon &icon,
+                            bool isShown, const std::function<void(bool)> &show)
+{
+    QAction *tick = m_menu->addAction(icon, text);
+    tick->setObjectName(name);
+    tick->setCheckable(true);
+    tick->setChecked(isShown);
+    connect(tick, &QAction::toggled, this, [this, show](bool isOn) {
+        show(isOn);
+        tell();
+        emit filterChanged();
+    });
+}
+
+void LabFilterMenu::fill()
+{
+    m_menu->clear();
+    for (const Arithmetic arithmetic : allArithmetics)
+        addTick(nameText(nameOf(arithmetic)), nameText(nameOf(arithmetic)),
+                iconOf(kernelDot(arithmetic, LabKernel::Plain, palette()), *this),
+                !m_filter.arithmetics.contains(arithmetic), [this, arithmetic](bool isShown) {
+                    leaveOut(m_filter.arithmetics, arithmetic, isShown);
+                });
+    m_menu->addSeparator();
+    for (const LabKernel kernel : allLabKernels)
+        addTick(nameOf(kernel),
+                kernel == LabKernel::Plain ? tr("plain kernels") : tr("SIMD kernels"),
+                iconOf(kernelDot(Arithmetic::Exact, kernel, palette()), *this),
+                !m_filter.kernels.contains(kernel),
+                [this, kernel](bool isShown) { leaveOut(m_filter.kernels, kernel, isShown); });
+    addTick(QStringLiteral("straight"), tr("straight loops"),
+            iconOf(straightLoopDot(Arithmetic::Exact, palette()), *this),
+            m_filter.straightLoops == LabFilter::StraightLoops::Shown, [this](bool isShown) {
+                m_filter.straightLoops
+                    = isShown ? LabFilter::StraightLoops::Shown : LabFilter::StraightLoops::LeftOut;
+            });
+    m_menu->addSeparator();
+    for (const QString &id : std::as_const(m_methods)) {
+        const Method *method = methodNamed(id);
+        addTick(id, method ? method->title : id, {}, !m_filter.methods.contains(id),
+                [this, id](bool isShown) { leaveOut(m_filter.methods, id, isShown); });
+    }
+}
+
+/// That somebody is left out is seen without opening the menu.
+void LabFilterMenu::tell()
+{
+    setText(m_filter.leavesNobodyOut() ? tr("Show: all") : tr("Show: some"));
+}
+
+void LabFilterMenu::changeEvent(QEvent *event)
+{
+    QToolButton::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        fill();
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/rowwriter.h"
+#include "widgets/lab/labplot.h"
+#include "widgets/lab/wrappedlines.h"
+#include "widgets/look/appearance.h"
+
+#include <QBuffer>
+#include <QSvgGenerator>
+#include <qcustomplot.h>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr QSize figureSize(960, 640); ///< logical pixels, captions included; at least so high
+constexpr int figureMargin = 16;
+constexpr double figureRatio = 2; ///< of the picture's pixels to logical ones
+
+/// Lines of text, one below the other, wrapped to the figure's width.
+class Caption {
+public:
+    Caption(const QStringList &paragraphs, const QFont &font)
+        : m_font(font)
+    {
+        for (const QString &paragraph : paragraphs)
+            m_lines += wrappedLines(paragraph, font, figureSize.width() - 2 * figureMargin);
+    }
+
+    int height() const { return int(m_lines.size()) * QFontMetrics(m_font).lineSpacing(); }
+    void paint(QPainter &painter, int top) const
+    {
+        const QFontMetrics metrics(m_font);
+        painter.setFont(m_font);
+        painter.setPen(Qt::black);
+        for (qsizetype i = 0; i < m_lines.size(); ++i) {
+            const int baseline = top + metrics.ascent() + int(i) * metrics.lineSpacing();
+            painter.drawText(QPoint(figureMargin, baseline), m_lines[i]);
+        }
+    }
+
+private:
+    QFont m_font;
+    QStringList m_lines;
+};
+
+} // namespace
+
+void LabPlot::asFigure(const std::function<void()> &paint)
+{
+    const QPalette window = palette();
+    const bool isOwn = testAttribute(Qt::WA_SetPalette);
+    const QRect place = m_plot->geometry();
+    m_isOnPaper = true;
+    setPalette(lightPalette());
+    paint();
+    m_isOnPaper = false;
+    setPalette(isOwn ? window : QPalette());
+    m_plot->setGeometry(place);
+    rebuild();
+}
+
+QFont LabPlot::titleFont() const
+{
+    QFont bold = font();
+    bold.setBold(true);
+    return bold;
+}
+
+QSize LabPlot::sizeOnPaper(const QStringList &origin) const
+{
+    const int captions = Caption({figureTitle()}, titleFont()).height()
+        + Caption(origin, smallFont()).height() + 3 * figureMargin;
+    return {figureSize.width(), std::max(figureSize.height(), neededHeight() + captions)};
+}
+
+void LabPlot::paintFigure(QCPPainter &painter, const QStringList &origin)
+{
+    const QSize size = sizeOnPaper(origin);
+    const Caption title({figureTitle()}, titleFont());
+    const Caption below(origin, smallFont());
+    const int top = figureMargin + title.height() + figureMargin / 2;
+    const int bottom = size.height() - figureMargin - below.height();
+    const int width = size.width() - 2 * figureMargin;
+    const int height = bottom - figureMargin / 2 - top;
+    // Labels find their places in the size at hand.
+    m_plot->setGeometry(0, 0, width, height);
+    rebuild();
+    painter.fillRect(QRect(QPoint(), size), Qt::white);
+    title.paint(painter, figureMargin);
+    below.paint(painter, bottom);
+    painter.translate(figureMargin, top);
+    m_plot->toPainter(&painter, width, height);
+}
+
+QByteArray LabPlot::svg(const QStringList &origin)
+{
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    asFigure([&] {
+        QSvgGenerator generator;
+        generator.setOutputDevice(&buffer);
+        generator.setSize(sizeOnPaper(origin));
+        generator.setViewBox(QRect(QPoint(), sizeOnPaper(origin)));
+        generator.setTitle(figureTitle());
+        generator.setDescription(origin.join(u'\n'));
+        QCPPainter painter(&generator);
+        paintFigure(painter, origin);
+    });
+    return buffer.data();
+}
+
+QByteArray LabPlot::png(const QStringList &origin)
+{
+    QImage picture(sizeOnPaper(origin) * figureRatio, QImage::Format_RGB32);
+    picture.setDevicePixelRatio(figureRatio);
+    asFigure([&] {
+        QCPPainter painter(&picture);
+        paintFigure(painter, origin);
+    });
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    picture.save(&buffer, "PNG");
+    return buffer.data();
+}
+
+QByteArray LabPlot::csv(const QStringList &origin) const
+{
+    QBuffer buffer;
+    buffer.open(QIODevice::WriteOnly);
+    for (const QString &line : QStringList(figureTitle()) + origin)
+        buffer.write("# " + line.toUtf8() + "\r\n");
+    const std::unique_ptr<RowWriter> writer = makeCsvWriter(buffer);
+    const std::vector<QStringList> lines = numbers();
+    std::vector<Field> fields;
+    for (const QString &name : lines.front())
+        fields.push_back({name});
+    writer->begin(fields);
+    for (std::size_t i = 1; i < lines.size(); ++i)
+        writer->writeRow({lines[i].begin(), lines[i].end()});
+    writer->end();
+    return buffer.data();
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/model/measuringpool.h"
+
+#include <QCoreApplication>
+#include <QPointer>
+#include <QThreadPool>
+
+namespace pixelplumb {
+
+QThreadPool *measuringPool()
+{
+    static QPointer<QThreadPool> pool;
+    if (!pool) {
+        pool = new QThreadPool(QCoreApplication::instance()); // ends with it
+        pool->setMaxThreadCount(1);
+    }
+    return pool;
+}
+
+QString measuringNote()
+{
+    return measuringPool()->activeThreadCount() > 0
+        ? QCoreApplication::translate("Measuring", "Waiting for another measurement …")
+        : QCoreApplication::translate("Measuring", "Measuring …");
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/comparetext.h"
+
+#include "core/scene/colourtext.h"
+#include "widgets/studies/agreementview.h"
+#include "widgets/studies/comparepanel.h"
+
+namespace pixelplumb {
+
+QString agreementLegend(const AgreementMap &agreement, const QPalette &palette)
+{
+    QStringList legend;
+    for (int agreeing = agreement.contenderCount(); agreeing > 0; --agreeing) {
+        legend.append(
+            QStringLiteral("<span style=\"background:%1\">&nbsp;&nbsp;&nbsp;</span> %2")
+                .arg(agreementColour(agreeing, agreement.contenderCount(), palette).name(),
+                     ComparePanel::tr("%1 agree: %2")
+                         .arg(agreeing)
+                         .arg(agreement.countAgreeing(agreeing))));
+    }
+    return legend.join(QStringLiteral(" &nbsp; "));
+}
+
+QString pixelText(const Contest &contest, const std::optional<QPoint> &picked)
+{
+    const auto tr = [](const char *text) { return ComparePanel::tr(text); };
+    if (contest.agreement.differing() == 0)
+        return tr("All agree on every pixel.");
+    if (!picked || !contest.runs.front().picture.view().contains(picked->x(), picked->y()))
+        return tr("Pixels that differ: %1. Click one in the agreement map to see why.")
+            .arg(contest.agreement.differing());
+    const PixelComparison pixel = comparePixel(contest, picked->x(), picked->y());
+    const int all = contest.agreement.contenderCount();
+    if (pixel.agreeing == all)
+        return tr("Pixel (%1, %2): all agree. Pixels that differ: %3; click one in the agreement "
+                  "map to see why.")
+            .arg(picked->x())
+            .arg(picked->y())
+            .arg(contest.agreement.differing());
+    QStringList lines = {tr("Pixel (%1, %2): %3 of %4 agree. %5: %6")
+                             .arg(picked->x())
+                             .arg(picked->y())
+                             .arg(pixel.agreeing)
+                             .arg(all)
+                             .arg(nameOf(pixel.reason), textOf(pixel.reason))};
+    QStringList right;
+    for (std::size_t i = 0; i < pixel.opinions.size(); ++i) {
+        const PixelOpinion &opinion = pixel.opinions[i];
+        const QString value = opinion.written ? colourText(opinion.colour) : tr("not drawn");
+        const QString text = tr("%1: %2").arg(i + 1).arg(value);
+        if (opinion.words.isEmpty())
+            right.append(text);
+        else
+            lines.append(text + QStringLiteral(", ") + opinion.words);
+    }
+    if (!right.isEmpty())
+        lines.append(right.join(QStringLiteral(";  ")));
+    return lines.join(u'\n');
+}
+
+} // namespace pixelplumb

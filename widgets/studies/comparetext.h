@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compare/contest.h"
+
+#include <QPalette>
+#include <QPoint>
+#include <QString>
+
+#include <optional>
+
+namespace pixelplumb {
+
+/// What the colours of the agreement map mean, and how many pixels have each.
+QString agreementLegend(const AgreementMap &agreement, const QPalette &palette);
+
+/// How many agree on a pixel, and why the others do not; without a pixel, how many differ.
+QString pixelText(const Contest &contest, const std::optional<QPoint> &picked);
+
+} // namespace pixelplumb
