@@ -224,6 +224,19 @@ private slots:
         QVERIFY(same);
     }
 
+    void drawsBatchesOfSmallTrianglesOnWholePixels()
+    {
+        const bool same = rc::check("of up to 63 px, within a window and across its border", [] {
+            const WindowSpec window = *windows(90);
+            const ScanSettings settings = *settingsIn(Arithmetic::Exact);
+            const Lattice side = *rc::gen::element<Lattice>(3, 8, 15, 31);
+            expectSamePicture(*rc::gen::container<std::vector<Triangle>>(
+                                  40, triangles({side * px, side * px, px, 90}, window)),
+                              settings, window);
+        });
+        QVERIFY(same);
+    }
+
     void doesNotDependOnTheNumberOfThreads_data()
     {
         QTest::addColumn<Arithmetic>("arithmetic");

@@ -26,6 +26,7 @@ struct BatchBox {
     Real column; ///< first sample, px
     Real row;
     Real steps; ///< n + 1 = width + height − 1 at least
+    Mask isEmpty; ///< no sample
     Mask isSmall; ///< as far as the box tells
     Mask isNarrow; ///< at most 8 columns
     Mask isBeyondStrip; ///< wider than 16 columns
@@ -69,20 +70,21 @@ struct BatchBox {
         const Integer wholeHeight = hn::Sub(top, bottom);
         const Integer extent = hn::Max(wholeWidth, wholeHeight);
         hn::Store(extent, integers, batch.extent.data() + i);
-        const Real width = hn::PromoteTo(reals, hn::Sub(endColumn, firstColumn));
-        const Real height = hn::PromoteTo(reals, hn::Sub(endRow, firstRow));
+        const Real width = numbersOf(reals, hn::Sub(endColumn, firstColumn));
+        const Real height = numbersOf(reals, hn::Sub(endRow, firstRow));
         const auto holdsSamples = hn::Gt(hn::Min(width, height), real(0));
         const auto fits
-            = hn::And(hn::Le(width, real(16)),
-                      hn::Lt(hn::PromoteTo(reals, extent), real(TriangleBatch::blockExtent + 0.5)));
-        column = hn::PromoteTo(reals, firstColumn);
-        row = hn::PromoteTo(reals, firstRow);
+            = hn::And(hn::Le(width, real(TriangleBatch::blockColumns)),
+                      hn::Lt(numbersOf(reals, extent), real(TriangleBatch::blockExtent + 0.5)));
+        column = numbersOf(reals, firstColumn);
+        row = numbersOf(reals, firstRow);
         steps = hn::Add(width, height);
+        isEmpty = hn::Not(holdsSamples);
         isSmall = hn::And(holdsSamples, fits);
         isNarrow = hn::Le(width, real(8));
         isBeyondStrip = hn::Gt(width, real(16));
-        isWide = hn::Ge(hn::PromoteTo(reals, wholeWidth),
-                        hn::Mul(hn::PromoteTo(reals, wholeHeight), real(4)));
+        isWide
+            = hn::Ge(numbersOf(reals, wholeWidth), hn::Mul(numbersOf(reals, wholeHeight), real(4)));
     }
 
 private:
@@ -91,7 +93,7 @@ private:
     static constexpr Reals reals{};
     static constexpr Integers integers{};
 
-    static Real real(double value) { return hn::Set(reals, value); }
+    static Real real(double value) { return hn::Set(reals, hn::TFromD<Reals>(value)); }
 };
 
 } // namespace pixelplumb::HWY_NAMESPACE

@@ -43,14 +43,15 @@ public:
         for (std::size_t i = 0; i < m_batch.size; ++i) {
             prefetchTriangle(next + i * sizeof(Triangle));
             if (TriangleBatch::contains(small, i)) {
-                prefetchBlock(i + blocksAhead);
                 const ColourWord word = TriangleBatch::contains(m_batch.flat, i)
                     ? ColourWord::Flat
                     : ColourWord::Steps32;
-                if (TriangleBatch::contains(m_batch.narrow, i))
+                if (TriangleBatch::contains(m_batch.narrow, i)) {
+                    prefetchBlock(i + blocksAhead);
                     drawBlockOf<8>(i, word);
-                else
+                } else {
                     drawBlockOf<16>(i, word);
+                }
                 continue;
             }
             const Route route

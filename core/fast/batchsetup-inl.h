@@ -2,6 +2,7 @@
 // The set-up of a vector of triangles at once. Compiled once for each instruction set.
 #include "core/fast/batchbox-inl.h"
 #include "core/fast/batchlines-inl.h"
+#include "core/fast/batchpixels-inl.h"
 #include "core/fast/colourplane.h"
 #include "core/fast/pixelvectors-inl.h"
 
@@ -42,8 +43,13 @@ public:
     void run()
     {
         m_batch.flat = m_batch.small = m_batch.narrow = m_batch.spansRows = 0;
-        for (std::size_t i = 0; i < m_batch.size; i += lanesOf<Reals>)
-            setUpFrom(i);
+        BatchPixels<Rule> pixels(m_batch, m_rounding, m_width, m_height);
+        for (std::size_t i = 0; i < m_batch.size; i += pixels.lanes) {
+            if (pixels.setUpFrom(i))
+                continue;
+            for (std::size_t k = i; k < i + pixels.lanes; k += lanesOf<Reals>)
+                setUpFrom(k);
+        }
     }
 
 private:
@@ -56,68 +62,37 @@ private:
     {
         return hn::PromoteTo(reals, hn::Load(integers, array.data() + i));
     }
-    static Real extracted(Integer packedLevels, std::size_t channel)
-    {
-        const Integer shifted = hn::ShiftRightSame(packedLevels, int(8 * channel));
-        return hn::PromoteTo(reals, hn::And(shifted, hn::Set(integers, 255)));
-    }
-    /// The nearest integer in the low 51 bits of 1.5·2^52 + value: the sum has no bits below 1.
-    static hn::Vec<Words> rounded(Real value, Real bias)
-    {
-        const Real shifted = hn::Add(value, real(0x1.8p52));
-        return hn::BitCast(words, hn::Add(shifted, bias));
-    }
 
     void setUpFrom(std::size_t i)
     {
         const BatchBox<Rule, Reals> box(m_batch, i, m_width, m_height);
         const Real x0 = loaded(m_batch.x[0], i);
         const Real y0 = loaded(m_batch.y[0], i);
-        const Real x1 = hn::Sub(loaded(m_batch.x[1], i), x0);
-        const Real y1 = hn::Sub(loaded(m_batch.y[1], i), y0);
-        const Real x2 = hn::Sub(loaded(m_batch.x[2], i), x0);
-        const Real y2 = hn::Sub(loaded(m_batch.y[2], i), y0);
-        const Real signedArea = hn::Sub(hn::Mul(x1, y2), hn::Mul(x2, y1));
-        hn::Store(signedArea, reals, m_batch.signedArea.data() + i);
-        const Real sign = hn::CopySignToAbs(real(1), signedArea);
-        const Real along = hn::Sub(hn::Mul(box.column, real(256)), x0);
-        const Real up = hn::Sub(hn::Mul(box.row, real(256)), y0);
+        BatchCorners<Reals> corners;
+        corners.x1 = hn::Sub(loaded(m_batch.x[1], i), x0);
+        corners.y1 = hn::Sub(loaded(m_batch.y[1], i), y0);
+        corners.x2 = hn::Sub(loaded(m_batch.x[2], i), x0);
+        corners.y2 = hn::Sub(loaded(m_batch.y[2], i), y0);
+        corners.along = hn::Sub(hn::Mul(box.column, real(256)), x0);
+        corners.up = hn::Sub(hn::Mul(box.row, real(256)), y0);
+        corners.mirror();
+        hn::Store(hn::Mul(corners.sign, corners.area), reals, m_batch.signedArea.data() + i);
 
-        const auto isFlat = flatFrom(i);
-        const auto hasNarrowWords
-            = setUpColours(i,
-                           {hn::Mul(sign, x1), hn::Mul(sign, y1), hn::Mul(sign, x2),
-                            hn::Mul(sign, y2), hn::Abs(signedArea), along, up, box.steps});
+        const auto levels = levelsAt(integers, m_batch, i);
+        const auto hasOneColour
+            = hn::Eq(hn::PromoteTo(reals, differences(levels)), hn::Zero(reals));
+        const auto hasNarrowWords = setUpColours(i, levels, corners, box.steps);
         const auto isSmall = hn::And(hasNarrowWords, box.isSmall);
-        add(isFlat, i, m_batch.flat);
-        add(isSmall, i, m_batch.small);
-        add(box.isNarrow, i, m_batch.narrow);
-        setUpEdge(i, 0, sign, x1, y1, along, up);
-        setUpEdge(i, 1, sign, hn::Sub(x2, x1), hn::Sub(y2, y1), hn::Sub(along, x1),
-                  hn::Sub(up, y1));
-        setUpEdge(i, 2, sign, hn::Neg(x2), hn::Neg(y2), hn::Sub(along, x2), hn::Sub(up, y2));
+        addTo(reals, hasOneColour, i, m_batch.flat);
+        addTo(reals, isSmall, i, m_batch.small);
+        addTo(reals, box.isNarrow, i, m_batch.narrow);
+        BatchEdges<Rule, unitsPerPixel, Reals>(m_batch, i, corners);
         if (!hn::AllTrue(reals, isSmall)) {
             // Rows of one colour are long runs of stores; a strip of a wide box would be all masks.
-            const auto spansRows = hn::And(box.isBeyondStrip, hn::Or(isFlat, box.isWide));
-            add(spansRows, i, m_batch.spansRows);
-            BatchLines<Rule, Reals>(m_batch, i, sign, spansRows).run();
+            const auto spansRows = hn::And(box.isBeyondStrip, hn::Or(hasOneColour, box.isWide));
+            addTo(reals, spansRows, i, m_batch.spansRows);
+            BatchLines<Rule, Reals>(m_batch, i, corners.sign, spansRows).run();
         }
-    }
-
-    /// Adds the triangles of the lanes in `mask` to a set.
-    static void add(hn::Mask<Reals> mask, std::size_t i, TriangleBatch::Set &set)
-    {
-        std::array<std::uint8_t, 8> bits = {};
-        hn::StoreMaskBits(reals, mask, bits.data());
-        set |= TriangleBatch::Set(bits[0]) << i;
-    }
-
-    hn::Mask<Reals> flatFrom(std::size_t i) const
-    {
-        const Integer colour0 = packedLevels(0, i);
-        const auto differs
-            = hn::Or(hn::Xor(colour0, packedLevels(1, i)), hn::Xor(colour0, packedLevels(2, i)));
-        return hn::Eq(hn::PromoteTo(reals, differs), hn::Zero(reals));
     }
 
     /// Doubled area over the square of the lattice's common step: the least of the corners' lowest
@@ -133,63 +108,47 @@ private:
         return hn::Div(area, hn::Mul(step, step)); // exact: step is a power of two
     }
 
-    struct Plane {
-        Real x1, y1, x2, y2; ///< corners from the first one, mirrored where the area is negative
-        Real area; ///< doubled
-        Real along, up; ///< the first sample of the box from the first corner
-        Real steps;
-    };
-
-    /// Returns where 24-bit words are exact.
-    hn::Mask<Reals> setUpColours(std::size_t i, const Plane &plane)
+    /// `steps`: n + 1. Returns where 24-bit words are exact.
+    hn::Mask<Reals> setUpColours(std::size_t i, const std::array<Integer, 3> &levels,
+                                 const BatchCorners<Reals> &corners, Real steps)
     {
-        const Real reduced = reducedArea(i, plane.area);
+        const Real area = corners.area;
+        const Real reduced = reducedArea(i, area);
         hn::Store(reduced, reals, m_batch.reducedArea.data() + i);
-        const Real resolution = hn::Mul(hn::Mul(real(4), reduced), plane.steps);
+        const Real resolution = hn::Mul(hn::Mul(real(4), reduced), steps);
         hn::Store(resolution, reals, m_batch.resolution.data() + i);
         const auto isNarrow = hn::Lt(resolution, real(resolutionLimit(narrowFractionBits)));
         const Real stepsPerLevel = hn::IfThenElse(isNarrow, real(0x1p24), real(0x1p40));
-        const Real scale = hn::Div(stepsPerLevel, plane.area);
+        const Real scale = hn::Div(stepsPerLevel, area);
         const Real half
             = m_rounding == ByteRounding::Nearest ? hn::Mul(stepsPerLevel, real(0.5)) : real(0);
-        const Real bias = hn::Add(half, plane.steps);
+        const Real withBias = hn::Add(hn::Add(half, steps), real(toWord));
         const auto isNarrowWord = hn::RebindMask(words, isNarrow);
 
+        const Real pixelScale = hn::Mul(scale, real(256));
         Real magnitude = real(0);
-        const Integer colour0 = packedLevels(0, i);
-        const Integer colour1 = packedLevels(1, i);
-        const Integer colour2 = packedLevels(2, i);
         for (std::size_t channel = 0; channel < 3; ++channel) {
-            const Real c0 = extracted(colour0, channel);
-            const Real c1 = hn::Sub(extracted(colour1, channel), c0);
-            const Real c2 = hn::Sub(extracted(colour2, channel), c0);
-            const Real gradientX = hn::Sub(hn::Mul(c1, plane.y2), hn::Mul(c2, plane.y1));
-            const Real gradientY = hn::Sub(hn::Mul(c2, plane.x1), hn::Mul(c1, plane.x2));
-            const Real start = hn::Mul(
-                hn::Add(hn::Mul(c0, plane.area),
-                        hn::Add(hn::Mul(gradientX, plane.along), hn::Mul(gradientY, plane.up))),
-                scale);
-            const Real pixelScale = hn::Mul(scale, real(256));
-            const Real perColumn = hn::Mul(gradientX, pixelScale);
-            const Real perRow = hn::Mul(gradientY, pixelScale);
+            const BatchChannel<Reals> plane(levels, channel, corners);
+            const Real start = hn::Mul(plane.start, scale);
+            const Real perColumn = hn::Mul(plane.perColumn, pixelScale);
+            const Real perRow = hn::Mul(plane.perRow, pixelScale);
             magnitude = hn::Max(hn::Max(magnitude, hn::Abs(start)),
                                 hn::Max(hn::Abs(perColumn), hn::Abs(perRow)));
-            storeWord(rounded(start, bias), isNarrowWord, m_batch.start[channel].data() + i);
-            storeWord(rounded(perColumn, real(0)), isNarrowWord,
-                      m_batch.perColumn[channel].data() + i);
-            storeWord(rounded(perRow, real(0)), isNarrowWord, m_batch.perRow[channel].data() + i);
+            const auto put = [&](Real sum, std::uint64_t *wide, std::uint32_t *narrow) HWY_ATTR {
+                storeWord(hn::BitCast(words, sum), isNarrowWord, wide + i);
+                storeNarrow(reals, sum, narrow + i);
+            };
+            put(hn::Add(start, withBias), m_batch.start[channel].data(),
+                m_batch.narrowStart[channel].data());
+            put(hn::Add(perColumn, real(toWord)), m_batch.perColumn[channel].data(),
+                m_batch.narrowPerColumn[channel].data());
+            put(hn::Add(perRow, real(toWord)), m_batch.perRow[channel].data(),
+                m_batch.narrowPerRow[channel].data());
         }
         hn::Store(magnitude, reals, m_batch.magnitude.data() + i);
         // Not so where the area is 0: scale and magnitude are infinite or no numbers there.
-        return hn::And(
-            isNarrow,
-            hn::And(hn::Lt(magnitude, real(magnitudeLimit)), hn::Gt(plane.area, real(0))));
-    }
-
-    Integer packedLevels(std::size_t corner, std::size_t i) const
-    {
-        const hn::RebindToUnsigned<Integers> unsignedIntegers;
-        return hn::BitCast(integers, hn::Load(unsignedIntegers, m_batch.colour[corner].data() + i));
+        return hn::And(isNarrow,
+                       hn::And(hn::Lt(magnitude, real(magnitudeLimit)), hn::Gt(area, real(0))));
     }
 
     /// Moves the level to the top byte.
@@ -201,28 +160,6 @@ private:
         hn::Store(hn::IfThenElse(isNarrow, hn::ShiftLeft<narrowShift>(word),
                                  hn::ShiftLeft<middleShift>(word)),
                   words, to);
-    }
-
-    /// E = ΔX·(y − Ya) − ΔY·(x − Xa), mirrored so that the inside is positive, less 1 where the
-    /// rule does not own the edge.
-    void setUpEdge(std::size_t i, std::size_t edge, Real sign, Real dx, Real dy, Real along,
-                   Real up)
-    {
-        const Real perRow = hn::Mul(sign, dx);
-        const Real perColumn = hn::Mul(sign, hn::Neg(dy));
-        Real value = hn::Add(hn::Mul(perRow, up), hn::Mul(perColumn, along));
-        if constexpr (Rule != FillRule::Closed) {
-            const auto owned = ownsItsSamples(reals, perRow, perColumn);
-            value = hn::Sub(value, hn::IfThenElse(owned, hn::Zero(reals), real(1)));
-        }
-        storeSaturated(value, m_batch.edge[edge].data() + i);
-        storeSaturated(hn::Mul(perColumn, real(256)), m_batch.edgePerColumn[edge].data() + i);
-        storeSaturated(hn::Mul(perRow, real(256)), m_batch.edgePerRow[edge].data() + i);
-    }
-
-    static void storeSaturated(Real value, std::int32_t *to)
-    {
-        hn::Store(hn::DemoteTo(integers, value), integers, to);
     }
 
     TriangleBatch &m_batch;

@@ -17,65 +17,128 @@ namespace hn = hwy::HWY_NAMESPACE;
 
 enum class Shading { Flat, Smooth };
 
-/// A triangle whose box has at most `Columns` columns: the set-up's edge functions and colours in
-/// all columns of a row at once, one addition a row each. A sample is inside where none of the
-/// three edge functions is negative, that is, where their bitwise or is not.
+/// Which columns the lanes of a block stand for, and where they are stored.
+template <class D>
+class BlockLanes {
+    static constexpr D d{};
+    static constexpr hn::RebindToSigned<D> di{};
+    static constexpr std::int32_t lanes = lanesOf<D>;
+    using Integer = hn::Vec<hn::RebindToSigned<D>>;
+    using Mask = hn::Mask<hn::RebindToSigned<D>>;
+
+public:
+    /// Where stores have masks, as wide as a cache line: lane k stands for the k-th pixel of a
+    /// line, of the one with `column` or of the next one. A store across two lines costs as much as
+    /// two, and fetches both even if all its pixels are in one.
+    static constexpr bool areOfLines = hasMaskedStores && lanes == 16;
+
+    /// For `column` and those after it, or before it where the window ends.
+    HWY_INLINE BlockLanes(const TriangleBatch &batch, std::size_t i, std::int32_t column,
+                          const FrameView &window)
+    {
+        if constexpr (areOfLines) {
+            m_to = window.base + batch.firstRow[i] * window.stride + column;
+            const auto place
+                = std::int32_t(reinterpret_cast<std::uintptr_t>(m_to) / sizeof(QRgb) % lanes);
+            m_to -= place;
+            const auto fromColumn = hn::And(countFrom(di, -place), hn::Set(di, lanes - 1));
+            m_places = hn::Add(fromColumn, hn::Set(di, column - batch.firstColumn[i]));
+            m_isInNextLine = hn::Lt(hn::Iota(di, 0), hn::Set(di, place));
+            m_reachesNextLine = place + batch.endColumn[i] - column > lanes;
+        } else {
+            column = HWY_MIN(column, window.width - lanes);
+            m_to = window.base + batch.firstRow[i] * window.stride + column;
+            m_places = countFrom(di, column - batch.firstColumn[i]);
+        }
+    }
+
+    /// Counted from the first column of the box.
+    HWY_INLINE Integer places() const { return m_places; }
+    HWY_INLINE bool reachesNextLine() const { return m_reachesNextLine; }
+    HWY_INLINE void climb(std::ptrdiff_t stride) { m_to += stride; }
+
+    template <bool ReachesNextLine>
+    HWY_INLINE void store(Mask inside, hn::Vec<D> pixels) const
+    {
+        if constexpr (ReachesNextLine) {
+            const auto here = hn::AndNot(m_isInNextLine, inside);
+            const auto next = hn::And(m_isInNextLine, inside);
+            storeWhere(d, hn::RebindMask(d, here), pixels, m_to);
+            storeWhere(d, hn::RebindMask(d, next), pixels, m_to + lanes);
+        } else {
+            storeWhere(d, hn::RebindMask(d, inside), pixels, m_to);
+        }
+    }
+
+private:
+    QRgb *m_to;
+    Integer m_places;
+    Mask m_isInNextLine;
+    bool m_reachesNextLine = false;
+};
+
+/// A triangle whose box has few columns, `Columns` at a time: the set-up's edge functions and
+/// colours in all columns of a row at once, one addition a row each. A sample is inside where none
+/// of the three edge functions is negative, that is, where their bitwise or is not.
 template <int Columns, Shading S>
 HWY_INLINE void drawBlock(const TriangleBatch &batch, std::size_t i, FrameView window)
 {
     using D = Pixels<Columns>;
     constexpr D d{};
     const hn::RebindToSigned<D> di{};
-    constexpr int lanes = lanesOf<D>;
-
-    // A block at the right end of the window begins further left, over columns that are outside.
-    const std::int32_t firstColumn
-        = HWY_MIN(batch.firstColumn[i], window.width - std::int32_t(Columns));
     const std::int32_t rows = batch.endRow[i] - batch.firstRow[i];
-    for (int group = 0; group < Columns / lanes; ++group) {
-        const std::int32_t column = firstColumn + group * lanes;
-        if (column >= batch.endColumn[i])
-            break;
-        const std::int32_t shift = column - batch.firstColumn[i];
-        const auto places = countFrom(di, shift);
+    for (std::int32_t column = batch.firstColumn[i]; column < batch.endColumn[i];
+         column += lanesOf<D>) {
+        BlockLanes<D> block(batch, i, column, window);
+        const auto places = block.places();
         const auto edgeAt = [&](std::size_t edge) HWY_ATTR {
             return hn::Add(hn::Set(di, batch.edge[edge][i]),
                            hn::Mul(places, hn::Set(di, batch.edgePerColumn[edge][i])));
         };
         const auto wordAt = [&](std::size_t channel) HWY_ATTR {
-            const auto perColumn = hn::Set(d, std::uint32_t(batch.perColumn[channel][i] >> 32));
-            return hn::Add(hn::Set(d, std::uint32_t(batch.start[channel][i] >> 32)),
+            const auto perColumn = hn::Set(d, batch.narrowPerColumn[channel][i]);
+            return hn::Add(hn::Set(d, batch.narrowStart[channel][i]),
                            hn::Mul(hn::BitCast(d, places), perColumn));
         };
         auto edge0 = edgeAt(0);
         auto edge1 = edgeAt(1);
         auto edge2 = edgeAt(2);
+        if constexpr (BlockLanes<D>::areOfLines) {
+            // Behind the box, where a clipped triangle goes on: it stays negative for all rows.
+            const auto count = hn::Set(di, batch.endColumn[i] - batch.firstColumn[i]);
+            edge0 = hn::IfThenElse(hn::Lt(places, count), edge0, hn::Set(di, -(1 << 30)));
+        }
         const auto edge0PerRow = hn::Set(di, batch.edgePerRow[0][i]);
         const auto edge1PerRow = hn::Set(di, batch.edgePerRow[1][i]);
         const auto edge2PerRow = hn::Set(di, batch.edgePerRow[2][i]);
         auto red = wordAt(0);
         auto green = wordAt(1);
         auto blue = wordAt(2);
-        const auto redPerRow = hn::Set(d, std::uint32_t(batch.perRow[0][i] >> 32));
-        const auto greenPerRow = hn::Set(d, std::uint32_t(batch.perRow[1][i] >> 32));
-        const auto bluePerRow = hn::Set(d, std::uint32_t(batch.perRow[2][i] >> 32));
+        const auto redPerRow = hn::Set(d, batch.narrowPerRow[0][i]);
+        const auto greenPerRow = hn::Set(d, batch.narrowPerRow[1][i]);
+        const auto bluePerRow = hn::Set(d, batch.narrowPerRow[2][i]);
         const auto flat = hn::Set(d, packed(batch.source[i].vertices[0].colour));
 
-        QRgb *to = window.base + batch.firstRow[i] * window.stride + column;
-        for (std::int32_t row = 0; row < rows; ++row) {
-            const auto inside = hn::Gt(hn::Or3(edge0, edge1, edge2), hn::Set(di, -1));
-            const auto pixels = S == Shading::Flat ? flat : pixelsOf(d, red, green, blue);
-            storeWhere(d, hn::RebindMask(d, inside), pixels, to);
-            to += window.stride;
-            edge0 = hn::Add(edge0, edge0PerRow);
-            edge1 = hn::Add(edge1, edge1PerRow);
-            edge2 = hn::Add(edge2, edge2PerRow);
-            if constexpr (S == Shading::Smooth) {
-                red = hn::Add(red, redPerRow);
-                green = hn::Add(green, greenPerRow);
-                blue = hn::Add(blue, bluePerRow);
+        const auto scan = [&](auto reachesNextLine) HWY_ATTR {
+            for (std::int32_t row = 0; row < rows; ++row) {
+                const auto inside = hn::Gt(hn::Or3(edge0, edge1, edge2), hn::Set(di, -1));
+                const auto pixels = S == Shading::Flat ? flat : pixelsOf(d, red, green, blue);
+                block.template store<decltype(reachesNextLine)::value>(inside, pixels);
+                block.climb(window.stride);
+                edge0 = hn::Add(edge0, edge0PerRow);
+                edge1 = hn::Add(edge1, edge1PerRow);
+                edge2 = hn::Add(edge2, edge2PerRow);
+                if constexpr (S == Shading::Smooth) {
+                    red = hn::Add(red, redPerRow);
+                    green = hn::Add(green, greenPerRow);
+                    blue = hn::Add(blue, bluePerRow);
+                }
             }
-        }
+        };
+        if (block.reachesNextLine())
+            scan(std::bool_constant<BlockLanes<D>::areOfLines>());
+        else
+            scan(std::false_type());
     }
 }
 

@@ -1,53 +1,119 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/fast/crew.h"
 
+#include <algorithm>
+#include <atomic>
+#include <cstdint>
+#include <mutex>
+#include <semaphore>
 #include <system_error>
+#include <thread>
+#include <vector>
 
 namespace pixelplumb {
 
-Crew::Crew(int threads)
-{
-    m_others.reserve(std::size_t(threads - 1));
-    try {
-        while (int(m_others.size()) < threads - 1)
-            m_others.emplace_back([this] { workUntilDismissed(); });
-    } catch (const std::system_error &) {
-        // Those that started, or the caller alone, do the work.
+namespace {
+
+/// The jobs of one call.
+class JobList {
+public:
+    JobList(int threads, int count, const std::function<void(int job)> &job)
+        : m_threads(threads)
+        , m_job(job)
+        , m_isTaken(std::size_t(count))
+    {
     }
-}
 
-Crew::~Crew()
-{
-    m_isDismissed = true;
-    m_begun.release(std::ptrdiff_t(m_others.size()));
-}
+    /// Does those that nobody else has taken.
+    void work()
+    {
+        const auto count = std::int64_t(m_isTaken.size());
+        const std::int64_t first = count * m_arrived++ / m_threads;
+        for (std::int64_t k = 0; k < count; ++k) {
+            const std::int64_t mine = (first + k) % count;
+            if (!m_isTaken[std::size_t(mine)].exchange(true))
+                m_job(int(mine));
+        }
+    }
 
-void Crew::share(int count, const std::function<void(int job)> &job)
-{
-    m_job = &job;
-    m_count = count;
-    m_next = 0;
-    m_begun.release(std::ptrdiff_t(m_others.size()));
-    takeJobs();
-    for (std::size_t i = 0; i < m_others.size(); ++i)
+private:
+    int m_threads;
+    const std::function<void(int job)> &m_job;
+    std::vector<std::atomic<bool>> m_isTaken;
+    std::atomic<int> m_arrived = 0;
+};
+
+/// Threads that wait for jobs.
+class Crew {
+public:
+    Crew() = default;
+    ~Crew()
+    {
+        m_jobs = nullptr;
+        m_begun.release(std::ptrdiff_t(m_others.size()));
+    }
+    Crew(const Crew &) = delete;
+    Crew &operator=(const Crew &) = delete;
+
+    void share(int threads, int count, const std::function<void(int job)> &job)
+    {
+        const std::lock_guard lock(m_mutex);
+        hire(std::size_t(threads - 1));
+        const int helpers = std::min(threads - 1, int(m_others.size()));
+        JobList jobs(threads, count, job);
+        m_jobs = &jobs;
+        m_begun.release(helpers);
+        jobs.work();
+        for (int i = 0; i < helpers; ++i)
+            awaitHelper();
+    }
+
+private:
+    void hire(std::size_t wanted)
+    {
+        try {
+            while (m_others.size() < wanted)
+                m_others.emplace_back([this] { workUntilDismissed(); });
+        } catch (const std::system_error &) {
+            // Those that started, or the caller alone, do the work.
+        }
+    }
+
+    void workUntilDismissed()
+    {
+        while (true) {
+            m_begun.acquire();
+            if (m_jobs == nullptr)
+                return;
+            m_jobs->work();
+            m_finished.release();
+        }
+    }
+
+    /// The last jobs end at about the same time: sooner than a thread is put to sleep and woken.
+    void awaitHelper()
+    {
+        constexpr int tries = 2000; // some 20 µs
+        for (int i = 0; i < tries; ++i) {
+            if (m_finished.try_acquire())
+                return;
+        }
         m_finished.acquire();
-}
-
-void Crew::workUntilDismissed()
-{
-    while (true) {
-        m_begun.acquire();
-        if (m_isDismissed)
-            return;
-        takeJobs();
-        m_finished.release();
     }
-}
 
-void Crew::takeJobs()
+    std::mutex m_mutex; ///< held while jobs are shared
+    std::counting_semaphore<> m_begun{0};
+    std::counting_semaphore<> m_finished{0};
+    JobList *m_jobs = nullptr; ///< handed over by m_begun; none: dismissed
+    std::vector<std::jthread> m_others; ///< last: joined before the rest goes
+};
+
+} // namespace
+
+void shareJobs(int threads, int count, const std::function<void(int job)> &job)
 {
-    for (int mine = m_next++; mine < m_count; mine = m_next++)
-        (*m_job)(mine);
+    static Crew crew;
+    crew.share(threads, count, job);
 }
 
 } // namespace pixelplumb

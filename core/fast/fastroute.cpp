@@ -11,7 +11,7 @@ std::string_view nameOf(FastKernel kernel)
     case FastKernel::Block8:
         return "block of 8 columns";
     case FastKernel::Block16:
-        return "block of 16 columns";
+        return "blocks of 16 columns";
     case FastKernel::Strip8:
         return "strip of 8 columns";
     case FastKernel::Strip16:
@@ -65,7 +65,7 @@ std::string_view textOf(FastReason reason)
     case FastReason::BeyondExactWords:
         return "no 64-bit colour word is exact: 4 A' (n + 1) is 2^56 or more";
     case FastReason::SmallBox:
-        return "its box is at most 16 columns wide and 63 px high: one vector a row";
+        return "its box is at most 32 columns wide and 63 px high: one or two vectors a row";
     case FastReason::NarrowBox:
         return "its box fits into one strip";
     case FastReason::WideBox:

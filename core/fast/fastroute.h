@@ -12,7 +12,7 @@ namespace pixelplumb {
 enum class FastKernel {
     None, ///< nothing to draw: culled before any work on columns
     Block8, ///< at most 8 columns: each row one store, coverage by edge functions
-    Block16, ///< at most 16 columns, the same
+    Block16, ///< at most 32 columns, the same by 16
     Strip8, ///< a strip of 8 columns, where the box is no wider
     Strip16, ///< strips of 16 columns, one cache line wide
     Strip32, ///< strips of 32 columns

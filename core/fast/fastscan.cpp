@@ -22,20 +22,23 @@ constexpr double worthBands = 200'000; // ns
 /// A rough cost on one thread, in ns: enough to tell a microsecond from a millisecond.
 struct CostEstimate {
     double cost = 0;
-    double triangles = 0; ///< that it is of; the first ones, when that told enough
+    double triangles = 0; ///< that are not outside the frame
 
     bool isWorthBands() const { return cost >= worthBands; }
-    /// To sort a triangle into bands costs some 30 ns; the caches save that over some 200 pixels.
+    /// To sort a triangle into bands costs some 20 ns; the caches save that over some 200 pixels.
     bool isOfLargeTriangles() const { return cost >= 40 * triangles; }
 };
 
+/// Of every n-th triangle, n odd: scenes repeat themselves in twos and fours.
 CostEstimate estimatedCost(std::span<const Triangle> triangles, FrameView frame)
 {
     constexpr double perTriangle = 15;
     constexpr double perPixel = 0.1;
+    constexpr std::size_t lookedAt = 256;
+    const std::size_t step = triangles.size() / lookedAt | 1;
     CostEstimate estimate;
-    for (const Triangle &triangle : triangles) {
-        const auto &v = triangle.vertices;
+    for (std::size_t i = 0; i < triangles.size(); i += step) {
+        const auto &v = triangles[i].vertices;
         const auto [left, right] = std::minmax({v[0].position.x, v[1].position.x, v[2].position.x});
         const auto [low, high] = std::minmax({v[0].position.y, v[1].position.y, v[2].position.y});
         const auto columns = std::min(floorPixel(right) + 1, frame.endColumn())
@@ -46,9 +49,9 @@ CostEstimate estimatedCost(std::span<const Triangle> triangles, FrameView frame)
             estimate.cost += perTriangle + perPixel * double(columns) * double(rows) / 2;
             ++estimate.triangles;
         }
-        if (estimate.isWorthBands())
-            break;
     }
+    estimate.cost *= double(step);
+    estimate.triangles *= double(step);
     return estimate;
 }
 
@@ -84,16 +87,21 @@ public:
         }
     }
     /// Draws those at some places of a scene.
-    void draw(std::span<const Triangle> scene, std::span<const std::uint32_t> places)
+    void draw(std::span<const Triangle> scene, std::span<const std::uint16_t> places)
     {
         if (!isBatched()) {
-            for (const std::uint32_t place : places)
+            for (const std::uint16_t place : places)
                 drawOne(scene[place]);
             return;
         }
         while (!places.empty()) {
             const std::size_t count = std::min(places.size(), TriangleBatch::capacity);
             const auto rest = places.subspan(count);
+            if (std::size_t(places[count - 1] - places[0]) == count - 1) { // as in a mesh
+                drawBatch(scene.subspan(places[0], count));
+                places = rest;
+                continue;
+            }
             for (std::size_t i = 0; i < count; ++i) {
                 if (i < rest.size()) // arrives while these are drawn
                     prefetchTriangle(reinterpret_cast<std::uintptr_t>(&scene[rest[i]]));
@@ -175,7 +183,7 @@ std::vector<FastRouteUse> usesOf(const RouteTally &tally)
 }
 
 /// Several bands a thread, so that none waits long for the last one.
-constexpr int bandsPerThread = 4;
+constexpr int bandsPerThread = 3;
 
 /// A frame of more bytes does not stay in the caches while triangles all over it are drawn: it is
 /// drawn in bands that do, by a single thread too.
@@ -198,10 +206,6 @@ int bandCountFor(std::span<const Triangle> triangles, FrameView frame, int threa
     return int(std::min<std::int64_t>(std::max(forCaches, forThreads), frame.height));
 }
 
-/// Binned and drawn before the next ones are: while they are still in a cache that the threads
-/// share (4.5 MiB).
-constexpr std::size_t trianglesPerChunk = 65'536;
-
 /// That the system lets this process have, 1 or more.
 int threadsOfMachine() { return int(std::max(1U, std::thread::hardware_concurrency())); }
 
@@ -210,16 +214,17 @@ RouteTally drawInBands(std::span<const Triangle> triangles, const ScanSettings &
 {
     std::vector<RouteTally> tallies(std::size_t(bands.count()));
     BandBins bins(bands);
-    Crew crew(threads);
     while (!triangles.empty()) {
-        const auto chunk = triangles.first(std::min(triangles.size(), trianglesPerChunk));
+        // Binned and drawn before the next ones are: while still in a cache that the threads share.
+        const auto chunk = triangles.first(std::min(triangles.size(), BandBins::mostTriangles));
         triangles = triangles.subspan(chunk.size());
-        const int pieces = bins.begin(chunk);
-        crew.share(pieces, [&](int piece) { bins.gather(piece); });
-        crew.share(bands.count(), [&](int band) {
+        bins.begin(chunk);
+        shareJobs(threads, bands.count(), [&](int band) {
             WindowDrawing drawing(kernels, settings, bands.band(band), tallies[std::size_t(band)]);
             bins.forEach(
-                band, [&](std::span<const std::uint32_t> places) { drawing.draw(chunk, places); });
+                band, [&](std::span<const Triangle> piece, std::span<const std::uint16_t> places) {
+                    drawing.draw(piece, places);
+                });
         });
     }
     RouteTally sum;

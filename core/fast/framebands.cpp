@@ -28,8 +28,11 @@ FrameView FrameBands::band(int index) const
 FrameBands::Range FrameBands::touchedBy(const Triangle &triangle) const
 {
     const auto &v = triangle.vertices;
-    const Lattice lowest = std::min({v[0].position.y, v[1].position.y, v[2].position.y});
-    const Lattice highest = std::max({v[0].position.y, v[1].position.y, v[2].position.y});
+    // Of a list of three, which is the least would be asked by jumps that nobody can foresee.
+    const Lattice lower = std::min(v[0].position.y, v[1].position.y);
+    const Lattice higher = std::max(v[0].position.y, v[1].position.y);
+    const Lattice lowest = std::min(lower, v[2].position.y);
+    const Lattice highest = std::max(higher, v[2].position.y);
     const std::int64_t first = ceilPixel(lowest) - m_frame.firstRow;
     const std::int64_t last = floorPixel(highest) - m_frame.firstRow;
     if (last < 0 || first >= m_frame.height || first > last)
@@ -38,27 +41,57 @@ FrameBands::Range FrameBands::touchedBy(const Triangle &triangle) const
             m_bandOfRow[std::size_t(std::min<std::int64_t>(last, m_frame.height - 1))]};
 }
 
-int BandBins::begin(std::span<const Triangle> triangles)
+BandBins::BandBins(const FrameBands &bands)
+    : m_bands(bands)
+    , m_pieces(mostTriangles / trianglesPerPiece)
 {
-    m_triangles = triangles;
-    m_pieceCount = (triangles.size() + trianglesPerPiece - 1) / trianglesPerPiece;
-    if (m_pieces.size() < m_pieceCount)
-        m_pieces.resize(m_pieceCount, Piece(std::size_t(m_bands.count())));
-    return int(m_pieceCount);
+    for (Piece &piece : m_pieces)
+        piece.bins.resize(std::size_t(bands.count()));
 }
 
-void BandBins::gather(int piece)
+void BandBins::begin(std::span<const Triangle> triangles)
 {
-    Piece &bins = m_pieces[std::size_t(piece)];
-    for (std::vector<std::uint32_t> &bin : bins)
-        bin.clear();
-    const std::size_t first = std::size_t(piece) * trianglesPerPiece;
-    const std::size_t end = std::min(first + trianglesPerPiece, m_triangles.size());
-    for (std::size_t i = first; i < end; ++i) {
-        const FrameBands::Range touched = m_bands.touchedBy(m_triangles[i]);
-        for (int band = touched.first; band <= touched.last; ++band)
-            bins[std::size_t(band)].push_back(std::uint32_t(i));
+    Q_ASSERT(triangles.size() <= mostTriangles);
+    m_triangles = triangles;
+    m_pieceCount = (triangles.size() + trianglesPerPiece - 1) / trianglesPerPiece;
+    for (std::size_t piece = 0; piece < m_pieceCount; ++piece)
+        m_pieces[piece].isGathered = false;
+    m_nextPiece = 0;
+}
+
+std::span<const Triangle> BandBins::trianglesOf(std::size_t piece) const
+{
+    const std::size_t first = piece * trianglesPerPiece;
+    return m_triangles.subspan(first, std::min(trianglesPerPiece, m_triangles.size() - first));
+}
+
+void BandBins::await(const Piece &piece)
+{
+    while (!piece.isGathered) {
+        const std::size_t mine = m_nextPiece++;
+        if (mine < m_pieceCount)
+            gather(mine);
+        else
+            piece.isGathered.wait(false);
     }
+}
+
+void BandBins::gather(std::size_t piece)
+{
+    std::vector<Bin> &bins = m_pieces[piece].bins;
+    const std::size_t expected = 2 * trianglesPerPiece / bins.size();
+    for (Bin &bin : bins) {
+        bin.clear();
+        bin.reserve(expected);
+    }
+    const std::span<const Triangle> triangles = trianglesOf(piece);
+    for (std::size_t i = 0; i < triangles.size(); ++i) {
+        const FrameBands::Range touched = m_bands.touchedBy(triangles[i]);
+        for (int band = touched.first; band <= touched.last; ++band)
+            bins[std::size_t(band)].push_back(std::uint16_t(i));
+    }
+    m_pieces[piece].isGathered = true;
+    m_pieces[piece].isGathered.notify_all();
 }
 
 } // namespace pixelplumb

@@ -4,6 +4,7 @@
 #include "core/frame/frameview.h"
 #include "core/geometry/triangle.h"
 
+#include <atomic>
 #include <span>
 #include <vector>
 
@@ -33,39 +34,49 @@ private:
     std::vector<std::uint16_t> m_bandOfRow; ///< spares two divisions a triangle
 };
 
-/// Which triangles of a scene each band has, in their order. Gathered in pieces of the scene, so
-/// that threads can share the work and the order stays that of the scene whichever thread took
-/// which piece. Its memory serves one part of a scene after another: to get fresh memory from the
-/// system costs more than to fill it.
+/// Which triangles of a scene each band has, in their order. Gathered in pieces of the scene by the
+/// threads that draw, as they need them: nobody waits until all pieces are gathered, and the order
+/// is that of the scene whichever thread took which piece. Its memory serves one part of a scene
+/// after another: to get fresh memory from the system costs more than to fill it.
 class BandBins {
 public:
-    static constexpr std::size_t trianglesPerPiece = 4096;
+    explicit BandBins(const FrameBands &bands);
 
-    explicit BandBins(const FrameBands &bands)
-        : m_bands(bands)
-    {
-    }
-
-    /// Forgets what was gathered; returns how many pieces gather() has to be called for.
-    int begin(std::span<const Triangle> triangles);
-    /// Sorts one piece into the bands. Different pieces may be gathered at once.
-    void gather(int piece);
-    /// Calls `draw` with the places of a band's triangles in the scene, in order: a run of them
-    /// from each piece.
+    /// Of one part of a scene.
+    static constexpr std::size_t mostTriangles = 65'536;
+    /// Forgets what was gathered, and takes up another part. Nobody may be reading.
+    void begin(std::span<const Triangle> triangles);
+    /// Calls `draw` with each piece of the part, in order, and the places in it of a band's
+    /// triangles. Several threads may do so at once.
     template <class Draw>
-    void forEach(int band, const Draw &draw) const
+    void forEach(int band, const Draw &draw)
     {
-        for (std::size_t piece = 0; piece < m_pieceCount; ++piece)
-            draw(std::span<const std::uint32_t>(m_pieces[piece][std::size_t(band)]));
+        for (std::size_t piece = 0; piece < m_pieceCount; ++piece) {
+            await(m_pieces[piece]);
+            const std::vector<Bin> &bins = m_pieces[piece].bins;
+            draw(trianglesOf(piece), std::span<const std::uint16_t>(bins[std::size_t(band)]));
+        }
     }
 
 private:
-    using Piece = std::vector<std::vector<std::uint32_t>>; ///< by band
+    static constexpr std::size_t trianglesPerPiece = 2048;
+
+    using Bin = std::vector<std::uint16_t>; ///< places in the piece
+    struct Piece {
+        std::vector<Bin> bins; ///< by band
+        std::atomic<bool> isGathered = false;
+    };
+
+    std::span<const Triangle> trianglesOf(std::size_t piece) const;
+    /// Gathers pieces that nobody has begun, until this one is gathered.
+    void await(const Piece &piece);
+    void gather(std::size_t piece);
 
     const FrameBands &m_bands;
     std::span<const Triangle> m_triangles;
     std::vector<Piece> m_pieces;
     std::size_t m_pieceCount = 0; ///< of m_pieces, in use
+    std::atomic<std::size_t> m_nextPiece = 0; ///< that nobody has begun
 };
 
 } // namespace pixelplumb

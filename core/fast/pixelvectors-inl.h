@@ -32,6 +32,16 @@ HWY_INLINE hn::Vec<D> countFrom(D d, hn::TFromD<D> first)
     return hn::Add(hn::Iota(d, 0), hn::Set(d, first));
 }
 
+/// Integers as doubles or as floats, which hold them exactly up to 2^24.
+template <class Reals, class Integer>
+HWY_INLINE hn::Vec<Reals> numbersOf(Reals reals, Integer integers)
+{
+    if constexpr (sizeof(hn::TFromD<Reals>) == sizeof(std::int32_t))
+        return hn::ConvertTo(reals, integers);
+    else
+        return hn::PromoteTo(reals, integers);
+}
+
 /// Bits of `yes` where `mask` has ones, of `no` elsewhere.
 template <class D>
 HWY_INLINE hn::Vec<D> selectedBits(D d, std::uint32_t mask, hn::Vec<D> yes, hn::Vec<D> no)

@@ -24,7 +24,7 @@ struct TriangleBatch {
     const Triangle *source = nullptr; ///< `size` triangles in a row, often followed by the next
     Set farAway = 0; ///< beyond ±2^15 px of the window: only the plain kernel draws them
     Set flat = 0; ///< the three vertices have one colour
-    /// Neither empty nor of zero area, of at most 16 columns, of at most blockExtent, its 24-bit
+    /// Neither empty nor of zero area, of at most blockColumns, of at most blockExtent, its 24-bit
     /// colours exact. Most triangles of a crowded scene, told apart at once.
     Set small = 0;
     Set narrow = 0; ///< at most 8 columns
@@ -57,8 +57,12 @@ struct TriangleBatch {
     alignas(64) PerCorner<std::uint64_t> perColumn = {};
     alignas(64) PerCorner<std::uint64_t> perRow = {};
 
-    /// Edge functions at the first sample of the box, at least 0 where the fill rule has the sample
-    /// inside; meaningful while extent is at most blockExtent.
+    /// The colour plane in 8.24, and edge functions at the first sample of the box, at least 0 where
+    /// the fill rule has the sample inside, in any positive unit: meaningful of small triangles, and
+    /// the edge functions while extent is at most blockExtent.
+    alignas(64) PerCorner<std::uint32_t> narrowStart = {};
+    alignas(64) PerCorner<std::uint32_t> narrowPerColumn = {};
+    alignas(64) PerCorner<std::uint32_t> narrowPerRow = {};
     alignas(64) PerCorner<std::int32_t> edge = {};
     alignas(64) PerCorner<std::int32_t> edgePerColumn = {};
     alignas(64) PerCorner<std::int32_t> edgePerRow = {};
@@ -70,6 +74,7 @@ struct TriangleBatch {
 
     /// Up to this extent the edge functions of a block fit 32 bits: sides of less than 2^14 units,
     /// samples less than 2^14 + 2^12 units away, two products: below 2^30.
+    static constexpr std::int32_t blockColumns = 32;
     static constexpr std::int32_t blockExtent = 63 * std::int32_t(unitsPerPixel);
 
     static bool contains(Set set, std::size_t i) { return (set >> i & 1) != 0; }
