@@ -57,9 +57,9 @@ struct TriangleBatch {
     alignas(64) PerCorner<std::uint64_t> perColumn = {};
     alignas(64) PerCorner<std::uint64_t> perRow = {};
 
-    /// The colour plane in 8.24, and edge functions at the first sample of the box, at least 0 where
-    /// the fill rule has the sample inside, in any positive unit: meaningful of small triangles, and
-    /// the edge functions while extent is at most blockExtent.
+    /// The colour plane in 8.24, and edge functions at the first sample of the box, at least 0
+    /// where the fill rule has the sample inside, in any positive unit: meaningful of small
+    /// triangles, and the edge functions while extent is at most blockExtent.
     alignas(64) PerCorner<std::uint32_t> narrowStart = {};
     alignas(64) PerCorner<std::uint32_t> narrowPerColumn = {};
     alignas(64) PerCorner<std::uint32_t> narrowPerRow = {};
