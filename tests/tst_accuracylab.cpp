@@ -78,10 +78,10 @@ private slots:
             QVERIFY(named<QProgressBar>(*m_lab, "labProgress")->isVisible());
             QTRY_VERIFY_WITH_TIMEOUT(!m_lab->isRunning(), longest);
 
-            const LabResults &results = *m_lab->results();
-            QVERIFY(results.study.isComplete);
-            QCOMPARE(results.study.rows.size(), std::size_t(2));
-            QVERIFY(!results.sizes.empty() && !results.drift.empty());
+            const Study &results = *m_lab->results();
+            QVERIFY(results.isComplete);
+            QCOMPARE(results.rows.size(), std::size_t(2));
+            QVERIFY(!results.growth.empty() && !results.drift.empty());
             QVERIFY(!named<QProgressBar>(*m_lab, "labProgress")->isVisible());
             QVERIFY(button("labRun")->isEnabled());
             QCOMPARE(named<LabTable>(*m_lab, "labTable")->model()->rowCount(), 2);
@@ -100,7 +100,7 @@ private slots:
         auto *plot = pareto->findChild<QWidget *>();
         const LabMiss miss
             = *m_lab->results()
-                   ->study.row(QStringLiteral("column-scan:float32"), QStringLiteral("own-scene"))
+                   ->row(QStringLiteral("column-scan:float32"), QStringLiteral("own-scene"))
                    ->firstMiss;
 
         const QPointF dot = *pareto->positionOf(QStringLiteral("column-scan:float32"));
@@ -180,14 +180,14 @@ private slots:
     void resultsGoToAFileAndComeBack()
     {
         runToItsEnd();
-        const Study study = m_lab->results()->study;
+        const Study study = *m_lab->results();
         const QString path = m_folder.filePath(QStringLiteral("lab.json"));
         QVERIFY(m_lab->files()->writeResults(path, study));
         QVERIFY(m_lab->files()->writeTable(m_folder.filePath(QStringLiteral("lab.csv")), study));
 
         QVERIFY(m_lab->openResults(path));
 
-        QCOMPARE(writeStudy(m_lab->results()->study), writeStudy(study));
+        QCOMPARE(writeStudy(*m_lab->results()), writeStudy(study));
         QSignalSpy complaints(m_lab, &AccuracyLab::complaint);
         QVERIFY(!m_lab->files()->writeTable(path, study)); // it was read
         QVERIFY(complaints.takeFirst().constFirst().toString().contains("not written"));
@@ -210,8 +210,8 @@ private slots:
         const QString svg = m_folder.filePath(QStringLiteral("chart.svg"));
         const QString png = m_folder.filePath(QStringLiteral("chart.png"));
 
-        QVERIFY(m_lab->files()->writeChart(svg, plot, results->study));
-        QVERIFY(m_lab->files()->writeChart(png, plot, results->study));
+        QVERIFY(m_lab->files()->writeChart(svg, plot, *results));
+        QVERIFY(m_lab->files()->writeChart(png, plot, *results));
 
         const QString text = QString::fromUtf8(*readFile(svg));
         for (const char *part :

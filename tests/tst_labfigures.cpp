@@ -23,21 +23,21 @@ const ErrorAxis &wrongPixels() { return *errorAxisNamed(QStringLiteral("wrong-pi
 
 /// Two plain kernels and their SIMD twins, with what grows and drifts; measured on a loaded machine
 /// by a command that has no spaces to break it at.
-std::shared_ptr<LabResults> twins()
+std::shared_ptr<Study> twins()
 {
     auto results = madeResults({{"column-scan:float32", 2.0, 5221},
                                 {"column-scan:exact", 4.0, 0, true},
                                 {"column-scan:float32:fast", 0.4, 5221},
                                 {"column-scan:exact:fast", 0.5, 0, true}});
-    results->study.command += QStringLiteral(" --contender ") + QString(400, u'x');
-    results->study.conditions.load = 7;
-    results->study.conditions.flags = QStringLiteral("-O0");
-    results->study.conditions.buildType = QStringLiteral("Release");
+    results->command += QStringLiteral(" --contender ") + QString(400, u'x');
+    results->conditions.load = 7;
+    results->conditions.flags = QStringLiteral("-O0");
+    results->conditions.buildType = QStringLiteral("Release");
     for (const char *id : {"column-scan:float32", "row-walk:float32"})
-        results->sizes.push_back({QLatin1String(id),
-                                  SizeAxis::Width,
-                                  {{10, {90, 100, 110}}, {100, {900, 1000, 1100}}},
-                                  1.0});
+        results->growth.push_back({QLatin1String(id),
+                                   SizeAxis::Width,
+                                   {{10, {90, 100, 110}}, {100, {900, 1000, 1100}}},
+                                   1.0});
     results->drift.push_back({Arithmetic::Float32, {{1, 1e-7, 1e-6}, {10, 1e-6, 1e-5}}});
     return results;
 }
@@ -152,7 +152,7 @@ private slots:
 
     void theErrorScaleHasARowForWhatIsTested()
     {
-        const ErrorScale scale(paretoOf(twins()->study, QStringLiteral("f"), wrongPixels()));
+        const ErrorScale scale(paretoOf(*twins(), QStringLiteral("f"), wrongPixels()));
 
         QCOMPARE(scale.ticks(3)[2].label, QStringLiteral("0, tested"));
         double before = ErrorScale::bottom;
@@ -169,9 +169,9 @@ private slots:
     void whatIsJudgedWaitsForItsTimeAtTheLeft()
     {
         const auto results = twins();
-        results->study.isComplete = false;
-        results->study.rows[0].cost.reset();
-        results->study.rows[1].cost.reset();
+        results->isComplete = false;
+        results->rows[0].cost.reset();
+        results->rows[1].cost.reset();
         const auto plot = shownPlot<ParetoPlot>();
         plot->show(results, QStringLiteral("f"), wrongPixels());
         const auto at = [&plot](const char *id) { return *plot->positionOf(QLatin1String(id)); };
@@ -234,12 +234,12 @@ private slots:
         const auto results = filtered(twins(), filter);
 
         QStringList contenders;
-        for (const StudyContender &contender : results->study.contenders)
+        for (const StudyContender &contender : results->contenders)
             contenders.append(contender.id);
         QCOMPARE(contenders, left);
-        QCOMPARE(results->study.rows.size(), std::size_t(2 * left.size()));
+        QCOMPARE(results->rows.size(), std::size_t(2 * left.size()));
         QCOMPARE(results->drift.size(), std::size_t(part == 1 ? 0 : 1));
-        QCOMPARE(results->sizes.size(), std::size_t(part == 1 ? 0 : part == 3 ? 1 : 2));
+        QCOMPARE(results->growth.size(), std::size_t(part == 1 ? 0 : part == 3 ? 1 : 2));
     }
 
     void everyBarOfThePartsHasItsHeight()
@@ -302,7 +302,7 @@ private slots:
         QFETCH(QString, title);
         QFETCH(QByteArray, line);
         const auto plot = chartOf(chart);
-        const Study study = twins()->study;
+        const Study study = *twins();
 
         const QString svg = QString::fromUtf8(plot->svg(figureOrigin(study)));
         const QByteArray csv = plot->csv(figureOrigin(study));

@@ -212,20 +212,19 @@ private slots:
     {
         const auto results = studyWith(
             missOf(Difference::Missing, QStringLiteral("column-scan"), Arithmetic::Float32));
-        const ParetoChart chart
-            = paretoOf(results->study, QStringLiteral("f"), errorAxes().front());
+        const ParetoChart chart = paretoOf(*results, QStringLiteral("f"), errorAxes().front());
 
-        const QString text = pointHtml(results->study, chart.points.front(), QStringLiteral("f"));
+        const QString text = pointHtml(*results, chart.points.front(), QStringLiteral("f"));
 
         QVERIFY2(text.contains(QStringLiteral("unsaved changes are asked about first")),
                  qPrintable(text));
     }
 
 private:
-    static std::shared_ptr<LabResults> studyWith(const LabMiss &miss)
+    static std::shared_ptr<Study> studyWith(const LabMiss &miss)
     {
         auto results = madeResults({{"column-scan:float32", 2, 5000}, {"proved", 3, 0, true}});
-        results->study.rows.front().firstMiss = miss;
+        results->rows.front().firstMiss = miss;
         return results;
     }
     void showStudyWith(const LabMiss &miss)

@@ -231,7 +231,7 @@ private slots:
         QVERIFY(MissPlot::placeOf(MissPlot::Side::Extra, 0)
                 < MissPlot::placeOf(MissPlot::Side::Extra, 1));
         const auto results = madeResults({{"one", 1, 0}});
-        AccuracyFigures &figures = *results->study.rows.front().accuracy;
+        AccuracyFigures &figures = *results->rows.front().accuracy;
         figures.misses.extra[4] = 17;
         figures.tiesMissing = 5;
         MissPlot plot;
@@ -252,7 +252,7 @@ private slots:
     void costPartsAreTheFitsOverThePixels()
     {
         const auto results = madeResults({{"scan", 2, 0}, {"row-walk:exact", 2, 0}});
-        const Study &study = results->study;
+        const Study &study = *results;
 
         // 20·10/1000, 3·200/1000 (300 rows for a row walk), 0.5
         QVERIFY(*costPartsOf(study, study.rows[0]) == (CostParts{0.2, 0.6, 0.5}));

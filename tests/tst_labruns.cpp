@@ -54,21 +54,21 @@ private slots:
         m_lab->setRequest(request);
         QSignalSpy spy(m_lab, &AccuracyLab::resultsChanged);
         click("labRun");
-        QTRY_VERIFY_WITH_TIMEOUT(m_lab->results() && m_lab->results()->study.rounds > 0, longest);
-        const int shown = m_lab->results()->study.rounds;
+        QTRY_VERIFY_WITH_TIMEOUT(m_lab->results() && m_lab->results()->rounds > 0, longest);
+        const int shown = m_lab->results()->rounds;
 
         click("labCancel");
 
         QTRY_VERIFY(!m_lab->isRunning());
-        const Study &study = m_lab->results()->study;
+        const Study &study = *m_lab->results();
         QVERIFY(study.rounds >= shown);
         for (const LabRow &row : study.rows) {
             if (row.family == QStringLiteral("own-scene"))
                 QVERIFY(row.cost && row.cost->rounds >= shown);
         }
-        QVERIFY(!m_lab->results()->study.isComplete);
-        QVERIFY(m_lab->results()->study.rows.front().accuracy);
-        QVERIFY(m_lab->results()->study.rows.front().cost);
+        QVERIFY(!m_lab->results()->isComplete);
+        QVERIFY(m_lab->results()->rows.front().accuracy);
+        QVERIFY(m_lab->results()->rows.front().cost);
         QVERIFY(button("labRun")->isEnabled());
         const auto kept = spy.size();
         QTest::qWait(300);
@@ -112,7 +112,7 @@ private slots:
         click("labCancel");
         QTRY_VERIFY_WITH_TIMEOUT(!m_lab->isRunning(), longest);
         const SharedResults second = m_lab->results();
-        QVERIFY(!second->study.isComplete);
+        QVERIFY(!second->isComplete);
 
         earlier->trigger();
         QCOMPARE(m_lab->results(), first);

@@ -14,7 +14,7 @@ enum class Times { None, OfFirstFamily };
 SharedResults madeWith(Times times)
 {
     auto results = madeResults({{"column-scan:float32", 2, 5000}});
-    for (LabRow &row : results->study.rows) {
+    for (LabRow &row : results->rows) {
         if (times == Times::None)
             row.cost.reset();
     }

@@ -25,7 +25,8 @@ std::vector<Offer> offersOf(const Study &study, const QString &family)
     std::vector<Offer> offers;
     for (const StudyContender &contender : study.contenders) {
         const LabRow *row = study.row(contender.id, family);
-        if (!row || !row->accuracy)
+        // Nobody can choose another renderer here.
+        if (!row || !row->accuracy || contender.kernel == LabKernel::Peer)
             continue;
         if (const auto perPixel = study.perPixel(*row))
             offers.push_back({&contender, row, *perPixel});

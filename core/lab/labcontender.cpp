@@ -12,6 +12,7 @@ namespace pixelplumb {
 namespace {
 
 const QString fastWord = QStringLiteral("fast");
+const QString peerWord = QStringLiteral("peer");
 
 void drawFastOnOneThread(const Primitives &primitives, const ScanSettings &settings,
                          FrameView frame)
@@ -43,6 +44,8 @@ QString nameOf(LabKernel kernel)
 
 LabKernel kernelOf(const QString &contender)
 {
+    if (contender.startsWith(peerWord + u':'))
+        return LabKernel::Peer;
     return contender.endsWith(u':' + fastWord) ? LabKernel::Fast : LabKernel::Plain;
 }
 

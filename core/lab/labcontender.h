@@ -17,6 +17,8 @@ enum class LabKernel : std::uint8_t {
     Peer, ///< no code of ours: another renderer, beside which ours is measured (tests/bench)
 };
 inline constexpr std::array allLabKernels = {LabKernel::Plain, LabKernel::Fast, LabKernel::Peer};
+/// Those that are compared among themselves.
+inline constexpr std::array ownLabKernels = {LabKernel::Plain, LabKernel::Fast};
 QString nameOf(LabKernel kernel); ///< "plain", "SIMD", "peer"
 /// By a contender's id alone, which may be none of today's.
 LabKernel kernelOf(const QString &contender);

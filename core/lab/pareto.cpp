@@ -158,8 +158,10 @@ ParetoChart paretoOf(const Study &study, const QString &family, const ErrorAxis 
         chart.points.push_back(std::move(point));
     }
     for (ParetoPoint &point : chart.points) {
-        point.isOnFrontier = std::ranges::none_of(
-            chart.points, [&](const ParetoPoint &other) { return dominates(other, point); });
+        point.isOnFrontier = point.kernel != LabKernel::Peer
+            && std::ranges::none_of(chart.points, [&](const ParetoPoint &other) {
+                                 return dominates(other, point);
+                             });
     }
     return chart;
 }

@@ -16,10 +16,10 @@ struct MadeContender {
 };
 
 /// A study of two families, "f" and "g", of which only the first one is timed.
-inline std::shared_ptr<LabResults> madeResults(const std::vector<MadeContender> &contenders)
+inline std::shared_ptr<Study> madeResults(const std::vector<MadeContender> &contenders)
 {
-    auto results = std::make_shared<LabResults>();
-    Study &study = results->study;
+    auto results = std::make_shared<Study>();
+    Study &study = *results;
     study.command = QStringLiteral("pixelplumb-cli lab --quick --seed 1");
     study.conditions.processor = QStringLiteral("a processor");
     study.rounds = 5;

@@ -88,23 +88,23 @@ void AccuracyLab::connectControls()
         const QString path = m_files->askForOutput(
             tr("Save the Results"), tr("Results of the lab (*.json)"), QStringLiteral("json"));
         if (!path.isEmpty())
-            m_files->writeResults(path, results()->study);
+            m_files->writeResults(path, *results());
     });
     connect(m_controls, &LabControls::saveTableRequested, this, [this] {
         const QString path = m_files->askForOutput(tr("Save the Table"), tr("CSV tables (*.csv)"),
                                                    QStringLiteral("csv"));
         if (!path.isEmpty())
-            m_files->writeTable(path, results()->study);
+            m_files->writeTable(path, *results());
     });
     connect(m_controls, &LabControls::saveChartRequested, this, &AccuracyLab::saveChart);
     connect(m_controls, &LabControls::earlierRequested, this, &AccuracyLab::showEarlier);
     connect(m_controls, &LabControls::copyCommandRequested, this, [this] {
-        if (results()->study.command.isEmpty()) {
+        if (results()->command.isEmpty()) {
             emit complaint(tr("There is no command: the scene was in no file when it was measured. "
                               "Save it and run the lab again."));
             return;
         }
-        QApplication::clipboard()->setText(results()->study.command);
+        QApplication::clipboard()->setText(results()->command);
         emit notice(tr("The command is on the clipboard."));
     });
 }
@@ -157,7 +157,7 @@ void AccuracyLab::endRun()
         showResults();
     if (results() && !m_shown.areOfRun())
         emit notice(tr("Cancelled before anything was timed: the results before it stay."));
-    else if (earlierResults() && !results()->study.isComplete)
+    else if (earlierResults() && !results()->isComplete)
         emit notice(tr("Cancelled. Those before are under Files, Results before these."));
     showState();
 }
@@ -177,7 +177,7 @@ void AccuracyLab::showEarlier()
 
 void AccuracyLab::showResults()
 {
-    m_controls->setFamilies(results()->study.families);
+    m_controls->setFamilies(results()->families);
     showChoice();
     showState();
     emit resultsChanged();
@@ -202,13 +202,13 @@ void AccuracyLab::showState()
                               : invitationText(m_controls->extent(), expectedSeconds(settings())));
     QStringList warnings;
     if (results() && !isRunning())
-        warnings = warningsOf(results()->study);
+        warnings = warningsOf(*results());
     else if (results() && !m_shown.areOfRun())
         warnings = {tr("Results before this run, until it has times of this family.")};
     m_warnings->setVisible(!warnings.isEmpty());
     m_warnings->setWholeText(QStringLiteral("⚠ ") + warnings.join(QStringLiteral(" ⚠ ")));
     if (results())
-        m_conditions->setWholeText(originOf(results()->study).join(QStringLiteral(" · ")));
+        m_conditions->setWholeText(originOf(*results()).join(QStringLiteral(" · ")));
 }
 
 /// A low panel gives the charts the second line of its foot. No chart changes its size when
@@ -225,7 +225,7 @@ void AccuracyLab::resizeEvent(QResizeEvent *event)
 
 void AccuracyLab::openMiss(const QString &contender)
 {
-    const LabRow *row = results() ? results()->study.row(contender, m_controls->family()) : nullptr;
+    const LabRow *row = results() ? results()->row(contender, m_controls->family()) : nullptr;
     if (!row)
         return;
     if (row->firstMiss)
@@ -246,7 +246,7 @@ void AccuracyLab::saveChart()
                                                   "Numbers, CSV (*.csv)"),
                                                QStringLiteral("svg"));
     if (!path.isEmpty())
-        m_files->writeChart(path, *chart, results()->study);
+        m_files->writeChart(path, *chart, *results());
 }
 
 bool AccuracyLab::openResults(const QString &path)
@@ -255,7 +255,7 @@ bool AccuracyLab::openResults(const QString &path)
     if (!study)
         return false;
     m_run->drop();
-    replaceBy(std::make_shared<const LabResults>(LabResults{*study, study->growth, study->drift}));
+    replaceBy(std::make_shared<const Study>(std::move(*study)));
     return true;
 }
 
@@ -270,7 +270,7 @@ bool AccuracyLab::compareWith(const QString &path)
     const std::optional<Study> before = m_files->read(path);
     if (!before)
         return false;
-    m_charts->showChanges(*before, results()->study, QFileInfo(path).fileName());
+    m_charts->showChanges(*before, *results(), QFileInfo(path).fileName());
     return true;
 }
 

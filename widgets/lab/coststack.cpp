@@ -52,7 +52,7 @@ std::vector<CostStack::Bar> CostStack::bars() const
 {
     if (!m_results)
         return {};
-    const Study &study = m_results->study;
+    const Study &study = *m_results;
     const StudyFamily *family = study.family(m_family);
     std::vector<Bar> bars;
     for (const StudyContender &contender : study.contenders) {

@@ -145,7 +145,7 @@ void LabCharts::show(const SharedResults &results, const QString &family, const 
     m_results = results;
     m_family = family;
     m_axis = &axis;
-    m_filter->setContenders(results->study.contenders);
+    m_filter->setContenders(results->contenders);
     showAll();
 }
 
@@ -157,7 +157,7 @@ void LabCharts::showAll()
     m_shown = filtered(m_results, m_filter->filter());
     m_pareto->show(m_shown, m_family, *m_axis);
     m_table->show(m_shown, m_family);
-    m_answers->show(m_results->study, m_family);
+    m_answers->show(*m_results, m_family);
     fillContenders();
     showMisses();
     m_costs->show(m_shown, m_family);
@@ -168,13 +168,13 @@ void LabCharts::showAll()
 void LabCharts::fillContenders()
 {
     m_contender->clear();
-    for (const StudyContender &contender : m_results->study.contenders)
+    for (const StudyContender &contender : m_results->contenders)
         m_contender->addItem(contender.label, contender.id);
 }
 
 void LabCharts::showMisses()
 {
-    const QString shown = m_selected.isEmpty() ? worstOf(m_results->study, m_family) : m_selected;
+    const QString shown = m_selected.isEmpty() ? worstOf(*m_results, m_family) : m_selected;
     m_contender->setCurrentIndex(m_contender->findData(shown));
     m_misses->show(m_results, m_family, shown);
 }

@@ -11,22 +11,21 @@ bool LabFilter::leavesOut(const QString &contender) const
     return known && arithmetics.contains(known->arithmetic);
 }
 
-std::shared_ptr<const LabResults> filtered(const std::shared_ptr<const LabResults> &results,
-                                           const LabFilter &filter)
+std::shared_ptr<const Study> filtered(const std::shared_ptr<const Study> &results,
+                                      const LabFilter &filter)
 {
     if (!results || filter.leavesNobodyOut())
         return results;
-    auto kept = std::make_shared<LabResults>(*results);
+    auto kept = std::make_shared<Study>(*results);
     const auto isOut = [&filter](const QString &contender) { return filter.leavesOut(contender); };
-    std::erase_if(kept->study.contenders,
-                  [&](const StudyContender &each) { return isOut(each.id); });
-    std::erase_if(kept->study.rows, [&](const LabRow &each) { return isOut(each.contender); });
-    std::erase_if(kept->sizes, [&](const SizeCurve &each) { return isOut(each.contender); });
+    std::erase_if(kept->contenders, [&](const StudyContender &each) { return isOut(each.id); });
+    std::erase_if(kept->rows, [&](const LabRow &each) { return isOut(each.contender); });
+    std::erase_if(kept->growth, [&](const SizeCurve &each) { return isOut(each.contender); });
     std::erase_if(kept->drift, [&](const DriftCurve &each) {
         return filter.arithmetics.contains(each.arithmetic);
     });
     if (filter.straightLoops == LabFilter::StraightLoops::LeftOut) {
-        for (LabRow &row : kept->study.rows) {
+        for (LabRow &row : kept->rows) {
             if (row.cost)
                 row.cost->straight.reset();
         }

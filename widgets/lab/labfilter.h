@@ -23,7 +23,7 @@ struct LabFilter {
 };
 
 /// The same without those who are left out.
-std::shared_ptr<const LabResults> filtered(const std::shared_ptr<const LabResults> &results,
-                                           const LabFilter &filter);
+std::shared_ptr<const Study> filtered(const std::shared_ptr<const Study> &results,
+                                      const LabFilter &filter);
 
 } // namespace pixelplumb

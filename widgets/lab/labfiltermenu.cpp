@@ -35,6 +35,19 @@ void leaveOut(std::set<Value> &values, const Value &value, bool isShown)
         values.insert(value);
 }
 
+QString titleOf(LabKernel kernel)
+{
+    switch (kernel) {
+    case LabKernel::Plain:
+        return LabFilterMenu::tr("plain kernels");
+    case LabKernel::Fast:
+        return LabFilterMenu::tr("SIMD kernels");
+    case LabKernel::Peer:
+        return LabFilterMenu::tr("other renderers");
+    }
+    return {};
+}
+
 } // namespace
 
 LabFilterMenu::LabFilterMenu(QWidget *parent)
@@ -91,8 +104,7 @@ void LabFilterMenu::fill()
                 });
     m_menu->addSeparator();
     for (const LabKernel kernel : allLabKernels)
-        addTick(nameOf(kernel),
-                kernel == LabKernel::Plain ? tr("plain kernels") : tr("SIMD kernels"),
+        addTick(nameOf(kernel), titleOf(kernel),
                 iconOf(kernelDot(Arithmetic::Exact, kernel, palette()), *this),
                 !m_filter.kernels.contains(kernel),
                 [this, kernel](bool isShown) { leaveOut(m_filter.kernels, kernel, isShown); });

@@ -65,6 +65,9 @@ QCPScatterStyle kernelDot(Arithmetic arithmetic, LabKernel kernel, const QPalett
     const QPen pen(colour, 1.5);
     if (kernel == LabKernel::Plain)
         return {dotShapeOf(arithmetic), pen, QBrush(colour), dotSize};
+    if (kernel == LabKernel::Peer)
+        return {QCPScatterStyle::ssCrossSquare, QPen(palette.color(QPalette::Text), 1.2),
+                QBrush(Qt::NoBrush), dotSize};
     QPainterPath path = dotPath(arithmetic, -besideCentre);
     path.addPath(dotPath(arithmetic, besideCentre));
     return {path, QPen(colour, 1), QBrush(colour), pathSize};

@@ -78,7 +78,7 @@ bool LabPlot::isLow() const { return m_plot->height() < lowHeight; }
 
 QString LabPlot::titleOn(const SharedResults &results, const QString &family) const
 {
-    const StudyFamily *drawn = results ? results->study.family(family) : nullptr;
+    const StudyFamily *drawn = results ? results->family(family) : nullptr;
     return drawn ? tr("%1: %2").arg(accessibleName(), drawn->title) : accessibleName();
 }
 

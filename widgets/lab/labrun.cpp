@@ -26,7 +26,7 @@ public:
         if (now - m_lastOffer < betweenNews)
             return;
         m_lastOffer = now;
-        post([&](LabResults &results) { results = {study, study.growth, study.drift}; });
+        post([&](Study &results) { results = study; });
     }
 
     template <class Change>
@@ -38,12 +38,12 @@ public:
     }
 
     /// Null where nothing is new.
-    std::shared_ptr<const LabResults> takeNews()
+    std::shared_ptr<const Study> takeNews()
     {
         const std::lock_guard lock(m_mutex);
         if (!std::exchange(m_isNews, false))
             return nullptr;
-        return std::make_shared<const LabResults>(m_results);
+        return std::make_shared<const Study>(m_results);
     }
 
     void stop() { m_isStopped = true; }
@@ -52,7 +52,7 @@ public:
 private:
     std::atomic<bool> m_isStopped = false;
     std::mutex m_mutex;
-    LabResults m_results;
+    Study m_results;
     bool m_isNews = false;
     TimeLeft::Clock::time_point m_lastOffer; ///< the worker's
 };
@@ -82,7 +82,7 @@ void LabRun::start(const StudySettings &settings)
         hears.rowChanged = [&board](const Study &study, std::size_t) { board->offer(study); };
         hears.roundDone = [&board](const Study &study) { board->offer(study); };
         const Study study = runStudy(settings, hears);
-        board->post([&](LabResults &results) { results = {study, study.growth, study.drift}; });
+        board->post([&](Study &results) { results = study; });
         return study.isComplete;
     };
     m_job.start(work, [this](bool) {

@@ -29,7 +29,7 @@ public:
     void drop();
 
 signals:
-    void resultsChanged(const std::shared_ptr<const pixelplumb::LabResults> &results);
+    void resultsChanged(const std::shared_ptr<const pixelplumb::Study> &results);
     void progressed();
     void ended(); ///< after the last resultsChanged()
 

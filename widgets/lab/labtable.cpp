@@ -35,7 +35,7 @@ LabTable::LabTable(QWidget *parent)
     });
 }
 
-void LabTable::show(const std::shared_ptr<const LabResults> &results, const QString &family)
+void LabTable::show(const std::shared_ptr<const Study> &results, const QString &family)
 {
     const QString kept = selected();
     {

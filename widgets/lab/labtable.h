@@ -16,7 +16,7 @@ class LabTable : public QTableView {
 public:
     explicit LabTable(QWidget *parent = nullptr);
 
-    void show(const std::shared_ptr<const LabResults> &results, const QString &family);
+    void show(const std::shared_ptr<const Study> &results, const QString &family);
     void select(const QString &contender);
     QString selected() const; ///< id; empty where none is
 

@@ -114,13 +114,13 @@ QString labelOfContender(const Study &study, const QString &id)
 
 } // namespace
 
-void LabTableModel::show(const std::shared_ptr<const LabResults> &results, const QString &family)
+void LabTableModel::show(const std::shared_ptr<const Study> &results, const QString &family)
 {
     beginResetModel();
     m_results = results;
     m_rows.clear();
     if (results) {
-        for (const LabRow &row : results->study.rows) {
+        for (const LabRow &row : results->rows) {
             if (row.family == family)
                 m_rows.push_back(&row);
         }
@@ -154,14 +154,13 @@ QVariant LabTableModel::data(const QModelIndex &index, int role) const
         return row.contender;
     if (column == 0 || column == outcomeColumn) {
         if (role == Qt::DisplayRole || role == Qt::ToolTipRole || role == SortRole)
-            return column == 0 ? labelOfContender(m_results->study, row.contender)
-                               : outcomeText(row);
+            return column == 0 ? labelOfContender(*m_results, row.contender) : outcomeText(row);
         return {};
     }
     if (role == Qt::TextAlignmentRole)
         return int(Qt::AlignRight | Qt::AlignVCenter);
     const FigureColumn &shown = figureColumns[column - firstFigure];
-    const Figure figure = shown.read(m_results->study, row);
+    const Figure figure = shown.read(*m_results, row);
     if (role == SortRole)
         return figure.value_or(std::numeric_limits<double>::infinity());
     if (role == Qt::DisplayRole && figure)

@@ -22,7 +22,7 @@ public:
 
     using QAbstractTableModel::QAbstractTableModel;
 
-    void show(const std::shared_ptr<const LabResults> &results, const QString &family);
+    void show(const std::shared_ptr<const Study> &results, const QString &family);
     /// −1 where the contender is not there.
     int rowOf(const QString &contender) const;
     const LabRow &rowAt(int row) const { return *m_rows[std::size_t(row)]; }
@@ -33,7 +33,7 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation, int role) const final;
 
 private:
-    std::shared_ptr<const LabResults> m_results;
+    std::shared_ptr<const Study> m_results;
     std::vector<const LabRow *> m_rows; ///< of the family
 };
 

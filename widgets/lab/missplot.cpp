@@ -56,7 +56,7 @@ void MissPlot::show(const SharedResults &results, const QString &family, const Q
 
 std::vector<MissPlot::Bar> MissPlot::bars() const
 {
-    const LabRow *row = m_results ? m_results->study.row(m_contender, m_family) : nullptr;
+    const LabRow *row = m_results ? m_results->row(m_contender, m_family) : nullptr;
     if (!row || !row->accuracy)
         return {};
     const AccuracyFigures &figures = *row->accuracy;
@@ -134,7 +134,7 @@ void MissPlot::addBars(double from, double to, Qt::BrushStyle style, const QColo
 
 QString MissPlot::figureTitle() const
 {
-    const StudyContender *contender = m_results ? m_results->study.contender(m_contender) : nullptr;
+    const StudyContender *contender = m_results ? m_results->contender(m_contender) : nullptr;
     const QString title = titleOn(m_results, m_family);
     return contender ? tr("%1; %2").arg(title, contender->label) : title;
 }

@@ -45,7 +45,7 @@ void ParetoPlot::build()
     if (m_dots.empty())
         return addMessage(tr("Nothing is judged here yet."));
     addRows();
-    for (const LabKernel kernel : allLabKernels)
+    for (const LabKernel kernel : ownLabKernels)
         addStaircase(kernel);
     addKeys();
     layOut();
@@ -220,6 +220,9 @@ void ParetoPlot::addKeys()
         add(tr("SIMD kernel"), kernelDot(Arithmetic::Exact, LabKernel::Fast, palette()),
             tr("A kernel that draws several pixels at once, by SIMD instructions. It is tested to "
                "write the same bytes as the plain kernel."));
+    if (hasAny([](const Dot &dot) { return dot.point.kernel == LabKernel::Peer; }))
+        add(tr("another renderer"), kernelDot(Arithmetic::Exact, LabKernel::Peer, palette()),
+            tr("Code of others, measured beside ours by the benchmark."));
     if (hasAny([](const Dot &dot) { return dot.point.straight.has_value(); }))
         add(tr("straight loop"), straightLoopDot(Arithmetic::Exact, palette()), straightLoopText());
     if (isLow())

@@ -34,7 +34,7 @@ LabelArea ParetoPlot::labelArea() const
         area.others.push_back(coveredBy(loop));
         addLine(loop, placeOf(dot));
     }
-    for (const LabKernel kernel : allLabKernels) {
+    for (const LabKernel kernel : ownLabKernels) {
         QPointF before;
         for (const StaircaseCorner &corner : m_chart.staircase(kernel)) {
             const QPointF here(

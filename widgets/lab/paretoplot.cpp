@@ -30,7 +30,7 @@ void ParetoPlot::show(const SharedResults &results, const QString &family, const
     m_results = results;
     m_family = family;
     m_axis = &axis;
-    m_chart = results ? paretoOf(results->study, family, axis) : ParetoChart();
+    m_chart = results ? paretoOf(*results, family, axis) : ParetoChart();
     m_scale = ErrorScale(m_chart);
     m_dots.clear();
     for (const ParetoPoint &point : m_chart.points)
@@ -54,7 +54,7 @@ void ParetoPlot::select(const QString &contender)
 
 Arithmetic ParetoPlot::arithmeticOf(const ParetoPoint &point) const
 {
-    const LabRow *row = m_results->study.row(point.contender, m_family);
+    const LabRow *row = m_results->row(point.contender, m_family);
     return row ? row->settings.arithmetic : Arithmetic::Exact;
 }
 
@@ -92,8 +92,8 @@ const ParetoPlot::Dot *ParetoPlot::dotAt(const QPointF &position) const
 
 QString ParetoPlot::textOf(const Dot &dot) const
 {
-    return dot.isTimed ? pointHtml(m_results->study, dot.point, m_family)
-                       : untimedHtml(m_results->study, dot.point, m_family);
+    return dot.isTimed ? pointHtml(*m_results, dot.point, m_family)
+                       : untimedHtml(*m_results, dot.point, m_family);
 }
 
 QString ParetoPlot::textAt(const QPointF &position) const

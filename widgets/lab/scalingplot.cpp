@@ -56,7 +56,7 @@ QCPScatterStyle ScalingPlot::markOf(const SizeCurve &curve) const
 {
     const Arithmetic arithmetic = arithmeticOfCurve(curve);
     QStringList others;
-    for (const SizeCurve &each : m_results->sizes) {
+    for (const SizeCurve &each : m_results->growth) {
         if (const QString method = methodOfCurve(each); !others.contains(method))
             others.append(method);
     }
@@ -86,7 +86,7 @@ void ScalingPlot::build()
         low = low > 0 ? std::min(low, value) : value;
         high = std::max(high, value);
     };
-    for (const SizeCurve &curve : m_results ? m_results->sizes : std::vector<SizeCurve>()) {
+    for (const SizeCurve &curve : m_results ? m_results->growth : std::vector<SizeCurve>()) {
         if (curve.axis != m_axis)
             continue;
         QCPGraph *graph
@@ -125,7 +125,7 @@ std::vector<QStringList> ScalingPlot::numbers() const
         = {{QStringLiteral("contender"), QStringLiteral("axis"), QStringLiteral("size"),
             QStringLiteral("nsADrawLower"), QStringLiteral("nsADraw"),
             QStringLiteral("nsADrawUpper"), QStringLiteral("exponent")}};
-    for (const SizeCurve &curve : m_results ? m_results->sizes : std::vector<SizeCurve>()) {
+    for (const SizeCurve &curve : m_results ? m_results->growth : std::vector<SizeCurve>()) {
         for (const SizePoint &point : curve.points)
             lines.push_back({curve.contender, nameOf(curve.axis), QString::number(point.size),
                              QString::number(point.perDraw.lower),
@@ -140,7 +140,7 @@ QString ScalingPlot::textAt(const QPointF &position) const
 {
     if (!m_results)
         return {};
-    for (const SizeCurve &curve : m_results->sizes) {
+    for (const SizeCurve &curve : m_results->growth) {
         if (curve.axis != m_axis)
             continue;
         for (const SizePoint &point : curve.points) {

@@ -28,12 +28,12 @@ void ShownResults::beginRun()
 bool ShownResults::takeNews(const SharedResults &news, const QString &family)
 {
     m_news = news;
-    return (m_areOfRun || !m_results || hasTimes(news->study, family)) && showNews();
+    return (m_areOfRun || !m_results || hasTimes(*news, family)) && showNews();
 }
 
 bool ShownResults::endRun()
 {
-    const bool isShown = m_news && hasTimes(m_news->study, {}) && showNews();
+    const bool isShown = m_news && hasTimes(*m_news, {}) && showNews();
     m_news = nullptr;
     return isShown;
 }
