@@ -26,7 +26,7 @@ namespace {
 
 constexpr int longest = 60'000; // ms
 
-/// Two contenders on the scene in hand and on ties, timed briefly.
+/// Two contenders on the scene in hand, timed briefly.
 StudySettings smallRequest()
 {
     StudySettings request;

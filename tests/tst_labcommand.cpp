@@ -195,6 +195,39 @@ private slots:
                  chosen.messages.constData());
     }
 
+    void accuracyChoosesForRulesThatTheScenesMethodLacks()
+    {
+        const ProgramRun chosen = run({"render", defaultScene(), "--accuracy", "exact",
+                                       "--fill-rule", "top-left", "-o", "-"});
+        const ProgramRun exact = run({"render", defaultScene(), "--method", "row-walk",
+                                      "--fill-rule", "top-left", "-o", "-"});
+
+        QCOMPARE(chosen.exitCode, 0);
+        QVERIFY2(chosen.messages.contains("exact: row-walk:exact, proved for"),
+                 chosen.messages.constData());
+        QVERIFY(chosen.output == exact.output);
+    }
+
+    void aBudgetIsAskedOfTheFamilyThatIsMeasured()
+    {
+        const ProgramRun result = run({"lab", "--family", "ties", "--budget", "exact",
+                                       "--contender", "column-scan:exact,column-scan:float32"});
+
+        QCOMPARE(result.exitCode, 0);
+        QVERIFY2(result.messages.contains("exact on ties: Column scan, exact"),
+                 result.messages.constData());
+    }
+
+    void comparingTakesNoOptionsOfMeasuring()
+    {
+        const ProgramRun result
+            = run({"lab", "--compare", "before.json", "after.json", "--budget", "exact"});
+
+        QCOMPARE(result.exitCode, 2);
+        QVERIFY2(result.messages.contains("expected it without --budget"),
+                 result.messages.constData());
+    }
+
     void accuracyStandsAlone()
     {
         const ProgramRun both = run({"render", defaultScene(), "--accuracy", "exact",

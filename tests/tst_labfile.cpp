@@ -203,10 +203,21 @@ private slots:
         row(
             "own scene",
             [](Study &study) {
-                for (StudyFamily &family : study.families)
-                    family.timedPixels += family.id == QStringLiteral("own-scene") ? 1 : 0;
+                for (StudyFamily &family : study.families) {
+                    if (family.id == QStringLiteral("own-scene"))
+                        family.digest = QStringLiteral("of another");
+                }
             },
             "own scene: 2 triangles, ", 2);
+        row(
+            "other triangles",
+            [](Study &study) {
+                for (StudyFamily &family : study.families) {
+                    if (family.id == QStringLiteral("ties"))
+                        family.digest = QStringLiteral("of another");
+                }
+            },
+            "other triangles, times not compared: ties", 2);
         row(
             "no own scene",
             [](Study &study) {
@@ -233,6 +244,24 @@ private slots:
                  qPrintable(comparison.remarks.front()));
         QCOMPARE(comparison.count(LabChange::NotComparable), notComparable);
         QCOMPARE(comparison.count(LabChange::Faster) + comparison.count(LabChange::Slower), 0);
+    }
+
+    void otherSeedsDrawOtherTrianglesWhichAreNotCompared()
+    {
+        StudySettings settings;
+        settings.families = {QStringLiteral("ties")};
+        settings.contenders = {*labContenderNamed(QStringLiteral("column-scan:float32"))};
+        settings.rounds = 1;
+        settings.growthRounds = 0;
+        const Study before = runStudy(settings);
+        settings.seed = 2;
+        const Study after = runStudy(settings);
+
+        const LabComparison comparison = compareStudies(before, after);
+
+        QCOMPARE(comparison.count(LabChange::NotComparable), 1);
+        QVERIFY(!comparison.isWorse());
+        QVERIFY(before.families.front().digest != after.families.front().digest);
     }
 
     void changesBeyondTheSpreadAreTold()

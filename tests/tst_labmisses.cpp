@@ -230,7 +230,7 @@ private:
     void showStudyWith(const LabMiss &miss)
     {
         const QString path = m_folder.filePath(QStringLiteral("lab.json"));
-        QVERIFY(!writeFile(path, writeStudy(studyWith(miss)->study)));
+        QVERIFY(!writeFile(path, writeStudy(*studyWith(miss))));
         QVERIFY(m_lab->openResults(path));
         QCoreApplication::processEvents();
     }

@@ -7,6 +7,7 @@
 #include "widgets/lab/labanswers.h"
 #include "widgets/lab/labelplaces.h"
 #include "widgets/lab/labtable.h"
+#include "widgets/lab/labtext.h"
 #include "widgets/lab/missplot.h"
 #include "widgets/lab/paretoplot.h"
 #include "widgets/lab/scalingplot.h"
@@ -54,6 +55,21 @@ class TestLabPlots : public QObject {
     Q_OBJECT
 
 private slots:
+    void whatAccuracyCostsIsSaidInWords()
+    {
+        auto results = madeResults({{"column-scan:float32", 2.0, 5221},
+                                    {"column-scan:exact", 2.5, 0},
+                                    {"column-scan:fixed32.32", 1.0, 52},
+                                    {"row-walk:exact", 3.0, 0}});
+
+        QCOMPARE(priceText(*results, QStringLiteral("f")),
+                 QStringLiteral("The assignment's column scan, beside float32 with 5221 wrong of a "
+                                "million pixels: exact takes ×1.25, none wrong; fixed32.32 takes "
+                                "×0.50, 52.0 wrong of a million pixels."));
+        results->rows[0].cost.reset();
+        QCOMPARE(priceText(*results, QStringLiteral("f")), QString());
+    }
+
     void theErrorScaleGoesThereAndBack()
     {
         const ErrorScale scale(chartOf({positive(0.02), positive(700)}));

@@ -345,6 +345,22 @@ private slots:
         QCOMPARE(nothing->details(), nothing->text());
     }
 
+    void linesAreJudgedAndNotTimed()
+    {
+        Scene scene;
+        scene.method = "line-bresenham";
+        Shape line;
+        line.kind = PrimitiveKind::Line;
+        line.vertices = {{latticePixel(1, 1), {{255, 0, 0}}}, {latticePixel(8, 4), {{255, 0, 0}}}};
+        scene.shapes = {line};
+
+        const auto figures = liveFiguresOf(std::make_shared<const Scene>(scene));
+
+        QCOMPARE(figures->pixels, std::int64_t(8));
+        QCOMPARE(figures->text(), QStringLiteral("truth not known"));
+        QVERIFY(!figures->perPixel);
+    }
+
     void theSceneInHandIsTimedAsTheStudyTimesIt()
     {
         StudySettings settings = smallStudy();

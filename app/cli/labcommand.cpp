@@ -13,6 +13,8 @@
 #include "core/measure/timeleft.h"
 #include "core/scan/choicenames.h"
 
+#include <algorithm>
+
 namespace pixelplumb::cli {
 
 namespace {
@@ -71,6 +73,10 @@ Result<std::vector<LabContender>> chosenContenders(const CommandLine &line)
             return unknownName(QStringLiteral("--contender"), QStringLiteral("contender"), id,
                                known);
         }
+        if (std::ranges::find(contenders, id, &LabContender::id) != contenders.end())
+            return InputError{QStringLiteral("--contender"),
+                              QStringLiteral("“%1” is named twice").arg(id),
+                              QStringLiteral("each once")};
         contenders.push_back(*contender);
     }
     return contenders;
@@ -131,7 +137,7 @@ Result<StudySettings> settingsFrom(const CommandLine &line)
         return cases.error();
     settings.hardCases = *cases;
     settings.ownSceneName = line.argument(0);
-    if (settings.ownSceneName.isEmpty() && settings.families == QStringList{ownSceneFamily})
+    if (settings.ownSceneName.isEmpty() && settings.families.contains(ownSceneFamily))
         return InputError{QStringLiteral("SCENE"), QStringLiteral("is missing"),
                           QStringLiteral("the scene that --family own-scene measures")};
     if (!settings.ownSceneName.isEmpty()) {
@@ -162,6 +168,14 @@ Result<Study> readStudyAt(const QString &path)
 
 ExitCode compareFiles(const CommandLine &line)
 {
+    for (const QString &option :
+         {quickOption, fullOption, seedOption, familyOption, contenderOption, accuracyOnlyOption,
+          budgetOption, formatOption, outputOption}) {
+        if (line.isSet(option))
+            return line.refuse(QStringLiteral("--compare measures and writes nothing; expected "
+                                              "it without --%1")
+                                   .arg(option));
+    }
     if (line.argument(0).isEmpty())
         return line.refuse(
             QStringLiteral("--compare: the second file is missing; expected BEFORE.json "
@@ -176,6 +190,16 @@ ExitCode compareFiles(const CommandLine &line)
     for (const QString &each : textOf(comparison))
         printLine(each);
     return comparison.isWorse() ? ExitCode::FallsShort : ExitCode::Done;
+}
+
+/// The scene, or else random triangles, or else the first family that was asked for.
+QString familyOfBudget(const Study &study)
+{
+    for (const QString &id : {ownSceneFamily, QStringLiteral("random-integer")}) {
+        if (study.family(id))
+            return id;
+    }
+    return study.families.empty() ? QString() : study.families.front().id;
 }
 
 QByteArray accuracyBytesOf(const Study &study, LabFormat format)
@@ -275,7 +299,7 @@ ExitCode lab(const Command &command, const QStringList &arguments)
     }
     if (!*budget)
         return ExitCode::Done;
-    const QString family = settings->ownScene ? ownSceneFamily : QStringLiteral("random-integer");
+    const QString family = familyOfBudget(study);
     const BudgetAnswer answer = cheapestFor(**budget, study, family);
     sayLine(QStringLiteral("%1 on %2: %3").arg(textOf(**budget), family, answer.reason));
     return answer.ground == BudgetGround::Nobody ? ExitCode::FallsShort : ExitCode::Done;

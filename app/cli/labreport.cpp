@@ -129,17 +129,20 @@ QStringList familyText(const Study &study, const StudyFamily &family)
 QStringList fitText(const Study &study)
 {
     std::vector<Line> lines = {{QStringLiteral("contender"), QStringLiteral("ns a triangle"),
-                                QStringLiteral("a column"), QStringLiteral("a pixel"),
+                                QStringLiteral("a column"), QStringLiteral("a sample"),
                                 QStringLiteral("off by %"), QString()}};
     for (const StudyContender &contender : study.contenders) {
         if (const auto &fit = contender.fit) {
             lines.push_back({contender.id, number(fit->perTriangle, 1), number(fit->perColumn, 2),
-                             number(fit->perPixel, 2), number(100 * fit->residual, 0), QString()});
+                             number(fit->perSample, 2), number(100 * fit->residual, 0), QString()});
         }
     }
     if (lines.size() == 1)
         return {};
-    return QStringList{QString(), QStringLiteral("What set-up, columns and pixels take")}
+    return QStringList{
+               QString(),
+               QStringLiteral(
+                   "What set-up, columns and visited samples take, fitted over the families")}
     + aligned(lines);
 }
 
@@ -167,11 +170,11 @@ QStringList growthText(const Study &study)
     }
     return QStringList{QString(),
                        QStringLiteral("How times grow: exponent of the width, the area, the number "
-                                      "of triangles")}
+                                      "of triangles, over the larger half of the sizes")}
     + aligned(lines);
 }
 
-/// How far the bounds of the column scan have drifted at the last column.
+/// How far the bounds of the column scan drift at most.
 QStringList driftText(const Study &study)
 {
     if (study.drift.empty())

@@ -111,7 +111,8 @@ ExitCode render(const Command &command, const QStringList &arguments)
         return line.refuse(
             QStringLiteral("--accuracy chooses method and arithmetic itself; expected it alone"));
 
-    Result<Scene> scene = readScene(line);
+    Result<Scene> scene
+        = line.isSet(accuracyOption) ? readSceneForAnyMethod(line) : readScene(line);
     if (scene && line.isSet(accuracyOption))
         scene = withinBudget(*scene, line.value(accuracyOption));
     if (!scene)

@@ -136,7 +136,7 @@ Result<Scene> readSceneAt(const QString &path)
     return reading->scene;
 }
 
-Result<Scene> readScene(const CommandLine &line)
+Result<Scene> readSceneForAnyMethod(const CommandLine &line)
 {
     const QString path = line.argument(0);
     const Result<Scene> asWritten = readSceneAt(path);
@@ -151,9 +151,19 @@ Result<Scene> readScene(const CommandLine &line)
         return *error;
     scene.method = (*method)->id.toStdString();
     scene.settings = {*arithmetic, *fillRule, *rounding};
-    if (const QString refusal = (*method)->refusal(scene.settings); !refusal.isEmpty())
+    return scene;
+}
+
+Result<Scene> readScene(const CommandLine &line)
+{
+    const Result<Scene> scene = readSceneForAnyMethod(line);
+    if (!scene)
+        return scene;
+    const QString path = line.argument(0);
+    const Method &method = *methodNamed(QString::fromStdString(scene->method));
+    if (const QString refusal = method.refusal(scene->settings); !refusal.isEmpty())
         return InputError{path, refusal, {}};
-    reportNothingDrawn(path, **method, scene);
+    reportNothingDrawn(path, method, *scene);
     return scene;
 }
 

@@ -21,6 +21,9 @@ Result<Scene> readSceneAt(const QString &path);
 /// Vertices that had to be snapped are reported on stderr.
 Result<Scene> readScene(const CommandLine &line);
 
+/// The same, whether or not the scene's method can draw it so: for who chooses another.
+Result<Scene> readSceneForAnyMethod(const CommandLine &line);
+
 /// What an option chooses, or an error that lists the choices; unset keeps the default.
 Result<const Method *> chosenMethod(const CommandLine &line, const QString &unset);
 Result<Arithmetic> chosenArithmetic(const CommandLine &line, Arithmetic unset);

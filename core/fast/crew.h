@@ -6,9 +6,8 @@
 namespace pixelplumb {
 
 /// Does jobs 0 … count − 1, each once, in the calling thread and up to `threads` − 1 more, and
-/// returns when all are done. The jobs throw nothing and share none themselves. Each thread begins
-/// at a place of its own, the same every time, and goes on from there: what it wrote the last time
-/// is still in its caches.
+/// returns when all are done. The jobs throw nothing and share none themselves. The threads
+/// begin at places as far apart as can be and go on from there: neighbours share cache lines.
 ///
 /// The threads are kept until the process ends, since to start and to join one takes some 100 µs;
 /// who calls while they work for another waits. They are handed over by the standard library's

@@ -6,8 +6,8 @@
 
 #include <vector>
 
-/// The triangles that families are made of. All have an area; those of whole pixels stay 2 px
-/// inside the frame.
+/// The triangles that families are made of. All have an area and stay 2 px inside the
+/// frame.
 namespace pixelplumb::familyshapes {
 
 /// Vertices anywhere on multiples of so many lattice units (256: whole pixels).

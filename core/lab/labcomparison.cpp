@@ -34,23 +34,25 @@ LabChange changeBetween(const Spread &before, const Spread &after)
     return LabChange::WithinSpread;
 }
 
-/// What was drawn in both studies is the same, as far as they tell: other triangles take other
+/// Whether both studies drew the same triangles of a family, as far as they tell: others take other
 /// times.
-bool isSameScene(const StudyFamily *before, const StudyFamily *after)
+bool isSameFamily(const Study &before, const Study &after, const QString &id)
 {
-    if (!before || !after)
-        return !before && !after;
-    return *before == *after;
+    const StudyFamily *old = before.family(id);
+    const StudyFamily *fresh = after.family(id);
+    if (!old || !fresh)
+        return !old && !fresh;
+    if (old->digest && fresh->digest)
+        return old->digest == fresh->digest;
+    return before.seed == after.seed && before.extent == after.extent
+        && old->triangles == fresh->triangles && old->timedPixels == fresh->timedPixels;
 }
 
-/// Rows of own scenes that differ, and rows under other settings, tell nothing of a change.
+/// Rows of other triangles, and rows under other settings, tell nothing of a change.
 bool isSameWork(const Study &before, const Study &after, const LabRow *old, const LabRow *fresh)
 {
-    if (!old || !fresh)
-        return false;
-    const bool isOwn = old->family == ownSceneId;
-    return old->settings == fresh->settings
-        && (!isOwn || isSameScene(before.family(ownSceneId), after.family(ownSceneId)));
+    return old && fresh && old->settings == fresh->settings
+        && isSameFamily(before, after, old->family);
 }
 
 QStringList settingsChanged(const Study &before, const Study &after)
@@ -58,7 +60,7 @@ QStringList settingsChanged(const Study &before, const Study &after)
     QStringList changed;
     for (const LabRow &row : before.rows) {
         const LabRow *const fresh = after.row(row.contender, row.family);
-        if (fresh && row.settings != fresh->settings)
+        if (isMeasured(&row) && isMeasured(fresh) && row.settings != fresh->settings)
             changed << row.contender + QStringLiteral(" on ") + row.family;
     }
     return changed;
@@ -173,11 +175,20 @@ LabComparison compareStudies(const Study &before, const Study &after)
         return study.isComplete ? QStringLiteral("complete") : QStringLiteral("ended early");
     };
     remark(QStringLiteral("study"), completeness(before), completeness(after));
-    if (const auto *scene = before.family(ownSceneId), *fresh = after.family(ownSceneId);
-        !isSameScene(scene, fresh))
+    if (!isSameFamily(before, after, ownSceneId))
         comparison.remarks << QStringLiteral("own scene: %1 before, %2 after; its times are not "
                                              "compared")
-                                  .arg(textOf(scene), textOf(fresh));
+                                  .arg(textOf(before.family(ownSceneId)),
+                                       textOf(after.family(ownSceneId)));
+    QStringList others;
+    for (const StudyFamily &family : before.families) {
+        if (family.id != ownSceneId && after.family(family.id)
+            && !isSameFamily(before, after, family.id))
+            others << family.id;
+    }
+    if (!others.isEmpty())
+        comparison.remarks << QStringLiteral("other triangles, times not compared: ")
+                + others.join(QStringLiteral(", "));
     if (const QStringList changed = settingsChanged(before, after); !changed.isEmpty())
         comparison.remarks << QStringLiteral("other settings, times not compared: ")
                 + changed.join(QStringLiteral(", "));

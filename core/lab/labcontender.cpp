@@ -20,10 +20,10 @@ void drawFastOnOneThread(const Primitives &primitives, const ScanSettings &setti
     drawFast(primitives.triangles, settings, frame, {1, std::nullopt});
 }
 
-/// What the fast kernels have kernels for; the rest they hand to the plain one.
+/// What core/fast has kernels for: the column scan, which draws the rest by its plain kernel.
 bool isFastIn(const Method &method, Arithmetic arithmetic)
 {
-    return method.drawFast
+    return &method == methodNamed(u"column-scan")
         && (arithmetic == Arithmetic::Exact || arithmetic == Arithmetic::Float32);
 }
 

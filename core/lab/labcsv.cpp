@@ -35,6 +35,7 @@ public:
     void add(const QString &name, Enum value) { add(name, fileWord(nameOf(value))); }
     /// Too much for a line: they are in the JSON.
     void add(const QString &, const Scene &) { }
+    /// By the names of operations: fields alone would be numbered.
     void add(const QString &name, const OperationCounts &counts)
     {
         for (const WorkStage stage : allWorkStages) {

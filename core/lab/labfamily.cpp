@@ -33,7 +33,6 @@ SeededRandom randomOf(const LabFamily &family, const FamilyRequest &request)
     return SeededRandom(seed);
 }
 
-/// Of whole pixels inside the frame.
 bool take(LabFamily &family, const FrameSpec &frame, std::vector<Triangle> triangles)
 {
     family.pictures.push_back({frame, std::move(triangles), {}});

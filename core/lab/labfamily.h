@@ -24,7 +24,7 @@ struct LabPicture {
 /// Triangles of one kind. Kinds are never averaged: they rank the methods differently.
 struct LabFamily {
     QString id; ///< "ties"
-    QString title; ///< "Ties: lattice points on edges"
+    QString title; ///< "Ties"
     std::vector<LabPicture> pictures; ///< one, but of the hard cases
     ScanSettings settings; ///< the rule and the rounding that are asked for
     bool isMesh = false; ///< drawn under a rule that gives every sample one owner

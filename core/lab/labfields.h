@@ -96,7 +96,7 @@ void eachField(Self &self, const Visit &visit)
 {
     visit("perTriangle", self.perTriangle);
     visit("perColumn", self.perColumn);
-    visit("perPixel", self.perPixel);
+    visit("perPixel", self.perSample);
     visit("residual", self.residual);
 }
 
@@ -186,6 +186,7 @@ void eachField(Self &self, const Visit &visit)
     visit("timedColumns", self.timedColumns);
     visit("timedRows", self.timedRows);
     visit("timedBytes", self.timedBytes);
+    visit("digest", self.digest);
 }
 
 template <PartOf<LabRow> Self, class Visit>

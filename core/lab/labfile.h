@@ -10,7 +10,8 @@ namespace pixelplumb {
 /// others.
 ///
 /// 1. the first
-/// 2. contenders have a "kernel", "plain" or "SIMD"; before, only the contender's id tells it;
+/// 2. contenders have a "kernel", "plain", "SIMD" or "peer"; before, only the contender's id tells
+/// it;
 ///    drift and growth are in the file
 inline constexpr int labFileVersion = 2;
 

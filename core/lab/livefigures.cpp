@@ -2,6 +2,7 @@
 #include "core/lab/livefigures.h"
 
 #include "core/frame/framebuffer.h"
+#include "core/frame/writtenframe.h"
 #include "core/lab/contenderfailure.h"
 #include "core/lab/familyaccuracy.h"
 #include "core/lab/labrace.h"
@@ -18,19 +19,21 @@ namespace {
 constexpr double mostLiveNanoseconds = 200e6; ///< of timing
 constexpr int mostLiveRounds = 7;
 
-std::int64_t pixelsOf(const Primitives &primitives, const ScanSettings &settings,
-                      const FrameSpec &spec)
+/// Of the exact picture: of triangles the column scan's, which takes all rules, of other primitives
+/// the method's own.
+std::int64_t pixelsOf(const Scene &scene, const Method &method)
 {
-    // Every pixel that the method writes, each once: kernels write opaque ones.
-    const FrameBuffer frame(spec);
-    const FrameView view = frame.view();
-    for (std::int64_t y = view.firstRow; y < view.endRow(); ++y)
-        std::fill_n(view.at(view.firstColumn, y), view.width, 0U);
-    methodNamed(u"column-scan")->drawFastest(primitives, settings, view);
+    const Method &drawing
+        = method.draws(PrimitiveKind::Triangle) ? *methodNamed(u"column-scan") : method;
+    ScanSettings exact = scene.settings;
+    exact.arithmetic = Arithmetic::Exact;
+    const WrittenFrame frame(scene.frame);
+    drawing.drawFastest(primitivesOnSamples(scene), drawing.adapted(exact), frame.view());
     std::int64_t pixels = 0;
+    const FrameView view = frame.view();
     for (std::int64_t y = view.firstRow; y < view.endRow(); ++y) {
-        const QRgb *const row = view.at(view.firstColumn, y);
-        pixels += view.width - std::count(row, row + view.width, 0U);
+        for (std::int64_t x = view.firstColumn; x < view.endColumn(); ++x)
+            pixels += frame.isWritten(x, y) ? 1 : 0;
     }
     return pixels;
 }
@@ -129,10 +132,7 @@ std::optional<LiveFigures> liveFiguresOf(const std::shared_ptr<const Scene> &sce
     else if (picture.exactTwin())
         figures.wrongPixels = picture.differences().total();
 
-    const Primitives primitives = primitivesOnSamples(*scene);
-    const ScanSettings closest = methodNamed(u"column-scan")->adapted(scene->settings);
-    figures.pixels = pixelsOf(primitives, {Arithmetic::Exact, closest.fillRule, closest.rounding},
-                              scene->frame);
+    figures.pixels = pixelsOf(*scene, method);
     if (figures.pixels > 0 && method.draws(PrimitiveKind::Triangle)
         && !addTimes(figures, scene, method, listener))
         return std::nullopt;

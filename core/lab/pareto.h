@@ -8,7 +8,7 @@ namespace pixelplumb {
 /// What the error axis of a chart tells: a row of a table.
 struct ErrorAxis {
     const char *id; ///< "wrong-pixels"
-    const char *title; ///< "wrong pixels per million"
+    const char *title; ///< "wrong pixels"
     const char *unit; ///< "ppm"
     /// None where it was not measured.
     std::optional<double> (*read)(const AccuracyFigures &figures);

@@ -98,7 +98,6 @@ std::int64_t straightCeil(Float v)
 }
 
 /// A level as a byte; NaN is 0.
-
 template <std::floating_point Float>
 int byteOf(Float level)
 {

@@ -46,6 +46,12 @@ QString commandFor(const StudySettings &settings)
 
 constexpr std::int64_t driftColumns = 2003; ///< a prime
 
+bool drawsNothing(const AccuracyFigures &figures)
+{
+    return figures.missing + figures.tiesMissing == figures.pixels
+        && figures.extra + figures.tiesExtra == 0;
+}
+
 class StudyRun {
 public:
     StudyRun(const StudySettings &settings, const StudyListener &listener)
@@ -137,8 +143,14 @@ private:
         for (std::size_t who = 0; who < m_contenders.size() && part.isTimed(); ++who) {
             const std::size_t index = family * m_contenders.size() + who;
             LabRow &row = m_study.rows[index];
-            if (row.outcome != LabOutcome::Measured
-                || m_race.enter(index, m_contenders[who], part, row.settings, m_expected[index]))
+            if (row.outcome != LabOutcome::Measured)
+                continue;
+            if (drawsNothing(*row.accuracy)) {
+                row.remark = QStringLiteral("not timed: it draws none of these pixels");
+                tellRow(index);
+                continue;
+            }
+            if (m_race.enter(index, m_contenders[who], part, row.settings, m_expected[index]))
                 continue;
             row.remark = QStringLiteral("not timed: a draw takes about %1 ms")
                              .arg(m_expected[index] / 1e6, 0, 'f', 0);
@@ -210,7 +222,7 @@ private:
                     continue;
                 points.push_back({double(family.timedTriangles),
                                   double(family.timedSpans(contender.id)),
-                                  double(family.timedPixels), row->cost->perDraw.median});
+                                  m_study.timedSamples(*row), row->cost->perDraw.median});
             }
             contender.fit = fitCost(points);
         }

@@ -36,7 +36,7 @@ double expectedSeconds(const StudySettings &settings);
 enum class LabOutcome : std::uint8_t {
     Pending, ///< the study was ended before its turn
     Measured,
-    Refused, ///< the method has no such rule for this family
+    Refused, ///< has no such rule for this family, or is not given such triangles
     TookTooLong,
     Failed,
 };
@@ -84,6 +84,8 @@ struct StudyFamily {
     std::int64_t timedColumns = 0; ///< samples that their columns are at
     std::int64_t timedRows = 0;
     std::int64_t timedBytes = 0; ///< of the cache lines that they write to
+    /// Of frames, settings and triangles: the same for the same work. None in files of version 1.
+    std::optional<QString> digest = {};
 
     /// Rows of a contender whose spans are rows, columns of everyone else.
     std::int64_t timedSpans(const QString &contender) const;
@@ -108,6 +110,9 @@ struct Study {
     const LabRow *row(const QString &contender, const QString &family) const;
     const StudyContender *contender(const QString &id) const;
     const StudyFamily *family(const QString &id) const;
+    /// That a contender visits in a timed draw of a family, those that it refuses included, as far
+    /// as its operations were counted; else the pixels that are written.
+    double timedSamples(const LabRow &row) const;
     /// ns a pixel of a row, in the middle; none where it was not timed.
     std::optional<double> perPixel(const LabRow &row) const;
 

@@ -88,6 +88,16 @@ std::optional<double> Study::perPixel(const LabRow &row) const
     return row.cost->perDraw.median / double(drawn->timedPixels);
 }
 
+double Study::timedSamples(const LabRow &row) const
+{
+    const StudyFamily *drawn = family(row.family);
+    const double pixels = drawn ? double(drawn->timedPixels) : 0;
+    if (!row.cost || !row.cost->operations || row.cost->operations->pixels == 0)
+        return pixels;
+    const OperationCounts &counts = *row.cost->operations;
+    return pixels * double(counts.pixels + counts.refused) / double(counts.pixels);
+}
+
 QStringList warningsOf(const Study &study)
 {
     QStringList warnings = warningsOf(study.conditions);
@@ -103,7 +113,10 @@ QStringList warningsOf(const Study &study)
         vouched += row.cost->timesStraight ? 1 : 0;
         missing += row.missesStraight() ? 1 : 0;
     }
-    if (timed > 0 && study.rounds < enoughRounds)
+    if (timed > 0 && study.rounds == 0)
+        warnings << QStringLiteral("Not everyone was timed; who was, was timed once or a few "
+                                   "times.");
+    else if (timed > 0 && study.rounds < enoughRounds)
         warnings << QStringLiteral("Only %1 rounds were timed; medians of fewer than %2 say "
                                    "little.")
                         .arg(study.rounds)

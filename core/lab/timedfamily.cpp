@@ -6,6 +6,8 @@
 #include "core/measure/writecount.h"
 #include "core/methods/method.h"
 
+#include <QCryptographicHash>
+
 #include <algorithm>
 
 namespace pixelplumb {
@@ -72,6 +74,31 @@ void addWrites(StudyFamily &described, const TimedPicture &timed, FillRule rule)
     described.timedBytes += bytesOfLines(transparent);
 }
 
+QString digestOf(const LabFamily &family)
+{
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    const auto add
+        = [&hash](std::int64_t value) { hash.addData(QByteArray::number(qint64(value)) + ' '); };
+    add(int(family.settings.fillRule));
+    add(int(family.settings.rounding));
+    for (const LabPicture &picture : family.pictures) {
+        const FrameSpec &frame = picture.frame;
+        for (const std::int64_t value :
+             {frame.width, frame.height, frame.firstColumn, frame.firstRow})
+            add(value);
+        add(int(frame.origin));
+        for (const Triangle &triangle : picture.triangles) {
+            for (const Vertex &vertex : triangle.vertices) {
+                add(vertex.position.x);
+                add(vertex.position.y);
+                for (const int level : vertex.colour.channels)
+                    add(level);
+            }
+        }
+    }
+    return QString::fromLatin1(hash.result().toHex().left(16));
+}
+
 /// Takes triangles until they are enough.
 class TimedTriangles {
 public:
@@ -127,6 +154,7 @@ TimedFamily timedPartOf(const LabFamily &family, const TimedLimits &limits)
     if (const LabFamilyInfo *info = labFamilyNamed(family.id))
         part.described.stresses = QString::fromUtf8(info->stresses);
     part.described.triangles = std::int64_t(family.triangleCount());
+    part.described.digest = digestOf(family);
     TimedTriangles triangles(part.described, limits);
     for (const LabPicture &picture : family.pictures) {
         if (family.pictures.size() > 1 && samplesOf(picture) > largestOfMany)

@@ -7,21 +7,21 @@
 namespace pixelplumb {
 
 inline const QStringList promisedWidgets{
-    "canvas",         "columnTable",      "pixelGrid",      "formulaPanel",    "pixelHistory",
-    "stepperBar",     "scrubber",         "methodBox",      "arithmeticBox",   "fillRuleBox",
-    "roundingBox",    "unitBox",          "speedSlider",    "speedBox",        "positionLabel",
-    "messageBar",     "traceProgress",    "cancelTrace",    "statusPixel",     "statusColumn",
-    "statusStep",     "statusSettings",   "formulaDock",    "pixelGridDock",   "pixelHistoryDock",
-    "columnsDock",    "nextColourButton", "compare",        "compareDock",     "agreementMap",
-    "compareReason",  "hardCases",        "hardCasesDock",  "precision",       "precisionDock",
-    "precisionPlot",  "overdrawMap",      "performance",    "performanceDock", "loadProgress",
-    "cancelLoad",     "saveProgress",     "exportProgress", "cancelExport",    "operations",
-    "operationTable", "operationsDock",   "statusFigures",  "accuracyLab",     "accuracyLabDock",
-    "labInvitation",  "labRun",           "labExtent",      "labCancel",       "labProgress",
-    "labFamily",      "labError",         "labShown",       "labFiles",        "labTabs",
-    "labPareto",      "labTable",         "labAnswers",     "labMisses",       "labMissContender",
-    "labCostStack",   "labScaling",       "labSizeAxis",    "labDrift",        "labChanges",
-    "labWarnings",    "labConditions"};
+    "canvas",           "columnTable",      "pixelGrid",      "formulaPanel",    "pixelHistory",
+    "stepperBar",       "scrubber",         "methodBox",      "arithmeticBox",   "fillRuleBox",
+    "roundingBox",      "unitBox",          "speedSlider",    "speedBox",        "positionLabel",
+    "messageBar",       "traceProgress",    "cancelTrace",    "statusPixel",     "statusColumn",
+    "statusStep",       "statusSettings",   "formulaDock",    "pixelGridDock",   "pixelHistoryDock",
+    "columnsDock",      "nextColourButton", "compare",        "compareDock",     "agreementMap",
+    "compareReason",    "hardCases",        "hardCasesDock",  "precision",       "precisionDock",
+    "precisionPlot",    "overdrawMap",      "performance",    "performanceDock", "loadProgress",
+    "cancelLoad",       "saveProgress",     "exportProgress", "cancelExport",    "operations",
+    "operationTable",   "operationsDock",   "statusFigures",  "accuracyLab",     "accuracyLabDock",
+    "labInvitation",    "labRun",           "labExtent",      "labCancel",       "labProgress",
+    "labFamily",        "labError",         "labShown",       "labFiles",        "labTabs",
+    "labPrice",         "labPareto",        "labTable",       "labAnswers",      "labMisses",
+    "labMissContender", "labCostStack",     "labScaling",     "labSizeAxis",     "labDrift",
+    "labChanges",       "labWarnings",      "labConditions"};
 
 /// Of the lab's menu of files; those of the menus have names that tests find in the menus.
 inline const QStringList promisedActions{"labOpen",       "labEarlier", "labSave",

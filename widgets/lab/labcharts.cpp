@@ -7,9 +7,11 @@
 #include "widgets/lab/labchanges.h"
 #include "widgets/lab/labfiltermenu.h"
 #include "widgets/lab/labtable.h"
+#include "widgets/lab/labtext.h"
 #include "widgets/lab/missplot.h"
 #include "widgets/lab/paretoplot.h"
 #include "widgets/lab/scalingplot.h"
+#include "widgets/look/elidedlabel.h"
 #include "widgets/look/elidingbox.h"
 
 #include <QBoxLayout>
@@ -32,7 +34,8 @@ QComboBox *namedBox(const char *name, const QString &accessibleName, QWidget *pa
     return box;
 }
 
-/// A chart with a box of choices above it, or beside it where it is low.
+/// A chart with a box of choices above it, or beside it where it is low, or with a line of text
+/// above it, unless it is low.
 class LabPage : public QWidget {
 public:
     LabPage(QWidget *box, QWidget *shown, QWidget *parent)
@@ -43,7 +46,7 @@ public:
         m_layout->setContentsMargins(0, 4, 0, 0);
         m_layout->setSpacing(4);
         if (box)
-            m_layout->addWidget(box, 0, Qt::AlignLeft | Qt::AlignTop);
+            m_layout->addWidget(box, 0, isText() ? Qt::Alignment() : Qt::AlignLeft | Qt::AlignTop);
         m_layout->addWidget(shown, 1);
     }
 
@@ -54,6 +57,10 @@ protected:
         if (!m_box)
             return;
         const bool isLow = height() < lowPage;
+        if (isText()) {
+            m_box->setVisible(!isLow);
+            return;
+        }
         m_layout->setDirection(isLow ? QBoxLayout::RightToLeft : QBoxLayout::TopToBottom);
         m_box->setMaximumWidth(isLow ? boxBeside : QWIDGETSIZE_MAX);
     }
@@ -62,11 +69,13 @@ private:
     static constexpr int lowPage = 180; ///< logical pixels
     static constexpr int boxBeside = 120;
 
+    bool isText() const { return qobject_cast<ElidedLabel *>(m_box) != nullptr; }
+
     QWidget *m_box;
     QBoxLayout *m_layout;
 };
 
-/// Of those that missed any sample, the one that missed most.
+/// Who has most missing and extra samples; the first of the contenders where none has any.
 QString worstOf(const Study &study, const QString &family)
 {
     QString worst;
@@ -95,12 +104,15 @@ LabCharts::LabCharts(QWidget *parent)
     , m_contender(namedBox("labMissContender", tr("Whose misses"), this))
     , m_sizeAxis(namedBox("labSizeAxis", tr("Which size grows"), this))
     , m_filter(new LabFilterMenu(this))
+    , m_price(new ElidedLabel(this))
 {
+    m_price->setObjectName(QStringLiteral("labPrice"));
+    m_price->setAccessibleName(tr("What accuracy costs here"));
     setObjectName(QStringLiteral("labTabs"));
     setAccessibleName(tr("Charts of the lab"));
     setDocumentMode(true);
     setCornerWidget(m_filter);
-    addPage(nullptr, m_pareto, tr("Cost and error"),
+    addPage(m_price, m_pareto, tr("Cost and error"),
             tr("Every contender by what it costs and what it gets wrong"));
     addPage(nullptr, m_table, tr("Table"), tr("The same in figures, sorted by any column"));
     addPage(nullptr, m_answers, tr("Budgets"),
@@ -158,6 +170,7 @@ void LabCharts::showAll()
     m_pareto->show(m_shown, m_family, *m_axis);
     m_table->show(m_shown, m_family);
     m_answers->show(*m_results, m_family);
+    m_price->setWholeText(priceText(*m_results, m_family));
     fillContenders();
     showMisses();
     m_costs->show(m_shown, m_family);

@@ -12,6 +12,7 @@ namespace pixelplumb {
 
 class CostStack;
 class DriftPlot;
+class ElidedLabel;
 class LabAnswers;
 class LabChanges;
 class LabFilterMenu;
@@ -64,6 +65,7 @@ private:
     QComboBox *m_contender; ///< whose misses are shown
     QComboBox *m_sizeAxis;
     LabFilterMenu *m_filter;
+    ElidedLabel *m_price; ///< what accuracy costs, in words
     SharedResults m_results;
     SharedResults m_shown; ///< without those who are left out
     QString m_family;

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace pixelplumb {
 
@@ -42,6 +43,27 @@ bool isCovered(const std::vector<QRectF> &places, const QRectF &candidate)
 
 } // namespace
 
+namespace {
+
+double distanceTo(const QRectF &label, const QPointF &dot)
+{
+    const double x = std::max({label.left() - dot.x(), 0.0, dot.x() - label.right()});
+    const double y = std::max({label.top() - dot.y(), 0.0, dot.y() - label.bottom()});
+    return std::hypot(x, y);
+}
+
+/// Whether people take it for the label of another dot, which is as near.
+bool seemsAnothers(const QRectF &label, const LabelledDot &own,
+                   const std::vector<LabelledDot> &dots)
+{
+    const double mine = distanceTo(label, own.centre);
+    return std::ranges::any_of(dots, [&](const LabelledDot &dot) {
+        return &dot != &own && distanceTo(label, dot.centre) <= mine + gap;
+    });
+}
+
+} // namespace
+
 std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelledDot> &dots,
                                                const LabelArea &area)
 {
@@ -55,7 +77,8 @@ std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelledDot> &d
         const std::size_t choices = area.sides == LabelArea::Sides::Beside ? 2 : corners.size();
         for (std::size_t i = 0; i < choices && !dot.label.isEmpty(); ++i) {
             const QRectF candidate(corners[i], dot.label);
-            if (!area.whole.contains(candidate) || isCovered(taken, candidate))
+            if (!area.whole.contains(candidate) || isCovered(taken, candidate)
+                || seemsAnothers(candidate, dot, dots))
                 continue;
             const bool isFree = !isCovered(area.lines, candidate);
             if (isFree || !place)

@@ -30,8 +30,8 @@ struct LabelArea {
         = Sides::All;
 };
 
-/// Where labels stand so that none covers another or a dot; none where there is no room for it. The
-/// first dots choose first.
+/// Where labels stand so that none covers another or a dot, or stands as near to another dot as to
+/// its own; none where there is no room for it. The first dots choose first.
 std::vector<std::optional<QRectF>> placeLabels(const std::vector<LabelledDot> &dots,
                                                const LabelArea &area);
 

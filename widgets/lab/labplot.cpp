@@ -92,8 +92,8 @@ QFont LabPlot::smallFont() const
 void LabPlot::dress()
 {
     const QColor text = palette().color(QPalette::Text);
-    QColor faint = text;
-    faint.setAlphaF(0.2F);
+    QColor gridColour = text;
+    gridColour.setAlphaF(0.2F);
     m_plot->setBackground(QBrush(palette().color(QPalette::Base)));
     for (QCPAxis *axis : {m_plot->xAxis, m_plot->yAxis, m_plot->xAxis2}) {
         axis->setBasePen(QPen(text));
@@ -104,8 +104,8 @@ void LabPlot::dress()
         axis->setTickLabelFont(font());
         axis->setLabelFont(font());
         axis->setLabelPadding(2);
-        axis->grid()->setPen(QPen(faint, 0, Qt::DotLine));
-        axis->grid()->setZeroLinePen(QPen(faint, 0, Qt::DotLine));
+        axis->grid()->setPen(QPen(gridColour, 0, Qt::DotLine));
+        axis->grid()->setZeroLinePen(QPen(gridColour, 0, Qt::DotLine));
     }
     m_plot->legend->setBrush(QBrush(palette().color(QPalette::Base)));
     m_plot->legend->setBorderPen(Qt::NoPen);

@@ -19,12 +19,12 @@ QString untimedHtml(const Study &study, const ParetoPoint &point, const QString 
 QString errorClassText(ErrorClass errorClass);
 /// What a straight loop is, and what it is for.
 QString straightLoopText();
-/// "wrong pixels of a million"; "of a million".
 enum class LabelLength { Whole, Short };
+/// "wrong pixels of a million"; "of a million".
 QString errorLabel(const ErrorAxis &axis, LabelLength length);
 /// Without its tags, a line each.
 QString plainText(const QString &html);
-/// What stands beside the dot: "Column scan, float32 ×1", "… ! 1.8 × its loop".
+/// What stands beside the dot: "Column scan, float32 ×1", "… ! ×1.8".
 QString pointLabel(const ParetoPoint &point);
 
 /// "48 of 10213 pixels wrong: 20 missing, 28 extra, …"
@@ -36,6 +36,10 @@ QString outcomeText(const LabRow &row);
 QStringList originOf(const Study &study);
 /// The same, then each warning: for the foot of a chart on paper.
 QStringList figureOrigin(const Study &study);
+
+/// In words what accuracy costs on a family: the column scan's plain kernel in each arithmetic
+/// beside its float32, by time and by wrong pixels; empty until that is known.
+QString priceText(const Study &study, const QString &family);
 
 /// What a lab says before its first run: what the button does and how many s that takes.
 QString invitationText(StudyExtent extent, double seconds);

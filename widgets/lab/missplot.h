@@ -15,7 +15,7 @@ public:
 
     void show(const SharedResults &results, const QString &family, const QString &contender);
 
-    /// Where a bin's bar stands on the axis of distances: extra at 1, 2, …, missing at −1, −2, …,
+    /// Where a bin's bar stands on the axis of distances: extra at 2, 3, …, missing at −2, −3, …,
     /// ties around 0.
     enum class Side { Missing, Extra };
     static double placeOf(Side side, std::size_t bin);

@@ -12,6 +12,7 @@ namespace pixelplumb {
 namespace {
 
 constexpr double lineMargin = 2; ///< logical pixels that a label keeps off a line
+constexpr double tickLength = 6; ///< of an axis, inwards
 constexpr float seenThrough = 0.7F; ///< so opaque is a label over a line that it must cross
 
 } // namespace
@@ -20,7 +21,7 @@ LabelArea ParetoPlot::labelArea() const
 {
     LabelArea area;
     const QRectF axes(plot()->axisRect()->rect());
-    area.whole = axes;
+    area.whole = axes.adjusted(0, 0, 0, -tickLength);
     area.sides = isLow() ? LabelArea::Sides::Beside : LabelArea::Sides::All;
     const auto addLine = [&area](const QPointF &from, const QPointF &to) {
         area.lines.push_back(QRectF(from, to).normalized().adjusted(-lineMargin, -lineMargin,
