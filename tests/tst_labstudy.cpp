@@ -308,11 +308,17 @@ private slots:
 
         const Study study = runStudy(settings);
 
+        int timed = 0;
         for (const LabRow &row : study.rows) {
             const bool isPlain = row.contender != QStringLiteral("column-scan:exact:fast");
+            if (row.remark.startsWith(QStringLiteral("not timed: a draw takes")))
+                continue; // a build with sanitizers takes longer than anyone waits
+            ++timed;
+            QVERIFY(row.cost.has_value());
             QCOMPARE(row.cost->straight.has_value(), isPlain);
             QCOMPARE(row.cost->timesStraight.has_value(), isPlain);
         }
+        QVERIFY(timed >= 6);
         QCOMPARE(study.family(QStringLiteral("small"))->timedTriangles, 3000);
     }
 
