@@ -237,7 +237,7 @@ private slots:
         QVERIFY(fit.has_value());
         QVERIFY(std::abs(fit->perTriangle - 30) < 1e-6);
         QVERIFY(std::abs(fit->perColumn - 5) < 1e-6);
-        QVERIFY(std::abs(fit->perSample - 1.5) < 1e-6);
+        QVERIFY(std::abs(fit->perPixel - 1.5) < 1e-6);
         QVERIFY(fit->residual < 1e-9);
     }
 
@@ -249,7 +249,7 @@ private slots:
         const auto fit = fitCost(points);
 
         QVERIFY(fit.has_value());
-        QVERIFY(fit->perTriangle >= 0 && fit->perColumn >= 0 && fit->perSample >= 0);
+        QVERIFY(fit->perTriangle >= 0 && fit->perColumn >= 0 && fit->perPixel >= 0);
         QVERIFY(fit->residual > 0);
         QVERIFY(!fitCost(std::span(points).first(2)));
     }

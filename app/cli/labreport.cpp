@@ -129,20 +129,19 @@ QStringList familyText(const Study &study, const StudyFamily &family)
 QStringList fitText(const Study &study)
 {
     std::vector<Line> lines = {{QStringLiteral("contender"), QStringLiteral("ns a triangle"),
-                                QStringLiteral("a column"), QStringLiteral("a sample"),
+                                QStringLiteral("a column"), QStringLiteral("a pixel"),
                                 QStringLiteral("off by %"), QString()}};
     for (const StudyContender &contender : study.contenders) {
         if (const auto &fit = contender.fit) {
             lines.push_back({contender.id, number(fit->perTriangle, 1), number(fit->perColumn, 2),
-                             number(fit->perSample, 2), number(100 * fit->residual, 0), QString()});
+                             number(fit->perPixel, 2), number(100 * fit->residual, 0), QString()});
         }
     }
     if (lines.size() == 1)
         return {};
     return QStringList{
                QString(),
-               QStringLiteral(
-                   "What set-up, columns and visited samples take, fitted over the families")}
+               QStringLiteral("What set-up, columns and pixels take, fitted over the families")}
     + aligned(lines);
 }
 

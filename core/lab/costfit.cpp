@@ -11,7 +11,7 @@ namespace {
 
 using Parts = std::array<double, 3>;
 
-Parts workOf(const CostPoint &point) { return {point.triangles, point.columns, point.samples}; }
+Parts workOf(const CostPoint &point) { return {point.triangles, point.columns, point.pixels}; }
 
 /// Solves the normal equations of the chosen parts by elimination with the largest pivot; the
 /// others are 0. None where the points do not tell the parts apart.

@@ -10,22 +10,20 @@ namespace pixelplumb {
 struct CostPoint {
     double triangles = 0;
     double columns = 0; ///< or rows, of a walk over rows
-    double samples = 0; ///< visited: written or refused
+    double pixels = 0;
     double nanoseconds = 0;
 };
 
-/// t = a·triangles + b·columns + c·samples, ns: what set-up, columns and samples take by
-/// themselves.
+/// t = a·triangles + b·columns + c·pixels, ns: what set-up, columns and pixels take by themselves.
 struct CostFit {
     double perTriangle = 0;
     double perColumn = 0;
-    double perSample = 0;
+    double perPixel = 0;
     double residual = 0; ///< root mean square of the relative differences, 0 …
 
     double at(const CostPoint &point) const
     {
-        return perTriangle * point.triangles + perColumn * point.columns
-            + perSample * point.samples;
+        return perTriangle * point.triangles + perColumn * point.columns + perPixel * point.pixels;
     }
 
     friend bool operator==(const CostFit &, const CostFit &) = default;

@@ -96,7 +96,7 @@ void eachField(Self &self, const Visit &visit)
 {
     visit("perTriangle", self.perTriangle);
     visit("perColumn", self.perColumn);
-    visit("perPixel", self.perSample);
+    visit("perPixel", self.perPixel);
     visit("residual", self.residual);
 }
 

@@ -150,7 +150,7 @@ private:
                 tellRow(index);
                 continue;
             }
-            if (m_race.enter(index, m_contenders[who], part, row.settings, m_expected[index]))
+            if (m_race.enter(index, m_contenders[who], part, row.settings, expectedOf(index)))
                 continue;
             row.remark = QStringLiteral("not timed: a draw takes about %1 ms")
                              .arg(m_expected[index] / 1e6, 0, 'f', 0);
@@ -161,6 +161,12 @@ private:
             m_study.rounds = 1;
         takeTimes();
         return goesOnNow;
+    }
+
+    /// ns of a timed draw; 0 of who was judged in another way than it is timed.
+    double expectedOf(std::size_t row) const
+    {
+        return m_contenders[row % m_contenders.size()].loaded ? 0 : m_expected[row];
     }
 
     bool finishRace()
@@ -222,7 +228,7 @@ private:
                     continue;
                 points.push_back({double(family.timedTriangles),
                                   double(family.timedSpans(contender.id)),
-                                  m_study.timedSamples(*row), row->cost->perDraw.median});
+                                  double(family.timedPixels), row->cost->perDraw.median});
             }
             contender.fit = fitCost(points);
         }

@@ -110,9 +110,6 @@ struct Study {
     const LabRow *row(const QString &contender, const QString &family) const;
     const StudyContender *contender(const QString &id) const;
     const StudyFamily *family(const QString &id) const;
-    /// That a contender visits in a timed draw of a family, those that it refuses included, as far
-    /// as its operations were counted; else the pixels that are written.
-    double timedSamples(const LabRow &row) const;
     /// ns a pixel of a row, in the middle; none where it was not timed.
     std::optional<double> perPixel(const LabRow &row) const;
 

@@ -88,16 +88,6 @@ std::optional<double> Study::perPixel(const LabRow &row) const
     return row.cost->perDraw.median / double(drawn->timedPixels);
 }
 
-double Study::timedSamples(const LabRow &row) const
-{
-    const StudyFamily *drawn = family(row.family);
-    const double pixels = drawn ? double(drawn->timedPixels) : 0;
-    if (!row.cost || !row.cost->operations || row.cost->operations->pixels == 0)
-        return pixels;
-    const OperationCounts &counts = *row.cost->operations;
-    return pixels * double(counts.pixels + counts.refused) / double(counts.pixels);
-}
-
 QStringList warningsOf(const Study &study)
 {
     QStringList warnings = warningsOf(study.conditions);

@@ -13,7 +13,7 @@ std::optional<CostParts> costPartsOf(const Study &study, const LabRow &row)
     const auto pixels = double(family->timedPixels);
     return CostParts{fit.perTriangle * double(family->timedTriangles) / pixels,
                      fit.perColumn * double(family->timedSpans(row.contender)) / pixels,
-                     fit.perSample * study.timedSamples(row) / pixels};
+                     fit.perPixel};
 }
 
 } // namespace pixelplumb

@@ -213,25 +213,22 @@ QString priceText(const Study &study, const QString &family)
     const LabRow *reference = study.row(QLatin1String(referenceContenderId), family);
     if (!reference || !reference->accuracy || !study.perPixel(*reference))
         return {};
-    const auto wrongOf = [](const AccuracyFigures &figures) {
-        return figures.wrongPixels() == 0
-            ? translated("none wrong")
-            : translated("%1 wrong of a million pixels").arg(figureText(figures.wrongPerMillion()));
-    };
+    const auto wrongOf
+        = [](const AccuracyFigures &figures) { return figureText(figures.wrongPerMillion()); };
     QStringList prices;
     for (const Arithmetic arithmetic : allArithmetics) {
         const QString id = QStringLiteral("column-scan:") + nameText(nameOf(arithmetic));
         const LabRow *row = study.row(id, family);
         if (row == reference || !row || !row->accuracy || !study.perPixel(*row))
             continue;
-        prices << translated("%1 takes ×%2, %3")
+        prices << translated("%1 ×%2, %3")
                       .arg(nameText(nameOf(arithmetic)),
                            figureText(*study.perPixel(*row) / *study.perPixel(*reference)),
                            wrongOf(*row->accuracy));
     }
     if (prices.isEmpty())
         return {};
-    return translated("The assignment's column scan, beside float32 with %1: %2.")
+    return translated("Column scan beside float32 (%1 wrong of a million): %2.")
         .arg(wrongOf(*reference->accuracy), prices.join(QStringLiteral("; ")));
 }
 
