@@ -156,7 +156,7 @@ Result<Scene> readSceneForAnyMethod(const CommandLine &line)
 
 Result<Scene> readScene(const CommandLine &line)
 {
-    const Result<Scene> scene = readSceneForAnyMethod(line);
+    Result<Scene> scene = readSceneForAnyMethod(line);
     if (!scene)
         return scene;
     const QString path = line.argument(0);

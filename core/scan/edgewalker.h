@@ -48,9 +48,9 @@ struct EdgeWalker : Colours {
     /// The edge from a to b where it meets a column: at a itself, or after a pre-step when a lies
     /// between columns or outside the frame. A jump costs what a step costs.
     [[gnu::always_inline]] EdgeWalker(const Vertex &a, const Vertex &b, std::int64_t column)
+        : slope(A::edgeSlope(a, b))
     {
         const auto run = A::runTo(column, a);
-        slope = A::edgeSlope(a, b);
         y = A::edgeOrdinate(a, b, run, slope);
         Colours::start(a, b, run);
     }
