@@ -2,6 +2,7 @@
 #include "core/lab/labfile.h"
 #include "core/scene/fileaccess.h"
 #include "tests/support/isolatedsettings.h"
+#include "tests/support/labrequest.h"
 #include "tests/support/madestudy.h"
 #include "tests/support/openwindow.h"
 #include "widgets/files/scenefiles.h"
@@ -25,17 +26,6 @@ using namespace pixelplumb;
 namespace {
 
 constexpr int longest = 60'000; // ms
-
-/// Two contenders on the scene in hand, timed briefly.
-StudySettings smallRequest()
-{
-    StudySettings request;
-    request.families = {QStringLiteral("own-scene")};
-    request.rounds = 2;
-    for (const char *id : {"column-scan:exact", "column-scan:float32"})
-        request.contenders.push_back(*labContenderNamed(QLatin1String(id)));
-    return request;
-}
 
 } // namespace
 

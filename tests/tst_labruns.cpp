@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/isolatedsettings.h"
+#include "tests/support/labrequest.h"
 #include "tests/support/openwindow.h"
 #include "widgets/lab/accuracylab.h"
 #include "widgets/model/playhead.h"
@@ -17,17 +18,6 @@ using namespace pixelplumb;
 namespace {
 
 constexpr int longest = 60'000; // ms
-
-/// Two contenders on the scene in hand, timed briefly.
-StudySettings smallRequest()
-{
-    StudySettings request;
-    request.families = {QStringLiteral("own-scene")};
-    request.rounds = 2;
-    for (const char *id : {"column-scan:exact", "column-scan:float32"})
-        request.contenders.push_back(*labContenderNamed(QLatin1String(id)));
-    return request;
-}
 
 } // namespace
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/timedfamily.h"
 
-#include "core/frame/framebuffer.h"
+#include "core/frame/writtenframe.h"
 #include "core/lab/pixelwindow.h"
 #include "core/measure/writecount.h"
 #include "core/methods/method.h"
@@ -66,12 +66,9 @@ void addWrites(StudyFamily &described, const TimedPicture &timed, FillRule rule)
         for (Vertex &vertex : triangle.vertices)
             vertex.colour = {{255, 255, 255}};
     }
-    const FrameBuffer frame(black);
-    FrameView transparent = frame.view();
-    for (std::int64_t y = transparent.firstRow; y < transparent.endRow(); ++y)
-        std::fill_n(transparent.at(transparent.firstColumn, y), transparent.width, 0U);
-    scan.drawFastest({white, {}}, exact, transparent);
-    described.timedBytes += bytesOfLines(transparent);
+    const WrittenFrame frame(black);
+    scan.drawFastest({white, {}}, exact, frame.view());
+    described.timedBytes += bytesOfLines(frame.view());
 }
 
 QString digestOf(const LabFamily &family)
