@@ -15,10 +15,14 @@ constexpr std::array forms
     = {"interpolate-bilinear", "interpolate-plane", "interpolate-barycentric"};
 constexpr std::array rules = {FillRule::Closed, FillRule::HalfOpenColumn};
 
-VertexAttributes anyAttributes(Dice &dice, Lattice largest)
+VertexAttributes anyAttributes(Dice &dice, Attribute largest)
 {
     const auto any = [&] { return dice.in(-largest, largest); };
-    return {any(), {any(), any()}, {any(), any(), any()}};
+    VertexAttributes attributes;
+    attributes.z = any();
+    attributes.texture = {any(), any()};
+    attributes.normal = {any(), any(), any()};
+    return attributes;
 }
 
 Triangle triangleOf(Dice &dice, const std::array<LatticePoint, 3> &corners)
@@ -50,8 +54,10 @@ Scene anyScene(std::uint32_t seed)
     Scene scene;
     scene.frame = frameOf(24, 24);
     scene.triangles = {triangleOf(dice, corners)};
-    scene.attributes = {
-        {0, {anyAttributes(dice, 70000), anyAttributes(dice, 70000), anyAttributes(dice, 70000)}}};
+    scene.attributes
+        = {{0,
+            {anyAttributes(dice, 300 * attributeOne), anyAttributes(dice, 300 * attributeOne),
+             anyAttributes(dice, 300 * attributeOne)}}};
     return scene;
 }
 
@@ -123,8 +129,8 @@ private slots:
             scene.triangles = {triangleOf(dice, corners)};
             scene.attributes
                 = {{0,
-                    {anyAttributes(dice, largestCoordinate), anyAttributes(dice, largestCoordinate),
-                     anyAttributes(dice, largestCoordinate)}}};
+                    {anyAttributes(dice, largestAttribute), anyAttributes(dice, largestAttribute),
+                     anyAttributes(dice, largestAttribute)}}};
             const auto bilinear = tracedBy(scene, forms[0], FillRule::HalfOpenColumn);
             const auto plane = tracedBy(scene, forms[1], FillRule::HalfOpenColumn);
             const auto barycentric = tracedBy(scene, forms[2], FillRule::HalfOpenColumn);
@@ -194,9 +200,9 @@ private slots:
                     const VertexAttributes &own = scene.attributes[0].vertices[i];
                     const Colour &colour = scene.triangles[0].vertices[i].colour;
                     QCOMPARE(sample.values[1], Quantity::integer(colour.green()));
-                    QCOMPARE(sample.values[3], Quantity::rational(own.z, 256));
-                    QCOMPARE(sample.values[5], Quantity::rational(own.texture[1], 256));
-                    QCOMPARE(sample.values[8], Quantity::rational(own.normal[2], 256));
+                    QCOMPARE(sample.values[3], Quantity::rational(own.z, attributeOne));
+                    QCOMPARE(sample.values[5], Quantity::rational(own.texture[1], attributeOne));
+                    QCOMPARE(sample.values[8], Quantity::rational(own.normal[2], attributeOne));
                 }
             }
             QCOMPARE(found, std::size_t(3));

@@ -62,8 +62,9 @@ void compareValues(QStringList &shortfalls, const ExpectedPoint &point, const Sa
 
 void readAttributes(JsonReader &json, const JsonNode &node, HardCase &hardCase)
 {
+    constexpr std::int64_t largest = largestAttributeValue * unitsPerPixel; // 1/256, as in the file
     const auto value = [&json](const JsonNode &each) {
-        return Lattice(json.integer(each, -largestCoordinate, largestCoordinate));
+        return Attribute(json.integer(each, -largest, largest)) * (attributeOne / unitsPerPixel);
     };
     TriangleAttributes attributes;
     const std::vector<JsonNode> corners = json.array(member(node, "attributes"), 3);

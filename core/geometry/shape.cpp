@@ -1,7 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/shape.h"
 
+#include <algorithm>
+
 namespace pixelplumb {
+
+const TriangleAttributes *Primitives::attributesOf(std::size_t triangle) const
+{
+    const auto found
+        = std::ranges::lower_bound(attributes, triangle, {}, &TriangleAttributes::triangle);
+    return found != attributes.end() && found->triangle == triangle ? &*found : nullptr;
+}
 
 QString nameOf(PrimitiveKind kind)
 {

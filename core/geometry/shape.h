@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/attributes.h"
+#include "core/geometry/appearance.h"
 #include "core/geometry/triangle.h"
 
 #include <QString>
@@ -57,6 +57,10 @@ struct Primitives {
     std::vector<Triangle> triangles;
     std::vector<Shape> shapes;
     std::vector<TriangleAttributes> attributes = {}; ///< sparse, ascending
+    Appearance appearance = {};
+
+    /// Null where the triangle carries none.
+    const TriangleAttributes *attributesOf(std::size_t triangle) const;
 
     std::size_t size() const { return triangles.size() + shapes.size(); }
     bool isTriangle(std::size_t primitive) const { return primitive < triangles.size(); }

@@ -9,15 +9,6 @@
 
 namespace pixelplumb {
 
-/// Those of one triangle; null where it has none.
-inline const TriangleAttributes *attributesOf(const Primitives &primitives, std::size_t triangle)
-{
-    const auto found = std::ranges::lower_bound(primitives.attributes, triangle, {},
-                                                &TriangleAttributes::triangle);
-    const bool isThere = found != primitives.attributes.end() && found->triangle == triangle;
-    return isThere ? &*found : nullptr;
-}
-
 /// Whether the exact fractions of its colours fit 64 bits: within 2^15 px and no wider or higher
 /// than 4096 px. Then products with coordinates stay below 2^61, numerators at samples below 2^57,
 /// and the bilinear form's products along two edges below 2^123.
@@ -44,7 +35,7 @@ struct InterpolationKernel : TriangleKernel,
 
     static AttributedTriangle geometryOf(const Primitives &primitives, std::size_t index)
     {
-        return {primitives.triangles[index], attributesOf(primitives, index)};
+        return {primitives.triangles[index], primitives.attributesOf(index)};
     }
     template <class Number, class Observer>
     static void scan(const AttributedTriangle &scanned, const ScanSettings &settings,

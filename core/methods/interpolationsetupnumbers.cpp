@@ -51,8 +51,9 @@ void appendValues(NumberTable<InterpolationSetUpState> &table, InterpolationForm
                           .formula = {},
                           .group = Group::EdgeColours},
                          [=](const InterpolationSetUpState &state) {
-                             return pixels(
-                                 state.vertices[vertexIn(state, form, digit)].channels[channel]);
+                             const std::size_t vertex = vertexIn(state, form, digit);
+                             return Quantity::rational(state.vertices[vertex].channels[channel],
+                                                       unitsOfChannel(channel));
                          }});
     }
 }

@@ -36,7 +36,7 @@ template <FloatingNumber Float, class Corner>
     const auto real = [](Lattice units) { return NumberTraits<Float>::fromLattice(units); };
     const auto point = [&](const Corner &vertex) {
         return std::array<Float, 3>{real(vertex.position.x), real(vertex.position.y),
-                                    real(vertex.channels[channel])};
+                                    realValue<Float>(vertex.channels[channel], channel)};
     };
     const std::array<Float, 3> p = point(vertices[0]);
     const std::array<Float, 3> q = point(vertices[1]);
@@ -66,7 +66,8 @@ PlaneNormal<Exact> planeNormal(const std::array<ChannelVertex, 3> &vertices, std
     const Int128 b = v1 * x2 - x1 * v2;
     const Int128 c = x1 * y2 - y1 * x2;
     const Int128 d = -(a * p.position.x + b * p.position.y + c * v0);
-    return {{a, unit * unit}, {b, unit * unit}, {c, unit * unit}, {d, unit * unit * unit}};
+    const Int128 units = unitsOfChannel(channel);
+    return {{a, unit * units}, {b, unit * units}, {c, unit * unit}, {d, unit * unit * units}};
 }
 
 /// The plane (Scan Conversion slides, "2. Plane Equation"): v = −(A/C)·x − (B/C)·y − D/C.
@@ -85,7 +86,7 @@ void setPlane(InterpolationSetUp<FractionOf<Integer>, channelsInAll> &setUp, std
     const Integer sign = c < 0 ? -1 : 1;
     const Integer minusA = sign * (v1 * y2 - v2 * y1);
     const Integer minusB = sign * (v2 * x1 - v1 * x2);
-    const Integer denominator = sign * c * unitsPerPixel;
+    const Integer denominator = sign * c * unitsOfChannel(channel);
     setUp.plane[channel]
         = {FractionOf<Integer>{minusA * unitsPerPixel, denominator},
            FractionOf<Integer>{minusB * unitsPerPixel, denominator},
@@ -168,22 +169,23 @@ void setWeighted(InterpolationSetUp<Number, channelsInAll> &setUp, std::size_t v
 {
     for (std::size_t channel = 0; channel < channelsInAll; ++channel)
         setUp.weighted[channel][vertex]
-            = VertexValue<Number>::of(setUp.vertices[vertex].channels[channel]);
+            = VertexValue<Number>::of(setUp.vertices[vertex].channels[channel], channel);
 }
 
 /// α·v0 + β·v1 + γ·v2; the exact weights share their denominator, the doubled area.
 template <class Integer>
 FractionOf<Integer> weightedSum(const std::array<FractionOf<Integer>, 3> &weight,
-                                const std::array<Lattice, 3> &value)
+                                const std::array<std::int64_t, 3> &value, std::size_t channel)
 {
-    FractionOf<Integer> sum{0, weight[0].denominator * unitsPerPixel};
+    FractionOf<Integer> sum{0, weight[0].denominator * unitsOfChannel(channel)};
     for (std::size_t i = 0; i < 3; ++i)
         sum.numerator += weight[i].numerator * value[i];
     return sum;
 }
 
 template <FloatingNumber Float>
-Float weightedSum(const std::array<Float, 3> &weight, const std::array<Float, 3> &value)
+Float weightedSum(const std::array<Float, 3> &weight, const std::array<Float, 3> &value,
+                  std::size_t)
 {
     return weight[0] * value[0] + weight[1] * value[1] + weight[2] * value[2];
 }

@@ -17,9 +17,9 @@ struct ChannelEdge {
 
     ChannelEdge(const Vertex &a, const Vertex &b, std::int64_t column)
     {
-        start(y, slope, a.position.y, b.position.y, a, b, column);
+        start(y, slope, {a.position.y, b.position.y, yChannel}, a, b, column);
         for (std::size_t i = 0; i < channelsInAll; ++i)
-            start(channel[i], rate[i], a.channels[i], b.channels[i], a, b, column);
+            start(channel[i], rate[i], {a.channels[i], b.channels[i], i}, a, b, column);
     }
 
     void stepToNextColumn()
@@ -30,29 +30,39 @@ struct ChannelEdge {
     }
 
 private:
-    /// A number at the column, from its values at a and b in units of 1/256, and its rate per
-    /// column; a vertical edge stays at a.
+    static constexpr std::size_t yChannel = 0; ///< y counts in the units of colours
+
+    /// A number's values at a and b, in the units of its channel.
+    struct Ends {
+        std::int64_t atA = 0, atB = 0;
+        std::size_t channel = 0;
+    };
+
+    /// A number at the column, and its rate per column; a vertical edge stays at a.
     template <class Integer>
-    static void start(FractionOf<Integer> &value, FractionOf<Integer> &perColumn, Lattice atA,
-                      Lattice atB, const Vertex &a, const Vertex &b, std::int64_t column)
+    static void start(FractionOf<Integer> &value, FractionOf<Integer> &perColumn, const Ends &ends,
+                      const Vertex &a, const Vertex &b, std::int64_t column)
     {
         const Integer width = Integer(b.position.x) - a.position.x;
         const Integer run = Integer(column) * unitsPerPixel - a.position.x;
-        const Integer rise = Integer(atB) - atA;
+        const Integer units = unitsOfChannel(ends.channel);
+        const Integer rise = Integer(ends.atB) - ends.atA;
         const bool isVertical = width == 0;
-        const Integer denominator = isVertical ? Integer(unitsPerPixel) : width * unitsPerPixel;
-        value = {isVertical ? Integer(atA) : atA * width + run * rise, denominator};
+        const Integer denominator = isVertical ? units : width * units;
+        value = {isVertical ? Integer(ends.atA) : ends.atA * width + run * rise, denominator};
         perColumn = {isVertical ? Integer(0) : rise * unitsPerPixel, denominator};
     }
     template <FloatingNumber Float>
-    static void start(Float &value, Float &perColumn, Lattice atA, Lattice atB, const Vertex &a,
+    static void start(Float &value, Float &perColumn, const Ends &ends, const Vertex &a,
                       const Vertex &b, std::int64_t column)
     {
         const auto real = [](Lattice units) { return NumberTraits<Float>::fromLattice(units); };
         perColumn = a.position.x == b.position.x
             ? Float(0)
-            : (real(atB) - real(atA)) / (real(b.position.x) - real(a.position.x));
-        value = real(atA) + (Float(column) - real(a.position.x)) * perColumn;
+            : (realValue<Float>(ends.atB, ends.channel) - realValue<Float>(ends.atA, ends.channel))
+                / (real(b.position.x) - real(a.position.x));
+        value = realValue<Float>(ends.atA, ends.channel)
+            + (Float(column) - real(a.position.x)) * perColumn;
     }
 };
 
@@ -88,8 +98,9 @@ void interpolateColumn(const ChannelEdge<FractionOf<Integer>, channelsInAll> &bo
         const Wider rate = (high * bottomWidth - low * topWidth) * Wider(area) / height;
         const Wider first = (low * (topY - row * topWidth) + high * (row * bottomWidth - bottomY))
             * Wider(area) / height;
-        column.rate[i] = {Integer(rate) * unitsPerPixel, area * unitsPerPixel};
-        column.first[i] = {Integer(first), area * unitsPerPixel};
+        const Integer denominator = area * unitsOfChannel(i);
+        column.rate[i] = {Integer(rate) * unitsPerPixel, denominator};
+        column.first[i] = {Integer(first), denominator};
     }
 }
 

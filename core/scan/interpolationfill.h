@@ -42,7 +42,7 @@ void evaluate(const InterpolationSetUp<Number, channelsInAll> &setUp, std::int64
         for (std::size_t i = 0; i < 3; ++i)
             sample.weight[i] = linearAt(setUp.weight[i], x, y);
         for (std::size_t channel = 0; channel < channelsInAll; ++channel)
-            sample.value[channel] = weightedSum(sample.weight, setUp.weighted[channel]);
+            sample.value[channel] = weightedSum(sample.weight, setUp.weighted[channel], channel);
     }
 }
 

@@ -24,11 +24,17 @@ inline constexpr std::size_t channelCount = 9;
 /// R G B, the first ones: all that a picture needs.
 inline constexpr std::size_t colourChannelCount = 3;
 
-/// A vertex with what is interpolated, in units of 1/256.
+/// What the integers of a channel count: 1/256 of a level, 2^-24 of an attribute.
+constexpr std::int64_t unitsOfChannel(std::size_t channel)
+{
+    return channel < colourChannelCount ? unitsPerPixel : attributeOne;
+}
+
+/// A vertex with what is interpolated, in the channels' units.
 template <std::size_t channelsInAll>
 struct VertexOfChannels {
     LatticePoint position;
-    std::array<Lattice, channelsInAll> channels = {};
+    std::array<std::int64_t, channelsInAll> channels = {};
 };
 using ChannelVertex = VertexOfChannels<channelCount>;
 
@@ -53,16 +59,28 @@ constexpr VertexOfChannels<channelsInAll> channelVertex(const Vertex &vertex,
     return result;
 }
 
-/// What a vertex has in a channel, as weights multiply it: an integer of 1/256 in exact numbers.
+/// What a channel's units are in floating numbers. A level and a place have the same units.
+template <FloatingNumber Float>
+Float realValue(std::int64_t units, std::size_t channel)
+{
+    if (channel < colourChannelCount)
+        return NumberTraits<Float>::fromLattice(units);
+    return Float(double(units) / double(attributeOne)); // the division leaves the digits alone
+}
+
+/// What a vertex has in a channel, as weights multiply it: its units in exact numbers.
 template <class Number>
 struct VertexValue {
-    using Type = Lattice;
-    static constexpr Type of(Lattice units) { return units; }
+    using Type = std::int64_t;
+    static constexpr Type of(std::int64_t units, std::size_t) { return units; }
 };
 template <FloatingNumber Float>
 struct VertexValue<Float> {
     using Type = Float;
-    static Type of(Lattice units) { return NumberTraits<Float>::fromLattice(units); }
+    static Type of(std::int64_t units, std::size_t channel)
+    {
+        return realValue<Float>(units, channel);
+    }
 };
 
 /// What is computed once for a triangle.

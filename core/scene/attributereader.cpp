@@ -14,16 +14,18 @@ const QString depthKey = QStringLiteral("z");
 const QString textureKey = QStringLiteral("uv");
 const QString normalsKey = QStringLiteral("normals");
 
-QByteArray numberText(Lattice units)
+constexpr Attribute perLatticeUnit = attributeOne / unitsPerPixel;
+
+QByteArray numberText(Attribute units)
 {
-    const QByteArray text = coordinateText(units).toUtf8();
+    const QByteArray text = coordinateText(units / perLatticeUnit).toUtf8();
     return text.contains('/') ? '"' + text + '"' : text;
 }
 
-QByteArray arrayText(std::span<const Lattice> numbers)
+QByteArray arrayText(std::span<const Attribute> numbers)
 {
     QByteArray text = "[";
-    for (const Lattice number : numbers)
+    for (const Attribute number : numbers)
         text += (text.size() > 1 ? ", " : "") + numberText(number);
     return text + ']';
 }
@@ -31,10 +33,10 @@ QByteArray arrayText(std::span<const Lattice> numbers)
 /// A key with an array for each vertex; nothing where all numbers are 0.
 template <std::size_t Count>
 QByteArray arraysText(const QString &key, const std::array<VertexAttributes, 3> &vertices,
-                      std::array<Lattice, Count> VertexAttributes::*member)
+                      std::array<Attribute, Count> VertexAttributes::*member)
 {
     const bool isEmpty = std::ranges::all_of(vertices, [member](const VertexAttributes &vertex) {
-        return vertex.*member == std::array<Lattice, Count>{};
+        return vertex.*member == std::array<Attribute, Count>{};
     });
     if (isEmpty)
         return {};
@@ -61,7 +63,7 @@ std::optional<std::array<VertexAttributes, 3>> readAttributes(
     if (!depth.isMissing()) {
         const std::vector<JsonNode> numbers = json.array(depth, 3);
         for (std::size_t i = 0; i < 3; ++i)
-            vertices[i].z = number(numbers[i]);
+            vertices[i].z = number(numbers[i]) * perLatticeUnit;
     }
     const auto readArrays = [&](const JsonNode &node, auto member) {
         if (node.isMissing())
@@ -71,7 +73,7 @@ std::optional<std::array<VertexAttributes, 3>> readAttributes(
             auto &target = vertices[i].*member;
             const std::vector<JsonNode> numbers = json.array(arrays[i], qsizetype(target.size()));
             for (std::size_t k = 0; k < target.size(); ++k)
-                target[k] = number(numbers[k]);
+                target[k] = number(numbers[k]) * perLatticeUnit;
         }
     };
     readArrays(texture, &VertexAttributes::texture);
@@ -81,9 +83,9 @@ std::optional<std::array<VertexAttributes, 3>> readAttributes(
 
 QByteArray attributesText(const std::array<VertexAttributes, 3> &vertices)
 {
-    const std::array<Lattice, 3> depths = {vertices[0].z, vertices[1].z, vertices[2].z};
+    const std::array<Attribute, 3> depths = {vertices[0].z, vertices[1].z, vertices[2].z};
     QByteArray text;
-    if (depths != std::array<Lattice, 3>{})
+    if (depths != std::array<Attribute, 3>{})
         text += ", \"" + depthKey.toUtf8() + "\": " + arrayText(depths);
     return text + arraysText(textureKey, vertices, &VertexAttributes::texture)
         + arraysText(normalsKey, vertices, &VertexAttributes::normal);

@@ -5,7 +5,7 @@ namespace pixelplumb {
 
 Primitives primitivesOnSamples(const Scene &scene)
 {
-    Primitives primitives{scene.triangles, scene.shapes, scene.attributes};
+    Primitives primitives{scene.triangles, scene.shapes, scene.attributes, scene.appearance};
     if (scene.frame.origin == FrameOrigin::TopLeft) {
         for (Shape &shape : primitives.shapes)
             shape.textHeight = -shape.textHeight;

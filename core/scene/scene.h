@@ -4,7 +4,9 @@
 #include "core/frame/framespec.h"
 #include "core/geometry/shape.h"
 #include "core/scan/boundaryrule.h"
+#include "core/space/solid.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,8 +22,11 @@ struct Scene {
     ScanSettings settings;
     std::string method = "column-scan"; ///< id of a row of the table of methods
     std::vector<Triangle> triangles;
-    std::vector<Shape> shapes; ///< drawn after the triangles
+    std::vector<Shape> shapes; ///< drawn after the triangles and the solids
     std::vector<TriangleAttributes> attributes; ///< of the triangles; sparse, ascending
+    std::optional<Camera> camera; ///< through which the solids are seen; there where there are any
+    std::vector<Solid> solids; ///< drawn after the triangles
+    Appearance appearance;
 
     friend bool operator==(const Scene &, const Scene &) = default;
 };

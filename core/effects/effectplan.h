@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/frame/frameview.h"
+#include "core/geometry/shape.h"
+#include "core/scan/scansettings.h"
+
+#include <QString>
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+/// What a scene needs, and what is run for it: values, found in one pass, shown with their reasons.
+namespace pixelplumb {
+
+enum class Verdict : std::uint8_t {
+    NotCalledFor, ///< proved: the picture is the same without it
+    CalledFor,
+    NotRuledOut, ///< no cheap proof was found; it runs
+};
+
+/// What a scene needs of one effect, and why, in words that a student understands.
+struct EffectVerdict {
+    Verdict verdict = Verdict::NotCalledFor;
+    QString reason; ///< "the three vertex colours are equal", "2 of 3 triangles have an alpha …"
+    std::size_t primitives = 0; ///< that call for it
+    std::int64_t pixels = 0; ///< of the frame that it may touch, at most: an upper bound
+};
+
+/// How samples of a batch are compared in depth.
+enum class DepthTest : std::uint8_t {
+    None,
+    Number, ///< the kernel's own number is kept
+    Levels, ///< an integer of so many bits is kept
+};
+
+/// What the kernel of a batch does at each sample: the parameter of its template. Values that need
+/// no other code (a light's direction, an alpha) stay out of it.
+struct EffectSet {
+    bool smooth = false;
+    bool perspective = false;
+    bool texture = false;
+    bool light = false;
+    bool blending = false;
+    DepthTest depth = DepthTest::None;
+
+    /// Today's plain kernels suffice: one colour or three interpolated ones, painted over.
+    constexpr bool isPlain() const
+    {
+        return !perspective && !texture && !light && !blending && depth == DepthTest::None;
+    }
+    friend constexpr bool operator==(const EffectSet &, const EffectSet &) = default;
+};
+
+/// A run of triangles of the same needs, in drawing order.
+struct EffectBatch {
+    std::size_t first = 0;
+    std::size_t count = 0;
+    EffectSet effects;
+
+    friend bool operator==(const EffectBatch &, const EffectBatch &) = default;
+};
+
+/// What runs.
+struct EffectPlan {
+    PerEffect<EffectVerdict> verdicts;
+    std::vector<EffectBatch> batches; ///< of the triangles; together all of them, in order
+    Antialiasing antialiasing = Antialiasing::None;
+
+    /// What some batch, or the antialiasing, does.
+    bool runs(Effect effect) const;
+};
+
+/// What the primitives (sample coordinates) need in the frame, each effect by itself. Forcing is
+/// not looked at.
+PerEffect<EffectVerdict> requirementsOf(const Primitives &primitives, const ScanSettings &settings,
+                                        const FrameView &frame);
+
+/// What is run: that, with what was forced on or off.
+EffectPlan planFor(const Primitives &primitives, const ScanSettings &settings,
+                   const FrameView &frame);
+
+} // namespace pixelplumb
