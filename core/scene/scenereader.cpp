@@ -73,16 +73,11 @@ private:
     {
         const JsonNode &root = m_json.root();
         readFormat(root);
-        const QStringList keys = {QStringLiteral("pixelplumb"),
-                                  QStringLiteral("frame"),
-                                  QStringLiteral("method"),
-                                  QStringLiteral("arithmetic"),
-                                  QStringLiteral("fillRule"),
-                                  QStringLiteral("offScreenPoint"),
-                                  QStringLiteral("rounding"),
-                                  cameraKey(),
-                                  primitivesKey()};
-        m_json.expectObject(root, keys + appearanceKeys());
+        const QStringList keys = {QStringLiteral("pixelplumb"), QStringLiteral("frame"),
+                                  QStringLiteral("method"),     QStringLiteral("arithmetic"),
+                                  QStringLiteral("fillRule"),   QStringLiteral("offScreenPoint"),
+                                  QStringLiteral("rounding"),   cameraKey()};
+        m_json.expectObject(root, keys + appearanceKeys() + QStringList{primitivesKey()});
         readFrame(root[QStringLiteral("frame")]);
         readSettings(root);
         NumberReader numbers(m_json, m_inHand.reading.snaps);
