@@ -176,7 +176,7 @@ private slots:
         for (const SolidKind kind : {SolidKind::Sphere, SolidKind::Patch, SolidKind::Mesh}) {
             Scene scene = sceneOf({solidOf(kind)});
             scene.camera->eye = {0.3, 0.4, 1.9};
-            scene.camera->near = 0.75;
+            scene.camera->near = 1.3;
 
             const ProjectedSolids projected = projectedSolids(scene);
 
