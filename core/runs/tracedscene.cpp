@@ -112,6 +112,15 @@ std::unique_ptr<const ScanTrace> exactTwinOf(const Method &method, const Primiti
 
 } // namespace
 
+std::optional<std::size_t> TracedScene::indexInScene(std::size_t primitive) const
+{
+    if (primitive < scene.triangles.size())
+        return primitive;
+    if (primitives.isTriangle(primitive))
+        return std::nullopt;
+    return primitive - primitives.triangles.size() + scene.triangles.size();
+}
+
 std::optional<TracedScene::WrongPixel> TracedScene::firstWrongPixel() const
 {
     std::optional<WrongPixel> first;
