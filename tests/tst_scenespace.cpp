@@ -222,22 +222,22 @@ private slots:
     void largeFilesAreReadByPiecesWithAllOfIt()
     {
         QByteArray primitives;
-        for (int i = 0; i < 8'000; ++i)
+        for (int i = 0; i < 10'000; ++i)
             primitives += triangleWith("'z': [0, 0.5, 1], 'material': 'b'") + ",\n";
         const QByteArray members = camera + "'materials': { 'a': {}, 'b': {} }, 'depthBits': 24,";
         const QByteArray text = sceneOf(
             members, primitives + "{ 'sphere': [0, 0, 0], 'radius': 1, 'material': 'a' }");
         QVERIFY(text.size() > largestWholeText);
         const Scene scene = sceneFrom(text);
-        QCOMPARE(scene.triangles.size(), std::size_t(8'000));
-        QCOMPARE(scene.attributes.size(), std::size_t(8'000));
+        QCOMPARE(scene.triangles.size(), std::size_t(10'000));
+        QCOMPARE(scene.attributes.size(), std::size_t(10'000));
         QCOMPARE(scene.attributes.back().material, 1);
         QCOMPARE(scene.solids.size(), std::size_t(1));
         QCOMPARE(scene.appearance.depthFormat, DepthFormat::Bits24);
         QVERIFY(sceneFrom(writeScene(scene)) == scene);
 
         QCOMPARE(faultOf(sceneOf(members, primitives + "{ 'sphere': [0, 0], 'radius': 1 }")),
-                 QStringLiteral("primitives[8000].sphere: an array of 2; expected an array of 3"));
+                 QStringLiteral("primitives[10000].sphere: an array of 2; expected an array of 3"));
         QCOMPARE(faultOf(sceneOf("'camera': { 'near': -1 },", primitives + "{}")),
                  QStringLiteral("camera.near: -1; expected more than 0"));
     }
