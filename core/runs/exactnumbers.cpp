@@ -63,7 +63,7 @@ CellsByPixel twinCells(const TracedScene &traced, std::size_t span)
 
 std::vector<Quantity> exactSetUpCells(const TracedScene &traced, std::size_t primitive)
 {
-    const std::vector<NumberDescription> &numbers = traced.method->setUpNumbers;
+    const std::vector<NumberDescription> &numbers = traced.trace->numbers().setUp;
     if (isExact(traced))
         return compared(numbers, traced.trace->setUp(primitive).cells);
     const bool hasTwin = traced.exactTrace && primitive < traced.exactTrace->primitiveCount();
@@ -73,7 +73,7 @@ std::vector<Quantity> exactSetUpCells(const TracedScene &traced, std::size_t pri
 
 std::vector<Quantity> exactSpanCells(const TracedScene &traced, std::size_t span)
 {
-    const std::vector<NumberDescription> &numbers = traced.method->spanNumbers;
+    const std::vector<NumberDescription> &numbers = traced.trace->numbers().span;
     if (isExact(traced))
         return compared(numbers, traced.trace->span(span).cells);
     const std::optional<std::size_t> twin = twinOf(traced, span);
@@ -104,9 +104,9 @@ std::vector<ExactSample> exactSamplesOf(const TracedScene &traced, std::size_t s
                 = oracle::colourAt(traced.primitives.triangles[primitive], sample.x, sample.y);
         const auto twin = twins.find(keyOf(sample));
         if (twin != twins.end())
-            exact[i].cells = compared(traced.method->sampleNumbers, twin->second);
+            exact[i].cells = compared(traced.trace->numbers().sample, twin->second);
         else
-            exact[i].cells = compared(traced.method->sampleNumbers,
+            exact[i].cells = compared(traced.trace->numbers().sample,
                                       isExact(traced) ? sample.cells : std::vector<Quantity>());
     }
     return exact;

@@ -124,7 +124,7 @@ FormulaNames spanNames(const TracedScene &traced, const SpanPair &spans)
 {
     FormulaNames names;
     const std::size_t primitive = spans.current.primitive;
-    names.add(traced.method->setUpNumbers, traced.trace->setUp(primitive).cells);
+    names.add(traced.trace->numbers().setUp, traced.trace->setUp(primitive).cells);
     names.add(spans.words.numbers, spans.current.cells,
               spans.previous ? &spans.previous->cells : nullptr);
     return names;
@@ -206,7 +206,7 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
     names.add(QStringLiteral("x"), Quantity::integer(sample.x));
     names.add(QStringLiteral("y"), Quantity::integer(sample.y));
     // The step of a line or a circle is its one sample: the numbers stand in the span.
-    const bool isStep = traced.method->sampleNumbers.empty() && samples.size() == 1;
+    const bool isStep = traced.trace->numbers().sample.empty() && samples.size() == 1;
     for (std::size_t channel = 0; channel < 3 && !isStep; ++channel)
         names.add(QString(channelLetters[channel]), sample.colour[channel],
                   place > 0 ? std::optional(samples[place - 1].colour[channel]) : std::nullopt);
