@@ -80,13 +80,11 @@ private slots:
         row("origin", frameOf(R"({ "width": 1, "height": 1, "origin": "top-right" })"),
             "line 1, column 66, frame.origin: “top-right”; expected one of bottom-left, top-left");
         row("background", frameOf(R"({ "width": 1, "height": 1, "background": "black" })"),
-            "line 1, column 70, frame.background: “black” is no colour; expected #rrggbb in "
-            "hexadecimal "
-            "digits");
+            "line 1, column 70, frame.background: “black” is no colour; expected #rrggbb or "
+            "#rrggbbaa in hexadecimal digits");
         row("blending", frameOf("{ \"width\": 1, \"height\": 1, \"background\": \"#f0203080\" }"),
-            "line 1, column 70, frame.background: “#f0203080” is not opaque, and blending is not "
-            "available; "
-            "expected alpha ff, or #rrggbb without alpha");
+            "line 1, column 70, frame.background: “#f0203080” is not opaque, and only triangles "
+            "are blended; expected alpha ff, or #rrggbb without alpha");
         row("rule that the method does not keep",
             sceneWith(R"("fillRule": "off-screen-point", "primitives": [])"),
             "line 4, column 13, fillRule: method “column-scan” cannot keep the fill rule "

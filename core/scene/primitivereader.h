@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/scene/positionreader.h"
+#include "core/scene/colourtext.h"
+#include "core/scene/numberreader.h"
 
 namespace pixelplumb {
 
@@ -10,6 +11,8 @@ QStringList primitiveKeys();
 
 /// A colour "#rrggbb"; an error stays with the JsonReader.
 Colour readColour(JsonReader &json, const JsonNode &node);
+/// A colour "#rrggbb" or "#rrggbbaa".
+BlendedColour readBlendedColour(JsonReader &json, const JsonNode &node);
 
 /// Reads the primitives of a scene; errors stay with the JsonReader.
 class PrimitiveReader {
@@ -17,7 +20,7 @@ public:
     PrimitiveReader(JsonReader &json, SceneReading &reading)
         : m_json(json)
         , m_reading(reading)
-        , m_positions(json, reading.snaps)
+        , m_numbers(json, reading.snaps)
     {
     }
 
@@ -41,7 +44,7 @@ private:
 
     JsonReader &m_json;
     SceneReading &m_reading;
-    PositionReader m_positions;
+    NumberReader m_numbers;
 };
 
 } // namespace pixelplumb

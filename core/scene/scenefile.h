@@ -12,12 +12,13 @@ namespace pixelplumb {
 /// The format that this program writes, and the newest that it reads.
 inline constexpr int sceneFormat = 1;
 
-/// A coordinate of a file that was not on the lattice. Its displacement is an error of the input,
-/// never of a method.
+/// A number of a file that its format does not have: a coordinate off the lattice, an attribute
+/// finer than 2^-24. Its displacement is an error of the input, never of a method.
 struct SnapReport {
     QString place; ///< "primitives[0].triangle[1][0]"
     QString written; ///< as the file says it
-    SnappedCoordinate snapped;
+    SnappedNumber snapped;
+    const NumberFormat *format = &coordinateFormat;
 
     /// "primitives[0].triangle[1][0]: 12.1 is drawn at 1549/128, displaced by 1/640 px"
     QString message() const;

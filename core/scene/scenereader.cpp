@@ -5,7 +5,7 @@
 #include "core/scene/framenames.h"
 #include "core/scene/jsonplaces.h"
 #include "core/scene/jsonsyntax.h"
-#include "core/scene/positionreader.h"
+#include "core/scene/numberreader.h"
 #include "core/scene/primitivereader.h"
 #include "core/scene/scenepieces.h"
 
@@ -77,7 +77,7 @@ private:
         readSettings(root);
         if (const JsonNode point = root[QStringLiteral("offScreenPoint")]; !point.isMissing())
             m_reading.scene.frame.offScreenPoint
-                = PositionReader(m_json, m_reading.snaps).position(point);
+                = NumberReader(m_json, m_reading.snaps).position(point);
     }
 
     /// First of all: a newer file may have keys that this program does not know.
@@ -240,8 +240,9 @@ std::optional<Result<SceneReading>> readByPieces(const QByteArray &text,
 
 QString SnapReport::message() const
 {
-    return QStringLiteral("%1: %2 is drawn at %3, displaced by %4 px")
-        .arg(place, written, coordinateText(snapped.units), toText(snapped.displacement));
+    return QStringLiteral("%1: %2 is %3 %4, displaced by %5%6")
+        .arg(place, written, QLatin1String(format->use), numberText(snapped.units, *format),
+             toText(snapped.displacement), QLatin1String(format->unit));
 }
 
 Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &listener)

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/attributereader.h"
 #include "core/scene/colourtext.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/framenames.h"
@@ -59,12 +58,11 @@ QByteArray writeScene(const Scene &scene)
     };
     auto attributes = scene.attributes.begin();
     for (std::size_t index = 0; index < scene.triangles.size(); ++index) {
-        QByteArray triangle = primitiveText(scene.triangles[index]);
-        if (attributes != scene.attributes.end() && attributes->triangle == index) {
-            triangle.insert(triangle.size() - 2, attributesText(attributes->vertices));
-            ++attributes;
-        }
-        append(triangle);
+        const bool hasAttributes
+            = attributes != scene.attributes.end() && attributes->triangle == index;
+        append(primitiveText(scene.triangles[index], hasAttributes ? &*attributes : nullptr,
+                             scene.appearance.materials));
+        attributes += hasAttributes ? 1 : 0;
     }
     for (const Shape &shape : scene.shapes)
         append(primitiveText(shape));

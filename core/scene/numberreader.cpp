@@ -1,36 +1,36 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/positionreader.h"
+#include "core/scene/numberreader.h"
 
 namespace pixelplumb {
 
 namespace {
 
-constexpr qint64 beyondPixels = std::numeric_limits<qint64>::max();
+constexpr qint64 beyondAllFormats = std::numeric_limits<qint64>::max();
 
 } // namespace
 
-Lattice PositionReader::coordinate(const JsonNode &node)
+std::int64_t NumberReader::number(const JsonNode &node, const NumberFormat &format)
 {
     if (!node.value.isDouble() && !node.value.isString()) {
-        m_json.fail(node, describe(node), coordinateExpectation());
+        m_json.fail(node, describe(node), expectationOf(format));
         return 0;
     }
-    // Most coordinates are whole numbers, and a scene may hold millions: no big numbers for them.
-    if (const qint64 pixel = node.value.toInteger(beyondPixels);
-        pixel >= -largestPixel && pixel <= largestPixel)
-        return pixel * unitsPerPixel;
+    // Most are whole numbers, and a scene may hold millions: no big numbers for them.
+    if (const qint64 whole = node.value.toInteger(beyondAllFormats);
+        whole >= -format.largest && whole <= format.largest)
+        return whole * format.one;
     const QString written = node.value.isString() ? node.value.toString() : numberText(node.value);
-    const Result<SnappedCoordinate> snapped = parseCoordinate(written);
+    const Result<SnappedNumber> snapped = parseNumber(written, format);
     if (!snapped) {
         m_json.fail(node, snapped.error().found, snapped.error().expected);
         return 0;
     }
     if (snapped->isDisplaced())
-        m_snaps.push_back({node.path, written, *snapped});
+        m_snaps.push_back({node.path, written, *snapped, &format});
     return snapped->units;
 }
 
-Lattice PositionReader::length(const JsonNode &node, const QString &what)
+Lattice NumberReader::length(const JsonNode &node, const QString &what)
 {
     const Lattice units = coordinate(node);
     if (units <= 0)
@@ -39,14 +39,14 @@ Lattice PositionReader::length(const JsonNode &node, const QString &what)
     return units;
 }
 
-LatticePoint PositionReader::position(const JsonNode &node)
+LatticePoint NumberReader::position(const JsonNode &node)
 {
     const std::vector<JsonNode> coordinates = m_json.array(node, 2);
     const Lattice x = coordinate(coordinates[0]);
     return {x, coordinate(coordinates[1])};
 }
 
-std::vector<LatticePoint> PositionReader::positions(const JsonNode &node, PointCount count)
+std::vector<LatticePoint> NumberReader::positions(const JsonNode &node, PointCount count)
 {
     const std::vector<JsonNode> points = m_json.array(node);
     if (points.size() < count.least || points.size() > count.most) {

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/sceneprojection.h"
+
+namespace pixelplumb {
+
+namespace {
+
+Camera cameraOf(const Scene &scene) { return scene.camera.value_or(Camera()); }
+
+} // namespace
+
+Appearance appearanceOf(const Scene &scene)
+{
+    if (!scene.camera && scene.solids.empty())
+        return scene.appearance;
+    return viewedBy(cameraOf(scene), scene.appearance);
+}
+
+ProjectedSolids projectedSolids(const Scene &scene)
+{
+    const Camera camera = cameraOf(scene);
+    const Appearance appearance = appearanceOf(scene);
+    return projectSolids({camera, scene.solids, appearance, scene.frame});
+}
+
+} // namespace pixelplumb
