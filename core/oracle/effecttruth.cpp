@@ -51,7 +51,7 @@ bool isLit(const Primitives &primitives, std::size_t triangle, const EffectTruth
     const Appearance &appearance = primitives.appearance;
     const bool hasNormal
         = std::ranges::any_of(attributesOf(primitives, triangle), [](const VertexAttributes &of) {
-              return of.normal != std::array<Attribute, 3>();
+              return std::ranges::any_of(of.normal, [](Attribute n) { return n != 0; });
           });
     return what.light && appearance.shading == Shading::Phong && !appearance.lights.empty()
         && hasNormal;
