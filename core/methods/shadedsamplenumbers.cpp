@@ -289,8 +289,12 @@ void tellShaded(StepWords &words, const ShadedSampleState &state)
                   .arg(__builtin_popcount(state.samplesWritten));
         return;
     }
-    if (state.effects.depth == DepthTest::None)
+    if (state.effects.depth == DepthTest::None) {
+        if (!state.isWritten)
+            words.sentence = QStringLiteral("Refused: it lies beyond the horizon of the triangle's "
+                                            "plane, where there are no attributes.");
         return;
+    }
     const QString z = term(state.depth);
     if (!state.isWritten)
         words.sentence = QStringLiteral("Refused: its depth %1 lies behind %2, which stands there.")

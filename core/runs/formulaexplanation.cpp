@@ -164,9 +164,17 @@ QString byteFormula(ByteRounding rounding, std::int64_t level)
     return level > 255 ? QStringLiteral("min(255, ") + rounded + u')' : rounded;
 }
 
+/// The byte of an exact level.
+Quantity byteOf(const Quantity &level, ByteRounding rounding)
+{
+    const CommonFraction exact{level.numerator(), level.denominator()};
+    const Int128 byte = rounding == ByteRounding::Nearest ? exact.nearest() : exact.floor();
+    return Quantity::integer(std::clamp<Int128>(byte, 0, 255));
+}
+
 /// The bytes of a written sample, and its levels where no column describes them.
-void appendBytes(Explanation &explanation, const TracedScene &traced, const TraceStep &step,
-                 const SampleRecord &sample, const ExactSample &exact)
+void appendBytes(Explanation &explanation, const TracedScene &traced, const SampleRecord &sample,
+                 const ExactSample &exact)
 {
     const ByteRounding rounding = traced.scene.settings.rounding;
     for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -180,11 +188,8 @@ void appendBytes(Explanation &explanation, const TracedScene &traced, const Trac
         byte.symbols = QStringLiteral("byte = ") + filled(QString(channelLetters[channel]));
         byte.substituted = filled(term(sample.colour[channel]));
         byte.used = Quantity::integer(std::clamp<std::int64_t>(sample.level[channel], 0, 255));
-        if (!exact.colour[channel].isNone())
-            byte.exact = Quantity::integer(
-                oracle::byteColourAt(traced.primitives.triangles[step.primitive], sample.x,
-                                     sample.y, rounding)
-                    .channels[channel]);
+        if (exact.colour[channel].isRational())
+            byte.exact = byteOf(exact.colour[channel], rounding);
         explanation.lines.push_back(byte);
     }
 }
@@ -230,7 +235,7 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
     appendLines(explanation, words.numbers, sample.cells, exact.cells, names,
                 place == 0 ? FormulaStart::Fresh : FormulaStart::Continued);
     if (isWritten)
-        appendBytes(explanation, traced, step, sample, exact);
+        appendBytes(explanation, traced, sample, exact);
     return explanation;
 }
 
