@@ -44,7 +44,7 @@ bool isDrawnByRows(const Scene &scene, const Method &method)
 {
     const bool wraps = scene.settings.arithmetic == Arithmetic::Fixed16; // to any row
     return method.drawFast && !wraps && scene.shapes.empty() && scene.attributes.empty()
-        && scene.triangles.size() <= mostCompared
+        && scene.solids.empty() && scene.triangles.size() <= mostCompared
         && std::ranges::all_of(scene.triangles, staysNearItsBox);
 }
 
@@ -52,7 +52,8 @@ bool differInTrianglesAlone(const Scene &scene, const Scene &other)
 {
     return scene.frame == other.frame && scene.settings == other.settings
         && scene.method == other.method && scene.shapes == other.shapes
-        && scene.attributes == other.attributes && scene.triangles.size() == other.triangles.size();
+        && scene.attributes == other.attributes && scene.appearance == other.appearance
+        && scene.triangles.size() == other.triangles.size();
 }
 
 /// Of two words that are not the same.
@@ -153,6 +154,13 @@ ScenePicture::Rows ScenePicture::rowsToDraw(const Scene &scene, const Method &me
 bool ScenePicture::drawAll(const Scene &scene, const Method &method,
                            const ProgressListener &listener)
 {
+    if (!scene.solids.empty()) { // among which depth decides
+        if (!goesOn(listener, {JobPhase::Drawing, 0, 1}))
+            return false;
+        m_piece = primitivesOnSamples(scene);
+        drawPiece(scene, method);
+        return true;
+    }
     const auto count = std::int64_t(scene.triangles.size() + scene.shapes.size());
     const std::size_t pieceSize = method.drawFast ? fastPiece : plainPiece;
     for (std::size_t first = 0; first < scene.triangles.size(); first += pieceSize) {

@@ -119,6 +119,15 @@ std::unique_ptr<const ScanTrace> exactTwinOf(const TracedScene &traced, const Tr
 
 } // namespace
 
+std::optional<std::size_t> TracedScene::indexInScene(std::size_t primitive) const
+{
+    if (primitive < scene.triangles.size())
+        return primitive;
+    if (primitives.isTriangle(primitive))
+        return std::nullopt;
+    return primitive - primitives.triangles.size() + scene.triangles.size();
+}
+
 std::optional<TracedScene::WrongPixel> TracedScene::firstWrongPixel() const
 {
     std::optional<WrongPixel> first;
