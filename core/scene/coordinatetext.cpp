@@ -133,6 +133,22 @@ QString rangeText(const NumberFormat &format)
 
 Natural naturalOf(std::int64_t value) { return Natural(std::uint64_t(value)); }
 
+/// A value within the format's limits.
+Result<WrittenValue> parseWithin(QStringView text, const NumberFormat &format)
+{
+    if (text.size() > longestText)
+        return refusal(text, QStringLiteral("“%1” is longer than 400 characters"), format);
+    const QStringView trimmed = text.trimmed();
+    const auto value = parseValue(trimmed);
+    if (!value)
+        return refusal(trimmed, QStringLiteral("“%1” is no ") + QLatin1String(format.name), format);
+    if (value->denominator.isZero())
+        return refusal(trimmed, QStringLiteral("%1 divides by zero"), format);
+    if (naturalOf(format.largest) * value->denominator < value->numerator)
+        return refusal(trimmed, QStringLiteral("%1 is outside ") + rangeText(format), format);
+    return *value;
+}
+
 /// units / one − value: both over one * denominator.
 Quantity displacementOf(std::int64_t units, std::int64_t one, const WrittenValue &value)
 {
@@ -157,17 +173,9 @@ QString expectationOf(const NumberFormat &format)
 
 Result<SnappedNumber> parseNumber(QStringView text, const NumberFormat &format)
 {
-    if (text.size() > longestText)
-        return refusal(text, QStringLiteral("“%1” is longer than 400 characters"), format);
-    const QStringView trimmed = text.trimmed();
-    const auto value = parseValue(trimmed);
+    const Result<WrittenValue> value = parseWithin(text, format);
     if (!value)
-        return refusal(trimmed, QStringLiteral("“%1” is no ") + QLatin1String(format.name), format);
-    if (value->denominator.isZero())
-        return refusal(trimmed, QStringLiteral("%1 divides by zero"), format);
-    if (naturalOf(format.largest) * value->denominator < value->numerator)
-        return refusal(trimmed, QStringLiteral("%1 is outside ") + rangeText(format), format);
-
+        return value.error();
     // Nearest number to |value|: ⌊one·|v| + 1/2⌋, and halves down for a negative value, which is up
     // on the number line.
     const Natural doubled = value->numerator * naturalOf(2 * format.one);
@@ -181,6 +189,14 @@ Result<SnappedNumber> parseNumber(QStringView text, const NumberFormat &format)
     snapped.units = value->negative ? -magnitude : magnitude;
     snapped.displacement = displacementOf(snapped.units, format.one, *value);
     return snapped;
+}
+
+Result<double> parseReal(QStringView text, const NumberFormat &format)
+{
+    const Result<WrittenValue> value = parseWithin(text, format);
+    if (!value)
+        return value.error();
+    return value->numerator.isZero() ? 0 : quantityOf(*value).toDouble();
 }
 
 QString numberText(std::int64_t units, const NumberFormat &format)

@@ -47,6 +47,9 @@ inline Result<SnappedNumber> parseCoordinate(QStringView text)
     return parseNumber(text, coordinateFormat);
 }
 
+/// The double that is nearest to a number written in the same way, within the same limits.
+Result<double> parseReal(QStringView text, const NumberFormat &format);
+
 /// The shortest exact text: "26" or "53/2".
 QString numberText(std::int64_t units, const NumberFormat &format);
 inline QString coordinateText(Lattice units) { return numberText(units, coordinateFormat); }

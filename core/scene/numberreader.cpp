@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/numberreader.h"
 
+#include <cmath>
+
 namespace pixelplumb {
 
 namespace {
@@ -28,6 +30,36 @@ std::int64_t NumberReader::number(const JsonNode &node, const NumberFormat &form
     if (snapped->isDisplaced())
         m_snaps.push_back({node.path, written, *snapped, &format});
     return snapped->units;
+}
+
+double NumberReader::real(const JsonNode &node)
+{
+    if (node.value.isDouble() && std::abs(node.value.toDouble()) <= largestAttributeValue)
+        return node.value.toDouble();
+    if (!node.value.isDouble() && !node.value.isString()) {
+        m_json.fail(node, describe(node), expectationOf(attributeFormat));
+        return 0;
+    }
+    const QString written = node.value.isString() ? node.value.toString() : numberText(node.value);
+    const Result<double> value = parseReal(written, attributeFormat);
+    if (!value)
+        m_json.fail(node, value.error().found, value.error().expected);
+    return value ? *value : 0;
+}
+
+Vector3 NumberReader::vector(const JsonNode &node)
+{
+    const std::vector<JsonNode> numbers = m_json.array(node, 3);
+    return {real(numbers[0]), real(numbers[1]), real(numbers[2])};
+}
+
+double NumberReader::positive(const JsonNode &node, const QString &what)
+{
+    const double value = real(node);
+    if (value <= 0)
+        m_json.fail(node, QStringLiteral("%1 of %2").arg(what, describe(node)),
+                    QStringLiteral("more than 0"));
+    return value;
 }
 
 Lattice NumberReader::length(const JsonNode &node, const QString &what)

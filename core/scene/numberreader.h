@@ -3,6 +3,7 @@
 
 #include "core/scene/jsonreader.h"
 #include "core/scene/scenefile.h"
+#include "core/space/camera.h"
 
 #include <limits>
 
@@ -30,6 +31,11 @@ public:
     Attribute attribute(const JsonNode &node) { return number(node, attributeFormat); }
     template <std::size_t Count>
     std::array<Attribute, Count> attributes(const JsonNode &node);
+    /// What is computed in double: numbers of the scene's space, at most largestAttributeValue.
+    double real(const JsonNode &node);
+    Vector3 vector(const JsonNode &node);
+    /// A number above 0.
+    double positive(const JsonNode &node, const QString &what);
     /// A coordinate above 0: a radius, a height.
     Lattice length(const JsonNode &node, const QString &what);
     LatticePoint position(const JsonNode &node);

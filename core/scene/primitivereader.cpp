@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/primitivereader.h"
 
+#include "core/scene/appearancenames.h"
 #include "core/scene/attributereader.h"
-#include "core/scene/colourtext.h"
+#include "core/scene/choicereader.h"
 #include "core/scene/shapenames.h"
+#include "core/scene/solidlimits.h"
+#include "core/scene/solidreader.h"
 
 namespace pixelplumb {
 
@@ -24,7 +27,7 @@ QStringList primitiveKeys()
     QStringList keys;
     for (const PrimitiveKind kind : allKinds)
         keys.append(keyOf(kind));
-    return keys;
+    return keys + namesOf(allSolidKinds);
 }
 
 BlendedColour readBlendedColour(JsonReader &json, const JsonNode &node)
@@ -49,6 +52,12 @@ Colour readColour(JsonReader &json, const JsonNode &node)
 
 void PrimitiveReader::read(const JsonNode &primitive)
 {
+    for (const SolidKind kind : allSolidKinds) {
+        if (!primitive[nameText(nameOf(kind))].isMissing()) {
+            readSolid(primitive, kind);
+            return;
+        }
+    }
     Shape shape;
     shape.kind = kindOf(primitive);
     if (m_json.hasFailed())
@@ -77,7 +86,7 @@ void PrimitiveReader::read(const JsonNode &primitive)
         readText(primitive, shape);
         break;
     }
-    m_reading.scene.shapes.push_back(std::move(shape));
+    m_scene.shapes.push_back(std::move(shape));
 }
 
 PrimitiveKind PrimitiveReader::kindOf(const JsonNode &primitive)
@@ -97,12 +106,12 @@ void PrimitiveReader::readTriangle(const JsonNode &primitive)
 {
     const QString key = keyOf(PrimitiveKind::Triangle);
     m_json.expectObject(primitive, QStringList{key, coloursKey} + attributeKeys());
-    if (!m_reading.scene.shapes.empty())
+    if (!m_scene.shapes.empty() || !m_scene.solids.empty())
         m_json.fail(primitive[key], QStringLiteral("a triangle after another primitive"),
                     QStringLiteral("all triangles first: they are drawn before the others"));
     Triangle triangle;
     TriangleAttributes attributes
-        = readAttributes(m_json, m_numbers, primitive, m_reading.scene.appearance.materials);
+        = readAttributes(m_json, m_numbers, primitive, m_scene.appearance.materials);
     const std::vector<JsonNode> vertices = m_json.array(primitive[key], 3);
     const std::vector<JsonNode> colours = m_json.array(primitive[coloursKey], 3);
     for (std::size_t index = 0; index < 3; ++index) {
@@ -112,10 +121,30 @@ void PrimitiveReader::readTriangle(const JsonNode &primitive)
         attributes.vertices[index].alpha = colour.alpha;
     }
     if (attributes != TriangleAttributes()) {
-        attributes.triangle = m_reading.scene.triangles.size();
-        m_reading.scene.attributes.push_back(attributes);
+        attributes.triangle = m_scene.triangles.size();
+        m_scene.attributes.push_back(attributes);
     }
-    m_reading.scene.triangles.push_back(triangle);
+    m_scene.triangles.push_back(triangle);
+}
+
+void PrimitiveReader::readSolid(const JsonNode &primitive, SolidKind kind)
+{
+    const QString key = nameText(nameOf(kind));
+    const JsonNode node = primitive[key];
+    if (!m_scene.shapes.empty())
+        m_json.fail(node, QStringLiteral("a %1 after a shape of the frame").arg(key),
+                    QStringLiteral("triangles, then what is seen through the camera, then shapes"));
+    if (!m_scene.camera)
+        m_json.fail(node, QStringLiteral("a %1 in a scene without a camera").arg(key),
+                    QStringLiteral("a key \"camera\" of the scene: { \"eye\": [0, 0, 5], … }"));
+    Solid solid = SolidReader(m_json, m_numbers, m_inHand.files, m_scene.appearance.materials)
+                      .read(primitive, kind);
+    if (m_json.hasFailed())
+        return;
+    m_inHand.solidTriangles += triangleCount(solid);
+    if (m_inHand.solidTriangles > mostSolidTriangles)
+        m_json.fail(node, tooManyTriangles(m_inHand.solidTriangles), fewerTriangles());
+    m_scene.solids.push_back(std::move(solid));
 }
 
 void PrimitiveReader::readPoints(const JsonNode &primitive, Shape &shape)

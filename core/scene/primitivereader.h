@@ -3,6 +3,7 @@
 
 #include "core/scene/colourtext.h"
 #include "core/scene/numberreader.h"
+#include "core/scene/referredfiles.h"
 
 namespace pixelplumb {
 
@@ -14,21 +15,30 @@ Colour readColour(JsonReader &json, const JsonNode &node);
 /// A colour "#rrggbb" or "#rrggbbaa".
 BlendedColour readBlendedColour(JsonReader &json, const JsonNode &node);
 
+/// A scene while it is read.
+struct SceneInHand {
+    SceneReading reading;
+    ReferredFiles files;
+    std::size_t solidTriangles = 0; ///< into which its solids are cut so far
+};
+
 /// Reads the primitives of a scene; errors stay with the JsonReader.
 class PrimitiveReader {
 public:
-    PrimitiveReader(JsonReader &json, SceneReading &reading)
+    PrimitiveReader(JsonReader &json, SceneInHand &inHand)
         : m_json(json)
-        , m_reading(reading)
-        , m_numbers(json, reading.snaps)
+        , m_inHand(inHand)
+        , m_scene(inHand.reading.scene)
+        , m_numbers(json, inHand.reading.snaps)
     {
     }
 
-    /// Appends the primitive to the scene's triangles or shapes.
+    /// Appends the primitive to the scene's triangles, solids or shapes.
     void read(const JsonNode &primitive);
 
 private:
     PrimitiveKind kindOf(const JsonNode &primitive);
+    void readSolid(const JsonNode &primitive, SolidKind kind);
     void readTriangle(const JsonNode &primitive);
     void readPoints(const JsonNode &primitive, Shape &shape);
     void readLine(const JsonNode &primitive, Shape &shape);
@@ -43,7 +53,8 @@ private:
     ShapeFill fill(const JsonNode &node, PrimitiveKind kind);
 
     JsonReader &m_json;
-    SceneReading &m_reading;
+    SceneInHand &m_inHand;
+    Scene &m_scene;
     NumberReader m_numbers;
 };
 

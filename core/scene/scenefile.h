@@ -34,15 +34,18 @@ struct SceneReading {
 /// there; everything else has a default: the method is the first that draws the first primitive,
 /// arithmetic and fill rule are exact and closed, or the method's first where it keeps neither.
 /// Unknown and repeated keys are errors. The listener hears how many bytes are read while a large
-/// text is read piece by piece; when it ends the reading, an error says so.
-Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &listener = {});
+/// text is read piece by piece; when it ends the reading, an error says so. Pictures and meshes are
+/// found in the folder of the scene; empty: the current one. Their names in the scene are absolute.
+Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &listener = {},
+                               const QString &folder = {});
 Result<SceneReading> readSceneFile(const QString &path, const ProgressListener &listener = {});
 
 /// Texts that are larger are read piece by piece.
 inline constexpr qsizetype largestWholeText = qsizetype(1) << 20; // bytes
 
-/// The same scene gives the same bytes, whatever the locale.
-QByteArray writeScene(const Scene &scene);
+/// The same scene gives the same bytes, whatever the locale. Pictures and meshes are named as seen
+/// from the folder; empty: as the scene has them.
+QByteArray writeScene(const Scene &scene, const QString &folder = {});
 std::optional<InputError> writeSceneFile(const QString &path, const Scene &scene);
 
 } // namespace pixelplumb
