@@ -121,7 +121,8 @@ private:
                     attributes[corner].z = firstVertices[corner].z + m_random.between(-1, 1);
                 }
             }
-            if (m_hardship == EffectHardship::SharedEdges && i > 0) {
+            if (m_hardship == EffectHardship::SharedEdges
+                && !m_scene.primitives.triangles.empty()) {
                 made.vertices[0].position = first.vertices[0].position;
                 made.vertices[1].position
                     = m_scene.primitives.triangles.back().vertices[2].position;
