@@ -11,6 +11,8 @@ EdgePixels::EdgePixels(std::span<const Triangle> triangles, const FrameView &fra
     , m_isEdge(std::size_t(frame.width) * std::size_t(frame.height))
 {
     for (const Triangle &triangle : triangles) {
+        if (doubledArea(triangle) == 0)
+            continue;
         for (std::size_t i = 0; i < 3; ++i)
             addEdge(triangle.vertices[i].position, triangle.vertices[(i + 1) % 3].position);
     }

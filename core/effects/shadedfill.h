@@ -69,6 +69,10 @@ public:
         if (run.first >= run.end)
             return;
         Sample sample;
+        if constexpr (readsNumbers<Observer>) {
+            sample = {};
+            sample.runFirst = run.first;
+        }
         start(run.first, sample);
         QRgb *pixel = frame.at(m_column.x, run.first);
         typename N::Depth *numbers = nullptr;
@@ -80,9 +84,10 @@ public:
         for (std::int64_t y = run.first; y < run.end; ++y) {
             if constexpr (!isAdding)
                 evaluate(y, sample);
-            const bool passes = m_effects.depth == DepthTest::None
-                || (m_effects.depth == DepthTest::Number ? comesNearer(numbers, sample)
-                                                         : comesNearer(levels, sample));
+            const bool passes = !isBeyondHorizon(sample)
+                && (m_effects.depth == DepthTest::None
+                    || (m_effects.depth == DepthTest::Number ? comesNearer(numbers, sample)
+                                                             : comesNearer(levels, sample)));
             if (passes)
                 write(y, pixel, sample);
             else
@@ -211,6 +216,13 @@ private:
                 typename N::Real(attributeOne);
         else
             return quotient(sample, channel);
+    }
+
+    /// Beyond the horizon of its plane a sample has no attributes. Only areas reach so far.
+    bool isBeyondHorizon(const Sample &sample) const
+    {
+        return m_surface.area && m_effects.perspective
+            && !(sample.value[indexOf(Channel::Reciprocal)] > 0);
     }
 
     [[gnu::always_inline]] void write(std::int64_t y, QRgb *pixel, Sample &sample)

@@ -40,17 +40,17 @@ struct BoundedColumn : ShadedColumn<N> {
 
 /// The samples of a pixel that has 4 or 16.
 struct SampleColours {
-    int count = 0; ///< 0: the pixel has one
-    std::uint16_t written = 0; ///< by this primitive; bit k: sample k
-    std::array<QRgb, 16> colours = {};
+    int count; ///< 0: the pixel has one
+    std::uint16_t written; ///< by this primitive; bit k: sample k
+    std::array<QRgb, 16> colours;
 };
 
 /// What a sample was compared with, and what became of it.
 template <class N>
 struct DepthVerdict {
-    typename N::Depth before = {}, now = {}; ///< of DepthTest::Number
-    std::uint32_t levelBefore = 0, levelNow = 0; ///< of DepthTest::Levels
-    bool passed = true;
+    typename N::Depth before, now; ///< of DepthTest::Number
+    std::uint32_t levelBefore, levelNow; ///< of DepthTest::Levels
+    bool passed;
 };
 
 /// What one sample has: every number that led to its byte. For who reads numbers; a kernel that is
@@ -59,21 +59,22 @@ template <class N>
 struct ShadedSample {
     using Number = typename N::Number;
 
-    PerChannel<Number> value = {}; ///< linear in the frame; in exact numbers over the area
-    std::array<Number, 3> weight = {}; ///< α β γ of the barycentric form
+    std::int64_t runFirst; ///< the row at which adding began; for who reads it
+    PerChannel<Number> value; ///< linear in the frame; in exact numbers over the area
+    std::array<Number, 3> weight; ///< α β γ of the barycentric form
     /// What exact values are over: the area, or the value of 1/w where perspective is corrected.
-    Number denominator = {};
+    Number denominator;
     DepthVerdict<N> depth;
-    std::array<std::int64_t, 3> level = {}; ///< R G B, rounded, before clamping
+    std::array<std::int64_t, 3> level; ///< R G B, rounded, before clamping
     Colour interpolated; ///< clamped
     TexelSample<N> texels;
     Colour textured; ///< after the texture, if there is one
     LitSample<typename N::Real> light;
     Colour source; ///< after the light, if there is any: what is blended
-    std::int64_t alphaLevel = 255; ///< rounded, before clamping
-    std::uint8_t alpha = 255;
-    std::uint8_t blendedAlpha = 255; ///< times the covered area
-    QRgb before = 0, after = 0;
+    std::int64_t alphaLevel; ///< rounded, before clamping
+    std::uint8_t alpha;
+    std::uint8_t blendedAlpha; ///< times the covered area
+    QRgb before, after;
     SampleColours samples; ///< then nothing else is meaningful but before and after
     Quantity area; ///< of the pixel, where areas are covered; for who reads it
 

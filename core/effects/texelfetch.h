@@ -89,6 +89,7 @@ struct TexelSample {
     /// Of the texel, or of the lower left and the upper right of four: {i, j}.
     std::array<std::int32_t, 2> first = {}, second = {};
     std::array<typename N::Real, 2> fraction = {}; ///< from the first to the second
+    std::array<std::int32_t, 2> size = {}; ///< of the texture
     Colour texel; ///< what they make
 };
 
@@ -133,6 +134,7 @@ TexelSample<N> fetchTexels(const Material &material, const typename N::Number &u
     const TexturePlace<N> placeU(u, denominator, texture.width, halves);
     const TexturePlace<N> placeV(v, denominator, texture.height, halves);
     TexelSample<N> sample;
+    sample.size = {texture.width, texture.height};
     sample.first = {wrapped(placeU.whole, texture.width, material.wrap),
                     wrapped(placeV.whole, texture.height, material.wrap)};
     count();

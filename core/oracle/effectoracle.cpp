@@ -56,6 +56,7 @@ public:
         , m_settings(settings)
         , m_what(what)
         , m_rule(settings, frame)
+        , m_isPlain(isPlain(primitives, what))
         , m_centred(movedBy({0, 0}))
     {
         for (const LatticePoint &offset : sampleOffsets(what.antialiasing))
@@ -116,7 +117,7 @@ private:
                std::int64_t y) const
     {
         if (doubledArea(triangle) == 0) {
-            paintSegment(surface, index, triangle, x, y);
+            paintSegment(surface, triangle, x, y);
             return;
         }
         BigRational share = 1;
@@ -141,10 +142,10 @@ private:
         surface.isUndecided = surface.isUndecided || (source->lit && source->lit->undecided);
     }
 
-    void paintSegment(Surface &surface, std::size_t index, const Triangle &triangle, std::int64_t x,
+    void paintSegment(Surface &surface, const Triangle &triangle, std::int64_t x,
                       std::int64_t y) const
     {
-        if (!isPlain(m_primitives, index, m_what) || !covers(triangle, m_rule, x, y))
+        if (!m_isPlain || !covers(triangle, m_rule, x, y))
             return;
         surface.colour = m_what.smooth ? byteColourAt(triangle, x, y, m_settings.rounding)
                                        : triangle.vertices[0].colour;
@@ -155,6 +156,7 @@ private:
     ScanSettings m_settings;
     EffectTruth m_what;
     BoundaryRule m_rule;
+    bool m_isPlain;
     std::vector<MovedTriangle> m_centred;
     std::vector<std::vector<MovedTriangle>> m_moved; ///< by sample
 };

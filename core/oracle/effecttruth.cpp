@@ -13,6 +13,20 @@ bool haveOneColour(const Triangle &triangle)
     return v[0].colour == v[1].colour && v[1].colour == v[2].colour;
 }
 
+/// Beside depth and antialiasing, which are the picture's.
+bool hasEffect(const Primitives &primitives, std::size_t triangle, const EffectTruth &what)
+{
+    const std::array<VertexAttributes, 3> &vertices = attributesOf(primitives, triangle);
+    const Material *material = materialOf(primitives, triangle);
+    const bool isOpaque = std::ranges::all_of(
+        vertices, [](const VertexAttributes &vertex) { return vertex.alpha == 255; });
+    const bool isLevel = std::ranges::all_of(
+        vertices, [&](const VertexAttributes &vertex) { return vertex.w == vertices[0].w; });
+    return (what.texture && material && material->texture) || isLit(primitives, triangle, what)
+        || (what.blending && !isOpaque)
+        || (what.perspective && !isLevel && !haveOneColour(primitives.triangles[triangle]));
+}
+
 } // namespace
 
 EffectTruth truthOf(const Appearance &appearance)
@@ -31,19 +45,15 @@ EffectTruth truthOf(const Appearance &appearance)
     return what;
 }
 
-bool isPlain(const Primitives &primitives, std::size_t triangle, const EffectTruth &what)
+bool isPlain(const Primitives &primitives, const EffectTruth &what)
 {
-    const std::array<VertexAttributes, 3> &vertices = attributesOf(primitives, triangle);
-    const Material *material = materialOf(primitives, triangle);
-    const bool isOpaque = std::ranges::all_of(
-        vertices, [](const VertexAttributes &vertex) { return vertex.alpha == 255; });
-    const bool isLevel = std::ranges::all_of(
-        vertices, [&](const VertexAttributes &vertex) { return vertex.w == vertices[0].w; });
-    const bool hasTexture = what.texture && material && material->texture;
-    return !what.depth && what.antialiasing == Antialiasing::None && !hasTexture
-        && (!what.blending || isOpaque)
-        && (!what.perspective || isLevel || haveOneColour(primitives.triangles[triangle]))
-        && !isLit(primitives, triangle, what);
+    if (what.depth || what.antialiasing != Antialiasing::None)
+        return false;
+    for (std::size_t triangle = 0; triangle < primitives.triangles.size(); ++triangle) {
+        if (hasEffect(primitives, triangle, what))
+            return false;
+    }
+    return true;
 }
 
 bool isLit(const Primitives &primitives, std::size_t triangle, const EffectTruth &what)
@@ -51,7 +61,7 @@ bool isLit(const Primitives &primitives, std::size_t triangle, const EffectTruth
     const Appearance &appearance = primitives.appearance;
     const bool hasNormal
         = std::ranges::any_of(attributesOf(primitives, triangle), [](const VertexAttributes &of) {
-              return of.normal != std::array<Attribute, 3>();
+              return std::ranges::any_of(of.normal, [](Attribute n) { return n != 0; });
           });
     return what.light && appearance.shading == Shading::Phong && !appearance.lights.empty()
         && hasNormal;

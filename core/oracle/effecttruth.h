@@ -20,9 +20,9 @@ struct EffectTruth {
 /// What the appearance says, and what was forced off.
 EffectTruth truthOf(const Appearance &appearance);
 
-/// Whether the triangle has nothing beyond smooth colour: then it is drawn as ever, its segment
-/// included where it has no area (oracle.h). With any effect a triangle without area draws nothing.
-bool isPlain(const Primitives &primitives, std::size_t triangle, const EffectTruth &what);
+/// Whether no triangle has anything beyond smooth colour: then they are drawn as ever, and one
+/// without area as its segment (oracle.h). With any effect such a triangle draws nothing.
+bool isPlain(const Primitives &primitives, const EffectTruth &what);
 
 /// Whether the triangle is lit at every sample.
 bool isLit(const Primitives &primitives, std::size_t triangle, const EffectTruth &what);

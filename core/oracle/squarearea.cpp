@@ -107,6 +107,7 @@ BigRational areaInSquare(const Triangle &triangle, std::int64_t x, std::int64_t 
     if (holdsSquare)
         return 1;
     std::vector<RationalPoint> polygon;
+    polygon.reserve(corners.size());
     for (const LatticePoint &corner : corners)
         polygon.push_back({BigRational(corner.x), BigRational(corner.y)});
     for (const std::size_t axis : {0, 1}) {

@@ -9,7 +9,7 @@ namespace {
 std::int32_t wrapped(const BigInteger &index, std::int32_t size, TextureWrap wrap)
 {
     if (wrap == TextureWrap::Repeat) {
-        const BigInteger pictures = floorDivide<BigInteger>(index, size);
+        const auto pictures = floorDivide<BigInteger>(index, size);
         return BigInteger(index - pictures * size).convert_to<std::int32_t>();
     }
     if (index < 0)

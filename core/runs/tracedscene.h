@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/effects/effectplan.h"
 #include "core/methods/method.h"
 #include "core/runs/decidedpositions.h"
 #include "core/scene/scene.h"
@@ -42,6 +43,8 @@ struct TracedScene {
     Scene scene;
     Primitives primitives; ///< in sample coordinates: what the kernel was given
     const Method *method = nullptr;
+    /// What ran, where the scene called for more than colour.
+    std::optional<EffectPlan> plan;
     std::unique_ptr<const ScanTrace> trace;
     /// The spans of the same method in exact arithmetic; null where the trace itself is exact or
     /// the method has no exact arithmetic.

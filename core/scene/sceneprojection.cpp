@@ -23,4 +23,12 @@ ProjectedSolids projectedSolids(const Scene &scene)
     return projectSolids({camera, scene.solids, appearance, scene.frame});
 }
 
+FaceStages stagesOf(const Scene &scene, const ProjectedSolids &projected, std::size_t triangle)
+{
+    const Camera camera = cameraOf(scene);
+    const Appearance appearance = appearanceOf(scene);
+    return stagesOf({camera, scene.solids, appearance, scene.frame}, projected.sources[triangle],
+                    projected.wExponent);
+}
+
 } // namespace pixelplumb

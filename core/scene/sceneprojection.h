@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/scene/scene.h"
-#include "core/space/projection.h"
+#include "core/space/facestages.h"
 
 namespace pixelplumb {
 
@@ -12,5 +12,8 @@ Appearance appearanceOf(const Scene &scene);
 /// The triangles that the scene's solids become, in sample coordinates; in primitivesOnSamples()
 /// they follow the scene's own. Without a camera they are seen through the default one.
 ProjectedSolids projectedSolids(const Scene &scene);
+
+/// The way of the face of one of these triangles.
+FaceStages stagesOf(const Scene &scene, const ProjectedSolids &projected, std::size_t triangle);
 
 } // namespace pixelplumb
