@@ -4,6 +4,7 @@
 #include "widgets/look/numberformat.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/look/symboltext.h"
+#include "widgets/space/symboldelegate.h"
 
 #include <QHeaderView>
 
@@ -50,6 +51,7 @@ StageTree::StageTree(QWidget *parent)
     setIndentation(indentation() / 2);
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     header()->setStretchLastSection(true);
+    setItemDelegateForColumn(NameColumn, new SymbolDelegate(this));
 }
 
 void StageTree::setStages(const std::vector<ProjectionStage> &stages)
@@ -75,21 +77,24 @@ void StageTree::fillStage(QTreeWidgetItem *item, const ProjectionStage &stage)
     bold.setBold(true);
     item->setFont(NameColumn, bold);
     item->setFirstColumnSpanned(true);
-    item->setToolTip(NameColumn, toolTipHtml({stage.formula}));
-    auto *formula = new QTreeWidgetItem(item, {stage.formula});
-    formula->setFirstColumnSpanned(true);
-    formula->setToolTip(NameColumn, toolTipHtml({stage.formula}));
+    addSentence(item, stage.formula);
     for (const StagePoint &point : stage.points) {
         const QString name = point.note.isEmpty()
             ? point.name
             : QStringLiteral("%1: %2").arg(point.name, point.note);
-        auto *row = new QTreeWidgetItem(item, {name});
-        row->setFirstColumnSpanned(true);
-        row->setToolTip(NameColumn, name);
+        QTreeWidgetItem *row = addSentence(item, name);
         for (const StageNumber &number : point.numbers)
             addNumber(row, number);
         row->setExpanded(true);
     }
+}
+
+QTreeWidgetItem *StageTree::addSentence(QTreeWidgetItem *parent, const QString &text)
+{
+    auto *item = new QTreeWidgetItem(parent, {text});
+    item->setFirstColumnSpanned(true);
+    item->setToolTip(NameColumn, toolTipHtml({text}));
+    return item;
 }
 
 void StageTree::addNumber(QTreeWidgetItem *parent, const StageNumber &number)
