@@ -42,7 +42,7 @@ const QList<Library> &libraries()
         {"widgets",
          {{"look"},
           {"model"},
-          {"dialogs", "inspect"},
+          {"dialogs", "inspect", "space"},
           {"canvas"},
           {"files"},
           {"studies"},

@@ -12,9 +12,10 @@ namespace pixelplumb {
 namespace {
 
 // What things cost, in comparisons of two boxes, and how much may be spent.
-constexpr std::int64_t planesCost = 40;
-constexpr std::int64_t sampleCost = 20;
-constexpr std::int64_t leastBudget = 2'000'000;
+constexpr std::int64_t planesCost = 20;
+constexpr std::int64_t behindCost = 60;
+constexpr std::int64_t sampleCost = 10;
+constexpr std::int64_t leastBudget = 1'000'000;
 constexpr std::int64_t budgetPerTriangle = 200;
 /// How many pairs are looked at sample by sample before a witness is found.
 constexpr int mostSearches = 200;
@@ -139,10 +140,15 @@ private:
     /// False when no more can be compared.
     bool compareTile(std::size_t tile)
     {
-        const std::span<const std::uint32_t> places = m_tiles.boxesOf(tile);
-        for (std::size_t later = 1; later < places.size(); ++later) {
-            for (std::size_t earlier = 0; earlier < later; ++earlier)
-                compare(places[earlier], places[later], tile);
+        const std::span<const TiledBox> boxes = m_tiles.boxesOf(tile);
+        for (std::size_t later = 1; later < boxes.size(); ++later) {
+            const UnitBox &b = boxes[later].box;
+            for (std::size_t earlier = 0; earlier < later; ++earlier) {
+                const UnitBox &a = boxes[earlier].box;
+                if (a.meets(b)
+                    && m_tiles.tileAt(std::max(a.left, b.left), std::max(a.low, b.low)) == tile)
+                    compare(boxes[earlier].place, boxes[later].place);
+            }
             m_answer.operations += std::int64_t(later);
             if (m_answer.operations > m_budget)
                 return false;
@@ -150,12 +156,8 @@ private:
         return true;
     }
 
-    void compare(std::size_t earlier, std::size_t later, std::size_t tile)
+    void compare(std::size_t earlier, std::size_t later)
     {
-        const UnitBox &a = m_candidates.boxes[earlier];
-        const UnitBox &b = m_candidates.boxes[later];
-        if (!a.meets(b) || m_tiles.tileAt(std::max(a.left, b.left), std::max(a.low, b.low)) != tile)
-            return;
         // Depth runs for both already: nothing more is learnt, once it is known that it must.
         if (m_inQuestion[earlier] && m_inQuestion[later] && isCalledFor())
             return;
@@ -177,7 +179,10 @@ private:
             return;
         m_mayOverlap = true;
         ++m_answer.overlaps;
-        if (order == PlaneOrder::Behind && !inOrder)
+        if (order != PlaneOrder::Behind)
+            return;
+        m_answer.operations += behindCost;
+        if (!inOrder)
             question(earlier, later);
     }
 

@@ -28,7 +28,9 @@ DepthTiles::DepthTiles(std::span<const UnitBox> boxes, std::int32_t width, std::
     m_boxes.resize(m_begin.back());
     std::vector<std::uint32_t> next(m_begin.begin(), m_begin.end() - 1);
     for (std::size_t i = 0; i < boxes.size(); ++i)
-        forEachTile(boxes[i], [&](std::size_t tile) { m_boxes[next[tile]++] = std::uint32_t(i); });
+        forEachTile(boxes[i], [&](std::size_t tile) {
+            m_boxes[next[tile]++] = {boxes[i], std::uint32_t(i)};
+        });
 }
 
 std::uint64_t DepthTiles::touchedTiles(std::span<const UnitBox> boxes) const

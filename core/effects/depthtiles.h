@@ -18,6 +18,12 @@ struct UnitBox {
     }
 };
 
+/// A box in a tile, and which of all boxes it is.
+struct TiledBox {
+    UnitBox box;
+    std::uint32_t place = 0;
+};
+
 /// The boxes of a scene's triangles sorted into square tiles, so that only those of a tile need to
 /// be compared with each other. A tile is chosen so that most boxes touch few of them.
 class DepthTiles {
@@ -26,8 +32,8 @@ public:
     DepthTiles(std::span<const UnitBox> boxes, std::int32_t width, std::int32_t height);
 
     std::size_t count() const { return m_begin.size() - 1; }
-    /// The places of the boxes that touch a tile, ascending.
-    std::span<const std::uint32_t> boxesOf(std::size_t tile) const
+    /// Those that touch a tile, in ascending places.
+    std::span<const TiledBox> boxesOf(std::size_t tile) const
     {
         return std::span(m_boxes).subspan(m_begin[tile], m_begin[tile + 1] - m_begin[tile]);
     }
@@ -46,7 +52,7 @@ private:
     int m_shift = 0; ///< a tile's side is 2^shift lattice units
     std::size_t m_columns = 1;
     std::vector<std::uint32_t> m_begin; ///< of each tile in m_boxes, and the end
-    std::vector<std::uint32_t> m_boxes;
+    std::vector<TiledBox> m_boxes; ///< side by side: they are compared by the million
 };
 
 } // namespace pixelplumb

@@ -3,9 +3,8 @@
 
 #include "core/frame/coveragemask.h"
 #include "core/frame/pixelrows.h"
-#include "core/oracle/effectoracle.h"
-#include "core/oracle/oracle.h"
-#include "core/oracle/shapeoracle.h"
+#include "core/oracle/truepicture.h"
+#include "core/runs/contender.h"
 #include "core/runs/tracemarks.h"
 
 #include <algorithm>
@@ -55,23 +54,6 @@ CoverageMask coverageOf(const ScanTrace &trace, const FrameSpec &spec)
     return coverage;
 }
 
-/// The true picture of the primitives that the method draws; with effects where there is a plan of
-/// them.
-void drawTruly(const Primitives &primitives, const Method &method, const ScanSettings &settings,
-               const std::optional<EffectPlan> &plan, FrameView frame)
-{
-    if (method.draws(PrimitiveKind::Triangle) && plan) {
-        oracle::drawEffects(primitives, settings, oracle::truthOf(primitives.appearance), frame);
-    } else if (method.draws(PrimitiveKind::Triangle)) {
-        for (const Triangle &triangle : primitives.triangles)
-            oracle::draw(triangle, {settings, frame}, settings.rounding, frame);
-    }
-    for (const Shape &shape : primitives.shapes) {
-        if (method.draws(shape))
-            oracle::draw(shape, settings.rounding, frame);
-    }
-}
-
 /// The truth's alpha tells what it covers (pixelrows.h).
 DifferenceMap differencesBetween(const FrameBuffer &drawn, const CoverageMask &drawnCoverage,
                                  const FrameBuffer &truth)
@@ -119,6 +101,15 @@ std::unique_ptr<const ScanTrace> exactTwinOf(const TracedScene &traced, const Tr
 
 } // namespace
 
+std::optional<std::size_t> TracedScene::indexInScene(std::size_t primitive) const
+{
+    if (primitive < scene.triangles.size())
+        return primitive;
+    if (primitives.isTriangle(primitive))
+        return std::nullopt;
+    return primitive - primitives.triangles.size() + scene.triangles.size();
+}
+
 std::optional<TracedScene::WrongPixel> TracedScene::firstWrongPixel() const
 {
     std::optional<WrongPixel> first;
@@ -145,7 +136,8 @@ std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOpt
     auto traced = std::make_shared<TracedScene>(scene, primitivesOnSamples(scene), &method);
     const Primitives &primitives = traced->primitives;
     FrameBuffer drawn(scene.frame);
-    traced->plan = planBeyondColour(primitives, scene.settings, drawn.view());
+    if (method.draws(PrimitiveKind::Triangle))
+        traced->plan = planBeyondColour(primitives, scene.settings, drawn.view());
     traced->trace = method.trace(primitives, scene.settings, drawn.view(), options);
     if (!traced->trace)
         return nullptr;
@@ -154,8 +146,9 @@ std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOpt
 
     const FrameView truth = traced->truth.view();
     fillTransparent(truth, scene.frame.background);
+    const Primitives ofMethod = primitivesFor(primitives, {&method, scene.settings});
     const auto drawBand = [&](FrameView band) {
-        drawTruly(primitives, method, scene.settings, traced->plan, band);
+        oracle::drawPicture(ofMethod, scene.settings, traced->plan, band);
     };
     if (!drawByBands(truth, options.progress, drawBand))
         return nullptr;
@@ -178,9 +171,10 @@ void drawScene(const Scene &scene, const FrameBuffer &frame)
 
 void drawTruth(const Scene &scene, const FrameBuffer &frame)
 {
-    const Primitives primitives = primitivesOnSamples(scene);
-    drawTruly(primitives, methodOf(scene), scene.settings,
-              planBeyondColour(primitives, scene.settings, frame.view()), frame.view());
+    const Primitives primitives
+        = primitivesFor(primitivesOnSamples(scene), {&methodOf(scene), scene.settings});
+    oracle::drawPicture(primitives, scene.settings,
+                        planBeyondColour(primitives, scene.settings, frame.view()), frame.view());
 }
 
 } // namespace pixelplumb

@@ -55,6 +55,10 @@ struct TracedScene {
 
     DecidedPositions decided;
 
+    /// The index through the scene's triangles and shapes of a primitive that was drawn; none of a
+    /// solid's triangle.
+    std::optional<std::size_t> indexInScene(std::size_t primitive) const;
+
     /// The position from which on a pixel's difference is decided (see DecidedPositions).
     std::size_t decidedAt(std::int64_t x, std::int64_t y) const { return decided.at(x, y); }
 

@@ -192,7 +192,7 @@ private:
 
     static const Method &firstMethodFor(const Scene &scene)
     {
-        if (scene.triangles.empty() && scene.solids.empty() && !scene.shapes.empty())
+        if (!scene.hasTriangles() && !scene.isEmpty())
             return pixelplumb::firstMethodFor(scene.shapes.front());
         return pixelplumb::firstMethodFor(PrimitiveKind::Triangle);
     }

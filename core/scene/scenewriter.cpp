@@ -74,8 +74,7 @@ QByteArray writeScene(const Scene &scene, const QString &folder)
         append(primitiveText(solid, scene.appearance.materials, folder));
     for (const Shape &shape : scene.shapes)
         append(primitiveText(shape));
-    const bool isEmpty = scene.triangles.empty() && scene.solids.empty() && scene.shapes.empty();
-    return text + (isEmpty ? "]\n}\n" : "\n    ]\n}\n");
+    return text + (scene.isEmpty() ? "]\n}\n" : "\n    ]\n}\n");
 }
 
 std::optional<InputError> writeSceneFile(const QString &path, const Scene &scene)

@@ -87,6 +87,22 @@ public:
                 m_firstRow + (y + 1) * half * m_height - half};
     }
 
+    /// What toFrame() maps to a sample.
+    std::array<Number, 2> deviceAt(const Number &x, const Number &y) const
+    {
+        const Number half = Number(1) / 2;
+        const Number upward = (y - m_firstRow + half) * 2 / m_height - 1;
+        return {(x - m_firstColumn + half) * 2 / m_width - 1,
+                m_origin == FrameOrigin::BottomLeft ? upward : -upward};
+    }
+
+    /// How far the frame reaches from the middle, sideways and upward, in the plane at a depth.
+    std::array<Number, 2> halfFrameAt(const Number &depth) const
+    {
+        const Number w = m_projection == Projection::Perspective ? depth : Number(1);
+        return {w / m_scaleX, w / m_scaleY};
+    }
+
     const Vector &right() const { return m_right; }
     const Vector &up() const { return m_up; }
     const Vector &backward() const { return m_backward; }
