@@ -4,7 +4,7 @@
 #include "core/effects/sharededges.h"
 #include "core/number/wideinteger.h"
 #include "core/oracle/oracle.h"
-#include "tests/support/effectscenes.h"
+#include "tests/support/plannedtriangles.h"
 #include "tests/support/framespec.h"
 
 #include <QRandomGenerator>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/effectplan.h"
-#include "tests/support/effectscenes.h"
+#include "tests/support/plannedtriangles.h"
 #include "tests/support/framespec.h"
 
 #include <QtTest>

@@ -1,18 +1,32 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/scene.h"
 
+#include "core/scene/sceneprojection.h"
+#include "core/space/vertexlight.h"
+
 namespace pixelplumb {
 
-Primitives primitivesOnSamples(const Scene &scene)
+namespace {
+
+/// Behind those that are there already.
+void append(ProjectedSolids projected, Primitives &primitives)
 {
-    Primitives primitives{scene.triangles, scene.shapes, scene.attributes, scene.appearance};
-    if (scene.frame.origin == FrameOrigin::TopLeft) {
-        for (Shape &shape : primitives.shapes)
-            shape.textHeight = -shape.textHeight;
-    }
-    const Lattice offset = sampleOffset(scene.frame);
-    if (offset == 0)
-        return primitives;
+    const std::size_t first = primitives.triangles.size();
+    for (TriangleAttributes &attributes : projected.attributes)
+        attributes.triangle += first;
+    const auto appendTo = [](auto &all, auto &more) {
+        if (all.empty())
+            all = std::move(more);
+        else
+            all.insert(all.end(), more.begin(), more.end());
+    };
+    appendTo(primitives.triangles, projected.triangles);
+    appendTo(primitives.attributes, projected.attributes);
+}
+
+/// Moves plain primitives to sample coordinates.
+void shiftToSamples(Lattice offset, Primitives &primitives)
+{
     const auto shift = [offset](auto &vertices) {
         for (Vertex &vertex : vertices) {
             vertex.position.x -= offset;
@@ -23,6 +37,22 @@ Primitives primitivesOnSamples(const Scene &scene)
         shift(triangle.vertices);
     for (Shape &shape : primitives.shapes)
         shift(shape.vertices);
+}
+
+} // namespace
+
+Primitives primitivesOnSamples(const Scene &scene)
+{
+    Primitives primitives{scene.triangles, scene.shapes, scene.attributes, appearanceOf(scene)};
+    if (scene.frame.origin == FrameOrigin::TopLeft) {
+        for (Shape &shape : primitives.shapes)
+            shape.textHeight = -shape.textHeight;
+    }
+    lightPlainTriangles(primitives.triangles, primitives.attributes, primitives.appearance);
+    if (const Lattice offset = sampleOffset(scene.frame); offset != 0)
+        shiftToSamples(offset, primitives);
+    if (!scene.solids.empty())
+        append(projectedSolids(scene), primitives);
     return primitives;
 }
 

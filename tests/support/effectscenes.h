@@ -1,64 +1,39 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/effects/effectplan.h"
-#include "core/frame/framebuffer.h"
+#include "core/geometry/shape.h"
+#include "tests/support/framespec.h"
 
-/// What the tests of effects share: triangles with attributes, in short.
+#include <QString>
+
+/// Random triangles with effects, the same from the same seed on every machine.
 namespace pixelplumb {
 
-/// Whole-pixel corners; white.
-inline Triangle triangleAt(std::array<std::array<int, 2>, 3> corners)
-{
-    Triangle triangle;
-    for (std::size_t i = 0; i < 3; ++i)
-        triangle.vertices[i]
-            = {latticePixel(corners[i][0], corners[i][1]), Colour{{255, 255, 255}}};
-    return triangle;
-}
+/// What is hard about a scene.
+enum class EffectHardship {
+    None, ///< anywhere in the frame and beside it
+    WholePixels, ///< vertices on samples, so that edges pass through others
+    Slivers, ///< a few lattice units thick
+    SharedEdges, ///< a fan around a point
+    Coincident, ///< the same place, depths equal or a last bit apart
+    Crossing, ///< depths that cross, at whole pixels exactly
+    Horizon, ///< w from 2^-20 to 2^10 in one triangle
+    TexelBorders, ///< u and v multiples of 1/8 at samples
+    FarAway, ///< at 2^20 px
+};
+inline constexpr std::array allEffectHardships
+    = {EffectHardship::None,        EffectHardship::WholePixels,  EffectHardship::Slivers,
+       EffectHardship::SharedEdges, EffectHardship::Coincident,   EffectHardship::Crossing,
+       EffectHardship::Horizon,     EffectHardship::TexelBorders, EffectHardship::FarAway};
+QString nameOf(EffectHardship hardship);
 
-/// The attributes of a triangle of the primitives, made where there are none.
-inline TriangleAttributes &attributesAt(Primitives &primitives, std::size_t triangle)
-{
-    auto found = std::ranges::lower_bound(primitives.attributes, triangle, {},
-                                          &TriangleAttributes::triangle);
-    if (found == primitives.attributes.end() || found->triangle != triangle)
-        found = primitives.attributes.insert(found, {triangle, {}, noMaterial});
-    return *found;
-}
+struct EffectScene {
+    QString name; ///< "slivers: perspective, texture, 4 samples"
+    FrameSpec frame;
+    Primitives primitives; ///< sample coordinates
+};
 
-/// A depth for each vertex, in quarters.
-inline void setDepths(Primitives &primitives, std::size_t triangle, std::array<int, 3> quarters)
-{
-    for (std::size_t i = 0; i < 3; ++i)
-        attributesAt(primitives, triangle).vertices[i].z = quarters[i] * attributeOne / 4;
-}
-
-inline void setAlpha(Primitives &primitives, std::size_t triangle, std::uint8_t alpha)
-{
-    for (VertexAttributes &vertex : attributesAt(primitives, triangle).vertices)
-        vertex.alpha = alpha;
-}
-
-/// A material with a checker, the triangle's own u and v at its corners.
-inline void setTexture(Primitives &primitives, std::size_t triangle)
-{
-    Material board;
-    board.name = "board";
-    board.texture = std::make_shared<const Texture>(checkerTexture());
-    primitives.appearance.materials = {board};
-    TriangleAttributes &attributes = attributesAt(primitives, triangle);
-    attributes.material = 0;
-    attributes.vertices[1].texture = {attributeOne, 0};
-    attributes.vertices[2].texture = {0, attributeOne};
-}
-
-/// Normals towards the viewer, and a light that shines from there.
-inline void setLight(Primitives &primitives, std::size_t triangle)
-{
-    primitives.appearance.lights = {{Light::Kind::Directional, {0, 0, attributeOne}, {}}};
-    for (VertexAttributes &vertex : attributesAt(primitives, triangle).vertices)
-        vertex.normal = {0, 0, -attributeOne};
-}
+/// Which effects there are is random too. Every triangle has an area.
+EffectScene randomEffectScene(std::uint64_t seed, EffectHardship hardship);
 
 } // namespace pixelplumb

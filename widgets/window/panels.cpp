@@ -6,6 +6,7 @@
 #include "widgets/inspect/pixelgrid.h"
 #include "widgets/inspect/pixelhistorypanel.h"
 #include "widgets/lab/accuracylab.h"
+#include "widgets/space/projectionpanel.h"
 #include "widgets/studies/comparepanel.h"
 #include "widgets/studies/hardcasespanel.h"
 #include "widgets/studies/operationpanel.h"
@@ -56,6 +57,8 @@ constexpr Panel table[] = {
      follower<OperationPanel>, bottomArea, hiddenAtFirst},
     {"accuracyLabDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Accuracy lab"),
      follower<AccuracyLab>, bottomArea, hiddenAtFirst},
+    {"projectionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Projection"),
+     follower<ProjectionPanel>, bottomArea, hiddenAtFirst},
 };
 
 } // namespace

@@ -89,9 +89,12 @@ void ViewMenu::addDocks(const WindowParts &parts, WindowDocks *docks)
     confineKeyTo(parts.canvas, inspect);
     QMenu *panels = addMenu(tr("&Panels"));
     panels->setObjectName(QStringLiteral("panelsMenu"));
-    int digit = 0;
+    constexpr int digits = 10;
+    int row = 0;
     for (QAction *toggle : docks->toggles()) {
-        toggle->setShortcut(Qt::ALT | Qt::Key(Qt::Key_0 + ++digit % 10)); // the tenth is 0
+        const Qt::KeyboardModifiers modifiers
+            = row < digits ? Qt::AltModifier : Qt::AltModifier | Qt::ShiftModifier;
+        toggle->setShortcut(QKeyCombination(modifiers, Qt::Key(Qt::Key_0 + ++row % digits)));
         panels->addAction(toggle);
     }
 }

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/scene.h"
+#include "core/space/facestages.h"
+
+namespace pixelplumb {
+
+/// The scene's appearance as kernels get it: its viewer is the camera, where there is one.
+Appearance appearanceOf(const Scene &scene);
+
+/// The triangles that the scene's solids become, in sample coordinates; in primitivesOnSamples()
+/// they follow the scene's own. Without a camera they are seen through the default one.
+ProjectedSolids projectedSolids(const Scene &scene);
+
+/// The way of the face of one of these triangles.
+FaceStages stagesOf(const Scene &scene, const ProjectedSolids &projected, std::size_t triangle);
+
+} // namespace pixelplumb

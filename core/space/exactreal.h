@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <boost/multiprecision/cpp_bin_float.hpp>
+
+namespace pixelplumb {
+
+/// 50 decimal digits: what a double of projection or light would be without rounding, with 1e-40 to
+/// spare. The doubles of a scene are taken at their word.
+using ExactReal = boost::multiprecision::cpp_bin_float_50;
+
+} // namespace pixelplumb

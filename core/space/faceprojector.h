@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/space/nearclip.h"
+#include "core/space/solidvertices.h"
+
+#include <span>
+
+namespace pixelplumb {
+
+/// What is seen, and through what.
+struct SpaceScene {
+    const Camera &camera;
+    std::span<const Solid> solids;
+    const Appearance &appearance; ///< with the camera's viewer (see viewedBy)
+    const FrameSpec &frame;
+};
+
+/// A colour, the material's multiplied in, and where light falls on it.
+template <class Number>
+struct LitColour {
+    Colour colour;
+    LitPoint<Number> point;
+};
+
+/// One face on its way from space to the frame, in one kind of number: its vertices, and the
+/// corners of the polygon that clipping makes of it. Lists match by index within each.
+template <class Number>
+struct ProjectedFace {
+    std::vector<std::size_t> indices; ///< of the vertices in the solid
+    std::vector<SpaceVertex<Number>> vertices;
+    SpaceVector<Number> normal; ///< the face's own, of length 1, or 0
+    std::vector<SpaceVector<Number>> views;
+    std::vector<ClipVertex<Number>> polygon;
+    /// What light was computed of: each vertex (Gouraud), the centre (flat), or nothing.
+    std::vector<LitColour<Number>> lit;
+
+    std::vector<ClippedCorner<Number>> clipped;
+    std::vector<SpaceVector<Number>> devices; ///< after the division
+    std::vector<std::array<Number, 2>> places; ///< in the frame, px
+};
+
+/// Projects the faces of one solid; what it returns is overwritten by the next face.
+template <class Number>
+class FaceProjector {
+public:
+    FaceProjector(const SpaceScene &scene, const Solid &solid)
+        : m_solid(solid)
+        , m_appearance(scene.appearance)
+        , m_material(materialOf(scene.appearance, solid.material))
+        , m_vertices(solid)
+        , m_camera(scene.camera, scene.frame)
+    {
+    }
+
+    const ProjectedFace<Number> &project(std::size_t face)
+    {
+        takeVertices(face);
+        makePolygon();
+        clipAtNear(m_face.polygon, m_camera.wAtNear(), m_face.clipped);
+        m_face.devices.clear();
+        m_face.places.clear();
+        for (const ClippedCorner<Number> &corner : m_face.clipped) {
+            m_face.devices.push_back(m_camera.divided(corner.vertex.clip));
+            m_face.places.push_back(m_camera.toFrame(m_face.devices.back()));
+        }
+        return m_face;
+    }
+
+private:
+    using Vector = SpaceVector<Number>;
+
+    void takeVertices(std::size_t face)
+    {
+        takeFace(m_solid, face, m_face.indices);
+        m_face.vertices.clear();
+        m_face.views.clear();
+        for (const std::size_t index : m_face.indices) {
+            m_face.vertices.push_back(m_vertices.vertex(index));
+            m_face.views.push_back(m_camera.toView(m_face.vertices.back().position));
+        }
+        m_face.normal = faceNormal();
+    }
+
+    /// The sum of the cross products of the fan: twice the area vector of a flat polygon.
+    Vector faceNormal() const
+    {
+        const Vector &first = m_face.vertices[0].position;
+        Vector normal;
+        for (std::size_t i = 2; i < m_face.vertices.size(); ++i) {
+            normal = normal
+                + cross(m_face.vertices[i - 1].position - first,
+                        m_face.vertices[i].position - first);
+        }
+        return unit(normal);
+    }
+
+    void makePolygon()
+    {
+        m_face.polygon.clear();
+        for (std::size_t i = 0; i < m_face.vertices.size(); ++i) {
+            const SpaceVertex<Number> &vertex = m_face.vertices[i];
+            m_face.polygon.push_back({m_camera.toClip(m_face.views[i]),
+                                      vertex.position,
+                                      vertex.normal.isZero() ? m_face.normal : vertex.normal,
+                                      vertex.texture,
+                                      {}});
+        }
+        colourVertices();
+    }
+
+    void colourVertices()
+    {
+        m_face.lit.clear();
+        const bool isLit = !m_appearance.lights.empty();
+        const bool isFlat = isLit && m_appearance.shading == Shading::Flat;
+        const Colour ofFace = isFlat ? lit(faceCentre()) : Colour();
+        for (std::size_t i = 0; i < m_face.polygon.size(); ++i) {
+            ClipVertex<Number> &vertex = m_face.polygon[i];
+            Colour colour = isFlat ? ofFace : ownColour(i);
+            if (isLit && m_appearance.shading == Shading::Gouraud)
+                colour = lit({colour, {vertex.place, vertex.normal}});
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                vertex.levels[channel] = Number(colour.channels[channel]);
+            vertex.levels[3] = Number(m_face.vertices[i].alpha);
+        }
+    }
+
+    Colour ownColour(std::size_t i) const
+    {
+        return tinted(m_face.vertices[i].colour, m_material.diffuse);
+    }
+
+    /// The means of the vertices' places and colours, and the face's own normal.
+    LitColour<Number> faceCentre() const
+    {
+        const std::size_t count = m_face.vertices.size();
+        LitColour<Number> centre{{}, {{}, m_face.normal}};
+        std::array<std::size_t, 3> sums = {};
+        for (std::size_t i = 0; i < count; ++i) {
+            centre.point.place = centre.point.place + m_face.vertices[i].position;
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                sums[channel] += ownColour(i).channels[channel];
+        }
+        centre.point.place = Number(1) / Number(count) * centre.point.place;
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            centre.colour.channels[channel]
+                = std::uint8_t((2 * sums[channel] + count) / (2 * count));
+        }
+        return centre;
+    }
+
+    Colour lit(const LitColour<Number> &lit)
+    {
+        m_face.lit.push_back(lit);
+        const auto levels = litLevels(m_appearance, m_material, lit.colour, lit.point);
+        return {{levelByte(levels[0]), levelByte(levels[1]), levelByte(levels[2])}};
+    }
+
+    const Solid &m_solid;
+    const Appearance &m_appearance;
+    const Material &m_material;
+    SolidVertices<Number> m_vertices;
+    CameraTransform<Number> m_camera;
+    ProjectedFace<Number> m_face;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/space/facestages.h"
+
+#include "core/space/attributenumber.h"
+#include "core/space/stagenumbers.h"
+
+namespace pixelplumb {
+
+namespace {
+
+QString subscripted(QChar letter, std::size_t index)
+{
+    QString name(letter);
+    for (const QChar digit : QString::number(index))
+        name += QChar(u'₀' + digit.digitValue());
+    return name;
+}
+
+/// The stages of one face, from its projection in doubles and without rounding.
+class StageWriter {
+public:
+    StageWriter(const SpaceScene &scene, const Solid &solid, std::size_t face, int wExponent)
+        : m_scene(scene)
+        , m_material(materialOf(scene.appearance, solid.material))
+        , m_usedProjector(scene, solid)
+        , m_exactProjector(scene, solid)
+        , m_used(m_usedProjector.project(face))
+        , m_exact(m_exactProjector.project(face))
+        , m_wExponent(wExponent)
+    {
+    }
+
+    FaceStages written()
+    {
+        m_stages.face = m_used;
+        for (std::size_t i = 0; i < m_used.clipped.size(); ++i) {
+            m_stages.corners.push_back(
+                snapped(m_used.clipped[i], m_used.places[i], m_used.devices[i].z, m_wExponent));
+        }
+        writeVertices();
+        if (!m_used.lit.empty())
+            writeLight();
+        writeView();
+        writeClipCoordinates();
+        writePolygon();
+        writeDivision();
+        writeFrame();
+        writeLattice();
+        return std::move(m_stages);
+    }
+
+private:
+    ProjectionStage &begin(const QString &title, const QString &formula)
+    {
+        return m_stages.stages.emplace_back(ProjectionStage{title, formula, {}});
+    }
+
+    void writeVertices()
+    {
+        ProjectionStage &stage = begin(QStringLiteral("Vertex"),
+                                       QStringLiteral("The face's vertices in the scene's space"));
+        for (std::size_t i = 0; i < m_used.vertices.size(); ++i) {
+            StagePoint &point = stage.points.emplace_back(StagePoint{faceVertexName(i), {}, {}});
+            StageNumberWriter numbers(point.numbers);
+            numbers.add(QString(), m_used.vertices[i].position, &m_exact.vertices[i].position);
+            numbers.add(QStringLiteral("_N"), m_used.polygon[i].normal, &m_exact.polygon[i].normal);
+            numbers.add(QStringLiteral("u"), m_used.vertices[i].texture[0],
+                        m_exact.vertices[i].texture[0]);
+            numbers.add(QStringLiteral("v"), m_used.vertices[i].texture[1],
+                        m_exact.vertices[i].texture[1]);
+        }
+    }
+
+    void writeLight()
+    {
+        const bool isFlat = m_scene.appearance.shading == Shading::Flat;
+        ProjectionStage &stage = begin(
+            isFlat ? QStringLiteral("Light at the face's centre")
+                   : QStringLiteral("Light at the vertices"),
+            QStringLiteral("c·(ambient + Σ light·max(0, N·L))/255 + Σ light·specular/255·(N·H)ˢ"));
+        for (std::size_t i = 0; i < m_used.lit.size(); ++i) {
+            StagePoint &point = stage.points.emplace_back(
+                StagePoint{isFlat ? QStringLiteral("centre") : faceVertexName(i), {}, {}});
+            writeLight(point, m_used.lit[i], m_exact.lit[i]);
+        }
+    }
+
+    void writeLight(StagePoint &point, const LitColour<double> &used,
+                    const LitColour<ExactReal> &exact)
+    {
+        const Appearance &appearance = m_scene.appearance;
+        StageNumberWriter numbers(point.numbers);
+        for (std::size_t i = 0; i < appearance.lights.size(); ++i) {
+            const Light &light = appearance.lights[i];
+            const auto usedTerm = lightTerm(appearance, light, m_material.shininess, used.point);
+            const auto exactTerm = lightTerm(appearance, light, m_material.shininess, exact.point);
+            const QString which = QStringLiteral(", light %1").arg(i);
+            numbers.add(QStringLiteral("max(0, N·L)") + which, usedTerm.diffuse, exactTerm.diffuse);
+            numbers.add(QStringLiteral("(N·H)ˢ") + which, usedTerm.specular, exactTerm.specular);
+        }
+        const auto usedLevels = litLevels(appearance, m_material, used.colour, used.point);
+        const auto exactLevels = litLevels(appearance, m_material, exact.colour, exact.point);
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            numbers.add(QString(channelLetters[channel]), usedLevels[channel],
+                        exactLevels[channel]);
+        }
+    }
+
+    void writeView()
+    {
+        ProjectionStage &stage
+            = begin(QStringLiteral("Camera"),
+                    QStringLiteral("x to the right, y up, the eye at 0, looking along −z"));
+        for (std::size_t i = 0; i < m_used.views.size(); ++i) {
+            StagePoint &point = stage.points.emplace_back(StagePoint{faceVertexName(i), {}, {}});
+            StageNumberWriter(point.numbers)
+                .add(QStringLiteral("_view"), m_used.views[i], &m_exact.views[i]);
+        }
+    }
+
+    void writeClipCoordinates()
+    {
+        const bool isPerspective = m_scene.camera.projection == Projection::Perspective;
+        ProjectionStage &stage
+            = begin(QStringLiteral("Clip coordinates"),
+                    isPerspective
+                        ? QStringLiteral(
+                            "w = −z_view, z_clip = (w − near)·far/(far − near), "
+                            "y_clip = y_view·cot(fieldOfView/2), x_clip likewise by the aspect")
+                        : QStringLiteral("w = 1, z_clip = (−z_view − near)/(far − near), "
+                                         "y_clip = 2y_view/height, x_clip likewise by the aspect"));
+        for (std::size_t i = 0; i < m_used.polygon.size(); ++i) {
+            const QString note = m_used.polygon[i].isInside()
+                ? QStringLiteral("at or beyond the near plane: z_clip ≥ 0")
+                : QStringLiteral("before the near plane: z_clip < 0");
+            StagePoint &point = stage.points.emplace_back(StagePoint{faceVertexName(i), note, {}});
+            writeClipPoint(point, m_used.polygon[i].clip, &m_exact.polygon[i].clip);
+        }
+    }
+
+    void writePolygon()
+    {
+        ProjectionStage &stage
+            = begin(QStringLiteral("Clipped polygon"),
+                    QStringLiteral("An edge from inside a to outside b is cut at "
+                                   "t = z_a/(z_a − z_b): a + t·(b − a)"));
+        for (std::size_t i = 0; i < m_used.clipped.size(); ++i) {
+            const ClippedCorner<double> &corner = m_used.clipped[i];
+            const ClippedCorner<ExactReal> *exact = exactCornerOf(corner);
+            const QString note = corner.isCut()
+                ? QStringLiteral("the near plane cuts %1%2")
+                      .arg(faceVertexName(corner.inside), faceVertexName(corner.outside))
+                : QStringLiteral("%1, kept").arg(faceVertexName(corner.inside));
+            StagePoint &point
+                = stage.points.emplace_back(StagePoint{clippedCornerName(i), note, {}});
+            if (corner.isCut())
+                StageNumberWriter(point.numbers)
+                    .add(QStringLiteral("t"), corner.t, exact ? &exact->t : nullptr);
+            writeClipPoint(point, corner.vertex.clip, exact ? &exact->vertex.clip : nullptr);
+        }
+    }
+
+    static void writeClipPoint(StagePoint &point, const ClipPoint<double> &used,
+                               const ClipPoint<ExactReal> *exact)
+    {
+        StageNumberWriter numbers(point.numbers);
+        numbers.add(QStringLiteral("x_clip"), used.x, exact ? &exact->x : nullptr);
+        numbers.add(QStringLiteral("y_clip"), used.y, exact ? &exact->y : nullptr);
+        numbers.add(QStringLiteral("z_clip"), used.z, exact ? &exact->z : nullptr);
+        numbers.add(QStringLiteral("w"), used.w, exact ? &exact->w : nullptr);
+    }
+
+    void writeDivision()
+    {
+        ProjectionStage &stage = begin(QStringLiteral("Division"),
+                                       QStringLiteral("x_clip/w, y_clip/w, z_clip/w: the frame's "
+                                                      "sides at ±1, z from 0 (near) to 1 (far)"));
+        for (std::size_t i = 0; i < m_used.devices.size(); ++i) {
+            StagePoint &point = stage.points.emplace_back(StagePoint{clippedCornerName(i), {}, {}});
+            const auto at = exactPlaceOf(m_used.clipped[i]);
+            StageNumberWriter(point.numbers)
+                .add(QStringLiteral("_device"), m_used.devices[i],
+                     at ? &m_exact.devices[*at] : nullptr);
+        }
+    }
+
+    void writeFrame()
+    {
+        const bool isUpward = m_scene.frame.origin == FrameOrigin::BottomLeft;
+        ProjectionStage &stage = begin(
+            QStringLiteral("Frame"),
+            isUpward ? QStringLiteral("x = first column + (x_device + 1)/2·width − ½, y = first "
+                                      "row + (y_device + 1)/2·height − ½, px")
+                     : QStringLiteral("x = first column + (x_device + 1)/2·width − ½, y = first "
+                                      "row + (1 − y_device)/2·height − ½, px"));
+        for (std::size_t i = 0; i < m_used.places.size(); ++i) {
+            StagePoint &point = stage.points.emplace_back(StagePoint{clippedCornerName(i), {}, {}});
+            const auto at = exactPlaceOf(m_used.clipped[i]);
+            StageNumberWriter numbers(point.numbers);
+            numbers.add(QStringLiteral("x"), m_used.places[i][0],
+                        at ? &m_exact.places[*at][0] : nullptr);
+            numbers.add(QStringLiteral("y"), m_used.places[i][1],
+                        at ? &m_exact.places[*at][1] : nullptr);
+        }
+    }
+
+    /// Here the error is the snap's displacement.
+    void writeLattice()
+    {
+        const QString depthUnit = m_wExponent == 0
+            ? QString()
+            : QStringLiteral("; w is the view depth times 2^%1").arg(m_wExponent);
+        ProjectionStage &stage = begin(
+            QStringLiteral("Lattice"),
+            QStringLiteral("x and y to the nearest 1/256 px, z, w, u and v to the nearest 2^−24")
+                + depthUnit);
+        for (std::size_t i = 0; i < m_stages.corners.size(); ++i) {
+            const SnappedCorner &corner = m_stages.corners[i];
+            StagePoint &point = stage.points.emplace_back(StagePoint{clippedCornerName(i), {}, {}});
+            if (corner.loss) {
+                point.note = nameOf(*corner.loss);
+                continue;
+            }
+            writeSnapped(point, corner, exactPlaceOf(m_used.clipped[i]));
+        }
+    }
+
+    void writeSnapped(StagePoint &point, const SnappedCorner &corner,
+                      const std::optional<std::size_t> &at)
+    {
+        const auto pixels = [](Lattice units) { return double(units) / double(unitsPerPixel); };
+        const auto value
+            = [](Attribute attribute) { return double(attribute) / double(attributeOne); };
+        const ClippedCorner<ExactReal> *exact = at ? &m_exact.clipped[*at] : nullptr;
+        const ExactReal exactW
+            = exact ? ExactReal(ldexp(exact->vertex.clip.w, m_wExponent)) : ExactReal();
+        StageNumberWriter numbers(point.numbers);
+        const auto &[vertex, attributes, loss] = corner;
+        numbers.add(QStringLiteral("x"), pixels(vertex.position.x),
+                    at ? &m_exact.places[*at][0] : nullptr);
+        numbers.add(QStringLiteral("y"), pixels(vertex.position.y),
+                    at ? &m_exact.places[*at][1] : nullptr);
+        numbers.add(QStringLiteral("z"), value(attributes.z),
+                    at ? &m_exact.devices[*at].z : nullptr);
+        numbers.add(QStringLiteral("w"), value(attributes.w), exact ? &exactW : nullptr);
+        numbers.add(QStringLiteral("u"), value(attributes.texture[0]),
+                    exact ? &exact->vertex.texture[0] : nullptr);
+        numbers.add(QStringLiteral("v"), value(attributes.texture[1]),
+                    exact ? &exact->vertex.texture[1] : nullptr);
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            numbers.add(QString(channelLetters[channel]), vertex.colour.channels[channel],
+                        exact ? &exact->vertex.levels[channel] : nullptr);
+        }
+        numbers.add(QStringLiteral("α"), attributes.alpha,
+                    exact ? &exact->vertex.levels[3] : nullptr);
+    }
+
+    /// The same corner without rounding; none where a vertex so near to the plane changed sides.
+    std::optional<std::size_t> exactPlaceOf(const ClippedCorner<double> &corner) const
+    {
+        for (std::size_t i = 0; i < m_exact.clipped.size(); ++i) {
+            const ClippedCorner<ExactReal> &exact = m_exact.clipped[i];
+            if (exact.inside == corner.inside && exact.outside == corner.outside)
+                return i;
+        }
+        return std::nullopt;
+    }
+    const ClippedCorner<ExactReal> *exactCornerOf(const ClippedCorner<double> &corner) const
+    {
+        const auto at = exactPlaceOf(corner);
+        return at ? &m_exact.clipped[*at] : nullptr;
+    }
+
+    const SpaceScene &m_scene;
+    const Material &m_material;
+    FaceProjector<double> m_usedProjector;
+    FaceProjector<ExactReal> m_exactProjector;
+    const ProjectedFace<double> &m_used;
+    const ProjectedFace<ExactReal> &m_exact;
+    int m_wExponent;
+    FaceStages m_stages;
+};
+
+} // namespace
+
+FaceStages stagesOf(const SpaceScene &scene, const TriangleSource &source, int wExponent)
+{
+    return StageWriter(scene, scene.solids[source.solid], source.face, wExponent).written();
+}
+
+QString faceVertexName(std::size_t vertex) { return subscripted(u'V', vertex); }
+
+QString clippedCornerName(std::size_t corner) { return subscripted(u'C', corner); }
+
+} // namespace pixelplumb

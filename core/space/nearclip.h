@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/space/cameratransform.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace pixelplumb {
+
+/// A face's vertex with all that is interpolated.
+template <class Number>
+struct ClipVertex {
+    ClipPoint<Number> clip;
+    SpaceVector<Number> place; ///< in the scene's space
+    SpaceVector<Number> normal;
+    std::array<Number, 2> texture = {};
+    std::array<Number, 4> levels = {}; ///< red, green, blue, alpha: 0 … 255
+
+    /// At or beyond the near plane.
+    bool isInside() const { return clip.z >= 0; }
+};
+
+/// A corner of the polygon that clipping makes: a vertex that is kept, or where an edge is cut.
+template <class Number>
+struct ClippedCorner {
+    ClipVertex<Number> vertex;
+    std::size_t inside = 0; ///< the vertex, or the edge's end that is kept
+    std::size_t outside = 0; ///< the same, or the edge's other end
+    Number t = Number(0); ///< from the inside end to the outside one
+
+    bool isCut() const { return inside != outside; }
+};
+
+/// Where the edge crosses the near plane. Taken from the inside end whichever way the edge runs, so
+/// that both faces of an edge get the same point; z and w are those of the plane.
+template <class Number>
+ClippedCorner<Number> cutEdge(const std::vector<ClipVertex<Number>> &polygon, std::size_t inside,
+                              std::size_t outside, const Number &wAtNear)
+{
+    const ClipVertex<Number> &a = polygon[inside];
+    const ClipVertex<Number> &b = polygon[outside];
+    const Number t = a.clip.z / (a.clip.z - b.clip.z);
+    ClippedCorner<Number> corner{{}, inside, outside, t};
+    ClipVertex<Number> &cut = corner.vertex;
+    cut.clip = {between(a.clip.x, b.clip.x, t), between(a.clip.y, b.clip.y, t), Number(0), wAtNear};
+    cut.place = between(a.place, b.place, t);
+    cut.normal = between(a.normal, b.normal, t);
+    for (std::size_t i = 0; i < cut.texture.size(); ++i)
+        cut.texture[i] = between(a.texture[i], b.texture[i], t);
+    for (std::size_t i = 0; i < cut.levels.size(); ++i)
+        cut.levels[i] = between(a.levels[i], b.levels[i], t);
+    return corner;
+}
+
+/// The part of a convex polygon at or beyond the near plane, edge by edge (Sutherland and Hodgman,
+/// "Reentrant Polygon Clipping", 1974). Only this plane: beyond it w > 0, and the frame clips what
+/// leaves it sideways by its rows and columns.
+template <class Number>
+void clipAtNear(const std::vector<ClipVertex<Number>> &polygon, const Number &wAtNear,
+                std::vector<ClippedCorner<Number>> &clipped)
+{
+    clipped.clear();
+    for (std::size_t from = 0; from < polygon.size(); ++from) {
+        const std::size_t to = (from + 1) % polygon.size();
+        const bool staysInside = polygon[from].isInside();
+        const bool endsInside = polygon[to].isInside();
+        if (staysInside)
+            clipped.push_back({polygon[from], from, from, Number(0)});
+        if (staysInside != endsInside) {
+            clipped.push_back(
+                cutEdge(polygon, staysInside ? from : to, staysInside ? to : from, wAtNear));
+        }
+    }
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/space/exactreal.h"
+#include "core/space/facestages.h"
+
+#include <limits>
+
+namespace pixelplumb {
+
+/// Writes numbers as they were used, each beside the one without rounding where there is one.
+class StageNumberWriter {
+public:
+    explicit StageNumberWriter(std::vector<StageNumber> &numbers)
+        : m_numbers(numbers)
+    {
+    }
+
+    void add(const QString &name, double used, const ExactReal *exact)
+    {
+        if (!exact) {
+            m_numbers.push_back({name, used, {}, std::numeric_limits<double>::quiet_NaN()});
+            return;
+        }
+        constexpr int digits = 20;
+        m_numbers.push_back({name, used, QString::fromStdString(exact->str(digits)),
+                             (ExactReal(used) - *exact).convert_to<double>()});
+    }
+    void add(const QString &name, double used, const ExactReal &exact) { add(name, used, &exact); }
+    /// x, y and z, each with the subscript.
+    void add(const QString &subscript, const SpaceVector<double> &used,
+             const SpaceVector<ExactReal> *exact)
+    {
+        add(u'x' + subscript, used.x, exact ? &exact->x : nullptr);
+        add(u'y' + subscript, used.y, exact ? &exact->y : nullptr);
+        add(u'z' + subscript, used.z, exact ? &exact->z : nullptr);
+    }
+
+private:
+    std::vector<StageNumber> &m_numbers;
+};
+
+} // namespace pixelplumb

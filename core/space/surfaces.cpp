@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/space/surfaces.h"
+
+#include "core/space/stagenumbers.h"
+
+namespace pixelplumb {
+
+namespace {
+
+/// The same surface in one kind of number.
+template <class Number>
+struct SurfaceNumbers {
+    using Vector = SpaceVector<Number>;
+
+    explicit SurfaceNumbers(const Surface &surface)
+        : kind(surface.kind)
+        , origin(surface.points[0])
+        , first(Vector(surface.points[1]) - origin)
+        , second(Vector(surface.points[2]) - origin)
+        , normal(cross(first, second))
+        , radius(surface.radius)
+    {
+    }
+
+    Vector point(double s, double t) const
+    {
+        const auto around = circlePoint(Number(s), Number(1));
+        switch (kind) {
+        case SurfaceKind::Line:
+            return origin + Number(s) * first;
+        case SurfaceKind::Circle:
+            return origin + radius * Vector(around.cosine, around.sine, Number(0));
+        case SurfaceKind::Plane:
+            return origin + Number(s) * first + Number(t) * second;
+        case SurfaceKind::Sphere:
+            break;
+        }
+        const auto down = circlePoint(Number(t), Number(2));
+        return origin
+            + radius * Vector(down.sine * around.sine, down.cosine, down.sine * around.cosine);
+    }
+
+    /// 0 on the surface.
+    Number implicit(const Vector &at) const
+    {
+        const Vector from = at - origin;
+        switch (kind) {
+        case SurfaceKind::Line:
+            return from.x * first.y - from.y * first.x;
+        case SurfaceKind::Plane:
+            return dot(normal, from);
+        case SurfaceKind::Circle:
+        case SurfaceKind::Sphere:
+            break;
+        }
+        return dot(from, from) - radius * radius;
+    }
+
+    /// Whether the last coordinate is a function of the others at all.
+    bool isExplicit() const
+    {
+        return (kind != SurfaceKind::Line || first.x != 0)
+            && (kind != SurfaceKind::Plane || normal.z != 0);
+    }
+
+    /// y of a curve, z of a surface, from the other coordinates and the branch of the root.
+    Number explicitly(const Vector &at) const
+    {
+        using std::sqrt;
+        const Vector from = at - origin;
+        Number square = radius * radius - from.x * from.x;
+        switch (kind) {
+        case SurfaceKind::Line:
+            return first.y / first.x * at.x + (origin.y - first.y / first.x * origin.x);
+        case SurfaceKind::Plane:
+            return origin.z - (normal.x * from.x + normal.y * from.y) / normal.z;
+        case SurfaceKind::Circle:
+            return origin.y + (from.y < 0 ? -1 : 1) * sqrt(square > 0 ? square : Number(0));
+        case SurfaceKind::Sphere:
+            break;
+        }
+        square -= from.y * from.y;
+        return origin.z + (from.z < 0 ? -1 : 1) * sqrt(square > 0 ? square : Number(0));
+    }
+
+    SurfaceKind kind;
+    Vector origin;
+    Vector first;
+    Vector second;
+    Vector normal;
+    Number radius;
+};
+
+struct FormWords {
+    QString explicitly, explicitNote;
+    QString parametric, parametricNote;
+    QString implicit, implicitNote;
+};
+
+FormWords wordsOf(SurfaceKind kind)
+{
+    const QString steps = QStringLiteral("gives every point in turn, also where the line is steep");
+    const QString sides = QStringLiteral("its sign tells the side on which a point lies");
+    switch (kind) {
+    case SurfaceKind::Line:
+        return {QStringLiteral("y = m·x + b, m = (y₁ − y₀)/(x₁ − x₀), b = y₀ − m·x₀"),
+                QStringLiteral("one y for each x; none for a vertical line"),
+                QStringLiteral("P(s) = P₀ + s·(P₁ − P₀)"),
+                steps,
+                QStringLiteral("F(x, y) = (x − x₀)·(y₁ − y₀) − (y − y₀)·(x₁ − x₀) = 0"),
+                sides};
+    case SurfaceKind::Circle:
+        return {QStringLiteral("y = y_c ± √(r² − (x − x_c)²)"),
+                QStringLiteral("two branches; their slope is infinite at x_c ± r"),
+                QStringLiteral("P(s) = C + r·(cos 2πs, sin 2πs)"),
+                QStringLiteral("equal steps of s are equal steps along the circle"),
+                QStringLiteral("F(x, y) = (x − x_c)² + (y − y_c)² − r² = 0"),
+                QStringLiteral("below 0 inside, above 0 outside")};
+    case SurfaceKind::Plane:
+        return {QStringLiteral("z = z₀ − (N_x·(x − x₀) + N_y·(y − y₀))/N_z, "
+                               "N = (P₁ − P₀) × (P₂ − P₀)"),
+                QStringLiteral("one z for each (x, y); none for a plane along z"),
+                QStringLiteral("P(s, t) = P₀ + s·(P₁ − P₀) + t·(P₂ − P₀)"),
+                QStringLiteral("with 0 ≤ s, t ≤ 1 the parallelogram that a scene draws"),
+                QStringLiteral("F(P) = N·(P − P₀) = 0"),
+                sides};
+    case SurfaceKind::Sphere:
+        break;
+    }
+    return {QStringLiteral("z = z_c ± √(r² − (x − x_c)² − (y − y_c)²)"),
+            QStringLiteral("two branches; their slope is infinite around the rim"),
+            QStringLiteral("P(s, t) = C + r·(sin πt·sin 2πs, cos πt, sin πt·cos 2πs)"),
+            QStringLiteral("segments are equal steps of s and t; all s meet at the poles"),
+            QStringLiteral("F(P) = (P − C)·(P − C) − r² = 0"),
+            QStringLiteral("below 0 inside, above 0 outside")};
+}
+
+} // namespace
+
+QString nameOf(SurfaceKind kind)
+{
+    switch (kind) {
+    case SurfaceKind::Line:
+        return QStringLiteral("line");
+    case SurfaceKind::Circle:
+        return QStringLiteral("circle");
+    case SurfaceKind::Plane:
+        return QStringLiteral("plane");
+    case SurfaceKind::Sphere:
+        return QStringLiteral("sphere");
+    }
+    return {};
+}
+
+std::vector<SurfaceForm> formsOf(const Surface &surface, double s, double t)
+{
+    const SurfaceNumbers<double> used(surface);
+    const SurfaceNumbers<ExactReal> exact(surface);
+    const SpaceVector<double> usedPoint = used.point(s, t);
+    const SpaceVector<ExactReal> exactPoint = exact.point(s, t);
+    const FormWords words = wordsOf(surface.kind);
+    const bool isCurve = surface.kind == SurfaceKind::Line || surface.kind == SurfaceKind::Circle;
+    SurfaceForm explicitly{QStringLiteral("explicit"), words.explicitly, words.explicitNote, {}};
+    if (used.isExplicit() && exact.isExplicit()) {
+        StageNumberWriter(explicitly.numbers)
+            .add(isCurve ? QStringLiteral("y") : QStringLiteral("z"), used.explicitly(usedPoint),
+                 exact.explicitly(exactPoint));
+    }
+    SurfaceForm parametric{
+        QStringLiteral("parametric"), words.parametric, words.parametricNote, {}};
+    StageNumberWriter point(parametric.numbers);
+    point.add(QStringLiteral("x"), usedPoint.x, exactPoint.x);
+    point.add(QStringLiteral("y"), usedPoint.y, exactPoint.y);
+    if (!isCurve)
+        point.add(QStringLiteral("z"), usedPoint.z, exactPoint.z);
+    SurfaceForm implicit{QStringLiteral("implicit"), words.implicit, words.implicitNote, {}};
+    StageNumberWriter(implicit.numbers)
+        .add(QStringLiteral("F"), used.implicit(usedPoint), ExactReal(0));
+    return {explicitly, parametric, implicit};
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/space/facestages.h"
+
+namespace pixelplumb {
+
+/// Curves and surfaces that have all three forms (Scan Conversion slides, "Lines", "Surfaces").
+enum class SurfaceKind : std::uint8_t { Line, Circle, Plane, Sphere };
+inline constexpr std::array allSurfaces
+    = {SurfaceKind::Line, SurfaceKind::Circle, SurfaceKind::Plane, SurfaceKind::Sphere};
+
+QString nameOf(SurfaceKind kind); ///< "line", …
+
+/// One of them: a line through the first two points and a circle about the first one, both in the
+/// plane of x and y; a plane through three points; a sphere about the first.
+struct Surface {
+    SurfaceKind kind = SurfaceKind::Line;
+    std::array<Vector3, 3> points = {};
+    double radius = 1;
+};
+
+/// What a form says of one point.
+struct SurfaceForm {
+    QString name; ///< "explicit", "parametric", "implicit"
+    QString formula; ///< "y = m·x + b"
+    QString note; ///< what the form is good for, or where it fails: "m is infinite here"
+    /// The parametric form gives the point, the explicit one its last coordinate from the others,
+    /// the implicit one 0, but for rounding.
+    std::vector<StageNumber> numbers;
+};
+
+/// The three forms at parameters s and t in 0 … 1; curves use s alone.
+std::vector<SurfaceForm> formsOf(const Surface &surface, double s, double t);
+
+/// The largest distance of a sphere's faces to the sphere, in its unit, by a formula: each row's
+/// faces are nearest to the centre on their middle line.
+double sphereDistance(double radius, const std::array<int, 2> &segments);
+
+/// The largest distance between a patch's triangles and the patch at the same parameters, over a
+/// grid of samples in each cell: no distance to the surface is larger there.
+double patchDistance(const Solid &patch);
+
+} // namespace pixelplumb

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/space/vertexlight.h"
+
+#include "core/space/attributenumber.h"
+#include "core/space/exactreal.h"
+
+namespace pixelplumb {
+
+namespace {
+
+template <class Number>
+Number naturalPower(Number base, int exponent)
+{
+    Number power(1);
+    for (; exponent > 0; exponent /= 2) {
+        if (exponent % 2 == 1)
+            power *= base;
+        base *= base;
+    }
+    return power;
+}
+
+/// The vector of length 1 towards a light or the viewer: from the point to a place, or a direction.
+template <class Number>
+SpaceVector<Number> towards(Light::Kind kind, const SpaceVector<Number> &at,
+                            const SpaceVector<Number> &point)
+{
+    return unit(kind == Light::Kind::Positional ? at - point : at);
+}
+
+/// The unit vector towards the light, against the direction in which a directional one shines.
+template <class Number>
+SpaceVector<Number> towardsLight(const Light &light, const SpaceVector<Number> &point)
+{
+    const auto at = spaceVectorOf<Number>(light.at);
+    return towards(light.kind,
+                   light.kind == Light::Kind::Directional ? SpaceVector<Number>() - at : at, point);
+}
+
+std::array<LitPoint<double>, 3> litPoints(const TriangleAttributes &attributes)
+{
+    std::array<LitPoint<double>, 3> points;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const VertexAttributes &vertex = attributes.vertices[i];
+        points[i]
+            = {spaceVectorOf<double>(vertex.place), unit(spaceVectorOf<double>(vertex.normal))};
+    }
+    return points;
+}
+
+Colour bytesOf(const std::array<double, 3> &levels)
+{
+    return {{levelByte(levels[0]), levelByte(levels[1]), levelByte(levels[2])}};
+}
+
+Colour meanColour(const Triangle &triangle)
+{
+    Colour mean;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        int sum = 0;
+        for (const Vertex &vertex : triangle.vertices)
+            sum += vertex.colour.channels[channel];
+        mean.channels[channel] = std::uint8_t((2 * sum + 3) / 6);
+    }
+    return mean;
+}
+
+void light(Triangle &triangle, const TriangleAttributes &attributes, const Appearance &appearance)
+{
+    const Material &material = materialOf(appearance, attributes.material);
+    const auto points = litPoints(attributes);
+    if (appearance.shading == Shading::Gouraud) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            Colour &colour = triangle.vertices[i].colour;
+            colour = bytesOf(litLevels(appearance, material, colour, points[i]));
+        }
+        return;
+    }
+    LitPoint<double> centre;
+    for (const LitPoint<double> &point : points) {
+        centre.place = centre.place + 1.0 / 3 * point.place;
+        centre.normal = centre.normal + point.normal;
+    }
+    const Colour colour = bytesOf(litLevels(appearance, material, meanColour(triangle), centre));
+    for (Vertex &vertex : triangle.vertices)
+        vertex.colour = colour;
+}
+
+} // namespace
+
+Colour tinted(const Colour &colour, const Colour &tint)
+{
+    return {{tinted(colour.red(), tint.red()), tinted(colour.green(), tint.green()),
+             tinted(colour.blue(), tint.blue())}};
+}
+
+const Material &materialOf(const Appearance &appearance, int material)
+{
+    static const Material white;
+    return material == noMaterial ? white : appearance.materials[std::size_t(material)];
+}
+
+template <class Number>
+LightTerm<Number> lightTerm(const Appearance &appearance, const Light &light, int shininess,
+                            const LitPoint<Number> &point)
+{
+    const SpaceVector<Number> normal = unit(point.normal);
+    const SpaceVector<Number> toLight = towardsLight<Number>(light, point.place);
+    LightTerm<Number> term;
+    term.diffuse = dot(normal, toLight);
+    if (!(term.diffuse > 0))
+        return {};
+    const SpaceVector<Number> toViewer
+        = towards(appearance.viewerKind, spaceVectorOf<Number>(appearance.viewer), point.place);
+    // Without a viewer there is no half-way vector (see appearance.h).
+    if (toViewer.isZero())
+        return term;
+    const Number highlight = dot(normal, unit(toLight + toViewer));
+    if (highlight > 0)
+        term.specular = naturalPower(highlight, shininess);
+    return term;
+}
+
+template <class Number>
+std::array<Number, 3> litLevels(const Appearance &appearance, const Material &material,
+                                const Colour &colour, const LitPoint<Number> &point)
+{
+    std::array<Number, 3> diffuse;
+    std::array<Number, 3> specular;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        diffuse[channel] = Number(appearance.ambient.channels[channel]);
+        specular[channel] = Number(0);
+    }
+    for (const Light &each : appearance.lights) {
+        const LightTerm<Number> term = lightTerm(appearance, each, material.shininess, point);
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const Number level(each.colour.channels[channel]);
+            diffuse[channel] += level * term.diffuse;
+            specular[channel] += level * term.specular;
+        }
+    }
+    std::array<Number, 3> levels;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        levels[channel] = (Number(colour.channels[channel]) * diffuse[channel]
+                           + Number(material.specular.channels[channel]) * specular[channel])
+            / 255;
+    }
+    return levels;
+}
+
+template LightTerm<double> lightTerm(const Appearance &, const Light &, int,
+                                     const LitPoint<double> &);
+template LightTerm<ExactReal> lightTerm(const Appearance &, const Light &, int,
+                                        const LitPoint<ExactReal> &);
+template std::array<double, 3> litLevels(const Appearance &, const Material &, const Colour &,
+                                         const LitPoint<double> &);
+template std::array<ExactReal, 3> litLevels(const Appearance &, const Material &, const Colour &,
+                                            const LitPoint<ExactReal> &);
+
+void lightPlainTriangles(std::vector<Triangle> &triangles,
+                         std::vector<TriangleAttributes> &attributes, const Appearance &appearance)
+{
+    for (TriangleAttributes &each : attributes) {
+        Triangle &triangle = triangles[each.triangle];
+        const Material &material = materialOf(appearance, each.material);
+        if (material.diffuse != Material().diffuse) {
+            for (Vertex &vertex : triangle.vertices)
+                vertex.colour = tinted(vertex.colour, material.diffuse);
+        }
+        const bool hasNormals
+            = std::ranges::any_of(each.vertices, [](const VertexAttributes &vertex) {
+                  return vertex.normal != std::array<Attribute, 3>{};
+              });
+        if (appearance.lights.empty() || !hasNormals)
+            continue;
+        for (std::size_t i = 0; i < 3; ++i) {
+            constexpr auto perPixel = double(unitsPerPixel);
+            const LatticePoint &position = triangle.vertices[i].position;
+            each.vertices[i].place
+                = {clampedAttribute(double(position.x) / perPixel),
+                   clampedAttribute(double(position.y) / perPixel), each.vertices[i].z};
+        }
+        if (appearance.shading != Shading::Phong)
+            light(triangle, each, appearance);
+    }
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/appearance.h"
+#include "core/geometry/triangle.h"
+#include "core/space/spacevector.h"
+
+/// What flat and Gouraud shading compute before scan conversion: the material's diffuse colour, and
+/// the light at a face's centre or at its vertices. At samples, shading by Phong, light is the
+/// kernels'.
+namespace pixelplumb {
+
+/// ⌊c·d/255 + ½⌋, exactly.
+constexpr std::uint8_t tinted(std::uint8_t level, std::uint8_t tint)
+{
+    return std::uint8_t((2 * level * tint + 255) / 510);
+}
+Colour tinted(const Colour &colour, const Colour &tint);
+
+/// The colours of a triangle's or a solid's material, by its index; none: a white one.
+const Material &materialOf(const Appearance &appearance, int material);
+
+/// A point that light falls on, in the scene's space.
+template <class Number>
+struct LitPoint {
+    SpaceVector<Number> place;
+    SpaceVector<Number> normal; ///< of any length; 0: no light but the ambient one
+};
+
+/// What one light adds at a point.
+template <class Number>
+struct LightTerm {
+    Number diffuse = Number(0); ///< max(0, N·L)
+    Number specular = Number(0); ///< max(0, N·H)^shininess where N·L > 0
+};
+
+/// With H the unit vector of L + V (Blinn 1977).
+template <class Number>
+LightTerm<Number> lightTerm(const Appearance &appearance, const Light &light, int shininess,
+                            const LitPoint<Number> &point);
+
+/// c·(ambient + Σ light·diffuse)/255 + Σ light·specular·s/255 of each channel, before it is rounded
+/// and clamped.
+template <class Number>
+std::array<Number, 3> litLevels(const Appearance &appearance, const Material &material,
+                                const Colour &colour, const LitPoint<Number> &point);
+
+/// ⌊level + ½⌋ within 0 … 255.
+template <class Number>
+std::uint8_t levelByte(const Number &level)
+{
+    using std::floor;
+    if (!(level > 0))
+        return 0;
+    const Number whole = floor(level);
+    const int rounded = level >= 255 ? 255 : int(whole) + (level - whole >= Number(1) / 2 ? 1 : 0);
+    return std::uint8_t(rounded > 255 ? 255 : rounded);
+}
+
+/// Of plain triangles, in the scene's coordinates: multiplies their material's diffuse colour into
+/// the vertices, gives those of triangles with normals their place (x, y, z), px, where there are
+/// lights, and lights them where shading is flat, by the mean of the corners, or Gouraud's.
+void lightPlainTriangles(std::vector<Triangle> &triangles,
+                         std::vector<TriangleAttributes> &attributes, const Appearance &appearance);
+
+} // namespace pixelplumb

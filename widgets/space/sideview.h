@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/space/orbitview.h"
+#include "widgets/space/sidescene.h"
+
+#include <QPolygonF>
+#include <QWidget>
+
+#include <optional>
+#include <span>
+
+namespace pixelplumb {
+
+/// The eye, the near plane, the picture plane, the solids and the rays to the face in hand, seen
+/// from the side (objectName "sideView"). A drag or the arrow keys turn it, the wheel or + and −
+/// magnify it, a double click puts it back.
+class SideView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit SideView(QWidget *parent = nullptr);
+
+    /// None: nothing is drawn.
+    void setScene(const std::optional<SideScene> &scene);
+    void setFace(const std::optional<SideFace> &face);
+
+    const OrbitView &orbit() const { return m_orbit; }
+    /// Where a point in camera coordinates is drawn.
+    QPointF positionOf(const SpaceVector<double> &point) const;
+
+    QSize sizeHint() const override { return {420, 300}; }
+    QSize minimumSizeHint() const override { return {160, 120}; }
+
+protected:
+    void paintEvent(QPaintEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseMoveEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    void wheelEvent(QWheelEvent *event) override;
+    void keyPressEvent(QKeyEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
+
+private:
+    using Point = SpaceVector<double>;
+
+    void refit();
+    QPolygonF polygonOf(std::span<const Point> points) const;
+    void drawScene(QPainter &painter) const;
+    void drawPlane(QPainter &painter, const SideScene::Rectangle &plane, const QString &name) const;
+    void drawRays(QPainter &painter) const;
+    void drawFace(QPainter &painter) const;
+    void drawPicture(QPainter &painter) const;
+    void drawSample(QPainter &painter) const;
+    void drawEye(QPainter &painter) const;
+    void drawLine(QPainter &painter, const Point &from, const Point &to) const;
+    void drawName(QPainter &painter, const QString &name, const Point &point) const;
+
+    std::optional<SideScene> m_scene;
+    std::optional<SideFace> m_face;
+    OrbitView m_orbit;
+    std::optional<QPointF> m_dragged; ///< the pointer's last place
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/framepainter.h"
+#include "widgets/look/signs.h"
+#include "widgets/space/sideview.h"
+
+#include <QPainter>
+#include <QPainterPath>
+
+#include <array>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr double dotRadius = 3; // logical pixels
+constexpr double nameDistance = 6;
+
+QColor faint(QColor colour, double opacity)
+{
+    colour.setAlphaF(float(opacity));
+    return colour;
+}
+
+} // namespace
+
+void SideView::paintEvent(QPaintEvent * /*event*/)
+{
+    if (!m_scene)
+        return;
+    QPainter painter(this);
+    painter.setRenderHint(QPainter::Antialiasing);
+    drawScene(painter);
+    if (m_face) {
+        drawRays(painter);
+        drawFace(painter);
+        drawPicture(painter);
+        drawSample(painter);
+    }
+    drawEye(painter);
+}
+
+QPolygonF SideView::polygonOf(std::span<const Point> points) const
+{
+    QPolygonF polygon;
+    for (const Point &point : points)
+        polygon << positionOf(point);
+    return polygon;
+}
+
+/// Painters lose precision far outside.
+void SideView::drawLine(QPainter &painter, const Point &from, const Point &to) const
+{
+    const QLineF line(positionOf(from), positionOf(to));
+    if (const auto seen = clipped(line, QRectF(rect()).adjusted(-4, -4, 4, 4)))
+        painter.drawLine(*seen);
+}
+
+void SideView::drawName(QPainter &painter, const QString &name, const Point &point) const
+{
+    painter.drawText(positionOf(point) + QPointF(nameDistance, -nameDistance), name);
+}
+
+void SideView::drawScene(QPainter &painter) const
+{
+    painter.setPen(QPen(faint(palette().color(QPalette::Text), 0.3), 0.75));
+    for (const auto &[from, to] : m_scene->edges)
+        drawLine(painter, from, to);
+    painter.setPen(QPen(faint(palette().color(QPalette::Text), 0.5), 1, Qt::DotLine));
+    for (std::size_t i = 0; i < 4; ++i) {
+        const Point &corner = m_scene->picturePlane[i];
+        drawLine(painter, m_scene->isPerspective ? Point() : Point(corner.x, corner.y, 0), corner);
+    }
+    drawPlane(painter, m_scene->nearPlane, tr("near plane"));
+    drawPlane(painter, m_scene->picturePlane, tr("picture plane"));
+}
+
+void SideView::drawPlane(QPainter &painter, const SideScene::Rectangle &plane,
+                         const QString &name) const
+{
+    const QColor text = palette().color(QPalette::Text);
+    painter.setPen(QPen(faint(text, 0.8), 1));
+    painter.setBrush(faint(text, 0.06));
+    const QPolygonF polygon = polygonOf(plane);
+    painter.drawPolygon(polygon);
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(text);
+    const QRectF box = polygon.boundingRect();
+    const int width = fontMetrics().horizontalAdvance(name);
+    // The near plane's name below, the other's above, where both planes stand close together.
+    const bool isNear = &plane == &m_scene->nearPlane;
+    const double y = isNear ? box.bottom() + fontMetrics().ascent() + 2 : box.top() - 4;
+    painter.drawText(QPointF(box.center().x() - width / 2.0, y), name);
+}
+
+void SideView::drawRays(QPainter &painter) const
+{
+    const QColor colour = signColour(Sign::ColumnInHand, palette());
+    for (const Point &vertex : m_face->vertices) {
+        // What lies before the near plane is not seen.
+        const bool isSeen = -vertex.z >= -m_scene->nearPlane[0].z;
+        painter.setPen(QPen(colour, 1, isSeen ? Qt::SolidLine : Qt::DashLine));
+        drawLine(painter, m_scene->isPerspective ? Point() : Point(vertex.x, vertex.y, 0), vertex);
+    }
+    painter.setPen(QPen(faint(colour, 0.6), 1));
+    for (const Point &corner : m_face->clipped) {
+        drawLine(painter, m_scene->isPerspective ? Point() : Point(corner.x, corner.y, 0), corner);
+    }
+}
+
+void SideView::drawFace(QPainter &painter) const
+{
+    const QColor text = palette().color(QPalette::Text);
+    const QColor colour = signColour(Sign::ColumnInHand, palette());
+    painter.setPen(QPen(faint(colour, 0.7), 1, Qt::DashLine));
+    painter.setBrush(Qt::NoBrush);
+    painter.drawPolygon(polygonOf(m_face->vertices));
+    painter.setPen(QPen(colour, 1.5));
+    painter.setBrush(faint(colour, 0.25));
+    painter.drawPolygon(polygonOf(m_face->clipped));
+    painter.setPen(text);
+    for (std::size_t i = 0; i < m_face->vertices.size(); ++i)
+        drawName(painter, faceVertexName(i), m_face->vertices[i]);
+}
+
+/// The face's picture, each corner in its colour.
+void SideView::drawPicture(QPainter &painter) const
+{
+    const QColor colour = signColour(Sign::ColumnInHand, palette());
+    painter.setPen(QPen(faint(colour, 0.7), 1));
+    painter.setBrush(faint(colour, 0.15));
+    painter.drawPolygon(polygonOf(m_face->picture));
+    if (m_face->picture.size() >= 3) {
+        const auto &[a, b, c] = m_face->piece;
+        const std::array piece = {m_face->picture[a], m_face->picture[b], m_face->picture[c]};
+        painter.setPen(QPen(colour, 1.5));
+        painter.drawPolygon(polygonOf(piece));
+    }
+    for (std::size_t i = 0; i < m_face->picture.size(); ++i) {
+        painter.setPen(QPen(palette().color(QPalette::Text), 1));
+        painter.setBrush(QColor(packed(m_face->colours[i])));
+        painter.drawEllipse(positionOf(m_face->picture[i]), dotRadius, dotRadius);
+        drawName(painter, clippedCornerName(i), m_face->picture[i]);
+    }
+    painter.setBrush(Qt::NoBrush);
+}
+
+void SideView::drawSample(QPainter &painter) const
+{
+    if (!m_face->sample)
+        return;
+    const auto &[picture, face] = *m_face->sample;
+    const QColor colour = signColour(Sign::PickedPixel, palette());
+    painter.setPen(QPen(colour, 1.5));
+    drawLine(painter, m_scene->isPerspective ? Point() : Point(picture.x, picture.y, 0), face);
+    painter.setBrush(colour);
+    for (const Point &point : {picture, face})
+        painter.drawEllipse(positionOf(point), dotRadius, dotRadius);
+    painter.setBrush(Qt::NoBrush);
+}
+
+void SideView::drawEye(QPainter &painter) const
+{
+    const QPointF eye = positionOf({});
+    painter.setPen(QPen(palette().color(QPalette::Text), 1.5));
+    painter.setBrush(palette().color(QPalette::Base));
+    QPainterPath lid;
+    lid.moveTo(eye + QPointF(-9, 0));
+    lid.quadTo(eye + QPointF(0, -10), eye + QPointF(9, 0));
+    lid.quadTo(eye + QPointF(0, 10), eye + QPointF(-9, 0));
+    painter.drawPath(lid);
+    painter.setBrush(palette().color(QPalette::Text));
+    painter.drawEllipse(eye, dotRadius, dotRadius);
+    painter.drawText(eye + QPointF(-nameDistance, 3 * nameDistance + 2),
+                     m_scene->isPerspective ? tr("eye") : tr("eye (far away)"));
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/space/stagetree.h"
+
+#include "widgets/look/numberformat.h"
+#include "widgets/look/numberlayout.h"
+#include "widgets/look/symboltext.h"
+
+#include <QHeaderView>
+
+#include <cmath>
+#include <set>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr QChar minus(0x2212);
+
+QString withMinus(QString text) { return text.replace(u'-', minus); }
+
+} // namespace
+
+QString usedText(const StageNumber &number) { return displayText(Quantity::of(number.used)); }
+
+QString exactText(const StageNumber &number) { return withMinus(number.exact); }
+
+QString errorText(const StageNumber &number)
+{
+    if (std::isnan(number.error))
+        return {};
+    return number.error == 0 ? QStringLiteral("0")
+                             : withMinus(QString::asprintf("%+.1e", number.error));
+}
+
+StageTree::StageTree(QWidget *parent)
+    : QTreeWidget(parent)
+{
+    setObjectName(QStringLiteral("stageTree"));
+    setAccessibleName(tr("The stages of the face in hand"));
+    setColumnCount(ColumnCount);
+    setHeaderLabels({tr("Stage"), tr("Used"), tr("Exact"), tr("Error")});
+    headerItem()->setToolTip(ExactColumn,
+                             tr("What the same code gives without rounding, from the "
+                                "numbers of the scene"));
+    headerItem()->setToolTip(ErrorColumn,
+                             tr("Used − exact; at the lattice that is the snap's displacement"));
+    setFrameShape(QFrame::NoFrame);
+    setUniformRowHeights(true);
+    setFont(tabularFont(font()));
+    setIndentation(indentation() / 2);
+    header()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    header()->setStretchLastSection(true);
+}
+
+void StageTree::setStages(const std::vector<ProjectionStage> &stages)
+{
+    std::set<QString> folded;
+    for (int i = 0; i < topLevelItemCount(); ++i) {
+        if (!topLevelItem(i)->isExpanded())
+            folded.insert(topLevelItem(i)->text(NameColumn));
+    }
+    setUpdatesEnabled(false);
+    clear();
+    for (const ProjectionStage &stage : stages) {
+        auto *item = new QTreeWidgetItem(this, {stage.title});
+        fillStage(item, stage);
+        item->setExpanded(!folded.contains(stage.title));
+    }
+    setUpdatesEnabled(true);
+}
+
+void StageTree::fillStage(QTreeWidgetItem *item, const ProjectionStage &stage)
+{
+    QFont bold = font();
+    bold.setBold(true);
+    item->setFont(NameColumn, bold);
+    item->setFirstColumnSpanned(true);
+    item->setToolTip(NameColumn, toolTipHtml({stage.formula}));
+    auto *formula = new QTreeWidgetItem(item, {stage.formula});
+    formula->setFirstColumnSpanned(true);
+    formula->setToolTip(NameColumn, toolTipHtml({stage.formula}));
+    for (const StagePoint &point : stage.points) {
+        const QString name = point.note.isEmpty()
+            ? point.name
+            : QStringLiteral("%1: %2").arg(point.name, point.note);
+        auto *row = new QTreeWidgetItem(item, {name});
+        row->setFirstColumnSpanned(true);
+        row->setToolTip(NameColumn, name);
+        for (const StageNumber &number : point.numbers)
+            addNumber(row, number);
+        row->setExpanded(true);
+    }
+}
+
+void StageTree::addNumber(QTreeWidgetItem *parent, const StageNumber &number)
+{
+    auto *row = new QTreeWidgetItem(
+        parent, {number.name, usedText(number), exactText(number), errorText(number)});
+    row->setTextAlignment(ErrorColumn, Qt::AlignRight | Qt::AlignVCenter);
+}
+
+} // namespace pixelplumb
