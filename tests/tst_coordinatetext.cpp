@@ -61,7 +61,7 @@ private slots:
         QFETCH(qint64, units);
         QFETCH(QString, displacement);
 
-        const Result<SnappedCoordinate> snapped = parseCoordinate(text);
+        const Result<SnappedNumber> snapped = parseCoordinate(text);
 
         QVERIFY2(snapped.isOk(), snapped ? "" : qPrintable(snapped.error().message()));
         QCOMPARE(snapped->units, units);
@@ -106,7 +106,7 @@ private slots:
         QFETCH(QString, text);
         QFETCH(QString, found);
 
-        const Result<SnappedCoordinate> snapped = parseCoordinate(text);
+        const Result<SnappedNumber> snapped = parseCoordinate(text);
 
         QVERIFY(!snapped.isOk());
         QCOMPARE(snapped.error().found, found);
@@ -114,7 +114,7 @@ private slots:
 
     void refusesATextOfAThousandDigits()
     {
-        const Result<SnappedCoordinate> snapped = parseCoordinate(QString(1000, u'1'));
+        const Result<SnappedNumber> snapped = parseCoordinate(QString(1000, u'1'));
 
         QVERIFY(!snapped.isOk());
         QVERIFY(snapped.error().found.endsWith(QStringLiteral("is longer than 400 characters")));

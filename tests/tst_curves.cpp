@@ -48,7 +48,7 @@ private slots:
         QCOMPARE(replayed(trace, scene.frame), drawn.copy());
         QVERIFY(trace.writtenCount() > 0);
         for (std::size_t span = 0; span < trace.spanCount(); ++span) {
-            QCOMPARE(trace.span(span).cells.size(), traced->method->spanNumbers.size());
+            QCOMPARE(trace.span(span).cells.size(), traced->method->numbers.span.size());
             QCOMPARE(trace.samples(span).size(),
                      trace.endSampleOf(span) - trace.firstSampleOf(span));
         }
@@ -56,7 +56,7 @@ private slots:
             const bool draws = traced->method->draws(scene.shapes[primitive]);
             const auto rejection = trace.setUp(primitive).rejection;
             QCOMPARE(rejection == PrimitiveRejection::NotOfThisMethod, !draws);
-            QCOMPARE(trace.setUp(primitive).cells.size(), traced->method->setUpNumbers.size());
+            QCOMPARE(trace.setUp(primitive).cells.size(), traced->method->numbers.setUp.size());
         }
     }
 };

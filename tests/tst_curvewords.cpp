@@ -32,7 +32,7 @@ struct ToldSpan {
     {
         const SpanRecord record = traced.trace->span(span);
         for (std::size_t i = 0; i < record.cells.size(); ++i) {
-            if (traced.method->spanNumbers[i].id == QLatin1String(id))
+            if (traced.method->numbers.span[i].id == QLatin1String(id))
                 return record.cells[i];
         }
         return {};
@@ -234,7 +234,7 @@ private slots:
                     QVERIFY(!sentence.isEmpty());
                     if (sentence.contains(QStringLiteral("tested one by one")))
                         QVERIFY2(method.draws(PrimitiveKind::Triangle)
-                                     && std::ranges::any_of(method.sampleNumbers, isDecision),
+                                     && std::ranges::any_of(method.numbers.sample, isDecision),
                                  qPrintable(method.id));
                 }
             }

@@ -39,7 +39,7 @@ std::vector<Quantity> cellsOf(const TracedScene &traced, std::int64_t x, std::in
         for (const SampleRecord &sample : traced.trace->samples(span)) {
             if (sample.x != x || sample.y != y)
                 continue;
-            const auto &columns = traced.method->sampleNumbers;
+            const auto &columns = traced.method->numbers.sample;
             for (std::size_t i = 0; i < columns.size(); ++i) {
                 if (titles.contains(columns[i].title))
                     cells.push_back(sample.cells[i]);

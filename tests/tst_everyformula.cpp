@@ -186,7 +186,7 @@ private:
         {
             const auto hasFormula
                 = [](const NumberDescription &number) { return !number.formula.isEmpty(); };
-            return std::ranges::none_of(method.spanNumbers, hasFormula) || count > 40;
+            return std::ranges::none_of(method.numbers.span, hasFormula) || count > 40;
         }
     };
 

@@ -55,7 +55,7 @@ private slots:
                 });
                 for (std::size_t cell = 0; cell < exact[i].cells.size(); ++cell) {
                     const bool isCompared
-                        = run->method->sampleNumbers[cell].comparison == Comparison::WithExact;
+                        = run->method->numbers.sample[cell].comparison == Comparison::WithExact;
                     QCOMPARE(exact[i].cells[cell],
                              isCompared && other != others.end() ? other->cells[cell] : Quantity());
                 }

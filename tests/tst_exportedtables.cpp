@@ -33,19 +33,19 @@ private slots:
         const QSet<QString> shared
             = {QStringLiteral("primitive"), QStringLiteral("x"), QStringLiteral("y"),
                QStringLiteral("R"),         QStringLiteral("G"), QStringLiteral("B")};
-        const Method bare{};
+        const TraceNumbers bare;
         for (const TraceLevel level : allLevels) {
             const QStringList common = traceColumnNames(bare, level);
             QStringList own;
-            for (const NumberDescription &number : level == TraceLevel::SetUp ? method->setUpNumbers
-                     : level == TraceLevel::Column                            ? method->spanNumbers
-                                                   : method->sampleNumbers) {
+            for (const NumberDescription &number : level == TraceLevel::SetUp ? method->numbers.setUp
+                     : level == TraceLevel::Column                            ? method->numbers.span
+                                                   : method->numbers.sample) {
                 QVERIFY2(!own.contains(number.id), qPrintable(number.id));
                 own.append(number.id);
                 QVERIFY2(shared.contains(number.id) || !common.contains(number.id),
                          qPrintable(number.id));
             }
-            QStringList all = traceColumnNames(*method, level);
+            QStringList all = traceColumnNames(method->numbers, level);
             QCOMPARE(all.removeDuplicates(), qsizetype(0));
             for (const QString &id : own)
                 QVERIFY2(all.contains(id), qPrintable(id));

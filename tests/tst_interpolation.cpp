@@ -270,12 +270,12 @@ private slots:
                         = tracedBy(anyScene(seed), form, FillRule::Closed, arithmetic);
                     const ScanTrace &trace = *traced->trace;
                     const Method &method = *traced->method;
-                    QCOMPARE(trace.setUp(0).cells.size(), method.setUpNumbers.size());
+                    QCOMPARE(trace.setUp(0).cells.size(), method.numbers.setUp.size());
                     FrameBuffer replayed(traced->scene.frame);
                     for (std::size_t span = 0; span < trace.spanCount(); ++span) {
-                        QCOMPARE(trace.span(span).cells.size(), method.spanNumbers.size());
+                        QCOMPARE(trace.span(span).cells.size(), method.numbers.span.size());
                         for (const SampleRecord &sample : trace.samples(span)) {
-                            QCOMPARE(sample.cells.size(), method.sampleNumbers.size());
+                            QCOMPARE(sample.cells.size(), method.numbers.sample.size());
                             const auto byte = [&](std::size_t i) {
                                 return int(std::clamp<std::int64_t>(sample.level[i], 0, 255));
                             };

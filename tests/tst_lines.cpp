@@ -215,10 +215,10 @@ private slots:
         QCOMPARE(trace.primitiveCount(), std::size_t(12));
         for (std::size_t span = 0; span < trace.spanCount(); ++span) {
             const SpanRecord record = trace.span(span);
-            QCOMPARE(record.cells.size(), traced->method->spanNumbers.size());
+            QCOMPARE(record.cells.size(), traced->method->numbers.span.size());
             QCOMPARE(std::int64_t(trace.samples(span).size()), record.drawnSamples());
         }
-        QCOMPARE(trace.setUp(0).cells.size(), traced->method->setUpNumbers.size());
+        QCOMPARE(trace.setUp(0).cells.size(), traced->method->numbers.setUp.size());
     }
 
     // Drawing takes each line's own integers, a trace the widest of all.

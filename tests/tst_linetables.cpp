@@ -21,7 +21,7 @@ QStringList tableOf(const Scene &scene, const QStringList &ids)
         QStringList cells;
         for (const QString &id : ids) {
             for (std::size_t i = 0; i < record.cells.size(); ++i) {
-                if (traced->method->spanNumbers[i].id == id)
+                if (traced->method->numbers.span[i].id == id)
                     cells.append(record.cells[i].isNone() ? QStringLiteral("-")
                                                           : toText(record.cells[i]));
             }

@@ -237,7 +237,7 @@ private slots:
         QVERIFY(traced.trace->spanCount() > 0);
         for (const std::size_t span : {std::size_t(0), traced.trace->spanCount() / 2}) {
             const TraceTable<SpanRow> table
-                = spanTable(traced.method->spanNumbers).only(fileNames(*window));
+                = spanTable(traced.method->numbers.span).only(fileNames(*window));
             const std::vector<Cell> cells = table.cells(spanRow(traced, span));
             QStringList exported;
             for (std::size_t i = 0; i < cells.size(); ++i)

@@ -231,7 +231,7 @@ void TestNumberFormat::toolTipsSetTheSubscriptsOfEveryNumber()
     int subscripts = 0;
     for (const Method &method : methods()) {
         for (const auto &numbers :
-             {method.setUpNumbers, method.spanNumbers, method.sampleNumbers}) {
+             {method.numbers.setUp, method.numbers.span, method.numbers.sample}) {
             for (const NumberDescription &number : numbers) {
                 const QString written = number.toolTip + number.formula;
                 const QString shown = numberToolTip(number);

@@ -136,16 +136,16 @@ private slots:
             const ScanTrace &trace = *traced.trace;
             const Method &method = *traced.method;
             for (std::size_t i = 0; i < trace.primitiveCount(); ++i) {
-                QCOMPARE(trace.setUp(i).cells.size(), method.setUpNumbers.size());
-                QVERIFY(describe(trace.setUpWords(i), method.setUpNumbers));
+                QCOMPARE(trace.setUp(i).cells.size(), method.numbers.setUp.size());
+                QVERIFY(describe(trace.setUpWords(i), method.numbers.setUp));
             }
             for (std::size_t span = 0; span < trace.spanCount(); span += strideOf(trace)) {
-                QCOMPARE(trace.span(span).cells.size(), method.spanNumbers.size());
-                QVERIFY(describe(trace.spanWords(span), method.spanNumbers));
+                QCOMPARE(trace.span(span).cells.size(), method.numbers.span.size());
+                QVERIFY(describe(trace.spanWords(span), method.numbers.span));
                 for (const SampleRecord &sample : trace.samples(span))
-                    QCOMPARE(sample.cells.size(), method.sampleNumbers.size());
+                    QCOMPARE(sample.cells.size(), method.numbers.sample.size());
                 if (trace.firstSampleOf(span) < trace.endSampleOf(span))
-                    QVERIFY(describe(trace.sampleWords(span, 0), method.sampleNumbers));
+                    QVERIFY(describe(trace.sampleWords(span, 0), method.numbers.sample));
             }
         });
     }
@@ -189,7 +189,7 @@ private slots:
         QFETCH(QString, id);
         const Method &method = *methodNamed(id);
         for (const auto *numbers :
-             {&method.setUpNumbers, &method.spanNumbers, &method.sampleNumbers}) {
+             {&method.numbers.setUp, &method.numbers.span, &method.numbers.sample}) {
             const QStringList ids = idsOf(*numbers);
             QCOMPARE(QSet<QString>(ids.begin(), ids.end()).size(), ids.size());
         }
@@ -201,7 +201,7 @@ private slots:
         QFETCH(QString, id);
         const Method &method = *methodNamed(id);
         for (const auto *numbers :
-             {&method.setUpNumbers, &method.spanNumbers, &method.sampleNumbers}) {
+             {&method.numbers.setUp, &method.numbers.span, &method.numbers.sample}) {
             QMap<QString, QString> idByMeaning;
             for (const NumberDescription &number : *numbers) {
                 QVERIFY2(!idByMeaning.contains(number.toolTip),

@@ -106,7 +106,7 @@ void TestPanels::copiedRowsAgreeWithTheExportedTrace()
     const QStringList names = lines[0].split(u'\t');
     const QStringList copied = lines[1].split(u'\t');
     QCOMPARE(copied.size(), names.size());
-    const TraceTable<SpanRow> exported = spanTable(playhead.traced()->method->spanNumbers);
+    const TraceTable<SpanRow> exported = spanTable(playhead.traced()->method->numbers.span);
     const std::vector<Field> &fields = exported.fields();
     const std::vector<Cell> cells
         = exported.cells(spanRow(*playhead.traced(), std::size_t(rowOf(33))));

@@ -170,15 +170,15 @@ private slots:
                 for (std::size_t span = 0; span < trace.spanCount(); ++span) {
                     const auto samples = trace.samples(span);
                     QCOMPARE(samples.size(), trace.endSampleOf(span) - trace.firstSampleOf(span));
-                    QCOMPARE(trace.span(span).cells.size(), traced->method->spanNumbers.size());
+                    QCOMPARE(trace.span(span).cells.size(), traced->method->numbers.span.size());
                     for (const SampleRecord &sample : samples) {
-                        QCOMPARE(sample.cells.size(), traced->method->sampleNumbers.size());
+                        QCOMPARE(sample.cells.size(), traced->method->numbers.sample.size());
                         if (sample.fate == SampleFate::Written)
                             replayed[int(23 - sample.y) * 25 + int(sample.x)] = u'#';
                     }
                 }
                 QCOMPARE(replayed, drawn(scene));
-                QCOMPARE(trace.setUp(0).cells.size(), traced->method->setUpNumbers.size());
+                QCOMPARE(trace.setUp(0).cells.size(), traced->method->numbers.setUp.size());
             }
         }
     }

@@ -47,7 +47,8 @@ private slots:
         row("unknown key", sceneWith("  \"fillrule\": \"closed\", \"primitives\": []"),
             "line 4, column 15, fillrule: unknown key “fillrule”; expected one of pixelplumb, "
             "frame, method, "
-            "arithmetic, fillRule, offScreenPoint, rounding, primitives");
+            "arithmetic, fillRule, offScreenPoint, rounding, camera, materials, lights, ambient, "
+            "shading, depth, depthBits, antialiasing, primitives");
         row("key twice", sceneWith("  \"primitives\": [],\n  \"primitives\": []"),
             "line 5, column 17, primitives: the key is there twice; expected every key once");
         row("key twice, deep", frameOf(R"({ "width": 1, "height": 2, "width": 3 })"),
@@ -80,13 +81,11 @@ private slots:
         row("origin", frameOf(R"({ "width": 1, "height": 1, "origin": "top-right" })"),
             "line 1, column 66, frame.origin: “top-right”; expected one of bottom-left, top-left");
         row("background", frameOf(R"({ "width": 1, "height": 1, "background": "black" })"),
-            "line 1, column 70, frame.background: “black” is no colour; expected #rrggbb in "
-            "hexadecimal "
-            "digits");
+            "line 1, column 70, frame.background: “black” is no colour; expected #rrggbb or "
+            "#rrggbbaa in hexadecimal digits");
         row("blending", frameOf("{ \"width\": 1, \"height\": 1, \"background\": \"#f0203080\" }"),
-            "line 1, column 70, frame.background: “#f0203080” is not opaque, and blending is not "
-            "available; "
-            "expected alpha ff, or #rrggbb without alpha");
+            "line 1, column 70, frame.background: “#f0203080” is not opaque, and only triangles "
+            "are blended; expected alpha ff, or #rrggbb without alpha");
         row("rule that the method does not keep",
             sceneWith(R"("fillRule": "off-screen-point", "primitives": [])"),
             "line 4, column 13, fillRule: method “column-scan” cannot keep the fill rule "

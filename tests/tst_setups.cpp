@@ -135,7 +135,7 @@ private slots:
         const auto traced
             = traceScene(sceneOf(lineAt(20, 41, 30, 44), "line-bresenham", wideFrame));
         const auto cell = [&](std::size_t span, const char *id) {
-            const auto &numbers = traced->method->spanNumbers;
+            const auto &numbers = traced->method->numbers.span;
             const auto found
                 = std::ranges::find(numbers, QString::fromLatin1(id), &NumberDescription::id);
             return traced->trace->span(span).cells[std::size_t(found - numbers.begin())];

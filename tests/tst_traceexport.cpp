@@ -170,7 +170,7 @@ private slots:
         QCOMPARE(document[QStringLiteral("rounding")].toString(), QStringLiteral("nearest"));
         QCOMPARE(document[QStringLiteral("cut")].toBool(true), false);
         QCOMPARE(document[QStringLiteral("columns")].toArray().size(),
-                 qsizetype(methodNamed(u"column-scan")->spanNumbers.size()));
+                 qsizetype(methodNamed(u"column-scan")->numbers.span.size()));
     }
 
     void givesAColumnOneJsonTypeInAllRows()

@@ -171,7 +171,7 @@ private slots:
             scene.triangles = {triangle};
             return traceScene(scene)->trace->setUp(0).cells.back();
         };
-        QCOMPARE(method.setUpNumbers.back().title, QStringLiteral("proved₀₂"));
+        QCOMPARE(method.numbers.setUp.back().title, QStringLiteral("proved₀₂"));
         // W'·H' = 2^20 · 2^20 and one row more.
         QCOMPARE(isProved(triangleOf({{{0, 0}, {1 << 20, 1 << 20}, {0, 300}}})),
                  Quantity::integer(1));

@@ -79,11 +79,11 @@ private slots:
         QCOMPARE(trace.primitiveCount(), traced->primitives.size());
         QVERIFY(trace.writtenCount() > 100);
         for (std::size_t primitive = 0; primitive < trace.primitiveCount(); ++primitive) {
-            QCOMPARE(trace.setUp(primitive).cells.size(), method.setUpNumbers.size());
+            QCOMPARE(trace.setUp(primitive).cells.size(), method.numbers.setUp.size());
         }
         for (std::size_t span = 0; span < trace.spanCount(); ++span) {
             const SpanRecord record = trace.span(span);
-            QCOMPARE(record.cells.size(), method.spanNumbers.size());
+            QCOMPARE(record.cells.size(), method.numbers.span.size());
             const std::vector<SampleRecord> samples = trace.samples(span);
             QCOMPARE(samples.size(), std::size_t(record.drawnSamples()));
             for (std::size_t i = 0; i < samples.size(); ++i) {
@@ -95,7 +95,7 @@ private slots:
                 QCOMPARE(isRow ? samples[i].x : samples[i].y, record.firstDrawn + std::int64_t(i));
                 QCOMPARE(isRow ? samples[i].y : samples[i].x, record.place.coordinate);
                 QVERIFY(samples[i].cells.empty()
-                        || samples[i].cells.size() == method.sampleNumbers.size());
+                        || samples[i].cells.size() == method.numbers.sample.size());
             }
         }
     }
@@ -155,7 +155,7 @@ private slots:
         const auto stable = traceScene(scene);
         QVERIFY(literal->trace->spanCount() == stable->trace->spanCount());
         const auto rateOf = [](const TracedScene &traced, std::size_t span) {
-            const auto &columns = traced.method->spanNumbers;
+            const auto &columns = traced.method->numbers.span;
             for (std::size_t i = 0; i < columns.size(); ++i) {
                 if (columns[i].title == QStringLiteral("ΔR"))
                     return traced.trace->span(span).cells[i].toDouble();

@@ -198,7 +198,7 @@ private slots:
                          qPrintable(QStringLiteral("seed %1, ").arg(seed) + contoursText(shape)));
                 for (std::size_t span = 0; span < traced->trace->spanCount(); ++span) {
                     const SpanRecord row = traced->trace->span(span);
-                    QCOMPARE(row.cells.size(), traced->method->spanNumbers.size());
+                    QCOMPARE(row.cells.size(), traced->method->numbers.span.size());
                     QCOMPARE(std::int64_t(traced->trace->samples(span).size()), row.drawnSamples());
                 }
             }

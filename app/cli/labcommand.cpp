@@ -144,7 +144,7 @@ Result<StudySettings> settingsFrom(const CommandLine &line)
         const auto scene = readSceneAt(settings.ownSceneName);
         if (!scene)
             return scene.error();
-        if (scene->triangles.empty())
+        if (!scene->hasTriangles())
             return InputError{settings.ownSceneName,
                               QStringLiteral("has no triangles, which alone are measured"),
                               QStringLiteral("a scene with triangles")};

@@ -151,9 +151,9 @@ void printMethod(const Method &method)
 void printWholeMethod(const Method &method)
 {
     printMethod(method);
-    printNumbers(QStringLiteral("the set-up"), method.setUpNumbers);
-    printNumbers(QStringLiteral("a span"), method.spanNumbers);
-    printNumbers(QStringLiteral("a sample"), method.sampleNumbers);
+    printNumbers(QStringLiteral("the set-up"), method.numbers.setUp);
+    printNumbers(QStringLiteral("a span"), method.numbers.span);
+    printNumbers(QStringLiteral("a sample"), method.numbers.sample);
     printOperations(method);
 }
 
@@ -161,9 +161,9 @@ QJsonObject jsonOfWhole(const Method &method)
 {
     QJsonObject object = jsonOf(method);
     object.insert(QStringLiteral("fillRuleReason"), method.fillRuleReason);
-    object.insert(QStringLiteral("setUpNumbers"), jsonOf(method.setUpNumbers));
-    object.insert(QStringLiteral("spanNumbers"), jsonOf(method.spanNumbers));
-    object.insert(QStringLiteral("sampleNumbers"), jsonOf(method.sampleNumbers));
+    object.insert(QStringLiteral("setUpNumbers"), jsonOf(method.numbers.setUp));
+    object.insert(QStringLiteral("spanNumbers"), jsonOf(method.numbers.span));
+    object.insert(QStringLiteral("sampleNumbers"), jsonOf(method.numbers.sample));
     object.insert(QStringLiteral("operations"), operationsJson(method));
     return object;
 }

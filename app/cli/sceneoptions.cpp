@@ -6,6 +6,8 @@
 #include "core/scan/choicenames.h"
 #include "core/scene/scenefile.h"
 
+#include <QFileInfo>
+
 #include <algorithm>
 #include <array>
 
@@ -54,8 +56,8 @@ void reportSnaps(const QString &path, const std::vector<SnapReport> &snaps)
         sayLine(path + QStringLiteral(": ") + snaps[index].message());
     if (snaps.size() > reported)
         sayLine(
-            QStringLiteral("%1: %2 more coordinates are off the lattice of 1/256 px and are drawn "
-                           "at its nearest points")
+            QStringLiteral("%1: %2 more coordinates are off the lattice of 1/256 px, or attributes "
+                           "finer than 2^-24, and are taken as the nearest")
                 .arg(path)
                 .arg(snaps.size() - reported));
 }
@@ -63,11 +65,10 @@ void reportSnaps(const QString &path, const std::vector<SnapReport> &snaps)
 /// A scene may name a method for what is yet to be drawn; nobody should wonder at an empty picture.
 void reportNothingDrawn(const QString &path, const Method &method, const Scene &scene)
 {
-    const bool isEmpty = scene.triangles.empty() && scene.shapes.empty();
-    const bool drawsTriangles = !scene.triangles.empty() && method.draws(PrimitiveKind::Triangle);
+    const bool drawsTriangles = scene.hasTriangles() && method.draws(PrimitiveKind::Triangle);
     const bool drawsShapes = std::ranges::any_of(
         scene.shapes, [&method](const Shape &shape) { return method.draws(shape); });
-    if (!isEmpty && !drawsTriangles && !drawsShapes)
+    if (!scene.isEmpty() && !drawsTriangles && !drawsShapes)
         sayLine(QStringLiteral("%1: method “%2” draws none of the primitives; see "
                                "`pixelplumb-cli methods` for one that does")
                     .arg(path, method.id));
@@ -126,7 +127,9 @@ Result<Scene> readSceneAt(const QString &path)
     const Result<QByteArray> text = readInput(path);
     if (!text)
         return text.error();
-    const Result<SceneReading> reading = pixelplumb::readScene(*text);
+    const bool isFile = path != QStringLiteral("-");
+    const Result<SceneReading> reading
+        = pixelplumb::readScene(*text, {}, isFile ? QFileInfo(path).absolutePath() : QString());
     if (!reading) {
         InputError error = reading.error();
         error.place.prepend(error.place.isEmpty() ? path : path + QStringLiteral(", "));

@@ -49,13 +49,13 @@ TableFormat formatFor(const QString &output)
                                                                        : TableFormat::Csv;
 }
 
-Result<QStringList> chosenColumns(const CommandLine &line, const Scene &scene, TraceLevel level)
+Result<QStringList> chosenColumns(const CommandLine &line, const TraceNumbers &numbers,
+                                  TraceLevel level)
 {
     const QString option = QStringLiteral("columns");
     if (!line.isSet(option))
         return QStringList();
-    const Method &method = *methodNamed(QString::fromStdString(scene.method));
-    const QStringList names = traceColumnNames(method, level);
+    const QStringList names = traceColumnNames(numbers, level);
     const QString place = QStringLiteral("--") + option;
     QStringList columns;
     for (const QString &word : line.value(option).split(u',')) {
@@ -114,14 +114,15 @@ ExitCode trace(const Command &command, const QStringList &arguments)
     const Result<Scene> scene = readScene(line);
     if (!scene)
         return line.refuse(scene.error());
-    const Result<QStringList> columns = chosenColumns(line, *scene, *level);
-    if (!columns)
-        return line.refuse(columns.error());
 
     Progress progress;
     TraceOptions recording;
     recording.progress = progress.listener();
     const auto traced = traceScene(*scene, recording);
+    // Which there are is known when it is known what the scene calls for.
+    const Result<QStringList> columns = chosenColumns(line, traced->trace->numbers(), *level);
+    if (!columns)
+        return line.refuse(columns.error());
     reportRejections(line.argument(0) + QStringLiteral(", ") + traced->method->id,
                      rejectedPrimitives(traced->primitives, *traced->trace));
 

@@ -28,10 +28,10 @@ Quantity fraction(JsonReader &json, const JsonNode &node)
 /// The place of the sample column with this title; none where the method has no such column.
 std::optional<std::size_t> columnTitled(const Method &method, const QString &title)
 {
-    const auto found = std::ranges::find(method.sampleNumbers, title, &NumberDescription::title);
-    if (found == method.sampleNumbers.end())
+    const auto found = std::ranges::find(method.numbers.sample, title, &NumberDescription::title);
+    if (found == method.numbers.sample.end())
         return std::nullopt;
-    return std::size_t(found - method.sampleNumbers.begin());
+    return std::size_t(found - method.numbers.sample.begin());
 }
 
 /// The record of the sample at a point; none where the trace did not visit it.

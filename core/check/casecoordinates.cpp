@@ -47,7 +47,7 @@ Lattice CaseCoordinates::coordinate(const JsonNode &node)
 {
     const QString written
         = QStringLiteral("%1/%2").arg(numberText(node.value), numberText(m_scale.value));
-    const Result<SnappedCoordinate> snapped = parseCoordinate(written);
+    const Result<SnappedNumber> snapped = parseCoordinate(written);
     if (!node.value.isDouble() || !snapped) {
         m_json.fail(
             node, describe(node),

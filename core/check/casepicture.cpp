@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/check/casepicture.h"
 
-#include "core/oracle/oracle.h"
-#include "core/oracle/shapeoracle.h"
+#include "core/oracle/truepicture.h"
 
 #include <QCryptographicHash>
 #include <QStringList>
@@ -21,10 +20,7 @@ FrameSpec mirrored(FrameSpec canvas)
 
 void drawTruly(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
 {
-    for (const Triangle &triangle : primitives.triangles)
-        oracle::draw(triangle, {settings, frame}, settings.rounding, frame);
-    for (const Shape &shape : primitives.shapes)
-        oracle::draw(shape, settings.rounding, frame);
+    oracle::drawPicture(primitives, settings, planBeyondColour(primitives, settings, frame), frame);
 }
 
 CasePicture::CasePicture(const FrameSpec &canvas, FillRule rule)

@@ -237,7 +237,7 @@ private:
     {
         for (const JsonNode &vertex : m_json.array(vertices, 3)) {
             for (const JsonNode &text : m_json.array(vertex, 2)) {
-                const Result<SnappedCoordinate> snapped = parseCoordinate(m_json.string(text));
+                const Result<SnappedNumber> snapped = parseCoordinate(m_json.string(text));
                 if (!snapped && m_case.refusal.isEmpty())
                     m_case.refusal = snapped.error().found;
             }

@@ -139,9 +139,11 @@ std::optional<std::vector<BoundErrors>> boundErrorsOf(const Scene &scene, std::s
 {
     const Method *method = methodNamed(QString::fromStdString(scene.method));
     std::vector<BoundErrors> all;
-    if (!method || !method->draws(PrimitiveKind::Triangle) || triangle >= scene.triangles.size())
+    if (!method || !method->draws(PrimitiveKind::Triangle) || !scene.hasTriangles())
         return all;
     Primitives alone = primitivesOnSamples(scene);
+    if (triangle >= alone.triangles.size())
+        return all;
     alone.triangles = {alone.triangles[triangle]};
     alone.shapes.clear();
     alone.attributes.clear();

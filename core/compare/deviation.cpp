@@ -202,8 +202,8 @@ bool isIncremental(const Method &method)
     const auto accumulates = [](const NumberDescription &number) {
         return number.comparison == Comparison::WithExact && isIncremental(number);
     };
-    return std::ranges::any_of(method.spanNumbers, accumulates)
-        || std::ranges::any_of(method.sampleNumbers, accumulates);
+    return std::ranges::any_of(method.numbers.span, accumulates)
+        || std::ranges::any_of(method.numbers.sample, accumulates);
 }
 
 Quantity roundedTo(Arithmetic arithmetic, const Quantity &exact)

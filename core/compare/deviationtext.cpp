@@ -55,7 +55,7 @@ QString coloursText(const Deviation &deviation, const JudgedRun &run, std::int64
         const std::size_t span = trace.spanOf(*visit);
         used = trace.samples(span)[*visit - trace.firstSampleOf(span)].colour;
     }
-    if (run.primitives->isTriangle(*deviation.primitive))
+    if (run.primitives->isTriangle(*deviation.primitive) && !run.traced->plan)
         exact = oracle::colourAt(run.primitives->triangles[*deviation.primitive], x, y);
     QStringList parts;
     for (std::size_t channel = 0; channel < 3; ++channel) {

@@ -7,6 +7,7 @@
 
 #include <QString>
 
+#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -72,6 +73,13 @@ struct EffectPlan {
 
     /// What some batch, or the antialiasing, does.
     bool runs(Effect effect) const;
+    /// True where today's plain kernels draw all of it.
+    bool isPlain() const
+    {
+        return antialiasing == Antialiasing::None
+            && std::ranges::all_of(
+                   batches, [](const EffectBatch &batch) { return batch.effects.isPlain(); });
+    }
 };
 
 /// What the primitives (sample coordinates) need in the frame, each effect by itself. Forcing is
@@ -82,5 +90,10 @@ PerEffect<EffectVerdict> requirementsOf(const Primitives &primitives, const Scan
 /// What is run: that, with what was forced on or off.
 EffectPlan planFor(const Primitives &primitives, const ScanSettings &settings,
                    const FrameView &frame);
+
+/// The plan of a scene that calls for more than colour; none where one colour a triangle, or three
+/// interpolated ones, painted over what stands, are all of it.
+std::optional<EffectPlan> planBeyondColour(const Primitives &primitives,
+                                           const ScanSettings &settings, const FrameView &frame);
 
 } // namespace pixelplumb

@@ -28,13 +28,13 @@ std::vector<NumberDescription> descriptionsOf(const TracedScene &traced, TraceLe
 {
     switch (level) {
     case TraceLevel::SetUp:
-        return traced.method->setUpNumbers;
+        return traced.trace->numbers().setUp;
     case TraceLevel::Column:
         return spanHeadings(traced);
     case TraceLevel::Pixel:
         break;
     }
-    return traced.method->sampleNumbers;
+    return traced.trace->numbers().sample;
 }
 
 /// A kernel sees pixel (x, y) as the point (x, y), wherever the scene has its centre.
@@ -129,28 +129,27 @@ QStringList namesOf(const TraceTable<Row> &table)
 
 } // namespace
 
-QStringList traceColumnNames(const Method &method, TraceLevel level)
+QStringList traceColumnNames(const TraceNumbers &numbers, TraceLevel level)
 {
     switch (level) {
     case TraceLevel::SetUp:
-        return namesOf(setUpTable(method));
+        return namesOf(setUpTable(numbers.setUp));
     case TraceLevel::Column:
-        return namesOf(spanTable(method.spanNumbers));
+        return namesOf(spanTable(numbers.span));
     case TraceLevel::Pixel:
         break;
     }
-    return namesOf(sampleTable(method));
+    return namesOf(sampleTable(numbers.sample));
 }
 
 bool exportTrace(const TracedScene &traced, const TraceExportOptions &options, QIODevice &device)
 {
-    const Method &method = *traced.method;
     const ScanTrace &trace = *traced.trace;
     const auto writer = writerFor(traced, options, device);
     switch (options.level) {
     case TraceLevel::SetUp:
         return writeTable(
-            setUpTable(method), trace.primitiveCount(),
+            setUpTable(trace.numbers().setUp), trace.primitiveCount(),
             [&](std::size_t primitive) { return std::array{setUpRow(traced, primitive)}; }, options,
             *writer);
     case TraceLevel::Column:
@@ -161,7 +160,7 @@ bool exportTrace(const TracedScene &traced, const TraceExportOptions &options, Q
         break;
     }
     return writeTable(
-        sampleTable(method), trace.spanCount(),
+        sampleTable(trace.numbers().sample), trace.spanCount(),
         [&](std::size_t span) { return sampleRows(traced, span); }, options, *writer);
 }
 

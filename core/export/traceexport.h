@@ -27,7 +27,7 @@ struct TraceExportOptions {
 };
 
 /// The names of all columns that a method's traces have at a level.
-QStringList traceColumnNames(const Method &method, TraceLevel level);
+QStringList traceColumnNames(const TraceNumbers &numbers, TraceLevel level);
 
 /// Writes the numbers that the kernel used, with the exact ones and the errors beside them.
 ///

@@ -64,7 +64,7 @@ void addDescribed(TraceTable<Row> &table, const std::vector<NumberDescription> &
 
 } // namespace
 
-TraceTable<SetUpRow> setUpTable(const Method &method)
+TraceTable<SetUpRow> setUpTable(const std::vector<NumberDescription> &numbers)
 {
     TraceTable<SetUpRow> table;
     table.add({QStringLiteral("step"), Kind::Number},
@@ -79,7 +79,7 @@ TraceTable<SetUpRow> setUpTable(const Method &method)
         return row.record.rejection ? rejectionText(*row.record.rejection) : QString();
     });
     addDescribed(
-        table, method.setUpNumbers, [](const SetUpRow &row) -> const auto & { return row.exact; });
+        table, numbers, [](const SetUpRow &row) -> const auto & { return row.exact; });
     return table;
 }
 
@@ -116,7 +116,7 @@ SpanRow spanRow(const TracedScene &traced, std::size_t span)
             exactSpanCells(traced, span)};
 }
 
-TraceTable<SampleRow> sampleTable(const Method &method)
+TraceTable<SampleRow> sampleTable(const std::vector<NumberDescription> &numbers)
 {
     using Row = SampleRow;
     TraceTable<Row> table;
@@ -152,7 +152,7 @@ TraceTable<SampleRow> sampleTable(const Method &method)
         return row.change.isWritten() ? QStringLiteral("written") : QStringLiteral("refused");
     });
     addDescribed(
-        table, method.sampleNumbers,
+        table, numbers,
         [](const Row &row) -> const auto & { return row.exact.cells; });
     return table;
 }

@@ -11,16 +11,16 @@ struct SetUpRow {
     std::size_t step = 0; ///< index
     PrimitiveKind kind = PrimitiveKind::Triangle;
     SetUpRecord record;
-    std::vector<Quantity> exact; ///< by Method::setUpNumbers; may be shorter
+    std::vector<Quantity> exact; ///< by TraceNumbers::setUp; may be shorter
 };
-TraceTable<SetUpRow> setUpTable(const Method &method);
+TraceTable<SetUpRow> setUpTable(const std::vector<NumberDescription> &numbers);
 SetUpRow setUpRow(const TracedScene &traced, std::size_t primitive);
 
 /// The record of a span: a column, a row or a step of the method.
 struct SpanRow {
     std::size_t step = 0; ///< index
     SpanRecord record;
-    std::vector<Quantity> exact; ///< by Method::spanNumbers
+    std::vector<Quantity> exact; ///< by TraceNumbers::span
 };
 /// By the method's descriptions, or by a run's headings.
 TraceTable<SpanRow> spanTable(const std::vector<NumberDescription> &numbers);
@@ -34,7 +34,7 @@ struct SampleRow {
     PixelChange change;
     ExactSample exact;
 };
-TraceTable<SampleRow> sampleTable(const Method &method);
+TraceTable<SampleRow> sampleTable(const std::vector<NumberDescription> &numbers);
 /// A span's samples in order; fewer than it has where the trace was cut.
 std::vector<SampleRow> sampleRows(const TracedScene &traced, std::size_t span);
 

@@ -36,6 +36,8 @@ struct Texture {
 /// "checker": 8 × 8 texels, (i, j) white where i + j is even, black elsewhere.
 Texture checkerTexture();
 
+inline constexpr int mostShininess = 1024;
+
 /// What a triangle is made of.
 struct Material {
     std::string name;
@@ -45,7 +47,7 @@ struct Material {
     /// Multiplied into the vertices' colours, channel by channel: ⌊c·d/255 + ½⌋.
     Colour diffuse = {{255, 255, 255}};
     Colour specular = {{0, 0, 0}};
-    int shininess = 32; ///< the exponent of the highlight, 1 … 1024
+    int shininess = 32; ///< the exponent of the highlight, 1 … mostShininess
 
     friend bool operator==(const Material &a, const Material &b)
     {

@@ -3,6 +3,7 @@
 
 #include "core/fast/fastscan.h"
 #include "core/methods/edgewalkkernels.h"
+#include "core/methods/plannedmethod.h"
 
 namespace pixelplumb {
 
@@ -28,7 +29,9 @@ Method columnScanMethod()
     method.stableArithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::Open};
     method.fillRuleReason = spanRuleReason(SpanAxis::Column);
-    method.drawFast = drawColumnsFast;
+    method.draw = drawPlanned<ShadedMethod::ColumnScan, drawWith<ColumnScanKernel>>;
+    method.drawFast = drawPlanned<ShadedMethod::ColumnScan, drawColumnsFast>;
+    method.trace = tracePlanned<ShadedMethod::ColumnScan, traceWith<ColumnScanKernel>>;
     return method;
 }
 

@@ -2,15 +2,19 @@
 #include "core/methods/interpolation.h"
 
 #include "core/methods/interpolationkernel.h"
+#include "core/methods/plannedmethod.h"
 
 namespace pixelplumb {
 
 namespace {
 
-template <InterpolationForm Form>
+template <InterpolationForm Form, ShadedMethod shaded>
 Method interpolationMethod()
 {
-    Method method = methodOf<InterpolationKernel<Form>>();
+    using Kernel = InterpolationKernel<Form>;
+    Method method = methodOf<Kernel>();
+    method.draw = drawPlanned<shaded, drawWith<Kernel>>;
+    method.trace = tracePlanned<shaded, traceWith<Kernel>>;
     method.family = MethodFamily::Interpolation;
     method.effects = {QStringLiteral("smooth colour"), QStringLiteral("depth"),
                       QStringLiteral("texture coordinates"), QStringLiteral("normals"),
@@ -26,7 +30,7 @@ Method interpolationMethod()
 
 Method bilinearInterpolationMethod()
 {
-    Method method = interpolationMethod<InterpolationForm::Bilinear>();
+    Method method = interpolationMethod<InterpolationForm::Bilinear, ShadedMethod::Bilinear>();
     method.id = QStringLiteral("interpolate-bilinear");
     method.title = QStringLiteral("Bilinear interpolation");
     method.source = QStringLiteral("Scan Conversion slides, “1. Bilinear Interpolation”");
@@ -37,7 +41,7 @@ Method bilinearInterpolationMethod()
 
 Method planeInterpolationMethod()
 {
-    Method method = interpolationMethod<InterpolationForm::Plane>();
+    Method method = interpolationMethod<InterpolationForm::Plane, ShadedMethod::Plane>();
     method.id = QStringLiteral("interpolate-plane");
     method.title = QStringLiteral("Plane equation");
     method.source = QStringLiteral("Scan Conversion slides, “2. Plane Equation”");
@@ -48,7 +52,8 @@ Method planeInterpolationMethod()
 
 Method barycentricInterpolationMethod()
 {
-    Method method = interpolationMethod<InterpolationForm::Barycentric>();
+    Method method
+        = interpolationMethod<InterpolationForm::Barycentric, ShadedMethod::Barycentric>();
     method.id = QStringLiteral("interpolate-barycentric");
     method.title = QStringLiteral("Barycentric interpolation");
     method.source = QStringLiteral("Scan Conversion slides, “3. Barycentric Coordinates” and "

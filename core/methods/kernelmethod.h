@@ -117,9 +117,9 @@ Method methodOf()
     // The descriptions are the same in every arithmetic.
     Kernel::withNumbers(ScanSettings{}, IntegerWidth::Bits64, [&]<class A>() {
         using Recording = typename Kernel::template Recording<A>;
-        method.setUpNumbers = descriptionsOf(Recording::setUpNumbers());
-        method.spanNumbers = descriptionsOf(Recording::spanNumbers());
-        method.sampleNumbers = descriptionsOf(Recording::sampleNumbers());
+        method.numbers.setUp = descriptionsOf(Recording::setUpNumbers());
+        method.numbers.span = descriptionsOf(Recording::spanNumbers());
+        method.numbers.sample = descriptionsOf(Recording::sampleNumbers());
     });
     return method;
 }

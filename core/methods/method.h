@@ -3,7 +3,6 @@
 
 #include "core/frame/frameview.h"
 #include "core/geometry/shape.h"
-#include "core/trace/numberdescription.h"
 #include "core/trace/tracerecorder.h"
 
 #include <QStringList>
@@ -34,10 +33,8 @@ struct Method {
     std::vector<FillRule> fillRules;
     /// Why it keeps no other fill rules; empty when it keeps all.
     QString fillRuleReason = {};
-    std::vector<NumberDescription> setUpNumbers = {}; ///< what SetUpRecord::cells are
-    std::vector<NumberDescription> spanNumbers
-        = {}; ///< what SpanRecord::cells are: the table's columns
-    std::vector<NumberDescription> sampleNumbers = {}; ///< what SampleRecord::cells are
+    /// Of runs that call for nothing but colour; a trace has its own (ScanTrace::numbers).
+    TraceNumbers numbers = {};
 
     /// Draws the primitives of its kinds (sample coordinates) in order.
     void (*draw)(const Primitives &primitives, const ScanSettings &settings, FrameView frame);

@@ -12,5 +12,7 @@ using Int256 = boost::multiprecision::int256_t;
 /// For what no fixed width bounds well: a curve halved until its pixels are decided. It allocates
 /// beyond 128 bits alone.
 using BigInteger = boost::multiprecision::cpp_int;
+/// In lowest terms.
+using BigRational = boost::multiprecision::cpp_rational;
 
 } // namespace pixelplumb

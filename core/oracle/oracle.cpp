@@ -220,13 +220,22 @@ SampleVerdict judge(const Triangle &triangle, const BoundaryRule &rule, std::int
                 / double(unitsPerPixel);
     }
     if (verdict.zeroArea)
-        verdict.covered = rule.rule == FillRule::Closed && Segment(triangle).contains(x, y);
+        verdict.covered = covers(triangle, rule, x, y);
     return verdict;
 }
 
 bool covers(const Triangle &triangle, const BoundaryRule &rule, std::int64_t x, std::int64_t y)
 {
-    return judge(triangle, rule, x, y).covered;
+    const EdgeFunctions<Int128> edges(triangle);
+    if (edges.area() == 0)
+        return rule.rule == FillRule::Closed && Segment(triangle).contains(x, y);
+    const Point<Int128> sample = samplePoint<Int128>(x, y);
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+        const Int128 value = edges.value(edge, sample);
+        if (value < 0 || (value == 0 && !edges.ownsBoundary(edge, rule)))
+            return false;
+    }
+    return true;
 }
 
 std::array<Quantity, 3> colourAt(const Triangle &triangle, std::int64_t x, std::int64_t y)

@@ -39,6 +39,7 @@ Primitives primitivesFor(const Primitives &primitives, const Contender &contende
     if (contender.isTruth())
         return primitives;
     Primitives drawn;
+    drawn.appearance = primitives.appearance;
     if (contender.method->draws(PrimitiveKind::Triangle)) {
         drawn.triangles = primitives.triangles;
         drawn.attributes = primitives.attributes;

@@ -40,8 +40,8 @@ bool isExact(const TracedScene &traced)
     return traced.scene.settings.arithmetic == Arithmetic::Exact;
 }
 
-/// The cells of a span's samples by their pixels.
-using CellsByPixel = std::unordered_map<std::uint64_t, std::vector<Quantity>>;
+/// A span's samples by their pixels.
+using SamplesByPixel = std::unordered_map<std::uint64_t, SampleRecord>;
 
 std::uint64_t keyOf(const SampleRecord &sample)
 {
@@ -49,21 +49,21 @@ std::uint64_t keyOf(const SampleRecord &sample)
 }
 
 /// The exact run walks the span once, however many of its samples are asked for.
-CellsByPixel twinCells(const TracedScene &traced, std::size_t span)
+SamplesByPixel twinSamples(const TracedScene &traced, std::size_t span)
 {
-    CellsByPixel cells;
+    SamplesByPixel samples;
     if (const std::optional<std::size_t> twin = twinOf(traced, span)) {
         for (SampleRecord &sample : traced.exactTrace->samples(*twin))
-            cells[keyOf(sample)] = std::move(sample.cells);
+            samples[keyOf(sample)] = std::move(sample);
     }
-    return cells;
+    return samples;
 }
 
 } // namespace
 
 std::vector<Quantity> exactSetUpCells(const TracedScene &traced, std::size_t primitive)
 {
-    const std::vector<NumberDescription> &numbers = traced.method->setUpNumbers;
+    const std::vector<NumberDescription> &numbers = traced.trace->numbers().setUp;
     if (isExact(traced))
         return compared(numbers, traced.trace->setUp(primitive).cells);
     const bool hasTwin = traced.exactTrace && primitive < traced.exactTrace->primitiveCount();
@@ -73,7 +73,7 @@ std::vector<Quantity> exactSetUpCells(const TracedScene &traced, std::size_t pri
 
 std::vector<Quantity> exactSpanCells(const TracedScene &traced, std::size_t span)
 {
-    const std::vector<NumberDescription> &numbers = traced.method->spanNumbers;
+    const std::vector<NumberDescription> &numbers = traced.trace->numbers().span;
     if (isExact(traced))
         return compared(numbers, traced.trace->span(span).cells);
     const std::optional<std::size_t> twin = twinOf(traced, span);
@@ -95,19 +95,22 @@ std::vector<ExactSample> exactSamplesOf(const TracedScene &traced, std::size_t s
                                         std::span<const SampleRecord> samples)
 {
     const std::size_t primitive = traced.trace->primitiveOf(span);
-    const CellsByPixel twins = twinCells(traced, span);
+    const SamplesByPixel twins = twinSamples(traced, span);
     std::vector<ExactSample> exact(samples.size());
     for (std::size_t i = 0; i < samples.size(); ++i) {
         const SampleRecord &sample = samples[i];
-        if (traced.primitives.isTriangle(primitive))
+        const auto found = twins.find(keyOf(sample));
+        const SampleRecord *twin = found != twins.end() ? &found->second
+            : isExact(traced)                           ? &sample
+                                                        : nullptr;
+        exact[i].cells = compared(traced.trace->numbers().sample,
+                                  twin ? twin->cells : std::vector<Quantity>());
+        // With effects a colour is no plane of the vertices' alone.
+        if (traced.plan)
+            exact[i].colour = twin ? twin->colour : std::array<Quantity, 3>();
+        else if (traced.primitives.isTriangle(primitive))
             exact[i].colour
                 = oracle::colourAt(traced.primitives.triangles[primitive], sample.x, sample.y);
-        const auto twin = twins.find(keyOf(sample));
-        if (twin != twins.end())
-            exact[i].cells = compared(traced.method->sampleNumbers, twin->second);
-        else
-            exact[i].cells = compared(traced.method->sampleNumbers,
-                                      isExact(traced) ? sample.cells : std::vector<Quantity>());
     }
     return exact;
 }

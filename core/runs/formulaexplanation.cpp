@@ -124,7 +124,7 @@ FormulaNames spanNames(const TracedScene &traced, const SpanPair &spans)
 {
     FormulaNames names;
     const std::size_t primitive = spans.current.primitive;
-    names.add(traced.method->setUpNumbers, traced.trace->setUp(primitive).cells);
+    names.add(traced.trace->numbers().setUp, traced.trace->setUp(primitive).cells);
     names.add(spans.words.numbers, spans.current.cells,
               spans.previous ? &spans.previous->cells : nullptr);
     return names;
@@ -164,9 +164,17 @@ QString byteFormula(ByteRounding rounding, std::int64_t level)
     return level > 255 ? QStringLiteral("min(255, ") + rounded + u')' : rounded;
 }
 
+/// The byte of an exact level.
+Quantity byteOf(const Quantity &level, ByteRounding rounding)
+{
+    const CommonFraction exact{level.numerator(), level.denominator()};
+    const Int128 byte = rounding == ByteRounding::Nearest ? exact.nearest() : exact.floor();
+    return Quantity::integer(std::clamp<Int128>(byte, 0, 255));
+}
+
 /// The bytes of a written sample, and its levels where no column describes them.
-void appendBytes(Explanation &explanation, const TracedScene &traced, const TraceStep &step,
-                 const SampleRecord &sample, const ExactSample &exact)
+void appendBytes(Explanation &explanation, const TracedScene &traced, const SampleRecord &sample,
+                 const ExactSample &exact)
 {
     const ByteRounding rounding = traced.scene.settings.rounding;
     for (std::size_t channel = 0; channel < 3; ++channel) {
@@ -180,11 +188,8 @@ void appendBytes(Explanation &explanation, const TracedScene &traced, const Trac
         byte.symbols = QStringLiteral("byte = ") + filled(QString(channelLetters[channel]));
         byte.substituted = filled(term(sample.colour[channel]));
         byte.used = Quantity::integer(std::clamp<std::int64_t>(sample.level[channel], 0, 255));
-        if (!exact.colour[channel].isNone())
-            byte.exact = Quantity::integer(
-                oracle::byteColourAt(traced.primitives.triangles[step.primitive], sample.x,
-                                     sample.y, rounding)
-                    .channels[channel]);
+        if (exact.colour[channel].isRational())
+            byte.exact = byteOf(exact.colour[channel], rounding);
         explanation.lines.push_back(byte);
     }
 }
@@ -206,7 +211,7 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
     names.add(QStringLiteral("x"), Quantity::integer(sample.x));
     names.add(QStringLiteral("y"), Quantity::integer(sample.y));
     // The step of a line or a circle is its one sample: the numbers stand in the span.
-    const bool isStep = traced.method->sampleNumbers.empty() && samples.size() == 1;
+    const bool isStep = traced.trace->numbers().sample.empty() && samples.size() == 1;
     for (std::size_t channel = 0; channel < 3 && !isStep; ++channel)
         names.add(QString(channelLetters[channel]), sample.colour[channel],
                   place > 0 ? std::optional(samples[place - 1].colour[channel]) : std::nullopt);
@@ -230,7 +235,7 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
     appendLines(explanation, words.numbers, sample.cells, exact.cells, names,
                 place == 0 ? FormulaStart::Fresh : FormulaStart::Continued);
     if (isWritten)
-        appendBytes(explanation, traced, step, sample, exact);
+        appendBytes(explanation, traced, sample, exact);
     return explanation;
 }
 

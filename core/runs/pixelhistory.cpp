@@ -90,6 +90,27 @@ QString missedText(const PixelAttempt &attempt, const ScanTrace &trace)
         .arg(span.endSample - 1);
 }
 
+/// What became of a sample on which more than coverage and colour were decided.
+QString shadedText(const PixelAttempt &attempt, const TracedScene &traced)
+{
+    const ScanTrace &trace = *traced.trace;
+    const TraceStep step = trace.stepAt(attempt.step);
+    const QString told
+        = trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
+    if (!attempt.written)
+        return told;
+    const Colour colour = unpacked(attempt.change.after);
+    QString text = QStringLiteral("Writes %1, %2, %3.")
+                       .arg(colour.red())
+                       .arg(colour.green())
+                       .arg(colour.blue());
+    if (!told.isEmpty())
+        text += u' ' + told;
+    if (attempt.sample->clamped)
+        text += QStringLiteral(" A level left 0 … 255 and was clamped.");
+    return text;
+}
+
 QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                  std::int64_t y)
 {
@@ -97,6 +118,8 @@ QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::in
         if (const auto rejection = traced.trace->setUp(attempt.primitive).rejection)
             return rejectionText(*rejection);
     }
+    if (traced.plan && attempt.sample)
+        return shadedText(attempt, traced);
     if (!attempt.written) {
         return attempt.verdict.covered ? missedText(attempt, *traced.trace)
                                        : refusalText(attempt, traced, x, y);

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/scenepicture.h"
 
-#include "core/fast/fastscan.h"
 #include "core/frame/keptrows.h"
 #include "core/frame/pixelrows.h"
 #include "core/scan/columndrawing.h"
@@ -39,12 +38,21 @@ bool staysNearItsBox(const Triangle &triangle)
     });
 }
 
+/// Whether triangles may depend on those before them, or come from solids: such scenes are drawn
+/// whole.
+bool isDrawnWhole(const Scene &scene)
+{
+    const Appearance &appearance = scene.appearance;
+    return !scene.attributes.empty() || !scene.solids.empty()
+        || appearance.antialiasing != Antialiasing::None || appearance.forced != EffectForcing{};
+}
+
 /// Whether rows can be drawn by themselves: where it is known which triangles reach into them.
 bool isDrawnByRows(const Scene &scene, const Method &method)
 {
     const bool wraps = scene.settings.arithmetic == Arithmetic::Fixed16; // to any row
-    return method.drawFast && !wraps && scene.shapes.empty() && scene.attributes.empty()
-        && scene.triangles.size() <= mostCompared
+    return method.drawFast && !wraps && scene.shapes.empty() && !isDrawnWhole(scene)
+        && scene.solids.empty() && scene.triangles.size() <= mostCompared
         && std::ranges::all_of(scene.triangles, staysNearItsBox);
 }
 
@@ -52,7 +60,8 @@ bool differInTrianglesAlone(const Scene &scene, const Scene &other)
 {
     return scene.frame == other.frame && scene.settings == other.settings
         && scene.method == other.method && scene.shapes == other.shapes
-        && scene.attributes == other.attributes && scene.triangles.size() == other.triangles.size();
+        && scene.attributes == other.attributes && scene.appearance == other.appearance
+        && scene.triangles.size() == other.triangles.size();
 }
 
 /// Of two words that are not the same.
@@ -153,7 +162,21 @@ ScenePicture::Rows ScenePicture::rowsToDraw(const Scene &scene, const Method &me
 bool ScenePicture::drawAll(const Scene &scene, const Method &method,
                            const ProgressListener &listener)
 {
+    if (!scene.solids.empty()) { // among which depth decides
+        if (!goesOn(listener, {JobPhase::Drawing, 0, 1}))
+            return false;
+        m_piece = primitivesOnSamples(scene);
+        drawPiece(scene, method);
+        return true;
+    }
     const auto count = std::int64_t(scene.triangles.size() + scene.shapes.size());
+    if (isDrawnWhole(scene)) {
+        if (!goesOn(listener, {JobPhase::Drawing, 0, 1}))
+            return false;
+        m_piece = primitivesOnSamples(scene);
+        drawPiece(scene, method);
+        return true;
+    }
     const std::size_t pieceSize = method.drawFast ? fastPiece : plainPiece;
     for (std::size_t first = 0; first < scene.triangles.size(); first += pieceSize) {
         if (!goesOn(listener, {JobPhase::Drawing, std::int64_t(first), count}))
@@ -211,7 +234,7 @@ void ScenePicture::drawPiece(const Scene &scene, const Method &method)
     if (m_twinKind != Twin::Drawn)
         return;
     const ScanSettings exact{Arithmetic::Exact, scene.settings.fillRule, scene.settings.rounding};
-    drawFast(m_piece.triangles, exact, m_twin->view());
+    methodNamed(u"column-scan")->drawFastest(m_piece, exact, m_twin->view());
 }
 
 /// Those that are drawn into.

@@ -5,7 +5,7 @@ namespace pixelplumb {
 
 std::vector<NumberDescription> spanHeadings(const TracedScene &traced)
 {
-    std::vector<NumberDescription> headings = traced.method->spanNumbers;
+    std::vector<NumberDescription> headings = traced.trace->numbers().span;
     if (traced.trace->spanCount() == 0)
         return headings;
     // Some titles follow the settings, and so does every span of a run.

@@ -3,8 +3,8 @@
 
 #include "core/frame/coveragemask.h"
 #include "core/frame/pixelrows.h"
-#include "core/oracle/oracle.h"
-#include "core/oracle/shapeoracle.h"
+#include "core/oracle/truepicture.h"
+#include "core/runs/contender.h"
 #include "core/runs/tracemarks.h"
 
 #include <algorithm>
@@ -54,20 +54,6 @@ CoverageMask coverageOf(const ScanTrace &trace, const FrameSpec &spec)
     return coverage;
 }
 
-/// The true picture of the primitives that the method draws.
-void drawTruly(const Primitives &primitives, const Method &method, const ScanSettings &settings,
-               FrameView frame)
-{
-    if (method.draws(PrimitiveKind::Triangle)) {
-        for (const Triangle &triangle : primitives.triangles)
-            oracle::draw(triangle, {settings, frame}, settings.rounding, frame);
-    }
-    for (const Shape &shape : primitives.shapes) {
-        if (method.draws(shape))
-            oracle::draw(shape, settings.rounding, frame);
-    }
-}
-
 /// The truth's alpha tells what it covers (pixelrows.h).
 DifferenceMap differencesBetween(const FrameBuffer &drawn, const CoverageMask &drawnCoverage,
                                  const FrameBuffer &truth)
@@ -93,24 +79,36 @@ DifferenceMap differencesBetween(const FrameBuffer &drawn, const CoverageMask &d
 
 /// The spans of the same run in exact arithmetic, to stand beside a rounding trace. Gives up
 /// without a word at the limits: the exact numbers are then none.
-std::unique_ptr<const ScanTrace> exactTwinOf(const Method &method, const Primitives &primitives,
-                                             const Scene &scene, const TraceOptions &options)
+std::unique_ptr<const ScanTrace> exactTwinOf(const TracedScene &traced, const TraceOptions &options)
 {
+    const Scene &scene = traced.scene;
+    const Method &method = *traced.method;
     if (scene.settings.arithmetic == Arithmetic::Exact || !method.supports(Arithmetic::Exact))
         return nullptr;
     ScanSettings exact = scene.settings;
     exact.arithmetic = Arithmetic::Exact;
     TraceOptions spansAlone = options;
-    spansAlone.detail = TraceDetail::Spans;
+    // Where samples depend on what their pixels held, spans alone could not tell them.
+    if (!traced.plan)
+        spansAlone.detail = TraceDetail::Spans;
     spansAlone.progress = [&options](const JobProgress &progress) {
         return goesOn(options.progress,
                       {JobPhase::RecordingExactly, progress.done, progress.total});
     };
     FrameBuffer unseen(scene.frame);
-    return method.trace(primitives, exact, unseen.view(), spansAlone);
+    return method.trace(traced.primitives, exact, unseen.view(), spansAlone);
 }
 
 } // namespace
+
+std::optional<std::size_t> TracedScene::indexInScene(std::size_t primitive) const
+{
+    if (primitive < scene.triangles.size())
+        return primitive;
+    if (primitives.isTriangle(primitive))
+        return std::nullopt;
+    return primitive - primitives.triangles.size() + scene.triangles.size();
+}
 
 std::optional<TracedScene::WrongPixel> TracedScene::firstWrongPixel() const
 {
@@ -138,16 +136,20 @@ std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOpt
     auto traced = std::make_shared<TracedScene>(scene, primitivesOnSamples(scene), &method);
     const Primitives &primitives = traced->primitives;
     FrameBuffer drawn(scene.frame);
+    if (method.draws(PrimitiveKind::Triangle))
+        traced->plan = planBeyondColour(primitives, scene.settings, drawn.view());
     traced->trace = method.trace(primitives, scene.settings, drawn.view(), options);
     if (!traced->trace)
         return nullptr;
     const ScanTrace &trace = *traced->trace;
-    traced->exactTrace = exactTwinOf(method, primitives, scene, options);
+    traced->exactTrace = exactTwinOf(*traced, options);
 
     const FrameView truth = traced->truth.view();
     fillTransparent(truth, scene.frame.background);
-    const auto drawBand
-        = [&](FrameView band) { drawTruly(primitives, method, scene.settings, band); };
+    const Primitives ofMethod = primitivesFor(primitives, {&method, scene.settings});
+    const auto drawBand = [&](FrameView band) {
+        oracle::drawPicture(ofMethod, scene.settings, traced->plan, band);
+    };
     if (!drawByBands(truth, options.progress, drawBand))
         return nullptr;
 
@@ -169,7 +171,10 @@ void drawScene(const Scene &scene, const FrameBuffer &frame)
 
 void drawTruth(const Scene &scene, const FrameBuffer &frame)
 {
-    drawTruly(primitivesOnSamples(scene), methodOf(scene), scene.settings, frame.view());
+    const Primitives primitives
+        = primitivesFor(primitivesOnSamples(scene), {&methodOf(scene), scene.settings});
+    oracle::drawPicture(primitives, scene.settings,
+                        planBeyondColour(primitives, scene.settings, frame.view()), frame.view());
 }
 
 } // namespace pixelplumb

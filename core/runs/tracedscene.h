@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/effects/effectplan.h"
 #include "core/methods/method.h"
 #include "core/runs/decidedpositions.h"
 #include "core/scene/scene.h"
@@ -42,6 +43,8 @@ struct TracedScene {
     Scene scene;
     Primitives primitives; ///< in sample coordinates: what the kernel was given
     const Method *method = nullptr;
+    /// What ran, where the scene called for more than colour.
+    std::optional<EffectPlan> plan;
     std::unique_ptr<const ScanTrace> trace;
     /// The spans of the same method in exact arithmetic; null where the trace itself is exact or
     /// the method has no exact arithmetic.
@@ -51,6 +54,10 @@ struct TracedScene {
     std::vector<TraceMark> marks; ///< ascending steps; ties and clamps at most one a span
 
     DecidedPositions decided;
+
+    /// The index through the scene's triangles and shapes of a primitive that was drawn; none of a
+    /// solid's triangle.
+    std::optional<std::size_t> indexInScene(std::size_t primitive) const;
 
     /// The position from which on a pixel's difference is decided (see DecidedPositions).
     std::size_t decidedAt(std::int64_t x, std::int64_t y) const { return decided.at(x, y); }

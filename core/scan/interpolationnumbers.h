@@ -68,6 +68,13 @@ Float realValue(std::int64_t units, std::size_t channel)
     return Float(double(units) / double(attributeOne)); // the division leaves the digits alone
 }
 
+/// A value that is a floating number already.
+template <std::floating_point Float>
+Float realValue(Float value, std::size_t)
+{
+    return value;
+}
+
 /// What a vertex has in a channel, as weights multiply it: its units in exact numbers.
 template <class Number>
 struct VertexValue {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/attributereader.h"
 
-#include "core/scene/coordinatetext.h"
+#include "core/scene/primitivewriter.h"
 
 #include <algorithm>
 #include <span>
@@ -11,84 +11,100 @@ namespace pixelplumb {
 namespace {
 
 const QString depthKey = QStringLiteral("z");
+const QString divisorKey = QStringLiteral("w");
 const QString textureKey = QStringLiteral("uv");
 const QString normalsKey = QStringLiteral("normals");
+const QString materialKey = QStringLiteral("material");
 
-constexpr Attribute perLatticeUnit = attributeOne / unitsPerPixel;
+using Vertices = std::array<VertexAttributes, 3>;
 
-QByteArray numberText(Attribute units)
+template <class Read>
+void readEach(JsonReader &json, const JsonNode &node, Vertices &vertices, const Read &read)
 {
-    const QByteArray text = coordinateText(units / perLatticeUnit).toUtf8();
-    return text.contains('/') ? '"' + text + '"' : text;
+    if (node.isMissing())
+        return;
+    const std::vector<JsonNode> values = json.array(node, qsizetype(vertices.size()));
+    for (std::size_t i = 0; i < vertices.size() && !json.hasFailed(); ++i)
+        read(values[i], vertices[i]);
 }
 
-QByteArray arrayText(std::span<const Attribute> numbers)
+/// A key with a value for each vertex; nothing where all are the default.
+template <class Value>
+QByteArray valuesText(const QString &key, const Vertices &vertices, Value VertexAttributes::*member)
 {
-    QByteArray text = "[";
-    for (const Attribute number : numbers)
-        text += (text.size() > 1 ? ", " : "") + numberText(number);
-    return text + ']';
-}
-
-/// A key with an array for each vertex; nothing where all numbers are 0.
-template <std::size_t Count>
-QByteArray arraysText(const QString &key, const std::array<VertexAttributes, 3> &vertices,
-                      std::array<Attribute, Count> VertexAttributes::*member)
-{
-    const bool isEmpty = std::ranges::all_of(vertices, [member](const VertexAttributes &vertex) {
-        return vertex.*member == std::array<Attribute, Count>{};
-    });
-    if (isEmpty)
+    const Value byDefault = VertexAttributes().*member;
+    if (std::ranges::all_of(vertices, [&](const auto &each) { return each.*member == byDefault; }))
         return {};
-    QByteArray text;
+    QByteArray values;
     for (const VertexAttributes &vertex : vertices)
-        text += (text.isEmpty() ? "" : ", ") + arrayText(vertex.*member);
-    return ", \"" + key.toUtf8() + "\": [" + text + ']';
+        values += (values.isEmpty() ? "" : ", ") + jsonAttributeText(vertex.*member);
+    return ", \"" + key.toUtf8() + "\": [" + values + ']';
 }
 
 } // namespace
 
-QStringList attributeKeys() { return {depthKey, textureKey, normalsKey}; }
+QStringList attributeKeys() { return {depthKey, divisorKey, textureKey, normalsKey, materialKey}; }
 
-std::optional<std::array<VertexAttributes, 3>> readAttributes(
-    JsonReader &json, const JsonNode &triangle,
-    const std::function<Lattice(const JsonNode &)> &number)
+TriangleAttributes readAttributes(JsonReader &json, NumberReader &numbers, const JsonNode &triangle,
+                                  const std::vector<Material> &materials)
 {
-    const JsonNode depth = triangle[depthKey];
-    const JsonNode texture = triangle[textureKey];
-    const JsonNode normals = triangle[normalsKey];
-    if (depth.isMissing() && texture.isMissing() && normals.isMissing())
-        return std::nullopt;
-    std::array<VertexAttributes, 3> vertices;
-    if (!depth.isMissing()) {
-        const std::vector<JsonNode> numbers = json.array(depth, 3);
-        for (std::size_t i = 0; i < 3; ++i)
-            vertices[i].z = number(numbers[i]) * perLatticeUnit;
-    }
-    const auto readArrays = [&](const JsonNode &node, auto member) {
-        if (node.isMissing())
-            return;
-        const std::vector<JsonNode> arrays = json.array(node, 3);
-        for (std::size_t i = 0; i < 3; ++i) {
-            auto &target = vertices[i].*member;
-            const std::vector<JsonNode> numbers = json.array(arrays[i], qsizetype(target.size()));
-            for (std::size_t k = 0; k < target.size(); ++k)
-                target[k] = number(numbers[k]) * perLatticeUnit;
-        }
-    };
-    readArrays(texture, &VertexAttributes::texture);
-    readArrays(normals, &VertexAttributes::normal);
-    return vertices;
+    TriangleAttributes attributes;
+    Vertices &vertices = attributes.vertices;
+    readEach(json, triangle[depthKey], vertices,
+             [&](const JsonNode &node, auto &vertex) { vertex.z = numbers.attribute(node); });
+    readEach(json, triangle[divisorKey], vertices, [&](const JsonNode &node, auto &vertex) {
+        vertex.w = numbers.attribute(node);
+        if (vertex.w <= 0)
+            json.fail(node, QStringLiteral("w of ") + numberText(vertex.w, attributeFormat),
+                      QStringLiteral("1/%1 or more").arg(attributeOne));
+    });
+    readEach(json, triangle[textureKey], vertices, [&](const JsonNode &node, auto &vertex) {
+        vertex.texture = numbers.attributes<2>(node);
+    });
+    readEach(json, triangle[normalsKey], vertices, [&](const JsonNode &node, auto &vertex) {
+        vertex.normal = numbers.attributes<3>(node);
+        if (vertex.normal == std::array<Attribute, 3>{})
+            json.fail(node, QStringLiteral("a normal of length 0"),
+                      QStringLiteral("a component of ±1/%1 or more").arg(attributeOne));
+    });
+    attributes.material = readMaterialName(json, triangle[materialKey], materials);
+    return attributes;
 }
 
-QByteArray attributesText(const std::array<VertexAttributes, 3> &vertices)
+int readMaterialName(JsonReader &json, const JsonNode &node, const std::vector<Material> &materials)
 {
-    const std::array<Attribute, 3> depths = {vertices[0].z, vertices[1].z, vertices[2].z};
-    QByteArray text;
-    if (depths != std::array<Attribute, 3>{})
-        text += ", \"" + depthKey.toUtf8() + "\": " + arrayText(depths);
-    return text + arraysText(textureKey, vertices, &VertexAttributes::texture)
-        + arraysText(normalsKey, vertices, &VertexAttributes::normal);
+    if (node.isMissing())
+        return noMaterial;
+    const std::string name = json.string(node).toStdString();
+    const auto found = std::ranges::find(materials, name, &Material::name);
+    if (found != materials.end())
+        return int(found - materials.begin());
+    QStringList names;
+    for (const Material &material : materials)
+        names.append(QString::fromStdString(material.name));
+    json.fail(node, describe(node),
+              names.isEmpty() ? QStringLiteral("one of the scene's \"materials\", which has none")
+                              : QStringLiteral("one of ") + names.join(QStringLiteral(", ")));
+    return noMaterial;
+}
+
+QByteArray attributesText(const TriangleAttributes &attributes,
+                          const std::vector<Material> &materials)
+{
+    const Vertices &vertices = attributes.vertices;
+    return valuesText(depthKey, vertices, &VertexAttributes::z)
+        + valuesText(divisorKey, vertices, &VertexAttributes::w)
+        + valuesText(textureKey, vertices, &VertexAttributes::texture)
+        + valuesText(normalsKey, vertices, &VertexAttributes::normal)
+        + materialText(attributes.material, materials);
+}
+
+QByteArray materialText(int material, const std::vector<Material> &materials)
+{
+    if (material == noMaterial)
+        return {};
+    return ", \"" + materialKey.toUtf8()
+        + "\": " + quotedText(QByteArray::fromStdString(materials[std::size_t(material)].name));
 }
 
 } // namespace pixelplumb

@@ -1,25 +1,29 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/attributes.h"
-#include "core/scene/jsonreader.h"
-
-#include <functional>
-#include <optional>
+#include "core/geometry/appearance.h"
+#include "core/scene/numberreader.h"
 
 namespace pixelplumb {
 
-/// The keys of what a triangle's vertices may carry beside their colours: "z": [z, z, z],
-/// "uv": [[u, v], …], "normals": [[x, y, z], …].
+/// The keys of what a triangle may carry beside places and colours: "z": [z, z, z],
+/// "w": [w, w, w], "uv": [[u, v], …], "normals": [[x, y, z], …], "material": "name".
 QStringList attributeKeys();
 
-/// Reads them; none where the triangle has none of the keys. Numbers are read as coordinates are.
-std::optional<std::array<VertexAttributes, 3>> readAttributes(
-    JsonReader &json, const JsonNode &triangle,
-    const std::function<Lattice(const JsonNode &)> &number);
+/// Reads them, with their defaults where a key is missing; errors stay with the JsonReader.
+TriangleAttributes readAttributes(JsonReader &json, NumberReader &numbers, const JsonNode &triangle,
+                                  const std::vector<Material> &materials);
 
-/// ", \"z\": […], \"uv\": […], \"normals\": […]": what readAttributes reads back, without the keys
-/// of which all numbers are 0.
-QByteArray attributesText(const std::array<VertexAttributes, 3> &vertices);
+/// The index of the material that the node names; none where it is missing.
+int readMaterialName(JsonReader &json, const JsonNode &node,
+                     const std::vector<Material> &materials);
+
+/// ", \"z\": […], \"uv\": […], …": what readAttributes reads back, without the keys that say
+/// nothing new.
+QByteArray attributesText(const TriangleAttributes &attributes,
+                          const std::vector<Material> &materials);
+
+/// ", \"material\": \"name\"", or nothing.
+QByteArray materialText(int material, const std::vector<Material> &materials);
 
 } // namespace pixelplumb

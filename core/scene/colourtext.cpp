@@ -15,28 +15,30 @@ bool isHexadecimal(QStringView digits)
     return true;
 }
 
+QString byteText(std::uint8_t byte)
+{
+    return QStringLiteral("%1").arg(int(byte), 2, 16, QChar(u'0'));
+}
+
 } // namespace
 
-Result<Colour> parseColour(QStringView text)
+Result<BlendedColour> parseColour(QStringView text)
 {
     const bool isColour = text.startsWith(u'#') && (text.size() == 7 || text.size() == 9)
         && isHexadecimal(text.sliced(1));
     if (!isColour) {
         return InputError{{},
                           QStringLiteral("“%1” is no colour").arg(text.left(60)),
-                          QStringLiteral("#rrggbb in hexadecimal digits")};
+                          QStringLiteral("#rrggbb or #rrggbbaa in hexadecimal digits")};
     }
-    if (text.size() == 9 && text.sliced(7).toInt(nullptr, 16) != 255) {
-        return InputError{
-            {},
-            QStringLiteral("“%1” is not opaque, and blending is not available").arg(text),
-            QStringLiteral("alpha ff, or #rrggbb without alpha")};
-    }
-    Colour colour;
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        const QStringView digits = text.sliced(1 + 2 * qsizetype(channel), 2);
-        colour.channels[channel] = std::uint8_t(digits.toInt(nullptr, 16));
-    }
+    const auto byte = [text](std::size_t index) {
+        return std::uint8_t(text.sliced(1 + 2 * qsizetype(index), 2).toInt(nullptr, 16));
+    };
+    BlendedColour colour;
+    for (std::size_t channel = 0; channel < 3; ++channel)
+        colour.colour.channels[channel] = byte(channel);
+    if (text.size() == 9)
+        colour.alpha = byte(3);
     return colour;
 }
 
@@ -44,8 +46,14 @@ QString colourText(const Colour &colour)
 {
     QString text = QStringLiteral("#");
     for (const std::uint8_t channel : colour.channels)
-        text += QStringLiteral("%1").arg(int(channel), 2, 16, QChar(u'0'));
+        text += byteText(channel);
     return text;
+}
+
+QString colourText(const BlendedColour &colour)
+{
+    const QString text = colourText(colour.colour);
+    return colour.alpha == 255 ? text : text + byteText(colour.alpha);
 }
 
 } // namespace pixelplumb

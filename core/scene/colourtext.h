@@ -8,11 +8,20 @@
 
 namespace pixelplumb {
 
-/// Reads "#rrggbb", and "#rrggbbaa" where aa is ff: colours are opaque as long as nothing blends
-/// them.
-Result<Colour> parseColour(QStringView text);
+/// A colour and how much of what stands below it hides: 0 transparent … 255 opaque.
+struct BlendedColour {
+    Colour colour;
+    std::uint8_t alpha = 255;
+
+    friend bool operator==(const BlendedColour &, const BlendedColour &) = default;
+};
+
+/// Reads "#rrggbb" and "#rrggbbaa".
+Result<BlendedColour> parseColour(QStringView text);
 
 /// "#rrggbb"
 QString colourText(const Colour &colour);
+/// "#rrggbbaa"; "#rrggbb" of an opaque one.
+QString colourText(const BlendedColour &colour);
 
 } // namespace pixelplumb

@@ -117,76 +117,93 @@ Quantity quantityOf(const WrittenValue &value)
     return Quantity::of(value.negative ? -magnitude : magnitude);
 }
 
-InputError refusal(QStringView text, const QString &why)
+InputError refusal(QStringView text, const QString &why, const NumberFormat &format)
 {
     constexpr qsizetype longestQuote = 60;
     const QString quote = text.size() <= longestQuote
         ? text.toString()
         : text.first(longestQuote).toString() + QChar(0x2026);
-    return {{}, why.arg(quote), coordinateExpectation()};
+    return {{}, why.arg(quote), expectationOf(format)};
 }
 
-static_assert(largestPixel == 1073741824, "the message of parseCoordinate names it");
-
-bool isOutside(const WrittenValue &value)
+QString rangeText(const NumberFormat &format)
 {
-    return Natural(std::uint64_t(largestPixel)) * value.denominator < value.numerator;
+    return QStringLiteral("±%1%2").arg(format.largest).arg(QLatin1String(format.unit));
 }
 
-/// units / 256 − value: both over 256 * denominator.
-Quantity displacementOf(Lattice units, const WrittenValue &value)
+Natural naturalOf(std::int64_t value) { return Natural(std::uint64_t(value)); }
+
+/// A value within the format's limits.
+Result<WrittenValue> parseWithin(QStringView text, const NumberFormat &format)
 {
-    const Natural lattice = Natural(std::uint64_t(absolute(units))) * value.denominator;
-    const Natural written = value.numerator * Natural(std::uint64_t(unitsPerPixel));
-    if (lattice == written)
+    if (text.size() > longestText)
+        return refusal(text, QStringLiteral("“%1” is longer than 400 characters"), format);
+    const QStringView trimmed = text.trimmed();
+    const auto value = parseValue(trimmed);
+    if (!value)
+        return refusal(trimmed, QStringLiteral("“%1” is no ") + QLatin1String(format.name), format);
+    if (value->denominator.isZero())
+        return refusal(trimmed, QStringLiteral("%1 divides by zero"), format);
+    if (naturalOf(format.largest) * value->denominator < value->numerator)
+        return refusal(trimmed, QStringLiteral("%1 is outside ") + rangeText(format), format);
+    return *value;
+}
+
+/// units / one − value: both over one * denominator.
+Quantity displacementOf(std::int64_t units, std::int64_t one, const WrittenValue &value)
+{
+    const Natural used = naturalOf(absolute(units)) * value.denominator;
+    const Natural written = value.numerator * naturalOf(one);
+    if (used == written)
         return Quantity::integer(0);
     // Away from zero means up for a positive value and down for a negative one.
-    const bool awayFromZero = written < lattice;
+    const bool awayFromZero = written < used;
     return quantityOf({awayFromZero == value.negative,
-                       awayFromZero ? lattice - written : written - lattice,
-                       value.denominator * Natural(std::uint64_t(unitsPerPixel))});
+                       awayFromZero ? used - written : written - used,
+                       value.denominator * naturalOf(one)});
 }
 
 } // namespace
 
-QString coordinateExpectation()
+QString expectationOf(const NumberFormat &format)
 {
-    return QStringLiteral("a coordinate such as 26, 26.5 or 53/2 within ±%1 px").arg(largestPixel);
+    return QStringLiteral("a %1 such as %2 within %3")
+        .arg(QLatin1String(format.name), QLatin1String(format.examples), rangeText(format));
 }
 
-Result<SnappedCoordinate> parseCoordinate(QStringView text)
+Result<SnappedNumber> parseNumber(QStringView text, const NumberFormat &format)
 {
-    if (text.size() > longestText)
-        return refusal(text, QStringLiteral("“%1” is longer than 400 characters"));
-    const QStringView trimmed = text.trimmed();
-    const auto value = parseValue(trimmed);
+    const Result<WrittenValue> value = parseWithin(text, format);
     if (!value)
-        return refusal(trimmed, QStringLiteral("“%1” is no coordinate"));
-    if (value->denominator.isZero())
-        return refusal(trimmed, QStringLiteral("%1 divides by zero"));
-    if (isOutside(*value))
-        return refusal(trimmed, QStringLiteral("%1 is outside ±1073741824 px"));
-
-    // Nearest lattice point of |value|: ⌊256·|v| + 1/2⌋, and halves down for a negative value,
-    // which is up on the number line.
-    const Natural doubled = value->numerator * Natural(std::uint64_t(2 * unitsPerPixel));
+        return value.error();
+    // Nearest number to |value|: ⌊one·|v| + 1/2⌋, and halves down for a negative value, which is up
+    // on the number line.
+    const Natural doubled = value->numerator * naturalOf(2 * format.one);
     const Natural numerator = doubled + value->denominator;
     const auto division = divide(numerator, value->denominator + value->denominator);
-    Q_ASSERT(division); // at most 2^38 after the range check
-    auto magnitude = Lattice(division->quotient);
+    Q_ASSERT(division); // at most 2^45 after the range check
+    auto magnitude = std::int64_t(division->quotient);
     if (value->negative && division->remainder.isZero() && magnitude > 0)
         --magnitude;
-    SnappedCoordinate snapped;
+    SnappedNumber snapped;
     snapped.units = value->negative ? -magnitude : magnitude;
-    snapped.displacement = displacementOf(snapped.units, *value);
+    snapped.displacement = displacementOf(snapped.units, format.one, *value);
     return snapped;
 }
 
-QString coordinateText(Lattice units)
+Result<double> parseReal(QStringView text, const NumberFormat &format)
 {
-    const Int128 divisor = greatestCommonDivisor(units, unitsPerPixel);
-    const Lattice numerator = units / Lattice(divisor);
-    const Lattice denominator = unitsPerPixel / Lattice(divisor);
+    const Result<WrittenValue> value = parseWithin(text, format);
+    if (!value)
+        return value.error();
+    return value->numerator.isZero() ? 0 : quantityOf(*value).toDouble();
+}
+
+QString numberText(std::int64_t units, const NumberFormat &format)
+{
+    const Int128 divisor = greatestCommonDivisor(units, format.one);
+    const std::int64_t numerator = units / std::int64_t(divisor);
+    const std::int64_t denominator = format.one / std::int64_t(divisor);
     const QString text = QString::number(numerator);
     return denominator == 1 ? text : text + u'/' + QString::number(denominator);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/attributes.h"
 #include "core/geometry/lattice.h"
 #include "core/number/quantity.h"
 #include "core/scene/result.h"
@@ -9,26 +10,51 @@
 
 namespace pixelplumb {
 
-/// A coordinate as it was written, brought to the lattice.
-struct SnappedCoordinate {
-    Lattice units = 0;
-    /// Lattice point − written value, px, in [−1/512, 1/512]; 0 when the value was on the lattice.
-    /// An exact rational where 128 bits hold it, the nearest double where they do not.
+/// The numbers that a file may hold: integers of 1/one, and what messages say of them.
+struct NumberFormat {
+    std::int64_t one; ///< a power of two
+    std::int64_t largest; ///< the largest absolute value
+    const char *name; ///< "coordinate"
+    const char *examples; ///< "26, 26.5 or 53/2"
+    const char *unit; ///< " px", or nothing
+    const char *use; ///< "drawn at"
+};
+
+/// Places in the frame: the lattice of 1/256 px.
+inline constexpr NumberFormat coordinateFormat
+    = {unitsPerPixel, largestPixel, "coordinate", "26, 26.5 or 53/2", " px", "drawn at"};
+/// What vertices carry beside them (core/geometry/attributes.h).
+inline constexpr NumberFormat attributeFormat
+    = {attributeOne, largestAttributeValue, "number", "1, 0.5 or 1/3", "", "read as"};
+
+/// A number as it was written, brought to its format.
+struct SnappedNumber {
+    std::int64_t units = 0;
+    /// units / one − written value, at most half a unit; 0 when the value was one of the
+    /// format. An exact rational where 128 bits hold it, the nearest double where they do not.
     Quantity displacement = Quantity::integer(0);
 
     bool isDisplaced() const { return displacement != Quantity::integer(0); }
 };
 
 /// Reads "26", "26.5", "2.65e1", "53/2", "26 1/2" and their negatives, exactly: no double on the
-/// way. A value between two lattice points goes to the nearer one, and from the middle to the
-/// greater one. Refused: anything else, NaN, infinity, values beyond ±2^30 px, more than 400
-/// characters.
-Result<SnappedCoordinate> parseCoordinate(QStringView text);
+/// way. A value between two numbers of the format goes to the nearer one, and from the middle to
+/// the greater one. Refused: anything else, NaN, infinity, values beyond the format's largest, more
+/// than 400 characters.
+Result<SnappedNumber> parseNumber(QStringView text, const NumberFormat &format);
+inline Result<SnappedNumber> parseCoordinate(QStringView text)
+{
+    return parseNumber(text, coordinateFormat);
+}
+
+/// The double that is nearest to a number written in the same way, within the same limits.
+Result<double> parseReal(QStringView text, const NumberFormat &format);
 
 /// The shortest exact text: "26" or "53/2".
-QString coordinateText(Lattice units);
+QString numberText(std::int64_t units, const NumberFormat &format);
+inline QString coordinateText(Lattice units) { return numberText(units, coordinateFormat); }
 
-/// What parseCoordinate reads, for messages.
-QString coordinateExpectation();
+/// What parseNumber reads, for messages.
+QString expectationOf(const NumberFormat &format);
 
 } // namespace pixelplumb

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/primitivereader.h"
 
+#include "core/scene/appearancenames.h"
 #include "core/scene/attributereader.h"
-#include "core/scene/colourtext.h"
+#include "core/scene/choicereader.h"
 #include "core/scene/shapenames.h"
+#include "core/scene/solidlimits.h"
+#include "core/scene/solidreader.h"
 
 namespace pixelplumb {
 
@@ -24,20 +27,37 @@ QStringList primitiveKeys()
     QStringList keys;
     for (const PrimitiveKind kind : allKinds)
         keys.append(keyOf(kind));
-    return keys;
+    return keys + namesOf(allSolidKinds);
 }
 
-Colour readColour(JsonReader &json, const JsonNode &node)
+BlendedColour readBlendedColour(JsonReader &json, const JsonNode &node)
 {
-    const Result<Colour> result = parseColour(json.string(node));
+    const Result<BlendedColour> result = parseColour(json.string(node));
     if (result)
         return *result;
     json.fail(node, result.error().found, result.error().expected);
     return {};
 }
 
+Colour readColour(JsonReader &json, const JsonNode &node)
+{
+    const BlendedColour colour = readBlendedColour(json, node);
+    if (colour.alpha != 255)
+        json.fail(node,
+                  QStringLiteral("“%1” is not opaque, and only triangles are blended")
+                      .arg(node.value.toString()),
+                  QStringLiteral("alpha ff, or #rrggbb without alpha"));
+    return colour.colour;
+}
+
 void PrimitiveReader::read(const JsonNode &primitive)
 {
+    for (const SolidKind kind : allSolidKinds) {
+        if (!primitive[nameText(nameOf(kind))].isMissing()) {
+            readSolid(primitive, kind);
+            return;
+        }
+    }
     Shape shape;
     shape.kind = kindOf(primitive);
     if (m_json.hasFailed())
@@ -66,7 +86,7 @@ void PrimitiveReader::read(const JsonNode &primitive)
         readText(primitive, shape);
         break;
     }
-    m_reading.scene.shapes.push_back(std::move(shape));
+    m_scene.shapes.push_back(std::move(shape));
 }
 
 PrimitiveKind PrimitiveReader::kindOf(const JsonNode &primitive)
@@ -86,21 +106,45 @@ void PrimitiveReader::readTriangle(const JsonNode &primitive)
 {
     const QString key = keyOf(PrimitiveKind::Triangle);
     m_json.expectObject(primitive, QStringList{key, coloursKey} + attributeKeys());
-    if (!m_reading.scene.shapes.empty())
+    if (!m_scene.shapes.empty() || !m_scene.solids.empty())
         m_json.fail(primitive[key], QStringLiteral("a triangle after another primitive"),
                     QStringLiteral("all triangles first: they are drawn before the others"));
     Triangle triangle;
+    TriangleAttributes attributes
+        = readAttributes(m_json, m_numbers, primitive, m_scene.appearance.materials);
     const std::vector<JsonNode> vertices = m_json.array(primitive[key], 3);
     const std::vector<JsonNode> colours = m_json.array(primitive[coloursKey], 3);
     for (std::size_t index = 0; index < 3; ++index) {
-        triangle.vertices[index].position = m_positions.position(vertices[index]);
-        triangle.vertices[index].colour = readColour(m_json, colours[index]);
+        triangle.vertices[index].position = m_numbers.position(vertices[index]);
+        const BlendedColour colour = readBlendedColour(m_json, colours[index]);
+        triangle.vertices[index].colour = colour.colour;
+        attributes.vertices[index].alpha = colour.alpha;
     }
-    const auto attributes = readAttributes(
-        m_json, primitive, [this](const JsonNode &node) { return m_positions.coordinate(node); });
-    if (attributes)
-        m_reading.scene.attributes.push_back({m_reading.scene.triangles.size(), *attributes});
-    m_reading.scene.triangles.push_back(triangle);
+    if (attributes != TriangleAttributes()) {
+        attributes.triangle = m_scene.triangles.size();
+        m_scene.attributes.push_back(attributes);
+    }
+    m_scene.triangles.push_back(triangle);
+}
+
+void PrimitiveReader::readSolid(const JsonNode &primitive, SolidKind kind)
+{
+    const QString key = nameText(nameOf(kind));
+    const JsonNode node = primitive[key];
+    if (!m_scene.shapes.empty())
+        m_json.fail(node, QStringLiteral("a %1 after a shape of the frame").arg(key),
+                    QStringLiteral("triangles, then what is seen through the camera, then shapes"));
+    if (!m_scene.camera)
+        m_json.fail(node, QStringLiteral("a %1 in a scene without a camera").arg(key),
+                    QStringLiteral("a key \"camera\" of the scene: { \"eye\": [0, 0, 5], … }"));
+    Solid solid = SolidReader(m_json, m_numbers, m_inHand.files, m_scene.appearance.materials)
+                      .read(primitive, kind);
+    if (m_json.hasFailed())
+        return;
+    m_inHand.solidTriangles += triangleCount(solid);
+    if (m_inHand.solidTriangles > mostSolidTriangles)
+        m_json.fail(node, tooManyTriangles(m_inHand.solidTriangles), fewerTriangles());
+    m_scene.solids.push_back(std::move(solid));
 }
 
 void PrimitiveReader::readPoints(const JsonNode &primitive, Shape &shape)
@@ -128,14 +172,14 @@ void PrimitiveReader::readRound(const JsonNode &primitive, Shape &shape)
     m_json.expectObject(primitive, {key, colourKey, fillKey});
     const JsonNode node = primitive[key];
     m_json.expectObject(node, {centreKey, radiusKey});
-    const LatticePoint centre = m_positions.position(node[centreKey]);
+    const LatticePoint centre = m_numbers.position(node[centreKey]);
     LatticePoint radii;
     if (isCircle) {
-        radii.x = radii.y = m_positions.length(node[radiusKey], QStringLiteral("a radius"));
+        radii.x = radii.y = m_numbers.length(node[radiusKey], QStringLiteral("a radius"));
     } else {
         const std::vector<JsonNode> both = m_json.array(node[radiusKey], 2);
-        radii = {m_positions.length(both[0], QStringLiteral("a radius")),
-                 m_positions.length(both[1], QStringLiteral("a radius"))};
+        radii = {m_numbers.length(both[0], QStringLiteral("a radius")),
+                 m_numbers.length(both[1], QStringLiteral("a radius"))};
     }
     const LatticePoint corner = {centre.x + radii.x, centre.y + radii.y};
     if (!isWithinRange(corner) || !isWithinRange({centre.x - radii.x, centre.y - radii.y}))
@@ -187,8 +231,8 @@ void PrimitiveReader::readText(const JsonNode &primitive, Shape &shape)
     const QString heightKey = QStringLiteral("height");
     m_json.expectObject(primitive, {key, atKey, heightKey, colourKey});
     shape.text = m_json.string(primitive[key]).toStdString();
-    shape.vertices = {{m_positions.position(primitive[atKey]), {}}};
-    shape.textHeight = m_positions.length(primitive[heightKey], QStringLiteral("a height"));
+    shape.vertices = {{m_numbers.position(primitive[atKey]), {}}};
+    shape.textHeight = m_numbers.length(primitive[heightKey], QStringLiteral("a height"));
     // What fonts are drawn for: the outlines of a letter may overlap.
     shape.fill = ShapeFill::NonZero;
     readColourOfAll(primitive, shape);
@@ -196,7 +240,7 @@ void PrimitiveReader::readText(const JsonNode &primitive, Shape &shape)
 
 void PrimitiveReader::appendPositions(const JsonNode &node, PointCount count, Shape &shape)
 {
-    for (const LatticePoint &position : m_positions.positions(node, count))
+    for (const LatticePoint &position : m_numbers.positions(node, count))
         shape.vertices.push_back({position, {}});
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/scene/positionreader.h"
+#include "core/scene/colourtext.h"
+#include "core/scene/numberreader.h"
+#include "core/scene/referredfiles.h"
 
 namespace pixelplumb {
 
@@ -10,22 +12,33 @@ QStringList primitiveKeys();
 
 /// A colour "#rrggbb"; an error stays with the JsonReader.
 Colour readColour(JsonReader &json, const JsonNode &node);
+/// A colour "#rrggbb" or "#rrggbbaa".
+BlendedColour readBlendedColour(JsonReader &json, const JsonNode &node);
+
+/// A scene while it is read.
+struct SceneInHand {
+    SceneReading reading;
+    ReferredFiles files;
+    std::size_t solidTriangles = 0; ///< into which its solids are cut so far
+};
 
 /// Reads the primitives of a scene; errors stay with the JsonReader.
 class PrimitiveReader {
 public:
-    PrimitiveReader(JsonReader &json, SceneReading &reading)
+    PrimitiveReader(JsonReader &json, SceneInHand &inHand)
         : m_json(json)
-        , m_reading(reading)
-        , m_positions(json, reading.snaps)
+        , m_inHand(inHand)
+        , m_scene(inHand.reading.scene)
+        , m_numbers(json, inHand.reading.snaps)
     {
     }
 
-    /// Appends the primitive to the scene's triangles or shapes.
+    /// Appends the primitive to the scene's triangles, solids or shapes.
     void read(const JsonNode &primitive);
 
 private:
     PrimitiveKind kindOf(const JsonNode &primitive);
+    void readSolid(const JsonNode &primitive, SolidKind kind);
     void readTriangle(const JsonNode &primitive);
     void readPoints(const JsonNode &primitive, Shape &shape);
     void readLine(const JsonNode &primitive, Shape &shape);
@@ -40,8 +53,9 @@ private:
     ShapeFill fill(const JsonNode &node, PrimitiveKind kind);
 
     JsonReader &m_json;
-    SceneReading &m_reading;
-    PositionReader m_positions;
+    SceneInHand &m_inHand;
+    Scene &m_scene;
+    NumberReader m_numbers;
 };
 
 } // namespace pixelplumb

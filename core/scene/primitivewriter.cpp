@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/primitivewriter.h"
 
+#include "core/scene/attributereader.h"
 #include "core/scene/colourtext.h"
 #include "core/scene/coordinatetext.h"
 #include "core/scene/shapenames.h"
@@ -11,11 +12,13 @@ namespace pixelplumb {
 
 namespace {
 
-QByteArray coordinate(Lattice units)
+QByteArray number(std::int64_t units, const NumberFormat &format)
 {
-    const QByteArray text = coordinateText(units).toUtf8();
+    const QByteArray text = numberText(units, format).toUtf8();
     return text.contains('/') ? '"' + text + '"' : text;
 }
+
+QByteArray coordinate(Lattice units) { return number(units, coordinateFormat); }
 
 QByteArray points(std::span<const Vertex> vertices)
 {
@@ -28,12 +31,15 @@ QByteArray points(std::span<const Vertex> vertices)
 QByteArray colour(const Colour &colour) { return '"' + colourText(colour).toUtf8() + '"'; }
 
 /// A colour for each vertex.
-QByteArray colours(std::span<const Vertex> vertices)
+QByteArray colours(std::span<const Vertex> vertices, const TriangleAttributes *attributes = nullptr)
 {
-    QByteArray text = "[";
-    for (const Vertex &vertex : vertices)
-        text += (text.size() > 1 ? ", " : "") + colour(vertex.colour);
-    return ", \"colors\": " + text + ']';
+    QByteArray text;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        const std::uint8_t alpha = attributes != nullptr ? attributes->vertices[i].alpha : 255;
+        text += (text.isEmpty() ? "\"" : ", \"")
+            + colourText(BlendedColour{vertices[i].colour, alpha}).toUtf8() + '"';
+    }
+    return ", \"colors\": [" + text + ']';
 }
 
 /// The first vertex' colour, which is that of all.
@@ -112,9 +118,21 @@ QByteArray jsonPointText(const LatticePoint &position)
     return '[' + coordinate(position.x) + ", " + coordinate(position.y) + ']';
 }
 
-QByteArray primitiveText(const Triangle &triangle)
+QByteArray jsonAttributeText(Attribute value) { return number(value, attributeFormat); }
+
+QByteArray jsonAttributeText(std::span<const Attribute> values)
 {
-    return "{ \"triangle\": " + points(triangle.vertices) + colours(triangle.vertices) + " }";
+    QByteArray text = "[";
+    for (const Attribute value : values)
+        text += (text.size() > 1 ? ", " : "") + jsonAttributeText(value);
+    return text + ']';
+}
+
+QByteArray primitiveText(const Triangle &triangle, const TriangleAttributes *attributes,
+                         const std::vector<Material> &materials)
+{
+    return "{ \"triangle\": " + points(triangle.vertices) + colours(triangle.vertices, attributes)
+        + (attributes != nullptr ? attributesText(*attributes, materials) : QByteArray()) + " }";
 }
 
 QByteArray primitiveText(const Shape &shape)

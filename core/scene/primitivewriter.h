@@ -5,14 +5,23 @@
 
 #include <QByteArray>
 
+#include <span>
+
 namespace pixelplumb {
 
 /// A primitive as one line of a scene file; what readScene reads back as the same primitive.
-QByteArray primitiveText(const Triangle &triangle);
+/// A triangle without attributes: null.
+QByteArray primitiveText(const Triangle &triangle, const TriangleAttributes *attributes,
+                         const std::vector<Material> &materials);
 QByteArray primitiveText(const Shape &shape);
 
 /// "[26, "53/2"]".
 QByteArray jsonPointText(const LatticePoint &position);
+
+/// "1", or ""1/3"".
+QByteArray jsonAttributeText(Attribute value);
+/// "[1, "1/3"]".
+QByteArray jsonAttributeText(std::span<const Attribute> values);
 
 /// A text between quotation marks, as JSON has it.
 QByteArray quotedText(const QByteArray &utf8);

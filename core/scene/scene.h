@@ -28,6 +28,10 @@ struct Scene {
     std::vector<Solid> solids; ///< drawn after the triangles
     Appearance appearance;
 
+    /// Of its own, or of solids.
+    bool hasTriangles() const { return !triangles.empty() || !solids.empty(); }
+    bool isEmpty() const { return !hasTriangles() && shapes.empty(); }
+
     friend bool operator==(const Scene &, const Scene &) = default;
 };
 

@@ -12,12 +12,13 @@ namespace pixelplumb {
 /// The format that this program writes, and the newest that it reads.
 inline constexpr int sceneFormat = 1;
 
-/// A coordinate of a file that was not on the lattice. Its displacement is an error of the input,
-/// never of a method.
+/// A number of a file that its format does not have: a coordinate off the lattice, an attribute
+/// finer than 2^-24. Its displacement is an error of the input, never of a method.
 struct SnapReport {
     QString place; ///< "primitives[0].triangle[1][0]"
     QString written; ///< as the file says it
-    SnappedCoordinate snapped;
+    SnappedNumber snapped;
+    const NumberFormat *format = &coordinateFormat;
 
     /// "primitives[0].triangle[1][0]: 12.1 is drawn at 1549/128, displaced by 1/640 px"
     QString message() const;
@@ -33,15 +34,18 @@ struct SceneReading {
 /// there; everything else has a default: the method is the first that draws the first primitive,
 /// arithmetic and fill rule are exact and closed, or the method's first where it keeps neither.
 /// Unknown and repeated keys are errors. The listener hears how many bytes are read while a large
-/// text is read piece by piece; when it ends the reading, an error says so.
-Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &listener = {});
+/// text is read piece by piece; when it ends the reading, an error says so. Pictures and meshes are
+/// found in the folder of the scene; empty: the current one. Their names in the scene are absolute.
+Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &listener = {},
+                               const QString &folder = {});
 Result<SceneReading> readSceneFile(const QString &path, const ProgressListener &listener = {});
 
 /// Texts that are larger are read piece by piece.
 inline constexpr qsizetype largestWholeText = qsizetype(1) << 20; // bytes
 
-/// The same scene gives the same bytes, whatever the locale.
-QByteArray writeScene(const Scene &scene);
+/// The same scene gives the same bytes, whatever the locale. Pictures and meshes are named as seen
+/// from the folder; empty: as the scene has them.
+QByteArray writeScene(const Scene &scene, const QString &folder = {});
 std::optional<InputError> writeSceneFile(const QString &path, const Scene &scene);
 
 } // namespace pixelplumb

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
-#include "core/scan/choicenames.h"
+#include "core/scene/appearancereader.h"
+#include "core/scene/camerareader.h"
+#include "core/scene/choicereader.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/framenames.h"
 #include "core/scene/jsonplaces.h"
 #include "core/scene/jsonsyntax.h"
-#include "core/scene/positionreader.h"
 #include "core/scene/primitivereader.h"
 #include "core/scene/scenepieces.h"
+
+#include <QFileInfo>
 
 #include <algorithm>
 #include <optional>
@@ -20,8 +23,9 @@ namespace {
 /// Reads the parts of a scene out of a JSON text; errors stay with the JsonReader.
 class SceneReader {
 public:
-    explicit SceneReader(JsonReader &json)
+    SceneReader(JsonReader &json, const QString &folder)
         : m_json(json)
+        , m_inHand{{}, ReferredFiles(folder)}
     {
     }
 
@@ -42,14 +46,14 @@ public:
             JsonReader json(QByteArray::fromRawData(piece.data(), piece.size()), excerpt);
             if (json.hasFailed())
                 return json.error();
-            PrimitiveReader(json, m_reading).read(json.root());
+            PrimitiveReader(json, m_inHand).read(json.root());
             if (json.hasFailed())
                 return json.error();
         }
         chooseMethod(m_json.root());
         if (m_json.hasFailed())
             return m_json.error();
-        return Result<SceneReading>(std::move(m_reading));
+        return Result<SceneReading>(std::move(m_inHand.reading));
     }
 
     SceneReading read()
@@ -57,27 +61,32 @@ public:
         readSurroundings();
         readPrimitives(m_json.root()[primitivesKey()]);
         chooseMethod(m_json.root());
-        return std::move(m_reading);
+        return std::move(m_inHand.reading);
     }
 
 private:
     static QString primitivesKey() { return QStringLiteral("primitives"); }
+    static QString cameraKey() { return QStringLiteral("camera"); }
 
     /// Everything but the primitives, and but the choice of a method, which depends on them.
     void readSurroundings()
     {
         const JsonNode &root = m_json.root();
         readFormat(root);
-        m_json.expectObject(root,
-                            {QStringLiteral("pixelplumb"), QStringLiteral("frame"),
-                             QStringLiteral("method"), QStringLiteral("arithmetic"),
-                             QStringLiteral("fillRule"), QStringLiteral("offScreenPoint"),
-                             QStringLiteral("rounding"), primitivesKey()});
+        const QStringList keys = {QStringLiteral("pixelplumb"), QStringLiteral("frame"),
+                                  QStringLiteral("method"),     QStringLiteral("arithmetic"),
+                                  QStringLiteral("fillRule"),   QStringLiteral("offScreenPoint"),
+                                  QStringLiteral("rounding"),   cameraKey()};
+        m_json.expectObject(root, keys + appearanceKeys() + QStringList{primitivesKey()});
         readFrame(root[QStringLiteral("frame")]);
         readSettings(root);
+        NumberReader numbers(m_json, m_inHand.reading.snaps);
+        Scene &scene = m_inHand.reading.scene;
         if (const JsonNode point = root[QStringLiteral("offScreenPoint")]; !point.isMissing())
-            m_reading.scene.frame.offScreenPoint
-                = PositionReader(m_json, m_reading.snaps).position(point);
+            scene.frame.offScreenPoint = numbers.position(point);
+        if (const JsonNode camera = root[cameraKey()]; !camera.isMissing())
+            scene.camera = readCamera(m_json, numbers, camera);
+        scene.appearance = readAppearance(m_json, numbers, m_inHand.files, root);
     }
 
     /// First of all: a newer file may have keys that this program does not know.
@@ -106,7 +115,7 @@ private:
                             {QStringLiteral("width"), QStringLiteral("height"),
                              QStringLiteral("background"), QStringLiteral("origin"),
                              QStringLiteral("pixelCentre"), QStringLiteral("firstPixel")});
-        FrameSpec &frame = m_reading.scene.frame;
+        FrameSpec &frame = m_inHand.reading.scene.frame;
         const JsonNode width = node[QStringLiteral("width")];
         frame.width = std::int32_t(m_json.integer(width, 1, largestFrameSide));
         frame.height
@@ -122,8 +131,8 @@ private:
         }
         if (const JsonNode background = node[QStringLiteral("background")]; !background.isMissing())
             frame.background = readColour(m_json, background);
-        readChoice(node[QStringLiteral("origin")], allFrameOrigins, frame.origin);
-        readChoice(node[QStringLiteral("pixelCentre")], allPixelCentres, frame.pixelCentre);
+        readChoice(m_json, node[QStringLiteral("origin")], allFrameOrigins, frame.origin);
+        readChoice(m_json, node[QStringLiteral("pixelCentre")], allPixelCentres, frame.pixelCentre);
         if (const JsonNode first = node[QStringLiteral("firstPixel")]; !first.isMissing()) {
             const std::vector<JsonNode> pixel = m_json.array(first, 2);
             frame.firstColumn = std::int32_t(m_json.integer(pixel[0], -largestPixel, largestPixel));
@@ -133,16 +142,18 @@ private:
 
     void readSettings(const JsonNode &root)
     {
-        Scene &scene = m_reading.scene;
-        readChoice(root[QStringLiteral("arithmetic")], allArithmetics, scene.settings.arithmetic);
-        readChoice(root[QStringLiteral("fillRule")], allFillRules, scene.settings.fillRule);
-        readChoice(root[QStringLiteral("rounding")], allByteRoundings, scene.settings.rounding);
+        Scene &scene = m_inHand.reading.scene;
+        readChoice(m_json, root[QStringLiteral("arithmetic")], allArithmetics,
+                   scene.settings.arithmetic);
+        readChoice(m_json, root[QStringLiteral("fillRule")], allFillRules, scene.settings.fillRule);
+        readChoice(m_json, root[QStringLiteral("rounding")], allByteRoundings,
+                   scene.settings.rounding);
     }
 
     void readPrimitives(const JsonNode &node)
     {
         const std::vector<JsonNode> primitives = m_json.array(node);
-        PrimitiveReader reader(m_json, m_reading);
+        PrimitiveReader reader(m_json, m_inHand);
         for (const JsonNode &primitive : primitives) {
             if (m_json.hasFailed())
                 return;
@@ -153,7 +164,7 @@ private:
     /// The method that the scene names, or the first that draws its first primitive.
     void chooseMethod(const JsonNode &root)
     {
-        Scene &scene = m_reading.scene;
+        Scene &scene = m_inHand.reading.scene;
         const JsonNode node = root[QStringLiteral("method")];
         const Method *method = &firstMethodFor(scene);
         if (!node.isMissing()) {
@@ -181,33 +192,13 @@ private:
 
     static const Method &firstMethodFor(const Scene &scene)
     {
-        if (scene.triangles.empty() && !scene.shapes.empty())
+        if (!scene.hasTriangles() && !scene.isEmpty())
             return pixelplumb::firstMethodFor(scene.shapes.front());
         return pixelplumb::firstMethodFor(PrimitiveKind::Triangle);
     }
 
-    static QString anyOf(const QStringList &names)
-    {
-        return names.size() == 1 ? names.front()
-                                 : QStringLiteral("one of ") + names.join(QStringLiteral(", "));
-    }
-
-    /// A choice that keeps its default where the key is missing.
-    template <class Choice, std::size_t Count>
-    void readChoice(const JsonNode &node, const std::array<Choice, Count> &choices, Choice &choice)
-    {
-        if (node.isMissing())
-            return;
-        const QStringList names = namesOf(choices);
-        const qsizetype index = names.indexOf(node.value.toString());
-        if (index < 0)
-            m_json.fail(node, describe(node), anyOf(names));
-        else
-            choice = choices[std::size_t(index)];
-    }
-
     JsonReader &m_json;
-    SceneReading m_reading;
+    SceneInHand m_inHand;
 };
 
 constexpr std::size_t primitivesBetweenProgress = 1024;
@@ -215,7 +206,8 @@ constexpr std::size_t primitivesBetweenProgress = 1024;
 /// A document of a million triangles would take gigabytes: its primitives are read one by one.
 /// None where the text has no primitives that could be told apart.
 std::optional<Result<SceneReading>> readByPieces(const QByteArray &text,
-                                                 const ProgressListener &listener)
+                                                 const ProgressListener &listener,
+                                                 const QString &folder)
 {
     const InputError cancelled{{}, QStringLiteral("the reading was cancelled"), {}};
     const auto mayGoOn = [&](const char *place) {
@@ -232,7 +224,7 @@ std::optional<Result<SceneReading>> readByPieces(const QByteArray &text,
     const auto mayRead = [&](std::size_t index, QByteArrayView piece) {
         return index % primitivesBetweenProgress != 0 || mayGoOn(piece.data());
     };
-    const auto reading = SceneReader(json).read(text, pieces->primitives, mayRead);
+    const auto reading = SceneReader(json, folder).read(text, pieces->primitives, mayRead);
     return reading ? reading : cancelled;
 }
 
@@ -240,23 +232,25 @@ std::optional<Result<SceneReading>> readByPieces(const QByteArray &text,
 
 QString SnapReport::message() const
 {
-    return QStringLiteral("%1: %2 is drawn at %3, displaced by %4 px")
-        .arg(place, written, coordinateText(snapped.units), toText(snapped.displacement));
+    return QStringLiteral("%1: %2 is %3 %4, displaced by %5%6")
+        .arg(place, written, QLatin1String(format->use), numberText(snapped.units, *format),
+             toText(snapped.displacement), QLatin1String(format->unit));
 }
 
-Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &listener)
+Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &listener,
+                               const QString &folder)
 {
     if (text.size() > largestWholeText) {
         // Where it is no JSON that is known at once, before anything is built of it.
         if (const auto error = jsonSyntaxError(text))
             return *error;
-        if (auto reading = readByPieces(text, listener))
+        if (auto reading = readByPieces(text, listener, folder))
             return std::move(*reading);
     }
     JsonReader json(text);
     if (json.hasFailed())
         return json.error();
-    SceneReading reading = SceneReader(json).read();
+    SceneReading reading = SceneReader(json, folder).read();
     if (json.hasFailed())
         return json.error();
     return reading;
@@ -267,7 +261,7 @@ Result<SceneReading> readSceneFile(const QString &path, const ProgressListener &
     const Result<QByteArray> text = readFile(path);
     if (!text)
         return text.error();
-    Result<SceneReading> reading = readScene(*text, listener);
+    Result<SceneReading> reading = readScene(*text, listener, QFileInfo(path).absolutePath());
     if (reading)
         return reading;
     InputError error = reading.error();

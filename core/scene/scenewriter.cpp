@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/scene/attributereader.h"
+#include "core/scene/appearancewriter.h"
 #include "core/scene/colourtext.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/framenames.h"
 #include "core/scene/primitivewriter.h"
 #include "core/scene/scenefile.h"
+#include "core/scene/solidwriter.h"
+
+#include <QFileInfo>
 
 namespace pixelplumb {
 
@@ -43,15 +46,17 @@ QByteArray offScreenText(const FrameSpec &frame)
 
 } // namespace
 
-QByteArray writeScene(const Scene &scene)
+QByteArray writeScene(const Scene &scene, const QString &folder)
 {
     QByteArray text = "{\n    \"pixelplumb\": " + QByteArray::number(sceneFormat)
         + ",\n    \"frame\": " + frameText(scene.frame)
-        + ",\n    \"method\": " + quoted(std::string_view(scene.method))
-        + ",\n    \"arithmetic\": " + quoted(nameOf(scene.settings.arithmetic))
-        + ",\n    \"fillRule\": " + quoted(nameOf(scene.settings.fillRule))
-        + offScreenText(scene.frame) + ",\n    \"rounding\": "
-        + quoted(nameOf(scene.settings.rounding)) + ",\n    \"primitives\": [";
+        + ",\n    \"method\": " + quoted(std::string_view(scene.method)) + ",\n    \"arithmetic\": "
+        + quoted(nameOf(scene.settings.arithmetic)) + ",\n    \"fillRule\": "
+        + quoted(nameOf(scene.settings.fillRule)) + offScreenText(scene.frame)
+        + ",\n    \"rounding\": " + quoted(nameOf(scene.settings.rounding));
+    if (scene.camera)
+        text += ",\n    \"camera\": " + cameraText(*scene.camera);
+    text += appearanceText(scene.appearance, folder) + ",\n    \"primitives\": [";
     const char *separator = "\n        ";
     const auto append = [&](const QByteArray &primitive) {
         text += separator + primitive;
@@ -59,22 +64,22 @@ QByteArray writeScene(const Scene &scene)
     };
     auto attributes = scene.attributes.begin();
     for (std::size_t index = 0; index < scene.triangles.size(); ++index) {
-        QByteArray triangle = primitiveText(scene.triangles[index]);
-        if (attributes != scene.attributes.end() && attributes->triangle == index) {
-            triangle.insert(triangle.size() - 2, attributesText(attributes->vertices));
-            ++attributes;
-        }
-        append(triangle);
+        const bool hasAttributes
+            = attributes != scene.attributes.end() && attributes->triangle == index;
+        append(primitiveText(scene.triangles[index], hasAttributes ? &*attributes : nullptr,
+                             scene.appearance.materials));
+        attributes += hasAttributes ? 1 : 0;
     }
+    for (const Solid &solid : scene.solids)
+        append(primitiveText(solid, scene.appearance.materials, folder));
     for (const Shape &shape : scene.shapes)
         append(primitiveText(shape));
-    const bool isEmpty = scene.triangles.empty() && scene.shapes.empty();
-    return text + (isEmpty ? "]\n}\n" : "\n    ]\n}\n");
+    return text + (scene.isEmpty() ? "]\n}\n" : "\n    ]\n}\n");
 }
 
 std::optional<InputError> writeSceneFile(const QString &path, const Scene &scene)
 {
-    return writeFile(path, writeScene(scene));
+    return writeFile(path, writeScene(scene, QFileInfo(path).absolutePath()));
 }
 
 } // namespace pixelplumb

@@ -7,6 +7,8 @@
 #include "core/trace/tracerecords.h"
 
 #include <concepts>
+#include <memory>
+#include <type_traits>
 
 /// How a kernel's numbers become records. A recording names
 ///   SetUp, Span, Sample    the kernel's numbers, as its observers hear them;
@@ -20,9 +22,32 @@
 ///   walk(setUp, span, settings, observer)
 ///                          calls the kernel's own loop again for one span; where there is no such
 ///                          function the samples themselves are kept;
+///   record(sampleInHand, sampleRecord)
+///                          fills what a sample's record takes from its span and set-up;
 ///   stateOf(stepInHand)    what the rows read instead of the step in hand itself;
 ///   tell(words, state)     the words of a step that no other family has.
 namespace pixelplumb {
+
+/// The tables of a recording; those of a scope where it has one.
+template <class R>
+struct TablesOf {
+    std::decay_t<decltype(R::setUpNumbers())> setUp;
+    std::decay_t<decltype(R::spanNumbers())> span;
+    std::decay_t<decltype(R::sampleNumbers())> sample;
+
+    template <class... Scope>
+    static std::shared_ptr<const TablesOf> of(const Scope &...scope)
+    {
+        return std::make_shared<const TablesOf>(TablesOf{
+            R::setUpNumbers(scope...), R::spanNumbers(scope...), R::sampleNumbers(scope...)});
+    }
+    /// The same for every run.
+    static const std::shared_ptr<const TablesOf> &common()
+    {
+        static const std::shared_ptr<const TablesOf> tables = of();
+        return tables;
+    }
+};
 
 template <class R>
 using SetUpInHandOf = SetUpInHand<typename R::SetUp>;

@@ -26,6 +26,13 @@ struct TraceStep {
     friend bool operator==(const TraceStep &, const TraceStep &) = default;
 };
 
+/// What the cells of a trace's records are. A run has the numbers that its plan calls for.
+struct TraceNumbers {
+    std::vector<NumberDescription> setUp; ///< what SetUpRecord::cells are
+    std::vector<NumberDescription> span; ///< what SpanRecord::cells are: the table's columns
+    std::vector<NumberDescription> sample; ///< what SampleRecord::cells are
+};
+
 /// The record of a whole run: what the kernel announced, in the numbers that it used. A position p
 /// in 0 … stepCount() means that the first p steps are done; step p − 1 is the step in hand.
 class ScanTrace {
@@ -33,6 +40,7 @@ public:
     virtual ~ScanTrace() = default;
 
     const ScanSettings &settings() const { return m_settings; }
+    const TraceNumbers &numbers() const { return m_numbers; }
     /// True when the recorder's limit ended the recording early.
     bool isCut() const { return m_cut; }
 
@@ -98,12 +106,14 @@ protected:
         SpanPlace place;
     };
 
-    explicit ScanTrace(const ScanSettings &settings)
+    ScanTrace(const ScanSettings &settings, TraceNumbers numbers)
         : m_settings(settings)
+        , m_numbers(std::move(numbers))
     {
     }
 
     ScanSettings m_settings;
+    TraceNumbers m_numbers;
     bool m_cut = false;
     std::vector<PrimitiveEntry> m_primitives;
     std::vector<SpanEntry> m_spans;

@@ -81,8 +81,12 @@ private:
     {
         if (m_trace->sampleCount() >= m_options->sampleLimit)
             endAtLimit();
-        if constexpr (!canWalkAgain<R>)
+        if constexpr (!canWalkAgain<R>) {
+            // The limit is one of memory: samples of 16 bytes.
+            if (m_trace->sampleCount() >= m_options->sampleLimit * 64 / sizeof(sample))
+                endAtLimit();
             m_trace->m_kept.push_back(sample);
+        }
         m_trace->m_samples.append(change);
     }
     [[noreturn]] void endAtLimit()
@@ -100,9 +104,11 @@ private:
 template <Recording R, class Draws, class Scan>
 std::unique_ptr<ScanTrace> recordTrace(std::size_t primitiveCount, const ScanSettings &settings,
                                        const TraceOptions &options, const Draws &draws,
-                                       const Scan &scan)
+                                       const Scan &scan,
+                                       const typename TypedTrace<R>::Tables &tables
+                                       = TablesOf<R>::common())
 {
-    auto trace = std::make_unique<TypedTrace<R>>(settings);
+    auto trace = std::make_unique<TypedTrace<R>>(settings, tables);
     TraceRecorder<R> recorder(*trace, options);
     try {
         for (std::size_t primitive = 0; primitive < primitiveCount; ++primitive) {

@@ -36,7 +36,7 @@ struct SetUpRecord {
     /// bound.
     std::optional<LongEdge> longEdge;
     bool zeroArea = false;
-    std::vector<Quantity> cells; ///< by Method::setUpNumbers
+    std::vector<Quantity> cells; ///< by TraceNumbers::setUp
 };
 
 /// The numbers of one span, in any arithmetic.
@@ -51,7 +51,7 @@ struct SpanRecord {
     std::optional<LongEdge> longEdge;
     std::int64_t firstSample = 0, endSample = 0; ///< along the span, unclipped
     std::int64_t firstDrawn = 0, endDrawn = 0; ///< along the span, clipped to the frame
-    std::vector<Quantity> cells; ///< by Method::spanNumbers
+    std::vector<Quantity> cells; ///< by TraceNumbers::span
 
     std::int64_t drawnSamples() const { return std::max<std::int64_t>(0, endDrawn - firstDrawn); }
 };
@@ -64,7 +64,7 @@ struct SampleRecord {
     std::array<Quantity, 3> colour; ///< levels, before rounding
     std::array<std::int64_t, 3> level = {}; ///< rounded, before clamping
     bool clamped = false;
-    std::vector<Quantity> cells; ///< by Method::sampleNumbers
+    std::vector<Quantity> cells; ///< by TraceNumbers::sample
 };
 
 } // namespace pixelplumb

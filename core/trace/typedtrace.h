@@ -38,8 +38,13 @@ class TraceRecorder;
 template <Recording R>
 class TypedTrace final : public ScanTrace {
 public:
-    explicit TypedTrace(const ScanSettings &settings)
-        : ScanTrace(settings)
+    using Tables = std::shared_ptr<const TablesOf<R>>;
+
+    TypedTrace(const ScanSettings &settings, const Tables &tables)
+        : ScanTrace(settings,
+                    {descriptionsOf(tables->setUp), descriptionsOf(tables->span),
+                     descriptionsOf(tables->sample)})
+        , m_tables(tables)
     {
     }
 
@@ -50,9 +55,9 @@ public:
         record.rejection = m_setUps[primitive].rejection;
         R::record(m_setUps[primitive].setUp, record);
         if (wasComputed(record))
-            record.cells = cellsOf(R::setUpNumbers(), stateOf<R>(setUpInHand(primitive)));
+            record.cells = cellsOf(m_tables->setUp, stateOf<R>(setUpInHand(primitive)));
         else
-            record.cells.resize(R::setUpNumbers().size());
+            record.cells.resize(m_tables->setUp.size());
         return record;
     }
     SpanRecord span(std::size_t span) const override
@@ -61,7 +66,7 @@ public:
         record.primitive = primitiveOf(span);
         record.place = placeOf(span);
         R::record(m_states[span], record);
-        record.cells = cellsOf(R::spanNumbers(), stateOf<R>(spanInHand(span)));
+        record.cells = cellsOf(m_tables->span, stateOf<R>(spanInHand(span)));
         return record;
     }
     std::vector<SampleRecord> samples(std::size_t span) const override
@@ -75,19 +80,21 @@ public:
                          record.fate = fate;
                          record.clamped = fate == SampleFate::Written && R::isClamped(sample);
                          R::record(sample, record);
-                         record.cells = cellsOf(R::sampleNumbers(),
-                                                stateOf<R>(sampleInHand(span, x, y, fate, sample)));
+                         const SampleInHandOf<R> inHand = sampleInHand(span, x, y, fate, sample);
+                         if constexpr (requires { R::record(inHand, record); })
+                             R::record(inHand, record);
+                         record.cells = cellsOf(m_tables->sample, stateOf<R>(inHand));
                      });
         return records;
     }
 
     StepWords setUpWords(std::size_t primitive) const override
     {
-        return wordsOf<R>(R::setUpNumbers(), stateOf<R>(setUpInHand(primitive)));
+        return wordsOf<R>(m_tables->setUp, stateOf<R>(setUpInHand(primitive)));
     }
     StepWords spanWords(std::size_t span) const override
     {
-        return wordsOf<R>(R::spanNumbers(), stateOf<R>(spanInHand(span)));
+        return wordsOf<R>(m_tables->span, stateOf<R>(spanInHand(span)));
     }
     StepWords sampleWords(std::size_t span, std::size_t place) const override
     {
@@ -96,7 +103,7 @@ public:
         visitSamples(span,
                      [&](std::int64_t x, std::int64_t y, SampleFate fate, const Sample &sample) {
                          if (visited++ == place)
-                             words = wordsOf<R>(R::sampleNumbers(),
+                             words = wordsOf<R>(m_tables->sample,
                                                 stateOf<R>(sampleInHand(span, x, y, fate, sample)));
                      });
         return words;
@@ -149,6 +156,7 @@ private:
         }
     }
 
+    Tables m_tables;
     std::vector<TypedSetUp> m_setUps;
     std::vector<typename R::Span> m_states;
     std::vector<Sample> m_kept; ///< by sample, where spans cannot be walked again

@@ -39,7 +39,7 @@ private:
 /// would write it.
 std::optional<Lattice> coordinateRead(std::int64_t units)
 {
-    const Result<SnappedCoordinate> read = parseCoordinate(QStringLiteral("%1/256").arg(units));
+    const Result<SnappedNumber> read = parseCoordinate(QStringLiteral("%1/256").arg(units));
     const bool fits = units >= -largestCoordinate && units <= largestCoordinate;
     if (read.isOk() != fits || (fits && read->units != units))
         std::abort();

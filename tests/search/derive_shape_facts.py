@@ -243,7 +243,7 @@ def text_of(file):
         if key == "expected" and any(rule in value for rule in RULES):
             rows = [f"    {one_line(rule)}: {one_line(facts)}" for rule, facts in value.items()]
             return f"   {one_line(key)}: {{\n" + ",\n".join(rows) + "}"
-        if key in ("points", "frames"):
+        if key in ("points", "frames") or (key == "triangles" and isinstance(value[0], dict)):
             return f"   {one_line(key)}: [\n" + ",\n".join(
                 f"    {one_line(each)}" for each in value) + "]"
         return f"   {one_line(key)}: {one_line(value)}"

@@ -8,7 +8,7 @@ namespace pixelplumb {
 /// The cell of a span whose number has this name in files; none where there is no such number.
 inline Quantity spanNumber(const TracedScene &traced, std::size_t span, const QString &id)
 {
-    const std::vector<NumberDescription> &numbers = traced.method->spanNumbers;
+    const std::vector<NumberDescription> &numbers = traced.method->numbers.span;
     for (std::size_t i = 0; i < numbers.size(); ++i) {
         if (numbers[i].id == id)
             return traced.trace->span(span).cells[i];

@@ -52,7 +52,7 @@ struct Table {
 
 QString faultOf(const Table &table, const TracedScene &traced, TraceLevel level)
 {
-    const QStringList names = traceColumnNames(*traced.method, level);
+    const QStringList names = traceColumnNames(traced.trace->numbers(), level);
     // No cell of these tables holds a line's end.
     const QString fault = jsonFault(table.json, names, table.csv.count('\n') - 1);
     if (!fault.isEmpty())

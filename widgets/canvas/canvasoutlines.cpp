@@ -42,13 +42,20 @@ struct NearestVertex {
     }
 };
 
+/// The document's primitive that the step in hand draws; none of a solid's triangle.
+std::optional<int> steppedPrimitive(const CanvasSources &sources)
+{
+    const std::optional<TraceStep> step = sources.playhead->stepInHand();
+    const auto index = step ? sources.playhead->traced()->indexInScene(step->primitive)
+                            : std::optional<std::size_t>();
+    const bool isThere = index && std::int64_t(*index) < sources.document->primitiveCount();
+    return isThere ? std::optional(int(*index)) : std::nullopt;
+}
+
 OutlineChoice::InHand primitivesInHand(const CanvasSources &sources,
                                        const std::optional<VertexRef> &hovered)
 {
-    const std::optional<TraceStep> step = sources.playhead->stepInHand();
-    const bool isThere = step && std::int64_t(step->primitive) < sources.document->primitiveCount();
-    return {sources.document->selectedVertex(), hovered,
-            isThere ? std::optional(int(step->primitive)) : std::nullopt};
+    return {sources.document->selectedVertex(), hovered, steppedPrimitive(sources)};
 }
 
 std::optional<SetUpRecord> setUpOf(int triangle, const CanvasSources &sources)
@@ -57,6 +64,7 @@ std::optional<SetUpRecord> setUpOf(int triangle, const CanvasSources &sources)
     const auto index = std::size_t(triangle);
     // A drag may be ahead of the trace: numbers of a triangle that was there before are not shown.
     if (!traced || index >= traced->trace->primitiveCount()
+        || index >= traced->scene.triangles.size()
         || traced->scene.triangles[index] != sources.document->scene().triangles[index])
         return std::nullopt;
     return traced->trace->setUp(index);
@@ -65,15 +73,25 @@ std::optional<SetUpRecord> setUpOf(int triangle, const CanvasSources &sources)
 /// The primitive whose vertices have names: of the selected vertex, else the one in hand.
 std::optional<int> namedPrimitive(const CanvasSources &sources)
 {
-    const int count = sources.document->primitiveCount();
     if (const std::optional<VertexRef> ref = sources.document->selectedVertex();
         ref && ref->primitive != VertexRef::pending)
         return ref->primitive;
-    if (count == 1)
-        return 0;
+    const bool isAlone
+        = sources.document->primitiveCount() == 1 && sources.document->scene().solids.empty();
+    return isAlone ? std::optional(0) : steppedPrimitive(sources);
+}
+
+/// A solid's triangle that the step in hand draws: it has an outline, and nothing to drag.
+void addSolidsTriangle(CanvasScene &scene, const CanvasSources &sources)
+{
+    const TracedScene *traced = tracedOfFrame(*sources.document, *sources.playhead);
     const std::optional<TraceStep> step = sources.playhead->stepInHand();
-    return step && int(step->primitive) < count ? std::optional(int(step->primitive))
-                                                : std::nullopt;
+    if (!traced || !step || !traced->primitives.isTriangle(step->primitive)
+        || traced->indexInScene(step->primitive))
+        return;
+    const auto &[a, b, c] = traced->primitives.triangles[step->primitive].vertices;
+    scene.outlines.push_back(
+        {{a.position, b.position, c.position}, rolesOf(traced->trace->setUp(step->primitive))});
 }
 
 void addOutline(CanvasScene &scene, int primitive, const CanvasSources &sources,
@@ -87,8 +105,7 @@ void addOutline(CanvasScene &scene, int primitive, const CanvasSources &sources,
             vertex.position = view.onSamples(vertex.position);
         return;
     }
-    const std::optional<TraceStep> step = sources.playhead->stepInHand();
-    const bool isInHand = step && step->primitive == index;
+    const bool isInHand = steppedPrimitive(sources) == primitive;
     const std::optional<SetUpRecord> setUp = isInHand ? setUpOf(primitive, sources) : std::nullopt;
     scene.outlines.push_back(
         {cornersOf(drawn.triangles[index], view), setUp ? rolesOf(*setUp) : EdgeRoles{}});
@@ -137,6 +154,7 @@ void addOutlines(CanvasScene &scene, const CanvasSources &sources, const CanvasV
         for (std::size_t i = 0; i < vertices.size(); ++i)
             addHandle({primitive, int(i)}, vertices[i]);
     }
+    addSolidsTriangle(scene, sources);
     const std::vector<Vertex> &pending = document.pendingVertices();
     for (std::size_t i = 0; i < pending.size(); ++i)
         addHandle({VertexRef::pending, int(i)}, pending[i]);

@@ -164,8 +164,8 @@ private:
         if (!foreign.isEmpty())
             return foreign + u'\n' + placingHint(m_document.placedKind(), 0, FrameContent::Empty);
         return placingHint(m_document.placedKind(), m_document.pendingVertices().size(),
-                           m_document.primitiveCount() == 0 ? FrameContent::Empty
-                                                            : FrameContent::Drawn);
+                           m_document.scene().isEmpty() ? FrameContent::Empty
+                                                        : FrameContent::Drawn);
     }
 
     /// Why the view does not show what it usually does.

@@ -52,10 +52,10 @@ Result<Triangle> TriangleDialog::triangle() const
     Triangle triangle;
     for (std::size_t vertex = 0; vertex < 3; ++vertex) {
         const Row &row = m_rows[vertex];
-        const Result<SnappedCoordinate> x = parseCoordinate(row.x->text().trimmed());
+        const Result<SnappedNumber> x = parseCoordinate(row.x->text().trimmed());
         if (!x)
             return InputError{tr("P%1, x").arg(vertex), x.error().found, x.error().expected};
-        const Result<SnappedCoordinate> y = parseCoordinate(row.y->text().trimmed());
+        const Result<SnappedNumber> y = parseCoordinate(row.y->text().trimmed());
         if (!y)
             return InputError{tr("P%1, y").arg(vertex), y.error().found, y.error().expected};
         triangle.vertices[vertex] = {{x->units, y->units}, row.colour->colour()};

@@ -49,8 +49,8 @@ QLineEdit *VertexDialog::addField(const QString &name, const QString &label, Lat
 
 std::optional<LatticePoint> VertexDialog::readPosition()
 {
-    const Result<SnappedCoordinate> x = parseCoordinate(m_x->text());
-    const Result<SnappedCoordinate> y = parseCoordinate(m_y->text());
+    const Result<SnappedNumber> x = parseCoordinate(m_x->text());
+    const Result<SnappedNumber> y = parseCoordinate(m_y->text());
     m_ok->setEnabled(x && y);
     if (!x || !y) {
         m_remark->setText(x ? y.error().message() : x.error().message());

@@ -7,19 +7,46 @@
 
 namespace pixelplumb {
 
+namespace {
+
+/// Of the sources and of an installed program, nearest first.
+QList<QDir> exampleFolders()
+{
+    QList<QDir> folders;
+    QDir above(QCoreApplication::applicationDirPath());
+    do {
+        for (const char *scenes : {"resources/scenes", "share/pixelplumb/scenes"}) {
+            const QDir folder(above.filePath(QString::fromLatin1(scenes)));
+            if (folder.exists())
+                folders.append(folder);
+        }
+    } while (above.cdUp());
+    return folders;
+}
+
+} // namespace
+
 bool isExample(const QString &path)
 {
     const QString folder = QFileInfo(path).dir().canonicalPath();
     if (folder.isEmpty())
         return false;
-    QDir above(QCoreApplication::applicationDirPath());
-    do {
-        for (const char *scenes : {"resources/scenes", "share/pixelplumb/scenes"}) {
-            if (QDir(above.filePath(QString::fromLatin1(scenes))).canonicalPath() == folder)
-                return true;
-        }
-    } while (above.cdUp());
+    for (const QDir &examples : exampleFolders()) {
+        if (examples.canonicalPath() == folder)
+            return true;
+    }
     return false;
+}
+
+QStringList examplePaths()
+{
+    QStringList paths;
+    const QList<QDir> folders = exampleFolders();
+    if (folders.isEmpty())
+        return paths;
+    for (const QString &name : folders.front().entryList({QStringLiteral("*.json")}, QDir::Files))
+        paths.append(folders.front().filePath(name));
+    return paths;
 }
 
 } // namespace pixelplumb

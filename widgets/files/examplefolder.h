@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
+#include <QStringList>
 
 namespace pixelplumb {
 
@@ -9,5 +9,8 @@ namespace pixelplumb {
 /// sources, where it was built, or in the share folder where it was installed. What a person draws
 /// is not saved there unasked.
 bool isExample(const QString &path);
+
+/// The example scenes, by name; none where the program has lost its folder.
+QStringList examplePaths();
 
 } // namespace pixelplumb

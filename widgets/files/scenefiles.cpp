@@ -142,7 +142,7 @@ bool SceneFiles::saveTo(const QString &path)
     if (!waitForSaving())
         return false;
     const std::shared_ptr<const Scene> scene = m_document->snapshot();
-    if (scene->triangles.size() + scene->shapes.size() > mostWrittenAtOnce) {
+    if (scene->triangles.size() + scene->solids.size() + scene->shapes.size() > mostWrittenAtOnce) {
         startSaving(path, scene);
         return true;
     }

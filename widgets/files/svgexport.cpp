@@ -111,7 +111,8 @@ void drawTriangles(QPainter &painter, FramePainter &frame, const Playhead &playh
                           isNamed ? rolesOf(setUp) : EdgeRoles{});
         QPointF inside;
         for (const Vertex &vertex : vertices) {
-            frame.drawHandle(vertex.position, vertex.colour, HandleState::Idle);
+            if (traced.indexInScene(index))
+                frame.drawHandle(vertex.position, vertex.colour, HandleState::Idle);
             inside += mapping.positionOf(vertex.position) / 3;
         }
         for (std::size_t rank = 0; isNamed && rank < 3; ++rank)

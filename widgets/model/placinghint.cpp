@@ -79,7 +79,7 @@ QString drawnBy(const Method &method)
 
 bool drawsAny(const Method &method, const Scene &scene)
 {
-    return (!scene.triangles.empty() && method.draws(PrimitiveKind::Triangle))
+    return (scene.hasTriangles() && method.draws(PrimitiveKind::Triangle))
         || std::ranges::any_of(scene.shapes,
                                [&](const Shape &shape) { return method.draws(shape); });
 }
@@ -89,11 +89,10 @@ bool drawsAny(const Method &method, const Scene &scene)
 QString foreignSceneHint(const Scene &scene)
 {
     const Method *method = methodNamed(QString::fromStdString(scene.method));
-    const bool isEmpty = scene.triangles.empty() && scene.shapes.empty();
-    if (!method || isEmpty || drawsAny(*method, scene))
+    if (!method || scene.isEmpty() || drawsAny(*method, scene))
         return {};
-    const Method &other = scene.triangles.empty() ? firstMethodFor(scene.shapes.front())
-                                                  : firstMethodFor(PrimitiveKind::Triangle);
+    const Method &other = scene.hasTriangles() ? firstMethodFor(PrimitiveKind::Triangle)
+                                               : firstMethodFor(scene.shapes.front());
     return tr("%1 draws %2; this scene has none. %3 draws what is here.")
         .arg(method->title, drawnBy(*method), other.title);
 }

@@ -21,8 +21,8 @@ QString snapNote(const std::vector<SnapReport> &snaps)
         lines += snaps[i].message();
     if (snaps.size() > mostLines)
         lines += QCoreApplication::translate(
-            "RunNotes", "and %n more coordinate(s) are drawn at multiples of 1/256 px", nullptr,
-            int(snaps.size() - mostLines));
+            "RunNotes", "and %n more number(s) are taken as the nearest of 1/256 px or 2^-24",
+            nullptr, int(snaps.size() - mostLines));
     return lines.join(u'\n');
 }
 

@@ -39,6 +39,7 @@ public:
     /// What placed vertices make: the kind that the scene's method draws.
     PrimitiveKind placedKind() const;
     PrimitiveKind kindOf(int primitive) const;
+    /// Of the triangles and the shapes; a solid's triangles are none of the document's.
     int primitiveCount() const { return int(m_scene.triangles.size() + m_scene.shapes.size()); }
     /// The vertices of a primitive, by number.
     std::vector<Vertex> verticesOf(int primitive) const;
@@ -78,8 +79,12 @@ public slots:
     /// Removes the primitive of a vertex, or the pending vertex.
     void deleteVertex(const pixelplumb::VertexRef &ref);
     void discardPending(); ///< all vertices that wait for their primitive
-    void clear(); ///< all primitives and pending vertices
+    void clear(); ///< all primitives, solids and pending vertices
     void setFrame(const pixelplumb::FrameSpec &frame);
+    /// Changes that share a drag number are one edit.
+    void setCamera(const pixelplumb::Camera &camera, int drag);
+    void setSolid(std::size_t index, const pixelplumb::Solid &solid, int drag);
+    void setAppearance(const pixelplumb::Appearance &appearance);
     /// Of the rule off-screen-point. Moves that share a drag number are one edit.
     void moveOffScreenPoint(const pixelplumb::LatticePoint &position, int drag);
     void setSettings(const pixelplumb::ScanSettings &settings);

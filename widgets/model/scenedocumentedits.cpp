@@ -156,11 +156,12 @@ void SceneDocument::discardPending()
 
 void SceneDocument::clear()
 {
-    if (m_pending.empty() && primitiveCount() == 0)
+    if (m_pending.empty() && m_scene.isEmpty())
         return;
     const ScenePiece before = wholePiece();
     ScenePiece after = before;
     after.run = {};
+    after.solids.clear();
     after.pending.clear();
     edit(tr("clear"), before, after);
 }
@@ -194,6 +195,37 @@ void SceneDocument::setFrame(const FrameSpec &frame)
     ScenePiece after = pieceAtEnd();
     after.frame = frame;
     edit(tr("change frame"), pieceAtEnd(), after);
+}
+
+void SceneDocument::setCamera(const Camera &camera, int drag)
+{
+    if (m_scene.camera == camera)
+        return;
+    const ScenePiece before = pieceAtEnd();
+    ScenePiece after = before;
+    after.camera = camera;
+    m_undoStack.push(
+        new SceneEdit(*this, tr("move camera"), before, after, Drag{VertexRef(), drag}));
+}
+
+void SceneDocument::setSolid(std::size_t index, const Solid &solid, int drag)
+{
+    if (index >= m_scene.solids.size() || m_scene.solids[index] == solid)
+        return;
+    const ScenePiece before = withPending(pieceWithSolid(m_scene, index));
+    ScenePiece after = before;
+    after.solids = {solid};
+    m_undoStack.push(
+        new SceneEdit(*this, tr("change solid"), before, after, Drag{VertexRef(), drag}));
+}
+
+void SceneDocument::setAppearance(const Appearance &appearance)
+{
+    if (m_scene.appearance == appearance)
+        return;
+    ScenePiece after = pieceAtEnd();
+    after.appearance = appearance;
+    edit(tr("change appearance"), pieceAtEnd(), after);
 }
 
 void SceneDocument::moveOffScreenPoint(const LatticePoint &position, int drag)

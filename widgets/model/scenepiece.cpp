@@ -70,19 +70,22 @@ Vertex &ScenePiece::vertex(const VertexRef &ref)
 bool ScenePiece::hasSceneOf(const ScenePiece &other) const
 {
     return frame == other.frame && settings == other.settings && method == other.method
-        && run == other.run;
+        && run == other.run && solids == other.solids && camera == other.camera
+        && appearance == other.appearance;
 }
 
 ScenePiece pieceAtEnd(const Scene &scene)
 {
-    return {scene.frame,
-            scene.settings,
-            scene.method,
-            scene.triangles.size(),
-            scene.shapes.size(),
-            {},
-            {},
-            {}};
+    ScenePiece piece;
+    piece.frame = scene.frame;
+    piece.settings = scene.settings;
+    piece.method = scene.method;
+    piece.firstTriangle = scene.triangles.size();
+    piece.firstSolid = scene.solids.size();
+    piece.firstShape = scene.shapes.size();
+    piece.camera = scene.camera;
+    piece.appearance = scene.appearance;
+    return piece;
 }
 
 ScenePiece pieceWith(const Scene &scene, std::size_t primitive)
@@ -100,12 +103,22 @@ ScenePiece pieceWith(const Scene &scene, std::size_t primitive)
     return piece;
 }
 
+ScenePiece pieceWithSolid(const Scene &scene, std::size_t solid)
+{
+    ScenePiece piece = pieceAtEnd(scene);
+    piece.firstSolid = solid;
+    piece.solids = {scene.solids[solid]};
+    return piece;
+}
+
 ScenePiece wholePiece(const Scene &scene)
 {
     ScenePiece piece = pieceAtEnd(scene);
     piece.firstTriangle = 0;
+    piece.firstSolid = 0;
     piece.firstShape = 0;
     piece.run = {scene.triangles, scene.shapes, scene.attributes};
+    piece.solids = scene.solids;
     return piece;
 }
 
@@ -114,9 +127,12 @@ void replace(Scene &scene, const ScenePiece &before, const ScenePiece &after)
     scene.frame = after.frame;
     scene.settings = after.settings;
     scene.method = after.method;
+    scene.camera = after.camera;
+    scene.appearance = after.appearance;
     replaceAttributes(scene.attributes, before, after);
     replaceRun(scene.triangles, before.firstTriangle, before.run.triangles.size(),
                after.run.triangles);
+    replaceRun(scene.solids, before.firstSolid, before.solids.size(), after.solids);
     replaceRun(scene.shapes, before.firstShape, before.run.shapes.size(), after.run.shapes);
 }
 

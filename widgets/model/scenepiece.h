@@ -16,16 +16,20 @@ struct VertexRef {
     friend bool operator==(const VertexRef &, const VertexRef &) = default;
 };
 
-/// What one edit changes of a document, as it is before or after the edit: a run of triangles, a
-/// run of shapes, and everything that is small. So that a scene of a million triangles is edited
-/// without a copy of it, the runs hold what differs alone.
+/// What one edit changes of a document, as it is before or after the edit: a run of triangles, one
+/// of solids, one of shapes, and everything that is small. So that a scene of a million triangles
+/// is edited without a copy of it, the runs hold what differs alone.
 struct ScenePiece {
     FrameSpec frame;
     ScanSettings settings;
     std::string method;
     std::size_t firstTriangle = 0; ///< where the run begins, in the scene
+    std::size_t firstSolid = 0;
     std::size_t firstShape = 0;
     Primitives run; ///< in the scene's coordinates; attributes by the triangle's index in the scene
+    std::vector<Solid> solids; ///< of the run
+    std::optional<Camera> camera;
+    Appearance appearance;
     std::vector<Vertex> pending; ///< vertices that wait for their primitive
     std::optional<Colour> chosenColour; ///< for the next vertex alone
 
@@ -43,6 +47,7 @@ struct ScenePiece {
 ScenePiece pieceAtEnd(const Scene &scene);
 /// With one primitive, by its index through the triangles and the shapes.
 ScenePiece pieceWith(const Scene &scene, std::size_t primitive);
+ScenePiece pieceWithSolid(const Scene &scene, std::size_t solid);
 /// With all primitives.
 ScenePiece wholePiece(const Scene &scene);
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/model/scenetracer.h"
 
+#include "core/scene/solidlimits.h"
+
 #include <chrono>
 #include <new>
 #include <span>
@@ -14,15 +16,24 @@ using namespace std::chrono_literals;
 
 constexpr auto rest = 80ms; ///< more than between two moves of a hand
 
+/// Its own and those of its solids, before clipping.
+std::size_t trianglesOf(const Scene &scene)
+{
+    std::size_t count = scene.triangles.size();
+    for (const Solid &solid : scene.solids)
+        count += triangleCount(solid);
+    return count;
+}
+
 QString tooLargeForMemory(const Scene &scene)
 {
+    const std::size_t triangles = trianglesOf(scene);
     return SceneTracer::tr("The scene does not fit into memory: a frame of %1 × %2 pixels with "
                            "%3. Make the frame or the triangles smaller.")
         .arg(scene.frame.width)
         .arg(scene.frame.height)
-        .arg(scene.triangles.size() == 1
-                 ? SceneTracer::tr("1 triangle")
-                 : SceneTracer::tr("%1 triangles").arg(scene.triangles.size()));
+        .arg(triangles == 1 ? SceneTracer::tr("1 triangle")
+                            : SceneTracer::tr("%1 triangles").arg(triangles));
 }
 
 std::shared_ptr<const TracedScene> tracedOrNull(const Scene &scene)
@@ -48,8 +59,7 @@ QString refusalOf(const Scene &scene)
 /// Done at once; looks closer only at what may be small.
 bool isSmall(const Scene &scene)
 {
-    return std::int64_t(scene.triangles.size() + scene.shapes.size())
-        <= TraceCost::mostTrianglesOfSmall
+    return std::int64_t(trianglesOf(scene) + scene.shapes.size()) <= TraceCost::mostTrianglesOfSmall
         && traceCostOf(scene).isSmall();
 }
 
@@ -70,7 +80,7 @@ std::pair<Lattice, Lattice> extentOf(std::span<const Vertex> vertices,
 Lattice reachOf(const Shape &shape)
 {
     if (shape.kind == PrimitiveKind::Text)
-        return shape.textHeight * Lattice(shape.text.size());
+        return std::abs(shape.textHeight) * Lattice(shape.text.size());
     if (shape.kind != PrimitiveKind::Circle && shape.kind != PrimitiveKind::Ellipse)
         return 0;
     const LatticePoint &centre = shape.vertices[0].position;
@@ -84,7 +94,7 @@ TraceCost traceCostOf(const Scene &scene)
 {
     TraceCost cost;
     const FrameSpec &frame = scene.frame;
-    const Lattice offset = sampleOffset(frame);
+    const Lattice offset = scene.solids.empty() ? sampleOffset(frame) : 0;
     const auto add = [&](std::span<const Vertex> vertices, Lattice margin) {
         const auto [left, right] = extentOf(vertices, &LatticePoint::x, margin);
         const auto [low, high] = extentOf(vertices, &LatticePoint::y, margin);
@@ -100,10 +110,16 @@ TraceCost traceCostOf(const Scene &scene)
         cost.columns += columns;
         cost.pixels += columns * samples(low, high, frame.firstRow, frame.height);
     };
-    for (const Triangle &triangle : scene.triangles)
-        add(triangle.vertices, 0);
-    for (const Shape &shape : scene.shapes)
-        add(shape.vertices, reachOf(shape));
+    const auto addAll = [&](const auto &primitives) {
+        for (const Triangle &triangle : primitives.triangles)
+            add(triangle.vertices, 0);
+        for (const Shape &shape : primitives.shapes)
+            add(shape.vertices, reachOf(shape));
+    };
+    if (scene.solids.empty())
+        addAll(scene);
+    else
+        addAll(primitivesOnSamples(scene));
     return cost;
 }
 

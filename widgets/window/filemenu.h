@@ -15,6 +15,7 @@ public:
     FileMenu(const WindowParts &parts, QWidget *window);
 
 private:
+    void addExamples(SceneFiles *files);
     void addExports(SceneExports *exports);
 };
 

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/effectplan.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+std::optional<EffectPlan> planBeyondColour(const Primitives &primitives,
+                                           const ScanSettings &settings, const FrameView &frame)
+{
+    const Appearance &appearance = primitives.appearance;
+    // Most scenes carry nothing, and their plan is not asked for.
+    const bool mayCallForMore = !primitives.attributes.empty()
+        || appearance.antialiasing != Antialiasing::None || appearance.forced != EffectForcing{};
+    if (!mayCallForMore || primitives.triangles.empty())
+        return std::nullopt;
+    EffectPlan plan = planFor(primitives, settings, frame);
+    if (plan.isPlain())
+        return std::nullopt;
+    return plan;
+}
+
+} // namespace pixelplumb

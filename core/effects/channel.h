@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/effectplan.h"
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+
+namespace pixelplumb {
+
+/// What shaded triangles interpolate, linearly in the frame.
+enum class Channel : std::uint8_t {
+    Red,
+    Green,
+    Blue,
+    Alpha,
+    Depth,
+    Reciprocal, ///< 1/w
+    U,
+    V,
+    NormalX,
+    NormalY,
+    NormalZ,
+    PlaceX,
+    PlaceY,
+    PlaceZ,
+};
+inline constexpr std::size_t shadedChannelCount = 14;
+
+/// A value for each channel; those that are not carried are never read.
+template <class Value>
+using PerChannel = std::array<Value, shadedChannelCount>;
+
+constexpr std::size_t indexOf(Channel channel) { return std::size_t(channel); }
+constexpr Channel channelAt(std::size_t index) { return Channel(index); }
+
+/// Whether the channel is divided by w at the vertices where perspective is corrected.
+constexpr bool followsPerspective(Channel channel)
+{
+    return channel != Channel::Depth && channel != Channel::Reciprocal;
+}
+
+/// Levels count in whole levels, the other channels in 2^-24.
+constexpr bool isLevel(Channel channel) { return channel <= Channel::Alpha; }
+
+/// Whether the effects read a channel. Effects is an EffectSet or a StaticEffects.
+template <class Effects>
+constexpr bool carries(const Effects &effects, Channel channel)
+{
+    switch (channel) {
+    case Channel::Red:
+    case Channel::Green:
+    case Channel::Blue:
+        return effects.smooth;
+    case Channel::Alpha:
+        return effects.blending;
+    case Channel::Depth:
+        return effects.depth != DepthTest::None;
+    case Channel::Reciprocal:
+        return effects.perspective;
+    case Channel::U:
+    case Channel::V:
+        return effects.texture;
+    case Channel::NormalX:
+    case Channel::NormalY:
+    case Channel::NormalZ:
+    case Channel::PlaceX:
+    case Channel::PlaceY:
+    case Channel::PlaceZ:
+        return effects.light;
+    }
+    return false;
+}
+
+/// Calls function(index) for each channel that the effects carry, in order; for StaticEffects a
+/// straight line of code.
+template <class Effects, class Function>
+[[gnu::always_inline]] inline void forEachChannel(const Effects &effects, const Function &function)
+{
+    for (std::size_t index = 0; index < shadedChannelCount; ++index) {
+        if (carries(effects, channelAt(index)))
+            function(index);
+    }
+}
+
+/// An EffectSet that is known when the kernel is compiled: what is not in it is no code.
+template <EffectSet set>
+struct StaticEffects {
+    static constexpr bool smooth = set.smooth;
+    static constexpr bool perspective = set.perspective;
+    static constexpr bool texture = set.texture;
+    static constexpr bool light = set.light;
+    static constexpr bool blending = set.blending;
+    static constexpr DepthTest depth = set.depth;
+};
+
+} // namespace pixelplumb

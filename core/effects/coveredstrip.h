@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/shadedfill.h"
+#include "core/geometry/triangle.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+/// The rows of one column of pixels, each half a pixel to every side of its sample, that a triangle
+/// meets, and those that it covers whole.
+struct CoveredStrip {
+    RowRun met;
+    RowRun whole; ///< within `met`; empty where there are none
+};
+
+/// The rows at column x of a triangle P0 P1 P2, sorted by x, that has an area.
+inline CoveredStrip coveredStrip(const std::array<LatticePoint, 3> &corners, std::int64_t x)
+{
+    const auto &[p0, p1, p2] = corners;
+    const Lattice left = x * unitsPerPixel - halfPixel;
+    const Lattice right = x * unitsPerPixel + halfPixel;
+    struct Border {
+        Int128 low = 0, high = 0; ///< of the triangle along a vertical line, ⌊256·y⌋ and ⌈256·y⌉
+    };
+    const auto onEdge = [](const LatticePoint &a, const LatticePoint &b, Lattice at) -> Border {
+        const Int128 width = b.x - a.x;
+        const Int128 y = a.y * width + Int128(at - a.x) * (b.y - a.y);
+        return {floorDivide<Int128>(y, width), ceilDivide<Int128>(y, width)};
+    };
+    /// A line strictly inside of the triangle's columns, or at one of their ends.
+    const auto borderAt = [&](Lattice at) -> Border {
+        const Border longEdge = p0.x == p2.x ? Border{p0.y, p2.y} : onEdge(p0, p2, at);
+        Border shortEdge;
+        if (at < p1.x || p1.x == p2.x)
+            shortEdge = p0.x == p1.x ? Border{std::min(p0.y, p1.y), std::max(p0.y, p1.y)}
+                                     : onEdge(p0, p1, at);
+        else
+            shortEdge = onEdge(p1, p2, at);
+        return {std::min(longEdge.low, shortEdge.low), std::max(longEdge.high, shortEdge.high)};
+    };
+    /// What is surely inside: between the edges, rounded inward.
+    const auto innerAt = [&](Lattice at) -> Border {
+        const Border longEdge = onEdge(p0, p2, at);
+        const Border shortEdge
+            = at < p1.x || p1.x == p2.x ? onEdge(p0, p1, at) : onEdge(p1, p2, at);
+        if (longEdge.low + longEdge.high < shortEdge.low + shortEdge.high)
+            return {longEdge.high, shortEdge.low};
+        return {shortEdge.high, longEdge.low};
+    };
+    Border outer = borderAt(std::max(left, p0.x));
+    const auto widen = [&outer](const Border &border) {
+        outer = {std::min(outer.low, border.low), std::max(outer.high, border.high)};
+    };
+    widen(borderAt(std::min(right, p2.x)));
+    for (const LatticePoint &corner : corners) {
+        if (corner.x >= left && corner.x <= right)
+            widen({corner.y, corner.y});
+    }
+    CoveredStrip strip;
+    strip.met = {std::int64_t(floorDivide<Int128>(outer.low - halfPixel, unitsPerPixel)),
+                 std::int64_t(ceilDivide<Int128>(outer.high + halfPixel, unitsPerPixel)) + 1};
+    strip.whole = {strip.met.end, strip.met.end};
+    if (left < p0.x || right > p2.x)
+        return strip;
+    // The lower border is a convex function of x and the upper one a concave: their extremes within
+    // the strip are at its sides.
+    const Border a = innerAt(left);
+    const Border b = innerAt(right);
+    const Int128 low = std::max(a.low, b.low);
+    const Int128 high = std::min(a.high, b.high);
+    const auto first = std::int64_t(ceilDivide<Int128>(low + halfPixel, unitsPerPixel));
+    const auto last = std::int64_t(floorDivide<Int128>(high - halfPixel, unitsPerPixel));
+    if (first <= last)
+        strip.whole = {first, last + 1};
+    return strip;
+}
+
+} // namespace pixelplumb

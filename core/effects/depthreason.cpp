@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/effectreason.h"
+
+namespace pixelplumb {
+
+namespace {
+
+QString inQuestionWords(const DepthAnswer &answer)
+{
+    return QStringLiteral("; %1 triangles are in question").arg(answer.countInQuestion());
+}
+
+} // namespace
+
+QString depthReason(const DepthAnswer &answer)
+{
+    using Ground = DepthAnswer::Ground;
+    switch (answer.ground) {
+    case Ground::FewTriangles:
+        return QStringLiteral("there are no two triangles in the frame");
+    case Ground::SameDepth:
+        return QStringLiteral("all triangles have the same depth");
+    case Ground::InOrder:
+        return QStringLiteral("every triangle is nearer than all that are drawn before it, or as "
+                              "near");
+    case Ground::Apart:
+        return QStringLiteral("no two triangles overlap");
+    case Ground::NotBehind:
+        return QStringLiteral("where triangles overlap, the later one is nearer or as near");
+    case Ground::NoSample:
+        return QStringLiteral("at every sample that two triangles cover, the later one is nearer "
+                              "or as near");
+    case Ground::Witness:
+        return QStringLiteral("at pixel (%1, %2) triangle %3 lies behind triangle %4, which is "
+                              "drawn before it")
+                   .arg(answer.place.x)
+                   .arg(answer.place.y)
+                   .arg(answer.later)
+                   .arg(answer.earlier)
+            + inQuestionWords(answer);
+    case Ground::NoWitness:
+        return QStringLiteral("triangle %1 lies behind triangle %2, which is drawn before it, "
+                              "between samples; no sample was found where it does")
+                   .arg(answer.later)
+                   .arg(answer.earlier)
+            + inQuestionWords(answer);
+    case Ground::TooMany:
+        return QStringLiteral("more triangles lie about each other than can be compared while the "
+                              "picture waits")
+            + inQuestionWords(answer);
+    }
+    return {};
+}
+
+} // namespace pixelplumb

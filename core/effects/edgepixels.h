@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/shadedfill.h"
+#include "core/frame/frameview.h"
+#include "core/geometry/triangle.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace pixelplumb {
+
+/// The pixels of a frame whose closed square an edge of some triangle meets: those that 4 or 16
+/// samples are taken in.
+class EdgePixels {
+public:
+    EdgePixels(std::span<const Triangle> triangles, const FrameView &frame);
+
+    bool contains(std::int64_t x, std::int64_t y) const { return m_isEdge[place(x, y)] != 0; }
+    std::int64_t count() const { return m_count; }
+
+    /// Calls function(run) for the runs of rows within `rows` of column x whose pixels are, or are
+    /// not, of these.
+    template <class Function>
+    void forEachRun(std::int64_t x, const RowRun &rows, bool ofEdges,
+                    const Function &function) const
+    {
+        for (std::int64_t y = rows.first; y < rows.end;) {
+            if (contains(x, y) != ofEdges) {
+                ++y;
+                continue;
+            }
+            RowRun run{y, y + 1};
+            while (run.end < rows.end && contains(x, run.end) == ofEdges)
+                ++run.end;
+            function(run);
+            y = run.end;
+        }
+    }
+
+private:
+    std::size_t place(std::int64_t x, std::int64_t y) const
+    {
+        return std::size_t(x - m_frame.firstColumn) * std::size_t(m_frame.height)
+            + std::size_t(y - m_frame.firstRow);
+    }
+    void addEdge(LatticePoint a, LatticePoint b);
+
+    FrameView m_frame; ///< for its window alone
+    std::vector<std::uint8_t> m_isEdge; ///< column by column
+    std::int64_t m_count = 0;
+};
+
+/// Where the samples of a pixel lie, from its own sample, 1/256 px; y upward.
+std::span<const LatticePoint> samplePattern(Antialiasing antialiasing);
+
+/// The triangle as one of these samples sees it: moved the other way.
+Triangle seenFrom(const Triangle &triangle, const LatticePoint &sample);
+
+} // namespace pixelplumb

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/effectreason.h"
+
+#include "core/effects/sharededges.h"
+
+#include <QStringList>
+
+namespace pixelplumb {
+
+namespace {
+
+QString triangleWord() { return QStringLiteral("triangle"); }
+
+/// "primitive", where there are others than triangles.
+QString primitiveWord(const Primitives &primitives)
+{
+    return primitives.shapes.empty() ? triangleWord() : QStringLiteral("primitive");
+}
+
+QString has(std::size_t count, std::size_t all, const QString &noun)
+{
+    return countedWords(count, all, noun, QStringLiteral("has"), QStringLiteral("have"));
+}
+
+QString smoothColourReason(const NeedsTally &tally, const QString &noun)
+{
+    const std::size_t smooth = tally.of[Effect::SmoothColour].primitives;
+    if (smooth > 0)
+        return QStringLiteral("%1 vertex colours that differ").arg(has(smooth, tally.drawn, noun));
+    return tally.drawn == 1 ? QStringLiteral("the vertex colours are equal")
+                            : QStringLiteral("the vertex colours are equal in each of %1 %2s")
+                                  .arg(tally.drawn)
+                                  .arg(noun);
+}
+
+QString clippingReason(const NeedsTally &tally, const QString &noun)
+{
+    const std::size_t crossing = tally.of[Effect::Clipping].primitives;
+    const auto crosses = [&](std::size_t count) {
+        return countedWords(count, tally.drawn, noun, QStringLiteral("crosses"),
+                            QStringLiteral("cross"));
+    };
+    if (crossing > 0)
+        return QStringLiteral("%1 the frame's border").arg(crosses(crossing));
+    if (tally.mayCross > 0)
+        return QStringLiteral("the bounding box of %1 of %2 %3s crosses the frame's border")
+            .arg(tally.mayCross)
+            .arg(tally.drawn)
+            .arg(noun);
+    const QString within = QStringLiteral("what is drawn lies within the frame");
+    return tally.outside == 0 ? within : within + QStringLiteral("; %1 outside").arg(tally.outside);
+}
+
+/// What is divided by w.
+QString carriedWords(const TriangleNeeds &carried)
+{
+    QStringList words;
+    if (carried.carriesColour)
+        words.append(QStringLiteral("colours"));
+    if (carried.carriesAlpha)
+        words.append(QStringLiteral("alpha"));
+    if (carried.carriesTexture)
+        words.append(QStringLiteral("u and v"));
+    if (carried.carriesLight)
+        words.append(QStringLiteral("what light looks at"));
+    return words.join(QStringLiteral(", "));
+}
+
+QString perspectiveReason(const NeedsTally &tally)
+{
+    const std::size_t divided = tally.of[Effect::Perspective].primitives;
+    if (divided > 0)
+        return QStringLiteral("w differs between the vertices of %1 of %2 triangles, and so do %3: "
+                              "these change evenly only when divided by w")
+            .arg(divided)
+            .arg(tally.drawnTriangles)
+            .arg(carriedWords(tally.carried));
+    if (tally.dividingNothing > 0)
+        return QStringLiteral("w differs between the vertices of %1 of %2 triangles, but nothing "
+                              "else does that is divided by it")
+            .arg(tally.dividingNothing)
+            .arg(tally.drawnTriangles);
+    return QStringLiteral("w is the same at the three vertices of every triangle");
+}
+
+QString textureReason(const NeedsTally &tally)
+{
+    const std::size_t textured = tally.of[Effect::Texture].primitives;
+    if (textured == 0)
+        return QStringLiteral("no triangle's material has a texture");
+    QStringList names;
+    for (const Texture *texture : tally.textures)
+        names.append(u'“' + QString::fromStdString(texture->name) + u'”');
+    return QStringLiteral("%1 a material with a texture: %2")
+        .arg(has(textured, tally.drawnTriangles, triangleWord()), names.join(QStringLiteral(", ")));
+}
+
+QString lightReason(const NeedsTally &tally, const Appearance &appearance)
+{
+    const std::size_t lit = tally.of[Effect::Light].primitives;
+    if (lit > 0) {
+        const std::size_t lights = appearance.lights.size();
+        return QStringLiteral("%1 normals, and %2 (Phong shading: at every sample)")
+            .arg(has(lit, tally.drawnTriangles, triangleWord()),
+                 lights == 1 ? QStringLiteral("a light is on")
+                             : QStringLiteral("%1 lights are on").arg(lights));
+    }
+    if (appearance.lights.empty())
+        return QStringLiteral("no light is on");
+    switch (appearance.shading) {
+    case Shading::Flat:
+        return QStringLiteral("flat shading: light is in the colours, once a triangle");
+    case Shading::Gouraud:
+        return QStringLiteral("Gouraud shading: light is in the colours of the vertices");
+    case Shading::Phong:
+        return QStringLiteral("no triangle has normals");
+    }
+    return {};
+}
+
+/// Under the closed rule both triangles of a shared edge are painted over its samples.
+QString paintedTwiceWords(const NeedsTally &tally, const FrameView &frame)
+{
+    const SharedSamples shared = sharedSamplesOf(tally.blended, frame);
+    if (shared.samples == 0)
+        return QStringLiteral("; no sample lies on an edge that they share");
+    return QStringLiteral("; the closed rule paints %1%2 on their shared edges twice")
+        .arg(shared.isExact ? QString() : QStringLiteral("at most "))
+        .arg(shared.samples == 1 ? QStringLiteral("1 sample")
+                                 : QStringLiteral("%1 samples").arg(shared.samples));
+}
+
+QString blendingReason(const NeedsTally &tally, const Appearance &appearance,
+                       const ScanSettings &settings, const FrameView &frame)
+{
+    const std::size_t blended = tally.of[Effect::Blending].primitives;
+    if (blended == 0)
+        return QStringLiteral("every alpha is 255: opaque");
+    const QString reason = QStringLiteral("%1 an alpha below 255, the lowest is %2")
+                               .arg(has(blended, tally.drawnTriangles, triangleWord()))
+                               .arg(tally.lowestAlpha);
+    const bool ownsEdges = settings.fillRule == FillRule::Closed
+        && appearance.antialiasing == Antialiasing::None && blended > 1;
+    return ownsEdges ? reason + paintedTwiceWords(tally, frame) : reason;
+}
+
+QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing)
+{
+    const auto ofSamples = [](int samples) {
+        return QStringLiteral("the scene asks for %1 samples in each pixel that an edge passes")
+            .arg(samples);
+    };
+    switch (antialiasing) {
+    case Antialiasing::None:
+        return QStringLiteral("the scene asks for one sample a pixel");
+    case Antialiasing::Samples4:
+        return tally.drawnTriangles == 0 ? QStringLiteral("no triangle is drawn") : ofSamples(4);
+    case Antialiasing::Samples16:
+        return tally.drawnTriangles == 0 ? QStringLiteral("no triangle is drawn") : ofSamples(16);
+    case Antialiasing::Area:
+        return tally.drawnTriangles == 0
+            ? QStringLiteral("no triangle is drawn")
+            : QStringLiteral("the scene asks for the exact area that a triangle has of a pixel");
+    }
+    return {};
+}
+
+} // namespace
+
+QString countedWords(std::size_t count, std::size_t all, const QString &noun,
+                     const QString &singularVerb, const QString &pluralVerb)
+{
+    if (all == 1)
+        return QStringLiteral("the %1 %2").arg(noun, singularVerb);
+    if (count == all)
+        return QStringLiteral("all %1 %2s %3").arg(QString::number(all), noun, pluralVerb);
+    return QStringLiteral("%1 of %2 %3s %4")
+        .arg(QString::number(count), QString::number(all), noun,
+             count == 1 ? singularVerb : pluralVerb);
+}
+
+QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &primitives,
+                     const ScanSettings &settings, const FrameView &frame)
+{
+    if (tally.drawn == 0)
+        return QStringLiteral("nothing reaches the frame");
+    switch (effect) {
+    case Effect::SmoothColour:
+        return smoothColourReason(tally, primitiveWord(primitives));
+    case Effect::Clipping:
+        return clippingReason(tally, primitiveWord(primitives));
+    case Effect::Perspective:
+        return perspectiveReason(tally);
+    case Effect::Texture:
+        return textureReason(tally);
+    case Effect::Light:
+        return lightReason(tally, primitives.appearance);
+    case Effect::Blending:
+        return blendingReason(tally, primitives.appearance, settings, frame);
+    case Effect::Antialiasing:
+        return antialiasingReason(tally, primitives.appearance.antialiasing);
+    case Effect::Depth:
+        break;
+    }
+    return {};
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/depthquestion.h"
+#include "core/effects/needstally.h"
+
+namespace pixelplumb {
+
+/// Why an effect is called for or not: one clause in a student's words, with numbers, as the tally
+/// has them. All effects but depth.
+QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &primitives,
+                     const ScanSettings &settings, const FrameView &frame);
+
+/// The same of depth, where the scene leaves the question to the plan.
+QString depthReason(const DepthAnswer &answer);
+
+/// "the triangle has", "1 of 3 triangles has", "all 3 triangles have".
+QString countedWords(std::size_t count, std::size_t all, const QString &noun,
+                     const QString &singularVerb, const QString &pluralVerb);
+
+} // namespace pixelplumb

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/framereach.h"
+
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+std::int64_t sizeOf(const SampleBox &box)
+{
+    return box.isEmpty() ? 0 : (box.endX - box.firstX) * (box.endY - box.firstY);
+}
+
+/// Calls `visit` with the absolute differences of x and y along each edge, px.
+template <class Visit>
+void forEachEdge(const Triangle &triangle, const Visit &visit)
+{
+    for (std::size_t i = 0; i < 3; ++i) {
+        const LatticePoint &a = triangle.vertices[i].position;
+        const LatticePoint &b = triangle.vertices[(i + 1) % 3].position;
+        visit(double(absolute(b.x - a.x)) / double(unitsPerPixel),
+              double(absolute(b.y - a.y)) / double(unitsPerPixel));
+    }
+}
+
+} // namespace
+
+SampleBox reachOf(const Triangle &triangle, const FrameView &frame, Antialiasing antialiasing)
+{
+    if (antialiasing == Antialiasing::None)
+        return intersection(boundingBoxOf(triangle), samplesOf(frame));
+    const auto &v = triangle.vertices;
+    const auto [left, right] = std::minmax({v[0].position.x, v[1].position.x, v[2].position.x});
+    const auto [low, high] = std::minmax({v[0].position.y, v[1].position.y, v[2].position.y});
+    const SampleBox squares{ceilPixel(left - halfPixel), floorPixel(right + halfPixel) + 1,
+                            ceilPixel(low - halfPixel), floorPixel(high + halfPixel) + 1};
+    return intersection(squares, samplesOf(frame));
+}
+
+std::int64_t mostPixelsOf(const Triangle &triangle, const SampleBox &reach)
+{
+    const std::int64_t inBox = sizeOf(reach);
+    constexpr std::int64_t fewPixels = 4;
+    if (inBox <= fewPixels)
+        return inBox;
+    double perimeter = 0;
+    forEachEdge(triangle, [&](double x, double y) { perimeter += std::sqrt(x * x + y * y); });
+    const double area = double(absolute(doubledArea(triangle))) / (2 * double(unitsPerPixel))
+        / double(unitsPerPixel);
+    constexpr double aboveRounding = 1 + 0x1p-40;
+    return std::min(inBox, std::int64_t((area + perimeter / 2 + 1) * aboveRounding));
+}
+
+std::int64_t mostEdgePixelsOf(const Triangle &triangle, const SampleBox &reach)
+{
+    // Along a border between squares it meets those of both sides, and at a corner all four.
+    double pixels = 0;
+    forEachEdge(triangle, [&](double x, double y) { pixels += std::ceil(2 * (x + y)) + 4; });
+    return std::min(sizeOf(reach), std::int64_t(pixels));
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/needstally.h"
+
+#include "core/effects/bordercrossing.h"
+#include "core/effects/framereach.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Adds one primitive after the other.
+class NeedsCount {
+public:
+    NeedsCount(const Primitives &primitives, const FrameView &frame)
+        : m_appearance(primitives.appearance)
+        , m_frame(frame)
+    {
+    }
+
+    void add(const Triangle &triangle, const TriangleAttributes *attributes)
+    {
+        const SampleBox reach = reachOf(triangle, m_frame, m_appearance.antialiasing);
+        if (reach.isEmpty()) {
+            ++m_tally.outside;
+            return;
+        }
+        ++m_tally.drawn;
+        ++m_tally.drawnTriangles;
+        const std::int64_t pixels = mostPixelsOf(triangle, reach);
+        addCrossing(borderCrossingOf(triangle, m_frame), pixels);
+        const TriangleNeeds needs = needsOf(triangle, attributes, m_appearance);
+        const auto addIf = [&](bool isNeeded, Effect effect) {
+            if (isNeeded)
+                m_tally.of[effect].add(pixels);
+        };
+        addIf(needs.effects.smooth, Effect::SmoothColour);
+        if (m_appearance.antialiasing == Antialiasing::Area)
+            m_tally.of[Effect::Antialiasing].add(pixels);
+        else if (m_appearance.antialiasing != Antialiasing::None)
+            m_tally.of[Effect::Antialiasing].add(mostEdgePixelsOf(triangle, reach));
+        if (!attributes)
+            return;
+        addIf(needs.effects.perspective, Effect::Perspective);
+        addIf(needs.effects.texture, Effect::Texture);
+        addIf(needs.effects.light, Effect::Light);
+        addIf(needs.effects.blending, Effect::Blending);
+        addDetails(triangle, *attributes, needs);
+    }
+
+    void add(const Shape &shape)
+    {
+        const BorderCrossing crossing = borderCrossingOf(shape, m_frame);
+        if (crossing == BorderCrossing::Outside) {
+            ++m_tally.outside;
+            return;
+        }
+        ++m_tally.drawn;
+        addCrossing(crossing, pixelsOfFrame());
+        const auto differs
+            = [&](const Vertex &vertex) { return vertex.colour != shape.vertices.front().colour; };
+        if (std::ranges::any_of(shape.vertices, differs))
+            m_tally.of[Effect::SmoothColour].add(pixelsOfFrame());
+    }
+
+    const NeedsTally &tally() const { return m_tally; }
+
+private:
+    std::int64_t pixelsOfFrame() const { return std::int64_t(m_frame.width) * m_frame.height; }
+
+    void addCrossing(BorderCrossing crossing, std::int64_t pixels)
+    {
+        if (crossing == BorderCrossing::Crosses)
+            m_tally.of[Effect::Clipping].add(pixels);
+        m_tally.mayCross += crossing == BorderCrossing::MayCross ? 1 : 0;
+    }
+
+    void addDetails(const Triangle &triangle, const TriangleAttributes &attributes,
+                    const TriangleNeeds &needs)
+    {
+        if (needs.effects.perspective) {
+            m_tally.carried.carriesColour |= needs.carriesColour;
+            m_tally.carried.carriesAlpha |= needs.carriesAlpha;
+            m_tally.carried.carriesTexture |= needs.carriesTexture;
+            m_tally.carried.carriesLight |= needs.carriesLight;
+        }
+        m_tally.dividingNothing += needs.wDiffers && !needs.effects.perspective ? 1 : 0;
+        m_tally.withNormals += hasNormals(attributes) ? 1 : 0;
+        if (needs.effects.texture)
+            addTexture(textureOf(attributes, m_appearance));
+        if (!needs.effects.blending)
+            return;
+        m_tally.blended.push_back(&triangle);
+        for (const VertexAttributes &vertex : attributes.vertices)
+            m_tally.lowestAlpha = std::min(m_tally.lowestAlpha, int(vertex.alpha));
+    }
+
+    void addTexture(const Texture *texture)
+    {
+        constexpr std::size_t mostNamed = 3;
+        std::vector<const Texture *> &textures = m_tally.textures;
+        if (textures.size() < mostNamed && std::ranges::find(textures, texture) == textures.end())
+            textures.push_back(texture);
+    }
+
+    const Appearance &m_appearance;
+    FrameView m_frame;
+    NeedsTally m_tally;
+};
+
+} // namespace
+
+NeedsTally tallyNeeds(const Primitives &primitives, const FrameView &frame)
+{
+    NeedsCount count(primitives, frame);
+    auto attributes = primitives.attributes.begin();
+    for (std::size_t i = 0; i < primitives.triangles.size(); ++i) {
+        const bool hasAttributes
+            = attributes != primitives.attributes.end() && attributes->triangle == i;
+        count.add(primitives.triangles[i], hasAttributes ? &*attributes : nullptr);
+        if (hasAttributes)
+            ++attributes;
+    }
+    for (const Shape &shape : primitives.shapes)
+        count.add(shape);
+    return count.tally();
+}
+
+} // namespace pixelplumb

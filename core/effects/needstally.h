@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/triangleneeds.h"
+
+namespace pixelplumb {
+
+/// What the primitives of a scene need, counted in one pass over them.
+struct NeedsTally {
+    struct Touched {
+        std::size_t primitives = 0;
+        std::int64_t pixels = 0; ///< at most; of each primitive by itself
+
+        void add(std::int64_t touchedPixels)
+        {
+            ++primitives;
+            pixels += touchedPixels;
+        }
+    };
+
+    PerEffect<Touched> of; ///< all effects but depth
+    std::size_t drawn = 0; ///< primitives that reach the frame; the others need nothing
+    std::size_t drawnTriangles = 0;
+    std::size_t outside = 0;
+    std::size_t mayCross = 0; ///< shapes of which it is not known whether they cross the border
+
+    std::size_t dividingNothing = 0; ///< triangles whose w differ and that carry nothing but z
+    TriangleNeeds carried; ///< what the triangles that call for perspective carry, of any of them
+    std::vector<const Texture *> textures; ///< each once, at most three
+    std::size_t withNormals = 0;
+    int lowestAlpha = 255;
+    std::vector<const Triangle *> blended;
+};
+
+NeedsTally tallyNeeds(const Primitives &primitives, const FrameView &frame);
+
+} // namespace pixelplumb

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/shadedchoice.h"
+
+#include <array>
+
+namespace pixelplumb {
+
+/// How often the work of effects was done, and what memory their buffers took.
+struct EffectTally {
+    std::array<std::int64_t, effectWorkCount> done = {};
+    std::size_t depthBytes = 0;
+
+    std::int64_t operator[](EffectWork work) const { return done[std::size_t(work)]; }
+    friend bool operator==(const EffectTally &, const EffectTally &) = default;
+};
+
+/// Draws the triangles as the plan says, each batch by the kernel that was compiled for it. The
+/// settings' arithmetic is one that the method shades in.
+void drawShaded(ShadedMethod method, const Primitives &primitives, const ScanSettings &settings,
+                FrameView frame, const EffectPlan &plan);
+
+/// The same picture by the kernel that takes its effects when it runs: what specialised kernels are
+/// tested against, and what is listened to.
+void drawShadedGenerally(ShadedMethod method, const Primitives &primitives,
+                         const ScanSettings &settings, FrameView frame, const EffectPlan &plan);
+
+/// The same, counting.
+EffectTally countShaded(ShadedMethod method, const Primitives &primitives,
+                        const ScanSettings &settings, FrameView frame, const EffectPlan &plan);
+
+} // namespace pixelplumb

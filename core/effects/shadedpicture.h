@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/shadedchoice.h"
+#include "core/frame/framebuffer.h"
+
+#include <vector>
+
+namespace pixelplumb {
+
+/// A frame of its own with the window of another.
+class ScratchFrame {
+public:
+    explicit ScratchFrame(const FrameView &like)
+        : m_pixels(std::size_t(like.width) * std::size_t(like.height))
+        , m_view(like)
+    {
+        m_view.base = m_pixels.data();
+        m_view.stride = like.width;
+    }
+
+    const FrameView &view() const { return m_view; }
+    void copyFrom(const FrameView &frame)
+    {
+        for (std::int64_t y = frame.firstRow; y < frame.endRow(); ++y)
+            std::copy_n(frame.at(frame.firstColumn, y), frame.width,
+                        m_view.at(frame.firstColumn, y));
+    }
+
+private:
+    std::vector<QRgb> m_pixels;
+    FrameView m_view;
+};
+
+/// The mean of the samples of a pixel, ⌊Σ/n + ½⌋ by channel; opaque where one of them is.
+class SampleMean {
+public:
+    void add(QRgb pixel)
+    {
+        ++m_count;
+        m_alpha |= pixel & 0xff000000U;
+        const Colour colour = unpacked(pixel);
+        for (std::size_t i = 0; i < 3; ++i)
+            m_sum[i] += colour.channels[i];
+    }
+    QRgb pixel() const
+    {
+        Colour mean;
+        for (std::size_t i = 0; i < 3; ++i)
+            mean.channels[i] = std::uint8_t((2 * m_sum[i] + m_count) / (2 * m_count));
+        return (packed(mean) & 0xffffffU) | m_alpha;
+    }
+
+private:
+    std::array<unsigned, 3> m_sum = {};
+    unsigned m_count = 0;
+    QRgb m_alpha = 0;
+};
+
+/// Draws all triangles of a plan, unheard but by observers that count.
+template <InterpolationForm Form, class N, class A, class Observer>
+class ShadedPicture {
+public:
+    ShadedPicture(const Primitives &primitives, const ScanSettings &settings, FrameView frame,
+                  const EffectPlan &plan, Observer observer)
+        : m_primitives(primitives)
+        , m_plan(plan)
+        , m_frame(frame)
+        , m_surroundings(plan, primitives.appearance, frame)
+        , m_run(primitives, settings, observer)
+    {
+    }
+
+    void draw()
+    {
+        switch (m_plan.antialiasing) {
+        case Antialiasing::None:
+            forEachTriangle([&](std::size_t index, const EffectSet &effects) {
+                m_run.draw(index, effects, m_frame, m_surroundings);
+            });
+            break;
+        case Antialiasing::Area:
+            forEachTriangle([&](std::size_t index, const EffectSet &effects) {
+                m_run.drawAreas(index, effects, m_frame, m_surroundings);
+            });
+            break;
+        case Antialiasing::Samples4:
+        case Antialiasing::Samples16:
+            drawSamples();
+            break;
+        }
+    }
+
+    std::size_t depthBytes() const { return m_surroundings.depths.bytes(); }
+
+private:
+    template <class Draw>
+    void forEachTriangle(const Draw &draw)
+    {
+        TriangleEffects effects(m_plan);
+        for (std::size_t index = 0; index < m_primitives.triangles.size(); ++index)
+            draw(index, effects.at(index));
+    }
+
+    /// The pixels without an edge once, those with one once for each of their samples.
+    void drawSamples()
+    {
+        const EdgePixels edges(m_primitives.triangles, m_frame);
+        const auto nothing = [](const auto &) {};
+        ScratchFrame before(m_frame);
+        before.copyFrom(m_frame);
+        forEachTriangle([&](std::size_t index, const EffectSet &effects) {
+            m_run.draw(index, effects, m_frame, m_surroundings, edges, false, {0, 0}, nothing);
+        });
+        if (edges.count() == 0)
+            return;
+        std::vector<SampleMean> means(std::size_t(m_frame.width) * std::size_t(m_frame.height));
+        ScratchFrame scratch(m_frame);
+        for (const LatticePoint &sample : samplePattern(m_plan.antialiasing)) {
+            scratch.copyFrom(before.view());
+            ShadedSurroundings<N> own(m_plan, m_primitives.appearance, m_frame);
+            forEachTriangle([&](std::size_t index, const EffectSet &effects) {
+                m_run.draw(index, effects, scratch.view(), own, edges, true, sample, nothing);
+            });
+            forEachEdgePixel(edges, [&](std::int64_t x, std::int64_t y) {
+                means[placeOf(x, y)].add(*scratch.view().at(x, y));
+            });
+        }
+        forEachEdgePixel(edges, [&](std::int64_t x, std::int64_t y) {
+            *m_frame.at(x, y) = means[placeOf(x, y)].pixel();
+        });
+    }
+
+    std::size_t placeOf(std::int64_t x, std::int64_t y) const
+    {
+        return std::size_t(y - m_frame.firstRow) * std::size_t(m_frame.width)
+            + std::size_t(x - m_frame.firstColumn);
+    }
+
+    template <class Function>
+    void forEachEdgePixel(const EdgePixels &edges, const Function &function) const
+    {
+        for (std::int64_t x = m_frame.firstColumn; x < m_frame.endColumn(); ++x) {
+            edges.forEachRun(x, {m_frame.firstRow, m_frame.endRow()}, true, [&](const RowRun &run) {
+                for (std::int64_t y = run.first; y < run.end; ++y)
+                    function(x, y);
+            });
+        }
+    }
+
+    const Primitives &m_primitives;
+    const EffectPlan &m_plan;
+    FrameView m_frame;
+    ShadedSurroundings<N> m_surroundings;
+    ShadedRun<Form, N, A, Observer> m_run;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/shadedfill.h"
+#include "core/scan/edgewalker.h"
+#include "core/scan/exactarithmetic.h"
+#include "core/scan/interval.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+/// The numbers of a shaded scan, as its observers hear them.
+template <class N, class A>
+struct ShadedNumbers {
+    using SetUp = ShadedSetUpRead<N>;
+    using Span = BoundedColumn<N, A>;
+    using Sample = ShadedSample<N>;
+};
+
+/// An edge of the bilinear form in floating numbers: y and what the vertices carry where it meets
+/// the current column, each changed by adding a rate.
+template <class N>
+struct ShadedEdge {
+    using Number = typename N::Number;
+
+    Number y, slope;
+    PerChannel<Number> value, rate;
+
+    ShadedEdge(const ShadedCorner<N> &a, const ShadedCorner<N> &b, std::int64_t column,
+               const EffectSet &effects)
+    {
+        const Number ax = NumberTraits<Number>::fromLattice(a.position.x);
+        const Number width = NumberTraits<Number>::fromLattice(b.position.x) - ax;
+        const Number run = Number(column) - ax;
+        const auto start = [&](Number &value, Number &rate, Number atA, Number atB) {
+            rate = width == Number(0) ? Number(0) : (atB - atA) / width;
+            value = atA + run * rate;
+        };
+        start(y, slope, NumberTraits<Number>::fromLattice(a.position.y),
+              NumberTraits<Number>::fromLattice(b.position.y));
+        forEachChannel(effects, [&](std::size_t channel) {
+            start(value[channel], rate[channel], a.channels[channel], b.channels[channel]);
+        });
+    }
+
+    void stepToNextColumn(const EffectSet &effects)
+    {
+        y = y + slope;
+        forEachChannel(
+            effects, [&](std::size_t channel) { value[channel] = value[channel] + rate[channel]; });
+    }
+};
+
+/// The columns of one triangle that has an area, with what their samples are shaded from. Bounds
+/// are walked in A: exactly, or as the column scan in float32 walks them. `Fill` is called with
+/// each column that has samples in the frame, after its observer.
+template <InterpolationForm Form, class N, class A, class Fill>
+class ShadedScan {
+public:
+    using Column = BoundedColumn<N, A>;
+
+    ShadedScan(const Triangle &triangle, const ShadedSetUp<N> &setUp, FillRule rule,
+               FrameView frame, Fill fill)
+        : m_triangle(triangle)
+        , m_setUp(setUp)
+        , m_intervals(columnIntervals(rule))
+        , m_frame(frame)
+        , m_fill(fill)
+    {
+    }
+
+    /// False where no sample of the frame lies within the triangle's box.
+    bool run()
+    {
+        const std::int64_t first = std::max<std::int64_t>(
+            firstSampleFrom(at(0).x, m_intervals.columns), m_frame.firstColumn);
+        const std::int64_t end
+            = std::min(endSampleAt(at(2).x, m_intervals.columns), m_frame.endColumn());
+        if (first >= end || isAboveOrBelowFrame())
+            return false;
+        const std::int64_t middle = std::clamp(ceilPixel(at(1).x), first, end);
+        Walker longEdge = walkerOn(0, 2, first);
+        scanHalf(ColumnHalf::First, first, middle, 0, 1, longEdge);
+        scanHalf(ColumnHalf::Second, middle, end, 1, 2, longEdge);
+        return true;
+    }
+
+    /// The column at any x, also beside the triangle: its edges go on there. Every row of the frame
+    /// may be asked of it; it covers none.
+    Column columnAt(std::int64_t x) const
+    {
+        const bool isSecond
+            = at(1).x == at(0).x || (x * unitsPerPixel >= at(1).x && at(1).x < at(2).x);
+        const Walker longEdge = walkerOn(0, 2, x);
+        const Walker shortEdge = isSecond ? walkerOn(1, 2, x) : walkerOn(0, 1, x);
+        const bool longAbove = m_setUp.longEdge == LongEdge::Above;
+        const Walker &bottom = longAbove ? shortEdge : longEdge;
+        const Walker &top = longAbove ? longEdge : shortEdge;
+        Column column;
+        column.x = x;
+        column.half = isSecond ? ColumnHalf::Second : ColumnHalf::First;
+        column.longEdge = m_setUp.longEdge;
+        column.lower = bottom.bound.y;
+        column.upper = top.bound.y;
+        if constexpr (Form == InterpolationForm::Bilinear)
+            setRates(bottom, top, column);
+        return column;
+    }
+
+private:
+    static constexpr bool walksChannels = Form == InterpolationForm::Bilinear && !N::isExact;
+
+    struct NoEdge {
+        NoEdge(const ShadedCorner<N> &, const ShadedCorner<N> &, std::int64_t, const EffectSet &) {
+        }
+        void stepToNextColumn(const EffectSet &) { }
+    };
+    struct Walker {
+        EdgeWalker<A, NoEdgeColours<A>> bound;
+        std::conditional_t<walksChannels, ShadedEdge<N>, NoEdge> channels;
+    };
+
+    std::size_t indexAt(std::size_t corner) const { return std::size_t(m_setUp.order[corner]); }
+    const LatticePoint &at(std::size_t corner) const
+    {
+        return m_setUp.vertices[indexAt(corner)].position;
+    }
+
+    bool isAboveOrBelowFrame() const
+    {
+        const auto [low, high] = std::minmax({at(0).y, at(1).y, at(2).y});
+        return low > (m_frame.endRow() - 1) * unitsPerPixel
+            || high < m_frame.firstRow * unitsPerPixel;
+    }
+
+    Walker walkerOn(std::size_t from, std::size_t to, std::int64_t column) const
+    {
+        const std::size_t a = indexAt(from);
+        const std::size_t b = indexAt(to);
+        return {{m_triangle.vertices[a], m_triangle.vertices[b], column},
+                {m_setUp.vertices[a], m_setUp.vertices[b], column, m_setUp.effects}};
+    }
+
+    void scanHalf(ColumnHalf half, std::int64_t first, std::int64_t end, std::size_t from,
+                  std::size_t to, Walker &longEdge)
+    {
+        if (first >= end)
+            return;
+        Walker shortEdge = walkerOn(from, to, first);
+        for (std::int64_t x = first; x < end; ++x) {
+            scanColumn(half, x, shortEdge, longEdge);
+            for (Walker *walker : {&shortEdge, &longEdge}) {
+                walker->bound.stepToNextColumn();
+                walker->channels.stepToNextColumn(m_setUp.effects);
+            }
+        }
+    }
+
+    /// As the column scan has it: under the closed rule a column reaches from the one bound to the
+    /// other where rounding has taken them past each other.
+    LongEdge sideOfLongEdge(const Walker &shortEdge, const Walker &longEdge) const
+    {
+        if constexpr (A::boundsMayCross) {
+            const bool isClosed = m_intervals.rows == Interval::Closed;
+            if (isClosed && longEdge.bound.y < shortEdge.bound.y)
+                return LongEdge::Below;
+            if (isClosed && shortEdge.bound.y < longEdge.bound.y)
+                return LongEdge::Above;
+        }
+        return m_setUp.longEdge;
+    }
+
+    void scanColumn(ColumnHalf half, std::int64_t x, const Walker &shortEdge,
+                    const Walker &longEdge)
+    {
+        Column column;
+        column.x = x;
+        column.half = half;
+        column.longEdge = sideOfLongEdge(shortEdge, longEdge);
+        const bool longAbove = column.longEdge == LongEdge::Above;
+        const Walker &bottom = longAbove ? shortEdge : longEdge;
+        const Walker &top = longAbove ? longEdge : shortEdge;
+        const auto &low = column.lower = bottom.bound.y;
+        const auto &high = column.upper = top.bound.y;
+        column.firstRow = ownsFirst(m_intervals.rows) ? A::ceil(low) : A::floor(low) + 1;
+        column.endRow = ownsLast(m_intervals.rows) ? A::floor(high) + 1 : A::ceil(high);
+        column.firstDrawn = std::max<std::int64_t>(column.firstRow, m_frame.firstRow);
+        column.endDrawn = std::min(column.endRow, m_frame.endRow());
+        if constexpr (Form == InterpolationForm::Bilinear)
+            setRates(bottom, top, column);
+        m_fill(column);
+    }
+
+    void setRates(const Walker &bottom, const Walker &top, Column &column) const
+    {
+        if constexpr (N::isExact) {
+            // The rate of every column of the plane is its b, and the values on the bounds are the
+            // plane's: the same numbers as (v_T − v_B)/(y_T − y_B), without a division.
+            forEachChannel(m_setUp.effects, [&](std::size_t channel) {
+                const auto &plane = m_setUp.plane[channel];
+                column.rate[channel] = plane[1];
+                column.atRow0[channel] = plane[0] * column.x + plane[2];
+            });
+        } else {
+            using Number = typename N::Number;
+            column.yBottom = bottom.channels.y;
+            column.yTop = top.channels.y;
+            const Number height = column.yTop - column.yBottom;
+            forEachChannel(m_setUp.effects, [&](std::size_t channel) {
+                column.bottom[channel] = bottom.channels.value[channel];
+                column.top[channel] = top.channels.value[channel];
+                column.rate[channel] = height == Number(0)
+                    ? Number(0)
+                    : (column.top[channel] - column.bottom[channel]) / height;
+            });
+        }
+    }
+
+    const Triangle &m_triangle;
+    const ShadedSetUp<N> &m_setUp;
+    ScanIntervals m_intervals;
+    FrameView m_frame;
+    Fill m_fill;
+};
+
+} // namespace pixelplumb

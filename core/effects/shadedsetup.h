@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/shadingnumber.h"
+#include "core/geometry/shape.h"
+#include "core/scan/columnstate.h"
+#include "core/scan/interpolationcoefficients.h"
+
+#include <bit>
+
+namespace pixelplumb {
+
+/// One triangle with what it carries.
+struct ShadedTriangle {
+    const Triangle &triangle;
+    const TriangleAttributes *attributes = nullptr; ///< null: none; both outlive it
+
+    /// What a vertex has in a channel: levels, or units of 2^-24. 1/w has none of its own.
+    std::int64_t valueAt(std::size_t vertex, Channel channel) const
+    {
+        static constexpr VertexAttributes none;
+        const VertexAttributes &own = attributes ? attributes->vertices[vertex] : none;
+        const std::size_t index = indexOf(channel);
+        switch (channel) {
+        case Channel::Red:
+        case Channel::Green:
+        case Channel::Blue:
+            return triangle.vertices[vertex].colour.channels[index];
+        case Channel::Alpha:
+            return own.alpha;
+        case Channel::Depth:
+            return own.z;
+        case Channel::Reciprocal:
+            return 1;
+        case Channel::U:
+        case Channel::V:
+            return own.texture[index - indexOf(Channel::U)];
+        case Channel::NormalX:
+        case Channel::NormalY:
+        case Channel::NormalZ:
+            return own.normal[index - indexOf(Channel::NormalX)];
+        case Channel::PlaceX:
+        case Channel::PlaceY:
+        case Channel::PlaceZ:
+            return own.place[index - indexOf(Channel::PlaceX)];
+        }
+        return 0;
+    }
+    /// Positive; what is not is taken as the smallest that is.
+    std::int64_t wAt(std::size_t vertex) const
+    {
+        return attributes ? std::max<std::int64_t>(1, attributes->vertices[vertex].w)
+                          : attributeOne;
+    }
+};
+
+/// A vertex in the kernel's numbers; channels that follow perspective are divided by w, in exact
+/// numbers multiplied by the other two vertices' w instead, which is the same up to a factor of the
+/// triangle's.
+template <class N>
+struct ShadedCorner {
+    LatticePoint position;
+    PerChannel<typename N::Number> channels = {};
+};
+
+/// What is computed once for a triangle.
+template <class N>
+struct ShadedSetUp {
+    using Number = typename N::Number;
+
+    std::array<int, 3> order = {0, 1, 2}; ///< indices of P0, P1, P2 in the caller's triangle
+    LongEdge longEdge = LongEdge::Above;
+    bool zeroArea = false;
+    EffectSet effects;
+    std::array<ShadedCorner<N>, 3> vertices; ///< as the caller gave them
+    /// What multiplies each vertex's values in exact numbers: the product of the others' w.
+    std::array<Number, 3> factor = {};
+    Number area = {}; ///< doubled, without sign, square lattice units; the exact denominator
+    /// The plane of a channel, a·x + b·y + c; in exact numbers over the area.
+    PerChannel<std::array<Number, 3>> plane = {};
+    /// The weight of a vertex, a·x + b·y + c; in exact numbers over the area.
+    std::array<std::array<Number, 3>, 3> weight = {};
+};
+
+/// With what the vertices have, for who reads it.
+template <class N>
+struct ShadedSetUpRead : ShadedSetUp<N> {
+    std::array<Vertex, 3> corners;
+    std::array<VertexAttributes, 3> attributes; ///< as the caller gave them
+    int material = noMaterial;
+};
+
+/// The bits of a magnitude.
+constexpr int bitsOf(std::int64_t value)
+{
+    return int(std::bit_width(std::uint64_t(absolute(value))));
+}
+
+/// The w of the three vertices without their common powers of two: only ratios count.
+inline std::array<std::int64_t, 3> reducedW(const ShadedTriangle &triangle)
+{
+    std::array<std::int64_t, 3> w = {triangle.wAt(0), triangle.wAt(1), triangle.wAt(2)};
+    const int zeros = std::countr_zero(std::uint64_t(w[0] | w[1] | w[2]));
+    for (std::int64_t &each : w)
+        each >>= zeros;
+    return w;
+}
+
+/// Whether 128 bits hold every numerator of the triangle. Twice a numerator is a sum of three
+/// products of a form of the edges (a doubled area, or a coefficient times a coordinate), of
+/// w_j·w_k, and of a value; a texel's place asks for 26 bits beside the denominator. A sample that
+/// lies outside of the triangle by less than a pixel, where areas are covered, adds two.
+inline bool fitsNarrowShading(const ShadedTriangle &triangle, const EffectSet &effects)
+{
+    if (integerWidthFor(triangle.triangle) != IntegerWidth::Bits64)
+        return false;
+    constexpr int ofTexel = attributeFractionBits + 2;
+    int ofValue = effects.texture ? ofTexel : 8;
+    forEachChannel(effects, [&](std::size_t channel) {
+        for (std::size_t vertex = 0; vertex < 3; ++vertex)
+            ofValue = std::max(ofValue, bitsOf(triangle.valueAt(vertex, channelAt(channel))));
+    });
+    int ofW = 0;
+    if (effects.perspective) {
+        const auto w = reducedW(triangle);
+        const std::array<int, 3> bits = {bitsOf(w[0]), bitsOf(w[1]), bitsOf(w[2])};
+        ofW = bits[0] + bits[1] + bits[2] - *std::ranges::min_element(bits);
+    }
+    std::int64_t farthest = 1;
+    std::int64_t longest = 1;
+    for (const auto axis : {&LatticePoint::x, &LatticePoint::y}) {
+        const auto &v = triangle.triangle.vertices;
+        const auto [low, high]
+            = std::minmax({v[0].position.*axis, v[1].position.*axis, v[2].position.*axis});
+        farthest = std::max({farthest, absolute(low), absolute(high)});
+        longest = std::max(longest, high - low);
+    }
+    const int ofForm = bitsOf(longest) + bitsOf(farthest + unitsPerPixel) + 1;
+    return 1 + ofForm + ofW + ofValue + 2 + 2 < 127;
+}
+
+namespace shadedsetup {
+
+template <class Integer>
+void setNumbers(ShadedSetUp<ExactShading<Integer>> &setUp, const ShadedTriangle &triangle)
+{
+    const auto w = reducedW(triangle);
+    const bool corrects = setUp.effects.perspective;
+    const auto &corner = setUp.vertices;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const LatticePoint &at = corner[i].position;
+        const LatticePoint &from = corner[(i + 1) % 3].position;
+        const LatticePoint &to = corner[(i + 2) % 3].position;
+        const Integer a = Integer(to.y) - from.y;
+        const Integer b = Integer(from.x) - to.x;
+        const Integer c = -a * from.x - b * from.y;
+        const Integer there = a * at.x + b * at.y + c;
+        const Integer sign = there < 0 ? -1 : 1;
+        setUp.area = sign * there;
+        setUp.weight[i] = {sign * a * unitsPerPixel, sign * b * unitsPerPixel, sign * c};
+        setUp.factor[i] = corrects ? Integer(w[(i + 1) % 3]) * w[(i + 2) % 3] : Integer(1);
+    }
+    forEachChannel(setUp.effects, [&](std::size_t channel) {
+        std::array<Integer, 3> &plane = setUp.plane[channel];
+        plane = {Integer(0), Integer(0), Integer(0)};
+        for (std::size_t i = 0; i < 3; ++i) {
+            const bool isDivided = channelAt(channel) != Channel::Depth;
+            Integer &value = setUp.vertices[i].channels[channel];
+            value = triangle.valueAt(i, channelAt(channel));
+            if (isDivided)
+                value *= setUp.factor[i];
+            for (std::size_t k = 0; k < 3; ++k)
+                plane[k] += value * setUp.weight[i][k];
+        }
+    });
+}
+
+template <std::floating_point Float>
+void setNumbers(ShadedSetUp<FloatShading<Float>> &setUp, const ShadedTriangle &triangle)
+{
+    const bool corrects = setUp.effects.perspective;
+    forEachChannel(setUp.effects, [&](std::size_t channel) {
+        const Channel which = channelAt(channel);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::int64_t units = triangle.valueAt(i, which);
+            const Float value = isLevel(which) || which == Channel::Reciprocal
+                ? Float(units)
+                : Float(double(units) / double(attributeOne));
+            const auto w = Float(double(triangle.wAt(i)) / double(attributeOne));
+            const bool isDivided = corrects && which != Channel::Depth;
+            setUp.vertices[i].channels[channel] = isDivided ? value / w : value;
+        }
+    });
+}
+
+/// Coefficients of the floating forms; exact ones have them from the start.
+template <InterpolationForm Form, std::floating_point Float>
+void setForm(ShadedSetUp<FloatShading<Float>> &setUp)
+{
+    if constexpr (Form == InterpolationForm::Plane) {
+        forEachChannel(setUp.effects, [&](std::size_t channel) {
+            const PlaneNormal<Float> normal = planeNormal<Float>(setUp.vertices, channel);
+            setUp.plane[channel]
+                = {-normal.a / normal.c, -normal.b / normal.c, -normal.d / normal.c};
+        });
+    } else if constexpr (Form == InterpolationForm::Barycentric) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const ScaledLine<Float> line = scaledLine<Float>(setUp.vertices, i);
+            setUp.weight[i] = {line.k * line.a, line.k * line.b, line.k * line.c};
+        }
+    }
+}
+template <InterpolationForm Form, class Integer>
+void setForm(ShadedSetUp<ExactShading<Integer>> &)
+{
+}
+
+} // namespace shadedsetup
+
+template <InterpolationForm Form, class N>
+ShadedSetUp<N> shadedSetUpOf(const ShadedTriangle &triangle, const EffectSet &effects)
+{
+    ShadedSetUp<N> setUp;
+    setUp.effects = effects;
+    setUp.order = sortedByColumn(triangle.triangle);
+    const Int128 area
+        = doubledArea(triangle.triangle.vertices[std::size_t(setUp.order[0])].position,
+                      triangle.triangle.vertices[std::size_t(setUp.order[1])].position,
+                      triangle.triangle.vertices[std::size_t(setUp.order[2])].position);
+    setUp.longEdge = area >= 0 ? LongEdge::Above : LongEdge::Below;
+    setUp.zeroArea = area == 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        setUp.vertices[i].position = triangle.triangle.vertices[i].position;
+    if (setUp.zeroArea)
+        return setUp;
+    shadedsetup::setNumbers(setUp, triangle);
+    shadedsetup::setForm<Form>(setUp);
+    return setUp;
+}
+
+} // namespace pixelplumb

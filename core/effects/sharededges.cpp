@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/sharededges.h"
+
+#include "core/effects/depthwitness.h"
+
+#include <algorithm>
+#include <compare>
+#include <numeric>
+#include <optional>
+#include <vector>
+
+namespace pixelplumb {
+
+namespace {
+
+struct SharedEdge {
+    LatticePoint from, to; ///< in the order of points
+
+    friend auto operator<=>(const SharedEdge &, const SharedEdge &) = default;
+};
+
+/// The samples on an edge, evenly spaced: first, first + step, …
+struct SamplesOnEdge {
+    SamplePlace first;
+    SamplePlace step;
+    std::int64_t count = 0;
+};
+
+/// The inverse of an odd number modulo 2^64, by Newton's method: each turn doubles the right bits.
+std::uint64_t inverseOfOdd(std::uint64_t odd)
+{
+    std::uint64_t inverse = odd;
+    for (int rightBits = 3; rightBits < 64; rightBits *= 2)
+        inverse *= 2 - odd * inverse;
+    return inverse;
+}
+
+/// The places t of a range [first, last] at which start + t·step lies within [least, most].
+void keepWithin(std::int64_t &first, std::int64_t &last, Lattice start, Lattice step, Lattice least,
+                Lattice most)
+{
+    if (step == 0) {
+        if (start < least || start > most)
+            last = first - 1;
+        return;
+    }
+    const Lattice low = step > 0 ? least - start : start - most;
+    const Lattice high = step > 0 ? most - start : start - least;
+    first = std::max(first, ceilDivide(low, absolute(step)));
+    last = std::min(last, floorDivide(high, absolute(step)));
+}
+
+SamplesOnEdge samplesOn(const SharedEdge &edge, const FrameView &frame)
+{
+    const Lattice width = edge.to.x - edge.from.x;
+    const Lattice height = edge.to.y - edge.from.y;
+    const Lattice parts = std::gcd(width, height);
+    if (parts == 0)
+        return {};
+    // The lattice points of the edge are from + t·(x, y) with 0 <= t <= parts, x and y prime to
+    // each other; a sample is one at which both coordinates are multiples of a pixel's units. One
+    // of x and y is odd: t is known modulo a pixel by its equation.
+    const LatticePoint step = {width / parts, height / parts};
+    const bool isXOdd = step.x % 2 != 0;
+    const auto odd = std::uint64_t(isXOdd ? step.x : step.y);
+    const auto start = std::uint64_t(isXOdd ? edge.from.x : edge.from.y);
+    const auto t = std::int64_t((0 - start) * inverseOfOdd(odd) % std::uint64_t(unitsPerPixel));
+    const LatticePoint at = {edge.from.x + t * step.x, edge.from.y + t * step.y};
+    if (at.x % unitsPerPixel != 0 || at.y % unitsPerPixel != 0)
+        return {};
+    std::int64_t first = 0;
+    std::int64_t last = floorDivide<std::int64_t>(parts - t, unitsPerPixel);
+    const LatticePoint pixel = {at.x / unitsPerPixel, at.y / unitsPerPixel};
+    keepWithin(first, last, pixel.x, step.x, frame.firstColumn, frame.endColumn() - 1);
+    keepWithin(first, last, pixel.y, step.y, frame.firstRow, frame.endRow() - 1);
+    if (last < first)
+        return {};
+    return {
+        {pixel.x + first * step.x, pixel.y + first * step.y}, {step.x, step.y}, last - first + 1};
+}
+
+/// Those that two triangles have, once each.
+std::vector<SharedEdge> sharedEdgesOf(std::span<const Triangle *const> triangles,
+                                      const FrameView &frame)
+{
+    std::vector<SharedEdge> edges;
+    for (const Triangle *triangle : triangles) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const LatticePoint &a = triangle->vertices[i].position;
+            const LatticePoint &b = triangle->vertices[(i + 1) % 3].position;
+            const SharedEdge edge{std::min(a, b), std::max(a, b)};
+            if (samplesOn(edge, frame).count > 0)
+                edges.push_back(edge);
+        }
+    }
+    std::ranges::sort(edges);
+    std::vector<SharedEdge> shared;
+    for (std::size_t i = 1; i < edges.size(); ++i) {
+        if (edges[i] == edges[i - 1] && (shared.empty() || shared.back() != edges[i]))
+            shared.push_back(edges[i]);
+    }
+    return shared;
+}
+
+std::int64_t countOnce(std::span<const SharedEdge> edges, const FrameView &frame)
+{
+    std::vector<std::pair<std::int64_t, std::int64_t>> places;
+    for (const SharedEdge &edge : edges) {
+        const SamplesOnEdge samples = samplesOn(edge, frame);
+        for (std::int64_t i = 0; i < samples.count; ++i)
+            places.emplace_back(samples.first.x + i * samples.step.x,
+                                samples.first.y + i * samples.step.y);
+    }
+    std::ranges::sort(places);
+    return std::unique(places.begin(), places.end()) - places.begin();
+}
+
+} // namespace
+
+SharedSamples sharedSamplesOf(std::span<const Triangle *const> triangles, const FrameView &frame)
+{
+    const std::vector<SharedEdge> edges = sharedEdgesOf(triangles, frame);
+    SharedSamples shared;
+    shared.edges = std::int64_t(edges.size());
+    for (const SharedEdge &edge : edges)
+        shared.samples += samplesOn(edge, frame).count;
+    constexpr std::int64_t mostCountedOnce = 100'000;
+    shared.isExact = shared.samples <= mostCountedOnce;
+    if (shared.isExact)
+        shared.samples = countOnce(edges, frame);
+    return shared;
+}
+
+} // namespace pixelplumb

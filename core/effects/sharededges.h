@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/frame/frameview.h"
+#include "core/geometry/triangle.h"
+
+#include <cstdint>
+#include <span>
+
+namespace pixelplumb {
+
+/// How many samples of the frame lie on edges that two triangles share: the closed rule gives them
+/// to both, and blending then shows them twice.
+struct SharedSamples {
+    std::int64_t samples = 0;
+    bool isExact = true; ///< otherwise at most so many: ends of edges are counted more than once
+    std::int64_t edges = 0; ///< shared ones that have such a sample
+};
+
+/// Of edges that have both ends in common. Sample coordinates.
+SharedSamples sharedSamplesOf(std::span<const Triangle *const> triangles, const FrameView &frame);
+
+} // namespace pixelplumb

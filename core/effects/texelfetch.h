@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/shadingnumber.h"
+#include "core/geometry/appearance.h"
+#include "core/number/wideinteger.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+
+/// Which texels a sample reads, and the colour that they make.
+namespace pixelplumb {
+
+/// A texel's index inside of the texture.
+constexpr std::int32_t wrapped(std::int64_t index, std::int32_t size, TextureWrap wrap)
+{
+    if (wrap == TextureWrap::Clamp)
+        return std::int32_t(std::clamp<std::int64_t>(index, 0, size - 1));
+    const std::int64_t remainder = index % size;
+    return std::int32_t(remainder < 0 ? remainder + size : remainder);
+}
+
+/// ⌊c·t/255 + ½⌋
+constexpr std::uint8_t modulated(std::uint8_t level, std::uint8_t by)
+{
+    return std::uint8_t((2 * unsigned(level) * by + 255) / 510);
+}
+
+constexpr Colour modulated(const Colour &colour, const Colour &by)
+{
+    Colour result;
+    for (std::size_t i = 0; i < 3; ++i)
+        result.channels[i] = modulated(colour.channels[i], by.channels[i]);
+    return result;
+}
+
+/// Where a sample lies along one side of a texture, in texels: those that are whole, and the rest,
+/// 0 <= rest < 1.
+template <class N>
+struct TexturePlace;
+
+template <std::floating_point Float>
+struct TexturePlace<FloatShading<Float>> {
+    std::int64_t whole = 0;
+    Float rest = 0;
+
+    /// The texels below a coordinate, less so many halves. Those beyond ±2^30, and what is no
+    /// number, are at 0: a texture that repeats so often is noise.
+    TexturePlace(Float coordinate, Float, std::int32_t size, int halves)
+    {
+        const Float texels = coordinate * Float(size) - Float(halves) / 2;
+        if (!(std::abs(texels) < Float(1 << 30)))
+            return;
+        const Float below = std::floor(texels);
+        whole = std::int64_t(below);
+        rest = texels - below;
+    }
+};
+
+/// With the coordinate n/(d·2^24), n = q·d + r, twice the texels are 2(q·size + r·size/d)/2^24.
+template <class Integer>
+struct TexturePlace<ExactShading<Integer>> {
+    std::int64_t whole = 0;
+    Integer numerator = 0; ///< the rest, over the denominator
+    Integer denominator = 1;
+
+    TexturePlace(const Integer &coordinate, const Integer &unit, std::int32_t size, int halves)
+        : denominator(unit * one)
+    {
+        const std::int64_t twice = 2 * std::int64_t(size);
+        const Integer quotient = floorDivide<Integer>(coordinate, unit);
+        const Integer parts = Integer(coordinate - quotient * unit) * twice;
+        const Integer carried = parts / unit;
+        const Integer texels = quotient * twice - halves * attributeOne + carried;
+        const Integer below = floorDivide<Integer>(texels, Integer(one));
+        whole = std::int64_t(below);
+        numerator = Integer(texels - below * one) * unit + Integer(parts - carried * unit);
+    }
+
+private:
+    static constexpr std::int64_t one = 2 * attributeOne;
+};
+
+/// What a sample reads of a texture.
+template <class N>
+struct TexelSample {
+    /// Of the texel, or of the lower left and the upper right of four: {i, j}.
+    std::array<std::int32_t, 2> first = {}, second = {};
+    std::array<typename N::Real, 2> fraction = {}; ///< from the first to the second
+    std::array<std::int32_t, 2> size = {}; ///< of the texture
+    Colour texel; ///< what they make
+};
+
+namespace texelfetch {
+
+template <class Real>
+Real mixed(const std::array<Real, 4> &level, const std::array<Real, 2> &fraction)
+{
+    const Real low = level[0] + (level[1] - level[0]) * fraction[0];
+    const Real high = level[2] + (level[3] - level[2]) * fraction[0];
+    return low + (high - low) * fraction[1];
+}
+
+/// ⌊Σ w·t + ½⌋ with the exact fractions.
+template <class Integer>
+std::uint8_t exactlyMixed(const std::array<int, 4> &level,
+                          const TexturePlace<ExactShading<Integer>> &u,
+                          const TexturePlace<ExactShading<Integer>> &v)
+{
+    const BigInteger a(u.numerator);
+    const BigInteger b(v.numerator);
+    const BigInteger aRest = BigInteger(u.denominator) - a;
+    const BigInteger bRest = BigInteger(v.denominator) - b;
+    const BigInteger sum
+        = (aRest * level[0] + a * level[1]) * bRest + (aRest * level[2] + a * level[3]) * b;
+    const BigInteger unit = BigInteger(u.denominator) * v.denominator;
+    return std::uint8_t(BigInteger((2 * sum + unit) / (2 * unit)));
+}
+
+} // namespace texelfetch
+
+/// Reads the texture of a material at u, v: numerators over the denominator in exact numbers.
+/// Observers that count hear each texel.
+template <class N, class Count>
+TexelSample<N> fetchTexels(const Material &material, const typename N::Number &u,
+                           const typename N::Number &v, const typename N::Number &denominator,
+                           const Count &count)
+{
+    using Real = typename N::Real;
+    const Texture &texture = *material.texture;
+    const int halves = material.filter == TextureFilter::Bilinear ? 1 : 0;
+    const TexturePlace<N> placeU(u, denominator, texture.width, halves);
+    const TexturePlace<N> placeV(v, denominator, texture.height, halves);
+    TexelSample<N> sample;
+    sample.size = {texture.width, texture.height};
+    sample.first = {wrapped(placeU.whole, texture.width, material.wrap),
+                    wrapped(placeV.whole, texture.height, material.wrap)};
+    count();
+    const Colour &corner = texture.texel(sample.first[0], sample.first[1]);
+    if (material.filter == TextureFilter::Nearest) {
+        sample.second = sample.first;
+        sample.texel = corner;
+        return sample;
+    }
+    sample.second = {wrapped(placeU.whole + 1, texture.width, material.wrap),
+                     wrapped(placeV.whole + 1, texture.height, material.wrap)};
+    const std::array<const Colour *, 4> texels
+        = {&corner, &texture.texel(sample.second[0], sample.first[1]),
+           &texture.texel(sample.first[0], sample.second[1]),
+           &texture.texel(sample.second[0], sample.second[1])};
+    for (int i = 1; i < 4; ++i)
+        count();
+    if constexpr (N::isExact)
+        sample.fraction = {Real(placeU.numerator) / Real(placeU.denominator),
+                           Real(placeV.numerator) / Real(placeV.denominator)};
+    else
+        sample.fraction = {placeU.rest, placeV.rest};
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        std::array<int, 4> bytes;
+        std::array<Real, 4> levels;
+        for (std::size_t i = 0; i < 4; ++i) {
+            bytes[i] = texels[i]->channels[channel];
+            levels[i] = Real(bytes[i]);
+        }
+        const Real level = texelfetch::mixed(levels, sample.fraction) + Real(0.5);
+        const Real byte = std::floor(level);
+        sample.texel.channels[channel] = std::uint8_t(std::clamp<Real>(byte, 0, 255));
+        if constexpr (N::isExact) {
+            // Doubles are off by less than 2^-40 levels: only where that may matter, exactly.
+            constexpr Real doubt = 1e-9;
+            const Real above = level - byte;
+            if (above < doubt || above > 1 - doubt)
+                sample.texel.channels[channel] = texelfetch::exactlyMixed(bytes, placeU, placeV);
+        }
+    }
+    return sample;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/triangleneeds.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+const Material *materialOf(const TriangleAttributes &attributes, const Appearance &appearance)
+{
+    const int material = attributes.material;
+    return material >= 0 && std::size_t(material) < appearance.materials.size()
+        ? &appearance.materials[std::size_t(material)]
+        : nullptr;
+}
+
+template <class Vertices, class Value>
+bool differ(const Vertices &vertices, Value value)
+{
+    return std::invoke(value, vertices[0]) != std::invoke(value, vertices[1])
+        || std::invoke(value, vertices[0]) != std::invoke(value, vertices[2]);
+}
+
+/// Whether light depends on where a sample is: a light far away shines everywhere alike, and so
+/// does its highlight for a viewer far away.
+bool placeCounts(const Material *material, const Appearance &appearance)
+{
+    const bool hasHighlight = material && material->specular != Colour{{0, 0, 0}};
+    return (hasHighlight && appearance.viewerKind == Light::Kind::Positional)
+        || std::ranges::find(appearance.lights, Light::Kind::Positional, &Light::kind)
+        != appearance.lights.end();
+}
+
+} // namespace
+
+const Texture *textureOf(const TriangleAttributes &attributes, const Appearance &appearance)
+{
+    const Material *material = materialOf(attributes, appearance);
+    const bool hasTexels = material && material->texture && !material->texture->texels.empty();
+    return hasTexels ? material->texture.get() : nullptr;
+}
+
+bool hasNormals(const TriangleAttributes &attributes)
+{
+    return std::ranges::any_of(attributes.vertices, [](const VertexAttributes &vertex) {
+        return vertex.normal != std::array<Attribute, 3>{};
+    });
+}
+
+TriangleNeeds needsOf(const Triangle &triangle, const TriangleAttributes *attributes,
+                      const Appearance &appearance)
+{
+    TriangleNeeds needs;
+    needs.carriesColour = differ(triangle.vertices, &Vertex::colour);
+    needs.effects.smooth = needs.carriesColour;
+    if (!attributes)
+        return needs;
+    const std::array<VertexAttributes, 3> &vertices = attributes->vertices;
+    needs.carriesAlpha = differ(vertices, &VertexAttributes::alpha);
+    needs.effects.blending = needs.carriesAlpha || vertices[0].alpha < 255;
+    if (textureOf(*attributes, appearance)) {
+        needs.effects.texture = true;
+        needs.carriesTexture = differ(vertices, &VertexAttributes::texture);
+    }
+    if (appearance.shading == Shading::Phong && !appearance.lights.empty()
+        && hasNormals(*attributes)) {
+        needs.effects.light = true;
+        needs.carriesLight = differ(vertices, &VertexAttributes::normal)
+            || (differ(vertices, &VertexAttributes::place)
+                && placeCounts(materialOf(*attributes, appearance), appearance));
+    }
+    needs.wDiffers = differ(vertices, &VertexAttributes::w);
+    needs.effects.perspective = needs.wDiffers && needs.carriesAnything();
+    return needs;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/effectplan.h"
+
+namespace pixelplumb {
+
+/// What a triangle needs by itself, whatever stands around it.
+struct TriangleNeeds {
+    EffectSet effects; ///< depth is a question of the others: none
+
+    // What perspective is asked by.
+    bool wDiffers = false; ///< between the vertices
+    // What differs between the vertices and counts at a sample.
+    bool carriesColour = false;
+    bool carriesAlpha = false;
+    bool carriesTexture = false; ///< u, v of a triangle that has a texture
+    bool carriesLight = false; ///< normals or places that light looks at
+
+    bool carriesAnything() const
+    {
+        return carriesColour || carriesAlpha || carriesTexture || carriesLight;
+    }
+};
+
+/// The material's texture; null where there is none, or none with a texel.
+const Texture *textureOf(const TriangleAttributes &attributes, const Appearance &appearance);
+bool hasNormals(const TriangleAttributes &attributes);
+
+/// `attributes` may be null.
+TriangleNeeds needsOf(const Triangle &triangle, const TriangleAttributes *attributes,
+                      const Appearance &appearance);
+
+} // namespace pixelplumb

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/shadedtracing.h"
+
+/// How a method gets the effects: where a scene calls for nothing beyond colour its own drawing and
+/// tracing run, and nothing of the effects' does.
+namespace pixelplumb {
+
+template <ShadedMethod method, auto plain>
+void drawPlanned(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
+{
+    if (const auto plan = planBeyondColour(primitives, settings, frame))
+        drawShaded(method, primitives, settings, frame, *plan);
+    else
+        plain(primitives, settings, frame);
+}
+
+template <ShadedMethod method, auto plain>
+std::unique_ptr<ScanTrace> tracePlanned(const Primitives &primitives, const ScanSettings &settings,
+                                        FrameView frame, const TraceOptions &options)
+{
+    if (const auto plan = planBeyondColour(primitives, settings, frame))
+        return traceShaded(method, primitives, settings, frame, *plan, options);
+    return plain(primitives, settings, frame, options);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/formulatext.h"
+#include "core/methods/interpolationnames.h"
+#include "core/methods/shadednumbers.h"
+#include "core/methods/units.h"
+
+#include <utility>
+
+namespace pixelplumb {
+
+namespace {
+
+using Group = NumberGroup;
+using State = ShadedSampleState;
+using Table = NumberTable<State>;
+using Read = std::function<Quantity(const State &)>;
+
+NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
+                              const QString &toolTip, const QString &formula, Group group)
+{
+    return {.id = id,
+            .title = title,
+            .unit = unit,
+            .toolTip = toolTip,
+            .formula = formula,
+            .group = group};
+}
+
+void append(Table &table, const QString &id, const QString &toolTip, const QString &formula,
+            const Read &read, Group group = Group::FirstColour)
+{
+    table.push_back({plainNumber(id, id, {}, toolTip, formula, group), read});
+}
+
+/// Read where the sample was written, a single one.
+Read ofWritten(const Read &read)
+{
+    return [read](const State &state) {
+        return state.isWritten && state.samples == 0 ? read(state) : Quantity();
+    };
+}
+
+/// What a sample has in a channel, linear in the frame.
+void appendLinear(Table &table, const ShadedScope &scope, std::size_t channel)
+{
+    const Channel which = channelAt(channel);
+    const QString name = linearName(which, scope.effects);
+    const QString direct = QStringLiteral("%1 ← %2 + (y − y_B)·Δ%1")
+                               .arg(name, withSubscript(name, QStringLiteral("B")));
+    QString formula;
+    switch (scope.form) {
+    case InterpolationForm::Bilinear:
+        formula = QStringLiteral("%1 ← %1′ + Δ%1").arg(name);
+        break;
+    case InterpolationForm::Plane:
+        formula = QStringLiteral("%1 = %2·x + %3·y + %4")
+                      .arg(name, coefficientOf(QStringLiteral("a"), name),
+                           coefficientOf(QStringLiteral("b"), name),
+                           coefficientOf(QStringLiteral("c"), name));
+        break;
+    case InterpolationForm::Barycentric:
+        formula = name + QStringLiteral(" = α·") + name + QStringLiteral("₀ + β·") + name
+            + QStringLiteral("₁ + γ·") + name + u'₂';
+        break;
+    }
+    const QString toolTip = scope.effects.perspective && followsPerspective(which)
+        ? QStringLiteral("%1/w at the sample: linear in the frame.").arg(shadedName(which))
+        : which == Channel::Reciprocal ? QStringLiteral("1/w at the sample: linear in the frame.")
+                                       : QStringLiteral("%1 at the sample.").arg(name);
+    table.push_back({comparedNumber(name, name, isLevel(which) ? unit::levels() : QString(),
+                                    toolTip, formula, Group::FirstColour),
+                     [channel](const State &state) { return state.linear[channel]; },
+                     [=, isBilinear = scope.form == InterpolationForm::Bilinear](
+                         NumberDescription &number, const State &state) {
+                         if (isBilinear && state.startsRun)
+                             number.formula = direct;
+                     }});
+}
+
+/// The quotient by 1/w.
+void appendQuotient(Table &table, const ShadedScope &scope, std::size_t channel)
+{
+    const Channel which = channelAt(channel);
+    const QString &name = shadedName(which);
+    table.push_back(
+        {comparedNumber(name, name, isLevel(which) ? unit::levels() : QString(),
+                        QStringLiteral("%1 at the sample: the quotient.").arg(name),
+                        QStringLiteral("%1 = %2/q").arg(name, linearName(which, scope.effects)),
+                        Group::FirstColour),
+         [channel](const State &state) { return state.value[channel]; }});
+}
+
+void appendDepth(Table &table, const ShadedScope &scope)
+{
+    const bool hasLevels = scope.effects.depth == DepthTest::Levels;
+    append(
+        table, QStringLiteral("z_near"),
+        QStringLiteral("The nearest depth so far at the pixel; none where nothing stands."), {},
+        [](const State &state) { return state.nearest; }, Group::Span);
+    if (hasLevels)
+        append(
+            table, QStringLiteral("z_level"), QStringLiteral("z as the depth buffer keeps it."), {},
+            [](const State &state) { return state.depth; }, Group::Span);
+}
+
+/// R, G and B of bytes: "t_R".
+void appendBytes(Table &table, const QString &name, const QString &toolTip, const QString &formula,
+                 const std::function<Colour(const State &)> &read)
+{
+    for (std::size_t i = 0; i < 3; ++i) {
+        const QString letter = QString(channelLetters[i]);
+        append(table, name + u'_' + letter, QString(toolTip).replace(u'%', letter),
+               QString(formula).replace(u'%', letter), ofWritten([=](const State &state) {
+                   return Quantity::integer(read(state).channels[i]);
+               }));
+    }
+}
+
+/// Which texels are read. The formula holds where the place is inside of the texture.
+void appendTexels(Table &table, const ShadedScope &scope)
+{
+    for (std::size_t side = 0; side < 2; ++side) {
+        const QString index = side == 0 ? QStringLiteral("i") : QStringLiteral("j");
+        const QString coordinate = side == 0 ? QStringLiteral("u") : QStringLiteral("v");
+        table.push_back(
+            {plainNumber(index, index, {},
+                         QStringLiteral("The texel's place along %1, from 0.").arg(coordinate), {},
+                         Group::FirstColour),
+             ofWritten([side](const State &state) {
+                 return state.effects.texture ? Quantity::integer(state.firstTexel[side])
+                                              : Quantity();
+             }),
+             [=](NumberDescription &number, const State &state) {
+                 const Quantity &value = state.value[indexOf(Channel::U) + side];
+                 const double at = value.isNone() ? -1 : value.toDouble();
+                 if (!state.isWritten || state.secondTexel != state.firstTexel || at < 0 || at >= 1)
+                     return;
+                 number.formula = QStringLiteral("%1 = ⌊%2·%3⌋")
+                                      .arg(index)
+                                      .arg(state.textureSize[side])
+                                      .arg(coordinate);
+             }});
+        if (!scope.isFiltered)
+            continue;
+        append(table, QStringLiteral("f_") + coordinate,
+               QStringLiteral("How far the sample lies from that texel's centre to the next one's, "
+                              "along %1.")
+                   .arg(coordinate),
+               {}, ofWritten([side](const State &state) {
+                   return state.effects.texture ? state.fraction[side] : Quantity();
+               }));
+    }
+    const auto textured = [](const std::function<Colour(const State &)> &read) { return read; };
+    appendBytes(table, QStringLiteral("b"), QStringLiteral("% interpolated, as a byte."), {},
+                textured([](const State &state) { return state.interpolated; }));
+    appendBytes(table, QStringLiteral("t"), QStringLiteral("% of the texel, or of the four."), {},
+                textured([](const State &state) { return state.texel; }));
+    appendBytes(table, QStringLiteral("c"), QStringLiteral("% modulated by the texel."),
+                QStringLiteral("c_% = ⌊b_%·t_%/255 + ½⌋"),
+                textured([](const State &state) { return state.textured; }));
+}
+
+void appendLight(Table &table, const ShadedScope &scope)
+{
+    constexpr std::array axes = {u'x', u'y', u'z'};
+    for (std::size_t i = 0; i < 3; ++i)
+        append(table, QStringLiteral("n_") + QChar(axes[i]),
+               QStringLiteral("The normal, made of length 1: its %1.").arg(QChar(axes[i])), {},
+               ofWritten([i](const State &state) { return state.normal[i]; }));
+    for (std::size_t light = 0; light < scope.lights; ++light) {
+        append(table, QStringLiteral("NL_%1").arg(light),
+               QStringLiteral("max(0, N·L) of light %1: what of it meets the surface.").arg(light),
+               {}, ofWritten([light](const State &state) { return state.lights[light].diffuse; }));
+        append(table, QStringLiteral("NH_%1").arg(light),
+               QStringLiteral("max(0, N·H) to the power of the shininess, of light %1.").arg(light),
+               {},
+               ofWritten([light](const State &state) { return state.lights[light].highlight; }));
+    }
+    for (std::size_t i = 0; i < 3; ++i)
+        append(table, QStringLiteral("I_") + QChar(channelLetters[i]),
+               QStringLiteral("Light that leaves the surface, level of %1, before rounding.")
+                   .arg(QChar(channelLetters[i])),
+               {}, ofWritten([i](const State &state) { return state.lit[i]; }));
+}
+
+void appendBlending(Table &table, const ShadedScope &scope)
+{
+    append(table, QStringLiteral("a"), QStringLiteral("Alpha as a byte."), {},
+           ofWritten([](const State &state) { return Quantity::integer(state.alpha); }));
+    QString alpha = QStringLiteral("a");
+    if (scope.antialiasing == Antialiasing::Area) {
+        append(table, QStringLiteral("area"),
+               QStringLiteral("What of the pixel's square the triangle covers; none inside of "
+                              "it."),
+               {}, ofWritten([](const State &state) { return state.area; }));
+        alpha = QStringLiteral("a_area");
+        table.push_back(
+            {plainNumber(alpha, alpha, {},
+                         QStringLiteral("Alpha times the covered area, as a byte."),
+                         QStringLiteral("a_area = ⌊a·area + ½⌋"), Group::FirstColour),
+             ofWritten([](const State &state) { return Quantity::integer(state.blendedAlpha); }),
+             [](NumberDescription &number, const State &state) {
+                 if (state.area.isNone())
+                     number.formula = QStringLiteral("a_area = a");
+             }});
+    }
+    appendBytes(table, QStringLiteral("s"), QStringLiteral("% that is painted."), {},
+                [](const State &state) { return state.source; });
+    appendBytes(table, QStringLiteral("d"), QStringLiteral("% that stood there."), {},
+                [](const State &state) { return state.before; });
+    appendBytes(table, QStringLiteral("r"), QStringLiteral("% of the pixel now."),
+                QStringLiteral("r_% = ⌊(s_%·@ + d_%·(255 − @))/255 + ½⌋").replace(u'@', alpha),
+                [](const State &state) { return state.after; });
+}
+
+void appendSamples(Table &table)
+{
+    append(
+        table, QStringLiteral("samples"),
+        QStringLiteral("How many samples of the pixel this triangle has written; none where the "
+                       "pixel has one."),
+        {},
+        [](const State &state) {
+            return state.samples == 0 ? Quantity()
+                                      : Quantity::integer(__builtin_popcount(state.samplesWritten));
+        },
+        Group::Span);
+    for (std::size_t i = 0; i < 3; ++i)
+        append(table, QStringLiteral("mean_") + QChar(channelLetters[i]),
+               QStringLiteral("The mean of %1 over the pixel's samples, as a byte.")
+                   .arg(QChar(channelLetters[i])),
+               {}, [i](const State &state) {
+                   return state.samples == 0 ? Quantity()
+                                             : Quantity::integer(state.after.channels[i]);
+               });
+}
+
+} // namespace
+
+NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope)
+{
+    Table table;
+    const EffectSet &effects = scope.effects;
+    if (scope.form == InterpolationForm::Barycentric) {
+        for (std::size_t i = 0; i < 3; ++i)
+            table.push_back(
+                {comparedNumber(weightId(i), weightTitle(i), {},
+                                QStringLiteral("Weight of vertex %1: 1 there, 0 on the line "
+                                               "through the other two.")
+                                    .arg(i),
+                                QStringLiteral("%1 = a_%1·x + b_%1·y + c_%1").arg(weightTitle(i)),
+                                Group::Decision),
+                 [i](const State &state) { return state.weight[i]; }});
+    }
+    forEachChannel(effects, [&](std::size_t channel) { appendLinear(table, scope, channel); });
+    if (effects.perspective) {
+        forEachChannel(effects, [&](std::size_t channel) {
+            if (followsPerspective(channelAt(channel)))
+                appendQuotient(table, scope, channel);
+        });
+    }
+    if (effects.perspective && effects.texture) {
+        for (std::size_t i = 0; i < 2; ++i)
+            append(
+                table, i == 0 ? QStringLiteral("u_affine") : QStringLiteral("v_affine"),
+                QStringLiteral("What %1 would be without perspective.").arg(i == 0 ? u'u' : u'v'),
+                {}, [i](const State &state) { return state.affine[i]; });
+    }
+    if (effects.depth != DepthTest::None)
+        appendDepth(table, scope);
+    if (effects.texture)
+        appendTexels(table, scope);
+    if (effects.light)
+        appendLight(table, scope);
+    if (effects.blending)
+        appendBlending(table, scope);
+    if (!samplePattern(scope.antialiasing).empty())
+        appendSamples(table);
+    return table;
+}
+
+} // namespace pixelplumb

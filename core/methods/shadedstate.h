@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/edgepixels.h"
+#include "core/effects/shadedscan.h"
+#include "core/scan/scansettings.h"
+#include "core/trace/stepinhand.h"
+
+#include <array>
+#include <vector>
+
+/// What the tables of shaded triangles read: the kernel's numbers as quantities, so that one table
+/// serves every arithmetic.
+namespace pixelplumb {
+
+/// What a run of shaded triangles carries: of all its batches together, since a table has one
+/// heading.
+struct ShadedScope {
+    InterpolationForm form = InterpolationForm::Bilinear;
+    EffectSet effects;
+    Antialiasing antialiasing = Antialiasing::None;
+    std::size_t lights = 0;
+    bool isFiltered = false; ///< some material reads four texels
+};
+
+template <class Value>
+using OfVertices = std::array<Value, 3>;
+
+struct ShadedSetUpState {
+    std::array<int, 3> order = {0, 1, 2};
+    OfVertices<LatticePoint> position;
+    EffectSet effects; ///< of the triangle
+    PerChannel<OfVertices<Quantity>> given; ///< as the vertices have them
+    OfVertices<Quantity> w;
+    PerChannel<OfVertices<Quantity>> linear; ///< as they are interpolated: divided by w
+    PerChannel<OfVertices<Quantity>> plane; ///< a, b, c
+    std::array<OfVertices<Quantity>, 3> weight; ///< a, b, c of each vertex
+};
+
+struct ShadedSpanState {
+    std::size_t primitive = 0;
+    std::int64_t x = 0;
+    ColumnHalf half = ColumnHalf::First;
+    std::int64_t firstRow = 0, endRow = 0, firstDrawn = 0, endDrawn = 0;
+    Quantity lower, upper; ///< px
+    PerChannel<Quantity> bottom, top, rate;
+
+    std::int64_t drawnSamples() const { return std::max<std::int64_t>(0, endDrawn - firstDrawn); }
+};
+
+struct ShadedLightState {
+    Quantity diffuse, highlight;
+};
+
+struct ShadedSampleState {
+    std::int64_t x = 0, y = 0;
+    bool startsRun = false; ///< adding begins here
+    bool isWritten = false;
+    EffectSet effects; ///< of the triangle
+    int samples = 0; ///< 4 or 16 where the pixel is a mean of them: then there are no other numbers
+    std::uint16_t samplesWritten = 0;
+    std::array<QRgb, 16> sampleColours = {};
+    PerChannel<Quantity> linear; ///< divided by w where perspective is corrected
+    OfVertices<Quantity> weight;
+    PerChannel<Quantity> value; ///< the quotient by 1/w
+    std::array<Quantity, 2> affine; ///< u, v as if w were equal
+    Quantity depth, nearest; ///< z or its level, and what stood there; none: nothing did
+    Colour interpolated;
+    std::array<std::int32_t, 2> textureSize = {};
+    std::array<std::int32_t, 2> firstTexel = {}, secondTexel = {};
+    std::array<Quantity, 2> fraction;
+    Colour texel, textured;
+    std::array<Quantity, 3> normal; ///< of unit length
+    std::array<ShadedLightState, mostLights> lights;
+    std::array<Quantity, 3> lit;
+    Colour source;
+    std::uint8_t alpha = 255, blendedAlpha = 255;
+    Quantity area;
+    Colour before, after;
+};
+
+/// numerator/denominator in lowest terms; the nearest double where 128 bits do not hold it.
+Quantity quotientOf(const BigInteger &numerator, const BigInteger &denominator);
+
+/// How the numbers of one kernel become quantities.
+template <class N>
+struct ShadedQuantities;
+
+template <std::floating_point Float>
+struct ShadedQuantities<FloatShading<Float>> {
+    using N = FloatShading<Float>;
+
+    explicit ShadedQuantities(const ShadedSetUpRead<N> &setUp)
+        : perspective(setUp.effects.perspective)
+    {
+    }
+    Quantity linear(std::size_t, Float value) const { return Quantity::of(value); }
+    Quantity rate(std::size_t, Float value) const { return Quantity::of(value); }
+    Quantity vertex(std::size_t, Float value) const { return Quantity::of(value); }
+    Quantity weight(Float value) const { return Quantity::of(value); }
+    Quantity value(std::size_t, const ShadedSample<N> &sample, std::size_t channel) const
+    {
+        const Float value = sample.value[channel];
+        return Quantity::of(perspective ? value / sample.value[indexOf(Channel::Reciprocal)]
+                                        : value);
+    }
+    Quantity depth(Float value) const
+    {
+        return std::isfinite(value) ? Quantity::of(value) : Quantity();
+    }
+
+    bool perspective;
+};
+
+template <class Integer>
+struct ShadedQuantities<ExactShading<Integer>> {
+    using N = ExactShading<Integer>;
+
+    explicit ShadedQuantities(const ShadedSetUpRead<N> &setUp)
+        : perspective(setUp.effects.perspective)
+        , area(setUp.area)
+    {
+        if (!perspective)
+            return;
+        // The kernel has a·w_j·w_k for a/w_i: the product of all three is too much, and the powers
+        // of two that they had in common are missing.
+        std::int64_t bits = 0;
+        std::array<std::int64_t, 3> w = {};
+        for (std::size_t i = 0; i < 3; ++i) {
+            w[i] = std::max<std::int64_t>(1, setUp.attributes[i].w);
+            bits |= w[i];
+        }
+        const int zeros = std::countr_zero(std::uint64_t(bits));
+        product = BigInteger(w[0] >> zeros) * (w[1] >> zeros) * (w[2] >> zeros);
+        product <<= unsigned(zeros);
+        scale = attributeOne;
+    }
+    BigInteger unitOf(std::size_t channel) const
+    {
+        const Channel which = channelAt(channel);
+        return isLevel(which) || which == Channel::Reciprocal ? BigInteger(1)
+                                                              : BigInteger(attributeOne);
+    }
+    bool isDivided(std::size_t channel) const
+    {
+        return perspective && channelAt(channel) != Channel::Depth;
+    }
+    Quantity linear(std::size_t channel, const Integer &numerator) const
+    {
+        const BigInteger below = BigInteger(area) * unitOf(channel);
+        return isDivided(channel) ? quotientOf(BigInteger(numerator) * scale, below * product)
+                                  : quotientOf(BigInteger(numerator), below);
+    }
+    Quantity rate(std::size_t channel, const Integer &numerator) const
+    {
+        return linear(channel, numerator);
+    }
+    Quantity vertex(std::size_t channel, const Integer &value) const
+    {
+        return isDivided(channel) ? quotientOf(BigInteger(value) * scale, unitOf(channel) * product)
+                                  : quotientOf(BigInteger(value), unitOf(channel));
+    }
+    Quantity weight(const Integer &numerator) const
+    {
+        return quotientOf(BigInteger(numerator), BigInteger(area));
+    }
+    Quantity value(std::size_t, const ShadedSample<N> &sample, std::size_t channel) const
+    {
+        const Integer &below = perspective ? sample.value[indexOf(Channel::Reciprocal)] : area;
+        if (below <= 0)
+            return {};
+        return quotientOf(BigInteger(sample.value[channel]), BigInteger(below) * unitOf(channel));
+    }
+    Quantity depth(const typename N::Depth &depth) const
+    {
+        if (depth.whole == std::numeric_limits<std::int64_t>::max())
+            return {};
+        return quotientOf(BigInteger(depth.whole) * BigInteger(depth.denominator)
+                              + BigInteger(depth.rest),
+                          BigInteger(depth.denominator) * attributeOne);
+    }
+
+    bool perspective;
+    Integer area;
+    BigInteger product = 1;
+    BigInteger scale = 1;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/shadeddrawing.h"
+#include "core/methods/method.h"
+
+namespace pixelplumb {
+
+/// Draws the triangles as the plan says and records it. Null when options.progress cancelled it.
+std::unique_ptr<ScanTrace> traceShaded(ShadedMethod method, const Primitives &primitives,
+                                       const ScanSettings &settings, FrameView frame,
+                                       const EffectPlan &plan, const TraceOptions &options);
+
+} // namespace pixelplumb

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/attributes.h"
+#include "core/geometry/triangle.h"
+#include "core/number/commonfraction.h"
+#include "core/number/wideinteger.h"
+#include "core/scan/scansettings.h"
+
+/// What is interpolated over a triangle, as fractions of whole numbers of any size: nothing
+/// overflows, nothing is rounded.
+namespace pixelplumb::oracle {
+
+using WideFraction = FractionOf<BigInteger>;
+
+/// The weights of the three vertices at a sample, over a common denominator.
+struct PlaneWeights {
+    std::array<BigInteger, 3> parts; ///< below 0 where the sample lies outside
+    BigInteger whole; ///< their sum
+
+    /// Σ part·value / whole.
+    WideFraction mean(const std::array<std::int64_t, 3> &values) const
+    {
+        return {parts[0] * values[0] + parts[1] * values[1] + parts[2] * values[2], whole};
+    }
+};
+
+/// Barycentric weights: the areas opposite to the vertices. `whole` is the doubled area without
+/// sign, in square lattice units; 0 where the triangle has none.
+PlaneWeights barycentricWeights(const Triangle &triangle, std::int64_t x, std::int64_t y);
+
+/// Those of a/w and 1/w, linear in the frame, and their quotient: each barycentric weight by the
+/// other two w. `whole` has the sign of 1/w at the sample: where it is not above 0, the sample lies
+/// on the horizon of the triangle's plane or beyond it, and nothing is seen there.
+PlaneWeights perspectiveWeights(const PlaneWeights &barycentric,
+                                const std::array<VertexAttributes, 3> &vertices);
+
+/// ⌊v + ½⌋ or ⌊v⌋, clamped to 0 … 255.
+std::uint8_t byteOf(const WideFraction &level, ByteRounding rounding);
+
+} // namespace pixelplumb::oracle

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/appearance.h"
+#include "core/oracle/planeweights.h"
+
+#include <vector>
+
+namespace pixelplumb::oracle {
+
+/// A texel that is read, and how much of it.
+struct WeightedTexel {
+    std::int32_t i = 0; ///< wrapped or clamped into the picture
+    std::int32_t j = 0;
+    WideFraction weight;
+    Colour colour;
+};
+
+/// The texels that the material's filter reads at (u, v): one, or four whose weights sum to 1, in
+/// the order (left, lower), (right, lower), (left, upper), (right, upper). None where the material
+/// has no texture, or one without all its texels.
+std::vector<WeightedTexel> texelsAt(const Material &material, const WideFraction &u,
+                                    const WideFraction &v);
+
+/// Their mean, ⌊· + ½⌋ a channel; of one texel or more.
+Colour textureByte(const std::vector<WeightedTexel> &texels);
+
+/// ⌊c·t/255 + ½⌋ a channel.
+Colour modulated(const Colour &colour, const Colour &by);
+
+} // namespace pixelplumb::oracle

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/effectplan.h"
+#include "core/frame/frameview.h"
+
+#include <optional>
+
+namespace pixelplumb::oracle {
+
+/// Draws the true picture of all primitives: the triangles with their effects where there is a plan
+/// beyond colour, then the shapes. Opaque pixels, as oracle::draw. The frame may be a band of the
+/// one that was planned for.
+void drawPicture(const Primitives &primitives, const ScanSettings &settings,
+                 const std::optional<EffectPlan> &plan, FrameView frame);
+
+} // namespace pixelplumb::oracle

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/appearance.h"
+
+#include <QByteArray>
+#include <QString>
+
+namespace pixelplumb {
+
+/// The lines of a scene file in the folder that say how its triangles look, without those that say
+/// nothing new; what readAppearance reads back.
+QByteArray appearanceText(const Appearance &appearance, const QString &folder);
+
+} // namespace pixelplumb

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/camerareader.h"
+
+#include "core/scene/appearancenames.h"
+#include "core/scene/choicereader.h"
+#include "core/space/spacevector.h"
+
+#include <limits>
+
+namespace pixelplumb {
+
+namespace {
+
+/// What stands beside an angle is taken for a line of sight when its sine is smaller.
+constexpr double smallestSine = 1e-9;
+
+/// A number between two, both excluded.
+double numberBetween(JsonReader &json, NumberReader &numbers, const JsonNode &node, double above,
+                     double below, double byDefault)
+{
+    if (node.isMissing())
+        return byDefault;
+    const double value = numbers.real(node);
+    if (!(value > above && value < below))
+        json.fail(node, describe(node),
+                  std::isinf(below)
+                      ? QStringLiteral("more than %1").arg(above)
+                      : QStringLiteral("more than %1 and less than %2").arg(above).arg(below));
+    return value;
+}
+
+void checkDirections(JsonReader &json, const JsonNode &node, const Camera &camera)
+{
+    using Vector = SpaceVector<double>;
+    const Vector sight = Vector(camera.target) - Vector(camera.eye);
+    const Vector upwards(camera.up);
+    const JsonNode up = node[QStringLiteral("up")];
+    if (sight.isZero())
+        json.fail(node, QStringLiteral("eye and target are one point"),
+                  QStringLiteral("two points, between which the camera looks"));
+    if (upwards.isZero())
+        json.fail(up, QStringLiteral("a direction of length 0"),
+                  QStringLiteral("the direction that is up"));
+    if (lengthOf(cross(sight, upwards)) <= smallestSine * lengthOf(sight) * lengthOf(upwards))
+        json.fail(up.isMissing() ? node : up,
+                  QStringLiteral("up is parallel to the view from eye to target"),
+                  QStringLiteral("a direction across it"));
+}
+
+} // namespace
+
+Camera readCamera(JsonReader &json, NumberReader &numbers, const JsonNode &node)
+{
+    const QString fieldOfViewKey = QStringLiteral("fieldOfView");
+    const QString heightKey = QStringLiteral("height");
+    constexpr double endless = std::numeric_limits<double>::infinity();
+    json.expectObject(node,
+                      {QStringLiteral("projection"), QStringLiteral("eye"),
+                       QStringLiteral("target"), QStringLiteral("up"), fieldOfViewKey, heightKey,
+                       QStringLiteral("near"), QStringLiteral("far")});
+    Camera camera;
+    readChoice(json, node[QStringLiteral("projection")], allProjections, camera.projection);
+    const auto readVector = [&](const QString &key, Vector3 &vector) {
+        if (const JsonNode value = node[key]; !value.isMissing())
+            vector = numbers.vector(value);
+    };
+    readVector(QStringLiteral("eye"), camera.eye);
+    readVector(QStringLiteral("target"), camera.target);
+    readVector(QStringLiteral("up"), camera.up);
+    const bool isPerspective = camera.projection == Projection::Perspective;
+    if (const JsonNode foreign = node[isPerspective ? heightKey : fieldOfViewKey];
+        !foreign.isMissing())
+        json.fail(foreign,
+                  QStringLiteral("“%1” of a camera that is %2")
+                      .arg(isPerspective ? heightKey : fieldOfViewKey,
+                           nameText(nameOf(camera.projection))),
+                  QStringLiteral("“%1”").arg(isPerspective ? fieldOfViewKey : heightKey));
+    camera.fieldOfView
+        = numberBetween(json, numbers, node[fieldOfViewKey], 0, 180, camera.fieldOfView);
+    camera.height = numberBetween(json, numbers, node[heightKey], 0, endless, camera.height);
+    const JsonNode far = node[QStringLiteral("far")];
+    camera.near
+        = numberBetween(json, numbers, node[QStringLiteral("near")], 0, endless, camera.near);
+    camera.far = numberBetween(json, numbers, far, 0, endless, camera.far);
+    if (camera.far <= camera.near)
+        json.fail(far.isMissing() ? node : far,
+                  QStringLiteral("near %1 and far %2").arg(camera.near).arg(camera.far),
+                  QStringLiteral("a far plane behind the near one"));
+    checkDirections(json, node, camera);
+    return camera;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scan/choicenames.h"
+#include "core/scene/jsonreader.h"
+
+#include <array>
+
+namespace pixelplumb {
+
+/// "one of a, b, c"; of one name, the name.
+inline QString anyOf(const QStringList &names)
+{
+    return names.size() == 1 ? names.front()
+                             : QStringLiteral("one of ") + names.join(QStringLiteral(", "));
+}
+
+/// A choice by its name, or by its number where that is its name; it keeps its default where the
+/// key is missing.
+template <class Choice, std::size_t Count>
+void readChoice(JsonReader &json, const JsonNode &node, const std::array<Choice, Count> &choices,
+                Choice &choice)
+{
+    if (node.isMissing())
+        return;
+    const QStringList names = namesOf(choices);
+    const auto isNumber = [](const QString &name) { return name.front().isDigit(); };
+    for (std::size_t index = 0; index < Count; ++index) {
+        const QString &name = names[qsizetype(index)];
+        const QString said = isNumber(name) ? numberText(node.value) : node.value.toString();
+        if (said == name && node.value.isDouble() == isNumber(name)) {
+            choice = choices[index];
+            return;
+        }
+    }
+    json.fail(node, describe(node), anyOf(names));
+}
+
+} // namespace pixelplumb

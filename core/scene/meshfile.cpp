@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#define TINYOBJLOADER_IMPLEMENTATION
+#define TINYOBJLOADER_USE_DOUBLE
+#include "core/scene/meshfile.h"
+
+#include "core/geometry/attributes.h"
+#include "core/scene/fileaccess.h"
+#include "core/scene/solidlimits.h"
+
+#include <tiny_obj_loader.h>
+
+#include <charconv>
+#include <cmath>
+#include <unordered_map>
+
+namespace pixelplumb {
+
+namespace {
+
+/// A text as a stream that tells how far it was read.
+class TextBuffer : public std::streambuf {
+public:
+    explicit TextBuffer(QByteArray &text) { setg(text.begin(), text.begin(), text.end()); }
+    qsizetype position() const { return gptr() - eback(); }
+};
+
+/// Position, texture coordinate and normal of a corner, counted from 0; −1: none.
+using CornerIndices = std::array<std::int64_t, 3>;
+
+struct CornerHash {
+    std::size_t operator()(const CornerIndices &corner) const
+    {
+        std::uint64_t hash = 0;
+        for (const std::int64_t index : corner)
+            hash = (hash ^ std::uint64_t(index)) * 0x9e3779b97f4a7c15U;
+        return std::size_t(hash ^ (hash >> 32));
+    }
+};
+
+/// Makes a mesh of the lines that tinyobjloader tells. The first fault ends the reading.
+class MeshBuilder {
+public:
+    MeshBuilder(const QByteArray &text, const TextBuffer &buffer)
+        : m_text(text)
+        , m_buffer(buffer)
+    {
+    }
+
+    void takePosition() { take(m_positions, 3); }
+    void takeTexturePoint() { take(m_texturePoints, 2); }
+    void takeNormal()
+    {
+        take(m_normals, 3);
+        if (!hasFailed() && m_normals.back() == Vector3())
+            fail(QStringLiteral("a normal of length 0"), QStringLiteral("a direction"));
+    }
+    void takeFace(const tinyobj::index_t *corners, int count);
+
+    bool hasFailed() const { return !m_found.isEmpty(); }
+    InputError error(const QString &name) const
+    {
+        const QString place
+            = m_line > 0 ? QStringLiteral("%1, line %2").arg(name).arg(m_line) : name;
+        return {place, m_found, m_expected};
+    }
+    Mesh takeMesh() { return std::move(m_mesh); }
+    void failWithoutFaces()
+    {
+        m_found = QStringLiteral("no face");
+        m_expected = QStringLiteral("a Wavefront OBJ file with lines such as “f 1 2 3”");
+    }
+
+private:
+    void take(std::vector<Vector3> &all, std::size_t needed);
+    std::int64_t resolved(int index, std::size_t count, const char *what);
+    std::uint32_t cornerOf(const CornerIndices &indices);
+    QByteArrayView lineInHand() const;
+    void fail(const QString &found, const QString &expected);
+
+    const QByteArray &m_text;
+    const TextBuffer &m_buffer;
+    std::vector<Vector3> m_positions;
+    std::vector<Vector3> m_texturePoints;
+    std::vector<Vector3> m_normals;
+    std::unordered_map<CornerIndices, std::uint32_t, CornerHash> m_corners;
+    Mesh m_mesh;
+    QString m_found;
+    QString m_expected;
+    qsizetype m_line = 0;
+};
+
+QByteArrayView MeshBuilder::lineInHand() const
+{
+    const QByteArrayView before = QByteArrayView(m_text).first(m_buffer.position());
+    const QByteArrayView line = before.trimmed();
+    return line.sliced(qMax(line.lastIndexOf('\n'), line.lastIndexOf('\r')) + 1).trimmed();
+}
+
+void MeshBuilder::fail(const QString &found, const QString &expected)
+{
+    m_found = found;
+    m_expected = expected;
+    const QByteArrayView line = lineInHand();
+    m_line = m_text.first(line.data() - m_text.data()).count('\n') + 1;
+}
+
+/// tinyobjloader takes what is no number for 0, and rounds decimals in a way of its own.
+void MeshBuilder::take(std::vector<Vector3> &all, std::size_t needed)
+{
+    if (hasFailed())
+        return;
+    const QByteArrayView line = lineInHand();
+    const char *place = line.data();
+    const char *end = place + line.size();
+    const auto isBlank = [](char character) { return character == ' ' || character == '\t'; };
+    while (place != end && !isBlank(*place))
+        ++place; // "v", "vt", "vn"
+    Vector3 numbers = {};
+    for (std::size_t i = 0; i < needed; ++i) {
+        while (place != end && isBlank(*place))
+            ++place;
+        place += place != end && *place == '+' ? 1 : 0;
+        const auto [after, error] = std::from_chars(place, end, numbers[i]);
+        const bool isNumber = error == std::errc() && (after == end || isBlank(*after));
+        if (!isNumber || !(std::abs(numbers[i]) <= double(largestAttributeValue))) {
+            fail(QStringLiteral("“%1”").arg(QString::fromUtf8(line.first(qMin(line.size(), 60)))),
+                 QStringLiteral("%1 numbers within ±%2").arg(needed).arg(largestAttributeValue));
+            return;
+        }
+        place = after;
+    }
+    all.push_back(numbers);
+}
+
+/// Indices count from 1, negative ones from the last that was read back; 0 where there is none.
+std::int64_t MeshBuilder::resolved(int index, std::size_t count, const char *what)
+{
+    const std::int64_t fromZero = index < 0 ? std::int64_t(count) + index : std::int64_t(index) - 1;
+    if (fromZero >= 0 && fromZero < std::int64_t(count))
+        return fromZero;
+    fail(QStringLiteral("a face with %1 %2").arg(QLatin1String(what)).arg(index),
+         count == 0 ? QStringLiteral("one that stands before the face")
+                    : QStringLiteral("1 to %1, of those before the face").arg(count));
+    return 0;
+}
+
+std::uint32_t MeshBuilder::cornerOf(const CornerIndices &indices)
+{
+    const auto [place, isNew]
+        = m_corners.try_emplace(indices, std::uint32_t(m_mesh.corners.size()));
+    if (isNew) {
+        SolidCorner &corner = m_mesh.corners.emplace_back();
+        corner.position = m_positions[std::size_t(indices[0])];
+        if (indices[1] >= 0)
+            corner.texture = {m_texturePoints[std::size_t(indices[1])][0],
+                              m_texturePoints[std::size_t(indices[1])][1]};
+        if (indices[2] >= 0)
+            corner.normal = m_normals[std::size_t(indices[2])];
+    }
+    return place->second;
+}
+
+void MeshBuilder::takeFace(const tinyobj::index_t *corners, int count)
+{
+    if (hasFailed())
+        return;
+    if (count < 3) {
+        fail(QStringLiteral("a face of %1").arg(count), QStringLiteral("3 corners or more"));
+        return;
+    }
+    if (m_mesh.faces.size() + std::size_t(count) - 2 > mostSolidTriangles) {
+        fail(tooManyTriangles(m_mesh.faces.size() + std::size_t(count) - 2), fewerTriangles());
+        return;
+    }
+    std::array<std::uint32_t, 3> face = {};
+    for (int i = 0; i < count && !hasFailed(); ++i) {
+        const tinyobj::index_t &corner = corners[i];
+        CornerIndices indices
+            = {resolved(corner.vertex_index, m_positions.size(), "vertex"), -1, -1};
+        if (corner.texcoord_index != 0)
+            indices[1] = resolved(corner.texcoord_index, m_texturePoints.size(), "texture point");
+        if (corner.normal_index != 0)
+            indices[2] = resolved(corner.normal_index, m_normals.size(), "normal");
+        if (hasFailed())
+            return;
+        face[std::size_t(qMin(i, 2))] = cornerOf(indices);
+        if (i < 2)
+            continue;
+        m_mesh.faces.push_back(face);
+        face[1] = face[2];
+    }
+}
+
+} // namespace
+
+Result<Mesh> parseMesh(QByteArray text, const QString &name)
+{
+    TextBuffer buffer(text);
+    std::istream stream(&buffer);
+    MeshBuilder builder(text, buffer);
+    tinyobj::callback_t callback;
+    using Real = tinyobj::real_t;
+    callback.vertex_cb = [](void *data, Real, Real, Real, Real) {
+        static_cast<MeshBuilder *>(data)->takePosition();
+    };
+    callback.texcoord_cb = [](void *data, Real, Real, Real) {
+        static_cast<MeshBuilder *>(data)->takeTexturePoint();
+    };
+    callback.normal_cb
+        = [](void *data, Real, Real, Real) { static_cast<MeshBuilder *>(data)->takeNormal(); };
+    callback.index_cb = [](void *data, tinyobj::index_t *corners, int count) {
+        static_cast<MeshBuilder *>(data)->takeFace(corners, count);
+    };
+    tinyobj::LoadObjWithCallback(stream, callback, &builder);
+    if (builder.hasFailed())
+        return builder.error(name);
+    Mesh mesh = builder.takeMesh();
+    if (mesh.faces.empty()) {
+        builder.failWithoutFaces();
+        return builder.error(name);
+    }
+    mesh.name = name.toStdString();
+    return mesh;
+}
+
+Result<Mesh> readMesh(const QString &path)
+{
+    Result<QByteArray> content = readFile(path);
+    if (!content)
+        return content.error();
+    return parseMesh(std::move(*content), path);
+}
+
+} // namespace pixelplumb

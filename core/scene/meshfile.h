@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/result.h"
+#include "core/space/solid.h"
+
+namespace pixelplumb {
+
+/// The triangles of a Wavefront OBJ file: its v, vt, vn and f lines; a face of more corners becomes
+/// a fan. Everything else in the file (groups, materials, lines) is passed over.
+Result<Mesh> readMesh(const QString &path);
+
+/// The same of its content; `name` stands in messages.
+Result<Mesh> parseMesh(QByteArray text, const QString &name);
+
+} // namespace pixelplumb

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/referredfiles.h"
+
+#include "core/scene/meshfile.h"
+#include "core/scene/texturefile.h"
+
+#include <QDir>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Of a scene: four of the largest.
+constexpr std::size_t mostTexels = std::size_t(4) * largestTextureSide * largestTextureSide;
+
+} // namespace
+
+QString ReferredFiles::pathOf(const QString &name) const
+{
+    return QDir::cleanPath(QDir(m_folder).absoluteFilePath(name));
+}
+
+Result<std::shared_ptr<const Texture>> ReferredFiles::texture(const QString &name)
+{
+    const bool isChecker = name == QStringLiteral("checker");
+    const QString path = isChecker ? name : pathOf(name);
+    if (const auto known = m_textures.value(path))
+        return known;
+    Result<Texture> texture = isChecker ? checkerTexture() : readTexture(path);
+    if (!texture)
+        return texture.error();
+    m_texels += texture->texels.size();
+    if (m_texels > mostTexels)
+        return InputError{path,
+                          QStringLiteral("the scene's textures have %1 texels, %2 MiB")
+                              .arg(m_texels)
+                              .arg(m_texels * sizeof(Colour) >> 20),
+                          QStringLiteral("at most %1 in all").arg(mostTexels)};
+    return m_textures[path] = std::make_shared<const Texture>(std::move(*texture));
+}
+
+Result<std::shared_ptr<const Mesh>> ReferredFiles::mesh(const QString &name)
+{
+    const QString path = pathOf(name);
+    if (const auto known = m_meshes.value(path))
+        return known;
+    Result<Mesh> mesh = readMesh(path);
+    if (!mesh)
+        return mesh.error();
+    return m_meshes[path] = std::make_shared<const Mesh>(std::move(*mesh));
+}
+
+QString nameInFolder(const std::string &name, const QString &folder)
+{
+    const QString path = QString::fromStdString(name);
+    if (folder.isEmpty() || QDir::isRelativePath(path))
+        return path;
+    return QDir(folder).relativeFilePath(path);
+}
+
+} // namespace pixelplumb

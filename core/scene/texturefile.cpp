@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/texturefile.h"
+
+#include "core/scene/fileaccess.h"
+
+#include <QBuffer>
+#include <QImageReader>
+
+namespace pixelplumb {
+
+namespace {
+
+bool isWithinLimits(const QSize &size)
+{
+    return size.width() >= 1 && size.height() >= 1 && size.width() <= largestTextureSide
+        && size.height() <= largestTextureSide;
+}
+
+InputError tooLarge(const QString &path, const QSize &size)
+{
+    const qint64 texels = qint64(size.width()) * size.height();
+    return {path,
+            QStringLiteral("a picture of %1 × %2, %3 MiB of texels")
+                .arg(size.width())
+                .arg(size.height())
+                .arg(texels * qint64(sizeof(Colour)) >> 20),
+            QStringLiteral("at most %1 × %1").arg(largestTextureSide)};
+}
+
+} // namespace
+
+Result<Texture> readTexture(const QString &path)
+{
+    Result<QByteArray> content = readFile(path);
+    if (!content)
+        return content.error();
+    QBuffer buffer(&content.value());
+    QImageReader reader(&buffer);
+    if (const QSize size = reader.size(); size.isValid() && !isWithinLimits(size))
+        return tooLarge(path, size);
+    const QImage picture = reader.read().convertToFormat(QImage::Format_RGB32);
+    if (picture.isNull())
+        return InputError{path, QStringLiteral("no picture: ") + reader.errorString(),
+                          QStringLiteral("a picture such as PNG or JPEG")};
+    if (!isWithinLimits(picture.size()))
+        return tooLarge(path, picture.size());
+    Texture texture{path.toStdString(), picture.width(), picture.height(), {}};
+    texture.texels.reserve(std::size_t(picture.width()) * std::size_t(picture.height()));
+    for (int row = picture.height() - 1; row >= 0; --row) {
+        const auto *pixels = reinterpret_cast<const QRgb *>(picture.constScanLine(row));
+        for (int column = 0; column < picture.width(); ++column)
+            texture.texels.push_back(unpacked(pixels[column]));
+    }
+    return texture;
+}
+
+} // namespace pixelplumb
