@@ -33,6 +33,15 @@ Scene spaceScene()
     return scene;
 }
 
+/// Waits until the panel has projected the scene.
+void open(ProjectionPanel &panel, Playhead &playhead, const Scene &scene)
+{
+    panel.show();
+    QSignalSpy spy(&panel, &ProjectionPanel::projected);
+    playhead.setTraced(traceScene(scene));
+    QVERIFY(spy.count() > 0 || spy.wait(longest));
+}
+
 /// The step at which a primitive's first sample is written, or its set-up.
 std::size_t positionIn(const Playhead &playhead, std::size_t primitive)
 {
@@ -80,8 +89,7 @@ private slots:
     {
         Playhead playhead;
         ProjectionPanel panel(&playhead);
-        panel.show();
-        playhead.setTraced(traceScene(spaceScene()));
+        open(panel, playhead, spaceScene());
         const auto *sentence = named<QLabel>(panel, "projectionSentence");
         const auto *tree = named<StageTree>(panel, "stageTree");
 
@@ -108,9 +116,7 @@ private slots:
     {
         Playhead playhead;
         ProjectionPanel panel(&playhead);
-        panel.show();
-        const Scene scene = spaceScene();
-        playhead.setTraced(traceScene(scene));
+        open(panel, playhead, spaceScene());
         playhead.seek(positionIn(playhead, 1));
         const auto *tree = named<StageTree>(panel, "stageTree");
 
@@ -138,8 +144,7 @@ private slots:
     {
         Playhead playhead;
         ProjectionPanel panel(&playhead);
-        panel.show();
-        playhead.setTraced(traceScene(spaceScene()));
+        open(panel, playhead, spaceScene());
         playhead.seek(positionIn(playhead, 1));
         const auto *tree = named<StageTree>(panel, "stageTree");
         stageItem(*tree, QStringLiteral("Camera"))->setExpanded(false);
@@ -154,10 +159,9 @@ private slots:
     {
         Playhead playhead;
         ProjectionPanel panel(&playhead);
-        panel.show();
         Scene scene;
         scene.triangles = {triangleAt(3, 4, 50, 10, 20, 40)};
-        playhead.setTraced(traceScene(scene));
+        open(panel, playhead, scene);
 
         QVERIFY(named<QLabel>(panel, "projectionSentence")
                     ->text()
@@ -169,10 +173,9 @@ private slots:
     {
         Playhead playhead;
         ProjectionPanel panel(&playhead);
-        panel.show();
         Scene scene = spaceScene();
         scene.solids.push_back(triangle3({0, 0, 6}, {1, 0, 7}, {0, 1, 8}));
-        playhead.setTraced(traceScene(scene));
+        open(panel, playhead, scene);
 
         const QString text = named<QLabel>(panel, "projectionSentence")->text();
         QVERIFY2(text.contains(QStringLiteral("1: each lies wholly before the near plane")),
@@ -274,8 +277,8 @@ private slots:
     void opensByItsKeyInBothPalettes()
     {
         QFETCH(QPalette, palette);
-        qApp->setPalette(palette);
         const auto window = openedWindow(spaceScene());
+        qApp->setPalette(palette);
         QVERIFY(waitForRun(*window));
         QAction *toggle = action(*window, "projectionDockToggle");
         QCOMPARE(toggle->shortcut(), QKeySequence(QStringLiteral("Alt+Shift+1")));

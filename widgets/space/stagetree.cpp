@@ -50,7 +50,8 @@ StageTree::StageTree(QWidget *parent)
     setFont(tabularFont(font()));
     setIndentation(indentation() / 2);
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    header()->setStretchLastSection(true);
+    header()->setStretchLastSection(false);
+    header()->setSectionResizeMode(ExactColumn, QHeaderView::Stretch);
     setItemDelegateForColumn(NameColumn, new SymbolDelegate(this));
 }
 
@@ -101,6 +102,7 @@ void StageTree::addNumber(QTreeWidgetItem *parent, const StageNumber &number)
 {
     auto *row = new QTreeWidgetItem(
         parent, {number.name, usedText(number), exactText(number), errorText(number)});
+    row->setToolTip(ExactColumn, row->text(ExactColumn));
     row->setTextAlignment(ErrorColumn, Qt::AlignRight | Qt::AlignVCenter);
 }
 
