@@ -5,6 +5,11 @@
 #include "core/scene/texturefile.h"
 
 #include <QDir>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSet>
 
 namespace pixelplumb {
 
@@ -48,6 +53,23 @@ Result<std::shared_ptr<const Mesh>> ReferredFiles::mesh(const QString &name)
     if (!mesh)
         return mesh.error();
     return m_meshes[path] = std::make_shared<const Mesh>(std::move(*mesh));
+}
+
+qint64 bytesOfReferredFiles(const QByteArray &text, const QString &folder)
+{
+    QSet<QString> names;
+    const QJsonObject scene = QJsonDocument::fromJson(text).object();
+    const QJsonObject materials = scene[QStringLiteral("materials")].toObject();
+    for (const QJsonValue material : materials)
+        names.insert(material.toObject()[QStringLiteral("texture")].toString());
+    const QJsonArray primitives = scene[QStringLiteral("primitives")].toArray();
+    for (const QJsonValue primitive : primitives)
+        names.insert(primitive.toObject()[QStringLiteral("mesh")].toString());
+    names.remove(QString());
+    qint64 bytes = 0;
+    for (const QString &name : names)
+        bytes += QFileInfo(QDir(folder).absoluteFilePath(name)).size();
+    return bytes;
 }
 
 QString nameInFolder(const std::string &name, const QString &folder)
