@@ -91,7 +91,7 @@ Departure departureOf(const FrameBuffer &drawn, const FrameBuffer &truth,
     return departure;
 }
 
-constexpr std::uint64_t seedCount = 30;
+constexpr std::uint64_t seedCount = 12;
 
 /// Calls function(scene, settings, text) for random scenes of a hardship, under each rule.
 template <class Function>
@@ -214,14 +214,26 @@ private slots:
             });
     }
 
-    // How far float32 is from the truth, by what is hard; where a sample decides by depth or by a
-    // texel's border, another surface or texel shows there.
-    void inFloat32MostPixelsAreRight_data() { addHardshipRows(); }
+    // How far float32 is from the truth. Where a sample decides by depth or by a texel's border,
+    // another surface or texel shows there; where depths differ in a last bit that float32 does not
+    // have, and far from the origin, this is seldom right.
+    void inFloat32MostPixelsAreRight_data()
+    {
+        QTest::addColumn<EffectHardship>("hardship");
+        QTest::addColumn<int>("perMille"); // pixels that are off by more than one level, at most
+        for (const EffectHardship hardship : allEffectHardships) {
+            const int bound = hardship == EffectHardship::FarAway ? 300
+                : hardship == EffectHardship::Coincident          ? 60
+                                                                  : 5;
+            QTest::newRow(qPrintable(nameOf(hardship))) << hardship << bound;
+        }
+    }
     void inFloat32MostPixelsAreRight()
     {
         QFETCH(EffectHardship, hardship);
-        std::array<int, 4> others = {};
-        std::array<int, 4> beyondOne = {};
+        QFETCH(int, perMille);
+        std::array<int, shadedMethods.size()> others = {};
+        std::array<int, shadedMethods.size()> beyondOne = {};
         int pixels = 0;
         forEachScene(hardship, {Arithmetic::Float32},
                      [&](const EffectScene &scene, const ScanSettings &settings, const QString &) {
@@ -236,12 +248,13 @@ private slots:
                          }
                      });
         for (std::size_t i = 0; i < shadedMethods.size(); ++i) {
-            qInfo().noquote() << QStringLiteral("%1: of %2 pixels %3 are others, %4 by more than "
-                                                "one level")
+            qInfo().noquote() << QStringLiteral(
+                                     "%1: of %2 pixels %3 differ, %4 by more than a level")
                                      .arg(nameOf(shadedMethods[i]))
                                      .arg(pixels)
                                      .arg(others[i])
                                      .arg(beyondOne[i]);
+            QVERIFY(1000 * beyondOne[i] <= perMille * pixels);
         }
     }
 };

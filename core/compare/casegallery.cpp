@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/compare/casegallery.h"
 
+#include "core/check/effectcase.h"
 #include "core/runs/contender.h"
 
 #include <QHash>
@@ -255,7 +256,12 @@ Scene sceneOf(const HardCase &hardCase, const Method &method, const ScanSettings
         = isShape ? method.draws(scene.shapes.front()) : method.draws(PrimitiveKind::Triangle);
     const Method &able
         = isShape ? firstMethodFor(scene.shapes.front()) : firstMethodFor(PrimitiveKind::Triangle);
-    const Contender contender = contenderFor(isDrawn ? method : able, settings);
+    Contender contender = contenderFor(isDrawn ? method : able, settings);
+    if (hardCase.kind == HardCaseKind::Effects
+        && !effectRefusal(contender.settings, *contender.method).isEmpty()) {
+        contender = contenderFor(able, settings);
+        contender.settings.arithmetic = Arithmetic::Exact;
+    }
     scene.method = contender.method->id.toStdString();
     scene.settings = contender.settings;
     return scene;
