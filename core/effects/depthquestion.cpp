@@ -13,12 +13,12 @@ namespace {
 
 // What things cost, in comparisons of two boxes, and how much may be spent.
 constexpr std::int64_t planesCost = 20;
-constexpr std::int64_t behindCost = 60;
+constexpr std::int64_t behindCost = 140;
 constexpr std::int64_t sampleCost = 10;
 constexpr std::int64_t leastBudget = 1'000'000;
 constexpr std::int64_t budgetPerTriangle = 200;
-/// How many pairs are looked at sample by sample before a witness is found.
-constexpr int mostSearches = 200;
+/// How many samples are looked at, of pairs one after another, for a witness.
+constexpr int mostSamples = 50'000;
 
 /// The triangles that take part, each with its box in the frame and its range of depths.
 struct Candidates {
@@ -197,11 +197,11 @@ private:
     /// Somewhere the later one lies behind, or may.
     void question(std::size_t earlier, std::size_t later)
     {
-        if (!isCalledFor() && m_searches < mostSearches) {
-            ++m_searches;
+        if (!isCalledFor() && m_samples < mostSamples) {
             const WitnessSearch search = searchWitness(depthTriangle(earlier), depthTriangle(later),
                                                        sharedReach(earlier, later), m_rule,
                                                        m_primitives.appearance.depthFormat);
+            m_samples += search.samples;
             m_answer.operations += sampleCost * search.samples;
             if (search.wasComplete && !search.found && m_antialiasing == Antialiasing::None) {
                 m_onlyBetweenSamples = true;
@@ -275,7 +275,7 @@ private:
     DepthAnswer m_answer;
     bool m_mayOverlap = false;
     bool m_onlyBetweenSamples = false;
-    int m_searches = 0;
+    int m_samples = 0; ///< looked at
 };
 
 } // namespace
