@@ -48,10 +48,11 @@ private slots:
         open();
 
         // Of each file, the cases with coordinates that are refused apart.
-        for (const char *name : {"hard_cases.json", "more_cases.json", "shape_cases.json"}) {
+        for (const char *name :
+             {"hard_cases.json", "more_cases.json", "shape_cases.json", "effect_cases.json"}) {
             const QString path = QStringLiteral(PIXELPLUMB_RESOURCES "/../tests/data/") + name;
             const auto cases = readHardCases(*readFile(path));
-            QVERIFY(cases.isOk() && cases->size() >= 60);
+            QVERIFY(cases.isOk() && cases->size() >= 26);
             for (const HardCase &each : *cases)
                 QVERIFY2(m_panel->choose(each.id) || each.kind == HardCaseKind::Invalid,
                          qPrintable(each.id));

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/fileaccess.h"
+#include "core/scene/referredfiles.h"
 #include "tests/support/scenetext.h"
 
 #include <QDir>
@@ -70,6 +71,21 @@ private slots:
         const QByteArray written = *readFile(elsewhere);
         QVERIFY2(written.contains("\"below/p.png\"") && written.contains("\"below/m.obj\""),
                  written.constData());
+    }
+
+    void whatASceneNamesIsWeighedBeforeItIsRead()
+    {
+        const QTemporaryDir folder;
+        write(folder.filePath(QStringLiteral("a.obj")), QByteArray(1000, ' '));
+        write(folder.filePath(QStringLiteral("b.png")), QByteArray(30, ' '));
+        const QByteArray text = sceneOf(
+            "'materials': { 'a': { 'texture': 'b.png' }, 'c': { 'texture': 'checker' } },",
+            "{ 'mesh': 'a.obj' }, { 'mesh': 'a.obj' }, { 'mesh': 'none.obj' }");
+        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        write(path, text);
+        QCOMPARE(bytesToRead(path), text.size() + 1030);
+        QCOMPARE(bytesToRead(folder.filePath(QStringLiteral("a.obj"))), qint64(1000));
+        QCOMPARE(bytesToRead(folder.filePath(QStringLiteral("none.json"))), qint64(0));
     }
 
     void filesThatCannotBeUsedAreNamed_data()

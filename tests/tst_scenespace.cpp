@@ -73,6 +73,16 @@ private slots:
                                 "-1/50331648"));
     }
 
+    void ofManyThatAreMovedTheFirstAreReportedAndAllCounted()
+    {
+        const QByteArray triangle = triangleWith("'z': [0.1, 0.1, 0.1]");
+        const Result<SceneReading> reading
+            = readScene(sceneOf({}, (triangle + ", ").repeated(999) + triangle));
+        QVERIFY(reading);
+        QCOMPARE(reading->snaps.size(), std::size_t(3000));
+        QVERIFY(reading->snaps[SnapReports::mostKept - 1].message().contains("primitives[333]"));
+    }
+
     void alphaGoesToTheAttributes()
     {
         const Scene scene = sceneFrom(sceneOf(
@@ -81,7 +91,8 @@ private slots:
         QCOMPARE(scene.attributes.size(), std::size_t(1));
         QCOMPARE(scene.attributes[0].vertices[0].alpha, std::uint8_t(128));
         QCOMPARE(scene.attributes[0].vertices[1].alpha, std::uint8_t(255));
-        QVERIFY(writeScene(scene).replace('"', '\'').contains("['#ff000080', '#00ff00', '#0000ff']"));
+        QVERIFY(
+            writeScene(scene).replace('"', '\'').contains("['#ff000080', '#00ff00', '#0000ff']"));
     }
 
     void whatSaysNothingNewIsNoAttribute()

@@ -5,6 +5,7 @@
 #include "core/effects/edgepixels.h"
 #include "core/effects/shadedscan.h"
 #include "core/effects/shadedtable.h"
+#include "core/effects/triangleneeds.h"
 
 #include <type_traits>
 
@@ -164,13 +165,18 @@ void ShadedRun<Form, N, A, Observer>::drawAreas(std::size_t index, const EffectS
                                                 ShadedSurroundings<N> &surroundings)
 {
     const ShadedTriangle triangle = triangleAt(index);
-    EffectSet covering = effects;
+    // Where nothing that is divided by w differs, samples beyond the horizon have it too.
+    EffectSet needed = effects;
+    needed.perspective = effects.perspective
+        && needsOf(triangle.triangle, triangle.attributes, surroundings.appearance)
+               .effects.perspective;
+    EffectSet covering = needed;
     covering.blending = true;
     const ShadedSetUp<N> setUp = shadedSetUpOf<Form, N>(triangle, covering);
     if (!begins(triangle, setUp))
         return;
     const Surface<N> whole = surfaceOf(triangle, surroundings);
-    const auto kernel = Table::kernelFor(effects);
+    const auto kernel = Table::kernelFor(needed);
     std::array<LatticePoint, 3> corners;
     for (std::size_t i = 0; i < 3; ++i)
         corners[i] = setUp.vertices[std::size_t(setUp.order[i])].position;
@@ -208,7 +214,7 @@ void ShadedRun<Form, N, A, Observer>::drawAreas(std::size_t index, const EffectS
         if constexpr (std::is_same_v<Observer, NullObserver>)
             kernel(setUp, column, inside, whole, frame);
         else
-            shadeColumn<Form>(setUp, column, inside, effects, whole, frame, m_observer);
+            shadeColumn<Form>(setUp, column, inside, needed, whole, frame, m_observer);
         for (std::int64_t y = inside.end; y < column.endDrawn; ++y)
             drawPart(y);
     }

@@ -21,8 +21,8 @@ using PixelPlace = std::array<std::int64_t, 2>;
 /// on which side (LitColour). Shapes are not drawn.
 ///
 /// With 4 or 16 samples all vertices move by the sample's offset; the off-screen point of the fill
-/// rule stays. With the area, a sample that lies outside of the triangle, on the horizon of its
-/// plane or beyond, draws nothing.
+/// rule stays. With the area, a sample that lies outside of a triangle in perspective, on the
+/// horizon of its plane or beyond, draws nothing.
 std::vector<PixelPlace> drawEffects(const Primitives &primitives, const ScanSettings &settings,
                                     const EffectTruth &what, FrameView frame);
 

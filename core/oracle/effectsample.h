@@ -42,7 +42,8 @@ struct EffectSample {
     std::uint8_t sharedAlpha = 255; ///< times the area where that is asked for, else the same
 };
 
-/// Inside and outside of the triangle. None where it has no area, or where 1/w is not above 0.
+/// Inside and outside of the triangle. None where it has no area, or beyond the horizon of its
+/// plane (hasPerspective).
 std::optional<EffectSample> effectSampleAt(const Primitives &primitives, std::size_t triangle,
                                            ByteRounding rounding, const EffectTruth &what,
                                            std::int64_t x, std::int64_t y);

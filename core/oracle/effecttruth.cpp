@@ -2,29 +2,46 @@
 #include "core/oracle/effecttruth.h"
 
 #include <algorithm>
+#include <functional>
 
 namespace pixelplumb::oracle {
 
 namespace {
 
-bool haveOneColour(const Triangle &triangle)
+/// Whether the three vertices have not all the same.
+template <class Vertices, class Value>
+bool differ(const Vertices &vertices, const Value &value)
 {
-    const auto &v = triangle.vertices;
-    return v[0].colour == v[1].colour && v[1].colour == v[2].colour;
+    return !std::ranges::all_of(vertices, [&](const auto &vertex) {
+        return std::invoke(value, vertex) == std::invoke(value, vertices[0]);
+    });
+}
+
+/// Whether light is another at another place: it shines from a place, or its highlight is seen
+/// from one.
+bool isLightOfPlaces(const Appearance &appearance, const Material *material)
+{
+    const auto isPositional
+        = [](const Light &light) { return light.kind == Light::Kind::Positional; };
+    return std::ranges::any_of(appearance.lights, isPositional)
+        || (appearance.viewerKind == Light::Kind::Positional && material
+            && material->specular != Colour{{0, 0, 0}});
+}
+
+bool hasTexture(const Primitives &primitives, std::size_t triangle, const EffectTruth &what)
+{
+    const Material *material = materialOf(primitives, triangle);
+    return what.texture && material && material->texture;
 }
 
 /// Beside depth and antialiasing, which are the picture's.
 bool hasEffect(const Primitives &primitives, std::size_t triangle, const EffectTruth &what)
 {
     const std::array<VertexAttributes, 3> &vertices = attributesOf(primitives, triangle);
-    const Material *material = materialOf(primitives, triangle);
     const bool isOpaque = std::ranges::all_of(
         vertices, [](const VertexAttributes &vertex) { return vertex.alpha == 255; });
-    const bool isLevel = std::ranges::all_of(
-        vertices, [&](const VertexAttributes &vertex) { return vertex.w == vertices[0].w; });
-    return (what.texture && material && material->texture) || isLit(primitives, triangle, what)
-        || (what.blending && !isOpaque)
-        || (what.perspective && !isLevel && !haveOneColour(primitives.triangles[triangle]));
+    return hasTexture(primitives, triangle, what) || isLit(primitives, triangle, what)
+        || (what.blending && !isOpaque) || hasPerspective(primitives, triangle, what);
 }
 
 } // namespace
@@ -54,6 +71,21 @@ bool isPlain(const Primitives &primitives, const EffectTruth &what)
             return false;
     }
     return true;
+}
+
+bool hasPerspective(const Primitives &primitives, std::size_t triangle, const EffectTruth &what)
+{
+    const std::array<VertexAttributes, 3> &vertices = attributesOf(primitives, triangle);
+    if (!what.perspective || !differ(vertices, &VertexAttributes::w))
+        return false;
+    const bool isPlaceSeen
+        = isLightOfPlaces(primitives.appearance, materialOf(primitives, triangle));
+    return (what.smooth && differ(primitives.triangles[triangle].vertices, &Vertex::colour))
+        || (what.blending && differ(vertices, &VertexAttributes::alpha))
+        || (hasTexture(primitives, triangle, what) && differ(vertices, &VertexAttributes::texture))
+        || (isLit(primitives, triangle, what)
+            && (differ(vertices, &VertexAttributes::normal)
+                || (isPlaceSeen && differ(vertices, &VertexAttributes::place))));
 }
 
 bool isLit(const Primitives &primitives, std::size_t triangle, const EffectTruth &what)

@@ -24,6 +24,10 @@ EffectTruth truthOf(const Appearance &appearance);
 /// without area as its segment (oracle.h). With any effect such a triangle draws nothing.
 bool isPlain(const Primitives &primitives, const EffectTruth &what);
 
+/// Whether w differs between the vertices, and something that is divided by it and seen does too.
+/// Only then has the triangle's plane a horizon: what is the same everywhere is so beyond it.
+bool hasPerspective(const Primitives &primitives, std::size_t triangle, const EffectTruth &what);
+
 /// Whether the triangle is lit at every sample.
 bool isLit(const Primitives &primitives, std::size_t triangle, const EffectTruth &what);
 

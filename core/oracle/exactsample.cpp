@@ -28,8 +28,9 @@ std::optional<ExactSample> exactSampleAt(const Primitives &primitives, std::size
     const Material *material = materialOf(primitives, triangle);
     ExactSample sample;
     sample.weights = barycentricWeights(moved, x, y);
-    sample.attributeWeights
-        = what.perspective ? perspectiveWeights(sample.weights, vertices) : sample.weights;
+    sample.attributeWeights = hasPerspective(primitives, triangle, what)
+        ? perspectiveWeights(sample.weights, vertices)
+        : sample.weights;
     if (sample.weights.whole == 0 || sample.attributeWeights.whole <= 0)
         return std::nullopt;
     const PlaneWeights &weights = sample.attributeWeights;

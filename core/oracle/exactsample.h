@@ -28,8 +28,8 @@ struct ExactSample {
     std::uint8_t alpha = 255;
 };
 
-/// None where the triangle has no area, or where 1/w is not above 0. `moved` is the triangle of
-/// that index, or the same at another place.
+/// None where the triangle has no area, or beyond the horizon of its plane. `moved` is the triangle
+/// of that index, or the same at another place.
 std::optional<ExactSample> exactSampleAt(const Primitives &primitives, std::size_t triangle,
                                          const Triangle &moved, ByteRounding rounding,
                                          const EffectTruth &what, std::int64_t x, std::int64_t y);

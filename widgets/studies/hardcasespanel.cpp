@@ -81,7 +81,8 @@ void HardCasesPanel::showEvent(QShowEvent *event)
 
 void HardCasesPanel::readCases()
 {
-    for (const char *name : {"hard_cases.json", "more_cases.json", "shape_cases.json"}) {
+    for (const char *name :
+         {"hard_cases.json", "more_cases.json", "shape_cases.json", "effect_cases.json"}) {
         QFile file(QStringLiteral(":/cases/") + QLatin1String(name));
         if (!file.open(QIODevice::ReadOnly)) {
             m_details->tell(tr("The file of hard cases %1 is not part of this program.")
