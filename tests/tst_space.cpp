@@ -2,46 +2,16 @@
 #include "core/scene/sceneprojection.h"
 #include "tests/support/spacescenes.h"
 
-#include <QRandomGenerator>
 #include <QTest>
 
 #include <cmath>
 #include <map>
-#include <set>
 
 using namespace pixelplumb;
 
 namespace {
 
 double valueOf(Attribute attribute) { return double(attribute) / double(attributeOne); }
-
-Int128 doubledAreaOf(const std::vector<Triangle> &triangles)
-{
-    Int128 sum = 0;
-    for (const Triangle &triangle : triangles)
-        sum += doubledArea(triangle);
-    return sum;
-}
-
-/// How often each directed edge is there, less how often its reverse is: nothing where every edge
-/// has its partner.
-std::map<std::pair<LatticePoint, LatticePoint>, int> openEdges(
-    const std::vector<Triangle> &triangles)
-{
-    std::map<std::pair<LatticePoint, LatticePoint>, int> edges;
-    for (const Triangle &triangle : triangles) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const LatticePoint &from = triangle.vertices[i].position;
-            const LatticePoint &to = triangle.vertices[(i + 1) % 3].position;
-            if (from < to)
-                ++edges[{from, to}];
-            else if (to < from)
-                --edges[{to, from}];
-        }
-    }
-    std::erase_if(edges, [](const auto &edge) { return edge.second == 0; });
-    return edges;
-}
 
 } // namespace
 
@@ -114,93 +84,6 @@ private slots:
         QVERIFY(std::abs(valueOf(attributes.vertices[2].z) - middle) <= std::ldexp(1, -24));
     }
 
-    void clippingKeepsTheAreaBeyondTheNearPlane()
-    {
-        // Orthographic along a slanted triangle: what is cut off is known in the plane of x and z.
-        Scene scene = sceneOf({triangle3({-2, -1, 10}, {2, -1, 10}, {0, 1, -10})});
-        scene.camera->projection = Projection::Orthographic;
-        scene.camera->height = 4;
-        scene.camera->near = 5; // the plane z = 0, halfway between both ends
-
-        const ProjectedSolids projected = projectedSolids(scene);
-
-        // The upper half of the triangle in height has a quarter of its area: 4·2/2/4 = 1.
-        const double unit = 80 / 4.0 * 256;
-        const auto area = double(doubledAreaOf(projected.triangles)) / 2;
-        QCOMPARE(projected.triangles.size(), 1U);
-        QVERIFY(std::abs(area / (unit * unit) - 1) < 1e-3);
-    }
-
-    void clippedPolygonsHoldWhatLiesBeyondThePlaneAndNothingElse()
-    {
-        QRandomGenerator random(11);
-        const auto number = [&random] { return random.generateDouble() * 8 - 4; };
-        int clipped = 0;
-        for (int round = 0; round < 200; ++round) {
-            const Vector3 a = {number(), number(), number()};
-            const Vector3 b = {number(), number(), number()};
-            const Vector3 c = {number(), number(), number()};
-            Scene scene = sceneOf({triangle3(a, b, c)});
-            scene.camera->projection = Projection::Orthographic;
-            scene.camera->near = 5;
-
-            const ProjectedSolids projected = projectedSolids(scene);
-
-            clipped += projected.triangles.size() != 1 ? 1 : 0;
-            // Half-planes: points of the triangle, and whether a piece holds them.
-            for (int i = 0; i < 100; ++i) {
-                double s = random.generateDouble();
-                double t = random.generateDouble();
-                if (s + t > 1) {
-                    s = 1 - s;
-                    t = 1 - t;
-                }
-                const auto mixed = [&](std::size_t axis) {
-                    return a[axis] + s * (b[axis] - a[axis]) + t * (c[axis] - a[axis]);
-                };
-                const double x = 100 / 2.0 + mixed(0) / 4 * 80 - 0.5;
-                const double y = 80 / 2.0 + mixed(1) / 4 * 80 - 0.5;
-                const auto distance = distanceFrom(projected.triangles, x, y);
-                if (mixed(2) < 0)
-                    QVERIFY2(distance <= 0.01, qPrintable(QString::number(distance)));
-                else if (std::abs(doubledAreaInPixels(a, b, c)) > 100)
-                    QVERIFY(distance > 0 || mixed(2) < 0.2);
-            }
-        }
-        QVERIFY(clipped > 50);
-    }
-
-    void anEdgeIsCutAtTheSamePointFromBothOfItsFaces()
-    {
-        // Clipping a whole solid opens it along the near plane alone, and makes no T-junction.
-        for (const SolidKind kind : {SolidKind::Sphere, SolidKind::Patch, SolidKind::Mesh}) {
-            Scene scene = sceneOf({solidOf(kind)});
-            scene.camera->eye = {0.3, 0.4, 1.9};
-            scene.camera->near = 1.3;
-
-            const ProjectedSolids projected = projectedSolids(scene);
-
-            std::set<LatticePoint> onPlane;
-            for (std::size_t i = 0; i < projected.triangles.size(); ++i) {
-                for (std::size_t k = 0; k < 3; ++k) {
-                    if (projected.attributes[i].vertices[k].z == 0)
-                        onPlane.insert(projected.triangles[i].vertices[k].position);
-                }
-            }
-            const auto open = openEdges(projected.triangles);
-            const std::set<LatticePoint> border = bordersOf(scene.solids[0], scene);
-            int openOnPlane = 0;
-            for (const auto &[edge, count] : open) {
-                const bool isOnPlane
-                    = onPlane.contains(edge.first) && onPlane.contains(edge.second);
-                openOnPlane += isOnPlane ? 1 : 0;
-                const bool isBorder = border.contains(edge.first) || border.contains(edge.second);
-                QVERIFY(isOnPlane || isBorder);
-            }
-            QVERIFY(openOnPlane > 2);
-        }
-    }
-
     void verticesThatFacesShareAreOnePointAndOneDepth()
     {
         for (const SolidKind kind : {SolidKind::Sphere, SolidKind::Patch, SolidKind::Mesh}) {
@@ -222,19 +105,6 @@ private slots:
             if (kind == SolidKind::Sphere)
                 QVERIFY(openEdges(projected.triangles).empty());
         }
-    }
-
-    void whatLiesBeforeTheNearPlaneIsLostWithItsReason()
-    {
-        const Scene scene = sceneOf({triangle3({0, 0, 6}, {1, 0, 7}, {0, 1, 8}),
-                                     triangle3({0, 0, 0}, {1, 0, 0}, {0, 1, 0})});
-
-        const ProjectedSolids projected = projectedSolids(scene);
-
-        QCOMPARE(projected.triangles.size(), 1U);
-        QCOMPARE(projected.sources[0], (TriangleSource{1, 0, 0}));
-        QCOMPARE(projected.lost.size(), 1U);
-        QCOMPARE(projected.lost[0], (LostTriangle{{0, 0, 0}, ProjectionLoss::BehindNearPlane}));
     }
 
     void anEyeInsideATriangleSeesItEdgeOn()

@@ -150,10 +150,10 @@ private:
         return centre;
     }
 
-    Colour lit(const LitColour<Number> &lit)
+    Colour lit(const LitColour<Number> &corner)
     {
-        m_face.lit.push_back(lit);
-        const auto levels = litLevels(m_appearance, m_material, lit.colour, lit.point);
+        m_face.lit.push_back(corner);
+        const auto levels = litLevels(m_appearance, m_material, corner.colour, corner.point);
         return {{levelByte(levels[0]), levelByte(levels[1]), levelByte(levels[2])}};
     }
 

@@ -112,6 +112,24 @@ double doubledAreaInPixels(const Vector3 &a, const Vector3 &b, const Vector3 &c)
     return ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])) * 20 * 20;
 }
 
+std::map<std::pair<LatticePoint, LatticePoint>, int> openEdges(
+    const std::vector<Triangle> &triangles)
+{
+    std::map<std::pair<LatticePoint, LatticePoint>, int> edges;
+    for (const Triangle &triangle : triangles) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const LatticePoint &from = triangle.vertices[i].position;
+            const LatticePoint &to = triangle.vertices[(i + 1) % 3].position;
+            if (from < to)
+                ++edges[{from, to}];
+            else if (to < from)
+                --edges[{to, from}];
+        }
+    }
+    std::erase_if(edges, [](const auto &edge) { return edge.second == 0; });
+    return edges;
+}
+
 std::set<LatticePoint> bordersOf(const Solid &solid, const Scene &scene)
 {
     std::set<LatticePoint> border;

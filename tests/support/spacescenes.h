@@ -3,6 +3,7 @@
 
 #include "core/scene/sceneprojection.h"
 
+#include <map>
 #include <set>
 
 namespace pixelplumb {
@@ -22,6 +23,11 @@ double distanceFrom(const std::vector<Triangle> &triangles, double x, double y);
 /// Twice the area of a triangle in the plane of x and y, in px² of an orthographic view of height 4
 /// in 80 rows.
 double doubledAreaInPixels(const Vector3 &a, const Vector3 &b, const Vector3 &c);
+
+/// How often each directed edge is there, less how often its reverse is: nothing where every edge
+/// has its partner.
+std::map<std::pair<LatticePoint, LatticePoint>, int> openEdges(
+    const std::vector<Triangle> &triangles);
 
 /// The places in the frame of a patch's rim, cut or not; nothing of a closed solid.
 std::set<LatticePoint> bordersOf(const Solid &solid, const Scene &scene);
