@@ -81,8 +81,11 @@ private slots:
         const QByteArray text = sceneOf(
             "'materials': { 'a': { 'texture': 'b.png' }, 'c': { 'texture': 'checker' } },",
             "{ 'mesh': 'a.obj' }, { 'mesh': 'a.obj' }, { 'mesh': 'none.obj' }");
-        QCOMPARE(bytesOfReferredFiles(text, folder.path()), qint64(1030));
-        QCOMPARE(bytesOfReferredFiles("no scene", folder.path()), qint64(0));
+        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        write(path, text);
+        QCOMPARE(bytesToRead(path), text.size() + 1030);
+        QCOMPARE(bytesToRead(folder.filePath(QStringLiteral("a.obj"))), qint64(1000));
+        QCOMPARE(bytesToRead(folder.filePath(QStringLiteral("none.json"))), qint64(0));
     }
 
     void filesThatCannotBeUsedAreNamed_data()

@@ -72,7 +72,7 @@ private:
     JsonReader &m_json;
     CaseCoordinates &m_coordinates;
     HardCase &m_case;
-    std::vector<SnapReport> m_snaps;
+    SnapReports m_snaps;
     NumberReader m_numbers{m_json, m_snaps};
 };
 

@@ -19,7 +19,7 @@ inline constexpr Attribute largestAttributeValue = Attribute(1) << 20;
 inline constexpr Attribute largestAttribute = largestAttributeValue * attributeOne;
 
 /// What a vertex may carry beside its colour (Scan Conversion slides, "Interpolation During Scan
-/// Conversion"; Triangles slides, "Projection of triangles").
+/// Conversion"; Triangle Rasterization slides, "Projection of triangles").
 struct VertexAttributes {
     Attribute z = 0; ///< depth; smaller is nearer; 0 … 1 between a camera's planes
     /// What the camera divided by, > 0; only its ratio to the other vertices' counts. Attributes

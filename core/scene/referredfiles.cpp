@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/referredfiles.h"
 
+#include "core/scene/fileaccess.h"
 #include "core/scene/meshfile.h"
+#include "core/scene/scenefile.h"
 #include "core/scene/texturefile.h"
 
 #include <QDir>
@@ -55,10 +57,17 @@ Result<std::shared_ptr<const Mesh>> ReferredFiles::mesh(const QString &name)
     return m_meshes[path] = std::make_shared<const Mesh>(std::move(*mesh));
 }
 
-qint64 bytesOfReferredFiles(const QByteArray &text, const QString &folder)
+qint64 bytesToRead(const QString &path)
 {
+    const QFileInfo file(path);
+    qint64 bytes = file.size();
+    if (!file.isFile() || bytes > largestWholeText)
+        return bytes;
+    const Result<QByteArray> text = readFile(path);
+    if (!text)
+        return bytes;
     QSet<QString> names;
-    const QJsonObject scene = QJsonDocument::fromJson(text).object();
+    const QJsonObject scene = QJsonDocument::fromJson(*text).object();
     const QJsonObject materials = scene[QStringLiteral("materials")].toObject();
     for (const QJsonValue material : materials)
         names.insert(material.toObject()[QStringLiteral("texture")].toString());
@@ -66,9 +75,8 @@ qint64 bytesOfReferredFiles(const QByteArray &text, const QString &folder)
     for (const QJsonValue primitive : primitives)
         names.insert(primitive.toObject()[QStringLiteral("mesh")].toString());
     names.remove(QString());
-    qint64 bytes = 0;
     for (const QString &name : names)
-        bytes += QFileInfo(QDir(folder).absoluteFilePath(name)).size();
+        bytes += QFileInfo(file.absoluteDir().absoluteFilePath(name)).size();
     return bytes;
 }
 

@@ -32,9 +32,9 @@ private:
     std::size_t m_texels = 0;
 };
 
-/// How many bytes the pictures and meshes have that a scene's text names, so far as they are there;
-/// for guesses of how long it takes to read them. 0 for what is no scene.
-qint64 bytesOfReferredFiles(const QByteArray &text, const QString &folder);
+/// How many bytes a scene's file has with the pictures and meshes that it names, so far as they are
+/// there; for guesses of how long it takes to read them. Beyond 1 MiB its own alone.
+qint64 bytesToRead(const QString &path);
 
 /// A file's name as a scene in the folder says it: relative where there is a folder; names that are
 /// no absolute path, as "checker", stay.

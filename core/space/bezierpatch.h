@@ -25,7 +25,7 @@ std::array<Number, 4> bernsteinSlopes(const Number &t)
 }
 
 /// A bicubic Bézier patch, P(u, v) = Σᵢ Σⱼ Bᵢ(v) Bⱼ(u) Pᵢⱼ with row i and column j of its 16
-/// control points (Scan Conversion slides, "Surfaces").
+/// control points [Farin 2002].
 template <class Number>
 class BezierPatch {
 public:

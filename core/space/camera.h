@@ -11,8 +11,8 @@ using Vector3 = std::array<double, 3>;
 
 enum class Projection : std::uint8_t { Perspective, Orthographic };
 
-/// Through what a scene's solids are seen (Triangles slides, "Projection of points", "Projection of
-/// triangles"; Scan Conversion slides, "Projective Rendering Pipeline").
+/// Through what a scene's solids are seen (Triangle Rasterization slides, "Projection of points",
+/// "Projection of triangles"; Scan Conversion slides, "Projective Rendering Pipeline").
 struct Camera {
     Projection projection = Projection::Perspective;
     Vector3 eye = {0, 0, 5};

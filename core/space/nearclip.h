@@ -53,9 +53,9 @@ ClippedCorner<Number> cutEdge(const std::vector<ClipVertex<Number>> &polygon, st
     return corner;
 }
 
-/// The part of a convex polygon at or beyond the near plane, edge by edge (Sutherland and Hodgman,
-/// "Reentrant Polygon Clipping", 1974). Only this plane: beyond it w > 0, and the frame clips what
-/// leaves it sideways by its rows and columns.
+/// The part of a convex polygon at or beyond the near plane, edge by edge [Sutherland 1974]. Only
+/// this plane: beyond it w > 0, and the frame clips what leaves it sideways by its rows and
+/// columns.
 template <class Number>
 void clipAtNear(const std::vector<ClipVertex<Number>> &polygon, const Number &wAtNear,
                 std::vector<ClippedCorner<Number>> &clipped)

@@ -12,7 +12,7 @@
 namespace pixelplumb {
 
 /// What a primitive in three dimensions is (Rasterization slides, "Output Primitives"; Scan
-/// Conversion slides, "Surfaces").
+/// Conversion slides, "Polygons").
 enum class SolidKind : std::uint8_t {
     Triangle3, ///< three corners
     Polygon3, ///< three or more corners, convex, in one plane

@@ -100,7 +100,8 @@ struct FormWords {
 FormWords wordsOf(SurfaceKind kind)
 {
     const QString steps = QStringLiteral("gives every point in turn, also where the line is steep");
-    const QString sides = QStringLiteral("its sign tells the side on which a point lies");
+    const QString sides
+        = QStringLiteral("its sign tells the side on which a point lies; k·F is 0 there as well");
     switch (kind) {
     case SurfaceKind::Line:
         return {QStringLiteral("y = m·x + b, m = (y₁ − y₀)/(x₁ − x₀), b = y₀ − m·x₀"),
@@ -110,12 +111,13 @@ FormWords wordsOf(SurfaceKind kind)
                 QStringLiteral("F(x, y) = (x − x₀)·(y₁ − y₀) − (y − y₀)·(x₁ − x₀) = 0"),
                 sides};
     case SurfaceKind::Circle:
-        return {QStringLiteral("y = y_c ± √(r² − (x − x_c)²)"),
-                QStringLiteral("two branches; their slope is infinite at x_c ± r"),
-                QStringLiteral("P(s) = C + r·(cos 2πs, sin 2πs)"),
-                QStringLiteral("equal steps of s are equal steps along the circle"),
-                QStringLiteral("F(x, y) = (x − x_c)² + (y − y_c)² − r² = 0"),
-                QStringLiteral("below 0 inside, above 0 outside")};
+        return {
+            QStringLiteral("y = y_c ± √(r² − (x − x_c)²)"),
+            QStringLiteral("two branches; their slope is infinite at x_c ± r"),
+            QStringLiteral("P(s) = C + r·(cos 2πs, sin 2πs)"),
+            QStringLiteral("equal steps of s are equal steps along it; 5s names the same points"),
+            QStringLiteral("F(x, y) = (x − x_c)² + (y − y_c)² − r² = 0"),
+            QStringLiteral("below 0 inside, above 0 outside")};
     case SurfaceKind::Plane:
         return {QStringLiteral("z = z₀ − (N_x·(x − x₀) + N_y·(y − y₀))/N_z, "
                                "N = (P₁ − P₀) × (P₂ − P₀)"),

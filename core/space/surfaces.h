@@ -5,7 +5,8 @@
 
 namespace pixelplumb {
 
-/// Curves and surfaces that have all three forms (Scan Conversion slides, "Lines", "Surfaces").
+/// Curves and surfaces that have all three forms (Scan Conversion slides, "Lines and Curves:
+/// Explicit", "Lines and Curves: Parametric", "Lines and Curves: Implicit").
 enum class SurfaceKind : std::uint8_t { Line, Circle, Plane, Sphere };
 inline constexpr std::array allSurfaces
     = {SurfaceKind::Line, SurfaceKind::Circle, SurfaceKind::Plane, SurfaceKind::Sphere};

@@ -34,7 +34,7 @@ struct LightTerm {
     Number specular = Number(0); ///< max(0, N·H)^shininess where N·L > 0
 };
 
-/// With H the unit vector of L + V (Blinn 1977).
+/// With H the unit vector of L + V [Blinn 1977].
 template <class Number>
 LightTerm<Number> lightTerm(const Appearance &appearance, const Light &light, int shininess,
                             const LitPoint<Number> &point);

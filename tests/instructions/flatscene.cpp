@@ -1,21 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/frame/framebuffer.h"
-#include "core/methods/columnscan.h"
 #include "core/methods/edgewalkkernels.h"
+#include "core/methods/plannedmethod.h"
 
 #include <cstdlib>
 #include <cstring>
 
 using namespace pixelplumb;
 
-/// flatscene planned|plain: draws a scene that calls for nothing beyond colour, by the method,
+/// flatscene planned|plain: draws a scene that calls for nothing beyond colour, as the method does,
 /// which asks what it calls for, or by the kernel that knew no effects. The test counts the
 /// instructions of both.
 int main(int argc, char **argv)
 {
     if (argc != 2)
         return EXIT_FAILURE;
-    const Method method = columnScanMethod();
     FrameSpec spec;
     spec.width = 509;
     spec.height = 503;
@@ -28,7 +27,8 @@ int main(int argc, char **argv)
     const ScanSettings settings;
     for (int repeat = 0; repeat < 5; ++repeat) {
         if (std::strcmp(argv[1], "planned") == 0)
-            method.draw(primitives, settings, frame.view());
+            drawPlanned<ShadedMethod::ColumnScan, drawWith<ColumnScanKernel>>(primitives, settings,
+                                                                              frame.view());
         else
             drawWith<ColumnScanKernel>(primitives, settings, frame.view());
     }

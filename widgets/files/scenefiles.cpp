@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/files/scenefiles.h"
 
-#include "core/scene/fileaccess.h"
 #include "core/scene/referredfiles.h"
 #include "core/scene/scenefile.h"
 #include "widgets/files/examplefolder.h"
@@ -26,16 +25,6 @@ constexpr qint64 largestReadAtOnce = qint64(1) << 18;
 
 /// More primitives take longer to write than a person should wait (some 5 µs each).
 constexpr std::size_t mostWrittenAtOnce = 5'000;
-
-/// Whether a file, with those that it names, takes longer to read than a person should wait.
-bool isLarge(const QString &path)
-{
-    const QFileInfo info(path);
-    if (info.size() > largestReadAtOnce || !info.isFile())
-        return info.size() > largestReadAtOnce;
-    const Result<QByteArray> text = readFile(path);
-    return text && bytesOfReferredFiles(*text, info.absolutePath()) > largestReadAtOnce;
-}
 
 QString sceneFilter() { return SceneFiles::tr("Scenes (*.json);;All files (*)"); }
 
@@ -77,7 +66,7 @@ bool SceneFiles::mayReplace()
 
 bool SceneFiles::load(const QString &path)
 {
-    if (isLarge(path)) {
+    if (bytesToRead(path) > largestReadAtOnce) {
         m_editsAtLoad = m_document->undoStack()->index();
         m_loading.setTitle(tr("Opening %1").arg(QFileInfo(path).fileName()));
         m_loading.start(
