@@ -73,6 +73,66 @@ private slots:
         QCOMPARE(report.count(CaseOutcome::Passed), std::int64_t(12)); // four by three rules
     }
 
+    void inFloat32MethodsFallShortWhereRecorded_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<QStringList>("ids");
+        QTest::newRow("column-scan")
+            << QStringLiteral("column-scan")
+            << QStringList{QStringLiteral("effect_board_in_perspective"),
+                           QStringLiteral("effect_far_away"),
+                           QStringLiteral("effect_uv_on_borders_in_perspective"),
+                           QStringLiteral("effect_depth_last_bit"),
+                           QStringLiteral("effect_depth_crossing_on_samples"),
+                           QStringLiteral("effect_depth_fighting_16_bits"),
+                           QStringLiteral("effect_t_junction_in_perspective"),
+                           QStringLiteral("effect_alphas_of_0_and_254"),
+                           QStringLiteral("effect_slivers_by_16_samples"),
+                           QStringLiteral("effect_samples_and_depth")};
+        QTest::newRow("interpolate-bilinear")
+            << QStringLiteral("interpolate-bilinear")
+            << QStringList{QStringLiteral("effect_board_in_perspective"),
+                           QStringLiteral("effect_far_away"),
+                           QStringLiteral("effect_uv_on_borders_in_perspective"),
+                           QStringLiteral("effect_depth_last_bit"),
+                           QStringLiteral("effect_depth_crossing_on_samples"),
+                           QStringLiteral("effect_depth_fighting_16_bits"),
+                           QStringLiteral("effect_t_junction_in_perspective"),
+                           QStringLiteral("effect_alphas_of_0_and_254"),
+                           QStringLiteral("effect_samples_and_depth")};
+        QTest::newRow("interpolate-plane")
+            << QStringLiteral("interpolate-plane")
+            << QStringList{QStringLiteral("effect_far_away"),
+                           QStringLiteral("effect_uv_on_borders_in_perspective"),
+                           QStringLiteral("effect_depth_last_bit"),
+                           QStringLiteral("effect_t_junction_in_perspective")};
+        QTest::newRow("interpolate-barycentric")
+            << QStringLiteral("interpolate-barycentric")
+            << QStringList{QStringLiteral("effect_far_away"),
+                           QStringLiteral("effect_uv_on_borders_in_perspective"),
+                           QStringLiteral("effect_depth_last_bit"),
+                           QStringLiteral("effect_depth_crossing_on_samples"),
+                           QStringLiteral("effect_depth_24_bits_ties"),
+                           QStringLiteral("effect_alphas_of_0_and_254")};
+    }
+    void inFloat32MethodsFallShortWhereRecorded()
+    {
+        QFETCH(QString, method);
+        QFETCH(QStringList, ids);
+        const Method *drawnBy = methodNamed(method);
+        std::vector<Contender> contenders;
+        for (const FillRule rule : drawnBy->fillRules)
+            contenders.push_back({drawnBy, {Arithmetic::Float32, rule, nearest}});
+
+        QStringList fallenShort;
+        for (const HardCase &hardCase : m_cases) {
+            if (checkCase(hardCase, contenders).summary() == CaseOutcome::FellShort)
+                fallenShort.append(hardCase.id);
+        }
+
+        QCOMPARE(fallenShort, ids);
+    }
+
     void aFalseFactFallsShort()
     {
         HardCase hardCase = caseNamed(m_cases, QStringLiteral("effect_depth_last_bit"));

@@ -80,8 +80,10 @@ std::optional<EffectSample> effectSampleAt(const Primitives &primitives, std::si
     for (const WeightedTexel &texel : exact->texels)
         sample.texels.push_back({texel.i, texel.j, quantityOf(texel.weight), texel.colour});
     sample.textured = exact->textured;
-    sample.normal = plainQuantities(exact->normal);
-    sample.place = plainQuantities(exact->place);
+    if (exact->lit) {
+        sample.normal = plainQuantities(exact->normal);
+        sample.place = plainQuantities(exact->place);
+    }
     sample.lit = exact->lit;
     sample.colour = exact->colour;
     sample.alphaLevel = quantityOf(exact->alphaLevel);

@@ -33,6 +33,7 @@ struct EffectSample {
     std::array<Quantity, 2> affineTexture; ///< as if all w were equal
     std::vector<TexelTruth> texels; ///< one, or four in the order of texelsAt; none without texture
     Colour textured; ///< modulated by them
+    // Where there is light.
     std::array<Quantity, 3> normal; ///< not of unit length
     std::array<Quantity, 3> place;
     std::optional<LitColour> lit; ///< none without light

@@ -49,12 +49,6 @@ std::optional<ExactSample> exactSampleAt(const Primitives &primitives, std::size
         sample.texture[axis] = plainly(weights.mean(
             each(vertices, [&](const VertexAttributes &of) { return of.texture[axis]; })));
     }
-    for (std::size_t axis = 0; axis < 3; ++axis) {
-        sample.normal[axis] = weights.mean(
-            each(vertices, [&](const VertexAttributes &of) { return of.normal[axis]; }));
-        sample.place[axis] = weights.mean(
-            each(vertices, [&](const VertexAttributes &of) { return of.place[axis]; }));
-    }
 
     sample.textured = sample.interpolated;
     if (what.texture && material)
@@ -63,6 +57,12 @@ std::optional<ExactSample> exactSampleAt(const Primitives &primitives, std::size
         sample.textured = modulated(sample.interpolated, textureByte(sample.texels));
     sample.colour = sample.textured;
     if (isLit(primitives, triangle, what)) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            sample.normal[axis] = weights.mean(
+                each(vertices, [&](const VertexAttributes &of) { return of.normal[axis]; }));
+            sample.place[axis] = weights.mean(
+                each(vertices, [&](const VertexAttributes &of) { return of.place[axis]; }));
+        }
         sample.lit = litColour(sample.textured, sample.normal, sample.place, primitives.appearance,
                                material);
         sample.colour = sample.lit->colour;

@@ -20,8 +20,9 @@ struct ExactSample {
     std::array<WideFraction, 2> texture; ///< u, v
     std::vector<WeightedTexel> texels; ///< none without texture
     Colour textured; ///< modulated by them
-    std::array<WideFraction, 3> normal; ///< in units of an Attribute, not of unit length
-    std::array<WideFraction, 3> place; ///< in units of an Attribute
+    // Where there is light, in units of an Attribute.
+    std::array<WideFraction, 3> normal; ///< not of unit length
+    std::array<WideFraction, 3> place;
     std::optional<LitColour> lit; ///< none without light
     Colour colour; ///< after all of it
     WideFraction alphaLevel;

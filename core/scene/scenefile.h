@@ -39,6 +39,9 @@ public:
     std::size_t size() const { return m_count; }
     const SnapReport &front() const { return m_kept.front(); }
     const SnapReport &operator[](std::size_t index) const { return m_kept[index]; } ///< < mostKept
+    // Those that are kept.
+    auto begin() const { return m_kept.begin(); }
+    auto end() const { return m_kept.end(); }
 
 private:
     std::vector<SnapReport> m_kept;
