@@ -17,8 +17,9 @@ private slots:
     void aNullObserverCostsWhatNoObserverCosts()
     {
         QFETCH(QString, arithmetic);
-        const qint64 hooked = instructionsOf({arithmetic, QStringLiteral("hooked")});
-        const qint64 twin = instructionsOf({arithmetic, QStringLiteral("twin")});
+        const QString kernels = QStringLiteral(PIXELPLUMB_KERNELS);
+        const qint64 hooked = instructionsOf({kernels, arithmetic, QStringLiteral("hooked")});
+        const qint64 twin = instructionsOf({kernels, arithmetic, QStringLiteral("twin")});
         // 1 021 000 pixels: what the program itself costs is under half an instruction a pixel.
         constexpr qint64 fewest = qint64(10) * 1021000;
         QVERIFY2(hooked > fewest && twin > fewest, "both loops must have run and been counted");
@@ -28,14 +29,25 @@ private slots:
             qPrintable(QStringLiteral("hooked %1, twin %2 instructions").arg(hooked).arg(twin)));
     }
 
+    void aSceneWithoutEffectsCostsWhatItCostBeforeThereWereAny()
+    {
+        const QString scene = QStringLiteral(PIXELPLUMB_FLATSCENE);
+        const qint64 planned = instructionsOf({scene, QStringLiteral("planned")});
+        const qint64 plain = instructionsOf({scene, QStringLiteral("plain")});
+        QVERIFY2(plain > 100'000'000, "some millions of pixels must have been drawn and counted");
+        // Each picture asks once; a thousandth would be some instructions a column.
+        QVERIFY2(qAbs(planned - plain) * 1000 < plain,
+                 qPrintable(QStringLiteral("planned %1, plain %2").arg(planned).arg(plain)));
+    }
+
 private:
+    /// Of a program with its arguments.
     static qint64 instructionsOf(const QStringList &arguments)
     {
         QProcess valgrind;
         valgrind.start(QStringLiteral("valgrind"),
                        QStringList{QStringLiteral("--tool=callgrind"),
-                                   QStringLiteral("--callgrind-out-file=/dev/null"),
-                                   QStringLiteral(PIXELPLUMB_KERNELS)}
+                                   QStringLiteral("--callgrind-out-file=/dev/null")}
                            + arguments);
         if (!valgrind.waitForFinished(120000))
             return -1;

@@ -33,7 +33,98 @@ private slots:
     void selectionGoesWithItsTriangle();
     void snapsToTheChosenLattice_data();
     void snapsToTheChosenLattice();
+    void editsOfTheFrameKeepWhatStandsInSpace();
+    void changesInSpaceAreEdits();
+    void clearTakesTheSolidsAndUndoBringsThemBack();
 };
+
+/// A triangle, a sphere and a point, with a light.
+Scene sceneInSpace()
+{
+    Scene scene;
+    scene.triangles = {triangle(0)};
+    scene.camera = Camera();
+    Solid sphere;
+    sphere.kind = SolidKind::Sphere;
+    sphere.corners = {{{0, 0, 0}}};
+    scene.solids = {sphere};
+    Shape point;
+    point.kind = PrimitiveKind::Point;
+    point.vertices = {{latticePixel(3, 3), red}};
+    scene.shapes = {point};
+    scene.appearance.lights = {Light{Light::Kind::Directional, {attributeOne, 0, 0}}};
+    return scene;
+}
+
+void TestSceneDocument::editsOfTheFrameKeepWhatStandsInSpace()
+{
+    SceneDocument document;
+    const Scene scene = sceneInSpace();
+    document.reset(scene);
+    QCOMPARE(document.primitiveCount(), 2);
+    QCOMPARE(document.kindOf(1), PrimitiveKind::Point);
+
+    document.addTriangle(triangle(5));
+    document.moveVertex({2, 0}, latticePixel(9, 9), document.newDrag());
+    document.deletePrimitive(0);
+    QCOMPARE(document.scene().shapes[0].vertices[0].position, latticePixel(9, 9));
+    QCOMPARE(document.scene().triangles, std::vector{triangle(5)});
+    QCOMPARE(document.scene().solids, scene.solids);
+    QCOMPARE(document.scene().camera, scene.camera);
+    QCOMPARE(document.scene().appearance, scene.appearance);
+
+    document.undoStack()->setIndex(0);
+    QCOMPARE(document.scene(), scene);
+}
+
+void TestSceneDocument::changesInSpaceAreEdits()
+{
+    SceneDocument document;
+    const Scene scene = sceneInSpace();
+    document.reset(scene);
+    Camera camera;
+    Solid sphere = scene.solids[0];
+    const int drag = document.newDrag();
+    for (const double x : {1.0, 2.0, 3.0}) {
+        camera.eye[0] = x;
+        document.setCamera(camera, drag);
+    }
+    QCOMPARE(document.undoStack()->count(), 1); // one drag
+    const int segmentsDrag = document.newDrag();
+    for (const int around : {20, 24}) {
+        sphere.segments[0] = around;
+        document.setSolid(0, sphere, segmentsDrag);
+    }
+    document.setSolid(7, sphere, document.newDrag()); // there is none
+    Appearance flat = scene.appearance;
+    flat.shading = Shading::Flat;
+    document.setAppearance(flat);
+    QCOMPARE(document.undoStack()->count(), 3);
+    QCOMPARE(document.scene().camera->eye[0], 3.0);
+    QCOMPARE(document.scene().solids[0].segments[0], 24);
+    QCOMPARE(document.scene().appearance.shading, Shading::Flat);
+
+    document.undoStack()->undo();
+    document.undoStack()->undo();
+    QCOMPARE(document.scene().solids, scene.solids);
+    QCOMPARE(document.scene().camera->eye[0], 3.0);
+    document.undoStack()->undo();
+    QCOMPARE(document.scene(), scene);
+}
+
+void TestSceneDocument::clearTakesTheSolidsAndUndoBringsThemBack()
+{
+    SceneDocument document;
+    const Scene scene = sceneInSpace();
+    document.reset(scene);
+
+    document.clear();
+    QVERIFY(document.scene().isEmpty());
+    QVERIFY(document.scene().camera.has_value());
+
+    document.undoStack()->undo();
+    QCOMPARE(document.scene(), scene);
+}
 
 void TestSceneDocument::everyThirdVertexCompletesATriangle()
 {

@@ -90,7 +90,7 @@ private slots:
 
         QVERIFY2(reading.isOk(), reading ? "" : qPrintable(reading.error().message()));
         QVERIFY(reading->snaps.empty());
-        QVERIFY(!reading->scene.triangles.empty() || !reading->scene.shapes.empty());
+        QVERIFY(!reading->scene.isEmpty());
     }
 };
 

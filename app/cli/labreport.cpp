@@ -193,6 +193,28 @@ QStringList driftText(const Study &study)
     + aligned(lines);
 }
 
+/// What effects cost and what they mend.
+QStringList effectsText(const Study &study)
+{
+    if (study.effects.empty())
+        return {};
+    std::vector<Line> lines
+        = {{QStringLiteral("scene"), QStringLiteral("way"), QStringLiteral("arithmetic"),
+            QStringLiteral("ns/px"), QStringLiteral("× first"), QStringLiteral("error, levels"),
+            QStringLiteral("wrong pixels"), QStringLiteral("off the surface"), QString()}};
+    for (const EffectRow &row : study.effects)
+        lines.push_back(
+            {row.group, row.way, nameText(nameOf(row.arithmetic)),
+             number(row.perPixel ? std::optional(row.perPixel->median) : std::nullopt, 2),
+             number(row.timesFirst ? std::optional(row.timesFirst->median) : std::nullopt, 2),
+             number(row.rms, 2), QString::number(row.wrongPixels), shortNumber(row.distance),
+             QString()});
+    return QStringList{QString(),
+                       QStringLiteral("What effects cost and what they mend: plain kernels of the "
+                                      "column scan; errors from the exact area or the truth")}
+    + aligned(lines);
+}
+
 } // namespace
 
 QStringList textOf(const Study &study)
@@ -205,6 +227,7 @@ QStringList textOf(const Study &study)
     text += fitText(study);
     text += growthText(study);
     text += driftText(study);
+    text += effectsText(study);
     text << QString() << QStringLiteral("again: ") + study.command;
     return text;
 }

@@ -50,7 +50,7 @@ std::optional<InputError> firstError(const Results &...results)
 }
 
 /// The first snapped coordinates one by one, the others by their number.
-void reportSnaps(const QString &path, const std::vector<SnapReport> &snaps)
+void reportSnaps(const QString &path, const SnapReports &snaps)
 {
     constexpr std::size_t mostReported = 5;
     const std::size_t reported = std::min(snaps.size(), mostReported);

@@ -2,6 +2,7 @@
 #include "core/check/casecheck.h"
 
 #include "core/check/attributecase.h"
+#include "core/check/effectcase.h"
 #include "core/check/linecase.h"
 #include "core/check/shapecase.h"
 #include "core/check/trianglecase.h"
@@ -49,9 +50,11 @@ QString whyNoneDraws(const HardCase &hardCase)
 /// Why the contender refuses what the case draws; empty where it does not.
 QString refusalOf(const Contender &contender, const HardCase &hardCase)
 {
-    return hardCase.kind == HardCaseKind::Polygon
-        ? shapeRefusal(hardCase, contender.settings, *contender.method)
-        : QString();
+    if (hardCase.kind == HardCaseKind::Polygon)
+        return shapeRefusal(hardCase, contender.settings, *contender.method);
+    if (hardCase.kind == HardCaseKind::Effects)
+        return effectRefusal(contender.settings, *contender.method);
+    return {};
 }
 
 /// Of the method's plain kernel, and of its fast ones where they do not paint the same.
@@ -136,6 +139,8 @@ QStringList shortfallsOf(const HardCase &hardCase, const ScanSettings &settings,
     case HardCaseKind::Circle:
     case HardCaseKind::Polygon:
         return shapeShortfalls(hardCase, settings, drawing);
+    case HardCaseKind::Effects:
+        return effectShortfalls(hardCase, settings, drawing);
     case HardCaseKind::Invalid:
         break;
     }

@@ -34,6 +34,9 @@ void comparePicture(QStringList &shortfalls, const ExpectedFacts &facts, const C
     if (!facts.pixelHash.isEmpty())
         compare(shortfalls, QStringLiteral("pixel hash"), QString::fromLatin1(picture.pixelHash()),
                 QString::fromLatin1(facts.pixelHash));
+    if (!facts.colourHash.isEmpty())
+        compare(shortfalls, QStringLiteral("colour hash"),
+                QString::fromLatin1(picture.colourHash()), QString::fromLatin1(facts.colourHash));
     if (facts.channelSums)
         compare(shortfalls, QStringLiteral("channel sums"), numbersText(picture.channelSums()),
                 numbersText(*facts.channelSums));

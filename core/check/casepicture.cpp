@@ -98,6 +98,19 @@ QByteArray CasePicture::pixelHash() const
     return hash.result().toHex().first(16);
 }
 
+QByteArray CasePicture::colourHash() const
+{
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    forEachWritten([&](std::int64_t x, std::int64_t y) {
+        const Colour colour = colourAt(x, y);
+        QByteArray line = QByteArray::number(qint64(x)) + ' ' + QByteArray::number(qint64(y));
+        for (const std::uint8_t level : colour.channels)
+            line += ' ' + QByteArray::number(level);
+        hash.addData(line + '\n');
+    });
+    return hash.result().toHex().first(16);
+}
+
 QString PictureDifference::message() const
 {
     QStringList parts;

@@ -63,6 +63,8 @@ public:
     QByteArray spanHash() const;
     /// The same of "x y\n" for each pixel, by columns, each from its lowest y.
     QByteArray pixelHash() const;
+    /// The same of "x y r g b\n", with the bytes of its colour.
+    QByteArray colourHash() const;
 
 private:
     FrameSpec m_canvas; ///< in the case's coordinates

@@ -27,6 +27,7 @@ enum class HardCaseKind {
     Circle, ///< a circle, outlined or filled
     Polygon, ///< polygons of one or more contours: which pixels, and how often
     Attributes, ///< a triangle whose vertices carry more than colour: the values at its points
+    Effects, ///< triangles with depth, perspective, texture, alpha, antialiasing: which colours
 };
 
 /// What is known of a case under one fill rule; none where the case does not say.
@@ -41,6 +42,7 @@ struct ExpectedFacts {
     /// Line, circle, polygon: the first 16 hexadecimal digits of the SHA-256 of "x y\n" for each
     /// pixel, along x (by columns); of a line along y where it is longer that way.
     QByteArray pixelHash;
+    QByteArray colourHash; ///< effects: the same of "x y r g b\n", by columns
     std::vector<std::array<std::int64_t, 2>> pixels; ///< line: x and y of each, in this order
 };
 
@@ -64,7 +66,8 @@ struct HardCase {
     FrameSpec canvas;
     std::vector<Triangle> triangles; ///< one, those of the mesh, or one a frame of the sequence
     std::vector<Shape> shapes; ///< the line, the circle, the polygons
-    std::vector<TriangleAttributes> attributes; ///< of the triangle, if its vertices carry any
+    std::vector<TriangleAttributes> attributes; ///< of the triangles, if their vertices carry any
+    Appearance appearance; ///< effects
     std::vector<std::array<std::int64_t, 2>> offsets; ///< translation, px
     std::map<FillRule, ExpectedFacts> facts;
     std::vector<ExpectedPoint> points;

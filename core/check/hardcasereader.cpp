@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/check/attributecase.h"
 #include "core/check/casecoordinates.h"
+#include "core/check/effectcase.h"
 #include "core/check/linecase.h"
 #include "core/check/shapecase.h"
 #include "core/scene/coordinatetext.h"
@@ -16,7 +17,7 @@ namespace {
 
 constexpr qint64 largestFact = std::numeric_limits<qint64>::max();
 
-constexpr std::array<std::pair<const char *, HardCaseKind>, 9> kindNames
+constexpr std::array<std::pair<const char *, HardCaseKind>, 10> kindNames
     = {{{"triangle", HardCaseKind::Triangle},
         {"mesh", HardCaseKind::Mesh},
         {"sequence", HardCaseKind::Sequence},
@@ -25,12 +26,14 @@ constexpr std::array<std::pair<const char *, HardCaseKind>, 9> kindNames
         {"line", HardCaseKind::Line},
         {"circle", HardCaseKind::Circle},
         {"polygon", HardCaseKind::Polygon},
-        {"attributes", HardCaseKind::Attributes}}};
+        {"attributes", HardCaseKind::Attributes},
+        {"effects", HardCaseKind::Effects}}};
 
-constexpr std::array<std::pair<const char *, FillRule>, 3> ruleNames
+constexpr std::array<std::pair<const char *, FillRule>, 4> ruleNames
     = {{{"closed", FillRule::Closed},
         {"half_open_column", FillRule::HalfOpenColumn},
-        {"top_left", FillRule::TopLeft}}};
+        {"top_left", FillRule::TopLeft},
+        {"open", FillRule::Open}}};
 
 /// The colours of a triangle whose case gives none.
 constexpr std::array<Colour, 3> defaultColours
@@ -91,6 +94,11 @@ public:
             readAttributes(m_json, node, m_case);
             readFacts(member(node, "expected"));
             readPoints(node);
+            break;
+        case HardCaseKind::Effects:
+            readCanvas(node);
+            readEffectCase(m_json, node, m_coordinates, m_case);
+            readFacts(member(node, "expected"));
             break;
         }
         return std::move(m_case);
@@ -186,6 +194,7 @@ private:
             facts.pixelCount = count(member(node, "count"));
             facts.spanHash = member(node, "span_sha").value.toString().toLatin1();
             facts.pixelHash = member(node, "sha").value.toString().toLatin1();
+            facts.colourHash = member(node, "rgb_sha").value.toString().toLatin1();
             facts.toggles = count(member(node, "toggles"));
             facts.distinctPictures = count(member(node, "distinct_pictures"));
             if (const JsonNode sums = member(node, "sum8"); !sums.isMissing())

@@ -122,6 +122,25 @@ constexpr std::array familyReasons = {
            "More than colour hangs on the vertices here: depth, texture coordinates, normals. Each "
            "of them divides by the same area, and levels that are large beside their change lose "
            "the change first."},
+    Reason{"perspective",
+           "What is carried along is divided by a sum of 1/w that itself is rounded. Where w spans "
+           "many powers of two, or the triangle is thinner than a pixel, little of both remains."},
+    Reason{"texture",
+           "A texture coordinate lies exactly on the border of two texels, so the smallest error "
+           "reads the other one. Beyond 0 and 1 the picture is repeated or its border goes on, and "
+           "casts that round towards zero find the wrong one."},
+    Reason{"depth",
+           "Two depths are equal or differ in their last bit, so rounding decides who is seen. On "
+           "few levels many depths are equal that were not, and surfaces fight."},
+    Reason{"blending",
+           "What is drawn twice on a shared edge is seen through glass, and what is drawn by "
+           "nobody too. Fill rules, cuts and the rounding of alpha all show in one level."},
+    Reason{"antialiasing",
+           "Parts of pixels are added up, and each of many samples decides by itself. Edges on a "
+           "sample or on a pixel's border, and parts of some millionths, must be counted right."},
+    Reason{"effects",
+           "Depth, perspective, texture and alpha each round on the way to the byte. One of them "
+           "lies exactly on its limit here."},
     Reason{"frame",
            "The triangle touches or crosses the border of the frame. Bounds that are off by one "
            "there read or write beside it, or lose the last row."},
@@ -170,6 +189,8 @@ QString nameOf(HardCaseKind kind)
         return QStringLiteral("polygon");
     case HardCaseKind::Attributes:
         return QStringLiteral("interpolation");
+    case HardCaseKind::Effects:
+        return QStringLiteral("effects");
     case HardCaseKind::Triangle:
     case HardCaseKind::Invalid:
         break;
@@ -226,6 +247,7 @@ Scene sceneOf(const HardCase &hardCase, const Method &method, const ScanSettings
     scene.triangles = hardCase.triangles;
     scene.shapes = hardCase.shapes;
     scene.attributes = hardCase.attributes;
+    scene.appearance = hardCase.appearance;
     if (hardCase.kind == HardCaseKind::Sequence)
         scene.triangles.resize(1);
     const bool isShape = scene.triangles.empty();

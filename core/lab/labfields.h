@@ -163,6 +163,20 @@ void eachField(Self &self, const Visit &visit)
     visit("points", self.points);
 }
 
+template <PartOf<EffectRow> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("group", self.group);
+    visit("way", self.way);
+    visit("arithmetic", self.arithmetic);
+    visit("pixels", self.pixels);
+    visit("nsPerPixel", self.perPixel);
+    visit("timesFirst", self.timesFirst);
+    visit("rms", self.rms);
+    visit("wrongPixels", self.wrongPixels);
+    visit("distance", self.distance);
+}
+
 template <PartOf<StudyContender> Self, class Visit>
 void eachField(Self &self, const Visit &visit)
 {
@@ -214,6 +228,7 @@ void eachField(Self &self, const Visit &visit)
     visit("rows", self.rows);
     visit("drift", self.drift);
     visit("growth", self.growth);
+    visit("effects", self.effects);
     visit("rounds", self.rounds);
     visit("complete", self.isComplete);
 }

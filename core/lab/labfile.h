@@ -13,7 +13,8 @@ namespace pixelplumb {
 /// 2. contenders have a "kernel", "plain", "SIMD" or "peer"; before, only the contender's id tells
 /// it;
 ///    drift and growth are in the file
-inline constexpr int labFileVersion = 2;
+/// 3. what effects cost is in the file
+inline constexpr int labFileVersion = 3;
 
 /// The same study, the same bytes.
 QByteArray writeStudy(const Study &study);

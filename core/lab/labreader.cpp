@@ -130,6 +130,11 @@ private:
         if ((m_version >= 2 || !node.isMissing()) && !m_json.hasFailed())
             read(node, curves);
     }
+    void readMember(const JsonNode &node, std::vector<EffectRow> &effects)
+    {
+        if ((m_version >= 3 || !node.isMissing()) && !m_json.hasFailed())
+            read(node, effects);
+    }
     void readMember(const JsonNode &node, LabKernel &kernel)
     {
         if (m_version >= 2 || !node.isMissing())

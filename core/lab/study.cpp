@@ -196,6 +196,10 @@ private:
         if (!growth)
             return false;
         m_study.growth = std::move(*growth);
+        auto effects = runEffectStudy(m_plan.rounds, m_scale.next(m_times.effects));
+        if (!effects)
+            return false;
+        m_study.effects = std::move(*effects);
         return true;
     }
 

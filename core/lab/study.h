@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/lab/costfit.h"
+#include "core/lab/effectstudy.h"
 #include "core/lab/labcontender.h"
 #include "core/lab/labfamily.h"
 #include "core/lab/labfigures.h"
@@ -104,6 +105,7 @@ struct Study {
     std::vector<LabRow> rows; ///< by families, each with all contenders in their order
     std::vector<DriftCurve> drift;
     std::vector<SizeCurve> growth;
+    std::vector<EffectRow> effects;
     int rounds = 0; ///< of timing, done
     bool isComplete = false;
 

@@ -11,6 +11,8 @@ constexpr double fullJudging = 0.2; ///< of a family
 constexpr double oneRound = 0.0085; ///< of a family
 constexpr double oneGrowthRound = 0.05;
 constexpr double wholeDrift = 0.1; ///< of all together
+constexpr double effectJudging = 1.5; ///< of all together
+constexpr double oneEffectRound = 0.25; ///< of all together
 
 } // namespace
 
@@ -46,6 +48,7 @@ StudyTimes studyTimesFor(const StudySettings &settings, const StudyPlan &plan)
     times.round = contenders * oneRound;
     if (plan.hasCurves()) {
         times.drift = wholeDrift;
+        times.effects = effectJudging + plan.rounds * oneEffectRound;
         times.growth = double(plan.growing.size()) * plan.growthRounds * oneGrowthRound;
     }
     return times;

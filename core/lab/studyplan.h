@@ -24,10 +24,11 @@ struct StudyTimes {
     double round = 0; ///< a family
     double drift = 0;
     double growth = 0;
+    double effects = 0;
 
     double ofAll(std::size_t families, int rounds) const
     {
-        return double(families) * (judging + rounds * round) + drift + growth;
+        return double(families) * (judging + rounds * round) + drift + growth + effects;
     }
 };
 StudyTimes studyTimesFor(const StudySettings &settings, const StudyPlan &plan);

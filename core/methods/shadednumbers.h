@@ -12,7 +12,9 @@ NumberTable<ShadedSetUpState> shadedSetUpNumbers(const ShadedScope &scope);
 NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope);
 NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope);
 
-/// What becomes of a sample, in words.
+/// What a triangle carries, which column is in hand, and what becomes of a sample, in words.
+void tellShaded(StepWords &words, const ShadedSetUpState &state);
+void tellShaded(StepWords &words, const ShadedSpanState &state);
 void tellShaded(StepWords &words, const ShadedSampleState &state);
 
 /// "R", "z", "N_x": a channel as its vertices have it; "R_w", "q": as it is interpolated where

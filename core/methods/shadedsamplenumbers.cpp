@@ -279,33 +279,4 @@ NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope)
     return table;
 }
 
-void tellShaded(StepWords &words, const ShadedSampleState &state)
-{
-    if (state.samples > 0) {
-        words.sentence
-            = QStringLiteral("An edge passes through the pixel: it has %1 samples, of which this "
-                             "triangle wrote %2, and is their mean.")
-                  .arg(state.samples)
-                  .arg(__builtin_popcount(state.samplesWritten));
-        return;
-    }
-    if (state.effects.depth == DepthTest::None) {
-        if (!state.isWritten)
-            words.sentence = QStringLiteral("Refused: it lies beyond the horizon of the triangle's "
-                                            "plane, where there are no attributes.");
-        return;
-    }
-    const QString z = term(state.depth);
-    if (!state.isWritten)
-        words.sentence = QStringLiteral("Refused: its depth %1 lies behind %2, which stands there.")
-                             .arg(z, term(state.nearest));
-    else if (state.nearest.isNone())
-        words.sentence = QStringLiteral("Nothing stands there yet: depth %1 is kept.").arg(z);
-    else
-        words.sentence
-            = QStringLiteral(
-                  "Depth %1 is not behind %2, which stood there: it is written and kept.")
-                  .arg(z, term(state.nearest));
-}
-
 } // namespace pixelplumb

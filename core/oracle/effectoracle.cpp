@@ -11,15 +11,10 @@ namespace pixelplumb::oracle {
 
 namespace {
 
-/// A triangle with what surrounds it, moved to where a sample sees it.
-struct MovedTriangle {
-    MovedTriangle(const Triangle &original, const LatticePoint &offset)
-        : triangle(original)
+/// The lattice points around a triangle.
+struct TriangleBox {
+    explicit TriangleBox(const Triangle &triangle)
     {
-        for (Vertex &vertex : triangle.vertices) {
-            vertex.position.x -= offset.x;
-            vertex.position.y -= offset.y;
-        }
         const auto &v = triangle.vertices;
         const auto [left, right] = std::minmax({v[0].position.x, v[1].position.x, v[2].position.x});
         const auto [low, high] = std::minmax({v[0].position.y, v[1].position.y, v[2].position.y});
@@ -27,17 +22,30 @@ struct MovedTriangle {
         greatest = {right, high};
     }
 
-    /// Whether the pixel's square may meet the triangle.
-    bool isNear(std::int64_t x, std::int64_t y) const
+    // Whether a pixel of the row, of the column, may show the triangle: its square meets it as one
+    // of the pixel's samples sees it, half a pixel from where it is.
+    bool isNearRow(std::int64_t y) const { return isNear(y * unitsPerPixel, least.y, greatest.y); }
+    bool isNearColumn(std::int64_t x) const
     {
-        const LatticePoint sample = latticePixel(x, y);
-        return sample.x >= least.x - halfPixel && sample.x <= greatest.x + halfPixel
-            && sample.y >= least.y - halfPixel && sample.y <= greatest.y + halfPixel;
+        return isNear(x * unitsPerPixel, least.x, greatest.x);
     }
 
-    Triangle triangle;
     LatticePoint least, greatest;
+
+private:
+    static bool isNear(Lattice at, Lattice first, Lattice last)
+    {
+        return at >= first - unitsPerPixel && at <= last + unitsPerPixel;
+    }
 };
+
+Triangle movedBy(const Triangle &original, const LatticePoint &offset)
+{
+    Triangle triangle = original;
+    for (Vertex &vertex : triangle.vertices)
+        vertex.position = {vertex.position.x - offset.x, vertex.position.y - offset.y};
+    return triangle;
+}
 
 /// What a sample of the frame holds.
 struct Surface {
@@ -47,7 +55,7 @@ struct Surface {
     bool isUndecided = false;
 };
 
-/// Draws all triangles on one sample after another.
+/// Draws all triangles on one sample after another, row by row.
 class Painter {
 public:
     Painter(const Primitives &primitives, const ScanSettings &settings, const EffectTruth &what,
@@ -57,57 +65,58 @@ public:
         , m_what(what)
         , m_rule(settings, frame)
         , m_isPlain(isPlain(primitives, what))
-        , m_centred(movedBy({0, 0}))
+        , m_offsets(sampleOffsets(what.antialiasing))
+        , m_boxes(primitives.triangles.begin(), primitives.triangles.end())
     {
-        for (const LatticePoint &offset : sampleOffsets(what.antialiasing))
-            m_moved.push_back(movedBy(offset));
     }
 
-    /// What the pixel holds in the end.
-    Surface pixel(std::int64_t x, std::int64_t y, const Colour &before) const
+    void enterRow(std::int64_t y)
     {
-        if (m_moved.size() == 1 || !isOnEdge(x, y))
-            return sample(m_centred, x, y, before);
+        m_row = y;
+        m_near.clear();
+        for (std::size_t i = 0; i < m_boxes.size(); ++i) {
+            if (m_boxes[i].isNearRow(y))
+                m_near.push_back(i);
+        }
+    }
+
+    /// What a pixel of the row holds in the end.
+    Surface pixel(std::int64_t x, const Colour &before) const
+    {
+        if (m_offsets.size() == 1 || !isOnEdge(x))
+            return sample({0, 0}, x, before);
         Surface mean;
         std::array<int, 3> sums = {};
-        for (const std::vector<MovedTriangle> &moved : m_moved) {
-            const Surface one = sample(moved, x, y, before);
+        for (const LatticePoint &offset : m_offsets) {
+            const Surface one = sample(offset, x, before);
             for (std::size_t channel = 0; channel < 3; ++channel)
                 sums[channel] += one.colour.channels[channel];
             mean.isWritten = mean.isWritten || one.isWritten;
             mean.isUndecided = mean.isUndecided || one.isUndecided;
         }
-        const int count = int(m_moved.size());
+        const int count = int(m_offsets.size());
         for (std::size_t channel = 0; channel < 3; ++channel)
             mean.colour.channels[channel] = std::uint8_t((2 * sums[channel] + count) / (2 * count));
         return mean;
     }
 
 private:
-    std::vector<MovedTriangle> movedBy(const LatticePoint &offset) const
+    bool isOnEdge(std::int64_t x) const
     {
-        std::vector<MovedTriangle> moved;
-        for (const Triangle &triangle : m_primitives.triangles)
-            moved.emplace_back(triangle, offset);
-        return moved;
-    }
-
-    bool isOnEdge(std::int64_t x, std::int64_t y) const
-    {
-        return std::ranges::any_of(m_centred, [&](const MovedTriangle &moved) {
-            return moved.isNear(x, y) && doubledArea(moved.triangle) != 0
-                && edgeMeetsSquare(moved.triangle, x, y);
+        return std::ranges::any_of(m_near, [&](std::size_t index) {
+            const Triangle &triangle = m_primitives.triangles[index];
+            return m_boxes[index].isNearColumn(x) && doubledArea(triangle) != 0
+                && edgeMeetsSquare(triangle, x, m_row);
         });
     }
 
-    Surface sample(const std::vector<MovedTriangle> &moved, std::int64_t x, std::int64_t y,
-                   const Colour &before) const
+    Surface sample(const LatticePoint &offset, std::int64_t x, const Colour &before) const
     {
         Surface surface;
         surface.colour = before;
-        for (std::size_t i = 0; i < moved.size(); ++i) {
-            if (moved[i].isNear(x, y))
-                paint(surface, i, moved[i].triangle, x, y);
+        for (const std::size_t index : m_near) {
+            if (m_boxes[index].isNearColumn(x))
+                paint(surface, index, movedBy(m_primitives.triangles[index], offset), x, m_row);
         }
         return surface;
     }
@@ -157,8 +166,10 @@ private:
     EffectTruth m_what;
     BoundaryRule m_rule;
     bool m_isPlain;
-    std::vector<MovedTriangle> m_centred;
-    std::vector<std::vector<MovedTriangle>> m_moved; ///< by sample
+    std::vector<LatticePoint> m_offsets;
+    std::vector<TriangleBox> m_boxes; ///< of all triangles
+    std::int64_t m_row = 0;
+    std::vector<std::size_t> m_near; ///< the triangles that the row may show, in order
 };
 
 } // namespace
@@ -197,11 +208,12 @@ std::vector<LatticePoint> sampleOffsets(Antialiasing antialiasing)
 std::vector<PixelPlace> drawEffects(const Primitives &primitives, const ScanSettings &settings,
                                     const EffectTruth &what, FrameView frame)
 {
-    const Painter painter(primitives, settings, what, frame);
+    Painter painter(primitives, settings, what, frame);
     std::vector<PixelPlace> undecided;
     for (std::int64_t y = frame.firstRow; y < frame.endRow(); ++y) {
+        painter.enterRow(y);
         for (std::int64_t x = frame.firstColumn; x < frame.endColumn(); ++x) {
-            const Surface surface = painter.pixel(x, y, unpacked(*frame.at(x, y)));
+            const Surface surface = painter.pixel(x, unpacked(*frame.at(x, y)));
             if (surface.isWritten)
                 *frame.at(x, y) = packed(surface.colour);
             if (surface.isUndecided)

@@ -53,7 +53,7 @@ bool isDrawnByRows(const Scene &scene, const Method &method)
 {
     const bool wraps = scene.settings.arithmetic == Arithmetic::Fixed16; // to any row
     return method.drawFast && !wraps && scene.shapes.empty() && !isDrawnWhole(scene)
-        && scene.solids.empty() && scene.triangles.size() <= mostCompared
+        && scene.triangles.size() <= mostCompared
         && std::ranges::all_of(scene.triangles, staysNearItsBox);
 }
 
@@ -163,13 +163,6 @@ ScenePicture::Rows ScenePicture::rowsToDraw(const Scene &scene, const Method &me
 bool ScenePicture::drawAll(const Scene &scene, const Method &method,
                            const ProgressListener &listener)
 {
-    if (!scene.solids.empty()) { // among which depth decides
-        if (!goesOn(listener, {JobPhase::Drawing, 0, 1}))
-            return false;
-        m_piece = primitivesOnSamples(scene);
-        drawPiece(scene, method);
-        return true;
-    }
     const auto count = std::int64_t(scene.triangles.size() + scene.shapes.size());
     if (isDrawnWhole(scene)) {
         if (!goesOn(listener, {JobPhase::Drawing, 0, 1}))

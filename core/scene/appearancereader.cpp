@@ -7,6 +7,8 @@
 
 #include <QJsonObject>
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 namespace {
@@ -55,8 +57,12 @@ std::vector<Material> readMaterials(JsonReader &json, ReferredFiles &files, cons
     for (const QString &name : names) {
         if (json.hasFailed())
             break;
-        materials.push_back(readMaterial(json, files, node[name]));
-        materials.back().name = name.toStdString();
+        Material material = readMaterial(json, files, node[name]);
+        material.name = name.toStdString();
+        if (std::ranges::find(materials, material.name, &Material::name) != materials.end())
+            json.fail(node[name], QStringLiteral("a second material of this name in UTF-8"),
+                      QStringLiteral("every name once"));
+        materials.push_back(std::move(material));
     }
     return materials;
 }

@@ -28,7 +28,7 @@ std::int64_t NumberReader::number(const JsonNode &node, const NumberFormat &form
         return 0;
     }
     if (snapped->isDisplaced())
-        m_snaps.push_back({node.path, written, *snapped, &format});
+        m_snaps.add({node.path, written, *snapped, &format});
     return snapped->units;
 }
 

@@ -21,7 +21,7 @@ struct PointCount {
 /// with the JsonReader.
 class NumberReader {
 public:
-    NumberReader(JsonReader &json, std::vector<SnapReport> &snaps)
+    NumberReader(JsonReader &json, SnapReports &snaps)
         : m_json(json)
         , m_snaps(snaps)
     {
@@ -46,7 +46,7 @@ private:
     std::int64_t number(const JsonNode &node, const NumberFormat &format);
 
     JsonReader &m_json;
-    std::vector<SnapReport> &m_snaps;
+    SnapReports &m_snaps;
 };
 
 template <std::size_t Count>

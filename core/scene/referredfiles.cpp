@@ -1,10 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/referredfiles.h"
 
+#include "core/scene/fileaccess.h"
 #include "core/scene/meshfile.h"
+#include "core/scene/scenefile.h"
 #include "core/scene/texturefile.h"
 
 #include <QDir>
+#include <QFileInfo>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QSet>
 
 namespace pixelplumb {
 
@@ -48,6 +55,29 @@ Result<std::shared_ptr<const Mesh>> ReferredFiles::mesh(const QString &name)
     if (!mesh)
         return mesh.error();
     return m_meshes[path] = std::make_shared<const Mesh>(std::move(*mesh));
+}
+
+qint64 bytesToRead(const QString &path)
+{
+    const QFileInfo file(path);
+    qint64 bytes = file.size();
+    if (!file.isFile() || bytes > largestWholeText)
+        return bytes;
+    const Result<QByteArray> text = readFile(path);
+    if (!text)
+        return bytes;
+    QSet<QString> names;
+    const QJsonObject scene = QJsonDocument::fromJson(*text).object();
+    const QJsonObject materials = scene[QStringLiteral("materials")].toObject();
+    for (const QJsonValue material : materials)
+        names.insert(material.toObject()[QStringLiteral("texture")].toString());
+    const QJsonArray primitives = scene[QStringLiteral("primitives")].toArray();
+    for (const QJsonValue primitive : primitives)
+        names.insert(primitive.toObject()[QStringLiteral("mesh")].toString());
+    names.remove(QString());
+    for (const QString &name : names)
+        bytes += QFileInfo(file.absoluteDir().absoluteFilePath(name)).size();
+    return bytes;
 }
 
 QString nameInFolder(const std::string &name, const QString &folder)

@@ -32,6 +32,10 @@ private:
     std::size_t m_texels = 0;
 };
 
+/// How many bytes a scene's file has with the pictures and meshes that it names, so far as they are
+/// there; for guesses of how long it takes to read them. Beyond 1 MiB its own alone.
+qint64 bytesToRead(const QString &path);
+
 /// A file's name as a scene in the folder says it: relative where there is a folder; names that are
 /// no absolute path, as "checker", stay.
 QString nameInFolder(const std::string &name, const QString &folder);

@@ -24,10 +24,31 @@ struct SnapReport {
     QString message() const;
 };
 
+/// The first of them, and how many there are: a large scene may have millions.
+class SnapReports {
+public:
+    static constexpr std::size_t mostKept = 1000;
+
+    void add(SnapReport report)
+    {
+        if (m_kept.size() < mostKept)
+            m_kept.push_back(std::move(report));
+        ++m_count;
+    }
+    bool empty() const { return m_count == 0; }
+    std::size_t size() const { return m_count; }
+    const SnapReport &front() const { return m_kept.front(); }
+    const SnapReport &operator[](std::size_t index) const { return m_kept[index]; } ///< < mostKept
+
+private:
+    std::vector<SnapReport> m_kept;
+    std::size_t m_count = 0;
+};
+
 /// A scene file as it was read.
 struct SceneReading {
     Scene scene;
-    std::vector<SnapReport> snaps;
+    SnapReports snaps;
 };
 
 /// Reads a scene in JSON: "pixelplumb", "frame" with "width" and "height", and "primitives" must be

@@ -6,6 +6,8 @@
 #include "core/space/solidfaces.h"
 #include "core/space/vertexlight.h"
 
+#include <type_traits>
+
 namespace pixelplumb {
 
 /// A vertex of a solid, in the scene's space.
@@ -31,6 +33,12 @@ public:
     {
         for (std::size_t axis = 0; axis < 3; ++axis)
             m_turns[axis] = circlePoint(Number(solid.rotate[axis]), Number(360));
+        if (solid.kind != SolidKind::Sphere || !std::is_same_v<Number, double>)
+            return;
+        for (int i = 0; i < solid.segments[0]; ++i)
+            m_around.push_back(aroundAt(std::size_t(i)));
+        for (int j = 0; j <= solid.segments[1]; ++j)
+            m_down.push_back(downAt(std::size_t(j)));
     }
 
     SpaceVertex<Number> vertex(std::size_t index) const
@@ -84,13 +92,23 @@ private:
         const std::size_t i = index % (columns + 1);
         const std::size_t j = index / (columns + 1);
         const bool isPole = j == 0 || j == rows;
-        const auto around = circlePoint(Number(i % columns), Number(columns));
-        const auto down = circlePoint(Number(j), Number(2 * rows));
+        const CirclePoint<Number> around
+            = m_around.empty() ? aroundAt(i % columns) : m_around[i % columns];
+        const CirclePoint<Number> down = m_down.empty() ? downAt(j) : m_down[j];
         const Vector normal(down.sine * around.sine, down.cosine, down.sine * around.cosine);
         const Number shift = isPole ? Number(1) / 2 : Number(0);
         return vertexAt(Vector(m_solid.corners[0].position) + Number(m_solid.radius) * normal,
                         normal,
                         {(Number(i) + shift) / Number(columns), Number(rows - j) / Number(rows)});
+    }
+
+    CirclePoint<Number> aroundAt(std::size_t column) const
+    {
+        return circlePoint(Number(column), Number(m_solid.segments[0]));
+    }
+    CirclePoint<Number> downAt(std::size_t row) const
+    {
+        return circlePoint(Number(row), Number(2 * m_solid.segments[1]));
     }
 
     SpaceVertex<Number> patchVertex(std::size_t index) const
@@ -127,6 +145,9 @@ private:
     const Solid &m_solid;
     Vector m_at;
     std::array<CirclePoint<Number>, 3> m_turns;
+    // Of a sphere, by column and by row; empty where few vertices are asked for.
+    std::vector<CirclePoint<Number>> m_around;
+    std::vector<CirclePoint<Number>> m_down;
 };
 
 } // namespace pixelplumb

@@ -24,8 +24,8 @@ import derive_shape_facts as shapes
 
 RULES = dict(shapes.RULES, open="none")
 PATTERNS = {
-    "4": [(-32, -96), (96, -32), (-96, 32), (32, 96)],
-    "16": [(16 * x, 16 * y) for x, y in (
+    4: [(-32, -96), (96, -32), (-96, 32), (32, 96)],
+    16: [(16 * x, 16 * y) for x, y in (
         (1, 1), (-1, -3), (-3, 2), (4, -1), (-5, -2), (2, 5), (5, 3), (3, -5),
         (-2, 6), (0, -7), (-4, -6), (-6, 4), (-8, 0), (7, -4), (6, 7), (-7, -8))]}
 
@@ -101,27 +101,16 @@ def meets(a, b, p):
 
 
 def texel(material, i, j):
-    if material["texture"] == "checker":
-        width = height = 8
-    else:
-        rows = material["texture"]
-        width, height = len(rows[0]), len(rows)
+    """Of the checker, 8 by 8."""
     if material["wrap"] == "repeat":
-        i, j = i % width, j % height
+        i, j = i % 8, j % 8
     else:
-        i, j = min(max(i, 0), width - 1), min(max(j, 0), height - 1)
-    if material["texture"] == "checker":
-        return [255 * (1 - (i + j) % 2)] * 3
-    return rows[j][i]
-
-
-def size_of(material):
-    texture = material["texture"]
-    return (8, 8) if texture == "checker" else (len(texture[0]), len(texture))
+        i, j = min(max(i, 0), 7), min(max(j, 0), 7)
+    return [255 * (1 - (i + j) % 2)] * 3
 
 
 def texture_bytes(material, uv):
-    place = [t * size for t, size in zip(uv, size_of(material))]
+    place = [8 * t for t in uv]
     if material["filter"] == "nearest":
         return texel(material, floor(place[0]), floor(place[1]))
     place = [t - Fraction(1, 2) for t in place]
@@ -175,7 +164,7 @@ def drawn(case, triangles, p, offset, rule):
         if case.get("depth") != "off":
             z = mean(parts, triangle.z)
             if bits != "exact":
-                z = floor(min(max(z, 0), 1) * (2 ** int(bits) - 1) + Fraction(1, 2))
+                z = floor(min(max(z, 0), 1) * (2 ** bits - 1) + Fraction(1, 2))
             if nearest is not None and z > nearest:
                 continue
             nearest = z

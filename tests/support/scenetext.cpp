@@ -18,10 +18,24 @@ QByteArray sceneOfTriangleAt(const QByteArray &firstX)
         + ", 5], [58, 12], [26, 44]], \"colors\": [\"#ff0000\", \"#00ff00\", \"#0000ff\"] }\n  ]");
 }
 
+QByteArray sceneOf(const QByteArray &members, const QByteArray &primitives)
+{
+    return sceneWith(members + "\n'primitives': [" + primitives + "]").replace('\'', '"');
+}
+
 QString errorOf(const QByteArray &text)
 {
     const Result<SceneReading> reading = readScene(text);
     return reading ? QStringLiteral("no error") : reading.error().message();
+}
+
+QString faultOf(const QByteArray &text)
+{
+    const QString error = errorOf(text);
+    if (!error.startsWith(QStringLiteral("line ")))
+        return error;
+    const qsizetype column = error.indexOf(u',') + 1;
+    return error.sliced(error.indexOf(u',', column) + 2);
 }
 
 Scene randomScene(quint32 seed)

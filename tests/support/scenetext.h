@@ -11,8 +11,14 @@ QByteArray sceneWith(const QByteArray &members);
 /// A scene of one triangle; the x of its first vertex stands in line 5, column 21.
 QByteArray sceneOfTriangleAt(const QByteArray &firstX);
 
+/// The same with members that end in a comma, then primitives; single quotation marks stand for
+/// double ones.
+QByteArray sceneOf(const QByteArray &members, const QByteArray &primitives = {});
+
 /// The reader's message; "no error" where it reads the text.
 QString errorOf(const QByteArray &text);
+/// The message without line and column.
+QString faultOf(const QByteArray &text);
 
 /// The text with each of these bytes in each place, one place at a time.
 template <class Function>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/files/scenefiles.h"
 
+#include "core/scene/referredfiles.h"
 #include "core/scene/scenefile.h"
 #include "widgets/files/examplefolder.h"
 #include "widgets/files/recentfiles.h"
@@ -65,7 +66,7 @@ bool SceneFiles::mayReplace()
 
 bool SceneFiles::load(const QString &path)
 {
-    if (QFileInfo(path).size() > largestReadAtOnce) {
+    if (bytesToRead(path) > largestReadAtOnce) {
         m_editsAtLoad = m_document->undoStack()->index();
         m_loading.setTitle(tr("Opening %1").arg(QFileInfo(path).fileName()));
         m_loading.start(

@@ -5,6 +5,7 @@
 #include "widgets/lab/driftplot.h"
 #include "widgets/lab/labanswers.h"
 #include "widgets/lab/labchanges.h"
+#include "widgets/lab/labeffects.h"
 #include "widgets/lab/labfiltermenu.h"
 #include "widgets/lab/labtable.h"
 #include "widgets/lab/labtext.h"
@@ -100,6 +101,7 @@ LabCharts::LabCharts(QWidget *parent)
     , m_costs(new CostStack(this))
     , m_scaling(new ScalingPlot(this))
     , m_drift(new DriftPlot(this))
+    , m_effects(new LabEffects(this))
     , m_changes(new LabChanges(this))
     , m_contender(namedBox("labMissContender", tr("Whose misses"), this))
     , m_sizeAxis(namedBox("labSizeAxis", tr("Which size grows"), this))
@@ -127,6 +129,7 @@ LabCharts::LabCharts(QWidget *parent)
     addPage(nullptr, scroller, tr("Parts"), tr("What set-up, columns and pixels take"));
     addPage(m_sizeAxis, m_scaling, tr("Growth"), tr("How times grow with sizes"));
     addPage(nullptr, m_drift, tr("Drift"), tr("How errors of increments grow with the columns"));
+    addPage(nullptr, m_effects, tr("Effects"), tr("What effects cost and what they mend"));
     addPage(nullptr, m_changes, tr("Changes"), tr("Before and after"));
     forgetChanges();
     for (const SizeAxis axis : allSizeAxes)
@@ -176,6 +179,7 @@ void LabCharts::showAll()
     m_costs->show(m_shown, m_family);
     m_scaling->show(m_shown, SizeAxis(m_sizeAxis->currentData().toInt()));
     m_drift->show(m_shown);
+    m_effects->show(*m_results);
 }
 
 void LabCharts::fillContenders()

@@ -15,6 +15,7 @@ class DriftPlot;
 class ElidedLabel;
 class LabAnswers;
 class LabChanges;
+class LabEffects;
 class LabFilterMenu;
 class LabTable;
 class MissPlot;
@@ -61,6 +62,7 @@ private:
     CostStack *m_costs;
     ScalingPlot *m_scaling;
     DriftPlot *m_drift;
+    LabEffects *m_effects;
     LabChanges *m_changes;
     QComboBox *m_contender; ///< whose misses are shown
     QComboBox *m_sizeAxis;

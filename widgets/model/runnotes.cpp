@@ -13,7 +13,7 @@
 
 namespace pixelplumb {
 
-QString snapNote(const std::vector<SnapReport> &snaps)
+QString snapNote(const SnapReports &snaps)
 {
     constexpr std::size_t mostLines = 3;
     QStringList lines;

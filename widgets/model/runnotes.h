@@ -16,7 +16,7 @@ struct TracedScene;
 // What the message bar says of a scene or a run that is not what a person expects.
 
 /// Displacements of the coordinates that were not on the lattice: an error of the input, told once.
-QString snapNote(const std::vector<SnapReport> &snaps);
+QString snapNote(const SnapReports &snaps);
 
 /// What the kernel drew nothing of, with its reason for the first; empty where there is no such
 /// primitive. Those that lie outside the frame, where everybody sees them lie, and a scene of

@@ -69,65 +69,70 @@ ProjectionPanel::ProjectionPanel(Playhead *playhead, QWidget *parent)
     m_sentence->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_parts->addWidget(m_view);
     m_parts->addWidget(m_stages);
-    m_parts->setStretchFactor(0, 1);
-    m_parts->setStretchFactor(1, 1);
+    m_parts->setSizes({400, 500}); // used, exact and error side by side
     auto *projection = new QWidget;
     auto *column = new QVBoxLayout(projection);
     column->setContentsMargins(8, 8, 8, 8);
     column->setSpacing(8);
     column->addWidget(m_sentence);
     column->addWidget(m_parts, 1);
-    column->addStretch(0);
     auto *tabs = new QTabWidget;
     tabs->setObjectName(QStringLiteral("projectionTabs"));
+    tabs->setAccessibleName(tr("Projection and surfaces"));
     tabs->setDocumentMode(true);
     tabs->addTab(projection, tr("Projection"));
     tabs->addTab(m_surfaces, tr("Surfaces"));
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(tabs);
-    const auto forget = [this] {
-        m_isStale = true;
-        takeTraced();
-    };
-    connect(playhead, &Playhead::tracedChanged, this, forget);
+    connect(playhead, &Playhead::tracedChanged, this, &ProjectionPanel::takeTraced);
     connect(playhead, &Playhead::positionChanged, this, &ProjectionPanel::followPosition);
     connect(playhead, &Playhead::pickedPixelChanged, this, &ProjectionPanel::followPosition);
-    takeTraced();
 }
 
 ProjectionPanel::~ProjectionPanel() = default;
 
 void ProjectionPanel::takeTraced()
 {
-    if (!isVisible() || !m_isStale)
+    const std::shared_ptr<const TracedScene> traced = m_playhead->sharedTraced();
+    if (!isVisible() || (traced && traced == m_seen))
         return;
-    m_projected = {};
-    m_shown.reset();
-    const TracedScene *traced = m_playhead->traced();
-    m_isStale = false;
+    m_job.cancel();
+    m_seen.reset();
     const bool hasSolids = traced && !traced->scene.solids.empty();
     m_parts->setVisible(hasSolids);
-    m_stages->setStages({});
-    if (hasSolids) {
-        m_projected = projectedSolids(traced->scene);
-        m_projected.triangles = {};
-        m_projected.attributes = {};
-        m_side = sideSceneOf(traced->scene);
-        m_view->setScene(m_side);
-    } else {
-        m_view->setScene({});
+    if (!hasSolids) {
+        take(traced, {});
+        return;
     }
+    // What stands there is another scene's, until this one's is there.
+    m_job.start(
+        [traced](const ProgressListener & /*listener*/) {
+            Seen seen{projectedSolids(traced->scene), sideSceneOf(traced->scene)};
+            seen.projected.triangles = {};
+            seen.projected.attributes = {};
+            return seen;
+        },
+        [this, traced](Seen seen) { take(traced, std::move(seen)); });
+}
+
+void ProjectionPanel::take(const std::shared_ptr<const TracedScene> &traced, Seen seen)
+{
+    m_seen = traced;
+    m_projected = std::move(seen.projected);
+    m_side = std::move(seen.side);
+    m_shown.reset();
+    m_view->setScene(m_side);
     followPosition();
+    emit projected();
 }
 
 std::optional<std::size_t> ProjectionPanel::triangleInHand() const
 {
-    const TracedScene *traced = m_playhead->traced();
     const std::optional<TraceStep> step = m_playhead->stepInHand();
-    if (!traced || !step)
+    if (!m_seen || !step)
         return std::nullopt;
-    const std::size_t first = traced->scene.triangles.size();
+    const std::size_t first = m_seen->scene.triangles.size();
     if (step->primitive < first || step->primitive - first >= m_projected.sources.size())
         return std::nullopt;
     return step->primitive - first;
@@ -135,7 +140,7 @@ std::optional<std::size_t> ProjectionPanel::triangleInHand() const
 
 void ProjectionPanel::followPosition()
 {
-    if (!isVisible() || m_isStale)
+    if (!isVisible() || m_seen != m_playhead->sharedTraced())
         return;
     if (const auto triangle = triangleInHand()) {
         showTriangle(*triangle);
@@ -150,7 +155,7 @@ void ProjectionPanel::followPosition()
 
 void ProjectionPanel::showTriangle(std::size_t triangle)
 {
-    const Scene &scene = m_playhead->traced()->scene;
+    const Scene &scene = m_seen->scene;
     const FaceStages stages = stagesOf(scene, m_projected, triangle);
     m_view->setFace(sideFaceOf(scene, m_side, stages, m_projected.sources[triangle],
                                m_playhead->pixelInHand()));
@@ -161,10 +166,9 @@ void ProjectionPanel::showTriangle(std::size_t triangle)
 
 QString ProjectionPanel::sceneSentence() const
 {
-    const TracedScene *traced = m_playhead->traced();
-    if (!traced)
+    if (!m_seen)
         return tr("The scene is being drawn.");
-    if (traced->scene.solids.empty()) {
+    if (m_seen->scene.solids.empty()) {
         return tr("This scene has no solids. Of a face of a sphere, a plane, a patch, a mesh or a "
                   "polygon in space, here stands how the camera takes it to the frame: from its "
                   "vertices to the eye's axes, clip coordinates, the polygon that the near plane "
@@ -178,7 +182,7 @@ QString ProjectionPanel::sceneSentence() const
 
 QString ProjectionPanel::triangleSentence(std::size_t triangle) const
 {
-    const Scene &scene = m_playhead->traced()->scene;
+    const Scene &scene = m_seen->scene;
     const TriangleSource &source = m_projected.sources[triangle];
     return tr("The triangle in hand is %1 %2 %3 of face %4 of solid %5, %6.")
                .arg(clippedCornerName(0), clippedCornerName(source.piece + 1),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/model/job.h"
 #include "widgets/space/sidescene.h"
 
 #include <QWidget>
@@ -14,10 +15,12 @@ class Playhead;
 class SideView;
 class StageTree;
 class SurfacesPanel;
+struct TracedScene;
 
 /// How the triangle in hand came from three dimensions to the frame: the camera from the side, and
 /// every stage with its numbers; and, on a second tab, the forms of surfaces (objectName
-/// "projectionPanel"). Follows the playhead, and computes only while it is seen.
+/// "projectionPanel"). Follows the playhead; projects beside the GUI thread, and only while it is
+/// seen.
 class ProjectionPanel : public QWidget {
     Q_OBJECT
 
@@ -27,11 +30,21 @@ public:
 
     QSize sizeHint() const override { return {720, 360}; }
 
+signals:
+    /// The scene's solids are projected; the panel shows them.
+    void projected();
+
 protected:
     void showEvent(QShowEvent *event) override;
 
 private:
+    struct Seen {
+        ProjectedSolids projected;
+        SideScene side;
+    };
+
     void takeTraced();
+    void take(const std::shared_ptr<const TracedScene> &traced, Seen seen);
     void followPosition();
     /// The index among the projected triangles of the triangle in hand; none of a plain one.
     std::optional<std::size_t> triangleInHand() const;
@@ -46,10 +59,12 @@ private:
     SideView *m_view;
     StageTree *m_stages;
     SurfacesPanel *m_surfaces;
-    bool m_isStale = true;
-    ProjectedSolids m_projected; ///< of the playhead's scene, without triangles and attributes
+    /// The run of which the next members are; null while they are computed.
+    std::shared_ptr<const TracedScene> m_seen;
+    ProjectedSolids m_projected; ///< without triangles and attributes
     SideScene m_side;
     std::optional<std::size_t> m_shown; ///< the triangle whose stages stand in the tree
+    Job m_job;
 };
 
 } // namespace pixelplumb

@@ -4,6 +4,7 @@
 #include "widgets/look/numberformat.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/look/symboltext.h"
+#include "widgets/space/symboldelegate.h"
 
 #include <QHeaderView>
 
@@ -49,7 +50,9 @@ StageTree::StageTree(QWidget *parent)
     setFont(tabularFont(font()));
     setIndentation(indentation() / 2);
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    header()->setStretchLastSection(true);
+    header()->setStretchLastSection(false);
+    header()->setSectionResizeMode(ExactColumn, QHeaderView::Stretch);
+    setItemDelegateForColumn(NameColumn, new SymbolDelegate(this));
 }
 
 void StageTree::setStages(const std::vector<ProjectionStage> &stages)
@@ -75,27 +78,31 @@ void StageTree::fillStage(QTreeWidgetItem *item, const ProjectionStage &stage)
     bold.setBold(true);
     item->setFont(NameColumn, bold);
     item->setFirstColumnSpanned(true);
-    item->setToolTip(NameColumn, toolTipHtml({stage.formula}));
-    auto *formula = new QTreeWidgetItem(item, {stage.formula});
-    formula->setFirstColumnSpanned(true);
-    formula->setToolTip(NameColumn, toolTipHtml({stage.formula}));
+    addSentence(item, stage.formula);
     for (const StagePoint &point : stage.points) {
         const QString name = point.note.isEmpty()
             ? point.name
             : QStringLiteral("%1: %2").arg(point.name, point.note);
-        auto *row = new QTreeWidgetItem(item, {name});
-        row->setFirstColumnSpanned(true);
-        row->setToolTip(NameColumn, name);
+        QTreeWidgetItem *row = addSentence(item, name);
         for (const StageNumber &number : point.numbers)
             addNumber(row, number);
         row->setExpanded(true);
     }
 }
 
+QTreeWidgetItem *StageTree::addSentence(QTreeWidgetItem *parent, const QString &text)
+{
+    auto *item = new QTreeWidgetItem(parent, {text});
+    item->setFirstColumnSpanned(true);
+    item->setToolTip(NameColumn, toolTipHtml({text}));
+    return item;
+}
+
 void StageTree::addNumber(QTreeWidgetItem *parent, const StageNumber &number)
 {
     auto *row = new QTreeWidgetItem(
         parent, {number.name, usedText(number), exactText(number), errorText(number)});
+    row->setToolTip(ExactColumn, row->text(ExactColumn));
     row->setTextAlignment(ErrorColumn, Qt::AlignRight | Qt::AlignVCenter);
 }
 

@@ -27,6 +27,8 @@ public:
     void setStages(const std::vector<ProjectionStage> &stages);
 
 private:
+    /// A row with one text over all columns.
+    static QTreeWidgetItem *addSentence(QTreeWidgetItem *parent, const QString &text);
     void fillStage(QTreeWidgetItem *item, const ProjectionStage &stage);
     void addNumber(QTreeWidgetItem *parent, const StageNumber &number);
 };

@@ -2,15 +2,18 @@
 #include "widgets/space/surfacespanel.h"
 
 #include "widgets/look/numberlayout.h"
+#include "widgets/look/symboltext.h"
 #include "widgets/model/playhead.h"
 #include "widgets/space/stagetree.h"
 
 #include <QBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QScrollBar>
 #include <QSlider>
 #include <QSplitter>
 #include <QTableWidget>
+#include <QTextBrowser>
 
 namespace pixelplumb {
 
@@ -18,9 +21,10 @@ namespace {
 
 constexpr int sliderSteps = 200;
 
-QString formText(const SurfaceForm &form)
+/// A cell of the forms' table.
+QString formHtml(const SurfaceForm &form)
 {
-    QStringList lines = {form.formula};
+    QStringList lines = {QStringLiteral("<b>%1</b>").arg(SymbolText(form.formula).html())};
     for (const StageNumber &number : form.numbers) {
         const QString error = number.error == 0
             ? SurfacesPanel::tr("exact")
@@ -29,8 +33,17 @@ QString formText(const SurfaceForm &form)
     }
     if (form.numbers.empty())
         lines += SurfacesPanel::tr("no such number here");
-    lines += form.note;
-    return lines.join(u'\n');
+    lines += QStringLiteral("<i>%1</i>").arg(SymbolText(form.note).html());
+    return QStringLiteral("<td>%1</td>").arg(lines.join(QStringLiteral("<br>")));
+}
+
+/// A row of it: a kind of curve or surface.
+QString formsHtml(const Surface &surface, double s, double t)
+{
+    QString row = QStringLiteral("<tr><td><b>%1</b></td>").arg(nameOf(surface.kind));
+    for (const SurfaceForm &form : formsOf(surface, s, t))
+        row += formHtml(form);
+    return row + QStringLiteral("</tr>");
 }
 
 QTableWidgetItem *figureItem(const QString &text)
@@ -62,8 +75,7 @@ SurfacesPanel::SurfacesPanel(Playhead *playhead, QWidget *parent)
     , m_s(makeSlider(QStringLiteral("surfaceS"), tr("The parameter s, 0 … 1")))
     , m_t(makeSlider(QStringLiteral("surfaceT"), tr("The parameter t of a surface, 0 … 1")))
     , m_parameters(new QLabel)
-    , m_forms(makeTable(QStringLiteral("surfaceForms"), tr("Forms of curves and surfaces"),
-                        {tr("Explicit"), tr("Parametric"), tr("Implicit")}))
+    , m_forms(new QTextBrowser)
     , m_segmentSentence(new QLabel)
     , m_segments(makeTable(QStringLiteral("segmentTable"), tr("Distance by segments"),
                            {tr("Segments"), tr("Faces"), tr("Distance"), tr("Time, µs")}))
@@ -71,11 +83,16 @@ SurfacesPanel::SurfacesPanel(Playhead *playhead, QWidget *parent)
     setObjectName(QStringLiteral("surfacesPanel"));
     setAccessibleName(tr("Surfaces"));
     m_parameters->setFont(tabularFont(font()));
-    m_forms->setWordWrap(true);
+    m_forms->setObjectName(QStringLiteral("surfaceForms"));
+    m_forms->setAccessibleName(tr("Forms of curves and surfaces"));
+    m_forms->setFrameShape(QFrame::NoFrame);
+    m_forms->setFont(tabularFont(font()));
     m_segmentSentence->setWordWrap(true);
     m_segments->verticalHeader()->hide();
     auto *sliders = new QHBoxLayout;
+    sliders->addWidget(new QLabel(QStringLiteral("s")));
     sliders->addWidget(m_s);
+    sliders->addWidget(new QLabel(QStringLiteral("t")));
     sliders->addWidget(m_t);
     sliders->addWidget(m_parameters);
     auto *forms = new QWidget;
@@ -131,18 +148,16 @@ void SurfacesPanel::fillForms()
     m_parameters->setText(tr("s = %1, t = %2").arg(s, 0, 'f', 3).arg(t, 0, 'f', 3));
     const TracedScene *traced = m_playhead->traced();
     const Scene scene = traced ? traced->scene : Scene();
-    m_forms->setRowCount(int(allSurfaces.size()));
-    for (int row = 0; row < m_forms->rowCount(); ++row) {
-        const SurfaceKind kind = allSurfaces[std::size_t(row)];
-        m_forms->setVerticalHeaderItem(row, new QTableWidgetItem(nameOf(kind)));
-        const std::vector<SurfaceForm> forms = formsOf(surfaceOf(kind, scene), s, t);
-        for (int column = 0; column < int(forms.size()); ++column) {
-            auto *item = new QTableWidgetItem(formText(forms[std::size_t(column)]));
-            item->setTextAlignment(Qt::AlignLeft | Qt::AlignTop);
-            m_forms->setItem(row, column, item);
-        }
-    }
-    m_forms->resizeRowsToContents();
+    QString html = QStringLiteral("<table width='100%' border='1' cellspacing='0' cellpadding='4' "
+                                  "style='border-collapse: collapse'><tr><th></th>");
+    for (const QString &form : {tr("Explicit"), tr("Parametric"), tr("Implicit")})
+        html += QStringLiteral("<th align='left'>%1</th>").arg(form);
+    html += QStringLiteral("</tr>");
+    for (const SurfaceKind kind : allSurfaces)
+        html += formsHtml(surfaceOf(kind, scene), s, t);
+    const int place = m_forms->verticalScrollBar()->value();
+    m_forms->setHtml(html + QStringLiteral("</table>"));
+    m_forms->verticalScrollBar()->setValue(place);
 }
 
 void SurfacesPanel::studySegments()

@@ -10,14 +10,16 @@
 class QLabel;
 class QSlider;
 class QTableWidget;
+class QTextBrowser;
 
 namespace pixelplumb {
 
 class Playhead;
 
 /// Line, circle, plane and sphere in their three forms at a parameter, and how far a surface's
-/// triangles are from it, beside their number and time (objectName "surfacesPanel"; tables
-/// "surfaceForms" and "segmentTable"). Surfaces are the scene's first of their kind, or examples.
+/// triangles are from it, beside their number and time (objectName "surfacesPanel"; forms
+/// "surfaceForms", table "segmentTable"). Surfaces are the scene's first of their kind, or
+/// examples.
 class SurfacesPanel : public QWidget {
     Q_OBJECT
 
@@ -43,7 +45,7 @@ private:
     QSlider *m_s;
     QSlider *m_t;
     QLabel *m_parameters;
-    QTableWidget *m_forms;
+    QTextBrowser *m_forms;
     QLabel *m_segmentSentence;
     QTableWidget *m_segments;
     bool m_isStale = true;

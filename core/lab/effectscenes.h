@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/scene.h"
+
+#include <optional>
+#include <vector>
+
+/// The scenes of the study of effects: the same on every machine.
+namespace pixelplumb::effectscenes {
+
+/// One way to draw a scene.
+struct Way {
+    QString name;
+    Scene scene;
+    std::optional<double> distance = {}; ///< of a surface's triangles from it
+};
+
+/// A scene drawn in several ways, and what they are judged by.
+struct Group {
+    QString name;
+    std::vector<Way> ways;
+    Scene truth;
+};
+
+std::vector<Group> all();
+
+} // namespace pixelplumb::effectscenes

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/shape.h"
+#include "core/measure/spread.h"
+#include "core/number/jobprogress.h"
+#include "core/scan/scansettings.h"
+
+#include <optional>
+#include <vector>
+
+namespace pixelplumb {
+
+/// What an effect, or a finer form of it, costs and what it mends: one way to draw one scene. Rows
+/// of a group draw the same scene and are judged by one truth; the first is what the others are
+/// measured by.
+struct EffectRow {
+    QString group; ///< "antialiasing", "depth buffer", "perspective", "segments", "neutral effects"
+    QString way; ///< "16 samples"
+    Arithmetic arithmetic = Arithmetic::Exact;
+    std::int64_t pixels = 0; ///< of the picture that are not its background
+    std::optional<Spread> perPixel; ///< ns; none where nothing was timed
+    std::optional<Spread>
+        timesFirst; ///< of the group's first row in the same arithmetic, by rounds
+    /// Levels, over pixels and channels, from the exact area, or from the truth of all effects.
+    double rms = 0;
+    std::int64_t wrongPixels = 0; ///< in other bytes than that
+    std::optional<double> distance; ///< of a surface's triangles from it, in the scene's unit
+
+    friend bool operator==(const EffectRow &, const EffectRow &) = default;
+};
+
+/// All of them in turn, round by round, by the column scan's plain kernels in exact arithmetic and
+/// float32: antialiasing beside the exact area, depth buffers beside exact depths, affine beside
+/// perspective, segments of a sphere and a patch, effects that change nothing forced on. Rounds 0:
+/// the errors alone. None where the listener ended it.
+std::optional<std::vector<EffectRow>> runEffectStudy(int rounds,
+                                                     const ProgressListener &listener = {});
+
+} // namespace pixelplumb

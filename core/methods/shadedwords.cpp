@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/formulatext.h"
+#include "core/methods/shadednumbers.h"
+
+#include <QStringList>
+
+namespace pixelplumb {
+
+void tellShaded(StepWords &words, const ShadedSetUpState &state)
+{
+    QStringList points;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto vertex = std::size_t(state.order[i]);
+        points.append(QStringLiteral("P%1 = vertex %2 %3")
+                          .arg(QChar(char16_t(u'₀' + i)))
+                          .arg(vertex)
+                          .arg(pointText(state.position[vertex])));
+    }
+    words.sentence = QStringLiteral("Sorted by x: ") + points.join(QStringLiteral(", ")) + u'.';
+    if (state.effects.perspective)
+        words.sentence += QStringLiteral(" What the vertices carry is divided by w, because that "
+                                         "is what changes linearly in the frame.");
+}
+
+void tellShaded(StepWords &words, const ShadedSpanState &state)
+{
+    words.heading = QStringLiteral("Column %1, %2 half")
+                        .arg(state.x)
+                        .arg(state.half == ColumnHalf::First ? QStringLiteral("first")
+                                                             : QStringLiteral("second"));
+}
+
+void tellShaded(StepWords &words, const ShadedSampleState &state)
+{
+    if (state.samples > 0) {
+        words.sentence
+            = QStringLiteral("An edge passes through the pixel: it has %1 samples, of which this "
+                             "triangle wrote %2, and is their mean.")
+                  .arg(state.samples)
+                  .arg(__builtin_popcount(state.samplesWritten));
+        return;
+    }
+    if (state.effects.depth == DepthTest::None) {
+        if (!state.isWritten)
+            words.sentence = QStringLiteral("Refused: it lies beyond the horizon of the triangle's "
+                                            "plane, where there are no attributes.");
+        return;
+    }
+    const QString z = term(state.depth);
+    if (!state.isWritten)
+        words.sentence = QStringLiteral("Refused: its depth %1 lies behind %2, which stands there.")
+                             .arg(z, term(state.nearest));
+    else if (state.nearest.isNone())
+        words.sentence = QStringLiteral("Nothing stands there yet: depth %1 is kept.").arg(z);
+    else
+        words.sentence
+            = QStringLiteral(
+                  "Depth %1 is not behind %2, which stood there: it is written and kept.")
+                  .arg(z, term(state.nearest));
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/effectstudy.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <map>
+
+using namespace pixelplumb;
+
+/// The errors of the study of effects; its times are nobody's promise.
+class TestEffectStudy : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        const auto rows = runEffectStudy(0);
+        QVERIFY(rows);
+        m_rows = *rows;
+    }
+
+    void withoutRoundsNothingIsTimed()
+    {
+        QVERIFY(std::ranges::none_of(m_rows, [](const EffectRow &row) {
+            return row.perPixel.has_value() || row.timesFirst.has_value();
+        }));
+    }
+
+    void moreSamplesComeNearerToTheExactAreaAndTheAreaIsIt()
+    {
+        const double one = row("antialiasing", "1 sample").rms;
+        const double four = row("antialiasing", "4 samples").rms;
+        const double sixteen = row("antialiasing", "16 samples").rms;
+        QVERIFY2(one > 2 * four && four > sixteen && sixteen > 0,
+                 qPrintable(QStringLiteral("%1, %2, %3").arg(one).arg(four).arg(sixteen)));
+        QCOMPARE(row("antialiasing", "exact area").rms, 0.0);
+        QCOMPARE(row("antialiasing", "exact area").wrongPixels, 0);
+    }
+
+    void moreBitsOfDepthLeaveFewerPixelsWrong()
+    {
+        const auto wrong = [this](const char *way) { return row("depth buffer", way).wrongPixels; };
+        QVERIFY(wrong("none: drawing order") > wrong("16 bits"));
+        QVERIFY(wrong("16 bits") > wrong("24 bits"));
+        QVERIFY(wrong("24 bits") >= wrong("32 bits"));
+        QCOMPARE(wrong("the kernel's number"), 0);
+    }
+
+    void affineTexturesAreWrongAndPerspectiveIsTheTruth()
+    {
+        QVERIFY(row("perspective", "affine").wrongPixels > 500);
+        QCOMPARE(row("perspective", "perspective").wrongPixels, 0);
+    }
+
+    void surfacesOfMoreSegmentsAreNearer()
+    {
+        for (const char *surface : {"sphere", "patch"}) {
+            double last = 1e9;
+            for (const char *way : {"8 segments", "16 segments", "32 segments", "64 segments"}) {
+                const double distance = row(surface, way).distance.value();
+                // A chord's sagitta is a fourth where there are twice as many.
+                QVERIFY2(distance < last / 3, surface);
+                last = distance;
+            }
+        }
+    }
+
+    void effectsThatChangeNothingChangeNothing()
+    {
+        int seen = 0;
+        for (const EffectRow &each : m_rows) {
+            if (each.group != QStringLiteral("neutral effects")
+                || each.arithmetic != Arithmetic::Exact)
+                continue;
+            QVERIFY2(each.wrongPixels == 0, qPrintable(each.way));
+            ++seen;
+        }
+        QCOMPARE(seen, 5);
+    }
+
+    void aListenerEndsIt()
+    {
+        QVERIFY(!runEffectStudy(3, [](const JobProgress &progress) { return progress.done < 2; }));
+    }
+
+private:
+    const EffectRow &row(const char *group, const char *way) const
+    {
+        const auto found = std::ranges::find_if(m_rows, [&](const EffectRow &each) {
+            return each.group == QLatin1String(group) && each.way == QLatin1String(way)
+                && each.arithmetic == Arithmetic::Exact;
+        });
+        if (found == m_rows.end())
+            qFatal("no row %s, %s", group, way);
+        return *found;
+    }
+
+    std::vector<EffectRow> m_rows;
+};
+
+QTEST_GUILESS_MAIN(TestEffectStudy)
+#include "tst_effectstudy.moc"
