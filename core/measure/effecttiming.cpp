@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/measure/effecttiming.h"
 
-#include "core/effects/effectplan.h"
+#include "core/effects/shadeddrawing.h"
 #include "core/frame/writtenframe.h"
 #include "core/measure/stopwatch.h"
 #include "core/methods/method.h"
@@ -25,6 +25,29 @@ std::int64_t differingPixels(const FrameView &a, const FrameView &b)
             differing += *a.at(x, y) != *b.at(x, y) ? 1 : 0;
     }
     return differing;
+}
+
+/// The work at samples that an effect is.
+std::vector<EffectWork> workOf(Effect effect)
+{
+    switch (effect) {
+    case Effect::Depth:
+        return {EffectWork::DepthRead, EffectWork::DepthWrite};
+    case Effect::Perspective:
+        return {EffectWork::Division};
+    case Effect::Texture:
+        return {EffectWork::TexelFetch};
+    case Effect::Light:
+        return {EffectWork::Normal};
+    case Effect::Blending:
+        return {EffectWork::Blend};
+    case Effect::Antialiasing:
+        return {EffectWork::Sample};
+    case Effect::SmoothColour:
+    case Effect::Clipping:
+        break;
+    }
+    return {};
 }
 
 /// Draws the scene with one effect on and off.
@@ -51,6 +74,7 @@ public:
             if (!isTold() || !differs())
                 continue;
             timing.costs[effect] = race();
+            timing.costs[effect]->operations = countOperations(effect);
         }
         if (m_isEnded)
             return std::nullopt;
@@ -74,15 +98,17 @@ private:
         return !m_isEnded;
     }
 
-    /// Whether the two are drawn differently at all.
+    /// Whether the method can draw both, and draws them differently at all.
     bool differs()
     {
         const EffectPlan on = planFor(m_on, m_settings, m_onFrame.view());
         const EffectPlan off = planFor(m_off, m_settings, m_offFrame.view());
         const bool isSame = on.batches == off.batches && on.antialiasing == off.antialiasing;
-        if (isSame)
+        const bool canDraw = m_method.objection(on, m_settings.arithmetic).isEmpty()
+            && m_method.objection(off, m_settings.arithmetic).isEmpty();
+        if (isSame || !canDraw)
             m_done += m_options.rounds;
-        return !isSame;
+        return !isSame && canDraw;
     }
 
     std::int64_t writtenPixels() const
@@ -96,6 +122,22 @@ private:
                 count += written.isWritten(x, y) ? 1 : 0;
         }
         return count;
+    }
+
+    /// Which samples are covered and what is done at them is the same by every method.
+    std::optional<std::int64_t> countOperations(Effect effect) const
+    {
+        const std::vector<EffectWork> work = workOf(effect);
+        if (work.empty())
+            return std::nullopt;
+        const ScanSettings exact{Arithmetic::Exact, m_settings.fillRule, m_settings.rounding};
+        const EffectTally tally
+            = countShaded(ShadedMethod::ColumnScan, m_on, exact, m_onFrame.view(),
+                          planFor(m_on, exact, m_onFrame.view()));
+        std::int64_t operations = 0;
+        for (const EffectWork each : work)
+            operations += tally[each];
+        return operations;
     }
 
     EffectCost race()

@@ -12,10 +12,14 @@ struct EffectCost {
     Spread on, off; ///< ns a draw
     Spread ratio; ///< on / off, round by round
     std::int64_t changed = 0; ///< pixels that differ between the two pictures
+    /// With it on: depths read and written, divisions by 1/w, texels read, normals made unit
+    /// length, blends, samples; none of smooth colour, which has nothing but its increments.
+    std::optional<std::int64_t> operations;
 };
 
 struct EffectTiming {
-    /// None where on and off draw the same: there is nothing to light, nothing to read, no border.
+    /// None where on and off draw the same (there is nothing to light, nothing to read, no border),
+    /// and of what the method cannot do.
     PerEffect<std::optional<EffectCost>> costs;
     std::int64_t pixels = 0; ///< that the scene's picture has written
     int rounds = 0;
@@ -24,6 +28,12 @@ struct EffectTiming {
     double perPixel(const EffectCost &cost) const
     {
         return (cost.on.median - cost.off.median) / double(std::max<std::int64_t>(pixels, 1));
+    }
+    std::optional<double> operationsPerPixel(const EffectCost &cost) const
+    {
+        if (!cost.operations)
+            return std::nullopt;
+        return double(*cost.operations) / double(std::max<std::int64_t>(pixels, 1));
     }
 };
 

@@ -28,6 +28,7 @@ enum EffectColumn {
     EffectPrimitives,
     EffectPixels,
     EffectPerPixel,
+    EffectOperations,
     EffectRatio,
     EffectReason,
     EffectColumnCount
@@ -102,11 +103,14 @@ void EffectsPanel::makeTable()
     m_table->setRowCount(int(allEffects.size()));
     m_table->setColumnCount(EffectColumnCount);
     m_table->setHorizontalHeaderLabels({tr("effect"), tr("verdict"), tr("switch"), tr("primitives"),
-                                        tr("pixels ≤"), tr("ns a pixel"), tr("times as long"),
-                                        tr("reason")});
+                                        tr("pixels ≤"), tr("ns a pixel"), tr("operations a pixel"),
+                                        tr("times as long"), tr("reason")});
     m_table->horizontalHeaderItem(EffectPerPixel)
         ->setToolTip(
             tr("How much longer drawing takes with it than without it, for each pixel written"));
+    m_table->horizontalHeaderItem(EffectOperations)
+        ->setToolTip(tr("With it on, for each pixel written: depths read and written, divisions by "
+                        "1/w, texels read, normals made unit length, blends, samples"));
     m_table->horizontalHeaderItem(EffectRatio)
         ->setToolTip(
             tr("With it against without it, and between which a half of the measurements lies"));
@@ -221,6 +225,10 @@ void EffectsPanel::showTiming()
             = m_timing ? m_timing->costs[effect] : std::optional<EffectCost>();
         m_table->item(tableRowOf(effect), EffectPerPixel)
             ->setText(cost ? QString::number(m_timing->perPixel(*cost), 'f', 2) : QString());
+        const std::optional<double> operations
+            = cost ? m_timing->operationsPerPixel(*cost) : std::nullopt;
+        m_table->item(tableRowOf(effect), EffectOperations)
+            ->setText(operations ? QString::number(*operations, 'f', 2) : QString());
         m_table->item(tableRowOf(effect), EffectRatio)
             ->setText(cost ? ratioText(cost->ratio) : QString());
     }
