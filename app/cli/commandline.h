@@ -39,6 +39,8 @@ public:
 
     bool isSet(const QString &option) const { return m_parser.isSet(option); }
     QString value(const QString &option) const { return m_parser.value(option); }
+    /// Of an option that may be repeated.
+    QStringList values(const QString &option) const { return m_parser.values(option); }
     /// The positional argument at a place, empty where an optional one is left out; negative
     /// numbers are arguments, not options.
     QString argument(qsizetype index) const;

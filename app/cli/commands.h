@@ -10,6 +10,7 @@ ExitCode render(const Command &command, const QStringList &arguments);
 ExitCode trace(const Command &command, const QStringList &arguments);
 ExitCode pixel(const Command &command, const QStringList &arguments);
 ExitCode listMethods(const Command &command, const QStringList &arguments);
+ExitCode plan(const Command &command, const QStringList &arguments);
 ExitCode check(const Command &command, const QStringList &arguments);
 ExitCode compare(const Command &command, const QStringList &arguments);
 ExitCode lab(const Command &command, const QStringList &arguments);

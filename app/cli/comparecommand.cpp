@@ -5,6 +5,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/rejectionreport.h"
 #include "app/cli/sceneoptions.h"
+#include "core/runs/sceneplan.h"
 
 #include <QJsonDocument>
 
@@ -55,6 +56,13 @@ ExitCode compare(const Command &command, const QStringList &arguments)
         = contendersNamed(line.value(methodsOption), scene->settings);
     if (!contenders)
         return line.refuse(contenders.error());
+    for (const Contender &contender : *contenders) {
+        const QString objection
+            = contender.isTruth() ? QString() : objectionTo(sceneFor(*scene, contender));
+        if (!objection.isEmpty())
+            return line.refuse(
+                QStringLiteral("--methods: method “%1” %2").arg(contender.method->id, objection));
+    }
 
     Progress progress;
     ContestOptions options;

@@ -20,6 +20,8 @@ const std::vector<Command> &commands()
          pixel},
         {QStringLiteral("methods"),
          QStringLiteral("List the methods of scan conversion, or tell one whole."), listMethods},
+        {QStringLiteral("plan"), QStringLiteral("Tell which effects a scene calls for, and why."),
+         plan},
         {QStringLiteral("check"), QStringLiteral("Run a file of hard cases."), check},
         {QStringLiteral("compare"), QStringLiteral("Tell where methods disagree, and why."),
          compare},

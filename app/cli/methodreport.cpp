@@ -128,7 +128,8 @@ QJsonObject jsonOf(const Method &method)
         {QStringLiteral("source"), method.source},
         {QStringLiteral("arithmetics"), QJsonArray::fromStringList(namesOf(method.arithmetics))},
         {QStringLiteral("fillRules"), QJsonArray::fromStringList(namesOf(method.fillRules))},
-        {QStringLiteral("effects"), QJsonArray::fromStringList(method.effects)}};
+        {QStringLiteral("effects"), QJsonArray::fromStringList(namesOf(method.effects))},
+        {QStringLiteral("remarks"), QJsonArray::fromStringList(method.remarks)}};
 }
 
 void printMethod(const Method &method)
@@ -145,7 +146,12 @@ void printMethod(const Method &method)
     printLine(QStringLiteral("  fill rules   %1").arg(namesOf(method.fillRules).join(separator)));
     if (!method.fillRuleReason.isEmpty())
         printLine(QStringLiteral("  no others:   %1").arg(method.fillRuleReason));
-    printLine(QStringLiteral("  effects      %1").arg(method.effects.join(separator)));
+    printLine(QStringLiteral("  effects      %1").arg(namesOf(method.effects).join(separator)));
+    if (!method.shadingArithmetics.empty())
+        printLine(QStringLiteral("  beyond colour and clipping in %1")
+                      .arg(namesOf(method.shadingArithmetics).join(separator)));
+    if (!method.remarks.empty())
+        printLine(QStringLiteral("  remarks      %1").arg(method.remarks.join(separator)));
 }
 
 void printWholeMethod(const Method &method)

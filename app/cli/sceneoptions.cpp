@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/sceneoptions.h"
 
+#include "app/cli/forceoption.h"
 #include "app/cli/input.h"
 #include "app/cli/suggestion.h"
+#include "core/runs/sceneplan.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/scenefile.h"
 
@@ -99,6 +101,7 @@ void addSettingOptions(CommandLine &line)
                     QStringLiteral("How a level becomes a byte: ")
                         + namesOf(allByteRoundings).join(QStringLiteral(", ")) + u'.',
                     name});
+    addForceOption(line);
 }
 
 Result<const Method *> chosenMethod(const CommandLine &line, const QString &unset)
@@ -150,10 +153,12 @@ Result<Scene> readSceneForAnyMethod(const CommandLine &line)
     const auto arithmetic = chosenArithmetic(line, scene.settings.arithmetic);
     const auto fillRule = chosenFillRule(line, scene.settings.fillRule);
     const auto rounding = chosen(line, roundingOption, allByteRoundings, scene.settings.rounding);
-    if (const auto error = firstError(method, arithmetic, fillRule, rounding))
+    const auto forced = chosenForcing(line);
+    if (const auto error = firstError(method, arithmetic, fillRule, rounding, forced))
         return *error;
     scene.method = (*method)->id.toStdString();
     scene.settings = {*arithmetic, *fillRule, *rounding};
+    scene.appearance.forced = *forced;
     return scene;
 }
 
@@ -164,8 +169,8 @@ Result<Scene> readScene(const CommandLine &line)
         return scene;
     const QString path = line.argument(0);
     const Method &method = *methodNamed(QString::fromStdString(scene->method));
-    if (const QString refusal = method.refusal(scene->settings); !refusal.isEmpty())
-        return InputError{path, refusal, {}};
+    if (const QString objection = objectionTo(*scene); !objection.isEmpty())
+        return InputError{path, QStringLiteral("method “%1” %2").arg(method.id, objection), {}};
     reportNothingDrawn(path, method, *scene);
     return scene;
 }

@@ -10,7 +10,8 @@ namespace pixelplumb::cli {
 /// The positional argument that names a scene.
 Positional scenePositional();
 
-/// --method, --arithmetic, --fill-rule and --rounding, which take the place of what the scene says.
+/// --method, --arithmetic, --fill-rule and --rounding, which take the place of what the scene says,
+/// and --force.
 void addSettingOptions(CommandLine &line);
 
 /// The scene of a file ("-" is stdin) as it is. Vertices that had to be snapped are reported on

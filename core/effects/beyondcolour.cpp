@@ -15,7 +15,10 @@ std::optional<EffectPlan> planBeyondColour(const Primitives &primitives,
     if (!mayCallForMore || primitives.triangles.empty())
         return std::nullopt;
     EffectPlan plan = planFor(primitives, settings, frame);
-    if (plan.isPlain())
+    // The plain kernels interpolate what colours there are.
+    const bool losesColours = appearance.forced[Effect::SmoothColour] == Forcing::Off
+        && plan.verdicts[Effect::SmoothColour].verdict == Verdict::CalledFor;
+    if (plan.isPlain() && !losesColours)
         return std::nullopt;
     return plan;
 }

@@ -12,6 +12,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <string_view>
 #include <vector>
 
 /// What a scene needs, and what is run for it: values, found in one pass, shown with their reasons.
@@ -22,6 +23,9 @@ enum class Verdict : std::uint8_t {
     CalledFor,
     NotRuledOut, ///< no cheap proof was found; it runs
 };
+
+/// "not called for", "called for", "not ruled out".
+std::string_view nameOf(Verdict verdict);
 
 /// What a scene needs of one effect, and why, in words that a student understands.
 struct EffectVerdict {
@@ -55,6 +59,11 @@ struct EffectSet {
     }
     friend constexpr bool operator==(const EffectSet &, const EffectSet &) = default;
 };
+
+/// Whether it is among them; of clipping and antialiasing, which no kernel of a batch does, false.
+bool contains(const EffectSet &effects, Effect effect);
+/// "smooth colour, depth"; "one colour" where there are none.
+QString namesOf(const EffectSet &effects);
 
 /// A run of triangles of the same needs, in drawing order.
 struct EffectBatch {

@@ -132,28 +132,6 @@ std::vector<EffectBatch> batchesOf(const Primitives &primitives, const FrameView
     return std::move(list).batches();
 }
 
-bool isIn(const EffectSet &effects, Effect effect)
-{
-    switch (effect) {
-    case Effect::SmoothColour:
-        return effects.smooth;
-    case Effect::Depth:
-        return effects.depth != DepthTest::None;
-    case Effect::Perspective:
-        return effects.perspective;
-    case Effect::Texture:
-        return effects.texture;
-    case Effect::Light:
-        return effects.light;
-    case Effect::Blending:
-        return effects.blending;
-    case Effect::Clipping:
-    case Effect::Antialiasing:
-        break;
-    }
-    return false;
-}
-
 } // namespace
 
 bool EffectPlan::runs(Effect effect) const
@@ -163,7 +141,7 @@ bool EffectPlan::runs(Effect effect) const
     if (effect == Effect::Clipping)
         return verdicts[effect].verdict != Verdict::NotCalledFor;
     return std::ranges::any_of(
-        batches, [effect](const EffectBatch &batch) { return isIn(batch.effects, effect); });
+        batches, [effect](const EffectBatch &batch) { return contains(batch.effects, effect); });
 }
 
 EffectPlan planFor(const Primitives &primitives, const ScanSettings &settings,

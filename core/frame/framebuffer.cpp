@@ -29,17 +29,12 @@ FrameBuffer::FrameBuffer(const FrameSpec &spec)
     : m_spec(spec)
     , m_lineLength(lineLengthFor(spec.width))
     , m_pixels(new (cacheLine) QRgb[std::size_t(m_lineLength * spec.height)])
+    , m_view(windowOf(spec))
 {
     Q_ASSERT(spec.width >= 1 && spec.height >= 1);
     const bool upward = spec.origin == FrameOrigin::BottomLeft;
     m_view.base = m_pixels.get() + (upward ? (spec.height - 1) * m_lineLength : 0);
     m_view.stride = upward ? -m_lineLength : m_lineLength;
-    m_view.firstColumn = spec.firstColumn;
-    m_view.firstRow = spec.firstRow;
-    m_view.width = spec.width;
-    m_view.height = spec.height;
-    m_view.origin = spec.origin;
-    m_view.offScreenPoint = offScreenSample(spec);
     clear();
 }
 

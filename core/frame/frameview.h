@@ -36,4 +36,17 @@ struct FrameView {
     }
 };
 
+/// The window that a frame shows, without memory: for who asks where pixels are and writes none.
+constexpr FrameView windowOf(const FrameSpec &spec)
+{
+    FrameView window;
+    window.firstColumn = spec.firstColumn;
+    window.firstRow = spec.firstRow;
+    window.width = spec.width;
+    window.height = spec.height;
+    window.origin = spec.origin;
+    window.offScreenPoint = offScreenSample(spec);
+    return window;
+}
+
 } // namespace pixelplumb

@@ -26,6 +26,8 @@ Method columnScanMethod()
     method.summary = QStringLiteral("Walks the columns between two edges and colours the samples "
                                     "from ⌈y_B⌉ to ⌊y_T⌋, all by adding increments.");
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
+    method.effects.assign(allEffects.begin(), allEffects.end());
+    method.shadingArithmetics = {Arithmetic::Exact, Arithmetic::Float32};
     method.stableArithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::Open};
     method.fillRuleReason = spanRuleReason(SpanAxis::Column);

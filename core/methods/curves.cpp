@@ -25,7 +25,7 @@ Method curveMethod()
 {
     Method method = methodOf<Kernel>();
     method.family = MethodFamily::Curves;
-    method.effects = {QStringLiteral("one colour"), QStringLiteral("clipping to the frame")};
+    method.effects = {Effect::Clipping};
     method.arithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed};
     method.fillRuleReason = QStringLiteral("a curve has no edges that two shapes could share");
@@ -51,7 +51,7 @@ Method circleExplicitMethod()
     method.source = QStringLiteral("Scan Conversion slides, “Lines and Curves: Explicit”");
     method.summary = QStringLiteral("Computes y = ±√(r² − x²) for each column; there are gaps "
                                     "where the curve is steep.");
-    method.effects += QStringLiteral("gaps where the curve is steep");
+    method.remarks += QStringLiteral("gaps where the curve is steep");
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
     return method;
 }
@@ -78,7 +78,7 @@ Method circleMidpointMethod()
                                    "“Lines and Curves: Implicit”");
     method.summary = QStringLiteral("Steps through an octant by the sign of F at midpoints, an "
                                     "integer, and mirrors each pixel into the other seven.");
-    method.effects += QStringLiteral("whole-pixel centre and radii");
+    method.remarks += QStringLiteral("whole-pixel centre and radii");
     return method;
 }
 

@@ -36,7 +36,7 @@ template <EdgeTestForm form>
 Method edgeTestMethod()
 {
     Method method = methodOf<EdgeTestKernel<form>>();
-    method.effects = {QStringLiteral("smooth colour"), QStringLiteral("clipping to the frame")};
+    method.effects = {Effect::SmoothColour, Effect::Clipping};
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
     method.stableArithmetics = {Arithmetic::Exact};
     method.fillRules.assign(allFillRules.begin(), allFillRules.end());

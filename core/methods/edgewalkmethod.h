@@ -24,7 +24,7 @@ template <class Kernel>
 Method edgeWalkMethod()
 {
     Method method = methodOf<Kernel>();
-    method.effects = {QStringLiteral("smooth colour"), QStringLiteral("clipping to the frame")};
+    method.effects = {Effect::SmoothColour, Effect::Clipping};
     return method;
 }
 

@@ -16,9 +16,7 @@ Method interpolationMethod()
     method.draw = drawPlanned<shaded, drawWith<Kernel>>;
     method.trace = tracePlanned<shaded, traceWith<Kernel>>;
     method.family = MethodFamily::Interpolation;
-    method.effects = {QStringLiteral("smooth colour"), QStringLiteral("depth"),
-                      QStringLiteral("texture coordinates"), QStringLiteral("normals"),
-                      QStringLiteral("clipping to the frame")};
+    method.effects.assign(allEffects.begin(), allEffects.end());
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
     method.stableArithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::Open};

@@ -13,7 +13,7 @@ Method lineMethod()
 {
     Method method = methodOf<Kernel>();
     method.family = MethodFamily::Lines;
-    method.effects = {QStringLiteral("smooth colour"), QStringLiteral("clipping to the frame")};
+    method.effects = {Effect::SmoothColour, Effect::Clipping};
     method.kinds = {PrimitiveKind::Line};
     method.arithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed};
@@ -33,7 +33,7 @@ Method lineSlopeInterceptMethod()
                                    "Explicit”");
     method.summary = QStringLiteral("Computes y = m·x + b for each column and rounds it by "
                                     "(int)(y + ½): steep lines have gaps, vertical ones no m.");
-    method.effects += QStringLiteral("gaps where |m| > 1");
+    method.remarks += QStringLiteral("gaps where |m| > 1");
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
     return method;
 }
@@ -61,7 +61,7 @@ Method lineBresenhamMethod()
     method.summary = QStringLiteral("Steps from the left end to the right by the sign of an "
                                     "integer; p_k < 0 stays, so that ties go up on a rising line "
                                     "and down on a falling one.");
-    method.effects += QStringLiteral("whole-pixel end points");
+    method.remarks += QStringLiteral("whole-pixel end points");
     return method;
 }
 

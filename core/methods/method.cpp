@@ -21,6 +21,30 @@ namespace {
 
 QString quoted(std::string_view name) { return u'“' + nameText(name) + u'”'; }
 
+/// What a plan runs and not every method of triangles can.
+std::vector<Effect> shadingEffectsOf(const EffectPlan &plan)
+{
+    std::vector<Effect> effects;
+    for (const Effect effect : allEffects) {
+        if (effect != Effect::SmoothColour && effect != Effect::Clipping && plan.runs(effect))
+            effects.push_back(effect);
+    }
+    return effects;
+}
+
+/// Their ids.
+QStringList methodsThatDo(const std::vector<Effect> &effects)
+{
+    QStringList ids;
+    for (const Method &method : methods()) {
+        const bool doesAll = std::ranges::all_of(
+            effects, [&method](Effect effect) { return method.supports(effect); });
+        if (doesAll && method.draws(PrimitiveKind::Triangle))
+            ids.append(method.id);
+    }
+    return ids;
+}
+
 } // namespace
 
 QString spanRuleReason(SpanAxis axis)
@@ -37,6 +61,11 @@ bool Method::supports(Arithmetic arithmetic) const
 bool Method::supports(FillRule rule) const
 {
     return std::ranges::find(fillRules, rule) != fillRules.end();
+}
+
+bool Method::supports(Effect effect) const
+{
+    return std::ranges::find(effects, effect) != effects.end();
 }
 
 bool Method::draws(PrimitiveKind kind) const
@@ -65,6 +94,25 @@ QString Method::objection(const ScanSettings &settings) const
         return QStringLiteral("cannot keep the fill rule %1: %2; it keeps %3")
             .arg(quoted(nameOf(settings.fillRule)), fillRuleReason,
                  namesOf(fillRules).join(QStringLiteral(", ")));
+    return {};
+}
+
+QString Method::objection(const EffectPlan &plan, Arithmetic arithmetic) const
+{
+    if (plan.isPlain() || !draws(PrimitiveKind::Triangle))
+        return {};
+    const std::vector<Effect> run = shadingEffectsOf(plan);
+    std::vector<Effect> missing = run;
+    std::erase_if(missing, [this](Effect effect) { return supports(effect); });
+    const QString separator = QStringLiteral(", ");
+    if (!missing.empty())
+        return QStringLiteral("cannot do %1, which the scene calls for; %2 can")
+            .arg(namesOf(missing).join(separator), methodsThatDo(missing).join(separator));
+    if (!shadingArithmetics.empty()
+        && std::ranges::find(shadingArithmetics, arithmetic) == shadingArithmetics.end())
+        return QStringLiteral("cannot do %1, which the scene calls for, in %2; it can in %3")
+            .arg(namesOf(run).join(separator), quoted(nameOf(arithmetic)),
+                 namesOf(shadingArithmetics).join(separator));
     return {};
 }
 

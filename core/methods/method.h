@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/effects/effectplan.h"
 #include "core/frame/frameview.h"
 #include "core/geometry/shape.h"
 #include "core/trace/tracerecorder.h"
@@ -23,7 +24,11 @@ struct Method {
     MethodFamily family = MethodFamily::Triangles;
     QString source; ///< course text and slide, by the names of resources/sources.md
     QString summary; ///< one sentence
-    QStringList effects; ///< what it meets: "smooth colour"
+    std::vector<Effect> effects = {}; ///< that it can
+    /// Those of its arithmetics in which it can more than smooth colour and clipping; empty when
+    /// in all.
+    std::vector<Arithmetic> shadingArithmetics = {};
+    QStringList remarks = {}; ///< what else it does, and what it leaves out: "holes"
     std::vector<PrimitiveKind> kinds = {PrimitiveKind::Triangle}; ///< what it draws
     /// Of circles and ellipses: which of them, by their fill; empty when it draws all.
     std::vector<ShapeFill> fills = {};
@@ -53,6 +58,7 @@ struct Method {
     }
     bool supports(Arithmetic arithmetic) const;
     bool supports(FillRule rule) const;
+    bool supports(Effect effect) const;
     bool draws(PrimitiveKind kind) const;
     bool draws(const Shape &shape) const;
     /// True where every picture under the arithmetic is the truth, by proof.
@@ -60,7 +66,11 @@ struct Method {
     /// Why the method cannot draw under these settings, to be read after its name: "does not
     /// compute in …"; empty when it can.
     QString objection(const ScanSettings &settings) const;
-    /// The same after its id; empty when it can.
+    /// Why it cannot draw triangles with the effects that a plan runs, and which methods can, to be
+    /// read after its name. Smooth colour and clipping are no objection: who draws in one colour
+    /// says so.
+    QString objection(const EffectPlan &plan, Arithmetic arithmetic) const;
+    /// The first after its id; empty when it can.
     QString refusal(const ScanSettings &settings) const;
     /// The settings with what the method refuses replaced by its first choice.
     ScanSettings adapted(const ScanSettings &settings) const;

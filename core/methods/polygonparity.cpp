@@ -8,7 +8,7 @@ Method polygonMethod(Method method)
 {
     method.family = MethodFamily::Polygons;
     method.kinds = {PrimitiveKind::Polygon};
-    method.effects = {QStringLiteral("flat colour"), QStringLiteral("clipping to the frame")};
+    method.effects = {Effect::Clipping};
     method.stableArithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::TopLeft};
     method.fillRuleReason
@@ -27,9 +27,9 @@ Method polygonParityMethod()
                                    "Algorithm”");
     method.summary = QStringLiteral("Intersects each row with the active edges, sorts the "
                                     "crossings in x, and fills by their parity or winding number.");
-    method.effects
-        += {QStringLiteral("concave"), QStringLiteral("self-crossing"), QStringLiteral("holes"),
-            QStringLiteral("even-odd"), QStringLiteral("non-zero")};
+    method.remarks
+        = {QStringLiteral("concave"), QStringLiteral("self-crossing"), QStringLiteral("holes"),
+           QStringLiteral("even-odd"), QStringLiteral("non-zero")};
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     return method;
 }

@@ -24,7 +24,7 @@ Method polygonFanMethod()
     method.source = QStringLiteral("Scan Conversion slides, “From Polygons to Triangles”");
     method.summary = QStringLiteral("Breaks a convex polygon into the triangles that its first "
                                     "vertex makes with its edges, and fills each row by row.");
-    method.effects += {QStringLiteral("convex"), QStringLiteral("shared edges")};
+    method.remarks = {QStringLiteral("convex"), QStringLiteral("shared edges")};
     return method;
 }
 
@@ -38,9 +38,9 @@ Method polygonDelaunayMethod()
     method.summary = QStringLiteral("Breaks a polygon that does not cross itself into the "
                                     "triangles of its constrained Delaunay triangulation, and "
                                     "fills each row by row.");
-    method.effects
-        += {QStringLiteral("concave"), QStringLiteral("holes"), QStringLiteral("even-odd"),
-            QStringLiteral("non-zero"), QStringLiteral("shared edges")};
+    method.remarks
+        = {QStringLiteral("concave"), QStringLiteral("holes"), QStringLiteral("even-odd"),
+           QStringLiteral("non-zero"), QStringLiteral("shared edges")};
     return method;
 }
 

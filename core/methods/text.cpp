@@ -17,7 +17,7 @@ Method textOutlinesMethod()
                                    "Algorithm”");
     method.summary = QStringLiteral("Takes the outlines of the glyphs from a font and fills them "
                                     "as one polygon by winding number.");
-    method.effects += {QStringLiteral("text"), QStringLiteral("non-zero")};
+    method.remarks = {QStringLiteral("text"), QStringLiteral("non-zero")};
     method.kinds = {PrimitiveKind::Text};
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     return method;

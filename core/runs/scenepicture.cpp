@@ -3,6 +3,7 @@
 
 #include "core/frame/keptrows.h"
 #include "core/frame/pixelrows.h"
+#include "core/runs/sceneplan.h"
 #include "core/scan/columndrawing.h"
 
 #include <algorithm>
@@ -107,7 +108,7 @@ ScenePicture::Twin ScenePicture::twinOf(const Scene &scene, const Method &method
 bool ScenePicture::draw(const std::shared_ptr<const Scene> &scene, const ProgressListener &listener)
 {
     const Method *method = methodNamed(QString::fromStdString(scene->method));
-    Q_ASSERT(method && method->refusal(scene->settings).isEmpty());
+    Q_ASSERT(method && objectionTo(*scene).isEmpty());
     Q_ASSERT(scene->frame == spec());
     const Rows rows = rowsToDraw(*scene, *method);
     m_twinKind = twinOf(*scene, *method);

@@ -32,7 +32,7 @@ public:
     /// None where there is no exact twin.
     const DifferenceMap &differences() const { return m_differences; }
 
-    /// Draws a scene with this frame, whose method must accept its settings (Method::refusal).
+    /// Draws a scene with this frame, whose method must be able to (objectionTo).
     /// False when the listener, who hears of each piece of the scene, ended it: the picture is
     /// then worth nothing.
     bool draw(const std::shared_ptr<const Scene> &scene, const ProgressListener &listener);

@@ -5,6 +5,7 @@
 #include "core/frame/pixelrows.h"
 #include "core/oracle/truepicture.h"
 #include "core/runs/contender.h"
+#include "core/runs/sceneplan.h"
 #include "core/runs/tracemarks.h"
 
 #include <algorithm>
@@ -16,7 +17,7 @@ namespace {
 const Method &methodOf(const Scene &scene)
 {
     const Method *method = methodNamed(QString::fromStdString(scene.method));
-    Q_ASSERT(method && method->refusal(scene.settings).isEmpty());
+    Q_ASSERT(method && objectionTo(scene).isEmpty());
     return *method;
 }
 

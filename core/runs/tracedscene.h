@@ -83,8 +83,8 @@ struct ExactSample {
 std::vector<ExactSample> exactSamplesOf(const TracedScene &traced, std::size_t span,
                                         std::span<const SampleRecord> samples);
 
-/// Null when options.progress ended it. The scene's method must accept its settings (see
-/// Method::refusal).
+/// Null when options.progress ended it. The scene's method must be able to draw it (see
+/// objectionTo).
 std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOptions &options = {});
 
 /// The picture alone, by the scene's method.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/model/scenetracer.h"
 
+#include "core/runs/sceneplan.h"
 #include "core/scene/solidlimits.h"
 
 #include <chrono>
@@ -50,7 +51,7 @@ QString refusalOf(const Scene &scene)
     const QString id = QString::fromStdString(scene.method);
     const Method *method = methodNamed(id);
     if (method) {
-        const QString objection = method->objection(scene.settings);
+        const QString objection = objectionTo(scene);
         return objection.isEmpty() ? objection : method->title + u' ' + objection + u'.';
     }
     return SceneTracer::tr("There is no method named “%1”.").arg(id);

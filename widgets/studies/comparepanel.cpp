@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/comparepanel.h"
 
+#include "core/runs/sceneplan.h"
 #include "widgets/model/playhead.h"
 #include "widgets/studies/agreementview.h"
 #include "widgets/studies/comparelink.h"
@@ -161,11 +162,11 @@ void ComparePanel::choosePanes()
     std::vector<Contender> chosen = {{&method, scene.settings}};
     for (const Arithmetic arithmetic :
          {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64}) {
-        ScanSettings settings = scene.settings;
-        settings.arithmetic = arithmetic;
+        Contender rounding{&method, scene.settings};
+        rounding.settings.arithmetic = arithmetic;
         if (arithmetic != scene.settings.arithmetic && chosen.size() < 3
-            && method.refusal(settings).isEmpty())
-            chosen.push_back({&method, settings});
+            && objectionTo(sceneFor(scene, rounding)).isEmpty())
+            chosen.push_back(rounding);
     }
     if (chosen.size() < fewestContenders)
         chosen.push_back({nullptr, scene.settings});
@@ -207,6 +208,8 @@ void ComparePanel::restart()
     std::vector<Contender> chosen = contenders();
     for (Contender &contender : chosen)
         contender.settings.rounding = traced->scene.settings.rounding;
+    if (!canAllDraw(traced->scene, chosen))
+        return;
     m_job.start(
         [scene = traced->scene, chosen](const ProgressListener &listener) {
             ContestOptions options;
@@ -215,6 +218,26 @@ void ComparePanel::restart()
             return compareContenders(scene, chosen, options);
         },
         [this](const std::shared_ptr<const Contest> &contest) { take(contest); });
+}
+
+/// Otherwise says who cannot, and why.
+bool ComparePanel::canAllDraw(const Scene &scene, const std::vector<Contender> &contenders)
+{
+    for (const Contender &contender : contenders) {
+        const QString objection
+            = contender.isTruth() ? QString() : objectionTo(sceneFor(scene, contender));
+        if (objection.isEmpty())
+            continue;
+        const QString text = QStringLiteral("%1 %2.").arg(contender.method->title, objection);
+        m_job.cancel();
+        m_contest.reset();
+        for (ComparePane *pane : m_panes)
+            pane->clear(text);
+        m_agreement->setContest(nullptr);
+        m_reason->setText(text);
+        return false;
+    }
+    return true;
 }
 
 void ComparePanel::take(const std::shared_ptr<const Contest> &contest)

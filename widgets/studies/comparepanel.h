@@ -57,6 +57,7 @@ private:
     void removePane();
     void choosePanes();
     void restart();
+    bool canAllDraw(const Scene &scene, const std::vector<Contender> &contenders);
     void take(const std::shared_ptr<const Contest> &contest);
     void tellPixel();
     void tellProgress(const JobProgress &progress);

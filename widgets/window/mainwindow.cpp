@@ -11,6 +11,7 @@
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/look/paletteswitch.h"
+#include "widgets/model/effectswitches.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
@@ -95,6 +96,7 @@ void MainWindow::makeParts()
     m_parts.document = new SceneDocument(this);
     m_parts.playhead = new Playhead(this);
     m_parts.options = new DisplayOptions(this);
+    m_parts.effects = new EffectSwitches(this);
     m_parts.tracer = new SceneTracer(this);
     m_parts.previewer = new ScenePreviewer(this);
     m_parts.recent = new RecentFiles(this);
@@ -168,13 +170,8 @@ void MainWindow::connectParts()
     // A message is about the choice before; what is to be said of this one comes after it.
     connect(document, &SceneDocument::sceneChanged, m_parts.messageBar, &QWidget::hide);
     connect(document, &SceneDocument::pendingChanged, m_parts.messageBar, &QWidget::hide);
-    connect(document, &SceneDocument::sceneChanged, this, [this, document] {
-        const std::shared_ptr<const Scene> scene = document->snapshot();
-        m_parts.tracer->trace(scene);
-        if (m_parts.tracer->isRunning())
-            return m_parts.previewer->preview(scene);
-        m_parts.previewer->clear(); // it is traced already, or cannot be
-    });
+    connect(document, &SceneDocument::sceneChanged, this, &MainWindow::traceDocument);
+    connect(m_parts.effects, &EffectSwitches::changed, this, &MainWindow::traceDocument);
     connect(document, &SceneDocument::modifiedChanged, this, &QWidget::setWindowModified);
     connect(document, &SceneDocument::refused, m_parts.messageBar, &MessageBar::complain);
     connect(document, &SceneDocument::notice, m_parts.messageBar, &MessageBar::tell);
@@ -187,6 +184,7 @@ void MainWindow::connectParts()
     // would only stand in memory beside a large one that is being traced.
     connect(m_parts.files, &SceneFiles::replacing, m_parts.playhead,
             [this] { m_parts.playhead->setTraced(nullptr); });
+    connect(m_parts.files, &SceneFiles::replacing, m_parts.effects, &EffectSwitches::reset);
     connect(m_parts.files, &SceneFiles::loaded, this, [this] {
         if (!m_parts.files->path().isEmpty())
             setOpeningPlace(OpeningMoment::HalfDrawn);
@@ -205,6 +203,16 @@ void MainWindow::connectParts()
         if (const auto colour = askForColour(vertex->colour, tr("Colour of the Vertex"), this))
             m_parts.document->setVertexColour(ref, *colour);
     });
+}
+
+void MainWindow::traceDocument()
+{
+    const std::shared_ptr<const Scene> scene
+        = m_parts.effects->applied(m_parts.document->snapshot());
+    m_parts.tracer->trace(scene);
+    if (m_parts.tracer->isRunning())
+        return m_parts.previewer->preview(scene);
+    m_parts.previewer->clear(); // it is traced already, or cannot be
 }
 
 void MainWindow::takeTrace(const std::shared_ptr<const TracedScene> &traced)

@@ -49,6 +49,7 @@ private:
     void makeToolBars();
     void makeMenus();
     void connectParts();
+    void traceDocument();
     void takeTrace(const std::shared_ptr<const TracedScene> &traced);
     void goToOpeningPlace();
     void updateTitle();

@@ -8,6 +8,7 @@
 #include "widgets/lab/accuracylab.h"
 #include "widgets/space/projectionpanel.h"
 #include "widgets/studies/comparepanel.h"
+#include "widgets/studies/effectspanel.h"
 #include "widgets/studies/hardcasespanel.h"
 #include "widgets/studies/operationpanel.h"
 #include "widgets/studies/performancepanel.h"
@@ -28,6 +29,11 @@ QWidget *follower(const WindowParts &parts)
 QWidget *pixelGrid(const WindowParts &parts)
 {
     return new PixelGrid(parts.playhead, parts.options);
+}
+
+QWidget *effects(const WindowParts &parts)
+{
+    return new EffectsPanel(parts.document, parts.effects);
 }
 
 constexpr Qt::DockWidgetArea leftArea = Qt::LeftDockWidgetArea;
@@ -59,6 +65,8 @@ constexpr Panel table[] = {
      follower<AccuracyLab>, bottomArea, hiddenAtFirst},
     {"projectionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Projection"),
      follower<ProjectionPanel>, bottomArea, hiddenAtFirst},
+    {"effectsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Effects"), effects, bottomArea,
+     hiddenAtFirst},
 };
 
 } // namespace

@@ -5,6 +5,7 @@ namespace pixelplumb {
 
 class Canvas;
 class DisplayOptions;
+class EffectSwitches;
 class MessageBar;
 class OverdrawOverlay;
 class Playhead;
@@ -22,6 +23,7 @@ struct WindowParts {
     SceneDocument *document = nullptr;
     Playhead *playhead = nullptr;
     DisplayOptions *options = nullptr;
+    EffectSwitches *effects = nullptr;
     SceneTracer *tracer = nullptr;
     ScenePreviewer *previewer = nullptr;
     RecentFiles *recent = nullptr;

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/commandline.h"
+#include "core/geometry/effect.h"
+
+namespace pixelplumb::cli {
+
+/// --force EFFECT=on|off, which may stand several times.
+void addForceOption(CommandLine &line);
+
+/// What the options switch by hand, or what is wrong with one of them.
+Result<EffectForcing> chosenForcing(const CommandLine &line);
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/measure/effecttiming.h"
+
+#include "core/effects/shadeddrawing.h"
+#include "core/frame/writtenframe.h"
+#include "core/measure/stopwatch.h"
+#include "core/methods/method.h"
+
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+const Method &methodOfScene(const Scene &scene)
+{
+    return *methodNamed(QString::fromStdString(scene.method));
+}
+
+std::int64_t differingPixels(const FrameView &a, const FrameView &b)
+{
+    std::int64_t differing = 0;
+    for (std::int64_t y = a.firstRow; y < a.endRow(); ++y) {
+        for (std::int64_t x = a.firstColumn; x < a.endColumn(); ++x)
+            differing += *a.at(x, y) != *b.at(x, y) ? 1 : 0;
+    }
+    return differing;
+}
+
+/// The work at samples that an effect is.
+std::vector<EffectWork> workOf(Effect effect)
+{
+    switch (effect) {
+    case Effect::Depth:
+        return {EffectWork::DepthRead, EffectWork::DepthWrite};
+    case Effect::Perspective:
+        return {EffectWork::Division};
+    case Effect::Texture:
+        return {EffectWork::TexelFetch};
+    case Effect::Light:
+        return {EffectWork::Normal};
+    case Effect::Blending:
+        return {EffectWork::Blend};
+    case Effect::Antialiasing:
+        return {EffectWork::Sample};
+    case Effect::SmoothColour:
+    case Effect::Clipping:
+        break;
+    }
+    return {};
+}
+
+/// Draws the scene with one effect on and off.
+class EffectRace {
+public:
+    EffectRace(const Scene &scene, const TimingOptions &options)
+        : m_options(options)
+        , m_method(methodOfScene(scene))
+        , m_settings(scene.settings)
+        , m_on(primitivesOnSamples(scene))
+        , m_off(m_on)
+        , m_onFrame(scene.frame)
+        , m_offFrame(scene.frame)
+    {
+    }
+
+    std::optional<EffectTiming> run()
+    {
+        EffectTiming timing;
+        timing.rounds = m_options.rounds;
+        timing.pixels = writtenPixels();
+        for (const Effect effect : allEffects) {
+            force(effect);
+            if (!isTold() || !differs())
+                continue;
+            timing.costs[effect] = race();
+            timing.costs[effect]->operations = countOperations(effect);
+        }
+        if (m_isEnded)
+            return std::nullopt;
+        return timing;
+    }
+
+private:
+    void force(Effect effect)
+    {
+        m_on.appearance.forced = {};
+        m_on.appearance.forced[effect] = Forcing::On;
+        m_off.appearance.forced = {};
+        m_off.appearance.forced[effect] = Forcing::Off;
+    }
+
+    bool isTold()
+    {
+        const int all = m_options.rounds * int(allEffects.size());
+        m_isEnded = m_isEnded
+            || !goesOn(m_options.progress, {JobPhase::Measuring, std::min(m_done, all), all});
+        return !m_isEnded;
+    }
+
+    /// Whether the method can draw both, and draws them differently at all.
+    bool differs()
+    {
+        const EffectPlan on = planFor(m_on, m_settings, m_onFrame.view());
+        const EffectPlan off = planFor(m_off, m_settings, m_offFrame.view());
+        const bool isSame = on.batches == off.batches && on.antialiasing == off.antialiasing;
+        const bool canDraw = m_method.objection(on, m_settings.arithmetic).isEmpty()
+            && m_method.objection(off, m_settings.arithmetic).isEmpty();
+        if (isSame || !canDraw)
+            m_done += m_options.rounds;
+        return !isSame && canDraw;
+    }
+
+    std::int64_t writtenPixels() const
+    {
+        const WrittenFrame written(m_onFrame.spec());
+        m_method.draw(m_on, m_settings, written.view());
+        std::int64_t count = 0;
+        const FrameView view = written.view();
+        for (std::int64_t y = view.firstRow; y < view.endRow(); ++y) {
+            for (std::int64_t x = view.firstColumn; x < view.endColumn(); ++x)
+                count += written.isWritten(x, y) ? 1 : 0;
+        }
+        return count;
+    }
+
+    /// Which samples are covered and what is done at them is the same by every method.
+    std::optional<std::int64_t> countOperations(Effect effect) const
+    {
+        const std::vector<EffectWork> work = workOf(effect);
+        if (work.empty())
+            return std::nullopt;
+        const ScanSettings exact{Arithmetic::Exact, m_settings.fillRule, m_settings.rounding};
+        const EffectTally tally
+            = countShaded(ShadedMethod::ColumnScan, m_on, exact, m_onFrame.view(),
+                          planFor(m_on, exact, m_onFrame.view()));
+        std::int64_t operations = 0;
+        for (const EffectWork each : work)
+            operations += tally[each];
+        return operations;
+    }
+
+    EffectCost race()
+    {
+        EffectCost cost;
+        m_onFrame.clear();
+        m_offFrame.clear();
+        const double longest = std::max(timeOf(m_on, m_onFrame, 1), timeOf(m_off, m_offFrame, 1));
+        cost.changed = differingPixels(m_onFrame.view(), m_offFrame.view());
+        const int times
+            = std::max(1, int(std::ceil(m_options.sampleNanoseconds / std::max(longest, 1.0))));
+        std::vector<double> on, off, ratio;
+        for (int round = 0; round < m_options.rounds && isTold(); ++round, ++m_done) {
+            // Each round begins with the other one: neither always follows its neighbour.
+            if (round % 2 == 0) {
+                on.push_back(timeOf(m_on, m_onFrame, times));
+                off.push_back(timeOf(m_off, m_offFrame, times));
+            } else {
+                off.push_back(timeOf(m_off, m_offFrame, times));
+                on.push_back(timeOf(m_on, m_onFrame, times));
+            }
+            ratio.push_back(on.back() / off.back());
+        }
+        if (ratio.empty())
+            return cost;
+        cost.on = spreadOf(on);
+        cost.off = spreadOf(off);
+        cost.ratio = spreadOf(ratio);
+        return cost;
+    }
+
+    /// ns a draw.
+    double timeOf(const Primitives &primitives, const FrameBuffer &frame, int times) const
+    {
+        const Stopwatch watch;
+        for (int i = 0; i < times; ++i)
+            m_method.draw(primitives, m_settings, frame.view());
+        return std::max(watch.elapsed().thread, 1.0) / times;
+    }
+
+    const TimingOptions &m_options;
+    const Method &m_method;
+    ScanSettings m_settings;
+    Primitives m_on;
+    Primitives m_off;
+    FrameBuffer m_onFrame;
+    FrameBuffer m_offFrame;
+    int m_done = 0;
+    bool m_isEnded = false;
+};
+
+} // namespace
+
+std::optional<EffectTiming> timeEffects(const Scene &scene, const TimingOptions &options)
+{
+    Scene asCalledFor = scene;
+    asCalledFor.appearance.forced = {};
+    return EffectRace(asCalledFor, options).run();
+}
+
+std::int64_t pixelsChangedByForcing(const Scene &scene)
+{
+    Primitives primitives = primitivesOnSamples(scene);
+    const FrameBuffer forced(scene.frame);
+    const FrameBuffer asCalledFor(scene.frame);
+    const Method &method = methodOfScene(scene);
+    method.drawFastest(primitives, scene.settings, forced.view());
+    primitives.appearance.forced = {};
+    method.drawFastest(primitives, scene.settings, asCalledFor.view());
+    return differingPixels(forced.view(), asCalledFor.view());
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/effectplan.h"
+#include "core/scene/scene.h"
+
+namespace pixelplumb {
+
+/// What the scene's triangles, its solids' among them, and its shapes need, and what is run.
+EffectPlan planOf(const Scene &scene);
+
+/// Why the scene's method cannot draw it, under its settings or with the effects that its plan
+/// runs, to be read after the method's name; empty when it can. The method must exist.
+QString objectionTo(const Scene &scene);
+
+} // namespace pixelplumb

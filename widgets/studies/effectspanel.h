@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/effectplan.h"
+#include "core/measure/effecttiming.h"
+#include "widgets/model/job.h"
+
+#include <QWidget>
+
+#include <memory>
+#include <optional>
+
+class QBoxLayout;
+class QComboBox;
+class QLabel;
+class QPushButton;
+class QTableWidget;
+
+namespace pixelplumb {
+
+class EffectSwitches;
+class SceneDocument;
+
+/// Which effects the document's scene calls for, why, and what each costs; a switch forces one on
+/// or off in the picture (objectName "effectsPanel", its table "effectsTable"). Plans and measures
+/// beside the GUI thread, and only while it is seen.
+class EffectsPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    EffectsPanel(SceneDocument *document, EffectSwitches *switches, QWidget *parent = nullptr);
+
+    /// Of the scene in hand; none while it is being made.
+    const std::optional<EffectPlan> &plan() const { return m_plan; }
+    /// Nothing before the first measurement, after a cancelled one, and after a change.
+    const std::optional<EffectTiming> &timing() const { return m_timing; }
+
+    QSize sizeHint() const override { return {900, 320}; }
+
+public slots:
+    void measure();
+    void cancel();
+
+signals:
+    void planned();
+    void measured();
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    /// What is found of a scene.
+    struct Finding {
+        EffectPlan plan;
+        QString objection; ///< why its method cannot draw it, after the method's name
+        std::optional<std::int64_t> changed; ///< pixels, where something is forced
+    };
+    static Finding findingOf(const Scene &scene);
+
+    QBoxLayout *controls();
+    void makeTable();
+    void addSwitch(int row, Effect effect);
+    std::shared_ptr<const Scene> drawnScene() const;
+    void forget();
+    void follow();
+    void take(const std::optional<Finding> &finding);
+    void showPlan();
+    void showTiming();
+    void showSwitches();
+
+    SceneDocument *m_document;
+    EffectSwitches *m_switches;
+    QPushButton *m_measure = nullptr;
+    QPushButton *m_cancel = nullptr;
+    QLabel *m_summary;
+    QTableWidget *m_table;
+    PerEffect<QComboBox *> m_boxes = {};
+    std::optional<EffectPlan> m_plan;
+    std::optional<EffectTiming> m_timing;
+    QString m_objection;
+    bool m_isStale = true;
+    Job m_planJob;
+    Job m_measureJob;
+};
+
+} // namespace pixelplumb

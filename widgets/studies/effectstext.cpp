@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/effectstext.h"
+
+#include "core/scan/choicenames.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+namespace pixelplumb {
+
+namespace {
+
+QString translated(const char *text) { return QCoreApplication::translate("EffectsPanel", text); }
+
+/// Whether forcing it on keeps the picture where it is not called for.
+bool isNeutral(Effect effect, const Appearance &appearance)
+{
+    switch (effect) {
+    case Effect::SmoothColour:
+    case Effect::Perspective:
+    case Effect::Blending:
+        return true;
+    case Effect::Depth:
+        return appearance.depth == DepthUse::Auto;
+    case Effect::Clipping:
+    case Effect::Texture:
+    case Effect::Light:
+    case Effect::Antialiasing:
+        break;
+    }
+    return false;
+}
+
+/// The only effect that is forced, of which alone a change can be told.
+std::optional<Effect> onlyForced(const EffectForcing &forced)
+{
+    std::optional<Effect> only;
+    for (const Effect effect : allEffects) {
+        if (forced[effect] == Forcing::AsCalledFor)
+            continue;
+        if (only)
+            return std::nullopt;
+        only = effect;
+    }
+    return only;
+}
+
+QString contradictionText(const EffectPlan &plan, const Appearance &appearance,
+                          std::int64_t changed)
+{
+    const std::optional<Effect> effect = onlyForced(appearance.forced);
+    if (!effect)
+        return {};
+    const QString name = nameText(nameOf(*effect));
+    const Verdict verdict = plan.verdicts[*effect].verdict;
+    const bool isOff = appearance.forced[*effect] == Forcing::Off;
+    if (isOff && verdict == Verdict::CalledFor && changed == 0)
+        return translated("A defect: %1 is called for, and no pixel needs it.").arg(name);
+    if (isOff && verdict == Verdict::NotCalledFor && changed > 0)
+        return translated("A defect: %1 is not called for, and pixels change without it.")
+            .arg(name);
+    if (!isOff && verdict == Verdict::NotCalledFor && changed > 0 && isNeutral(*effect, appearance))
+        return translated("A defect: %1 is not called for, and pixels change with it.").arg(name);
+    return {};
+}
+
+} // namespace
+
+QString verdictText(Verdict verdict)
+{
+    const QString glyph = verdict == Verdict::CalledFor ? QStringLiteral("● ")
+        : verdict == Verdict::NotCalledFor              ? QStringLiteral("○ ")
+                                                        : QStringLiteral("? ");
+    return glyph + nameText(nameOf(verdict));
+}
+
+QString forcingText(const EffectPlan &plan, const Appearance &appearance, std::int64_t changed)
+{
+    QStringList words;
+    for (const Effect effect : allEffects) {
+        if (appearance.forced[effect] != Forcing::AsCalledFor)
+            words.append((appearance.forced[effect] == Forcing::On ? translated("%1 on")
+                                                                   : translated("%1 off"))
+                             .arg(nameText(nameOf(effect))));
+    }
+    if (words.empty())
+        return {};
+    const QString changes = changed == 0 ? translated("no pixel changes")
+        : changed == 1                   ? translated("1 pixel changes")
+                                         : translated("%L1 pixels change").arg(changed);
+    return QStringList{translated("Forced: %1; %2.").arg(words.join(QStringLiteral(", ")), changes),
+                       contradictionText(plan, appearance, changed)}
+        .join(u' ')
+        .trimmed();
+}
+
+QString ratioText(const Spread &ratio)
+{
+    return QStringLiteral("%1 (%2 … %3)")
+        .arg(ratio.median, 0, 'f', 2)
+        .arg(ratio.lower, 0, 'f', 2)
+        .arg(ratio.upper, 0, 'f', 2);
+}
+
+} // namespace pixelplumb

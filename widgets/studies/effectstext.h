@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/effectplan.h"
+#include "core/measure/effecttiming.h"
+
+#include <QString>
+
+namespace pixelplumb {
+
+/// "● called for", "○ not called for", "? not ruled out".
+QString verdictText(Verdict verdict);
+
+/// What is forced and what that changes, in sentences; empty where nothing is. Says so where the
+/// picture and the verdict contradict each other.
+QString forcingText(const EffectPlan &plan, const Appearance &appearance, std::int64_t changed);
+
+/// "1.24 (1.20 … 1.31)" times as long.
+QString ratioText(const Spread &ratio);
+
+} // namespace pixelplumb
