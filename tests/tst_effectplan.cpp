@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/effectplan.h"
-#include "tests/support/plannedtriangles.h"
 #include "tests/support/framespec.h"
+#include "tests/support/plannedtriangles.h"
 
 #include <QtTest>
 
