@@ -106,7 +106,7 @@ private slots:
 
     void theWindowCanBeSmall()
     {
-        const auto window = windowOf({1440, 960});
+        const auto window = windowOf(QSize(1440, 960));
 
         QCOMPARE(window->minimumSizeHint().boundedTo({900, 560}), window->minimumSizeHint());
     }
