@@ -4,8 +4,8 @@
 #include "core/effects/sharededges.h"
 #include "core/number/wideinteger.h"
 #include "core/oracle/oracle.h"
-#include "tests/support/plannedtriangles.h"
 #include "tests/support/framespec.h"
+#include "tests/support/plannedtriangles.h"
 
 #include <QRandomGenerator>
 #include <QtTest>

@@ -37,8 +37,9 @@ private slots:
         for (const TraceLevel level : allLevels) {
             const QStringList common = traceColumnNames(bare, level);
             QStringList own;
-            for (const NumberDescription &number : level == TraceLevel::SetUp ? method->numbers.setUp
-                     : level == TraceLevel::Column                            ? method->numbers.span
+            for (const NumberDescription &number : level == TraceLevel::SetUp
+                     ? method->numbers.setUp
+                     : level == TraceLevel::Column ? method->numbers.span
                                                    : method->numbers.sample) {
                 QVERIFY2(!own.contains(number.id), qPrintable(number.id));
                 own.append(number.id);

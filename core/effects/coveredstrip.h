@@ -18,7 +18,9 @@ struct CoveredStrip {
 /// The rows at column x of a triangle P0 P1 P2, sorted by x, that has an area.
 inline CoveredStrip coveredStrip(const std::array<LatticePoint, 3> &corners, std::int64_t x)
 {
-    const auto &[p0, p1, p2] = corners;
+    const LatticePoint &p0 = corners[0];
+    const LatticePoint &p1 = corners[1];
+    const LatticePoint &p2 = corners[2];
     const Lattice left = x * unitsPerPixel - halfPixel;
     const Lattice right = x * unitsPerPixel + halfPixel;
     struct Border {

@@ -33,9 +33,9 @@ struct ShadedEdge {
         const Number ax = NumberTraits<Number>::fromLattice(a.position.x);
         const Number width = NumberTraits<Number>::fromLattice(b.position.x) - ax;
         const Number run = Number(column) - ax;
-        const auto start = [&](Number &value, Number &rate, Number atA, Number atB) {
-            rate = width == Number(0) ? Number(0) : (atB - atA) / width;
-            value = atA + run * rate;
+        const auto start = [&](Number &first, Number &perColumn, Number atA, Number atB) {
+            perColumn = width == Number(0) ? Number(0) : (atB - atA) / width;
+            first = atA + run * perColumn;
         };
         start(y, slope, NumberTraits<Number>::fromLattice(a.position.y),
               NumberTraits<Number>::fromLattice(b.position.y));

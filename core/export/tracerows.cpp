@@ -152,8 +152,7 @@ TraceTable<SampleRow> sampleTable(const std::vector<NumberDescription> &numbers)
         return row.change.isWritten() ? QStringLiteral("written") : QStringLiteral("refused");
     });
     addDescribed(
-        table, numbers,
-        [](const Row &row) -> const auto & { return row.exact.cells; });
+        table, numbers, [](const Row &row) -> const auto & { return row.exact.cells; });
     return table;
 }
 

@@ -11,21 +11,15 @@ namespace pixelplumb {
 
 namespace {
 
-enum EffectColumn {
-    WayColumn,
-    ArithmeticColumn,
-    TimeColumn,
-    RatioColumn,
-    ErrorColumn,
-    WrongColumn,
-    DistanceColumn,
-    columnCount
-};
+enum class EffectColumn { Way, Arithmetic, Time, Ratio, Error, Wrong, Distance };
+constexpr int effectColumns = int(EffectColumn::Distance) + 1;
 
-bool isFigure(int column) { return column >= TimeColumn; }
+Qt::Alignment alignmentOf(int column)
+{
+    return (column >= int(EffectColumn::Time) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter;
+}
 
-/// "2.31 (2.28 to 2.40)": the median and the middle half.
-QString spreadText(const Spread &spread)
+QString middleHalfText(const Spread &spread)
 {
     return LabEffects::tr("%1 to %2 in the middle half of the rounds")
         .arg(figureText(spread.lower), figureText(spread.upper));
@@ -38,22 +32,22 @@ LabEffects::LabEffects(QWidget *parent)
 {
     setObjectName(QStringLiteral("labEffects"));
     setAccessibleName(tr("What effects cost and what they mend"));
-    setColumnCount(columnCount);
+    setColumnCount(effectColumns);
     setHeaderLabels({tr("scene, and how it is drawn"), tr("arithmetic"), tr("ns a pixel"),
                      tr("× first"), tr("error, levels"), tr("wrong pixels"),
                      tr("off the surface")});
-    headerItem()->setToolTip(TimeColumn, tr("The median of all rounds, by the plain kernels"));
-    headerItem()->setToolTip(RatioColumn,
+    headerItem()->setToolTip(int(EffectColumn::Time),
+                             tr("The median of all rounds, by the plain kernels"));
+    headerItem()->setToolTip(int(EffectColumn::Ratio),
                              tr("Beside the first row of the scene in the same arithmetic"));
-    headerItem()->setToolTip(ErrorColumn,
+    headerItem()->setToolTip(int(EffectColumn::Error),
                              tr("Root of the mean square over pixels and channels, from the exact "
                                 "area or from the truth of all effects"));
-    headerItem()->setToolTip(WrongColumn, tr("Pixels in other bytes than that"));
-    headerItem()->setToolTip(DistanceColumn,
+    headerItem()->setToolTip(int(EffectColumn::Wrong), tr("Pixels in other bytes than that"));
+    headerItem()->setToolTip(int(EffectColumn::Distance),
                              tr("Largest distance of the triangles from the surface"));
-    for (int column = 0; column < columnCount; ++column)
-        headerItem()->setTextAlignment(
-            column, (isFigure(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+    for (int column = 0; column < effectColumns; ++column)
+        headerItem()->setTextAlignment(column, alignmentOf(column));
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
     header()->setStretchLastSection(false);
     setEditTriggers(QAbstractItemView::NoEditTriggers);
@@ -67,30 +61,29 @@ void LabEffects::show(const Study &study)
     clear();
     QTreeWidgetItem *group = nullptr;
     for (const EffectRow &row : study.effects) {
-        if (!group || group->text(WayColumn) != row.group) {
+        if (!group || group->text(int(EffectColumn::Way)) != row.group) {
             group = new QTreeWidgetItem(this, {row.group});
             group->setExpanded(true);
         }
         auto *item = new QTreeWidgetItem(group);
         const auto put = [item](EffectColumn column, const QString &text) {
-            item->setText(column, text);
-            item->setTextAlignment(
-                column, (isFigure(column) ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter);
+            item->setText(int(column), text);
+            item->setTextAlignment(int(column), alignmentOf(int(column)));
         };
-        put(WayColumn, row.way);
-        put(ArithmeticColumn, nameText(nameOf(row.arithmetic)));
+        put(EffectColumn::Way, row.way);
+        put(EffectColumn::Arithmetic, nameText(nameOf(row.arithmetic)));
         if (row.perPixel) {
-            put(TimeColumn, figureText(row.perPixel->median));
-            item->setToolTip(TimeColumn, spreadText(*row.perPixel));
+            put(EffectColumn::Time, figureText(row.perPixel->median));
+            item->setToolTip(int(EffectColumn::Time), middleHalfText(*row.perPixel));
         }
         if (row.timesFirst) {
-            put(RatioColumn, figureText(row.timesFirst->median));
-            item->setToolTip(RatioColumn, spreadText(*row.timesFirst));
+            put(EffectColumn::Ratio, figureText(row.timesFirst->median));
+            item->setToolTip(int(EffectColumn::Ratio), middleHalfText(*row.timesFirst));
         }
-        put(ErrorColumn, figureText(row.rms));
-        put(WrongColumn, QString::number(row.wrongPixels));
+        put(EffectColumn::Error, figureText(row.rms));
+        put(EffectColumn::Wrong, QString::number(row.wrongPixels));
         if (row.distance)
-            put(DistanceColumn, QString::number(*row.distance, 'g', 3));
+            put(EffectColumn::Distance, QString::number(*row.distance, 'g', 3));
     }
 }
 
