@@ -182,7 +182,8 @@ private slots:
                 setDepths(p, 0, {2, 2, 3});
                 setDepths(p, 1, {1, 1, 3});
             },
-            Effect::Depth, no, 0, "where triangles overlap, the later one is nearer or as near");
+            Effect::Depth, no, 0,
+            "where triangles overlap or touch, the later one is nearer or as near");
         add(
             "the later one is behind",
             [](Primitives &p) {
@@ -280,7 +281,7 @@ private slots:
                 setAlpha(p, 1, 254);
             },
             Effect::Blending, yes, 2,
-            "all 2 triangles have an alpha below 255, the lowest is 128; the closed rule paints 9 "
+            "both triangles have an alpha below 255, the lowest is 128; the closed rule paints 9 "
             "samples on their shared edges twice");
 
         add("one sample", none, Effect::Antialiasing, no, 0,

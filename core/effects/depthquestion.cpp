@@ -12,11 +12,12 @@ namespace pixelplumb {
 namespace {
 
 // What things cost, in comparisons of two boxes, and how much may be spent.
+constexpr std::int64_t meetingCost = 6;
 constexpr std::int64_t planesCost = 20;
 constexpr std::int64_t behindCost = 140;
 constexpr std::int64_t sampleCost = 10;
 constexpr std::int64_t leastBudget = 1'000'000;
-constexpr std::int64_t budgetPerTriangle = 200;
+constexpr std::int64_t budgetPerTriangle = 260;
 /// How many samples are looked at, of pairs one after another, for a witness.
 constexpr int mostSamples = 50'000;
 
@@ -158,6 +159,7 @@ private:
 
     void compare(std::size_t earlier, std::size_t later)
     {
+        m_answer.operations += meetingCost;
         // Depth runs for both already: nothing more is learnt, once it is known that it must.
         if (m_inQuestion[earlier] && m_inQuestion[later] && isCalledFor())
             return;

@@ -26,7 +26,8 @@ QString depthReason(const DepthAnswer &answer)
     case Ground::Apart:
         return QStringLiteral("no two triangles overlap");
     case Ground::NotBehind:
-        return QStringLiteral("where triangles overlap, the later one is nearer or as near");
+        return QStringLiteral(
+            "where triangles overlap or touch, the later one is nearer or as near");
     case Ground::NoSample:
         return QStringLiteral("at every sample that two triangles cover, the later one is nearer "
                               "or as near");

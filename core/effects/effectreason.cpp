@@ -172,6 +172,8 @@ QString countedWords(std::size_t count, std::size_t all, const QString &noun,
 {
     if (all == 1)
         return QStringLiteral("the %1 %2").arg(noun, singularVerb);
+    if (count == all && all == 2)
+        return QStringLiteral("both %1s %2").arg(noun, pluralVerb);
     if (count == all)
         return QStringLiteral("all %1 %2s %3").arg(QString::number(all), noun, pluralVerb);
     return QStringLiteral("%1 of %2 %3s %4")

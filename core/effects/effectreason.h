@@ -14,7 +14,8 @@ QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &p
 /// The same of depth, where the scene leaves the question to the plan.
 QString depthReason(const DepthAnswer &answer);
 
-/// "the triangle has", "1 of 3 triangles has", "all 3 triangles have".
+/// "the triangle has", "1 of 3 triangles has", "both triangles have",
+/// "all 3 triangles have".
 QString countedWords(std::size_t count, std::size_t all, const QString &noun,
                      const QString &singularVerb, const QString &pluralVerb);
 

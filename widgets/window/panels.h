@@ -12,8 +12,8 @@ class QWidget;
 namespace pixelplumb {
 
 /// A panel around the canvas: a row of the table of docks. Docks, the View menu's list and their
-/// keys (Alt and the row's number, 0 for the tenth; Alt, Shift and 1 for the eleventh), and what
-/// "reset the layout" does, come from the table.
+/// keys (Alt and the row's number, 0 for the tenth; Alt, Shift and 1 for the eleventh, and so on),
+/// and what "reset the layout" does, come from the table.
 struct Panel {
     enum class AtFirst { Shown, Hidden };
 
