@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/formulaexplanation.h"
+#include "core/runs/sceneplan.h"
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/scenefile.h"
@@ -129,7 +130,8 @@ private slots:
                     scene.method = id.toStdString();
                     scene.settings.arithmetic = arithmetic;
                     scene.settings.fillRule = rule;
-                    look(name, *traceScene(scene), tally);
+                    if (objectionTo(scene).isEmpty())
+                        look(name, *traceScene(scene), tally);
                 }
             }
         }

@@ -134,6 +134,8 @@ private slots:
                 scene.triangles.clear();
                 scene.shapes.clear();
                 scene.attributes.clear();
+                scene.solids.clear();
+                scene.appearance = {};
                 if (i < whole.triangles.size())
                     scene.triangles = {whole.triangles[i]};
                 else
