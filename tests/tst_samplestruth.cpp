@@ -74,7 +74,7 @@ private slots:
         QTest::addColumn<Antialiasing>("antialiasing");
         QTest::addColumn<Lattice>("edge");
         QTest::addColumn<FillRule>("rule");
-        QTest::addColumn<int>("red");
+        QTest::addColumn<int>("level");
         const auto four = Antialiasing::Samples4;
         const auto sixteen = Antialiasing::Samples16;
         QTest::newRow("2 of 4") << four << Lattice(0) << FillRule::Closed << 128; // 127.5
@@ -93,8 +93,8 @@ private slots:
         QFETCH(Antialiasing, antialiasing);
         QFETCH(Lattice, edge);
         QFETCH(FillRule, rule);
-        QFETCH(int, red);
-        QCOMPARE(redOfOrigin(leftHalf(edge, antialiasing), rule), red);
+        QFETCH(int, level);
+        QCOMPARE(redOfOrigin(leftHalf(edge, antialiasing), rule), level);
     }
 
     void aPixelHasSeveralSamplesWhereAnEdgeMeetsItsSquare()

@@ -42,7 +42,7 @@ struct ShadedSpanState {
     std::int64_t x = 0;
     ColumnHalf half = ColumnHalf::First;
     std::int64_t firstRow = 0, endRow = 0, firstDrawn = 0, endDrawn = 0;
-    Quantity lower, upper; ///< px
+    Quantity lower, upper; ///< px, as the channels use them
     PerChannel<Quantity> bottom, top, rate;
 
     std::int64_t drawnSamples() const { return std::max<std::int64_t>(0, endDrawn - firstDrawn); }

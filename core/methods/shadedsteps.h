@@ -90,6 +90,11 @@ ShadedSpanState shadedStateOf(const SpanInHand<ShadedSetUpRead<N>, BoundedColumn
     state.endDrawn = column.endDrawn;
     state.lower = quantityOf(column.lower);
     state.upper = quantityOf(column.upper);
+    if constexpr (Form == InterpolationForm::Bilinear && !N::isExact) {
+        // As the channels use them; what is covered may be decided by exact ones.
+        state.lower = Quantity::of(column.yBottom);
+        state.upper = Quantity::of(column.yTop);
+    }
     if constexpr (Form == InterpolationForm::Bilinear)
         setBounds(step.setUp, column, ShadedQuantities<N>(step.setUp), state);
     return state;
