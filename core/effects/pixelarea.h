@@ -10,7 +10,7 @@ namespace pixelplumb {
 
 /// How much of a pixel's square, [x − ½, x + ½] × [y − ½, y + ½] in sample coordinates, a triangle
 /// covers: 0 … 1. A double with a bound of its error, made exact where a byte depends on it
-/// (Rasterization slides, "Antialiasing").
+/// (clipped as Sutherland and Hodgman 1974 clip).
 class PixelArea {
 public:
     PixelArea(const Triangle &triangle, std::int64_t x, std::int64_t y);
