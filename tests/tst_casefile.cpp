@@ -83,7 +83,8 @@ private slots:
         QTest::newRow("unknown kind") << fileOfCase("\"id\": \"a\", \"kind\": \"spiral\"")
                                       << "line 1, column 46, cases[0].kind: “spiral”; expected one "
                                          "of triangle, mesh, sequence, "
-                                         "translation, invalid, line, circle, polygon, attributes";
+                                         "translation, invalid, line, circle, polygon, attributes, "
+                                         "effects";
         QTest::newRow("canvas 0")
             << QByteArray(fileOfCase(smallTriangle)).replace("[6, 6]", "[0, 6]")
             << "line 1, column 175, cases[0].canvas[0]: 0; expected an integer from 1 to 32768";

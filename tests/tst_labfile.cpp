@@ -60,7 +60,7 @@ private slots:
         text.replace("            \"kernel\": \"plain\",\n", "");
         text.replace("            \"kernel\": \"SIMD\",\n", "");
         QVERIFY(!text.contains("kernel\""));
-        text = replaced(text, "\"pixelplumbLab\": 2", "\"pixelplumbLab\": 1");
+        text = replaced(text, "\"pixelplumbLab\": 3", "\"pixelplumbLab\": 1");
         for (const char *key : {"drift", "growth"}) {
             const qsizetype begin = text.indexOf(QByteArray("    \"") + key);
             text.remove(begin, text.indexOf(']', begin) + 3 - begin);
@@ -107,11 +107,11 @@ private slots:
         QTest::newRow("another kind of file")
             << QByteArray("{ \"pixelplumb\": 1 }") << QStringLiteral("no “pixelplumbLab”");
         QTest::newRow("newer version")
-            << replaced(text, "\"pixelplumbLab\": 2", "\"pixelplumbLab\": 7")
-            << QStringLiteral("pixelplumbLab: 7; expected 1 to 2");
+            << replaced(text, "\"pixelplumbLab\": 3", "\"pixelplumbLab\": 7")
+            << QStringLiteral("pixelplumbLab: 7; expected 1 to 3");
         QTest::newRow("version of another type")
-            << replaced(text, "\"pixelplumbLab\": 2", "\"pixelplumbLab\": \"1\"")
-            << QStringLiteral("expected 1 to 2");
+            << replaced(text, "\"pixelplumbLab\": 3", "\"pixelplumbLab\": \"1\"")
+            << QStringLiteral("expected 1 to 3");
         QTest::newRow("contender without its kernel")
             << QByteArray(text).replace("            \"kernel\": \"plain\",\n", "")
             << QStringLiteral("kernel");

@@ -22,10 +22,12 @@ private slots:
         };
         row("misspelt kind", json("{ 'lines': [[0, 0], [1, 1]], 'colors': [] }"),
             "line 3, column 12, primitives[0].lines: unknown key “lines”; expected one of "
-            "triangle, points, line, circle, ellipse, bezier, polygon, text, color, colors, fill");
+            "triangle, points, line, circle, ellipse, bezier, polygon, text, triangle3, polygon3, "
+            "plane, sphere, patch, mesh, color, colors, fill");
         row("no kind", json("{ 'colors': [] }"),
             "line 3, column 1, primitives[0]: no primitive is named; expected one of triangle, "
-            "points, line, circle, ellipse, bezier, polygon, text");
+            "points, line, circle, ellipse, bezier, polygon, text, triangle3, polygon3, plane, "
+            "sphere, patch, mesh");
         row("two kinds", json("{ 'line': [[0, 0], [1, 1]], 'text': 'a', 'colors': [] }"),
             "line 3, column 37, primitives[0].text: unknown key “text”; expected one of line, "
             "colors");

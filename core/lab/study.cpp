@@ -196,6 +196,8 @@ private:
         if (!growth)
             return false;
         m_study.growth = std::move(*growth);
+        if (!m_plan.hasEffects)
+            return true;
         auto effects = runEffectStudy(m_plan.rounds, m_scale.next(m_times.effects));
         if (!effects)
             return false;

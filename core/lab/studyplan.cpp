@@ -35,6 +35,8 @@ StudyPlan studyPlanFor(const StudySettings &settings)
         plan.growthRounds = settings.growthRounds;
     if (plan.rounds == 0)
         plan.growthRounds = 0;
+    plan.hasEffects
+        = plan.hasCurves() && settings.contenders.empty() && settings.families.isEmpty();
     plan.growing = settings.contenders.empty() ? growingContenders() : settings.contenders;
     return plan;
 }
@@ -48,9 +50,10 @@ StudyTimes studyTimesFor(const StudySettings &settings, const StudyPlan &plan)
     times.round = contenders * oneRound;
     if (plan.hasCurves()) {
         times.drift = wholeDrift;
-        times.effects = effectJudging + plan.rounds * oneEffectRound;
         times.growth = double(plan.growing.size()) * plan.growthRounds * oneGrowthRound;
     }
+    if (plan.hasEffects)
+        times.effects = effectJudging + plan.rounds * oneEffectRound;
     return times;
 }
 

@@ -13,6 +13,7 @@ struct StudyPlan {
     int rounds = 5;
     std::vector<LabContender> growing; ///< whose growth is measured
     int growthRounds = 3; ///< 0: no curves
+    bool hasEffects = true; ///< whether effects are measured: in studies of everything
 
     bool hasCurves() const { return growthRounds > 0; }
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenesformethods.h"
 
+#include "core/runs/sceneplan.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/polygons.h"
 #include "tests/support/shapes.h"
@@ -39,6 +40,8 @@ std::vector<NamedScene> scenesForEveryMethod()
                        QDir::Files);
     while (files.hasNext()) {
         Scene scene = readSceneFile(files.next())->scene;
+        if (!planOf(scene).isPlain())
+            continue;
         scene.frame.width = std::min(scene.frame.width, 16);
         scene.frame.height = std::min(scene.frame.height, 16);
         scenes.push_back({files.fileName(), scene});

@@ -13,8 +13,9 @@ namespace pixelplumb {
 /// A scene, and what it is called in messages.
 using NamedScene = std::pair<QString, Scene>;
 
-/// The examples, cropped to what a test has time for, and scenes on which a method may stumble:
-/// empty ones, zero areas, vertices at ±2^30 px, several kinds of primitives in one.
+/// The examples that call for nothing beyond colour, cropped to what a test has time for, and
+/// scenes on which a method may stumble: empty ones, zero areas, vertices at ±2^30 px, several
+/// kinds of primitives in one.
 std::vector<NamedScene> scenesForEveryMethod();
 
 /// The scene's run by a method in one of its arithmetics; a rule that it does not know is replaced
