@@ -201,6 +201,7 @@ QString caseText(const Find &find)
     case HardCaseKind::Circle:
     case HardCaseKind::Polygon:
     case HardCaseKind::Attributes:
+    case HardCaseKind::Effects:
         lines.append(member("kind", quoted("translation")));
         break;
     }

@@ -149,6 +149,7 @@ ExpectedFacts factsUnder(const HardCase &hardCase, FillRule rule)
     case HardCaseKind::Circle:
     case HardCaseKind::Polygon:
     case HardCaseKind::Attributes:
+    case HardCaseKind::Effects:
         break;
     }
     return facts;
