@@ -223,7 +223,7 @@ private slots:
         QTest::addColumn<int>("perMille"); // pixels that are off by more than one level, at most
         for (const EffectHardship hardship : allEffectHardships) {
             const int bound = hardship == EffectHardship::FarAway ? 300
-                : hardship == EffectHardship::Coincident          ? 60
+                : hardship == EffectHardship::Coincident          ? 150
                                                                   : 5;
             QTest::newRow(qPrintable(nameOf(hardship))) << hardship << bound;
         }

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/pixelarea.h"
 
-#include "core/number/wideinteger.h"
-
-#include <boost/multiprecision/cpp_int.hpp>
+#include "core/number/widequantity.h"
 
 #include <algorithm>
 #include <array>
@@ -12,8 +10,6 @@
 namespace pixelplumb {
 
 namespace {
-
-using Rational = boost::multiprecision::cpp_rational;
 
 template <class Number>
 struct Point {
@@ -97,7 +93,7 @@ PixelArea::PixelArea(const Triangle &triangle, std::int64_t x, std::int64_t y)
 
 bool PixelArea::isEmpty() const
 {
-    return m_area <= m_error && areaAround<Rational>(*m_triangle, m_x, m_y) == 0;
+    return m_area <= m_error && areaAround<BigRational>(*m_triangle, m_x, m_y) == 0;
 }
 
 std::uint8_t PixelArea::times(std::uint8_t alpha) const
@@ -107,18 +103,15 @@ std::uint8_t PixelArea::times(std::uint8_t alpha) const
     const double doubt = 255 * m_error;
     if (level - byte > doubt && byte + 1 - level > doubt)
         return std::uint8_t(byte);
-    const Rational exactly
-        = areaAround<Rational>(*m_triangle, m_x, m_y) * int(alpha) + Rational(1, 2);
+    const BigRational exactly
+        = areaAround<BigRational>(*m_triangle, m_x, m_y) * int(alpha) + BigRational(1, 2);
     return std::uint8_t(BigInteger(numerator(exactly) / denominator(exactly)));
 }
 
 Quantity PixelArea::exact() const
 {
-    const Rational area = areaAround<Rational>(*m_triangle, m_x, m_y);
-    const BigInteger limit = BigInteger(1) << 126;
-    if (numerator(area) < limit && denominator(area) < limit)
-        return Quantity::rational(Int128(numerator(area)), Int128(denominator(area)));
-    return Quantity::of(area.convert_to<double>());
+    const BigRational area = areaAround<BigRational>(*m_triangle, m_x, m_y);
+    return quotientOf(numerator(area), denominator(area));
 }
 
 } // namespace pixelplumb

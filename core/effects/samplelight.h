@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/appearance.h"
+#include "core/number/naturalpower.h"
 
 #include <algorithm>
 #include <array>
@@ -47,7 +48,7 @@ Vector<Real> realVector(const std::array<Attribute, 3> &units)
 
 /// What one light adds.
 template <class Real>
-struct LightTerm {
+struct SampleLightTerm {
     Vector<Real> toLight; ///< L, of length 1
     Vector<Real> halfway; ///< H, of length 1
     Real diffuse; ///< max(0, N·L)
@@ -60,23 +61,11 @@ struct LitSample {
     Vector<Real> place; ///< p
     Vector<Real> normal; ///< N, of length 1
     Vector<Real> toViewer; ///< V, of length 1
-    std::array<LightTerm<Real>, mostLights> terms; ///< one for each light
+    std::array<SampleLightTerm<Real>, mostLights> terms; ///< one for each light
     std::array<Real, 3> level; ///< before rounding
     Colour colour; ///< rounded, clamped
     bool clamped = false;
 };
-
-/// x^n by squaring: the same in every library.
-template <class Real>
-Real power(Real x, int n)
-{
-    Real result = 1;
-    for (; n > 0; n /= 2, x *= x) {
-        if (n % 2 != 0)
-            result *= x;
-    }
-    return result;
-}
 
 /// The lights of a scene in the kernel's numbers: made once for a run.
 template <class Real>
@@ -141,7 +130,7 @@ void lightSample(const Lighting<Real> &lighting, const Material &material, const
     std::array<Real, 3> reflected = {};
     for (std::size_t index = 0; index < lighting.count; ++index) {
         const auto &source = lighting.sources[index];
-        LightTerm<Real> &term = lit.terms[index];
+        SampleLightTerm<Real> &term = lit.terms[index];
         term.toLight = source.way.from(lit.place);
         const bool isSeen = lit.toViewer != Vector<Real>{} && term.toLight != Vector<Real>{};
         term.halfway = isSeen ? unitVector<Real>({term.toLight[0] + lit.toViewer[0],
@@ -150,7 +139,7 @@ void lightSample(const Lighting<Real> &lighting, const Material &material, const
                               : Vector<Real>{};
         term.diffuse = std::max(Real(0), dot(lit.normal, term.toLight));
         const Real facing = std::max(Real(0), dot(lit.normal, term.halfway));
-        term.highlight = term.diffuse > 0 ? power(facing, material.shininess) : Real(0);
+        term.highlight = term.diffuse > 0 ? naturalPower(facing, material.shininess) : Real(0);
         for (std::size_t i = 0; i < 3; ++i) {
             arriving[i] += source.colour[i] * term.diffuse;
             reflected[i] += source.colour[i] * term.highlight;

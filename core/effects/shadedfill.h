@@ -6,6 +6,7 @@
 #include "core/effects/shadedsample.h"
 #include "core/frame/levelpixel.h"
 #include "core/scan/scanobserver.h"
+#include "core/space/materialcolour.h"
 
 /// What happens at the samples of a column, bottom to top: each stage is there where the effects
 /// call for it.
@@ -274,7 +275,7 @@ private:
             fetch(sample.value[indexOf(Channel::U)], sample.value[indexOf(Channel::V)]);
         else
             fetch(quotient(sample, Channel::U), quotient(sample, Channel::V));
-        sample.source = modulated(sample.source, sample.texels.texel);
+        sample.source = tinted(sample.source, sample.texels.texel);
     }
 
     void light(Sample &sample)

@@ -100,12 +100,9 @@ private:
     /// What the triangle's samples are shaded with.
     Surface<N> surfaceOf(const ShadedTriangle &triangle, ShadedSurroundings<N> &surroundings) const
     {
-        static const Material none;
-        const std::vector<Material> &materials = surroundings.appearance.materials;
         const int material = triangle.attributes ? triangle.attributes->material : noMaterial;
-        const bool isThere = material >= 0 && std::size_t(material) < materials.size();
         return {&surroundings.lighting,
-                isThere ? &materials[std::size_t(material)] : &none,
+                &materialOf(surroundings.appearance, material),
                 &surroundings.depths,
                 greatestDepthLevel(surroundings.appearance.depthFormat),
                 m_settings.rounding,

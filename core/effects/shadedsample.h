@@ -42,7 +42,6 @@ struct BoundedColumn : ShadedColumn<N> {
 struct SampleColours {
     int count; ///< 0: the pixel has one
     std::uint16_t written; ///< by this primitive; bit k: sample k
-    std::array<QRgb, 16> colours;
 };
 
 /// What a sample was compared with, and what became of it.

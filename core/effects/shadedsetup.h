@@ -10,41 +10,47 @@
 
 namespace pixelplumb {
 
+/// What a vertex has in a channel: levels, or units of 2^-24. 1/w has none of its own.
+constexpr std::int64_t channelUnits(const Vertex &vertex, const VertexAttributes &attributes,
+                                    Channel channel)
+{
+    const std::size_t index = indexOf(channel);
+    switch (channel) {
+    case Channel::Red:
+    case Channel::Green:
+    case Channel::Blue:
+        return vertex.colour.channels[index];
+    case Channel::Alpha:
+        return attributes.alpha;
+    case Channel::Depth:
+        return attributes.z;
+    case Channel::Reciprocal:
+        return 1;
+    case Channel::U:
+    case Channel::V:
+        return attributes.texture[index - indexOf(Channel::U)];
+    case Channel::NormalX:
+    case Channel::NormalY:
+    case Channel::NormalZ:
+        return attributes.normal[index - indexOf(Channel::NormalX)];
+    case Channel::PlaceX:
+    case Channel::PlaceY:
+    case Channel::PlaceZ:
+        return attributes.place[index - indexOf(Channel::PlaceX)];
+    }
+    return 0;
+}
+
 /// One triangle with what it carries.
 struct ShadedTriangle {
     const Triangle &triangle;
     const TriangleAttributes *attributes = nullptr; ///< null: none; both outlive it
 
-    /// What a vertex has in a channel: levels, or units of 2^-24. 1/w has none of its own.
     std::int64_t valueAt(std::size_t vertex, Channel channel) const
     {
         static constexpr VertexAttributes none;
-        const VertexAttributes &own = attributes ? attributes->vertices[vertex] : none;
-        const std::size_t index = indexOf(channel);
-        switch (channel) {
-        case Channel::Red:
-        case Channel::Green:
-        case Channel::Blue:
-            return triangle.vertices[vertex].colour.channels[index];
-        case Channel::Alpha:
-            return own.alpha;
-        case Channel::Depth:
-            return own.z;
-        case Channel::Reciprocal:
-            return 1;
-        case Channel::U:
-        case Channel::V:
-            return own.texture[index - indexOf(Channel::U)];
-        case Channel::NormalX:
-        case Channel::NormalY:
-        case Channel::NormalZ:
-            return own.normal[index - indexOf(Channel::NormalX)];
-        case Channel::PlaceX:
-        case Channel::PlaceY:
-        case Channel::PlaceZ:
-            return own.place[index - indexOf(Channel::PlaceX)];
-        }
-        return 0;
+        return channelUnits(triangle.vertices[vertex],
+                            attributes ? attributes->vertices[vertex] : none, channel);
     }
     /// Positive; what is not is taken as the smallest that is.
     std::int64_t wAt(std::size_t vertex) const
@@ -73,8 +79,6 @@ struct ShadedSetUp {
     bool zeroArea = false;
     EffectSet effects;
     std::array<ShadedCorner<N>, 3> vertices; ///< as the caller gave them
-    /// What multiplies each vertex's values in exact numbers: the product of the others' w.
-    std::array<Number, 3> factor = {};
     Number area = {}; ///< doubled, without sign, square lattice units; the exact denominator
     /// The plane of a channel, a·x + b·y + c; in exact numbers over the area.
     PerChannel<std::array<Number, 3>> plane = {};
@@ -147,6 +151,8 @@ void setNumbers(ShadedSetUp<ExactShading<Integer>> &setUp, const ShadedTriangle 
     const auto w = reducedW(triangle);
     const bool corrects = setUp.effects.perspective;
     const auto &corner = setUp.vertices;
+    /// What multiplies each vertex's values: the product of the others' w.
+    std::array<Integer, 3> factor;
     for (std::size_t i = 0; i < 3; ++i) {
         const LatticePoint &at = corner[i].position;
         const LatticePoint &from = corner[(i + 1) % 3].position;
@@ -158,7 +164,7 @@ void setNumbers(ShadedSetUp<ExactShading<Integer>> &setUp, const ShadedTriangle 
         const Integer sign = there < 0 ? -1 : 1;
         setUp.area = sign * there;
         setUp.weight[i] = {sign * a * unitsPerPixel, sign * b * unitsPerPixel, sign * c};
-        setUp.factor[i] = corrects ? Integer(w[(i + 1) % 3]) * w[(i + 2) % 3] : Integer(1);
+        factor[i] = corrects ? Integer(w[(i + 1) % 3]) * w[(i + 2) % 3] : Integer(1);
     }
     forEachChannel(setUp.effects, [&](std::size_t channel) {
         std::array<Integer, 3> &plane = setUp.plane[channel];
@@ -168,7 +174,7 @@ void setNumbers(ShadedSetUp<ExactShading<Integer>> &setUp, const ShadedTriangle 
             Integer &value = setUp.vertices[i].channels[channel];
             value = triangle.valueAt(i, channelAt(channel));
             if (isDivided)
-                value *= setUp.factor[i];
+                value *= factor[i];
             for (std::size_t k = 0; k < 3; ++k)
                 plane[k] += value * setUp.weight[i][k];
         }

@@ -22,20 +22,6 @@ constexpr std::int32_t wrapped(std::int64_t index, std::int32_t size, TextureWra
     return std::int32_t(remainder < 0 ? remainder + size : remainder);
 }
 
-/// ⌊c·t/255 + ½⌋
-constexpr std::uint8_t modulated(std::uint8_t level, std::uint8_t by)
-{
-    return std::uint8_t((2 * unsigned(level) * by + 255) / 510);
-}
-
-constexpr Colour modulated(const Colour &colour, const Colour &by)
-{
-    Colour result;
-    for (std::size_t i = 0; i < 3; ++i)
-        result.channels[i] = modulated(colour.channels[i], by.channels[i]);
-    return result;
-}
-
 /// Where a sample lies along one side of a texture, in texels: those that are whole, and the rest,
 /// 0 <= rest < 1.
 template <class N>

@@ -1,19 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/triangleneeds.h"
 
+#include "core/space/materialcolour.h"
+
 #include <algorithm>
 
 namespace pixelplumb {
 
 namespace {
-
-const Material *materialOf(const TriangleAttributes &attributes, const Appearance &appearance)
-{
-    const int material = attributes.material;
-    return material >= 0 && std::size_t(material) < appearance.materials.size()
-        ? &appearance.materials[std::size_t(material)]
-        : nullptr;
-}
 
 template <class Vertices, class Value>
 bool differ(const Vertices &vertices, Value value)
@@ -24,9 +18,9 @@ bool differ(const Vertices &vertices, Value value)
 
 /// Whether light depends on where a sample is: a light far away shines everywhere alike, and so
 /// does its highlight for a viewer far away.
-bool placeCounts(const Material *material, const Appearance &appearance)
+bool placeCounts(const Material &material, const Appearance &appearance)
 {
-    const bool hasHighlight = material && material->specular != Colour{{0, 0, 0}};
+    const bool hasHighlight = material.specular != Colour{{0, 0, 0}};
     return (hasHighlight && appearance.viewerKind == Light::Kind::Positional)
         || std::ranges::find(appearance.lights, Light::Kind::Positional, &Light::kind)
         != appearance.lights.end();
@@ -36,9 +30,9 @@ bool placeCounts(const Material *material, const Appearance &appearance)
 
 const Texture *textureOf(const TriangleAttributes &attributes, const Appearance &appearance)
 {
-    const Material *material = materialOf(attributes, appearance);
-    const bool hasTexels = material && material->texture && !material->texture->texels.empty();
-    return hasTexels ? material->texture.get() : nullptr;
+    const Material &material = materialOf(appearance, attributes.material);
+    const bool hasTexels = material.texture && !material.texture->texels.empty();
+    return hasTexels ? material.texture.get() : nullptr;
 }
 
 bool hasNormals(const TriangleAttributes &attributes)
@@ -68,7 +62,7 @@ TriangleNeeds needsOf(const Triangle &triangle, const TriangleAttributes *attrib
         needs.effects.light = true;
         needs.carriesLight = differ(vertices, &VertexAttributes::normal)
             || (differ(vertices, &VertexAttributes::place)
-                && placeCounts(materialOf(*attributes, appearance), appearance));
+                && placeCounts(materialOf(appearance, attributes->material), appearance));
     }
     needs.wDiffers = differ(vertices, &VertexAttributes::w);
     needs.effects.perspective = needs.wDiffers && needs.carriesAnything();

@@ -111,10 +111,8 @@ private:
         sample.samples.count = int(m_samples.size());
         sample.samples.written = written;
         SampleMean mean;
-        for (std::size_t k = 0; k < m_samples.size(); ++k) {
-            sample.samples.colours[k] = *m_samples[k]->frame.view().at(x, y);
-            mean.add(sample.samples.colours[k]);
-        }
+        for (const std::unique_ptr<Sample> &each : m_samples)
+            mean.add(*each->frame.view().at(x, y));
         sample.before = *m_frame.at(x, y);
         sample.after = mean.pixel();
         for (std::size_t i = 0; i < 3; ++i)

@@ -67,7 +67,7 @@ struct ShadedRecording : ShadedNumbers<N, A> {
             return;
         const ShadedQuantities<N> quantities(step.setUp);
         for (std::size_t i = 0; i < 3; ++i)
-            record.colour[i] = step.setUp.effects.smooth ? quantities.value(i, step.sample, i)
+            record.colour[i] = step.setUp.effects.smooth ? quantities.value(step.sample, i)
                                                          : Quantity::integer(step.sample.level[i]);
     }
 };

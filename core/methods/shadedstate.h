@@ -3,6 +3,7 @@
 
 #include "core/effects/edgepixels.h"
 #include "core/effects/shadedscan.h"
+#include "core/number/widequantity.h"
 #include "core/scan/scansettings.h"
 #include "core/trace/stepinhand.h"
 
@@ -59,7 +60,6 @@ struct ShadedSampleState {
     EffectSet effects; ///< of the triangle
     int samples = 0; ///< 4 or 16 where the pixel is a mean of them: then there are no other numbers
     std::uint16_t samplesWritten = 0;
-    std::array<QRgb, 16> sampleColours = {};
     PerChannel<Quantity> linear; ///< divided by w where perspective is corrected
     OfVertices<Quantity> weight;
     PerChannel<Quantity> value; ///< the quotient by 1/w
@@ -79,9 +79,6 @@ struct ShadedSampleState {
     Colour before, after;
 };
 
-/// numerator/denominator in lowest terms; the nearest double where 128 bits do not hold it.
-Quantity quotientOf(const BigInteger &numerator, const BigInteger &denominator);
-
 /// How the numbers of one kernel become quantities.
 template <class N>
 struct ShadedQuantities;
@@ -95,10 +92,9 @@ struct ShadedQuantities<FloatShading<Float>> {
     {
     }
     Quantity linear(std::size_t, Float value) const { return Quantity::of(value); }
-    Quantity rate(std::size_t, Float value) const { return Quantity::of(value); }
     Quantity vertex(std::size_t, Float value) const { return Quantity::of(value); }
     Quantity weight(Float value) const { return Quantity::of(value); }
-    Quantity value(std::size_t, const ShadedSample<N> &sample, std::size_t channel) const
+    Quantity value(const ShadedSample<N> &sample, std::size_t channel) const
     {
         const Float value = sample.value[channel];
         return Quantity::of(perspective ? value / sample.value[indexOf(Channel::Reciprocal)]
@@ -151,10 +147,6 @@ struct ShadedQuantities<ExactShading<Integer>> {
         return isDivided(channel) ? quotientOf(BigInteger(numerator) * scale, below * product)
                                   : quotientOf(BigInteger(numerator), below);
     }
-    Quantity rate(std::size_t channel, const Integer &numerator) const
-    {
-        return linear(channel, numerator);
-    }
     Quantity vertex(std::size_t channel, const Integer &value) const
     {
         return isDivided(channel) ? quotientOf(BigInteger(value) * scale, unitOf(channel) * product)
@@ -164,7 +156,7 @@ struct ShadedQuantities<ExactShading<Integer>> {
     {
         return quotientOf(BigInteger(numerator), BigInteger(area));
     }
-    Quantity value(std::size_t, const ShadedSample<N> &sample, std::size_t channel) const
+    Quantity value(const ShadedSample<N> &sample, std::size_t channel) const
     {
         const Integer &below = perspective ? sample.value[indexOf(Channel::Reciprocal)] : area;
         if (below <= 0)

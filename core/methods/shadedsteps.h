@@ -10,11 +10,9 @@ namespace pixelplumb {
 inline Quantity givenValue(const Vertex &vertex, const VertexAttributes &attributes,
                            Channel channel)
 {
-    const Triangle triangle{{vertex, vertex, vertex}};
-    const TriangleAttributes all{0, {attributes, attributes, attributes}, noMaterial};
-    const std::int64_t units = ShadedTriangle{triangle, &all}.valueAt(0, channel);
-    return Quantity::rational(
-        units, isLevel(channel) || channel == Channel::Reciprocal ? 1 : attributeOne);
+    return Quantity::rational(channelUnits(vertex, attributes, channel),
+                              isLevel(channel) || channel == Channel::Reciprocal ? 1
+                                                                                 : attributeOne);
 }
 
 template <class N>
@@ -54,7 +52,7 @@ void setBounds(const ShadedSetUpRead<N> &setUp, const BoundedColumn<N, A> &colum
                const ShadedQuantities<N> &quantities, ShadedSpanState &state)
 {
     forEachChannel(setUp.effects, [&](std::size_t channel) {
-        state.rate[channel] = quantities.rate(channel, column.rate[channel]);
+        state.rate[channel] = quantities.linear(channel, column.rate[channel]);
         if constexpr (!N::isExact) {
             state.bottom[channel] = Quantity::of(column.bottom[channel]);
             state.top[channel] = Quantity::of(column.top[channel]);
@@ -141,7 +139,6 @@ ShadedSampleState shadedStateOf(
     state.samples = sample.samples.count;
     if (state.samples > 0) {
         state.samplesWritten = sample.samples.written;
-        state.sampleColours = sample.samples.colours;
         return state;
     }
     const ShadedQuantities<N> quantities(setUp);
@@ -149,7 +146,7 @@ ShadedSampleState shadedStateOf(
     forEachChannel(setUp.effects, [&](std::size_t channel) {
         state.linear[channel] = quantities.linear(channel, sample.value[channel]);
         if (followsPerspective(channelAt(channel)))
-            state.value[channel] = quantities.value(channel, sample, channel);
+            state.value[channel] = quantities.value(sample, channel);
     });
     if constexpr (Form == InterpolationForm::Barycentric) {
         for (std::size_t i = 0; i < 3; ++i)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/oracle/effectsample.h"
 
+#include "core/number/widequantity.h"
 #include "core/oracle/exactsample.h"
 #include "core/oracle/squarearea.h"
 
@@ -10,13 +11,7 @@ namespace {
 
 Quantity quantityOf(const WideFraction &fraction)
 {
-    constexpr unsigned mostBits = 126;
-    const BigRational lowest(fraction.numerator, fraction.denominator);
-    const BigInteger size = abs(numerator(lowest)) | denominator(lowest);
-    if (msb(size) >= mostBits)
-        return Quantity::of(lowest.convert_to<double>());
-    return Quantity::rational(numerator(lowest).convert_to<Int128>(),
-                              denominator(lowest).convert_to<Int128>());
+    return quotientOf(fraction.numerator, fraction.denominator);
 }
 
 template <std::size_t Count>

@@ -39,20 +39,11 @@ bool staysNearItsBox(const Triangle &triangle)
     });
 }
 
-/// Whether triangles may depend on those before them, or come from solids: such scenes are drawn
-/// whole.
-bool isDrawnWhole(const Scene &scene)
-{
-    const Appearance &appearance = scene.appearance;
-    return !scene.attributes.empty() || !scene.solids.empty()
-        || appearance.antialiasing != Antialiasing::None || appearance.forced != EffectForcing{};
-}
-
 /// Whether rows can be drawn by themselves: where it is known which triangles reach into them.
 bool isDrawnByRows(const Scene &scene, const Method &method)
 {
     const bool wraps = scene.settings.arithmetic == Arithmetic::Fixed16; // to any row
-    return method.drawFast && !wraps && scene.shapes.empty() && !isDrawnWhole(scene)
+    return method.drawFast && !wraps && scene.shapes.empty() && !mayCallForEffects(scene)
         && scene.triangles.size() <= mostCompared
         && std::ranges::all_of(scene.triangles, staysNearItsBox);
 }
@@ -164,7 +155,8 @@ bool ScenePicture::drawAll(const Scene &scene, const Method &method,
                            const ProgressListener &listener)
 {
     const auto count = std::int64_t(scene.triangles.size() + scene.shapes.size());
-    if (isDrawnWhole(scene)) {
+    // Triangles may depend on those before them: such a scene is drawn whole.
+    if (mayCallForEffects(scene)) {
         if (!goesOn(listener, {JobPhase::Drawing, 0, 1}))
             return false;
         m_piece = primitivesOnSamples(scene);

@@ -18,15 +18,14 @@ bool canAll(const Method &method, Arithmetic arithmetic)
         && (shading.empty() || std::ranges::find(shading, arithmetic) != shading.end());
 }
 
-/// Scenes without all of this are of colours alone, and most are.
-bool mayCallForMore(const Scene &scene)
+} // namespace
+
+bool mayCallForEffects(const Scene &scene)
 {
     return !scene.attributes.empty() || !scene.solids.empty()
         || scene.appearance.antialiasing != Antialiasing::None
         || scene.appearance.forced != EffectForcing{};
 }
-
-} // namespace
 
 EffectPlan planOf(const Scene &scene)
 {
@@ -38,7 +37,7 @@ QString objectionTo(const Scene &scene)
     const Method &method = *methodNamed(QString::fromStdString(scene.method));
     QString objection = method.objection(scene.settings);
     if (!objection.isEmpty() || !method.draws(PrimitiveKind::Triangle)
-        || canAll(method, scene.settings.arithmetic) || !mayCallForMore(scene))
+        || canAll(method, scene.settings.arithmetic) || !mayCallForEffects(scene))
         return objection;
     return method.objection(planOf(scene), scene.settings.arithmetic);
 }

@@ -1,24 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/space/vertexlight.h"
 
+#include "core/number/naturalpower.h"
 #include "core/space/attributenumber.h"
 #include "core/space/exactreal.h"
 
 namespace pixelplumb {
 
 namespace {
-
-template <class Number>
-Number naturalPower(Number base, int exponent)
-{
-    Number power(1);
-    for (; exponent > 0; exponent /= 2) {
-        if (exponent % 2 == 1)
-            power *= base;
-        base *= base;
-    }
-    return power;
-}
 
 /// The vector of length 1 towards a light or the viewer: from the point to a place, or a direction.
 template <class Number>
@@ -87,18 +76,6 @@ void light(Triangle &triangle, const TriangleAttributes &attributes, const Appea
 }
 
 } // namespace
-
-Colour tinted(const Colour &colour, const Colour &tint)
-{
-    return {{tinted(colour.red(), tint.red()), tinted(colour.green(), tint.green()),
-             tinted(colour.blue(), tint.blue())}};
-}
-
-const Material &materialOf(const Appearance &appearance, int material)
-{
-    static const Material white;
-    return material == noMaterial ? white : appearance.materials[std::size_t(material)];
-}
 
 template <class Number>
 LightTerm<Number> lightTerm(const Appearance &appearance, const Light &light, int shininess,

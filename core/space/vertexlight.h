@@ -3,22 +3,13 @@
 
 #include "core/geometry/appearance.h"
 #include "core/geometry/triangle.h"
+#include "core/space/materialcolour.h"
 #include "core/space/spacevector.h"
 
 /// What flat and Gouraud shading compute before scan conversion: the material's diffuse colour, and
 /// the light at a face's centre or at its vertices. At samples, shading by Phong, light is the
 /// kernels'.
 namespace pixelplumb {
-
-/// ⌊c·d/255 + ½⌋, exactly.
-constexpr std::uint8_t tinted(std::uint8_t level, std::uint8_t tint)
-{
-    return std::uint8_t((2 * level * tint + 255) / 510);
-}
-Colour tinted(const Colour &colour, const Colour &tint);
-
-/// The colours of a triangle's or a solid's material, by its index; none: a white one.
-const Material &materialOf(const Appearance &appearance, int material);
 
 /// A point that light falls on, in the scene's space.
 template <class Number>

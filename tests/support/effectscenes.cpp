@@ -53,8 +53,10 @@ private:
         FrameSpec &frame = m_scene.frame;
         const bool isFar = m_hardship == EffectHardship::FarAway;
         const std::int32_t first = isFar ? oneOf({1 << 20, -(1 << 20)}) : oneOf({0, 0, -9, 1000});
-        frame = frameOf(std::int32_t(m_random.between(9, 24)),
-                        std::int32_t(m_random.between(9, 24)), first, oneOf({0, -7, 3000}));
+        // One after the other: a compiler may choose the order of a call's arguments.
+        const auto width = std::int32_t(m_random.between(9, 24));
+        const auto height = std::int32_t(m_random.between(9, 24));
+        frame = frameOf(width, height, first, oneOf({0, -7, 3000}));
         frame.background = m_random.colour();
         frame.origin = oneOf({FrameOrigin::BottomLeft, FrameOrigin::TopLeft});
     }

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/number/quantity.h"
+#include "core/number/wideinteger.h"
+
+namespace pixelplumb {
+
+/// numerator/denominator in lowest terms; the nearest double where 128 bits do not hold it. The
+/// denominator is not 0.
+Quantity quotientOf(const BigInteger &numerator, const BigInteger &denominator);
+
+} // namespace pixelplumb

@@ -1,0 +1,16 @@
+#!/usr/bin/env bash
+# SPDX-License-Identifier: GPL-3.0-or-later
+# configure_sanitized.sh
+# Prepares build/clang: everything by the second compiler, with its sanitizers and with warnings as
+# errors. It is one build for the tests and for the fuzzers: core takes minutes to compile so.
+set -euo pipefail
+
+project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+compiler=$(command -v clang++-14 || command -v clang++)
+
+# Lightly optimised: what the sanitizers add hides what more would gain.
+exec cmake -S "$project" -B "$project/build/clang" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
+    "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1" -DCMAKE_CXX_COMPILER="$compiler" \
+    -DPIXELPLUMB_TESTS=ON -DPIXELPLUMB_BENCHMARKS=ON -DPIXELPLUMB_FUZZERS=ON \
+    -DPIXELPLUMB_WERROR=ON \
+    "-DPIXELPLUMB_SANITIZE=fuzzer-no-link;address;undefined;float-cast-overflow"
