@@ -21,6 +21,7 @@ struct NeedsTally {
     PerEffect<Touched> of; ///< all effects but depth
     std::size_t drawn = 0; ///< primitives that reach the frame; the others need nothing
     std::size_t drawnTriangles = 0;
+    std::size_t drawnStrokes = 0; ///< lines and curves that antialiasing can draw
     std::size_t outside = 0;
     std::size_t mayCross = 0; ///< shapes of which it is not known whether they cross the border
 
