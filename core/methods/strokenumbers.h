@@ -27,6 +27,7 @@ const NumberTable<StrokeColumn> &strokeColumnNumbers();
 NumberTable<StrokeSampleState> strokeSampleNumbers(Antialiasing antialiasing);
 
 void tellStroke(StepWords &words, const StrokeSetUp &setUp);
+void tellStroke(StepWords &words, const StrokeColumn &column);
 void tellStroke(StepWords &words, const StrokeSampleState &state);
 
 } // namespace pixelplumb

@@ -44,7 +44,9 @@ Method strokeCoverageMethod()
     method.id = QStringLiteral("stroke-coverage");
     method.title = QStringLiteral("Line or curve: one pixel wide");
     method.family = MethodFamily::Curves;
-    method.source = QStringLiteral("Scan Conversion slides, “Lines and Curves”; “Antialiasing”");
+    method.source
+        = QStringLiteral("Rasterization slides, “Output Primitives” (lines, circles, other "
+                         "curves); Foley 1990, unweighted area sampling");
     method.summary
         = QStringLiteral("Takes a line as the rectangle one pixel wide, a curve as a strip of "
                          "quadrilaterals, and blends it by the area that it has of each pixel, or "

@@ -21,6 +21,16 @@ void tellStroke(StepWords &words, const StrokeSetUp &setUp)
               .arg(setUp.nearFrame);
 }
 
+void tellStroke(StepWords &words, const StrokeColumn &column)
+{
+    const std::int64_t last = column.endRow - 1;
+    words.sentence = last == column.firstRow
+        ? QStringLiteral("In this column the stroke meets the square of the row %1.").arg(last)
+        : QStringLiteral("In this column the stroke meets the squares of rows from %1 to %2.")
+              .arg(column.firstRow)
+              .arg(last);
+}
+
 void tellStroke(StepWords &words, const StrokeSampleState &state)
 {
     const StrokeSample &sample = state.sample;

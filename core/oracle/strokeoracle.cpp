@@ -3,6 +3,7 @@
 
 #include "core/oracle/effectoracle.h"
 #include "core/oracle/exactsample.h"
+#include "core/oracle/shapeoracle.h"
 #include "core/oracle/strokeoutline.h"
 #include "core/oracle/truepixel.h"
 
@@ -145,6 +146,29 @@ void drawStrokes(const Primitives &primitives, const ScanSettings &settings,
         if (isStroke(shape))
             painter.draw(shape);
     }
+}
+
+bool covers(const Shape &shape, const Appearance &appearance, FrameOrigin origin, std::int64_t x,
+            std::int64_t y)
+{
+    const Antialiasing antialiasing = truthOf(appearance).antialiasing;
+    if (antialiasing == Antialiasing::None || !isStroke(shape))
+        return covers(shape, origin, x, y);
+    const OutlinePoint centre = {x * outlinePixel, y * outlinePixel};
+    FrameView pixel;
+    pixel.firstColumn = std::int32_t(x);
+    pixel.firstRow = std::int32_t(y);
+    pixel.width = 1;
+    pixel.height = 1;
+    const std::vector<OutlineEdge> edges = strokeOutline(shape, pixel);
+    if (antialiasing == Antialiasing::Area)
+        return strokeArea(edges, centre) > 0;
+    return std::ranges::any_of(sampleOffsets(antialiasing), [&](const LatticePoint &offset) {
+        return strokeWinding(
+                   edges,
+                   {centre.x + offset.x * outlineLattice, centre.y + offset.y * outlineLattice})
+            > 0;
+    });
 }
 
 } // namespace pixelplumb::oracle

@@ -20,4 +20,9 @@ void drawStrokes(const Primitives &primitives, const ScanSettings &settings,
 /// Whether that picture has the shape; else it has none but the one of shapeoracle.h.
 bool isStroke(const Shape &shape);
 
+/// Whether the true picture of a shape, antialiased where the appearance asks for it, has anything
+/// of the pixel.
+bool covers(const Shape &shape, const Appearance &appearance, FrameOrigin origin, std::int64_t x,
+            std::int64_t y);
+
 } // namespace pixelplumb::oracle

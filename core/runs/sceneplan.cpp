@@ -53,7 +53,7 @@ QString objectionTo(const Scene &scene)
     QString objection = method.objection(scene.settings);
     if (!objection.isEmpty() || !mayCallForEffects(scene))
         return objection;
-    if (!method.draws(PrimitiveKind::Triangle))
+    if (!method.draws(PrimitiveKind::Triangle) || !scene.hasTriangles())
         return objectionToShapes(method, scene);
     if (canAll(method, scene.settings.arithmetic))
         return objection;
