@@ -35,13 +35,19 @@ QString smoothColourReason(const NeedsTally &tally, const QString &noun)
 
 QString clippingReason(const NeedsTally &tally, const QString &noun)
 {
-    const std::size_t crossing = tally.of[Effect::Clipping].primitives;
     const auto crosses = [&](std::size_t count) {
         return countedWords(count, tally.drawn, noun, QStringLiteral("crosses"),
                             QStringLiteral("cross"));
     };
-    if (crossing > 0)
-        return QStringLiteral("%1 the frame's border").arg(crosses(crossing));
+    QStringList reasons;
+    if (tally.cutAtNear > 0)
+        reasons.append(countedWords(tally.cutAtNear, tally.drawn, noun, QStringLiteral("is"),
+                                    QStringLiteral("are"))
+                       + QStringLiteral(" of a face that the near plane cuts"));
+    if (tally.crossing > 0)
+        reasons.append(QStringLiteral("%1 the frame's border").arg(crosses(tally.crossing)));
+    if (!reasons.empty())
+        return reasons.join(QStringLiteral("; "));
     if (tally.mayCross > 0)
         return QStringLiteral("the bounding box of %1 of %2 %3s crosses the frame's border")
             .arg(tally.mayCross)

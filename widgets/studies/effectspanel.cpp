@@ -135,7 +135,9 @@ void EffectsPanel::addSwitch(int row, Effect effect)
     if (effect == Effect::Clipping) {
         m_table->item(row, EffectSwitch)->setText(tr("none"));
         m_table->item(row, EffectSwitch)
-            ->setToolTip(tr("The frame's border bounds every loop, at no cost"));
+            ->setToolTip(
+                tr("The frame's border bounds every loop, at no cost; what lies before the "
+                   "near plane has no place in the frame"));
         return;
     }
     auto *box = new QComboBox(m_table);
@@ -158,6 +160,7 @@ void EffectsPanel::forget()
     m_planJob.cancel();
     m_measureJob.cancel();
     m_timing.reset();
+    m_switches->setChanges(nullptr);
     m_isStale = true;
     showSwitches();
     showTiming();
@@ -166,9 +169,9 @@ void EffectsPanel::forget()
 
 EffectsPanel::Finding EffectsPanel::findingOf(const Scene &scene)
 {
-    Finding finding{planOf(scene), objectionTo(scene), std::nullopt};
+    Finding finding{planOf(scene), objectionTo(scene), nullptr};
     if (scene.appearance.forced != EffectForcing{} && finding.objection.isEmpty())
-        finding.changed = pixelsChangedByForcing(scene);
+        finding.changes = std::make_shared<DifferenceMap>(changesByForcing(scene));
     return finding;
 }
 
@@ -196,8 +199,9 @@ void EffectsPanel::take(const std::optional<Finding> &finding)
         const Method *method = methodNamed(QString::fromStdString(m_document->scene().method));
         m_summary->setText(QStringLiteral("%1 %2.").arg(method->title, m_objection));
     } else {
-        m_summary->setText(
-            forcingText(*m_plan, drawnScene()->appearance, finding->changed.value_or(0)));
+        m_summary->setText(forcingText(*m_plan, drawnScene()->appearance,
+                                       finding->changes ? finding->changes->total() : 0));
+        m_switches->setChanges(finding->changes);
     }
     showPlan();
     emit planned();

@@ -55,7 +55,9 @@ QString contradictionText(const EffectPlan &plan, const Appearance &appearance,
     const Verdict verdict = plan.verdicts[*effect].verdict;
     const bool isOff = appearance.forced[*effect] == Forcing::Off;
     if (isOff && verdict == Verdict::CalledFor && changed == 0)
-        return translated("A defect: %1 is called for, and no pixel needs it.").arg(name);
+        return translated("No pixel needs %1 here: that it is called for is a defect of the plan, "
+                          "unless its values differ by less than a byte.")
+            .arg(name);
     if (isOff && verdict == Verdict::NotCalledFor && changed > 0)
         return translated("A defect: %1 is not called for, and pixels change without it.")
             .arg(name);
@@ -86,8 +88,8 @@ QString forcingText(const EffectPlan &plan, const Appearance &appearance, std::i
     if (words.empty())
         return {};
     const QString changes = changed == 0 ? translated("no pixel changes")
-        : changed == 1                   ? translated("1 pixel changes")
-                                         : translated("%L1 pixels change").arg(changed);
+        : changed == 1                   ? translated("1 pixel changes, marked on the canvas")
+                       : translated("%L1 pixels change, marked on the canvas").arg(changed);
     return QStringList{translated("Forced: %1; %2.").arg(words.join(QStringLiteral(", ")), changes),
                        contradictionText(plan, appearance, changed)}
         .join(u' ')

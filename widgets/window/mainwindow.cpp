@@ -110,6 +110,7 @@ void MainWindow::makeCentre()
     auto *centre = new QWidget(this);
     m_parts.canvas = new Canvas(m_parts.document, m_parts.playhead, m_parts.options, centre);
     m_parts.canvas->setPreviewer(m_parts.previewer);
+    m_parts.canvas->setEffects(m_parts.effects);
     m_parts.messageBar = new MessageBar(m_parts.canvas);
     m_parts.overdraw = new OverdrawOverlay(m_parts.canvas, m_parts.playhead);
     m_parts.scrubber = new Scrubber(m_parts.playhead, centre);
