@@ -157,6 +157,40 @@ private slots:
                  result.messages.constData());
     }
 
+    void aScaledPictureHasASquareForEachPixel()
+    {
+        const QString plain = m_folder.filePath(QStringLiteral("plain.png"));
+        const QString scaled = m_folder.filePath(QStringLiteral("scaled.png"));
+
+        QCOMPARE(run({"render", defaultScene(), "-o", plain}).exitCode, 0);
+        QCOMPARE(run({"render", defaultScene(), "-o", scaled, "--scale", "3"}).exitCode, 0);
+
+        const QImage small(plain);
+        const QImage large(scaled);
+        QCOMPARE(large.size(), small.size() * 3);
+        for (int y = 0; y < large.height(); ++y) {
+            for (int x = 0; x < large.width(); ++x)
+                QCOMPARE(large.pixel(x, y), small.pixel(x / 3, y / 3));
+        }
+    }
+
+    void refusesScalesThatNoPictureHolds()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("never.png"));
+
+        const ProgramRun zero = run({"render", defaultScene(), "-o", path, "--scale", "0"});
+        const ProgramRun large
+            = run({"render", "-", "-o", path, "--scale", "64"}, sceneOfSize(9000, 9000));
+
+        QCOMPARE(zero.exitCode, 2);
+        QVERIFY2(zero.messages.contains("--scale: 0 is out of range; expected 1 … 64"),
+                 zero.messages.constData());
+        QCOMPARE(large.exitCode, 2);
+        QVERIFY2(large.messages.contains("expected at most 268435456 pixels"),
+                 large.messages.constData());
+        QVERIFY(!QFile::exists(path));
+    }
+
     void neverWritesOverItsInput_data()
     {
         QTest::addColumn<QStringList>("arguments"); // %1 the input, %2 the output

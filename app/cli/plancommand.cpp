@@ -16,7 +16,7 @@ ExitCode plan(const Command &command, const QStringList &arguments)
     addSettingOptions(line);
     if (const auto ended = line.parse(arguments))
         return *ended;
-    const Result<Scene> scene = readSceneForAnyMethod(line);
+    const Result<Scene> scene = readSceneForAnyMethod(line, line.argument(0));
     if (!scene)
         return line.refuse(scene.error());
     const EffectPlan plan = planOf(*scene);

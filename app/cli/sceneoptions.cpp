@@ -84,6 +84,12 @@ Positional scenePositional()
             QStringLiteral("a scene file (JSON), or - for standard input")};
 }
 
+Positional scenesPositional()
+{
+    return {QStringLiteral("SCENE"), QStringLiteral("scene files (JSON), or - for standard input"),
+            Positional::Presence::Several};
+}
+
 void addSettingOptions(CommandLine &line)
 {
     const QString name = QStringLiteral("name");
@@ -142,9 +148,8 @@ Result<Scene> readSceneAt(const QString &path)
     return reading->scene;
 }
 
-Result<Scene> readSceneForAnyMethod(const CommandLine &line)
+Result<Scene> readSceneForAnyMethod(const CommandLine &line, const QString &path)
 {
-    const QString path = line.argument(0);
     const Result<Scene> asWritten = readSceneAt(path);
     if (!asWritten)
         return asWritten.error();
@@ -162,12 +167,11 @@ Result<Scene> readSceneForAnyMethod(const CommandLine &line)
     return scene;
 }
 
-Result<Scene> readScene(const CommandLine &line)
+Result<Scene> readScene(const CommandLine &line, const QString &path)
 {
-    Result<Scene> scene = readSceneForAnyMethod(line);
+    Result<Scene> scene = readSceneForAnyMethod(line, path);
     if (!scene)
         return scene;
-    const QString path = line.argument(0);
     const Method &method = *methodNamed(QString::fromStdString(scene->method));
     if (const QString objection = objectionTo(*scene); !objection.isEmpty())
         return InputError{path, QStringLiteral("method “%1” %2").arg(method.id, objection), {}};
