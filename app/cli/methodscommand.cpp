@@ -43,10 +43,11 @@ void printJson(const QJsonDocument &document)
 ExitCode listMethods(const Command &command, const QStringList &arguments)
 {
     const QString jsonOption = QStringLiteral("json");
-    CommandLine line(command,
-                     {{QStringLiteral("NAME"),
-                       QStringLiteral("One method, whole: source, rules, effects, numbers, operations."),
-                       Positional::Presence::Optional}});
+    CommandLine line(
+        command,
+        {{QStringLiteral("NAME"),
+          QStringLiteral("One method, whole: source, rules, effects, numbers, operations."),
+          Positional::Presence::Optional}});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     if (const auto ended = line.parse(arguments))
         return *ended;

@@ -29,7 +29,7 @@ public:
         }
         ++m_tally.drawn;
         ++m_tally.drawnTriangles;
-        const std::int64_t pixels = mostPixelsOf(triangle, reach);
+        const std::int64_t pixels = mostPixelsOf(triangle, reach, m_appearance.antialiasing);
         addClipping(borderCrossingOf(triangle, m_frame), pixels, isCutAtNear(index));
         const TriangleNeeds needs = needsOf(triangle, attributes, m_appearance);
         const auto addIf = [&](bool isNeeded, Effect effect) {

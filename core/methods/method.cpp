@@ -45,6 +45,16 @@ QStringList methodsThatDo(const std::vector<Effect> &effects)
     return ids;
 }
 
+/// Who asks for it: the scene, or a person's switch alone.
+QString reasonToRun(const EffectPlan &plan, const std::vector<Effect> &effects)
+{
+    const bool isCalledFor = std::ranges::any_of(effects, [&plan](Effect effect) {
+        return plan.verdicts[effect].verdict != Verdict::NotCalledFor;
+    });
+    return isCalledFor ? QStringLiteral("which the scene calls for")
+                       : QStringLiteral("which is forced on");
+}
+
 } // namespace
 
 QString spanRuleReason(SpanAxis axis)
@@ -106,12 +116,13 @@ QString Method::objection(const EffectPlan &plan, Arithmetic arithmetic) const
     std::erase_if(missing, [this](Effect effect) { return supports(effect); });
     const QString separator = QStringLiteral(", ");
     if (!missing.empty())
-        return QStringLiteral("cannot do %1, which the scene calls for; %2 can")
-            .arg(namesOf(missing).join(separator), methodsThatDo(missing).join(separator));
+        return QStringLiteral("cannot do %1, %2; %3 can")
+            .arg(namesOf(missing).join(separator), reasonToRun(plan, missing),
+                 methodsThatDo(missing).join(separator));
     if (!shadingArithmetics.empty()
         && std::ranges::find(shadingArithmetics, arithmetic) == shadingArithmetics.end())
-        return QStringLiteral("cannot do %1, which the scene calls for, in %2; it can in %3")
-            .arg(namesOf(run).join(separator), quoted(nameOf(arithmetic)),
+        return QStringLiteral("cannot do %1, %2, in %3; it can in %4")
+            .arg(namesOf(run).join(separator), reasonToRun(plan, run), quoted(nameOf(arithmetic)),
                  namesOf(shadingArithmetics).join(separator));
     return {};
 }

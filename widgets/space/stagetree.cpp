@@ -7,6 +7,7 @@
 #include "widgets/space/symboldelegate.h"
 
 #include <QHeaderView>
+#include <QRegularExpression>
 
 #include <cmath>
 #include <set>
@@ -78,7 +79,10 @@ void StageTree::fillStage(QTreeWidgetItem *item, const ProjectionStage &stage)
     bold.setBold(true);
     item->setFont(NameColumn, bold);
     item->setFirstColumnSpanned(true);
-    addSentence(item, stage.formula);
+    // An equation a row: they are too long for one.
+    static const QRegularExpression nextEquation(QStringLiteral(", (?=[^,()=]+ = )"));
+    for (const QString &equation : stage.formula.split(nextEquation))
+        addSentence(item, equation);
     for (const StagePoint &point : stage.points) {
         const QString name = point.note.isEmpty()
             ? point.name

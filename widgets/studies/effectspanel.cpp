@@ -116,7 +116,10 @@ void EffectsPanel::makeTable()
             tr("With it against without it, and between which a half of the measurements lies"));
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setSectionResizeMode(EffectReason, QHeaderView::Stretch);
+    // The reason beside the verdict, and all of it.
+    m_table->horizontalHeader()->moveSection(EffectReason, EffectSwitch);
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     for (const Effect effect : allEffects) {
         const int row = tableRowOf(effect);
         for (int column = 0; column < EffectColumnCount; ++column) {
@@ -224,6 +227,9 @@ void EffectsPanel::showPlan()
 
 void EffectsPanel::showTiming()
 {
+    // Before they are filled they would take the reasons' room.
+    for (const EffectColumn column : {EffectPerPixel, EffectOperations, EffectRatio})
+        m_table->setColumnHidden(column, !m_timing);
     for (const Effect effect : allEffects) {
         const std::optional<EffectCost> cost
             = m_timing ? m_timing->costs[effect] : std::optional<EffectCost>();

@@ -45,6 +45,15 @@ std::optional<Effect> onlyForced(const EffectForcing &forced)
     return only;
 }
 
+QString forcedWords(const EffectPlan &plan, Effect effect, Forcing forcing)
+{
+    const QString name = nameText(nameOf(effect));
+    if (forcing == Forcing::Off)
+        return translated("%1 off").arg(name);
+    return plan.runs(effect) ? translated("%1 on").arg(name)
+                             : translated("%1 on, where there is none to switch on").arg(name);
+}
+
 QString contradictionText(const EffectPlan &plan, const Appearance &appearance,
                           std::int64_t changed)
 {
@@ -81,9 +90,7 @@ QString forcingText(const EffectPlan &plan, const Appearance &appearance, std::i
     QStringList words;
     for (const Effect effect : allEffects) {
         if (appearance.forced[effect] != Forcing::AsCalledFor)
-            words.append((appearance.forced[effect] == Forcing::On ? translated("%1 on")
-                                                                   : translated("%1 off"))
-                             .arg(nameText(nameOf(effect))));
+            words.append(forcedWords(plan, effect, appearance.forced[effect]));
     }
     if (words.empty())
         return {};
