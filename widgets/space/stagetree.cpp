@@ -22,7 +22,10 @@ QString withMinus(QString text) { return text.replace(u'-', minus); }
 
 } // namespace
 
-QString usedText(const StageNumber &number) { return displayText(Quantity::of(number.used)); }
+QString usedText(const StageNumber &number)
+{
+    return withMinus(displayText(Quantity::of(number.used)));
+}
 
 QString exactText(const StageNumber &number) { return withMinus(number.exact); }
 
@@ -98,6 +101,8 @@ QTreeWidgetItem *StageTree::addSentence(QTreeWidgetItem *parent, const QString &
 {
     auto *item = new QTreeWidgetItem(parent, {text});
     item->setFirstColumnSpanned(true);
+    // The column of the numbers' names need not hold it.
+    item->setSizeHint(NameColumn, QSize(1, parent->treeWidget()->fontMetrics().height() + 2));
     item->setToolTip(NameColumn, toolTipHtml({text}));
     return item;
 }
