@@ -144,6 +144,24 @@ private slots:
                      "1/640 px\n"));
     }
 
+    void reportsDepthsThatTheBitsClamp()
+    {
+        const QByteArray scene = R"({ "pixelplumb": 1, "frame": { "width": 9, "height": 9 },
+            "depthBits": 16, "primitives": [
+            { "triangle": [[0, 0], [8, 0], [0, 8]], "z": [2, 0.5, -1],
+              "colors": ["#ff0000", "#ff0000", "#ff0000"] } ] })";
+
+        const ProgramRun clamped = run({"render", "-", "--ascii"}, scene);
+        const ProgramRun exact
+            = run({"render", "-", "--ascii"}, QByteArray(scene).replace("16,", "\"exact\","));
+
+        QCOMPARE(clamped.exitCode, 0);
+        QCOMPARE(QString::fromUtf8(clamped.messages),
+                 QStringLiteral("-: 2 vertices have a depth outside 0 … 1, which 16 bits keep as 0 "
+                                "or 1\n"));
+        QCOMPARE(exact.messages, QByteArray());
+    }
+
     void reportsManySnappedVerticesInFewLines()
     {
         QByteArray scene = sceneOfSize(5, 5);

@@ -4,6 +4,7 @@
 #include "app/cli/forceoption.h"
 #include "app/cli/input.h"
 #include "app/cli/suggestion.h"
+#include "core/runs/clampeddepths.h"
 #include "core/runs/sceneplan.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/scenefile.h"
@@ -176,6 +177,11 @@ Result<Scene> readScene(const CommandLine &line, const QString &path)
     if (const QString objection = objectionTo(*scene); !objection.isEmpty())
         return InputError{path, QStringLiteral("method “%1” %2").arg(method.id, objection), {}};
     reportNothingDrawn(path, method, *scene);
+    if (scene->appearance.depthFormat != DepthFormat::Exact) {
+        if (const QString clamped = clampedDepthsText(primitivesOnSamples(*scene));
+            !clamped.isEmpty())
+            sayLine(path + QStringLiteral(": ") + clamped);
+    }
     return scene;
 }
 

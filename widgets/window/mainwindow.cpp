@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/clampeddepths.h"
 #include "widgets/window/mainwindow.h"
 
 #include "widgets/canvas/canvas.h"
@@ -225,6 +226,8 @@ void MainWindow::takeTrace(const std::shared_ptr<const TracedScene> &traced)
         m_parts.messageBar->tell(cutRunNote(*traced));
     else if (const QString rejected = rejectionNote(*traced); !rejected.isEmpty())
         m_parts.messageBar->tell(rejected);
+    else if (const QString clamped = clampedDepthsText(traced->primitives); !clamped.isEmpty())
+        m_parts.messageBar->tell(clamped + u'.');
 }
 
 void MainWindow::goToOpeningPlace()
