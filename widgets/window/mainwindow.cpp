@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/clampeddepths.h"
 #include "widgets/window/mainwindow.h"
 
+#include "core/runs/clampeddepths.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/canvas/overdrawoverlay.h"
 #include "widgets/files/recentfiles.h"
