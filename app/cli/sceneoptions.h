@@ -9,6 +9,8 @@ namespace pixelplumb::cli {
 
 /// The positional argument that names a scene.
 Positional scenePositional();
+/// The same of one or more.
+Positional scenesPositional();
 
 /// --method, --arithmetic, --fill-rule and --rounding, which take the place of what the scene says,
 /// and --force.
@@ -18,12 +20,12 @@ void addSettingOptions(CommandLine &line);
 /// stderr.
 Result<Scene> readSceneAt(const QString &path);
 
-/// The scene that the first positional argument names ("-" is stdin), under the options' settings.
-/// Vertices that had to be snapped are reported on stderr.
-Result<Scene> readScene(const CommandLine &line);
+/// The scene of a file ("-" is stdin), under the options' settings. Vertices that had to be snapped
+/// are reported on stderr.
+Result<Scene> readScene(const CommandLine &line, const QString &path);
 
 /// The same, whether or not the scene's method can draw it so: for who chooses another.
-Result<Scene> readSceneForAnyMethod(const CommandLine &line);
+Result<Scene> readSceneForAnyMethod(const CommandLine &line, const QString &path);
 
 /// What an option chooses, or an error that lists the choices; unset keeps the default.
 Result<const Method *> chosenMethod(const CommandLine &line, const QString &unset);

@@ -12,8 +12,10 @@ namespace pixelplumb {
 /// sample, those whose closed square meets the box.
 SampleBox reachOf(const Triangle &triangle, const FrameView &frame, Antialiasing antialiasing);
 /// How many of them it may cover: no more than its reach, and no more than A + P/2 + 1 of any
-/// convex figure of area A and perimeter P (Nosarzewska 1948).
-std::int64_t mostPixelsOf(const Triangle &triangle, const SampleBox &reach);
+/// convex figure of area A and perimeter P (Nosarzewska 1948). Where pixels have more than one
+/// sample that figure is the triangle widened by half a pixel's square on every side.
+std::int64_t mostPixelsOf(const Triangle &triangle, const SampleBox &reach,
+                          Antialiasing antialiasing);
 /// Through how many of them an edge may pass.
 std::int64_t mostEdgePixelsOf(const Triangle &triangle, const SampleBox &reach);
 

@@ -7,6 +7,8 @@
 
 #include <QStringList>
 
+#include <optional>
+
 namespace pixelplumb {
 
 /// What a row of the table is.
@@ -14,6 +16,14 @@ enum class TraceLevel {
     SetUp, ///< a primitive
     Column, ///< a span: a column, a row or a step of the method
     Pixel, ///< a visited sample
+};
+
+/// Which rows of the run are written; what is not set leaves all.
+struct RowChoice {
+    std::optional<std::size_t> primitive;
+    /// Of the pixel; in a table of spans, of the column or the row that the span is. Set-up has
+    /// neither.
+    std::optional<std::int64_t> x, y;
 };
 
 struct TraceExportOptions {
@@ -24,6 +34,7 @@ struct TraceExportOptions {
     /// without the exact numbers and the errors.
     QStringList columns = {};
     TextNumbers textNumbers = TextNumbers::Mixed;
+    RowChoice rows = {};
 };
 
 /// The names of all columns that a method's traces have at a level.

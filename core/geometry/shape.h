@@ -58,6 +58,8 @@ struct Primitives {
     std::vector<Shape> shapes;
     std::vector<TriangleAttributes> attributes = {}; ///< sparse, ascending
     Appearance appearance = {};
+    /// Triangles that are pieces of a face which the near plane has cut; ascending.
+    std::vector<std::size_t> cutAtNear = {};
 
     /// Null where the triangle carries none.
     const TriangleAttributes *attributesOf(std::size_t triangle) const;

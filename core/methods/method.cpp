@@ -49,11 +49,24 @@ QStringList methodsThatDo(const std::vector<Effect> &effects, const Draws &draws
     return ids;
 }
 
-QString lackText(const std::vector<Effect> &missing, const QStringList &able)
+/// Who asks for it: the scene, or a person's switch alone.
+QString askerText(bool isCalledFor)
+{
+    return isCalledFor ? QStringLiteral("which the scene calls for")
+                       : QStringLiteral("which is forced on");
+}
+QString askerText(const EffectPlan &plan, const std::vector<Effect> &effects)
+{
+    return askerText(std::ranges::any_of(effects, [&plan](Effect effect) {
+        return plan.verdicts[effect].verdict != Verdict::NotCalledFor;
+    }));
+}
+
+QString lackText(const std::vector<Effect> &missing, const QString &asker, const QStringList &able)
 {
     const QString separator = QStringLiteral(", ");
-    return QStringLiteral("cannot do %1, which the scene calls for; %2 can")
-        .arg(namesOf(missing).join(separator), able.join(separator));
+    return QStringLiteral("cannot do %1, %2; %3 can")
+        .arg(namesOf(missing).join(separator), asker, able.join(separator));
 }
 
 } // namespace
@@ -116,14 +129,16 @@ QString Method::objection(const EffectPlan &plan, Arithmetic arithmetic) const
     std::vector<Effect> missing = run;
     std::erase_if(missing, [this](Effect effect) { return supports(effect); });
     if (!missing.empty())
-        return lackText(missing, methodsThatDo(missing, [](const Method &method) {
+        return lackText(missing, askerText(plan, missing),
+                        methodsThatDo(missing, [](const Method &method) {
                             return method.draws(PrimitiveKind::Triangle);
                         }));
+    const QString separator = QStringLiteral(", ");
     if (!shadingArithmetics.empty()
         && std::ranges::find(shadingArithmetics, arithmetic) == shadingArithmetics.end())
-        return QStringLiteral("cannot do %1, which the scene calls for, in %2; it can in %3")
-            .arg(namesOf(run).join(QStringLiteral(", ")), quoted(nameOf(arithmetic)),
-                 namesOf(shadingArithmetics).join(QStringLiteral(", ")));
+        return QStringLiteral("cannot do %1, %2, in %3; it can in %4")
+            .arg(namesOf(run).join(separator), askerText(plan, run), quoted(nameOf(arithmetic)),
+                 namesOf(shadingArithmetics).join(separator));
     return {};
 }
 
