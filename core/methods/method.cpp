@@ -148,6 +148,7 @@ QString Method::objection(const Shape &shape, const Appearance &appearance) cons
         || supports(Effect::Antialiasing))
         return {};
     return lackText({Effect::Antialiasing},
+                    askerText(appearance.antialiasing != Antialiasing::None),
                     methodsThatDo({Effect::Antialiasing},
                                   [&shape](const Method &method) { return method.draws(shape); }));
 }
