@@ -282,6 +282,7 @@ private slots:
         const EffectVerdict verdict = planOf(scene).verdicts[Effect::Antialiasing];
         QCOMPARE(verdict.verdict, Verdict::CalledFor);
         QCOMPARE(verdict.primitives, std::size_t(1));
+        QVERIFY(verdict.pixels < 12 * 8);
         QCOMPARE(verdict.reason,
                  QStringLiteral("the scene asks for the exact area that a line or "
                                 "curve has of a pixel"));

@@ -68,7 +68,7 @@ public:
             return;
         ++m_tally.drawnStrokes;
         if (m_appearance.antialiasing != Antialiasing::None)
-            m_tally.of[Effect::Antialiasing].add(pixelsOfFrame());
+            m_tally.of[Effect::Antialiasing].add(mostPixelsOf(shape, m_frame));
     }
 
     const NeedsTally &tally() const { return m_tally; }
