@@ -128,8 +128,8 @@ public:
             return {signX * x, signY * y};
         };
         const StrokePoint from
-            = ofQuarter(nearestQuotient(m_radiusX * strokeUnitsPerLattice * along, whole),
-                        nearestQuotient(m_radiusY * strokeUnitsPerLattice * across, whole));
+            = ofQuarter(nearestQuotient(along * strokeUnitsPerLattice * m_radiusX, whole),
+                        nearestQuotient(across * strokeUnitsPerLattice * m_radiusY, whole));
         return {{m_centre.x + from.x, m_centre.y + from.y}, ofQuarter(inward.x, inward.y)};
     }
 
@@ -158,7 +158,7 @@ public:
             };
             m_bend = std::max(m_bend, second(&LatticePoint::x) + second(&LatticePoint::y));
         }
-        m_bend *= m_degree * (m_degree - 1);
+        m_bend *= Lattice(m_degree) * (m_degree - 1);
         while (m_bend > (Int128(1) << (2 * m_bits + 1)))
             ++m_bits;
     }
