@@ -118,7 +118,7 @@ private:
     const EffectRow &row(const char *group, const char *way) const
     {
         const auto found = std::ranges::find_if(m_rows, [&](const EffectRow &each) {
-            return each.group == QLatin1String(group) && each.way == QLatin1String(way)
+            return each.group == QLatin1String(group) && each.way == QString::fromUtf8(way)
                 && each.arithmetic == Arithmetic::Exact;
         });
         if (found == m_rows.end())

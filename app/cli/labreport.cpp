@@ -229,7 +229,8 @@ QStringList effectsText(const Study &study)
              number(row.brightness, 4), QString()});
     return QStringList{QString(),
                        QStringLiteral("What effects cost and what they mend: plain kernels of the "
-                                      "column scan; errors from the exact area or the truth")}
+                                      "column scan, of lines by their own methods; errors from the "
+                                      "exact area or the truth")}
     + aligned(lines) + brightnessText(study);
 }
 

@@ -67,7 +67,7 @@ public:
         const std::span<const LatticePoint> offsets = samplePattern(m_antialiasing);
         return offsets.empty() ? std::span<const LatticePoint>(centre) : offsets;
     }
-    /// Paints one sample of a pixel; the frame itself where there is one alone.
+    /// Paints one sample of a pixel, where pixels have more than one.
     void paint(std::size_t sample, std::int64_t x, std::int64_t y, const Colour &colour)
     {
         if (!m_samples.empty())
