@@ -57,6 +57,7 @@ private slots:
         add("default.json", {smooth});
         add("crossing-triangles.json", {QStringLiteral("depth")});
         add("glass-panes.json", {QStringLiteral("blending")});
+        add("even-lines.json", {QStringLiteral("antialiasing")});
     }
     void tellsWhatEachExampleCallsFor()
     {

@@ -170,23 +170,38 @@ QString blendingReason(const Primitives &primitives, const NeedsTally &tally,
     return sharesEdges ? reason + paintedTwiceWords(primitives, tally, frame) : reason;
 }
 
+/// What there is of what antialiasing can draw.
+QString antialiasedWord(const NeedsTally &tally)
+{
+    if (tally.drawnStrokes == 0)
+        return QStringLiteral("triangle");
+    return tally.drawnTriangles == 0 ? QStringLiteral("line or curve")
+                                     : QStringLiteral("triangle, line or curve");
+}
+
 QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing)
 {
-    const auto ofSamples = [](int samples) {
-        return QStringLiteral("the scene asks for %1 samples in each pixel that an edge passes")
-            .arg(samples);
+    const auto ofSamples = [&](int samples) {
+        const QString pixel = tally.drawnStrokes == 0
+            ? QStringLiteral("that an edge passes")
+            : QStringLiteral("that the border of a %1 passes").arg(antialiasedWord(tally));
+        return QStringLiteral("the scene asks for %1 samples in each pixel %2")
+            .arg(QString::number(samples), pixel);
     };
+    if (antialiasing == Antialiasing::None)
+        return QStringLiteral("the scene asks for one sample a pixel");
+    if (tally.drawnTriangles + tally.drawnStrokes == 0)
+        return QStringLiteral("no triangle, line or curve is drawn");
     switch (antialiasing) {
     case Antialiasing::None:
-        return QStringLiteral("the scene asks for one sample a pixel");
+        break;
     case Antialiasing::Samples4:
-        return tally.drawnTriangles == 0 ? QStringLiteral("no triangle is drawn") : ofSamples(4);
+        return ofSamples(4);
     case Antialiasing::Samples16:
-        return tally.drawnTriangles == 0 ? QStringLiteral("no triangle is drawn") : ofSamples(16);
+        return ofSamples(16);
     case Antialiasing::Area:
-        return tally.drawnTriangles == 0
-            ? QStringLiteral("no triangle is drawn")
-            : QStringLiteral("the scene asks for the exact area that a triangle has of a pixel");
+        return QStringLiteral("the scene asks for the exact area that a %1 has of a pixel")
+            .arg(antialiasedWord(tally));
     }
     return {};
 }

@@ -61,6 +61,20 @@ std::int64_t mostPixelsOf(const Triangle &triangle, const SampleBox &reach,
     return std::min(inBox, std::int64_t((area + perimeter / 2 + 1) * aboveRounding));
 }
 
+std::int64_t mostPixelsOf(const Shape &stroke, const FrameView &frame)
+{
+    const std::int64_t inFrame = std::int64_t(frame.width) * frame.height;
+    if (stroke.kind != PrimitiveKind::Line)
+        return inFrame;
+    const LatticePoint &a = stroke.vertices[0].position;
+    const LatticePoint &b = stroke.vertices[1].position;
+    const double width = double(absolute(b.x - a.x)) / double(unitsPerPixel);
+    const double height = double(absolute(b.y - a.y)) / double(unitsPerPixel);
+    const double area = 2 * (width + height) + 4;
+    const double perimeter = 2 * std::hypot(width, height) + 8;
+    return std::min(inFrame, std::int64_t(std::ceil(area + perimeter / 2 + 1)));
+}
+
 std::int64_t mostEdgePixelsOf(const Triangle &triangle, const SampleBox &reach)
 {
     // Along a border between squares it meets those of both sides, and at a corner all four.

@@ -3,6 +3,7 @@
 
 #include "core/effects/bordercrossing.h"
 #include "core/effects/framereach.h"
+#include "core/effects/strokestrip.h"
 
 #include <algorithm>
 
@@ -63,6 +64,11 @@ public:
             = [&](const Vertex &vertex) { return vertex.colour != shape.vertices.front().colour; };
         if (std::ranges::any_of(shape.vertices, differs))
             m_tally.of[Effect::SmoothColour].add(pixelsOfFrame());
+        if (!isStroke(shape))
+            return;
+        ++m_tally.drawnStrokes;
+        if (m_appearance.antialiasing != Antialiasing::None)
+            m_tally.of[Effect::Antialiasing].add(mostPixelsOf(shape, m_frame));
     }
 
     const NeedsTally &tally() const { return m_tally; }

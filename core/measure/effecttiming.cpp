@@ -108,7 +108,10 @@ private:
         const EffectPlan off = planFor(m_off, m_settings, m_offFrame.view());
         const bool isSame = on.batches == off.batches && on.antialiasing == off.antialiasing;
         const bool canDraw = m_method.objection(on, m_settings.arithmetic).isEmpty()
-            && m_method.objection(off, m_settings.arithmetic).isEmpty();
+            && m_method.objection(off, m_settings.arithmetic).isEmpty()
+            && std::ranges::all_of(m_on.shapes, [this](const Shape &shape) {
+                                 return m_method.objection(shape, m_on.appearance).isEmpty();
+                             });
         if (isSame || !canDraw)
             m_done += m_options.rounds;
         return !isSame && canDraw;
@@ -127,11 +130,11 @@ private:
         return count;
     }
 
-    /// Which samples are covered and what is done at them is the same by every method.
+    /// Which samples are covered and what is done at them is the same by every method of triangles.
     std::optional<std::int64_t> countOperations(Effect effect) const
     {
         const std::vector<EffectWork> work = workOf(effect);
-        if (work.empty())
+        if (work.empty() || m_on.triangles.empty())
             return std::nullopt;
         const ScanSettings exact{Arithmetic::Exact, m_settings.fillRule, m_settings.rounding};
         const EffectTally tally
