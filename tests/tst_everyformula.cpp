@@ -9,6 +9,7 @@
 #include "tests/support/polygons.h"
 #include "tests/support/scenesformethods.h"
 #include "tests/support/shapes.h"
+#include "tests/support/spacescenes.h"
 #include "tests/support/spread.h"
 
 #include <QDir>
@@ -214,6 +215,64 @@ private slots:
                     QStringLiteral("δq₁₂ = (q₂ − q₁)/(x₂ − x₁)")};
         for (const QString &formula : expected)
             QVERIFY2(shown.contains(formula), qPrintable(formula));
+    }
+
+    void everyFormulaOfTheWayFromSpaceComesOutAtTheNumberBesideIt_data()
+    {
+        QTest::addColumn<Projection>("projection");
+        QTest::addColumn<FrameOrigin>("origin");
+        QTest::addColumn<Shading>("shading");
+        QTest::newRow("perspective, lit at the vertices")
+            << Projection::Perspective << FrameOrigin::BottomLeft << Shading::Gouraud;
+        QTest::newRow("perspective, lit at the samples")
+            << Projection::Perspective << FrameOrigin::TopLeft << Shading::Phong;
+        QTest::newRow("orthographic, lit once a face")
+            << Projection::Orthographic << FrameOrigin::BottomLeft << Shading::Flat;
+    }
+    void everyFormulaOfTheWayFromSpaceComesOutAtTheNumberBesideIt()
+    {
+        QFETCH(Projection, projection);
+        QFETCH(FrameOrigin, origin);
+        QFETCH(Shading, shading);
+        Scene scene = sceneOf({triangle3({-1, -0.5, 2}, {1, -0.5, 2}, {0, 1, 5.5}),
+                               solidOf(SolidKind::Sphere), solidOf(SolidKind::Patch)});
+        scene.camera->projection = projection;
+        scene.camera->eye = {0.3, 0.4, 4.7};
+        scene.frame.origin = origin;
+        scene.appearance.shading = shading;
+        scene.appearance.lights
+            = {{Light::Kind::Directional, {-attributeOne, -attributeOne, 0}, {}},
+               {Light::Kind::Positional, {0, attributeOne, attributeOne}, {}}};
+        const auto traced = traceScene(scene);
+        QSet<QString> stages;
+        QSet<QString> formulas;
+        std::size_t cuts = 0;
+        for (std::size_t primitive = 0; primitive < traced->trace->primitiveCount();
+             primitive += 3) {
+            const std::size_t step = traced->trace->indexOfSetUp(primitive);
+            for (const StageFormulas &stage : explainStep(*traced, step).stages) {
+                stages.insert(stage.stage);
+                cuts += stage.note.contains(QStringLiteral("the near plane cuts")) ? 1 : 0;
+                for (const FormulaLine &line : stage.lines) {
+                    if (line.substituted.isEmpty())
+                        continue;
+                    formulas.insert(line.symbols);
+                    const QString fault = faultOf(line, Arithmetic::Float64);
+                    QVERIFY2(fault.isEmpty(),
+                             qPrintable(QStringLiteral("%1, %2: %3: %4 %5, not %6")
+                                            .arg(stage.stage, stage.point, line.symbols,
+                                                 line.substituted, fault, toText(line.used))));
+                }
+            }
+        }
+        QCOMPARE(stages.size(), shading == Shading::Phong ? 7 : 8);
+        QVERIFY(cuts > 0);
+        for (const char *formula :
+             {"x_view = right_x·(x − E_x) + right_y·(y − E_y) + right_z·(z − E_z)",
+              "z_clip = scale_z·(−z_view − near)", "x_device = x_clip/w",
+              "x = x_first + (x_device + 1)/2·width − ½", "x = ⌊256·x′ + ½⌋/256",
+              "t = z_V₁/(z_V₁ − z_V₂)"})
+            QVERIFY2(formulas.contains(QString::fromUtf8(formula)), formula);
     }
 
     void everyFormulaOfAHardCaseComesOutAtTheNumberBesideIt_data()
