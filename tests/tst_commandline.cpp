@@ -212,7 +212,9 @@ private slots:
         const ProgramRun json = run({"methods", "--json"});
 
         QCOMPARE(text.exitCode, 0);
-        QVERIFY(text.output.startsWith("column-scan: Column scan\n"));
+        QVERIFY2(text.output.startsWith("column-scan "), text.output.constData());
+        QVERIFY(text.output.contains(" Column scan (triangle)\n"));
+        QCOMPARE(std::size_t(text.output.count('\n')), methods().size());
         const QJsonArray list = QJsonDocument::fromJson(json.output).array();
         QCOMPARE(std::size_t(list.size()), methods().size());
         QCOMPARE(list[0][QStringLiteral("id")].toString(), QStringLiteral("column-scan"));

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/programrun.h"
 
+#include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QTemporaryDir>
 #include <QTest>
 
 using namespace pixelplumb;
@@ -54,6 +56,31 @@ private slots:
         QVERIFY2(output.contains(QStringLiteral("\n  drift")), result.output.constData());
         QVERIFY2(output.contains(QStringLiteral(" instead of ")), result.output.constData());
         QVERIFY2(output.contains(QStringLiteral("\nand ")), result.output.constData());
+    }
+
+    void drawsWhereTheyDiffer()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("differences.png"));
+
+        const ProgramRun result = compare(
+            tiesScene,
+            {"--methods", "truth:closed,column-scan:float32:closed", "--limit", "0", "-o", path});
+
+        QCOMPARE(result.exitCode, 1);
+        const QImage picture(path);
+        int marked = 0;
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                const QRgb pixel = picture.pixel(x, y);
+                const bool isFaint = qRed(pixel) == qGreen(pixel) && qRed(pixel) >= 191;
+                marked += isFaint ? 0 : 1;
+            }
+        }
+        QVERIFY(marked > 0);
+        QVERIFY2(
+            result.output.contains("\n1 of 2  " + QByteArray::number(marked).rightJustified(6)),
+            result.output.constData());
     }
 
     void tellsTheSameAsJson()

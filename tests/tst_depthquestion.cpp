@@ -4,6 +4,7 @@
 #include "core/effects/sharededges.h"
 #include "core/number/wideinteger.h"
 #include "core/oracle/oracle.h"
+#include "core/oracle/squarearea.h"
 #include "tests/support/framespec.h"
 #include "tests/support/plannedtriangles.h"
 
@@ -221,7 +222,26 @@ private slots:
                         covered += oracle::covers(triangle, FillRule::Closed, x, y) ? 1 : 0;
                 }
                 const SampleBox reach = reachOf(triangle, frame, Antialiasing::None);
-                QVERIFY(mostPixelsOf(triangle, reach) >= covered);
+                QVERIFY(mostPixelsOf(triangle, reach, Antialiasing::None) >= covered);
+            }
+        }
+    }
+
+    void touchedSquaresAreBoundedFromAbove()
+    {
+        for (quint32 seed = 0; seed < 60; ++seed) {
+            for (const Triangle &triangle : randomScene(seed).triangles) {
+                const FrameView frame = frameView();
+                std::int64_t touched = 0;
+                for (std::int64_t y = frame.firstRow; y < frame.endRow(); ++y) {
+                    for (std::int64_t x = frame.firstColumn; x < frame.endColumn(); ++x)
+                        touched += oracle::areaInSquare(triangle, x, y) > 0 ? 1 : 0;
+                }
+                for (const Antialiasing antialiasing :
+                     {Antialiasing::Area, Antialiasing::Samples4}) {
+                    const SampleBox reach = reachOf(triangle, frame, antialiasing);
+                    QVERIFY(mostPixelsOf(triangle, reach, antialiasing) >= touched);
+                }
             }
         }
     }
@@ -245,7 +265,11 @@ private slots:
                     expected += isOnEdge ? 1 : 0;
                 }
             }
-            QCOMPARE(sharedSamplesOf(twice, frame).samples, expected);
+            const std::span<const Triangle *const> both(twice);
+            QCOMPARE(sharedSamplesOf(both, {}, frame).samples, expected);
+            // One of them lets the other through; neither does.
+            QCOMPARE(sharedSamplesOf(both.first(1), both.last(1), frame).samples, expected);
+            QCOMPARE(sharedSamplesOf({}, both, frame).samples, 0);
         }
     }
 };

@@ -2,6 +2,8 @@
 #include "core/runs/tracedscene.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/look/displayoptions.h"
 #include "widgets/model/effectswitches.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
@@ -125,7 +127,7 @@ private slots:
         QCOMPARE(int(bench.switches.forced()[Effect::Depth]), int(Forcing::Off));
         QVERIFY2(bench.summary().startsWith(QStringLiteral("Forced: depth off; ")),
                  qPrintable(bench.summary()));
-        QVERIFY2(bench.summary().endsWith(QStringLiteral("pixels change.")),
+        QVERIFY2(bench.summary().endsWith(QStringLiteral("pixels change, marked on the canvas.")),
                  qPrintable(bench.summary()));
         QVERIFY(!bench.document.isModified());
         QCOMPARE(bench.document.undoStack()->count(), 0);
@@ -163,7 +165,7 @@ private slots:
         plan.verdicts[Effect::Depth].verdict = Verdict::CalledFor;
         Appearance appearance;
         appearance.forced[Effect::Depth] = Forcing::Off;
-        const QString defect = QStringLiteral("A defect");
+        const QString defect = QStringLiteral("defect");
         QVERIFY(forcingText(plan, appearance, 0).contains(defect));
         QVERIFY(!forcingText(plan, appearance, 1).contains(defect));
 
@@ -249,6 +251,38 @@ private slots:
         const FrameBuffer forced(playhead->traced()->scene.frame);
         drawScene(playhead->traced()->scene, forced);
         QVERIFY(forced.image() != asCalledFor.image());
+    }
+
+    void theCanvasMarksWhatForcingChanges()
+    {
+        const auto window = openedWindow(overlapping());
+        auto *canvas = window->findChild<Canvas *>();
+        auto *options = window->findChild<DisplayOptions *>();
+        auto *switches = window->findChild<EffectSwitches *>();
+        auto *playhead = window->findChild<Playhead *>();
+        auto *panel = window->findChild<EffectsPanel *>();
+        const auto marksAreSeen = [&] {
+            options->setDifferencesShown(true);
+            const QImage with = canvas->grab().toImage();
+            options->setDifferencesShown(false);
+            return with != canvas->grab().toImage();
+        };
+        for (QWidget *hidden = panel; hidden; hidden = hidden->parentWidget())
+            hidden->show();
+        playhead->seek(playhead->end());
+        QVERIFY(!marksAreSeen()); // in exact arithmetic nothing differs from the truth
+
+        switches->force(Effect::Depth, Forcing::Off);
+        QTRY_VERIFY_WITH_TIMEOUT(switches->changes(), longest);
+        QTRY_COMPARE(int(playhead->traced()->scene.appearance.forced[Effect::Depth]),
+                     int(Forcing::Off));
+        playhead->seek(playhead->end());
+        QVERIFY(switches->changes()->total() > 0);
+        QVERIFY(marksAreSeen());
+
+        switches->force(Effect::Depth, Forcing::AsCalledFor);
+        QVERIFY(!switches->changes());
+        QVERIFY(!marksAreSeen());
     }
 };
 

@@ -4,6 +4,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 using namespace pixelplumb;
@@ -77,6 +78,35 @@ private slots:
             ++seen;
         }
         QCOMPARE(seen, 5);
+    }
+
+    void aLineOfOnePixelAColumnIsDarkestAt45Degrees()
+    {
+        const auto range = brightnessRangeOf(m_rows, QStringLiteral("lines, Bresenham"));
+        QVERIFY(range);
+        QCOMPARE(range->greatest, 1.0);
+        QCOMPARE(range->greatest / range->least, std::sqrt(2.0));
+        QCOMPARE(*row("lines, Bresenham", "45°").brightness, range->least);
+    }
+
+    void aLineByItsAreaIsEquallyBrightInEveryDirection()
+    {
+        const QString group = QStringLiteral("lines, exact area");
+        const auto range = brightnessRangeOf(m_rows, group);
+        QVERIFY(range);
+        std::int64_t most = 0;
+        for (const EffectRow &each : m_rows) {
+            if (each.group == group)
+                most = std::max(most, each.pixels);
+        }
+        // Each pixel's byte is off by up to half a level, in the line and in the half of it, and
+        // the area itself by one part in 2^15.5.
+        constexpr double length = 60;
+        const double bound = 1.5 * double(most) * 0.5 / 255 / (length - 1) + std::exp2(-15.5);
+        QVERIFY2(range->least > 1 - bound && range->greatest < 1 + bound,
+                 qPrintable(QStringLiteral("%1 to %2").arg(range->least).arg(range->greatest)));
+        QVERIFY(bound < 0.05);
+        QCOMPARE(row("lines, exact area", "30°").wrongPixels, 0);
     }
 
     void aListenerEndsIt()

@@ -22,6 +22,8 @@ for file in \
     share/icons/hicolor/scalable/apps/org.pixelplumb.Pixelplumb.svg \
     share/man/man1/pixelplumb.1 \
     share/man/man1/pixelplumb-cli.1 \
+    share/bash-completion/completions/pixelplumb-cli \
+    share/zsh/vendor-completions/_pixelplumb-cli \
     share/doc/pixelplumb/GPL-3.0-or-later.txt \
     share/doc/pixelplumb/misprints.md \
     share/doc/pixelplumb/numerics.md \

@@ -57,6 +57,7 @@ private slots:
         add("default.json", {smooth});
         add("crossing-triangles.json", {QStringLiteral("depth")});
         add("glass-panes.json", {QStringLiteral("blending")});
+        add("even-lines.json", {QStringLiteral("antialiasing")});
     }
     void tellsWhatEachExampleCallsFor()
     {
@@ -115,6 +116,51 @@ private slots:
 
         QCOMPARE(plan.exitCode, 2);
         QVERIFY2(plan.messages.contains(message), plan.messages);
+    }
+
+    void aSwitchIsNotTurnedBothWays()
+    {
+        const ProgramRun plan
+            = run({"plan", defaultScene(), "--force", "depth=on", "--force", "depth=off"});
+
+        QCOMPARE(plan.exitCode, 2);
+        QVERIFY2(plan.messages.contains("depth=on and depth=off; expected one of them"),
+                 plan.messages);
+    }
+
+    void whatIsForcedIsNotSaidToBeCalledFor()
+    {
+        const ProgramRun drawn = run(
+            {"render", defaultScene(), "--ascii", "--method", "row-walk", "--force", "depth=on"});
+        const ProgramRun inVain = run({"plan", defaultScene(), "--force", "texture=on"});
+
+        QCOMPARE(drawn.exitCode, 2);
+        QVERIFY2(drawn.messages.contains("cannot do depth, which is forced on; "), drawn.messages);
+        QVERIFY2(inVain.output.contains("no (nothing to force)"), inVain.output);
+    }
+
+    void measuresWhatEachEffectCosts()
+    {
+        const QString scene = sceneFile(QStringLiteral("glass-panes.json"));
+
+        const ProgramRun text = run({"plan", scene, "--measure"});
+        const ProgramRun json = run({"plan", scene, "--measure", "--json"});
+
+        QCOMPARE(text.exitCode, 0);
+        QVERIFY2(text.output.contains("ns a pixel"), text.output);
+        const QJsonArray effects
+            = QJsonDocument::fromJson(json.output)[QStringLiteral("effects")].toArray();
+        for (const QJsonValue &effect : effects) {
+            const QJsonObject measured = effect[QStringLiteral("measured")].toObject();
+            const bool isBlending
+                = effect[QStringLiteral("effect")].toString() == QStringLiteral("blending");
+            if (isBlending) {
+                QVERIFY(measured[QStringLiteral("changedPixels")].toInt() > 0);
+                QVERIFY(measured[QStringLiteral("operationsPerPixel")].toDouble() >= 1);
+            }
+            if (!measured.isEmpty())
+                QVERIFY(measured[QStringLiteral("ratio")][QStringLiteral("median")].toDouble() > 0);
+        }
     }
 
     void aMethodThatCannotIsRefusedWithThoseThatCan_data()

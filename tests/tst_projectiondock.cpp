@@ -4,6 +4,7 @@
 #include "tests/support/spacescenes.h"
 #include "tests/support/windowsteps.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
 #include "widgets/space/projectionpanel.h"
 #include "widgets/space/sideview.h"
 #include "widgets/space/stagetree.h"
@@ -88,7 +89,8 @@ private slots:
     void followsTheStepThroughTheSolidsTriangles()
     {
         Playhead playhead;
-        ProjectionPanel panel(&playhead);
+        SceneDocument document;
+        ProjectionPanel panel(&document, &playhead);
         open(panel, playhead, spaceScene());
         const auto *sentence = named<QLabel>(panel, "projectionSentence");
         const auto *tree = named<StageTree>(panel, "stageTree");
@@ -115,7 +117,8 @@ private slots:
     void showsTheEdgesThatTheNearPlaneCutsAndTheSnapsDisplacement()
     {
         Playhead playhead;
-        ProjectionPanel panel(&playhead);
+        SceneDocument document;
+        ProjectionPanel panel(&document, &playhead);
         open(panel, playhead, spaceScene());
         playhead.seek(positionIn(playhead, 1));
         const auto *tree = named<StageTree>(panel, "stageTree");
@@ -143,7 +146,8 @@ private slots:
     void whatIsFoldedStaysFolded()
     {
         Playhead playhead;
-        ProjectionPanel panel(&playhead);
+        SceneDocument document;
+        ProjectionPanel panel(&document, &playhead);
         open(panel, playhead, spaceScene());
         playhead.seek(positionIn(playhead, 1));
         const auto *tree = named<StageTree>(panel, "stageTree");
@@ -158,7 +162,8 @@ private slots:
     void saysWhatItWouldShowWhereThereAreNoSolids()
     {
         Playhead playhead;
-        ProjectionPanel panel(&playhead);
+        SceneDocument document;
+        ProjectionPanel panel(&document, &playhead);
         Scene scene;
         scene.triangles = {triangleAt(3, 4, 50, 10, 20, 40)};
         open(panel, playhead, scene);
@@ -172,7 +177,8 @@ private slots:
     void tellsWhyFacesAreNotDrawn()
     {
         Playhead playhead;
-        ProjectionPanel panel(&playhead);
+        SceneDocument document;
+        ProjectionPanel panel(&document, &playhead);
         Scene scene = spaceScene();
         scene.solids.push_back(triangle3({0, 0, 6}, {1, 0, 7}, {0, 1, 8}));
         open(panel, playhead, scene);
@@ -250,7 +256,8 @@ private slots:
     void theFormsFollowTheirParametersAndTheSegmentsAreStudied()
     {
         Playhead playhead;
-        SurfacesPanel panel(&playhead);
+        SceneDocument document;
+        SurfacesPanel panel(&document, &playhead);
         QSignalSpy spy(&panel, &SurfacesPanel::figuresChanged);
         playhead.setTraced(traceScene(spaceScene()));
         panel.show();

@@ -144,6 +144,24 @@ private slots:
                      "1/640 px\n"));
     }
 
+    void reportsDepthsThatTheBitsClamp()
+    {
+        const QByteArray scene = R"({ "pixelplumb": 1, "frame": { "width": 9, "height": 9 },
+            "depthBits": 16, "primitives": [
+            { "triangle": [[0, 0], [8, 0], [0, 8]], "z": [2, 0.5, -1],
+              "colors": ["#ff0000", "#ff0000", "#ff0000"] } ] })";
+
+        const ProgramRun clamped = run({"render", "-", "--ascii"}, scene);
+        const ProgramRun exact
+            = run({"render", "-", "--ascii"}, QByteArray(scene).replace("16,", "\"exact\","));
+
+        QCOMPARE(clamped.exitCode, 0);
+        QCOMPARE(QString::fromUtf8(clamped.messages),
+                 QStringLiteral("-: 2 vertices have a depth outside 0 … 1, which 16 bits keep as 0 "
+                                "or 1\n"));
+        QCOMPARE(exact.messages, QByteArray());
+    }
+
     void reportsManySnappedVerticesInFewLines()
     {
         QByteArray scene = sceneOfSize(5, 5);
@@ -155,6 +173,40 @@ private slots:
         QCOMPARE(result.messages.count('\n'), qsizetype(6));
         QVERIFY2(result.messages.contains("1 more coordinates are off the lattice"),
                  result.messages.constData());
+    }
+
+    void aScaledPictureHasASquareForEachPixel()
+    {
+        const QString plain = m_folder.filePath(QStringLiteral("plain.png"));
+        const QString scaled = m_folder.filePath(QStringLiteral("scaled.png"));
+
+        QCOMPARE(run({"render", defaultScene(), "-o", plain}).exitCode, 0);
+        QCOMPARE(run({"render", defaultScene(), "-o", scaled, "--scale", "3"}).exitCode, 0);
+
+        const QImage small(plain);
+        const QImage large(scaled);
+        QCOMPARE(large.size(), small.size() * 3);
+        for (int y = 0; y < large.height(); ++y) {
+            for (int x = 0; x < large.width(); ++x)
+                QCOMPARE(large.pixel(x, y), small.pixel(x / 3, y / 3));
+        }
+    }
+
+    void refusesScalesThatNoPictureHolds()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("never.png"));
+
+        const ProgramRun zero = run({"render", defaultScene(), "-o", path, "--scale", "0"});
+        const ProgramRun large
+            = run({"render", "-", "-o", path, "--scale", "64"}, sceneOfSize(9000, 9000));
+
+        QCOMPARE(zero.exitCode, 2);
+        QVERIFY2(zero.messages.contains("--scale: 0 is out of range; expected 1 … 64"),
+                 zero.messages.constData());
+        QCOMPARE(large.exitCode, 2);
+        QVERIFY2(large.messages.contains("expected at most 268435456 pixels"),
+                 large.messages.constData());
+        QVERIFY(!QFile::exists(path));
     }
 
     void neverWritesOverItsInput_data()

@@ -41,6 +41,78 @@ private slots:
         QCOMPARE(wide.output, close.output);
     }
 
+    void printsTheRowsOfOneTriangleColumnOrRow_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QByteArray>("column");
+        QTest::addColumn<QByteArray>("value");
+        QTest::newRow("a triangle's set-up") << QStringList{"--level", "setup", "--triangle", "1"}
+                                             << QByteArray("primitive") << QByteArray("1");
+        QTest::newRow("a triangle's columns")
+            << QStringList{"--triangle", "1"} << QByteArray("primitive") << QByteArray("1");
+        QTest::newRow("a column") << QStringList{"--x", "12"} << QByteArray("x")
+                                  << QByteArray("12");
+        QTest::newRow("a column's pixels")
+            << QStringList{"--level", "pixel", "--x", "12"} << QByteArray("x") << QByteArray("12");
+        QTest::newRow("a row's pixels")
+            << QStringList{"--level", "pixel", "--y", "9"} << QByteArray("y") << QByteArray("9");
+        QTest::newRow("a row") << QStringList{"--method", "row-walk", "--y", "9"} << QByteArray("y")
+                               << QByteArray("9");
+    }
+    void printsTheRowsOfOneTriangleColumnOrRow()
+    {
+        QFETCH(QStringList, options);
+        QFETCH(QByteArray, column);
+        QFETCH(QByteArray, value);
+        QStringList whole = options;
+        whole.remove(whole.size() - 2, 2);
+        const QString scene = sceneFile(QStringLiteral("shared-edge.json"));
+
+        const QList<QByteArray> all = run(QStringList{"trace", scene} + whole).output.split('\n');
+        const ProgramRun chosen = run(QStringList{"trace", scene} + options);
+
+        const qsizetype place = all[0].trimmed().split(',').indexOf(column);
+        QVERIFY(place >= 0);
+        QList<QByteArray> expected = {all[0]};
+        for (const QByteArray &line : all.sliced(1)) {
+            if (line.isEmpty() || line.split(',').at(place) == value)
+                expected.append(line);
+        }
+        QCOMPARE(chosen.exitCode, 0);
+        QVERIFY(expected.size() > 2);
+        QCOMPARE(chosen.output.split('\n'), expected);
+    }
+
+    void refusesRowsThatTheTableDoesNotHave_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QByteArray>("message");
+        const auto row
+            = [](const char *name, const QStringList &options, const QByteArray &message) {
+                  QTest::newRow(name) << options << message;
+              };
+        row("no such triangle", {"--triangle", "7"},
+            "--triangle: 7 is no primitive of the scene; expected 0 … 0");
+        row("outside the frame", {"--x", "-1"}, "--x: -1 is outside the frame; expected 0 … 63");
+        row("no number", {"--x", "left"}, "--x: “left” is no whole number");
+        row("rows of a column scan", {"--y", "3"}, "--y: “column-scan” walks along no such rows");
+        row("columns of a row walk", {"--method", "row-walk", "--x", "3"},
+            "--x: “row-walk” walks along no such columns");
+        row("set-up has no place", {"--level", "setup", "--x", "3"},
+            "--x: a primitive's set-up has no place; expected --level column or --level pixel");
+    }
+    void refusesRowsThatTheTableDoesNotHave()
+    {
+        QFETCH(QStringList, options);
+        QFETCH(QByteArray, message);
+
+        const ProgramRun result = run(QStringList{"trace", defaultScene()} + options);
+
+        QCOMPARE(result.exitCode, 2);
+        QCOMPARE(result.output, QByteArray());
+        QVERIFY2(result.messages.contains(message), result.messages.constData());
+    }
+
     void jsonDescribesTheChosenColumnsAlone()
     {
         const ProgramRun result = run(

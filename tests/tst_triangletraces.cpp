@@ -62,6 +62,8 @@ private slots:
         QFETCH(QString, id);
         Scene scene = tracedSceneOf(id, {});
         scene.appearance.antialiasing = Antialiasing::Samples4;
+        // Its left edge passes between the centre and the outermost sample of a column.
+        scene.triangles = {triangleOf({{{90, 600}, {90, 3000}, {1500, 1800}}})};
         const auto traced = traceScene(scene);
         const ScanTrace &trace = *traced->trace;
         std::size_t unbounded = 0;

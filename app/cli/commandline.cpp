@@ -20,6 +20,26 @@ QStringList withProtectedNumbers(const QStringList &arguments)
     return words.replaceInStrings(negativeNumber, QString(minusSign));
 }
 
+QString asWritten(QString word)
+{
+    if (word.startsWith(minusSign))
+        word[0] = u'-';
+    return word;
+}
+
+QString usageOf(const Positional &positional)
+{
+    switch (positional.presence) {
+    case Positional::Presence::Required:
+        return positional.name;
+    case Positional::Presence::Optional:
+        return u'[' + positional.name + u']';
+    case Positional::Presence::Several:
+        break;
+    }
+    return positional.name + QStringLiteral("...");
+}
+
 } // namespace
 
 CommandLine::CommandLine(const Command &command, std::vector<Positional> positionals)
@@ -53,23 +73,32 @@ std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
     }
     const QStringList positionals = m_parser.positionalArguments();
     const auto expected = qsizetype(m_positionals.size());
+    const auto presence
+        = [this](qsizetype place) { return m_positionals[std::size_t(place)].presence; };
     if (positionals.size() < expected
-        && m_positionals[std::size_t(positionals.size())].presence
-            == Positional::Presence::Required) {
+        && presence(positionals.size()) != Positional::Presence::Optional) {
         const Positional &missing = m_positionals[std::size_t(positionals.size())];
         return refuse(QStringLiteral("%1 is missing: %2").arg(missing.name, missing.meaning));
     }
-    if (positionals.size() > expected)
+    const bool takesMore = expected > 0 && presence(expected - 1) == Positional::Presence::Several;
+    if (positionals.size() > expected && !takesMore)
         return refuse(QStringLiteral("unexpected argument “%1”").arg(argument(expected)));
     return std::nullopt;
 }
 
-QString CommandLine::argument(qsizetype index) const
+QString CommandLine::value(const QString &option) const
 {
-    QString word = m_parser.positionalArguments().value(index);
-    if (word.startsWith(minusSign))
-        word[0] = u'-';
-    return word;
+    return asWritten(m_parser.value(option));
+}
+
+QString CommandLine::argument(qsizetype index) const { return arguments().value(index); }
+
+QStringList CommandLine::arguments() const
+{
+    QStringList words;
+    for (const QString &word : m_parser.positionalArguments())
+        words.append(asWritten(word));
+    return words;
 }
 
 QString CommandLine::unknownOption() const
@@ -94,9 +123,7 @@ void CommandLine::printHelp() const
 {
     QStringList words = {QCoreApplication::applicationName(), m_name, QStringLiteral("[options]")};
     for (const Positional &positional : m_positionals)
-        words.append(positional.presence == Positional::Presence::Required
-                         ? positional.name
-                         : u'[' + positional.name + u']');
+        words.append(usageOf(positional));
     // The parser begins its help with the path by which the program was called; ours says the
     // command.
     const QString help = m_parser.helpText();

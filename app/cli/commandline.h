@@ -20,11 +20,12 @@ struct Command {
 
 /// A word that follows the command.
 struct Positional {
-    enum class Presence { Required, Optional };
+    enum class Presence { Required, Optional, Several };
 
     QString name; ///< "SCENE"
     QString meaning;
-    Presence presence = Presence::Required; ///< optional ones stand last
+    /// Optional ones, and what there may be one or more of, stand last.
+    Presence presence = Presence::Required;
 };
 
 /// The words after a command: options, and the positional arguments that the command names.
@@ -38,12 +39,14 @@ public:
     std::optional<ExitCode> parse(const QStringList &arguments);
 
     bool isSet(const QString &option) const { return m_parser.isSet(option); }
-    QString value(const QString &option) const { return m_parser.value(option); }
+    /// Negative numbers are values, not options.
+    QString value(const QString &option) const;
     /// Of an option that may be repeated.
     QStringList values(const QString &option) const { return m_parser.values(option); }
     /// The positional argument at a place, empty where an optional one is left out; negative
     /// numbers are arguments, not options.
     QString argument(qsizetype index) const;
+    QStringList arguments() const;
 
     /// Says what is wrong with the command line or its input.
     ExitCode refuse(const QString &what) const;

@@ -1,35 +1,24 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/comparecontenders.h"
+#include "app/cli/comparepicture.h"
 #include "app/cli/comparereport.h"
+#include "app/cli/picturefile.h"
 #include "app/cli/progress.h"
 #include "app/cli/rejectionreport.h"
 #include "app/cli/sceneoptions.h"
+#include "app/cli/wholenumber.h"
 #include "core/runs/sceneplan.h"
 
 #include <QJsonDocument>
 
 namespace pixelplumb::cli {
 
-namespace {
-
-Result<std::size_t> pixelLimit(const QString &word)
-{
-    bool isNumber = false;
-    const qulonglong limit = word.toULongLong(&isNumber);
-    if (!isNumber)
-        return InputError{QStringLiteral("--limit"),
-                          QStringLiteral("“%1” is no whole number").arg(word),
-                          QStringLiteral("0 or more")};
-    return std::size_t(limit);
-}
-
-} // namespace
-
 ExitCode compare(const Command &command, const QStringList &arguments)
 {
     const QString methodsOption = QStringLiteral("methods");
     const QString limitOption = QStringLiteral("limit");
+    const QString drawingOption = QStringLiteral("output");
     const QString jsonOption = QStringLiteral("json");
     CommandLine line(command, {scenePositional()});
     line.addOption(
@@ -39,6 +28,11 @@ ExitCode compare(const Command &command, const QStringList &arguments)
          QStringLiteral("list")});
     line.addOption({limitOption, QStringLiteral("List this many differing pixels; 20 if left out."),
                     QStringLiteral("count"), QStringLiteral("20")});
+    line.addOption({{QStringLiteral("o"), drawingOption},
+                    QStringLiteral("Write a picture, too: PNG, BMP or PPM by the name's end. The "
+                                   "first one's, faint, with the pixels that differ in the "
+                                   "colours of the manual."),
+                    QStringLiteral("file")});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     addSettingOptions(line);
     if (const auto ended = line.parse(arguments))
@@ -46,10 +40,15 @@ ExitCode compare(const Command &command, const QStringList &arguments)
     if (!line.isSet(methodsOption))
         return line.refuse(QStringLiteral("--methods is missing; expected a list such as "
                                           "column-scan:exact,column-scan:float32,truth"));
-    const Result<std::size_t> limit = pixelLimit(line.value(limitOption));
+    const auto limit = wholeNumberOf(line, limitOption, {});
     if (!limit)
         return line.refuse(limit.error());
-    const Result<Scene> scene = readScene(line);
+    const auto format = pictureFormatOf(line.value(drawingOption), QStringLiteral("-o"));
+    if (!format)
+        return line.refuse(format.error());
+    if (line.value(drawingOption) == QStringLiteral("-"))
+        return line.refuse(QStringLiteral("-o -: standard output gets the table; expected a file"));
+    const Result<Scene> scene = readScene(line, line.argument(0));
     if (!scene)
         return line.refuse(scene.error());
     const Result<std::vector<Contender>> contenders
@@ -74,13 +73,18 @@ ExitCode compare(const Command &command, const QStringList &arguments)
                              rejectedPrimitives(sceneFor(*scene, contender)));
     }
 
-    const CompareReport report{*contest, *limit};
+    const CompareReport report{*contest, std::size_t(limit->value())};
     if (line.isSet(jsonOption)) {
         printLine(QString::fromUtf8(QJsonDocument(jsonOf(report)).toJson().chopped(1)));
     } else {
         const QStringList lines = textOf(report);
         for (const QString &each : lines)
             printLine(each);
+    }
+    if (line.isSet(drawingOption)) {
+        Output output(line.value(drawingOption), line.argument(0));
+        if (const auto error = writePicture(pictureOf(*contest), output, *format))
+            return line.refuse(*error);
     }
     return contest->agreement.differing() > 0 ? ExitCode::FallsShort : ExitCode::Done;
 }

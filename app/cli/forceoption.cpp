@@ -4,16 +4,26 @@
 #include "app/cli/suggestion.h"
 #include "core/scan/choicenames.h"
 
+#include <algorithm>
+
 namespace pixelplumb::cli {
 
 namespace {
 
 constexpr QLatin1String forceOption("force");
 
-/// The effects' names as one word each: "smooth-colour".
+/// "smooth-colour".
+QString wordOf(Effect effect) { return nameText(nameOf(effect)).replace(u' ', u'-'); }
+
+/// Of the effects that have a switch.
 QStringList effectWords()
 {
-    return namesOf(allEffects).replaceInStrings(QStringLiteral(" "), QStringLiteral("-"));
+    QStringList words;
+    for (const Effect effect : allEffects) {
+        if (effect != Effect::Clipping)
+            words.append(wordOf(effect));
+    }
+    return words;
 }
 
 } // namespace
@@ -34,19 +44,22 @@ Result<EffectForcing> chosenForcing(const CommandLine &line)
     for (const QString &entry : line.values(forceOption)) {
         const QString name = entry.section(u'=', 0, 0);
         const QString state = entry.section(u'=', 1);
-        const qsizetype index = effectWords().indexOf(name);
-        if (index < 0)
-            return unknownName(place, QStringLiteral("effect"), name, effectWords());
-        if (state != QStringLiteral("on") && state != QStringLiteral("off"))
-            return InputError{place, QStringLiteral("“%1”").arg(entry),
-                              QStringLiteral("%1=on or %1=off").arg(name)};
-        const Effect effect = allEffects[std::size_t(index)];
-        if (effect == Effect::Clipping)
+        if (name == wordOf(Effect::Clipping))
             return InputError{place,
                               QStringLiteral("clipping has no switch: the frame's border bounds "
                                              "every loop, at no cost"),
                               {}};
-        forced[effect] = state == QStringLiteral("on") ? Forcing::On : Forcing::Off;
+        const auto found = std::ranges::find(allEffects, name, wordOf);
+        if (found == allEffects.end())
+            return unknownName(place, QStringLiteral("effect"), name, effectWords());
+        if (state != QStringLiteral("on") && state != QStringLiteral("off"))
+            return InputError{place, QStringLiteral("“%1”").arg(entry),
+                              QStringLiteral("%1=on or %1=off").arg(name)};
+        const Forcing forcing = state == QStringLiteral("on") ? Forcing::On : Forcing::Off;
+        if (forced[*found] != Forcing::AsCalledFor && forced[*found] != forcing)
+            return InputError{place, QStringLiteral("%1=on and %1=off").arg(name),
+                              QStringLiteral("one of them")};
+        forced[*found] = forcing;
     }
     return forced;
 }

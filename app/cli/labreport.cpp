@@ -193,6 +193,23 @@ QStringList driftText(const Study &study)
     + aligned(lines);
 }
 
+/// How even lines are in all directions.
+QStringList brightnessText(const Study &study)
+{
+    QStringList text;
+    QString last;
+    for (const EffectRow &row : study.effects) {
+        const auto range = brightnessRangeOf(study.effects, row.group);
+        if (row.group == last || !range)
+            continue;
+        last = row.group;
+        text << QStringLiteral("%1: brightness for each pixel of length %2 to %3, ratio %4")
+                    .arg(row.group, number(range->least, 4), number(range->greatest, 4),
+                         number(range->greatest / range->least, 4));
+    }
+    return text;
+}
+
 /// What effects cost and what they mend.
 QStringList effectsText(const Study &study)
 {
@@ -201,18 +218,19 @@ QStringList effectsText(const Study &study)
     std::vector<Line> lines
         = {{QStringLiteral("scene"), QStringLiteral("way"), QStringLiteral("arithmetic"),
             QStringLiteral("ns/px"), QStringLiteral("× first"), QStringLiteral("error, levels"),
-            QStringLiteral("wrong pixels"), QStringLiteral("off the surface"), QString()}};
+            QStringLiteral("wrong pixels"), QStringLiteral("off the surface"),
+            QStringLiteral("brightness"), QString()}};
     for (const EffectRow &row : study.effects)
         lines.push_back(
             {row.group, row.way, nameText(nameOf(row.arithmetic)),
              number(row.perPixel ? std::optional(row.perPixel->median) : std::nullopt, 2),
              number(row.timesFirst ? std::optional(row.timesFirst->median) : std::nullopt, 2),
              number(row.rms, 2), QString::number(row.wrongPixels), shortNumber(row.distance),
-             QString()});
+             number(row.brightness, 4), QString()});
     return QStringList{QString(),
                        QStringLiteral("What effects cost and what they mend: plain kernels of the "
                                       "column scan; errors from the exact area or the truth")}
-    + aligned(lines);
+    + aligned(lines) + brightnessText(study);
 }
 
 } // namespace

@@ -12,14 +12,6 @@ namespace pixelplumb::cli {
 
 namespace {
 
-QStringList kindsOf(const Method &method)
-{
-    QStringList kinds;
-    for (const PrimitiveKind kind : method.kinds)
-        kinds.append(nameOf(kind));
-    return kinds;
-}
-
 void printNumbers(const QString &title, const std::vector<NumberDescription> &numbers)
 {
     if (numbers.empty())
@@ -114,25 +106,7 @@ QJsonArray operationsJson(const Method &method)
     return list;
 }
 
-} // namespace
-
-QJsonObject jsonOf(const Method &method)
-{
-    return {
-        {QStringLiteral("id"), method.id},
-        {QStringLiteral("family"), titleOf(method.family)},
-        {QStringLiteral("draws"), QJsonArray::fromStringList(kindsOf(method))},
-        {QStringLiteral("stable"), QJsonArray::fromStringList(namesOf(method.stableArithmetics))},
-        {QStringLiteral("title"), method.title},
-        {QStringLiteral("summary"), method.summary},
-        {QStringLiteral("source"), method.source},
-        {QStringLiteral("arithmetics"), QJsonArray::fromStringList(namesOf(method.arithmetics))},
-        {QStringLiteral("fillRules"), QJsonArray::fromStringList(namesOf(method.fillRules))},
-        {QStringLiteral("effects"), QJsonArray::fromStringList(namesOf(method.effects))},
-        {QStringLiteral("remarks"), QJsonArray::fromStringList(method.remarks)}};
-}
-
-void printMethod(const Method &method)
+void printDescription(const Method &method)
 {
     const QString separator = QStringLiteral(", ");
     printLine(QStringLiteral("%1: %2").arg(method.id, method.title));
@@ -154,9 +128,35 @@ void printMethod(const Method &method)
         printLine(QStringLiteral("  remarks      %1").arg(method.remarks.join(separator)));
 }
 
+} // namespace
+
+QStringList kindsOf(const Method &method)
+{
+    QStringList kinds;
+    for (const PrimitiveKind kind : method.kinds)
+        kinds.append(nameOf(kind));
+    return kinds;
+}
+
+QJsonObject jsonOf(const Method &method)
+{
+    return {
+        {QStringLiteral("id"), method.id},
+        {QStringLiteral("family"), titleOf(method.family)},
+        {QStringLiteral("draws"), QJsonArray::fromStringList(kindsOf(method))},
+        {QStringLiteral("stable"), QJsonArray::fromStringList(namesOf(method.stableArithmetics))},
+        {QStringLiteral("title"), method.title},
+        {QStringLiteral("summary"), method.summary},
+        {QStringLiteral("source"), method.source},
+        {QStringLiteral("arithmetics"), QJsonArray::fromStringList(namesOf(method.arithmetics))},
+        {QStringLiteral("fillRules"), QJsonArray::fromStringList(namesOf(method.fillRules))},
+        {QStringLiteral("effects"), QJsonArray::fromStringList(namesOf(method.effects))},
+        {QStringLiteral("remarks"), QJsonArray::fromStringList(method.remarks)}};
+}
+
 void printWholeMethod(const Method &method)
 {
-    printMethod(method);
+    printDescription(method);
     printNumbers(QStringLiteral("the set-up"), method.numbers.setUp);
     printNumbers(QStringLiteral("a span"), method.numbers.span);
     printNumbers(QStringLiteral("a sample"), method.numbers.sample);

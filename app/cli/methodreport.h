@@ -7,12 +7,14 @@
 
 namespace pixelplumb::cli {
 
+/// "triangle", …: what it draws.
+QStringList kindsOf(const Method &method);
+
 /// What a list says of each method.
-void printMethod(const Method &method);
 QJsonObject jsonOf(const Method &method);
 
-/// The same with its numbers and, for each arithmetic, the résumé of its operations on the standard
-/// example (core/lab/standardexamples.h).
+/// Everything, with its numbers and, for each arithmetic, the résumé of its operations on the
+/// standard example (core/lab/standardexamples.h).
 void printWholeMethod(const Method &method);
 QJsonObject jsonOfWhole(const Method &method);
 

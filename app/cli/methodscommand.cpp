@@ -6,14 +6,23 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 
+#include <algorithm>
+
 namespace pixelplumb::cli {
 
 namespace {
 
+/// A line each, aligned.
 void printMethods()
 {
+    qsizetype widest = 0;
     for (const Method &method : methods())
-        printMethod(method);
+        widest = std::max(widest, method.id.size());
+    for (const Method &method : methods()) {
+        printLine(QStringLiteral("%1  %2 (%3)")
+                      .arg(method.id.leftJustified(widest), method.title,
+                           kindsOf(method).join(QStringLiteral(", "))));
+    }
 }
 
 QStringList methodNames()
@@ -34,10 +43,11 @@ void printJson(const QJsonDocument &document)
 ExitCode listMethods(const Command &command, const QStringList &arguments)
 {
     const QString jsonOption = QStringLiteral("json");
-    CommandLine line(command,
-                     {{QStringLiteral("NAME"),
-                       QStringLiteral("One method, whole: its numbers and its operations, too."),
-                       Positional::Presence::Optional}});
+    CommandLine line(
+        command,
+        {{QStringLiteral("NAME"),
+          QStringLiteral("One method, whole: source, rules, effects, numbers, operations."),
+          Positional::Presence::Optional}});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     if (const auto ended = line.parse(arguments))
         return *ended;

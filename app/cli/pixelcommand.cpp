@@ -3,30 +3,12 @@
 #include "app/cli/pixelreport.h"
 #include "app/cli/rejectionreport.h"
 #include "app/cli/sceneoptions.h"
+#include "app/cli/wholenumber.h"
 #include "core/scene/colourtext.h"
 
 #include <QJsonDocument>
 
 namespace pixelplumb::cli {
-
-namespace {
-
-/// A whole number within the frame; the error names the range.
-Result<std::int64_t> coordinate(const CommandLine &line, qsizetype index, const QString &axis,
-                                std::int64_t first, std::int64_t size)
-{
-    bool isNumber = false;
-    const QString word = line.argument(index);
-    const qint64 value = word.toLongLong(&isNumber);
-    const QString range = QStringLiteral("%1 … %2").arg(first).arg(first + size - 1);
-    if (!isNumber)
-        return InputError{axis, QStringLiteral("“%1” is no whole number").arg(word), range};
-    if (value < first || value >= first + size)
-        return InputError{axis, QStringLiteral("%1 is outside the frame").arg(value), range};
-    return value;
-}
-
-} // namespace
 
 ExitCode pixel(const Command &command, const QStringList &arguments)
 {
@@ -40,14 +22,19 @@ ExitCode pixel(const Command &command, const QStringList &arguments)
     addSettingOptions(line);
     if (const auto ended = line.parse(arguments))
         return *ended;
-    const Result<Scene> scene = readScene(line);
+    const Result<Scene> scene = readScene(line, line.argument(0));
     if (!scene)
         return line.refuse(scene.error());
     const FrameSpec &frame = scene->frame;
-    const auto x = coordinate(line, 1, QStringLiteral("X"), frame.firstColumn, frame.width);
+    const auto along = [](std::int64_t first, std::int64_t size) {
+        return WholeRange{first, first + size - 1, QStringLiteral("outside the frame")};
+    };
+    const auto x
+        = wholeNumber(QStringLiteral("X"), line.argument(1), along(frame.firstColumn, frame.width));
     if (!x)
         return line.refuse(x.error());
-    const auto y = coordinate(line, 2, QStringLiteral("Y"), frame.firstRow, frame.height);
+    const auto y
+        = wholeNumber(QStringLiteral("Y"), line.argument(2), along(frame.firstRow, frame.height));
     if (!y)
         return line.refuse(y.error());
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/planreport.h"
+#include "app/cli/progress.h"
 #include "app/cli/sceneoptions.h"
 #include "core/runs/sceneplan.h"
 
@@ -10,25 +11,35 @@ namespace pixelplumb::cli {
 
 ExitCode plan(const Command &command, const QStringList &arguments)
 {
+    const QString measureOption = QStringLiteral("measure");
     const QString jsonOption = QStringLiteral("json");
     CommandLine line(command, {scenePositional()});
+    line.addOption({measureOption,
+                    QStringLiteral("Measure, too, what each effect costs: it is drawn on and off "
+                                   "in turn.")});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     addSettingOptions(line);
     if (const auto ended = line.parse(arguments))
         return *ended;
-    const Result<Scene> scene = readSceneForAnyMethod(line);
+    const Result<Scene> scene = readSceneForAnyMethod(line, line.argument(0));
     if (!scene)
         return line.refuse(scene.error());
-    const EffectPlan plan = planOf(*scene);
-    const EffectForcing &forced = scene->appearance.forced;
+    const QString objection = objectionTo(*scene);
+    PlanReport report{planOf(*scene), scene->appearance.forced, std::nullopt};
+    if (line.isSet(measureOption) && objection.isEmpty()) {
+        Progress progress;
+        TimingOptions options;
+        options.progress = progress.listener();
+        report.timing = timeEffects(*scene, options);
+    }
     if (line.isSet(jsonOption)) {
-        printLine(QString::fromUtf8(QJsonDocument(jsonOf(plan, forced)).toJson().chopped(1)));
+        printLine(QString::fromUtf8(QJsonDocument(jsonOf(report)).toJson().chopped(1)));
     } else {
-        const QStringList text = textOf(plan, forced);
+        const QStringList text = textOf(report);
         for (const QString &each : text)
             printLine(each);
     }
-    if (const QString objection = objectionTo(*scene); !objection.isEmpty())
+    if (!objection.isEmpty())
         sayLine(QStringLiteral("%1: method “%2” %3")
                     .arg(line.argument(0), QString::fromStdString(scene->method), objection));
     return ExitCode::Done;

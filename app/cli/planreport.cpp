@@ -15,7 +15,10 @@ namespace {
 QString runText(const EffectPlan &plan, const EffectForcing &forced, Effect effect)
 {
     const QString runs = plan.runs(effect) ? QStringLiteral("yes") : QStringLiteral("no");
-    return forced[effect] == Forcing::AsCalledFor ? runs : runs + QStringLiteral(" (forced)");
+    if (forced[effect] == Forcing::AsCalledFor)
+        return runs;
+    const bool isInVain = forced[effect] == Forcing::On && !plan.runs(effect);
+    return runs + (isInVain ? QStringLiteral(" (nothing to force)") : QStringLiteral(" (forced)"));
 }
 
 /// The rows of a table with its columns aligned: all to the left but numbers; the last one open.
@@ -60,17 +63,60 @@ QString samplesText(Antialiasing antialiasing)
     return {};
 }
 
+/// What each effect costs where it does something, and changes.
+QStringList textOf(const EffectTiming &timing)
+{
+    std::vector<QStringList> rows
+        = {{QStringLiteral("effect"), QStringLiteral("ns a pixel"),
+            QStringLiteral("operations a pixel"), QStringLiteral("changed pixels"),
+            QStringLiteral("on / off, median (half of the rounds)")}};
+    for (const Effect effect : allEffects) {
+        const std::optional<EffectCost> &cost = timing.costs[effect];
+        if (!cost)
+            continue;
+        const std::optional<double> operations = timing.operationsPerPixel(*cost);
+        rows.push_back({nameText(nameOf(effect)), QString::number(timing.perPixel(*cost), 'f', 2),
+                        operations ? QString::number(*operations, 'f', 2) : QStringLiteral("-"),
+                        QString::number(cost->changed),
+                        QStringLiteral("%1 (%2 … %3)")
+                            .arg(cost->ratio.median, 0, 'f', 2)
+                            .arg(cost->ratio.lower, 0, 'f', 2)
+                            .arg(cost->ratio.upper, 0, 'f', 2)});
+    }
+    return QStringList{QString()} + aligned(rows, {1, 2, 3})
+        + QStringList{
+            QStringLiteral("Each effect on against off, the others as called for, by the "
+                           "plain kernels: %1 rounds in turn. An effect that is not "
+                           "listed draws the same either way, or the method cannot do it.")
+                .arg(timing.rounds)};
+}
+
+QJsonObject jsonOf(const EffectTiming &timing, const EffectCost &cost)
+{
+    QJsonObject object{{QStringLiteral("nanosecondsPerPixel"), timing.perPixel(cost)},
+                       {QStringLiteral("changedPixels"), qint64(cost.changed)},
+                       {QStringLiteral("rounds"), timing.rounds},
+                       {QStringLiteral("ratio"),
+                        QJsonObject{{QStringLiteral("lower"), cost.ratio.lower},
+                                    {QStringLiteral("median"), cost.ratio.median},
+                                    {QStringLiteral("upper"), cost.ratio.upper}}}};
+    if (const auto operations = timing.operationsPerPixel(cost))
+        object.insert(QStringLiteral("operationsPerPixel"), *operations);
+    return object;
+}
+
 } // namespace
 
-QStringList textOf(const EffectPlan &plan, const EffectForcing &forced)
+QStringList textOf(const PlanReport &report)
 {
+    const EffectPlan &plan = report.plan;
     std::vector<QStringList> rows
         = {{QStringLiteral("effect"), QStringLiteral("verdict"), QStringLiteral("runs"),
             QStringLiteral("primitives"), QStringLiteral("pixels ≤"), QStringLiteral("reason")}};
     for (const Effect effect : allEffects) {
         const EffectVerdict &verdict = plan.verdicts[effect];
         rows.push_back({nameText(nameOf(effect)), nameText(nameOf(verdict.verdict)),
-                        runText(plan, forced, effect), QString::number(verdict.primitives),
+                        runText(plan, report.forced, effect), QString::number(verdict.primitives),
                         QString::number(verdict.pixels), verdict.reason});
     }
     QStringList lines = aligned(rows, {3, 4});
@@ -83,22 +129,29 @@ QStringList textOf(const EffectPlan &plan, const EffectForcing &forced)
     lines.append(aligned(batches, {}));
     if (plan.batches.size() > mostBatches)
         lines.append(QStringLiteral("and %1 more batches").arg(plan.batches.size() - mostBatches));
+    if (report.timing)
+        lines.append(textOf(*report.timing));
     return lines;
 }
 
-QJsonObject jsonOf(const EffectPlan &plan, const EffectForcing &forced)
+QJsonObject jsonOf(const PlanReport &report)
 {
+    const EffectPlan &plan = report.plan;
     QJsonArray effects;
     for (const Effect effect : allEffects) {
         const EffectVerdict &verdict = plan.verdicts[effect];
-        effects.append(
-            QJsonObject{{QStringLiteral("effect"), nameText(nameOf(effect))},
-                        {QStringLiteral("verdict"), nameText(nameOf(verdict.verdict))},
-                        {QStringLiteral("reason"), verdict.reason},
-                        {QStringLiteral("primitives"), qint64(verdict.primitives)},
-                        {QStringLiteral("mostPixels"), qint64(verdict.pixels)},
-                        {QStringLiteral("forced"), forced[effect] != Forcing::AsCalledFor},
-                        {QStringLiteral("runs"), plan.runs(effect)}});
+        QJsonObject object{
+            {QStringLiteral("effect"), nameText(nameOf(effect))},
+            {QStringLiteral("verdict"), nameText(nameOf(verdict.verdict))},
+            {QStringLiteral("reason"), verdict.reason},
+            {QStringLiteral("primitives"), qint64(verdict.primitives)},
+            {QStringLiteral("mostPixels"), qint64(verdict.pixels)},
+            {QStringLiteral("forced"), report.forced[effect] != Forcing::AsCalledFor},
+            {QStringLiteral("runs"), plan.runs(effect)}};
+        if (report.timing && report.timing->costs[effect])
+            object.insert(QStringLiteral("measured"),
+                          jsonOf(*report.timing, *report.timing->costs[effect]));
+        effects.append(object);
     }
     QJsonArray batches;
     for (const EffectBatch &batch : plan.batches) {

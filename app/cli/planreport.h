@@ -2,14 +2,22 @@
 #pragma once
 
 #include "core/effects/effectplan.h"
+#include "core/measure/effecttiming.h"
 
 #include <QJsonObject>
 #include <QStringList>
 
 namespace pixelplumb::cli {
 
-/// The effects with their verdicts and reasons, in aligned columns, then the batches.
-QStringList textOf(const EffectPlan &plan, const EffectForcing &forced);
-QJsonObject jsonOf(const EffectPlan &plan, const EffectForcing &forced);
+struct PlanReport {
+    EffectPlan plan;
+    EffectForcing forced;
+    std::optional<EffectTiming> timing; ///< where it was measured
+};
+
+/// The effects with their verdicts and reasons, in aligned columns, then the batches, then what was
+/// measured.
+QStringList textOf(const PlanReport &report);
+QJsonObject jsonOf(const PlanReport &report);
 
 } // namespace pixelplumb::cli

@@ -1,45 +1,66 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/output.h"
+#include "app/cli/outputpaths.h"
+#include "app/cli/picturefile.h"
 #include "app/cli/progress.h"
 #include "app/cli/rejectionreport.h"
 #include "app/cli/sceneoptions.h"
 #include "app/cli/suggestion.h"
+#include "app/cli/wholenumber.h"
 #include "core/frame/framebuffer.h"
 #include "core/lab/costorder.h"
 #include "core/runs/tracedscene.h"
 #include "core/scene/asciiraster.h"
 
-#include <QFileInfo>
-#include <QImageWriter>
+#include <algorithm>
 
 namespace pixelplumb::cli {
 
 namespace {
 
-/// Formats without loss: each pixel can be read back.
-const QStringList &pictureFormats()
-{
-    static const QStringList formats
-        = {QStringLiteral("png"), QStringLiteral("bmp"), QStringLiteral("ppm")};
-    return formats;
-}
+const QString pictureOption = QStringLiteral("output");
+const QString asciiOption = QStringLiteral("ascii");
+const QString accuracyOption = QStringLiteral("accuracy");
+const QString scaleOption = QStringLiteral("scale");
 
 QStringList accuracyNames()
 {
     return {QStringLiteral("exact"), QStringLiteral("1-level"), QStringLiteral("10-ppm")};
 }
 
-std::optional<InputError> writePicture(const Scene &scene, Output &output, const QString &format)
+/// How scenes are drawn and written.
+struct RenderRequest {
+    QStringList pictures; ///< where each scene's goes
+    QString format; ///< of the pictures
+    bool wantsPicture = false;
+    bool wantsAscii = false;
+    std::int64_t scale = 1;
+};
+
+/// Every pixel a square of so many.
+Result<QImage> enlarged(const QImage &picture, std::int64_t scale)
+{
+    const std::int64_t pixels = picture.width() * scale * picture.height() * scale;
+    if (pixels > largestFrameArea)
+        return InputError{QStringLiteral("--scale"),
+                          QStringLiteral("%1 × %2 pixels, %3 times as many each way")
+                              .arg(picture.width())
+                              .arg(picture.height())
+                              .arg(scale),
+                          QStringLiteral("at most %1 pixels").arg(largestFrameArea)};
+    return scale == 1 ? picture : picture.scaled(picture.size() * int(scale));
+}
+
+std::optional<InputError> drawPicture(const Scene &scene, Output &output,
+                                      const RenderRequest &request)
 {
     const FrameBuffer frame(scene.frame);
     drawScene(scene, frame);
-    if (auto error = output.open())
-        return error;
-    QImageWriter writer(&output.device(), format.toLatin1());
-    if (!writer.write(frame.image()))
-        return output.error(writer.errorString());
-    return output.finish();
+    const Result<QImage> picture = enlarged(frame.image(), request.scale);
+    if (!picture)
+        return picture.error();
+    return writePicture(*picture, output, request.format);
 }
 
 /// The scene drawn by the first of the published order of cost that meets the budget.
@@ -63,22 +84,87 @@ Result<Scene> withinBudget(const Scene &scene, const QString &word)
     return drawn;
 }
 
+ExitCode renderScene(const CommandLine &line, const RenderRequest &request, const QString &path,
+                     const QString &outputPath)
+{
+    const bool choosesMethod = line.isSet(accuracyOption);
+    Result<Scene> scene = choosesMethod ? readSceneForAnyMethod(line, path) : readScene(line, path);
+    if (scene && choosesMethod)
+        scene = withinBudget(*scene, line.value(accuracyOption));
+    if (!scene)
+        return line.refuse(scene.error());
+    reportRejections(path + QStringLiteral(", ") + scene->method.c_str(),
+                     rejectedPrimitives(*scene));
+    if (request.wantsPicture) {
+        Output output(outputPath, path);
+        if (const auto error = drawPicture(*scene, output, request))
+            return line.refuse(*error);
+    }
+    if (request.wantsAscii)
+        printLine(asciiRaster(coverageOf(*scene)).chopped(1));
+    return ExitCode::Done;
+}
+
+std::optional<InputError> choosePictures(const CommandLine &line, RenderRequest &request)
+{
+    const QString output = line.value(pictureOption);
+    const auto paths = outputPaths(output, line.arguments(), pictureFormats().front());
+    if (!paths)
+        return paths.error();
+    request.pictures = *paths;
+    const auto format = pictureFormatOf(request.pictures.front(), QStringLiteral("-o"));
+    if (!format)
+        return format.error();
+    request.format = *format;
+    return std::nullopt;
+}
+
+Result<RenderRequest> requestFrom(const CommandLine &line)
+{
+    RenderRequest request;
+    request.wantsPicture = line.isSet(pictureOption);
+    request.wantsAscii = line.isSet(asciiOption);
+    if (!request.wantsPicture && !request.wantsAscii)
+        return InputError{
+            {}, QStringLiteral("nothing to do"), QStringLiteral("-o FILE, --ascii or both")};
+    if (request.wantsAscii && line.value(pictureOption) == QStringLiteral("-"))
+        return InputError{{},
+                          QStringLiteral("-o - and --ascii both need standard output"),
+                          QStringLiteral("one")};
+    if (line.isSet(accuracyOption)
+        && (line.isSet(QStringLiteral("method")) || line.isSet(QStringLiteral("arithmetic"))))
+        return InputError{{},
+                          QStringLiteral("--accuracy chooses method and arithmetic itself"),
+                          QStringLiteral("it alone")};
+    const auto scale = wholeNumberOf(line, scaleOption, {1, 64});
+    if (!scale)
+        return scale.error();
+    request.scale = scale->value();
+    if (request.wantsPicture) {
+        if (const auto error = choosePictures(line, request))
+            return *error;
+    }
+    return request;
+}
+
 } // namespace
 
 ExitCode render(const Command &command, const QStringList &arguments)
 {
-    const QString outputOption = QStringLiteral("output");
-    const QString asciiOption = QStringLiteral("ascii");
-    const QString accuracyOption = QStringLiteral("accuracy");
-    CommandLine line(command, {scenePositional()});
+    CommandLine line(command, {scenesPositional()});
     line.addOption(
-        {{QStringLiteral("o"), outputOption},
+        {{QStringLiteral("o"), pictureOption},
          QStringLiteral("Write the picture: PNG, BMP or PPM by the name's end; - is standard "
-                        "output, as PNG."),
+                        "output, as PNG. A folder, DIR/, gets each scene's picture as PNG under "
+                        "the scene's name."),
          QStringLiteral("file")});
     line.addOption(
         {asciiOption,
          QStringLiteral("Print the raster: # for each pixel that is written, . for others.")});
+    line.addOption({scaleOption,
+                    QStringLiteral("Make each pixel of the picture a square of this many each "
+                                   "way, 1 to 64; 1 if left out."),
+                    QStringLiteral("count"), QStringLiteral("1")});
     line.addOption({accuracyOption,
                     QStringLiteral("Draw by the cheapest way that is accurate enough, in the "
                                    "order that the manual prints: exact, 1-level, 10-ppm. In "
@@ -88,45 +174,17 @@ ExitCode render(const Command &command, const QStringList &arguments)
     if (const auto ended = line.parse(arguments))
         return *ended;
 
-    const QString path = line.value(outputOption);
-    const bool wantsPicture = line.isSet(outputOption);
-    const bool wantsAscii = line.isSet(asciiOption);
-    if (!wantsPicture && !wantsAscii)
-        return line.refuse(QStringLiteral("nothing to do; expected -o FILE, --ascii or both"));
-    if (wantsAscii && path == QStringLiteral("-"))
-        return line.refuse(
-            QStringLiteral("-o - and --ascii both need standard output; expected one"));
-    // Standard output and names without an end, such as /dev/stdout, get the first of the formats.
-    const QString suffix = path == QStringLiteral("-") ? QString() : QFileInfo(path).suffix();
-    const QString format = suffix.isEmpty() ? pictureFormats().front() : suffix.toLower();
-    if (wantsPicture && !pictureFormats().contains(format)) {
-        return line.refuse(
-            QStringLiteral("-o %1: unknown kind of picture; expected a name that ends in .")
-                .arg(path)
-            + pictureFormats().join(QStringLiteral(", .")));
+    const Result<RenderRequest> request = requestFrom(line);
+    if (!request)
+        return line.refuse(request.error());
+    const QStringList scenes = line.arguments();
+    ExitCode code = ExitCode::Done;
+    for (qsizetype i = 0; i < scenes.size(); ++i) {
+        if (request->wantsAscii && scenes.size() > 1)
+            printLine(scenes[i] + u':');
+        code = std::max(code, renderScene(line, *request, scenes[i], request->pictures.value(i)));
     }
-
-    if (line.isSet(accuracyOption)
-        && (line.isSet(QStringLiteral("method")) || line.isSet(QStringLiteral("arithmetic"))))
-        return line.refuse(
-            QStringLiteral("--accuracy chooses method and arithmetic itself; expected it alone"));
-
-    Result<Scene> scene
-        = line.isSet(accuracyOption) ? readSceneForAnyMethod(line) : readScene(line);
-    if (scene && line.isSet(accuracyOption))
-        scene = withinBudget(*scene, line.value(accuracyOption));
-    if (!scene)
-        return line.refuse(scene.error());
-    reportRejections(line.argument(0) + QStringLiteral(", ") + scene->method.c_str(),
-                     rejectedPrimitives(*scene));
-    if (wantsPicture) {
-        Output output(path, line.argument(0));
-        if (const auto error = writePicture(*scene, output, format))
-            return line.refuse(*error);
-    }
-    if (wantsAscii)
-        printLine(asciiRaster(coverageOf(*scene)).chopped(1));
-    return ExitCode::Done;
+    return code;
 }
 
 } // namespace pixelplumb::cli

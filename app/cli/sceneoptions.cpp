@@ -4,6 +4,7 @@
 #include "app/cli/forceoption.h"
 #include "app/cli/input.h"
 #include "app/cli/suggestion.h"
+#include "core/runs/clampeddepths.h"
 #include "core/runs/sceneplan.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/scenefile.h"
@@ -84,6 +85,12 @@ Positional scenePositional()
             QStringLiteral("a scene file (JSON), or - for standard input")};
 }
 
+Positional scenesPositional()
+{
+    return {QStringLiteral("SCENE"), QStringLiteral("scene files (JSON), or - for standard input"),
+            Positional::Presence::Several};
+}
+
 void addSettingOptions(CommandLine &line)
 {
     const QString name = QStringLiteral("name");
@@ -125,14 +132,11 @@ Result<FillRule> chosenFillRule(const CommandLine &line, FillRule unset)
     return chosen(line, fillRuleOption, allFillRules, unset);
 }
 
-Result<Scene> readSceneAt(const QString &path)
+Result<Scene> sceneIn(const QByteArray &text, const QString &path)
 {
-    const Result<QByteArray> text = readInput(path);
-    if (!text)
-        return text.error();
     const bool isFile = path != QStringLiteral("-");
     const Result<SceneReading> reading
-        = pixelplumb::readScene(*text, {}, isFile ? QFileInfo(path).absolutePath() : QString());
+        = pixelplumb::readScene(text, {}, isFile ? QFileInfo(path).absolutePath() : QString());
     if (!reading) {
         InputError error = reading.error();
         error.place.prepend(error.place.isEmpty() ? path : path + QStringLiteral(", "));
@@ -142,9 +146,16 @@ Result<Scene> readSceneAt(const QString &path)
     return reading->scene;
 }
 
-Result<Scene> readSceneForAnyMethod(const CommandLine &line)
+Result<Scene> readSceneAt(const QString &path)
 {
-    const QString path = line.argument(0);
+    const Result<QByteArray> text = readInput(path);
+    if (!text)
+        return text.error();
+    return sceneIn(*text, path);
+}
+
+Result<Scene> readSceneForAnyMethod(const CommandLine &line, const QString &path)
+{
     const Result<Scene> asWritten = readSceneAt(path);
     if (!asWritten)
         return asWritten.error();
@@ -162,16 +173,20 @@ Result<Scene> readSceneForAnyMethod(const CommandLine &line)
     return scene;
 }
 
-Result<Scene> readScene(const CommandLine &line)
+Result<Scene> readScene(const CommandLine &line, const QString &path)
 {
-    Result<Scene> scene = readSceneForAnyMethod(line);
+    Result<Scene> scene = readSceneForAnyMethod(line, path);
     if (!scene)
         return scene;
-    const QString path = line.argument(0);
     const Method &method = *methodNamed(QString::fromStdString(scene->method));
     if (const QString objection = objectionTo(*scene); !objection.isEmpty())
         return InputError{path, QStringLiteral("method “%1” %2").arg(method.id, objection), {}};
     reportNothingDrawn(path, method, *scene);
+    if (scene->appearance.depthFormat != DepthFormat::Exact) {
+        if (const QString clamped = clampedDepthsText(primitivesOnSamples(*scene));
+            !clamped.isEmpty())
+            sayLine(path + QStringLiteral(": ") + clamped);
+    }
     return scene;
 }
 

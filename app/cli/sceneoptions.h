@@ -9,21 +9,26 @@ namespace pixelplumb::cli {
 
 /// The positional argument that names a scene.
 Positional scenePositional();
+/// The same of one or more.
+Positional scenesPositional();
 
 /// --method, --arithmetic, --fill-rule and --rounding, which take the place of what the scene says,
 /// and --force.
 void addSettingOptions(CommandLine &line);
 
+/// The scene that a text read from `path` is; what it refers to lies beside that.
+Result<Scene> sceneIn(const QByteArray &text, const QString &path);
+
 /// The scene of a file ("-" is stdin) as it is. Vertices that had to be snapped are reported on
 /// stderr.
 Result<Scene> readSceneAt(const QString &path);
 
-/// The scene that the first positional argument names ("-" is stdin), under the options' settings.
-/// Vertices that had to be snapped are reported on stderr.
-Result<Scene> readScene(const CommandLine &line);
+/// The scene of a file ("-" is stdin), under the options' settings. Vertices that had to be snapped
+/// are reported on stderr.
+Result<Scene> readScene(const CommandLine &line, const QString &path);
 
 /// The same, whether or not the scene's method can draw it so: for who chooses another.
-Result<Scene> readSceneForAnyMethod(const CommandLine &line);
+Result<Scene> readSceneForAnyMethod(const CommandLine &line, const QString &path);
 
 /// What an option chooses, or an error that lists the choices; unset keeps the default.
 Result<const Method *> chosenMethod(const CommandLine &line, const QString &unset);

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/output.h"
+#include "app/cli/outputpaths.h"
 #include "app/cli/progress.h"
 #include "app/cli/rejectionreport.h"
+#include "app/cli/rowoptions.h"
 #include "app/cli/sceneoptions.h"
 #include "app/cli/suggestion.h"
 #include "core/export/traceexport.h"
 
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 
 namespace pixelplumb::cli {
@@ -77,15 +80,79 @@ Result<QStringList> chosenColumns(const CommandLine &line, const TraceNumbers &n
     return columns;
 }
 
+QString suffixOf(TableFormat format)
+{
+    switch (format) {
+    case TableFormat::Text:
+        return QStringLiteral("txt");
+    case TableFormat::Csv:
+        return QStringLiteral("csv");
+    case TableFormat::Json:
+        break;
+    }
+    return QStringLiteral("json");
+}
+
+/// What of each scene is written.
+struct TraceRequest {
+    TraceLevel level = TraceLevel::Column;
+    TableFormat format = TableFormat::Csv;
+};
+
+/// Of a scene that is drawn to its end.
+ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const QString &path,
+                 const QString &outputPath)
+{
+    const Result<Scene> scene = readScene(line, path);
+    if (!scene)
+        return line.refuse(scene.error());
+    Progress progress;
+    TraceOptions recording;
+    recording.progress = progress.listener();
+    const auto traced = traceScene(*scene, recording);
+    // Which there are is known when it is known what the scene calls for.
+    const Result<QStringList> columns
+        = chosenColumns(line, traced->trace->numbers(), request.level);
+    if (!columns)
+        return line.refuse(columns.error());
+    const Result<RowChoice> rows = chosenRows(line, *traced, request.level);
+    if (!rows)
+        return line.refuse(rows.error());
+    reportRejections(path + QStringLiteral(", ") + traced->method->id,
+                     rejectedPrimitives(traced->primitives, *traced->trace));
+
+    Output output(outputPath, path);
+    if (const auto error = output.open())
+        return line.refuse(*error);
+    TraceExportOptions options{request.level, request.format};
+    options.progress = progress.listener();
+    options.columns = *columns;
+    options.rows = *rows;
+    options.textNumbers
+        = line.isSet(QStringLiteral("decimal")) ? TextNumbers::Decimal : TextNumbers::Mixed;
+    const bool written = exportTrace(*traced, options, output.device());
+    const auto error = output.finish();
+    if (!written || error)
+        return line.refuse(
+            error.value_or(InputError{outputPath, QStringLiteral("cannot be written"), {}}));
+    if (traced->trace->isCut()) {
+        sayLine(QStringLiteral("The trace is incomplete: recording ended at its limit after %1 "
+                               "pixels in %2 columns.")
+                    .arg(traced->trace->sampleCount())
+                    .arg(traced->trace->spanCount()));
+        return ExitCode::FallsShort;
+    }
+    return ExitCode::Done;
+}
+
 } // namespace
 
 ExitCode trace(const Command &command, const QStringList &arguments)
 {
     const QString levelOption = QStringLiteral("level");
     const QString formatOption = QStringLiteral("format");
-    const QString decimalOption = QStringLiteral("decimal");
     const QString outputOption = QStringLiteral("output");
-    CommandLine line(command, {scenePositional()});
+    CommandLine line(command, {scenesPositional()});
     line.addOption({levelOption,
                     QStringLiteral("A row a primitive, a column of the scan, a pixel, or a number "
                                    "on a solid's way from space to the frame: setup, column, "
@@ -99,11 +166,14 @@ ExitCode trace(const Command &command, const QStringList &arguments)
                     QStringLiteral("Print these columns alone, named as in the CSV's header: "
                                    "a,b,c."),
                     QStringLiteral("names")});
-    line.addOption({decimalOption, QStringLiteral("In text, print 5.129630 instead of 5 7/54.")});
+    line.addOption(
+        {QStringLiteral("decimal"), QStringLiteral("In text, print 5.129630 instead of 5 7/54.")});
     line.addOption({{QStringLiteral("o"), outputOption},
-                    QStringLiteral("Write to a file; - is standard output."),
+                    QStringLiteral("Write to a file; - is standard output. A folder, DIR/, gets "
+                                   "each scene's table under the scene's name."),
                     QStringLiteral("file"),
                     QStringLiteral("-")});
+    addRowOptions(line);
     addSettingOptions(line);
     if (const auto ended = line.parse(arguments))
         return *ended;
@@ -114,42 +184,14 @@ ExitCode trace(const Command &command, const QStringList &arguments)
         = chosen(line, formatOption, formatFor(line.value(outputOption)), formatNames);
     if (!format)
         return line.refuse(format.error());
-    const Result<Scene> scene = readScene(line);
-    if (!scene)
-        return line.refuse(scene.error());
-
-    Progress progress;
-    TraceOptions recording;
-    recording.progress = progress.listener();
-    const auto traced = traceScene(*scene, recording);
-    // Which there are is known when it is known what the scene calls for.
-    const Result<QStringList> columns = chosenColumns(line, traced->trace->numbers(), *level);
-    if (!columns)
-        return line.refuse(columns.error());
-    reportRejections(line.argument(0) + QStringLiteral(", ") + traced->method->id,
-                     rejectedPrimitives(traced->primitives, *traced->trace));
-
-    Output output(line.value(outputOption), line.argument(0));
-    if (const auto error = output.open())
-        return line.refuse(*error);
-    TraceExportOptions options{*level, *format};
-    options.progress = progress.listener();
-    options.columns = *columns;
-    options.textNumbers = line.isSet(decimalOption) ? TextNumbers::Decimal : TextNumbers::Mixed;
-    const bool written = exportTrace(*traced, options, output.device());
-    const auto error = output.finish();
-    if (!written || error)
-        return line.refuse(error.value_or(
-            InputError{line.value(outputOption), QStringLiteral("cannot be written"), {}}));
-    if (traced->trace->isCut()) {
-        sayLine(QStringLiteral(
-                    "The trace is incomplete: recording ended at its limit after %1 pixels in "
-                    "%2 columns.")
-                    .arg(traced->trace->sampleCount())
-                    .arg(traced->trace->spanCount()));
-        return ExitCode::FallsShort;
-    }
-    return ExitCode::Done;
+    const auto outputs = outputPaths(line.value(outputOption), line.arguments(), suffixOf(*format));
+    if (!outputs)
+        return line.refuse(outputs.error());
+    const TraceRequest request{*level, *format};
+    ExitCode code = ExitCode::Done;
+    for (qsizetype i = 0; i < outputs->size(); ++i)
+        code = std::max(code, traceTo(line, request, line.argument(i), outputs->at(i)));
+    return code;
 }
 
 } // namespace pixelplumb::cli

@@ -5,6 +5,7 @@
 #include "core/check/effectcase.h"
 #include "core/check/linecase.h"
 #include "core/check/shapecase.h"
+#include "core/check/strokecase.h"
 #include "core/check/trianglecase.h"
 
 #include <algorithm>
@@ -61,6 +62,8 @@ QString refusalOf(const Contender &contender, const HardCase &hardCase)
 QStringList paintingShortfalls(const HardCase &hardCase, const Contender &contender)
 {
     const Method &method = *contender.method;
+    if (isStrokeCase(hardCase, method))
+        return strokeShortfalls(hardCase, contender.settings, method.draw);
     QStringList shortfalls = shortfallsOf(hardCase, contender.settings, method.draw);
     if (!method.drawFast)
         return shortfalls;

@@ -3,7 +3,7 @@
 
 #include "core/compare/exactbounds.h"
 #include "core/oracle/oracle.h"
-#include "core/oracle/shapeoracle.h"
+#include "core/oracle/strokeoracle.h"
 #include "core/scan/interval.h"
 
 #include <algorithm>
@@ -32,7 +32,8 @@ bool isTrulyCovered(const JudgedRun &run, std::size_t primitive, std::int64_t x,
     if (!run.traced->method->draws(primitives.kindOf(primitive)))
         return false;
     if (!primitives.isTriangle(primitive))
-        return oracle::covers(primitives.shape(primitive), run.traced->scene.frame.origin, x, y);
+        return oracle::covers(primitives.shape(primitive), primitives.appearance,
+                              run.traced->scene.frame.origin, x, y);
     const Triangle &triangle = primitives.triangles[primitive];
     return isInBox(triangle, x, y)
         && oracle::covers(triangle, boundaryRuleOf(run.traced->scene), x, y);

@@ -35,20 +35,28 @@ QString smoothColourReason(const NeedsTally &tally, const QString &noun)
 
 QString clippingReason(const NeedsTally &tally, const QString &noun)
 {
-    const std::size_t crossing = tally.of[Effect::Clipping].primitives;
     const auto crosses = [&](std::size_t count) {
         return countedWords(count, tally.drawn, noun, QStringLiteral("crosses"),
                             QStringLiteral("cross"));
     };
-    if (crossing > 0)
-        return QStringLiteral("%1 the frame's border").arg(crosses(crossing));
+    QStringList reasons;
+    if (tally.cutAtNear > 0)
+        reasons.append(countedWords(tally.cutAtNear, tally.drawn, noun, QStringLiteral("is"),
+                                    QStringLiteral("are"))
+                       + QStringLiteral(" of a face that the near plane cuts"));
+    if (tally.crossing > 0)
+        reasons.append(QStringLiteral("%1 the frame's border").arg(crosses(tally.crossing)));
+    if (!reasons.empty())
+        return reasons.join(QStringLiteral("; "));
     if (tally.mayCross > 0)
         return QStringLiteral("the bounding box of %1 of %2 %3s crosses the frame's border")
             .arg(tally.mayCross)
             .arg(tally.drawn)
             .arg(noun);
     const QString within = QStringLiteral("what is drawn lies within the frame");
-    return tally.outside == 0 ? within : within + QStringLiteral("; %1 outside").arg(tally.outside);
+    return tally.outside == 0
+        ? within
+        : within + QStringLiteral("; %1 cover no sample of it").arg(tally.outside);
 }
 
 /// What is divided by w.
@@ -66,20 +74,25 @@ QString carriedWords(const TriangleNeeds &carried)
     return words.join(QStringLiteral(", "));
 }
 
+QString ofTriangles(std::size_t count, std::size_t all)
+{
+    if (all == 1)
+        return QStringLiteral("the triangle");
+    return count == all ? QStringLiteral("all %1 triangles").arg(all)
+                        : QStringLiteral("%1 of %2 triangles").arg(count).arg(all);
+}
+
 QString perspectiveReason(const NeedsTally &tally)
 {
     const std::size_t divided = tally.of[Effect::Perspective].primitives;
     if (divided > 0)
-        return QStringLiteral("w differs between the vertices of %1 of %2 triangles, and so do %3: "
-                              "these change evenly only when divided by w")
-            .arg(divided)
-            .arg(tally.drawnTriangles)
-            .arg(carriedWords(tally.carried));
+        return QStringLiteral("w differs between the vertices of %1; only divided by it do these "
+                              "change evenly: %2")
+            .arg(ofTriangles(divided, tally.drawnTriangles), carriedWords(tally.carried));
     if (tally.dividingNothing > 0)
-        return QStringLiteral("w differs between the vertices of %1 of %2 triangles, but nothing "
-                              "else does that is divided by it")
-            .arg(tally.dividingNothing)
-            .arg(tally.drawnTriangles);
+        return QStringLiteral("w differs between the vertices of %1, but nothing else does that is "
+                              "divided by it")
+            .arg(ofTriangles(tally.dividingNothing, tally.drawnTriangles));
     return QStringLiteral("w is the same at the three vertices of every triangle");
 }
 
@@ -118,19 +131,32 @@ QString lightReason(const NeedsTally &tally, const Appearance &appearance)
     return {};
 }
 
-/// Under the closed rule both triangles of a shared edge are painted over its samples.
-QString paintedTwiceWords(const NeedsTally &tally, const FrameView &frame)
+/// Under the closed rule both triangles of a shared edge are painted over its samples, which shows
+/// where one of them lets the other through.
+QString paintedTwiceWords(const Primitives &primitives, const NeedsTally &tally,
+                          const FrameView &frame)
 {
-    const SharedSamples shared = sharedSamplesOf(tally.blended, frame);
+    std::vector<const Triangle *> others;
+    auto blended = tally.blended.begin(); // in drawing order
+    for (const Triangle &triangle : primitives.triangles) {
+        if (blended != tally.blended.end() && *blended == &triangle)
+            ++blended;
+        else
+            others.push_back(&triangle);
+    }
+    const SharedSamples shared = sharedSamplesOf(tally.blended, others, frame);
     if (shared.samples == 0)
         return QStringLiteral("; no sample lies on an edge that they share");
-    return QStringLiteral("; the closed rule paints %1%2 on their shared edges twice")
+    return QStringLiteral("; the closed rule paints %1%2 on their shared edges twice, one of them "
+                          "(%3, %4)")
         .arg(shared.isExact ? QString() : QStringLiteral("at most "))
         .arg(shared.samples == 1 ? QStringLiteral("1 sample")
-                                 : QStringLiteral("%1 samples").arg(shared.samples));
+                                 : QStringLiteral("%1 samples").arg(shared.samples))
+        .arg(shared.first.x)
+        .arg(shared.first.y);
 }
 
-QString blendingReason(const NeedsTally &tally, const Appearance &appearance,
+QString blendingReason(const Primitives &primitives, const NeedsTally &tally,
                        const ScanSettings &settings, const FrameView &frame)
 {
     const std::size_t blended = tally.of[Effect::Blending].primitives;
@@ -139,28 +165,43 @@ QString blendingReason(const NeedsTally &tally, const Appearance &appearance,
     const QString reason = QStringLiteral("%1 an alpha below 255, the lowest is %2")
                                .arg(has(blended, tally.drawnTriangles, triangleWord()))
                                .arg(tally.lowestAlpha);
-    const bool ownsEdges = settings.fillRule == FillRule::Closed
-        && appearance.antialiasing == Antialiasing::None && blended > 1;
-    return ownsEdges ? reason + paintedTwiceWords(tally, frame) : reason;
+    const bool sharesEdges = settings.fillRule == FillRule::Closed
+        && primitives.appearance.antialiasing == Antialiasing::None && tally.drawnTriangles > 1;
+    return sharesEdges ? reason + paintedTwiceWords(primitives, tally, frame) : reason;
+}
+
+/// What there is of what antialiasing can draw.
+QString antialiasedWord(const NeedsTally &tally)
+{
+    if (tally.drawnStrokes == 0)
+        return QStringLiteral("triangle");
+    return tally.drawnTriangles == 0 ? QStringLiteral("line or curve")
+                                     : QStringLiteral("triangle, line or curve");
 }
 
 QString antialiasingReason(const NeedsTally &tally, Antialiasing antialiasing)
 {
-    const auto ofSamples = [](int samples) {
-        return QStringLiteral("the scene asks for %1 samples in each pixel that an edge passes")
-            .arg(samples);
+    const auto ofSamples = [&](int samples) {
+        const QString pixel = tally.drawnStrokes == 0
+            ? QStringLiteral("that an edge passes")
+            : QStringLiteral("that the border of a %1 passes").arg(antialiasedWord(tally));
+        return QStringLiteral("the scene asks for %1 samples in each pixel %2")
+            .arg(QString::number(samples), pixel);
     };
+    if (antialiasing == Antialiasing::None)
+        return QStringLiteral("the scene asks for one sample a pixel");
+    if (tally.drawnTriangles + tally.drawnStrokes == 0)
+        return QStringLiteral("no triangle, line or curve is drawn");
     switch (antialiasing) {
     case Antialiasing::None:
-        return QStringLiteral("the scene asks for one sample a pixel");
+        break;
     case Antialiasing::Samples4:
-        return tally.drawnTriangles == 0 ? QStringLiteral("no triangle is drawn") : ofSamples(4);
+        return ofSamples(4);
     case Antialiasing::Samples16:
-        return tally.drawnTriangles == 0 ? QStringLiteral("no triangle is drawn") : ofSamples(16);
+        return ofSamples(16);
     case Antialiasing::Area:
-        return tally.drawnTriangles == 0
-            ? QStringLiteral("no triangle is drawn")
-            : QStringLiteral("the scene asks for the exact area that a triangle has of a pixel");
+        return QStringLiteral("the scene asks for the exact area that a %1 has of a pixel")
+            .arg(antialiasedWord(tally));
     }
     return {};
 }
@@ -198,7 +239,7 @@ QString effectReason(Effect effect, const NeedsTally &tally, const Primitives &p
     case Effect::Light:
         return lightReason(tally, primitives.appearance);
     case Effect::Blending:
-        return blendingReason(tally, primitives.appearance, settings, frame);
+        return blendingReason(primitives, tally, settings, frame);
     case Effect::Antialiasing:
         return antialiasingReason(tally, primitives.appearance.antialiasing);
     case Effect::Depth:

@@ -38,18 +38,41 @@ SampleBox reachOf(const Triangle &triangle, const FrameView &frame, Antialiasing
     return intersection(squares, samplesOf(frame));
 }
 
-std::int64_t mostPixelsOf(const Triangle &triangle, const SampleBox &reach)
+std::int64_t mostPixelsOf(const Triangle &triangle, const SampleBox &reach,
+                          Antialiasing antialiasing)
 {
     const std::int64_t inBox = sizeOf(reach);
     constexpr std::int64_t fewPixels = 4;
     if (inBox <= fewPixels)
         return inBox;
     double perimeter = 0;
-    forEachEdge(triangle, [&](double x, double y) { perimeter += std::sqrt(x * x + y * y); });
-    const double area = double(absolute(doubledArea(triangle))) / (2 * double(unitsPerPixel))
+    double boxPerimeter = 0; // each side of the box is passed there and back
+    forEachEdge(triangle, [&](double x, double y) {
+        perimeter += std::sqrt(x * x + y * y);
+        boxPerimeter += x + y;
+    });
+    double area = double(absolute(doubledArea(triangle))) / (2 * double(unitsPerPixel))
         / double(unitsPerPixel);
+    if (antialiasing != Antialiasing::None) {
+        area += boxPerimeter / 2 + 1; // by the square, its width and its height
+        perimeter += 4;
+    }
     constexpr double aboveRounding = 1 + 0x1p-40;
     return std::min(inBox, std::int64_t((area + perimeter / 2 + 1) * aboveRounding));
+}
+
+std::int64_t mostPixelsOf(const Shape &stroke, const FrameView &frame)
+{
+    const std::int64_t inFrame = std::int64_t(frame.width) * frame.height;
+    if (stroke.kind != PrimitiveKind::Line)
+        return inFrame;
+    const LatticePoint &a = stroke.vertices[0].position;
+    const LatticePoint &b = stroke.vertices[1].position;
+    const double width = double(absolute(b.x - a.x)) / double(unitsPerPixel);
+    const double height = double(absolute(b.y - a.y)) / double(unitsPerPixel);
+    const double area = 2 * (width + height) + 4;
+    const double perimeter = 2 * std::hypot(width, height) + 8;
+    return std::min(inFrame, std::int64_t(std::ceil(area + perimeter / 2 + 1)));
 }
 
 std::int64_t mostEdgePixelsOf(const Triangle &triangle, const SampleBox &reach)

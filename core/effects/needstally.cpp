@@ -3,6 +3,7 @@
 
 #include "core/effects/bordercrossing.h"
 #include "core/effects/framereach.h"
+#include "core/effects/strokestrip.h"
 
 #include <algorithm>
 
@@ -15,11 +16,12 @@ class NeedsCount {
 public:
     NeedsCount(const Primitives &primitives, const FrameView &frame)
         : m_appearance(primitives.appearance)
+        , m_cutAtNear(primitives.cutAtNear)
         , m_frame(frame)
     {
     }
 
-    void add(const Triangle &triangle, const TriangleAttributes *attributes)
+    void add(std::size_t index, const Triangle &triangle, const TriangleAttributes *attributes)
     {
         const SampleBox reach = reachOf(triangle, m_frame, m_appearance.antialiasing);
         if (reach.isEmpty()) {
@@ -28,8 +30,8 @@ public:
         }
         ++m_tally.drawn;
         ++m_tally.drawnTriangles;
-        const std::int64_t pixels = mostPixelsOf(triangle, reach);
-        addCrossing(borderCrossingOf(triangle, m_frame), pixels);
+        const std::int64_t pixels = mostPixelsOf(triangle, reach, m_appearance.antialiasing);
+        addClipping(borderCrossingOf(triangle, m_frame), pixels, isCutAtNear(index));
         const TriangleNeeds needs = needsOf(triangle, attributes, m_appearance);
         const auto addIf = [&](bool isNeeded, Effect effect) {
             if (isNeeded)
@@ -57,11 +59,16 @@ public:
             return;
         }
         ++m_tally.drawn;
-        addCrossing(crossing, pixelsOfFrame());
+        addClipping(crossing, pixelsOfFrame(), false);
         const auto differs
             = [&](const Vertex &vertex) { return vertex.colour != shape.vertices.front().colour; };
         if (std::ranges::any_of(shape.vertices, differs))
             m_tally.of[Effect::SmoothColour].add(pixelsOfFrame());
+        if (!isStroke(shape))
+            return;
+        ++m_tally.drawnStrokes;
+        if (m_appearance.antialiasing != Antialiasing::None)
+            m_tally.of[Effect::Antialiasing].add(mostPixelsOf(shape, m_frame));
     }
 
     const NeedsTally &tally() const { return m_tally; }
@@ -69,9 +76,17 @@ public:
 private:
     std::int64_t pixelsOfFrame() const { return std::int64_t(m_frame.width) * m_frame.height; }
 
-    void addCrossing(BorderCrossing crossing, std::int64_t pixels)
+    bool isCutAtNear(std::size_t triangle) const
     {
-        if (crossing == BorderCrossing::Crosses)
+        return std::ranges::binary_search(m_cutAtNear, triangle);
+    }
+
+    void addClipping(BorderCrossing crossing, std::int64_t pixels, bool isCut)
+    {
+        const bool crosses = crossing == BorderCrossing::Crosses;
+        m_tally.crossing += crosses ? 1 : 0;
+        m_tally.cutAtNear += isCut ? 1 : 0;
+        if (crosses || isCut)
             m_tally.of[Effect::Clipping].add(pixels);
         m_tally.mayCross += crossing == BorderCrossing::MayCross ? 1 : 0;
     }
@@ -105,6 +120,7 @@ private:
     }
 
     const Appearance &m_appearance;
+    const std::vector<std::size_t> &m_cutAtNear;
     FrameView m_frame;
     NeedsTally m_tally;
 };
@@ -118,7 +134,7 @@ NeedsTally tallyNeeds(const Primitives &primitives, const FrameView &frame)
     for (std::size_t i = 0; i < primitives.triangles.size(); ++i) {
         const bool hasAttributes
             = attributes != primitives.attributes.end() && attributes->triangle == i;
-        count.add(primitives.triangles[i], hasAttributes ? &*attributes : nullptr);
+        count.add(i, primitives.triangles[i], hasAttributes ? &*attributes : nullptr);
         if (hasAttributes)
             ++attributes;
     }

@@ -21,7 +21,10 @@ struct NeedsTally {
     PerEffect<Touched> of; ///< all effects but depth
     std::size_t drawn = 0; ///< primitives that reach the frame; the others need nothing
     std::size_t drawnTriangles = 0;
+    std::size_t drawnStrokes = 0; ///< lines and curves that antialiasing can draw
     std::size_t outside = 0;
+    std::size_t crossing = 0; ///< the frame's border
+    std::size_t cutAtNear = 0; ///< triangles of faces that the near plane has cut
     std::size_t mayCross = 0; ///< shapes of which it is not known whether they cross the border
 
     std::size_t dividingNothing = 0; ///< triangles whose w differ and that carry nothing but z

@@ -1,77 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/pixelarea.h"
 
+#include "core/effects/squareclip.h"
 #include "core/number/widequantity.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace pixelplumb {
 
 namespace {
 
-template <class Number>
-struct Point {
-    Number x, y;
-};
-
-/// The corners of a triangle that was clipped by four half-planes.
-template <class Number>
-struct ClippedPolygon {
-    std::array<Point<Number>, 8> corners;
-    std::size_t count = 0;
-
-    void append(const Point<Number> &corner) { corners[count++] = corner; }
-
-    /// Twice the area without its sign.
-    Number doubledArea() const
-    {
-        Number sum = 0;
-        for (std::size_t i = 0; i < count; ++i) {
-            const Point<Number> &a = corners[i];
-            const Point<Number> &b = corners[(i + 1) % count];
-            sum += a.x * b.y - b.x * a.y;
-        }
-        return sum < 0 ? Number(-sum) : sum;
-    }
-};
-
-/// Keeps what has sign·coordinate <= bound (Sutherland and Hodgman 1974).
-template <class Number>
-ClippedPolygon<Number> clipped(const ClippedPolygon<Number> &polygon, Number Point<Number>::*axis,
-                               int sign, const Number &bound)
-{
-    ClippedPolygon<Number> kept;
-    for (std::size_t i = 0; i < polygon.count; ++i) {
-        const Point<Number> &a = polygon.corners[i];
-        const Point<Number> &b = polygon.corners[(i + 1) % polygon.count];
-        const Number toA = bound - sign * (a.*axis);
-        const Number toB = bound - sign * (b.*axis);
-        if (toA >= 0)
-            kept.append(a);
-        if ((toA > 0 && toB < 0) || (toA < 0 && toB > 0)) {
-            const Number part = toA / (toA - toB);
-            kept.append({Number(a.x + (b.x - a.x) * part), Number(a.y + (b.y - a.y) * part)});
-        }
-    }
-    return kept;
-}
-
 /// The area of the triangle in the square around the origin; all in units of 1/256 px.
 template <class Number>
 Number areaAround(const Triangle &triangle, std::int64_t x, std::int64_t y)
 {
-    ClippedPolygon<Number> polygon;
+    ClippedPolygon<Number, 13> polygon;
     for (const Vertex &vertex : triangle.vertices)
-        polygon.append({Number(vertex.position.x - x * unitsPerPixel),
-                        Number(vertex.position.y - y * unitsPerPixel)});
-    const Number half = halfPixel;
-    for (const int sign : {-1, 1}) {
-        polygon = clipped(polygon, &Point<Number>::x, sign, half);
-        polygon = clipped(polygon, &Point<Number>::y, sign, half);
-    }
-    return polygon.doubledArea() / Number(2 * unitsPerPixel * unitsPerPixel);
+        polygon.append(Number(vertex.position.x - x * unitsPerPixel),
+                       Number(vertex.position.y - y * unitsPerPixel));
+    polygon.clipToSquare(halfPixel);
+    const Number area = polygon.doubledArea() / Number(2 * unitsPerPixel * unitsPerPixel);
+    return area < 0 ? Number(-area) : area;
 }
 
 } // namespace

@@ -9,20 +9,6 @@ namespace pixelplumb {
 
 namespace {
 
-Antialiasing antialiasingOf(const Appearance &appearance)
-{
-    switch (appearance.forced[Effect::Antialiasing]) {
-    case Forcing::AsCalledFor:
-        break;
-    case Forcing::On:
-        return appearance.antialiasing == Antialiasing::None ? Antialiasing::Samples4
-                                                             : appearance.antialiasing;
-    case Forcing::Off:
-        return Antialiasing::None;
-    }
-    return appearance.antialiasing;
-}
-
 bool isForced(bool isNeeded, Forcing forcing)
 {
     return forcing == Forcing::AsCalledFor ? isNeeded : forcing == Forcing::On;
@@ -133,6 +119,20 @@ std::vector<EffectBatch> batchesOf(const Primitives &primitives, const FrameView
 }
 
 } // namespace
+
+Antialiasing antialiasingOf(const Appearance &appearance)
+{
+    switch (appearance.forced[Effect::Antialiasing]) {
+    case Forcing::AsCalledFor:
+        break;
+    case Forcing::On:
+        return appearance.antialiasing == Antialiasing::None ? Antialiasing::Samples4
+                                                             : appearance.antialiasing;
+    case Forcing::Off:
+        return Antialiasing::None;
+    }
+    return appearance.antialiasing;
+}
 
 bool EffectPlan::runs(Effect effect) const
 {

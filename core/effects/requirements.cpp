@@ -21,8 +21,8 @@ std::int64_t pixelsInQuestion(const Primitives &primitives, const FrameView &fra
         if (!depth.inQuestion[i])
             continue;
         const Triangle &triangle = primitives.triangles[i];
-        pixels
-            += mostPixelsOf(triangle, reachOf(triangle, frame, primitives.appearance.antialiasing));
+        const Antialiasing antialiasing = primitives.appearance.antialiasing;
+        pixels += mostPixelsOf(triangle, reachOf(triangle, frame, antialiasing), antialiasing);
     }
     return pixels;
 }

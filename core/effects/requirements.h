@@ -5,6 +5,9 @@
 
 namespace pixelplumb {
 
+/// The antialiasing that runs: what the appearance says, and what was forced on or off.
+Antialiasing antialiasingOf(const Appearance &appearance);
+
 /// requirementsOf, where the question of depth was answered already.
 PerEffect<EffectVerdict> requirementsWith(const Primitives &primitives,
                                           const ScanSettings &settings, const FrameView &frame,

@@ -1,61 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/effects/scratchframe.h"
 #include "core/effects/shadedchoice.h"
 #include "core/frame/framebuffer.h"
 
 #include <vector>
 
 namespace pixelplumb {
-
-/// A frame of its own with the window of another.
-class ScratchFrame {
-public:
-    explicit ScratchFrame(const FrameView &like)
-        : m_pixels(std::size_t(like.width) * std::size_t(like.height))
-        , m_view(like)
-    {
-        m_view.base = m_pixels.data();
-        m_view.stride = like.width;
-    }
-
-    const FrameView &view() const { return m_view; }
-    void copyFrom(const FrameView &frame)
-    {
-        for (std::int64_t y = frame.firstRow; y < frame.endRow(); ++y)
-            std::copy_n(frame.at(frame.firstColumn, y), frame.width,
-                        m_view.at(frame.firstColumn, y));
-    }
-
-private:
-    std::vector<QRgb> m_pixels;
-    FrameView m_view;
-};
-
-/// The mean of the samples of a pixel, ⌊Σ/n + ½⌋ by channel; opaque where one of them is.
-class SampleMean {
-public:
-    void add(QRgb pixel)
-    {
-        ++m_count;
-        m_alpha |= pixel & 0xff000000U;
-        const Colour colour = unpacked(pixel);
-        for (std::size_t i = 0; i < 3; ++i)
-            m_sum[i] += colour.channels[i];
-    }
-    QRgb pixel() const
-    {
-        Colour mean;
-        for (std::size_t i = 0; i < 3; ++i)
-            mean.channels[i] = std::uint8_t((2 * m_sum[i] + m_count) / (2 * m_count));
-        return (packed(mean) & 0xffffffU) | m_alpha;
-    }
-
-private:
-    std::array<unsigned, 3> m_sum = {};
-    unsigned m_count = 0;
-    QRgb m_alpha = 0;
-};
 
 /// Draws all triangles of a plan, unheard but by observers that count.
 template <InterpolationForm Form, class N, class A, class Observer>

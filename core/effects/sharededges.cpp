@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/sharededges.h"
 
-#include "core/effects/depthwitness.h"
-
 #include <algorithm>
 #include <compare>
 #include <numeric>
@@ -79,9 +77,8 @@ SamplesOnEdge samplesOn(const SharedEdge &edge, const FrameView &frame)
         {pixel.x + first * step.x, pixel.y + first * step.y}, {step.x, step.y}, last - first + 1};
 }
 
-/// Those that two triangles have, once each.
-std::vector<SharedEdge> sharedEdgesOf(std::span<const Triangle *const> triangles,
-                                      const FrameView &frame)
+/// The edges with samples, in order.
+std::vector<SharedEdge> edgesOf(std::span<const Triangle *const> triangles, const FrameView &frame)
 {
     std::vector<SharedEdge> edges;
     for (const Triangle *triangle : triangles) {
@@ -94,10 +91,20 @@ std::vector<SharedEdge> sharedEdgesOf(std::span<const Triangle *const> triangles
         }
     }
     std::ranges::sort(edges);
+    return edges;
+}
+
+/// Those that a blended triangle has with another one of either kind, once each.
+std::vector<SharedEdge> sharedEdgesOf(const std::vector<SharedEdge> &ofBlended,
+                                      const std::vector<SharedEdge> &ofOthers)
+{
     std::vector<SharedEdge> shared;
-    for (std::size_t i = 1; i < edges.size(); ++i) {
-        if (edges[i] == edges[i - 1] && (shared.empty() || shared.back() != edges[i]))
-            shared.push_back(edges[i]);
+    for (std::size_t i = 0; i < ofBlended.size(); ++i) {
+        const SharedEdge &edge = ofBlended[i];
+        const bool isTwice = i > 0 && ofBlended[i - 1] == edge;
+        if ((isTwice || std::ranges::binary_search(ofOthers, edge))
+            && (shared.empty() || shared.back() != edge))
+            shared.push_back(edge);
     }
     return shared;
 }
@@ -117,11 +124,15 @@ std::int64_t countOnce(std::span<const SharedEdge> edges, const FrameView &frame
 
 } // namespace
 
-SharedSamples sharedSamplesOf(std::span<const Triangle *const> triangles, const FrameView &frame)
+SharedSamples sharedSamplesOf(std::span<const Triangle *const> blended,
+                              std::span<const Triangle *const> others, const FrameView &frame)
 {
-    const std::vector<SharedEdge> edges = sharedEdgesOf(triangles, frame);
+    const std::vector<SharedEdge> edges
+        = sharedEdgesOf(edgesOf(blended, frame), edgesOf(others, frame));
     SharedSamples shared;
     shared.edges = std::int64_t(edges.size());
+    if (!edges.empty())
+        shared.first = samplesOn(edges.front(), frame).first;
     for (const SharedEdge &edge : edges)
         shared.samples += samplesOn(edge, frame).count;
     constexpr std::int64_t mostCountedOnce = 100'000;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/effects/depthwitness.h"
 #include "core/frame/frameview.h"
 #include "core/geometry/triangle.h"
 
@@ -15,9 +16,12 @@ struct SharedSamples {
     std::int64_t samples = 0;
     bool isExact = true; ///< otherwise at most so many: ends of edges are counted more than once
     std::int64_t edges = 0; ///< shared ones that have such a sample
+    SamplePlace first; ///< one of them, where there are any
 };
 
-/// Of edges that have both ends in common. Sample coordinates.
-SharedSamples sharedSamplesOf(std::span<const Triangle *const> triangles, const FrameView &frame);
+/// Of edges that have both ends in common, and at least one of whose triangles is blended. Sample
+/// coordinates.
+SharedSamples sharedSamplesOf(std::span<const Triangle *const> blended,
+                              std::span<const Triangle *const> others, const FrameView &frame);
 
 } // namespace pixelplumb

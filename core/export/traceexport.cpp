@@ -102,6 +102,32 @@ TraceTable<Row> chosenColumns(const TraceTable<Row> &whole, const TraceExportOpt
     return options.format == TableFormat::Text ? whole.withoutComparisons() : whole;
 }
 
+bool isChosen(const RowChoice &choice, const SetUpRow &row)
+{
+    return !choice.primitive || *choice.primitive == row.record.primitive;
+}
+
+bool isChosen(const RowChoice &choice, const SpanRow &row)
+{
+    const SpanPlace &place = row.record.place;
+    const auto lies = [&place](std::optional<std::int64_t> wanted, SpanAxis axis) {
+        return !wanted || (place.axis == axis && place.coordinate == *wanted);
+    };
+    return (!choice.primitive || *choice.primitive == row.record.primitive)
+        && lies(choice.x, SpanAxis::Column) && lies(choice.y, SpanAxis::Row);
+}
+
+bool isChosen(const RowChoice &choice, const SampleRow &row)
+{
+    return (!choice.primitive || *choice.primitive == row.primitive)
+        && (!choice.x || *choice.x == row.record.x) && (!choice.y || *choice.y == row.record.y);
+}
+
+bool isChosen(const RowChoice &choice, const StageRow &row)
+{
+    return !choice.primitive || *choice.primitive == row.primitive;
+}
+
 /// Writes the rows that `rowsAt(index)` gives for each index below `count`.
 template <class Row, class RowsAt>
 bool writeTable(const TraceTable<Row> &table, std::size_t count, const RowsAt &rowsAt,
@@ -113,8 +139,10 @@ bool writeTable(const TraceTable<Row> &table, std::size_t count, const RowsAt &r
         if (!goesOn(options.progress,
                     {JobPhase::Writing, std::int64_t(index), std::int64_t(count)}))
             return false;
-        for (const Row &row : rowsAt(index))
-            writer.writeRow(chosen.cells(row));
+        for (const Row &row : rowsAt(index)) {
+            if (isChosen(options.rows, row))
+                writer.writeRow(chosen.cells(row));
+        }
         if (!writer.isOk())
             return false;
     }

@@ -7,6 +7,8 @@
 
 #include <QStringList>
 
+#include <optional>
+
 namespace pixelplumb {
 
 /// What a row of the table is.
@@ -17,6 +19,14 @@ enum class TraceLevel {
     Stage, ///< a number of a stage on the way of a solid's triangle from space to the frame
 };
 
+/// Which rows of the run are written; what is not set leaves all.
+struct RowChoice {
+    std::optional<std::size_t> primitive;
+    /// Of the pixel; in a table of spans, of the column or the row that the span is. Set-ups and
+    /// stages have neither.
+    std::optional<std::int64_t> x, y;
+};
+
 struct TraceExportOptions {
     TraceLevel level = TraceLevel::Column;
     TableFormat format = TableFormat::Csv;
@@ -25,6 +35,7 @@ struct TraceExportOptions {
     /// without the exact numbers and the errors.
     QStringList columns = {};
     TextNumbers textNumbers = TextNumbers::Mixed;
+    RowChoice rows = {};
 };
 
 /// The names of all columns that a method's traces have at a level.

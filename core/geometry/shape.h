@@ -63,6 +63,8 @@ struct Primitives {
     /// 2^wExponent.
     std::vector<TriangleSource> sources = {};
     int wExponent = 0;
+    /// Triangles that are pieces of a face which the near plane has cut; ascending.
+    std::vector<std::size_t> cutAtNear = {};
 
     /// Where a triangle comes from; null where a scene gives it in the frame.
     const TriangleSource *sourceOf(std::size_t triangle) const;

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/effectscenes.h"
 
+#include "core/frame/framebuffer.h"
 #include "core/lab/seededrandom.h"
+#include "core/runs/tracedscene.h"
 #include "core/space/surfaces.h"
 
 #include <cmath>
@@ -206,11 +208,75 @@ Group neutralEffects()
     return group;
 }
 
+/// Its brightness, in pixels: the sum of all pixels' shares of white.
+double brightnessOf(const Scene &scene)
+{
+    const FrameBuffer frame(scene.frame);
+    drawScene(scene, frame);
+    const FrameView view = frame.view();
+    double sum = 0;
+    for (std::int64_t y = view.firstRow; y < view.endRow(); ++y) {
+        for (std::int64_t x = view.firstColumn; x < view.endColumn(); ++x)
+            sum += unpacked(*view.at(x, y)).red() / 255.0;
+    }
+    return sum;
+}
+
+/// A white line from (0, 0) to so many times (dx, dy), in a frame that holds it.
+Scene lineScene(std::int64_t dx, std::int64_t dy, int times)
+{
+    constexpr std::int32_t margin = 2;
+    Scene scene = emptyScene(std::int32_t(absolute(dx) * times + 1 + 2 * margin),
+                             std::int32_t(absolute(dy) * times + 1 + 2 * margin));
+    scene.frame.firstColumn = std::int32_t(std::min<std::int64_t>(dx * times, 0) - margin);
+    scene.frame.firstRow = std::int32_t(std::min<std::int64_t>(dy * times, 0) - margin);
+    scene.settings.fillRule = FillRule::Closed;
+    Shape &line = scene.shapes.emplace_back();
+    line.kind = PrimitiveKind::Line;
+    line.vertices
+        = {{{0, 0}, {{255, 255, 255}}}, {latticePixel(dx * times, dy * times), {{255, 255, 255}}}};
+    return scene;
+}
+
+/// Lines every 15°, between whole pixels. How bright a line is for each pixel of its length is seen
+/// by drawing it twice as long: the ends, which have a brightness of their own, are the same.
+Group lines(const QString &name, const std::string &method, Antialiasing antialiasing)
+{
+    constexpr int everyDegrees = 15;
+    constexpr double length = 60;
+    Group group{name, {}, {}};
+    for (int degrees = 0; degrees < 180; degrees += everyDegrees) {
+        const double angle = degrees * std::acos(-1.0) / 180;
+        const std::int64_t dx = std::lround(length * std::cos(angle));
+        const std::int64_t dy = std::lround(length * std::sin(angle));
+        const auto drawn = [&](int times) {
+            Scene scene = lineScene(dx, dy, times);
+            scene.method = method;
+            scene.appearance.antialiasing = antialiasing;
+            return scene;
+        };
+        Way &way = group.ways.emplace_back(Way{QStringLiteral("%1°").arg(degrees), drawn(2)});
+        way.brightness = (brightnessOf(drawn(2)) - brightnessOf(drawn(1))) / std::hypot(dx, dy);
+        way.truth = way.scene;
+        way.truth->method = "stroke-coverage";
+        way.truth->appearance.antialiasing = Antialiasing::Area;
+    }
+    group.truth = *group.ways.front().truth;
+    return group;
+}
+
 } // namespace
 
 std::vector<Group> all()
 {
-    return {antialiasing(), depthBuffer(), perspective(), sphere(), patch(), neutralEffects()};
+    return {antialiasing(),
+            depthBuffer(),
+            perspective(),
+            sphere(),
+            patch(),
+            neutralEffects(),
+            lines(QStringLiteral("lines, Bresenham"), "line-bresenham", Antialiasing::None),
+            lines(QStringLiteral("lines, exact area"), "stroke-coverage", Antialiasing::Area)};
 }
 
 } // namespace pixelplumb::effectscenes

@@ -14,6 +14,8 @@ struct Way {
     QString name;
     Scene scene;
     std::optional<double> distance = {}; ///< of a surface's triangles from it
+    std::optional<double> brightness = {}; ///< of a line, for each pixel of its length
+    std::optional<Scene> truth = {}; ///< where it is not the group's
 };
 
 /// A scene drawn in several ways, and what they are judged by.

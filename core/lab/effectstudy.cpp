@@ -19,12 +19,20 @@ constexpr std::array arithmetics = {Arithmetic::Exact, Arithmetic::Float32};
 struct Entry {
     EffectRow row;
     std::size_t first = 0; ///< the row that it is measured by
+    const Method *method = nullptr;
     Primitives primitives;
     ScanSettings settings;
     std::unique_ptr<FrameBuffer> frame;
     int draws = 0; ///< of a sample; 0: not yet known
     std::vector<double> samples; ///< ns a draw
 };
+
+FrameBuffer truthOf(const Scene &scene)
+{
+    FrameBuffer frame(scene.frame);
+    drawTruth(scene, frame);
+    return frame;
+}
 
 void judge(EffectRow &row, const FrameBuffer &drawn, const FrameBuffer &truth)
 {
@@ -47,12 +55,12 @@ void judge(EffectRow &row, const FrameBuffer &drawn, const FrameBuffer &truth)
     row.rms = std::sqrt(squares / (3.0 * frame.width * frame.height));
 }
 
-void sample(Entry &entry, const Method &method)
+void sample(Entry &entry)
 {
     const double time = sampleDraw(
         [&] {
             entry.frame->clear();
-            method.draw(entry.primitives, entry.settings, entry.frame->view());
+            entry.method->draw(entry.primitives, entry.settings, entry.frame->view());
         },
         entry.draws, sampleNanoseconds);
     entry.samples.push_back(time);
@@ -72,9 +80,23 @@ void setTimes(Entry &entry, const Entry &first)
 
 } // namespace
 
+std::optional<BrightnessRange> brightnessRangeOf(const std::vector<EffectRow> &rows,
+                                                 const QString &group)
+{
+    std::optional<BrightnessRange> range;
+    for (const EffectRow &row : rows) {
+        if (row.group != group || !row.brightness)
+            continue;
+        const double brightness = *row.brightness;
+        range = range ? BrightnessRange{std::min(range->least, brightness),
+                                        std::max(range->greatest, brightness)}
+                      : BrightnessRange{brightness, brightness};
+    }
+    return range;
+}
+
 std::optional<std::vector<EffectRow>> runEffectStudy(int rounds, const ProgressListener &listener)
 {
-    const Method &method = *methodNamed(u"column-scan");
     const std::vector<effectscenes::Group> groups = effectscenes::all();
     std::vector<Entry> entries;
     std::int64_t done = 0;
@@ -82,23 +104,30 @@ std::optional<std::vector<EffectRow>> runEffectStudy(int rounds, const ProgressL
     for (const effectscenes::Group &group : groups) {
         if (!goesOn(listener, {JobPhase::Judging, done++, steps}))
             return std::nullopt;
-        const FrameBuffer truth(group.truth.frame);
-        drawTruth(group.truth, truth);
+        const FrameBuffer truth = truthOf(group.truth);
         for (const Arithmetic arithmetic : arithmetics) {
             const std::size_t first = entries.size();
             for (const effectscenes::Way &way : group.ways) {
+                const Method *method = methodNamed(QString::fromStdString(way.scene.method));
+                if (!method->supports(arithmetic))
+                    continue;
                 Entry &entry = entries.emplace_back();
                 entry.first = first;
                 entry.row.group = group.name;
                 entry.row.way = way.name;
                 entry.row.arithmetic = arithmetic;
                 entry.row.distance = way.distance;
+                entry.row.brightness = way.brightness;
+                entry.method = method;
                 entry.primitives = primitivesOnSamples(way.scene);
                 entry.settings = way.scene.settings;
                 entry.settings.arithmetic = arithmetic;
                 entry.frame = std::make_unique<FrameBuffer>(way.scene.frame);
-                method.draw(entry.primitives, entry.settings, entry.frame->view());
-                judge(entry.row, *entry.frame, truth);
+                method->draw(entry.primitives, entry.settings, entry.frame->view());
+                if (way.truth)
+                    judge(entry.row, *entry.frame, truthOf(*way.truth));
+                else
+                    judge(entry.row, *entry.frame, truth);
             }
         }
     }
@@ -106,7 +135,7 @@ std::optional<std::vector<EffectRow>> runEffectStudy(int rounds, const ProgressL
         if (!goesOn(listener, {JobPhase::Measuring, done++, steps}))
             return std::nullopt;
         for (Entry &entry : entries)
-            sample(entry, method);
+            sample(entry);
     }
     std::vector<EffectRow> rows;
     for (Entry &entry : entries) {

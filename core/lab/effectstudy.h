@@ -15,7 +15,8 @@ namespace pixelplumb {
 /// of a group draw the same scene and are judged by one truth; the first is what the others are
 /// measured by.
 struct EffectRow {
-    QString group; ///< "antialiasing", "depth buffer", "perspective", "segments", "neutral effects"
+    QString
+        group; ///< "antialiasing", "depth buffer", "perspective", "segments", "lines, Bresenham"
     QString way; ///< "16 samples"
     Arithmetic arithmetic = Arithmetic::Exact;
     std::int64_t pixels = 0; ///< of the picture that are not its background
@@ -26,14 +27,27 @@ struct EffectRow {
     double rms = 0;
     std::int64_t wrongPixels = 0; ///< in other bytes than that
     std::optional<double> distance; ///< of a surface's triangles from it, in the scene's unit
+    /// Of a line: the shares of white that its pixels have, together, for each pixel by which it is
+    /// longer. 1 is even: a line one pixel wide. 1/√2 is what one pixel a column has at 45°.
+    std::optional<double> brightness;
 
     friend bool operator==(const EffectRow &, const EffectRow &) = default;
 };
 
+/// The least and the greatest brightness of a group's lines, whatever their direction.
+struct BrightnessRange {
+    double least = 0;
+    double greatest = 0;
+};
+/// None where the group has no lines.
+std::optional<BrightnessRange> brightnessRangeOf(const std::vector<EffectRow> &rows,
+                                                 const QString &group);
+
 /// All of them in turn, round by round, by the column scan's plain kernels in exact arithmetic and
 /// float32: antialiasing beside the exact area, depth buffers beside exact depths, affine beside
-/// perspective, segments of a sphere and a patch, effects that change nothing forced on. Rounds 0:
-/// the errors alone. None where the listener ended it.
+/// perspective, segments of a sphere and a patch, effects that change nothing forced on; lines in
+/// every direction by their own methods. Rounds 0: the errors alone. None where the listener ended
+/// it.
 std::optional<std::vector<EffectRow>> runEffectStudy(int rounds,
                                                      const ProgressListener &listener = {});
 

@@ -175,6 +175,7 @@ void eachField(Self &self, const Visit &visit)
     visit("rms", self.rms);
     visit("wrongPixels", self.wrongPixels);
     visit("distance", self.distance);
+    visit("brightness", self.brightness);
 }
 
 template <PartOf<StudyContender> Self, class Visit>

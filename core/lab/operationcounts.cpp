@@ -71,6 +71,10 @@ bool isCounted(const Method &method) { return countedMethodOf(method) != nullptr
 
 QString countingGap(const Method &method, Arithmetic arithmetic)
 {
+    if (method.id == QLatin1String("stroke-coverage"))
+        return QStringLiteral(
+            "Not counted: an area takes as many steps as its polygon has corners, "
+            "in floating point and, where a byte depends on it, in fractions.");
     if (!isCounted(method))
         return QStringLiteral("Not counted: it computes in integers that grow with every cut, so "
                               "that one operation is not like another.");

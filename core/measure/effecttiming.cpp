@@ -17,12 +17,15 @@ const Method &methodOfScene(const Scene &scene)
     return *methodNamed(QString::fromStdString(scene.method));
 }
 
-std::int64_t differingPixels(const FrameView &a, const FrameView &b)
+DifferenceMap differingPixels(const FrameBuffer &a, const FrameBuffer &b)
 {
-    std::int64_t differing = 0;
-    for (std::int64_t y = a.firstRow; y < a.endRow(); ++y) {
-        for (std::int64_t x = a.firstColumn; x < a.endColumn(); ++x)
-            differing += *a.at(x, y) != *b.at(x, y) ? 1 : 0;
+    DifferenceMap differing(a.spec());
+    const FrameView view = a.view();
+    for (std::int64_t y = view.firstRow; y < view.endRow(); ++y) {
+        for (std::int64_t x = view.firstColumn; x < view.endColumn(); ++x) {
+            if (*view.at(x, y) != *b.view().at(x, y))
+                differing.set(x, y, Difference::Colour);
+        }
     }
     return differing;
 }
@@ -105,7 +108,10 @@ private:
         const EffectPlan off = planFor(m_off, m_settings, m_offFrame.view());
         const bool isSame = on.batches == off.batches && on.antialiasing == off.antialiasing;
         const bool canDraw = m_method.objection(on, m_settings.arithmetic).isEmpty()
-            && m_method.objection(off, m_settings.arithmetic).isEmpty();
+            && m_method.objection(off, m_settings.arithmetic).isEmpty()
+            && std::ranges::all_of(m_on.shapes, [this](const Shape &shape) {
+                                 return m_method.objection(shape, m_on.appearance).isEmpty();
+                             });
         if (isSame || !canDraw)
             m_done += m_options.rounds;
         return !isSame && canDraw;
@@ -124,11 +130,11 @@ private:
         return count;
     }
 
-    /// Which samples are covered and what is done at them is the same by every method.
+    /// Which samples are covered and what is done at them is the same by every method of triangles.
     std::optional<std::int64_t> countOperations(Effect effect) const
     {
         const std::vector<EffectWork> work = workOf(effect);
-        if (work.empty())
+        if (work.empty() || m_on.triangles.empty())
             return std::nullopt;
         const ScanSettings exact{Arithmetic::Exact, m_settings.fillRule, m_settings.rounding};
         const EffectTally tally
@@ -146,7 +152,7 @@ private:
         m_onFrame.clear();
         m_offFrame.clear();
         const double longest = std::max(timeOf(m_on, m_onFrame, 1), timeOf(m_off, m_offFrame, 1));
-        cost.changed = differingPixels(m_onFrame.view(), m_offFrame.view());
+        cost.changed = differingPixels(m_onFrame, m_offFrame).total();
         const int times
             = std::max(1, int(std::ceil(m_options.sampleNanoseconds / std::max(longest, 1.0))));
         std::vector<double> on, off, ratio;
@@ -198,7 +204,7 @@ std::optional<EffectTiming> timeEffects(const Scene &scene, const TimingOptions 
     return EffectRace(asCalledFor, options).run();
 }
 
-std::int64_t pixelsChangedByForcing(const Scene &scene)
+DifferenceMap changesByForcing(const Scene &scene)
 {
     Primitives primitives = primitivesOnSamples(scene);
     const FrameBuffer forced(scene.frame);
@@ -207,7 +213,7 @@ std::int64_t pixelsChangedByForcing(const Scene &scene)
     method.drawFastest(primitives, scene.settings, forced.view());
     primitives.appearance.forced = {};
     method.drawFastest(primitives, scene.settings, asCalledFor.view());
-    return differingPixels(forced.view(), asCalledFor.view());
+    return differingPixels(forced, asCalledFor);
 }
 
 } // namespace pixelplumb

@@ -3,6 +3,7 @@
 
 #include "core/geometry/effect.h"
 #include "core/measure/scenetiming.h"
+#include "core/runs/differencemap.h"
 
 namespace pixelplumb {
 
@@ -41,7 +42,8 @@ struct EffectTiming {
 /// ended. The method must be able to draw the scene (objectionTo).
 std::optional<EffectTiming> timeEffects(const Scene &scene, const TimingOptions &options);
 
-/// Pixels that what is forced in the scene changes of its picture as called for.
-std::int64_t pixelsChangedByForcing(const Scene &scene);
+/// The pixels whose bytes what is forced in the scene changes of its picture as called for: all of
+/// them Difference::Colour.
+DifferenceMap changesByForcing(const Scene &scene);
 
 } // namespace pixelplumb

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
 
+#include "core/effects/requirements.h"
+#include "core/effects/strokestrip.h"
 #include "core/methods/barycentric.h"
 #include "core/methods/columnscan.h"
 #include "core/methods/constantraterowwalk.h"
@@ -10,6 +12,7 @@
 #include "core/methods/interpolation.h"
 #include "core/methods/lines.h"
 #include "core/methods/polygons.h"
+#include "core/methods/strokes.h"
 #include "core/methods/text.h"
 #include "core/scan/choicenames.h"
 
@@ -33,16 +36,37 @@ std::vector<Effect> shadingEffectsOf(const EffectPlan &plan)
 }
 
 /// Their ids.
-QStringList methodsThatDo(const std::vector<Effect> &effects)
+template <class Draws>
+QStringList methodsThatDo(const std::vector<Effect> &effects, const Draws &draws)
 {
     QStringList ids;
     for (const Method &method : methods()) {
         const bool doesAll = std::ranges::all_of(
             effects, [&method](Effect effect) { return method.supports(effect); });
-        if (doesAll && method.draws(PrimitiveKind::Triangle))
+        if (doesAll && draws(method))
             ids.append(method.id);
     }
     return ids;
+}
+
+/// Who asks for it: the scene, or a person's switch alone.
+QString askerText(bool isCalledFor)
+{
+    return isCalledFor ? QStringLiteral("which the scene calls for")
+                       : QStringLiteral("which is forced on");
+}
+QString askerText(const EffectPlan &plan, const std::vector<Effect> &effects)
+{
+    return askerText(std::ranges::any_of(effects, [&plan](Effect effect) {
+        return plan.verdicts[effect].verdict != Verdict::NotCalledFor;
+    }));
+}
+
+QString lackText(const std::vector<Effect> &missing, const QString &asker, const QStringList &able)
+{
+    const QString separator = QStringLiteral(", ");
+    return QStringLiteral("cannot do %1, %2; %3 can")
+        .arg(namesOf(missing).join(separator), asker, able.join(separator));
 }
 
 } // namespace
@@ -104,16 +128,29 @@ QString Method::objection(const EffectPlan &plan, Arithmetic arithmetic) const
     const std::vector<Effect> run = shadingEffectsOf(plan);
     std::vector<Effect> missing = run;
     std::erase_if(missing, [this](Effect effect) { return supports(effect); });
-    const QString separator = QStringLiteral(", ");
     if (!missing.empty())
-        return QStringLiteral("cannot do %1, which the scene calls for; %2 can")
-            .arg(namesOf(missing).join(separator), methodsThatDo(missing).join(separator));
+        return lackText(missing, askerText(plan, missing),
+                        methodsThatDo(missing, [](const Method &method) {
+                            return method.draws(PrimitiveKind::Triangle);
+                        }));
+    const QString separator = QStringLiteral(", ");
     if (!shadingArithmetics.empty()
         && std::ranges::find(shadingArithmetics, arithmetic) == shadingArithmetics.end())
-        return QStringLiteral("cannot do %1, which the scene calls for, in %2; it can in %3")
-            .arg(namesOf(run).join(separator), quoted(nameOf(arithmetic)),
+        return QStringLiteral("cannot do %1, %2, in %3; it can in %4")
+            .arg(namesOf(run).join(separator), askerText(plan, run), quoted(nameOf(arithmetic)),
                  namesOf(shadingArithmetics).join(separator));
     return {};
+}
+
+QString Method::objection(const Shape &shape, const Appearance &appearance) const
+{
+    if (antialiasingOf(appearance) == Antialiasing::None || !isStroke(shape) || !draws(shape)
+        || supports(Effect::Antialiasing))
+        return {};
+    return lackText({Effect::Antialiasing},
+                    askerText(appearance.antialiasing != Antialiasing::None),
+                    methodsThatDo({Effect::Antialiasing},
+                                  [&shape](const Method &method) { return method.draws(shape); }));
 }
 
 QString Method::refusal(const ScanSettings &settings) const
@@ -183,6 +220,7 @@ std::span<const Method> methods()
         circleParametricMethod(),
         circleFillMethod(),
         bezierSubdivisionMethod(),
+        strokeCoverageMethod(),
         polygonParityMethod(),
         polygonFanMethod(),
         polygonDelaunayMethod(),
@@ -211,6 +249,14 @@ const Method &firstMethodFor(const Shape &shape)
     const auto found = std::ranges::find_if(
         methods(), [&shape](const Method &method) { return method.draws(shape); });
     return found != methods().end() ? *found : methods().front();
+}
+
+const Method &firstMethodFor(const Shape &shape, const Appearance &appearance)
+{
+    const auto found = std::ranges::find_if(methods(), [&](const Method &method) {
+        return method.draws(shape) && method.objection(shape, appearance).isEmpty();
+    });
+    return found != methods().end() ? *found : firstMethodFor(shape);
 }
 
 } // namespace pixelplumb

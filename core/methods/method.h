@@ -70,6 +70,9 @@ struct Method {
     /// read after its name. Smooth colour and clipping are no objection: who draws in one colour
     /// says so.
     QString objection(const EffectPlan &plan, Arithmetic arithmetic) const;
+    /// Why it cannot draw a line or curve with the antialiasing that the appearance asks for, and
+    /// which methods can, to be read after its name. Empty for what it draws at no time.
+    QString objection(const Shape &shape, const Appearance &appearance) const;
     /// The first after its id; empty when it can.
     QString refusal(const ScanSettings &settings) const;
     /// The settings with what the method refuses replaced by its first choice.
@@ -87,5 +90,7 @@ const Method *methodNamed(QStringView id);
 /// The first method of the table that draws this kind; every kind has one.
 const Method &firstMethodFor(PrimitiveKind kind);
 const Method &firstMethodFor(const Shape &shape);
+/// The first that draws it so; one that does not antialias where none does.
+const Method &firstMethodFor(const Shape &shape, const Appearance &appearance);
 
 } // namespace pixelplumb

@@ -4,6 +4,7 @@
 #include "core/oracle/effectoracle.h"
 #include "core/oracle/oracle.h"
 #include "core/oracle/shapeoracle.h"
+#include "core/oracle/strokeoracle.h"
 
 namespace pixelplumb::oracle {
 
@@ -16,8 +17,14 @@ void drawPicture(const Primitives &primitives, const ScanSettings &settings,
         for (const Triangle &triangle : primitives.triangles)
             draw(triangle, {settings, frame}, settings.rounding, frame);
     }
-    for (const Shape &shape : primitives.shapes)
-        draw(shape, settings.rounding, frame);
+    const Antialiasing antialiasing = truthOf(primitives.appearance).antialiasing;
+    const bool hasShares = antialiasing != Antialiasing::None;
+    if (hasShares)
+        drawStrokes(primitives, settings, antialiasing, frame);
+    for (const Shape &shape : primitives.shapes) {
+        if (!hasShares || !isStroke(shape))
+            draw(shape, settings.rounding, frame);
+    }
 }
 
 } // namespace pixelplumb::oracle

@@ -187,7 +187,8 @@ void appendBytes(Explanation &explanation, const TracedScene &traced, const Samp
         };
         FormulaLine byte;
         byte.subject = channelSubjects[channel];
-        byte.symbols = QStringLiteral("byte = ") + filled(QString(channelLetters[channel]));
+        byte.symbols = (traced.plan ? QStringLiteral("base byte = ") : QStringLiteral("byte = "))
+            + filled(QString(channelLetters[channel]));
         byte.substituted = filled(term(sample.colour[channel]));
         byte.used = Quantity::integer(std::clamp<std::int64_t>(sample.level[channel], 0, 255));
         if (exact.colour[channel].isRational())

@@ -2,7 +2,8 @@
 #include "core/runs/pixelhistory.h"
 
 #include "core/methods/rejectiontext.h"
-#include "core/oracle/shapeoracle.h"
+#include "core/oracle/effecttruth.h"
+#include "core/oracle/strokeoracle.h"
 #include "core/runs/edgename.h"
 #include "core/runs/formulaexplanation.h"
 #include "core/runs/refusaltext.h"
@@ -118,7 +119,10 @@ QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::in
         if (const auto rejection = traced.trace->setUp(attempt.primitive).rejection)
             return rejectionText(*rejection);
     }
-    if (traced.plan && attempt.sample)
+    const bool isAntialiasedShape = attempt.kind != PrimitiveKind::Triangle
+        && oracle::truthOf(traced.primitives.appearance).antialiasing != Antialiasing::None
+        && traced.method->supports(Effect::Antialiasing);
+    if ((traced.plan || isAntialiasedShape) && attempt.sample)
         return shadedText(attempt, traced);
     if (!attempt.written) {
         return attempt.verdict.covered ? missedText(attempt, *traced.trace)
@@ -150,7 +154,8 @@ void judge(PixelAttempt &attempt, const TracedScene &traced, std::int64_t x, std
                                         boundaryRuleOf(traced.scene), x, y);
     else
         attempt.verdict.covered
-            = oracle::covers(primitives.shape(attempt.primitive), traced.scene.frame.origin, x, y);
+            = oracle::covers(primitives.shape(attempt.primitive), primitives.appearance,
+                             traced.scene.frame.origin, x, y);
 }
 
 /// What the run did there.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/sceneplan.h"
 
+#include "core/effects/bordercrossing.h"
 #include "core/methods/method.h"
 
 #include <algorithm>
@@ -16,6 +17,20 @@ bool canAll(const Method &method, Arithmetic arithmetic)
     return std::ranges::all_of(allEffects,
                                [&method](Effect effect) { return method.supports(effect); })
         && (shading.empty() || std::ranges::find(shading, arithmetic) != shading.end());
+}
+
+/// Of those that reach the frame.
+QString objectionToShapes(const Method &method, const Scene &scene)
+{
+    const FrameView window = windowOf(scene.frame);
+    for (const Shape &shape : primitivesOnSamples(scene).shapes) {
+        if (borderCrossingOf(shape, window) == BorderCrossing::Outside)
+            continue;
+        QString objection = method.objection(shape, scene.appearance);
+        if (!objection.isEmpty())
+            return objection;
+    }
+    return {};
 }
 
 } // namespace
@@ -36,8 +51,11 @@ QString objectionTo(const Scene &scene)
 {
     const Method &method = *methodNamed(QString::fromStdString(scene.method));
     QString objection = method.objection(scene.settings);
-    if (!objection.isEmpty() || !method.draws(PrimitiveKind::Triangle)
-        || canAll(method, scene.settings.arithmetic) || !mayCallForEffects(scene))
+    if (!objection.isEmpty() || !mayCallForEffects(scene))
+        return objection;
+    if (!method.draws(PrimitiveKind::Triangle) || !scene.hasTriangles())
+        return objectionToShapes(method, scene);
+    if (canAll(method, scene.settings.arithmetic))
         return objection;
     return method.objection(planOf(scene), scene.settings.arithmetic);
 }

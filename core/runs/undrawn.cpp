@@ -2,7 +2,7 @@
 #include "core/runs/undrawn.h"
 
 #include "core/oracle/oracle.h"
-#include "core/oracle/shapeoracle.h"
+#include "core/oracle/strokeoracle.h"
 #include "core/scene/shapenames.h"
 
 #include <algorithm>
@@ -53,7 +53,7 @@ QStringList undrawnAt(const Primitives &primitives, const Method &method, const 
             continue;
         const bool covers = primitives.isTriangle(i)
             ? oracle::covers(primitives.triangles[i], rule, x, y)
-            : oracle::covers(primitives.shape(i), rule.origin, x, y);
+            : oracle::covers(primitives.shape(i), primitives.appearance, rule.origin, x, y);
         if (covers)
             undrawn.append(QStringLiteral("%1 %2").arg(nameOf(primitives.kindOf(i))).arg(i));
     }

@@ -14,6 +14,8 @@ void append(ProjectedSolids projected, Primitives &primitives)
     const std::size_t first = primitives.triangles.size();
     for (TriangleAttributes &attributes : projected.attributes)
         attributes.triangle += first;
+    for (const std::size_t triangle : projected.cutAtNear)
+        primitives.cutAtNear.push_back(first + triangle);
     const auto appendTo = [](auto &all, auto &more) {
         if (all.empty())
             all = std::move(more);

@@ -161,7 +161,8 @@ private:
         }
     }
 
-    /// The method that the scene names, or the first that draws its first primitive.
+    /// The method that the scene names, or the first that draws its first primitive, antialiased
+    /// where it is a line or curve and the scene asks for it.
     void chooseMethod(const JsonNode &root)
     {
         Scene &scene = m_inHand.reading.scene;
@@ -193,7 +194,7 @@ private:
     static const Method &firstMethodFor(const Scene &scene)
     {
         if (!scene.hasTriangles() && !scene.isEmpty())
-            return pixelplumb::firstMethodFor(scene.shapes.front());
+            return pixelplumb::firstMethodFor(scene.shapes.front(), scene.appearance);
         return pixelplumb::firstMethodFor(PrimitiveKind::Triangle);
     }
 

@@ -46,6 +46,7 @@ public:
             m_projected.lost.push_back({source, ProjectionLoss::BehindNearPlane});
             return;
         }
+        m_isCut = std::ranges::any_of(face.clipped, &ClippedCorner<double>::isCut);
         m_corners.clear();
         for (std::size_t i = 0; i < face.clipped.size(); ++i) {
             m_corners.push_back(
@@ -72,6 +73,8 @@ private:
             triangle.vertices[i] = corners[i]->vertex;
             attributes.vertices[i] = corners[i]->attributes;
         }
+        if (m_isCut)
+            m_projected.cutAtNear.push_back(m_projected.triangles.size());
         m_projected.triangles.push_back(triangle);
         m_projected.attributes.push_back(attributes);
         m_projected.sources.push_back(source);
@@ -79,6 +82,7 @@ private:
 
     ProjectedSolids &m_projected;
     int m_material;
+    bool m_isCut = false; ///< the face
     std::vector<SnappedCorner> m_corners;
 };
 

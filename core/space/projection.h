@@ -33,6 +33,7 @@ struct ProjectedSolids {
     std::vector<TriangleAttributes> attributes; ///< of each of them
     std::vector<TriangleSource> sources; ///< of each of them
     std::vector<LostTriangle> lost;
+    std::vector<std::size_t> cutAtNear; ///< triangles of a face that the near plane cuts; ascending
     /// w is the view depth times 2^wExponent (see wExponentOf).
     int wExponent = 0;
 };

@@ -6,6 +6,7 @@
 #include "widgets/dialogs/vertexdialog.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/numberformat.h"
+#include "widgets/model/effectswitches.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenepreviewer.h"
 
@@ -75,6 +76,13 @@ void Canvas::setPreviewer(const ScenePreviewer *previewer)
 {
     m_sources.previewer = previewer;
     connect(previewer, &ScenePreviewer::pictureChanged, this, qOverload<>(&QWidget::update));
+    update();
+}
+
+void Canvas::setEffects(const EffectSwitches *effects)
+{
+    m_sources.effects = effects;
+    connect(effects, &EffectSwitches::changesFound, this, qOverload<>(&QWidget::update));
     update();
 }
 

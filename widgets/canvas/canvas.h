@@ -30,6 +30,8 @@ public:
 
     /// Where pictures come from that stand for a run which is not there.
     void setPreviewer(const ScenePreviewer *previewer);
+    /// While something is forced, what that changes is marked and not what differs from the truth.
+    void setEffects(const EffectSwitches *effects);
 
     const ViewMapping &mapping() const { return m_view.mapping(); }
     /// The part of the widget where the frame is seen.

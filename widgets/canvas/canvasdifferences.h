@@ -15,9 +15,9 @@ class QPainter;
 
 namespace pixelplumb {
 
-/// The pixels in view that differ from the truth, marked in the picture on the screen: by a glyph
-/// where the cell has room for it, else by a coloured frame, else by the colour alone. Below 1:1 a
-/// device pixel is marked when any of its frame pixels differs.
+/// The pixels in view that differ from the truth, or that a forced effect changes, marked in the
+/// picture on the screen: by a glyph where the cell has room for it, else by a coloured frame, else
+/// by the colour alone. Below 1:1 a device pixel is marked when any of its frame pixels differs.
 class CanvasDifferences {
 public:
     /// A run, or a picture that is finished: its differences are decided at every position. Kept,
@@ -25,9 +25,13 @@ public:
     struct Source {
         std::shared_ptr<const TracedScene> traced;
         std::shared_ptr<const ScenePicture> picture;
+        /// What forcing changes, in place of what differs from the truth; null where nothing does.
+        std::shared_ptr<const DifferenceMap> changes = nullptr;
 
         const DifferenceMap &differences() const
         {
+            if (changes)
+                return *changes;
             return traced ? traced->differences : picture->differences();
         }
         std::size_t decidedAt(std::int64_t x, std::int64_t y) const

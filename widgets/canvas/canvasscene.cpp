@@ -6,6 +6,7 @@
 #include "widgets/canvas/canvasview.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/numberformat.h"
+#include "widgets/model/effectswitches.h"
 #include "widgets/model/placinghint.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenepreviewer.h"
@@ -34,6 +35,7 @@ public:
         , m_playhead(*sources.playhead)
         , m_options(*sources.options)
         , m_previewer(sources.previewer)
+        , m_effects(sources.effects)
         , m_view(view)
         , m_hand(hand)
         , m_isTruth(isTruthVisible(sources, hand))
@@ -60,6 +62,8 @@ public:
             return;
         m_scene.marked = preview ? CanvasDifferences::Source{nullptr, m_previewer->picture()}
                                  : CanvasDifferences::Source{m_playhead.sharedTraced(), nullptr};
+        if (m_effects)
+            m_scene.marked->changes = m_effects->changes();
     }
 
     void addSigns()
@@ -172,6 +176,10 @@ private:
     QString viewNote(const OutlineChoice &choice) const
     {
         QStringList notes;
+        const TracedScene *traced = m_playhead.traced();
+        const bool isAhead = m_previewer && m_previewer->isAheadOfTrace();
+        if (traced && !isAhead && traced->scene.method != m_document.scene().method)
+            notes += tr("Still the picture of %1").arg(traced->method->title);
         if (shownPreview() && !m_isTruth && !m_previewer->isAheadOfTrace())
             notes += tr("Finished picture; the first %L1 steps are recorded").arg(m_playhead.end());
         if (choice.isCrowded())
@@ -184,6 +192,7 @@ private:
     const Playhead &m_playhead;
     const DisplayOptions &m_options;
     const ScenePreviewer *m_previewer;
+    const EffectSwitches *m_effects;
     const CanvasView &m_view;
     const CanvasHand &m_hand;
     bool m_isTruth;

@@ -10,6 +10,7 @@ namespace pixelplumb {
 
 class CanvasView;
 class DisplayOptions;
+class EffectSwitches;
 class Playhead;
 class ScenePreviewer;
 
@@ -19,6 +20,7 @@ struct CanvasSources {
     Playhead *playhead = nullptr;
     DisplayOptions *options = nullptr;
     const ScenePreviewer *previewer = nullptr; ///< none: runs alone are shown
+    const EffectSwitches *effects = nullptr; ///< none: nothing is forced
 };
 
 /// What the pointer and the keys are about.

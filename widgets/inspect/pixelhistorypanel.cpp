@@ -2,6 +2,7 @@
 #include "widgets/inspect/pixelhistorypanel.h"
 
 #include "widgets/inspect/pixelhistorydelegate.h"
+#include "widgets/look/formulahtml.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/look/signs.h"
 #include "widgets/model/pixelhistorymodel.h"
@@ -70,6 +71,7 @@ PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)
     m_heading->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
     m_heading->setMinimumWidth(1); // a long heading must not widen the window
     m_reason->setObjectName(QStringLiteral("pixelHistoryReason"));
+    m_reason->setTextFormat(Qt::RichText);
     m_reason->setWordWrap(true);
     m_reason->setAlignment(Qt::AlignTop | Qt::AlignLeft);
     m_reason->setMinimumHeight(fontMetrics().lineSpacing() * reasonLines);
@@ -147,9 +149,7 @@ void PixelHistoryPanel::takePixel()
     m_attempts->expand(decisive);
     for (int column = 0; column < PixelHistoryModel::ExactColumn; ++column)
         m_attempts->resizeColumnToContents(column);
-    m_attempts->selectionModel()->setCurrentIndex(
-        decisive, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
-    showReason(decisive);
+    select(decisive);
     describePixel();
 }
 
@@ -160,7 +160,18 @@ void PixelHistoryPanel::followPosition()
         return;
     }
     m_model->setPosition(m_playhead->position());
+    if (const QModelIndex inHand = m_model->rowInHand(); inHand.isValid())
+        select(inHand);
     describePixel();
+}
+
+void PixelHistoryPanel::select(const QModelIndex &attempt)
+{
+    m_attempts->expand(attempt);
+    m_attempts->selectionModel()->setCurrentIndex(
+        attempt, QItemSelectionModel::ClearAndSelect | QItemSelectionModel::Rows);
+    m_attempts->scrollTo(attempt);
+    showReason(attempt);
 }
 
 void PixelHistoryPanel::describePixel()
@@ -193,9 +204,10 @@ void PixelHistoryPanel::describePixel()
 
 void PixelHistoryPanel::showReason(const QModelIndex &index)
 {
-    m_reason->setText(index.isValid() ? index.data(PixelHistoryModel::ReasonRole).toString()
-                                      : QString());
-    setAccessibleDescription(m_reason->text());
+    const QString reason
+        = index.isValid() ? index.data(PixelHistoryModel::ReasonRole).toString() : QString();
+    m_reason->setText(sentenceHtml(reason));
+    setAccessibleDescription(reason);
 }
 
 void PixelHistoryPanel::goToWrite(const QModelIndex &index)

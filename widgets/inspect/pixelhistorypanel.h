@@ -31,6 +31,7 @@ private:
     void takePixel();
     void followPosition();
     void describePixel();
+    void select(const QModelIndex &attempt);
     void showReason(const QModelIndex &index);
     void goToWrite(const QModelIndex &index);
 

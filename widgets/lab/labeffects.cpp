@@ -11,8 +11,8 @@ namespace pixelplumb {
 
 namespace {
 
-enum class EffectColumn { Way, Arithmetic, Time, Ratio, Error, Wrong, Distance };
-constexpr int effectColumns = int(EffectColumn::Distance) + 1;
+enum class EffectColumn { Way, Arithmetic, Time, Ratio, Error, Wrong, Distance, Brightness };
+constexpr int effectColumns = int(EffectColumn::Brightness) + 1;
 
 Qt::Alignment alignmentOf(int column)
 {
@@ -34,8 +34,8 @@ LabEffects::LabEffects(QWidget *parent)
     setAccessibleName(tr("What effects cost and what they mend"));
     setColumnCount(effectColumns);
     setHeaderLabels({tr("scene, and how it is drawn"), tr("arithmetic"), tr("ns a pixel"),
-                     tr("× first"), tr("error, levels"), tr("wrong pixels"),
-                     tr("off the surface")});
+                     tr("× first"), tr("error, levels"), tr("wrong pixels"), tr("off the surface"),
+                     tr("brightness")});
     headerItem()->setToolTip(int(EffectColumn::Time),
                              tr("The median of all rounds, by the plain kernels"));
     headerItem()->setToolTip(int(EffectColumn::Ratio),
@@ -46,6 +46,10 @@ LabEffects::LabEffects(QWidget *parent)
     headerItem()->setToolTip(int(EffectColumn::Wrong), tr("Pixels in other bytes than that"));
     headerItem()->setToolTip(int(EffectColumn::Distance),
                              tr("Largest distance of the triangles from the surface"));
+    headerItem()->setToolTip(int(EffectColumn::Brightness),
+                             tr("How bright a line is for each pixel of its length: 1 is one pixel "
+                                "of white; beside the lines' heading, least to greatest of all "
+                                "directions"));
     for (int column = 0; column < effectColumns; ++column)
         headerItem()->setTextAlignment(column, alignmentOf(column));
     header()->setSectionResizeMode(QHeaderView::ResizeToContents);
@@ -64,6 +68,13 @@ void LabEffects::show(const Study &study)
         if (!group || group->text(int(EffectColumn::Way)) != row.group) {
             group = new QTreeWidgetItem(this, {row.group});
             group->setExpanded(true);
+            if (const auto range = brightnessRangeOf(study.effects, row.group)) {
+                group->setText(
+                    int(EffectColumn::Brightness),
+                    tr("%1 to %2").arg(figureText(range->least), figureText(range->greatest)));
+                group->setTextAlignment(int(EffectColumn::Brightness),
+                                        alignmentOf(int(EffectColumn::Brightness)));
+            }
         }
         auto *item = new QTreeWidgetItem(group);
         const auto put = [item](EffectColumn column, const QString &text) {
@@ -84,6 +95,8 @@ void LabEffects::show(const Study &study)
         put(EffectColumn::Wrong, QString::number(row.wrongPixels));
         if (row.distance)
             put(EffectColumn::Distance, QString::number(*row.distance, 'g', 3));
+        if (row.brightness)
+            put(EffectColumn::Brightness, figureText(*row.brightness));
     }
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/model/effectswitches.h"
 
+#include <utility>
+
 namespace pixelplumb {
 
 void EffectSwitches::force(Effect effect, Forcing forcing)
@@ -27,6 +29,14 @@ std::shared_ptr<const Scene> EffectSwitches::applied(
     const auto drawn = std::make_shared<Scene>(*scene);
     drawn->appearance.forced = m_forced;
     return drawn;
+}
+
+void EffectSwitches::setChanges(std::shared_ptr<const DifferenceMap> changes)
+{
+    if (m_changes == changes)
+        return;
+    m_changes = std::move(changes);
+    emit changesFound();
 }
 
 } // namespace pixelplumb

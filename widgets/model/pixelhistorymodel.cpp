@@ -73,6 +73,8 @@ QModelIndex PixelHistoryModel::decisiveRow() const
 {
     if (m_attempts.empty())
         return {};
+    if (const QModelIndex inHand = rowInHand(); inHand.isValid())
+        return inHand;
     int decisive = -1;
     for (int row = 0; row < int(m_attempts.size()); ++row) {
         const PixelAttempt &attempt = m_attempts[std::size_t(row)];
@@ -82,6 +84,14 @@ QModelIndex PixelHistoryModel::decisiveRow() const
             decisive = row;
     }
     return index(std::max(0, decisive), 0);
+}
+
+QModelIndex PixelHistoryModel::rowInHand() const
+{
+    const auto inHand = std::ranges::find_if(m_attempts, [this](const PixelAttempt &attempt) {
+        return attempt.sample && attempt.step + 1 == m_position;
+    });
+    return inHand == m_attempts.end() ? QModelIndex() : index(int(inHand - m_attempts.begin()), 0);
 }
 
 bool PixelHistoryModel::isCountRow(const QModelIndex &index) const
@@ -124,6 +134,8 @@ QString PixelHistoryModel::attemptText(const PixelAttempt &attempt, int column) 
         if (attempt.written)
             return (attempt.step < m_position ? tr("%1 wrote it") : tr("%1 will write it"))
                 .arg(nameText(attempt));
+        if (attempt.verdict.covered && attempt.sample && m_traced->plan)
+            return tr("%1 is hidden or refused").arg(nameText(attempt)); // as its reason says
         return (attempt.verdict.covered ? tr("%1 missed it") : tr("%1 refuses it"))
             .arg(nameText(attempt));
     case UsedColumn:
@@ -140,7 +152,8 @@ QString PixelHistoryModel::attemptText(const PixelAttempt &attempt, int column) 
     }
     if (!attempt.written || attempt.verdict.covered)
         return {};
-    return tr("not covered");
+    const bool isInPart = m_traced->plan && m_traced->plan->antialiasing != Antialiasing::None;
+    return isInPart ? tr("covered in part") : tr("not covered");
 }
 
 QString PixelHistoryModel::channelText(const PixelAttempt &attempt, std::size_t channel,
@@ -152,7 +165,9 @@ QString PixelHistoryModel::channelText(const PixelAttempt &attempt, std::size_t 
     const std::int64_t level = attempt.sample->level[channel];
     switch (column) {
     case WhatColumn:
-        return QStringLiteral("RGB").at(qsizetype(channel));
+        // What is done to it afterwards stands in the reason and in the Formula panel.
+        return (m_traced->plan ? tr("base %1") : QStringLiteral("%1"))
+            .arg(QStringLiteral("RGB").at(qsizetype(channel)));
     case UsedColumn:
         return displayText(used, arithmetic);
     case ByteColumn: {

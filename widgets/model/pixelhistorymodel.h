@@ -36,6 +36,8 @@ public:
     /// The row of the write that the frame shows, else of the first to come, else 0; none when
     /// empty.
     QModelIndex decisiveRow() const;
+    /// The attempt that the step in hand is; invalid where it is none of the pixel's.
+    QModelIndex rowInHand() const;
 
     QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;
     QModelIndex parent(const QModelIndex &child) const override;

@@ -91,8 +91,9 @@ QString foreignSceneHint(const Scene &scene)
     const Method *method = methodNamed(QString::fromStdString(scene.method));
     if (!method || scene.isEmpty() || drawsAny(*method, scene))
         return {};
-    const Method &other = scene.hasTriangles() ? firstMethodFor(PrimitiveKind::Triangle)
-                                               : firstMethodFor(scene.shapes.front());
+    const Method &other = scene.hasTriangles()
+        ? firstMethodFor(PrimitiveKind::Triangle)
+        : firstMethodFor(scene.shapes.front(), scene.appearance);
     return tr("%1 draws %2; this scene has none. %3 draws what is here.")
         .arg(method->title, drawnBy(*method), other.title);
 }

@@ -52,14 +52,14 @@ QString lossesText(const std::vector<LostTriangle> &lost)
 
 } // namespace
 
-ProjectionPanel::ProjectionPanel(Playhead *playhead, QWidget *parent)
+ProjectionPanel::ProjectionPanel(SceneDocument *document, Playhead *playhead, QWidget *parent)
     : QWidget(parent)
     , m_playhead(playhead)
     , m_sentence(new QLabel)
     , m_parts(new QSplitter(Qt::Horizontal))
     , m_view(new SideView)
     , m_stages(new StageTree)
-    , m_surfaces(new SurfacesPanel(playhead))
+    , m_surfaces(new SurfacesPanel(document, playhead))
 {
     setObjectName(QStringLiteral("projectionPanel"));
     setAccessibleName(tr("Projection"));

@@ -12,6 +12,7 @@ class QSplitter;
 namespace pixelplumb {
 
 class Playhead;
+class SceneDocument;
 class SideView;
 class StageTree;
 class SurfacesPanel;
@@ -25,7 +26,7 @@ class ProjectionPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ProjectionPanel(Playhead *playhead, QWidget *parent = nullptr);
+    ProjectionPanel(SceneDocument *document, Playhead *playhead, QWidget *parent = nullptr);
     ~ProjectionPanel() override;
 
     QSize sizeHint() const override { return {720, 360}; }

@@ -25,7 +25,7 @@ double timeOfProjection(const Scene &scene)
     for (int run = 0; run < runs; ++run) {
         const Stopwatch watch;
         const ProjectedSolids projected = projectedSolids(scene);
-        const double time = watch.elapsed().wall;
+        const double time = watch.elapsed().thread;
         least = run == 0 ? time : std::min(least, time);
     }
     return least;
@@ -33,43 +33,58 @@ double timeOfProjection(const Scene &scene)
 
 } // namespace
 
-Solid studiedSolid(const Scene &scene)
+std::optional<Solid> studiedSolid(const Scene &scene)
 {
     for (const Solid &solid : scene.solids) {
         if (solid.kind == SolidKind::Sphere || solid.kind == SolidKind::Patch)
             return solid;
     }
+    return std::nullopt;
+}
+
+Solid exampleSolid()
+{
     Solid sphere;
     sphere.kind = SolidKind::Sphere;
     sphere.corners.resize(1);
     return sphere;
 }
 
-Surface surfaceOf(SurfaceKind kind, const Scene &scene)
+std::optional<Surface> surfaceOf(SurfaceKind kind, const Scene &scene)
 {
     if (kind == SurfaceKind::Line || kind == SurfaceKind::Circle) {
-        const bool isLine = kind == SurfaceKind::Line;
-        const auto found = std::ranges::find(
-            scene.shapes, isLine ? PrimitiveKind::Line : PrimitiveKind::Circle, &Shape::kind);
+        const PrimitiveKind shape
+            = kind == SurfaceKind::Line ? PrimitiveKind::Line : PrimitiveKind::Circle;
+        const auto found = std::ranges::find(scene.shapes, shape, &Shape::kind);
         if (found == scene.shapes.end())
-            return {kind, {{{1, 2, 0}, {7, 5, 0}, {}}}, 2};
+            return std::nullopt;
         const LatticePoint &a = found->vertices[0].position;
         const LatticePoint &b = found->vertices[1].position;
-        return {kind,
-                {{{inPixels(a.x), inPixels(a.y), 0}, {inPixels(b.x), inPixels(b.y), 0}, {}}},
-                inPixels(absolute(b.x - a.x))};
+        return Surface{kind,
+                       {{{inPixels(a.x), inPixels(a.y), 0}, {inPixels(b.x), inPixels(b.y), 0}, {}}},
+                       inPixels(absolute(b.x - a.x))};
     }
-    if (kind == SurfaceKind::Plane) {
-        if (const Solid *plane = firstOf(scene, SolidKind::Plane)) {
-            return {kind,
-                    {{plane->corners[0].position, plane->corners[1].position,
-                      plane->corners[2].position}},
-                    1};
-        }
+    const Solid *solid
+        = firstOf(scene, kind == SurfaceKind::Plane ? SolidKind::Plane : SolidKind::Sphere);
+    if (!solid)
+        return std::nullopt;
+    Surface surface{kind, {}, solid->radius};
+    for (std::size_t i = 0; i < std::min(solid->corners.size(), surface.points.size()); ++i)
+        surface.points[i] = solid->corners[i].position;
+    return surface;
+}
+
+Surface exampleOf(SurfaceKind kind)
+{
+    switch (kind) {
+    case SurfaceKind::Line:
+    case SurfaceKind::Circle:
+        return {kind, {{{1, 2, 0}, {7, 5, 0}, {}}}, 2};
+    case SurfaceKind::Plane:
         return {kind, {{{0, 0, 0}, {2, 0, 1}, {0, 3, 1}}}, 1};
+    case SurfaceKind::Sphere:
+        break;
     }
-    if (const Solid *sphere = firstOf(scene, SolidKind::Sphere))
-        return {kind, {{sphere->corners[0].position, {}, {}}}, sphere->radius};
     return {kind, {}, 1};
 }
 

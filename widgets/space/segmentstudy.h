@@ -5,6 +5,8 @@
 #include "core/scene/sceneprojection.h"
 #include "core/space/surfaces.h"
 
+#include <optional>
+
 namespace pixelplumb {
 
 /// What a number of segments costs, and what it buys.
@@ -12,13 +14,17 @@ struct SegmentFigure {
     std::array<int, 2> segments = {};
     std::size_t faces = 0;
     double distance = 0; ///< the largest between faces and surface, in the scene's unit
-    double time = 0; ///< of projecting the solid alone, ns: the least of three
+    double time = 0; ///< of the processor, of projecting the solid alone, ns: the least of three
 };
 
-/// The scene's first sphere or patch; a sphere of radius 1 about the origin where it has none.
-Solid studiedSolid(const Scene &scene);
-/// The scene's first line, circle, plane or sphere, or an example.
-Surface surfaceOf(SurfaceKind kind, const Scene &scene);
+/// The scene's first sphere or patch, if it has one.
+std::optional<Solid> studiedSolid(const Scene &scene);
+/// The scene's first line, circle, plane or sphere, if it has one.
+std::optional<Surface> surfaceOf(SurfaceKind kind, const Scene &scene);
+
+/// Where the scene has none: a sphere of radius 1 about the origin, and one of each kind.
+Solid exampleSolid();
+Surface exampleOf(SurfaceKind kind);
 
 /// Segments from 4 × 2 to 128 × 64, and the solid's own, ascending; empty when the listener ends
 /// it.

@@ -9,6 +9,7 @@
 
 #include <optional>
 #include <span>
+#include <vector>
 
 namespace pixelplumb {
 
@@ -47,20 +48,22 @@ private:
 
     void refit();
     QPolygonF polygonOf(std::span<const Point> points) const;
-    void drawScene(QPainter &painter) const;
-    void drawPlane(QPainter &painter, const SideScene::Rectangle &plane, const QString &name) const;
+    void drawScene(QPainter &painter);
+    void drawPlane(QPainter &painter, const SideScene::Rectangle &plane, const QString &name);
     void drawRays(QPainter &painter) const;
-    void drawFace(QPainter &painter) const;
-    void drawPicture(QPainter &painter) const;
+    void drawFace(QPainter &painter);
+    void drawPicture(QPainter &painter);
     void drawSample(QPainter &painter) const;
-    void drawEye(QPainter &painter) const;
+    void drawEye(QPainter &painter);
     void drawLine(QPainter &painter, const Point &from, const Point &to) const;
-    void drawName(QPainter &painter, const QString &name, const Point &point) const;
+    /// Beside a position of the widget, where no other name stands yet.
+    void drawName(QPainter &painter, const QString &name, const QPointF &position);
 
     std::optional<SideScene> m_scene;
     std::optional<SideFace> m_face;
     OrbitView m_orbit;
     std::optional<QPointF> m_dragged; ///< the pointer's last place
+    std::vector<QRectF> m_names; ///< where names stand in this painting
 };
 
 } // namespace pixelplumb

@@ -6,6 +6,7 @@
 #include <QPainter>
 #include <QPainterPath>
 
+#include <algorithm>
 #include <array>
 
 namespace pixelplumb {
@@ -29,6 +30,8 @@ void SideView::paintEvent(QPaintEvent * /*event*/)
         return;
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
+    m_names.clear();
+    drawEye(painter);
     drawScene(painter);
     if (m_face) {
         drawRays(painter);
@@ -36,7 +39,6 @@ void SideView::paintEvent(QPaintEvent * /*event*/)
         drawPicture(painter);
         drawSample(painter);
     }
-    drawEye(painter);
 }
 
 QPolygonF SideView::polygonOf(std::span<const Point> points) const
@@ -55,12 +57,37 @@ void SideView::drawLine(QPainter &painter, const Point &from, const Point &to) c
         painter.drawLine(*seen);
 }
 
-void SideView::drawName(QPainter &painter, const QString &name, const Point &point) const
+void SideView::drawName(QPainter &painter, const QString &name, const QPointF &position)
 {
-    painter.drawText(positionOf(point) + QPointF(nameDistance, -nameDistance), name);
+    const QFontMetricsF metrics(painter.font());
+    const QSizeF size(metrics.horizontalAdvance(name), metrics.height());
+    const QRectF area(rect());
+    QRectF place;
+    // To the right above, then round about the position, then farther away; the first free one, or
+    // the first of all.
+    for (const double distance : {nameDistance, 4 * nameDistance, 7 * nameDistance}) {
+        for (const QPointF &side :
+             {QPointF(1, -1), QPointF(-1, -1), QPointF(1, 1), QPointF(-1, 1)}) {
+            QRectF tried(position + side * distance, size);
+            tried.translate(side.x() < 0 ? -size.width() : 0, -size.height() / 2);
+            if (place.isNull())
+                place = tried;
+            const bool isFree = area.contains(tried)
+                && std::ranges::none_of(m_names, [&tried](const QRectF &name) {
+                                    return name.intersects(tried);
+                                });
+            if (!isFree)
+                continue;
+            place = tried;
+            m_names.push_back(place);
+            painter.drawText(place, Qt::AlignCenter | Qt::TextDontClip, name);
+            return;
+        }
+    }
+    painter.drawText(place, Qt::AlignCenter | Qt::TextDontClip, name);
 }
 
-void SideView::drawScene(QPainter &painter) const
+void SideView::drawScene(QPainter &painter)
 {
     painter.setPen(QPen(faint(palette().color(QPalette::Text), 0.3), 0.75));
     for (const auto &[from, to] : m_scene->edges)
@@ -74,8 +101,7 @@ void SideView::drawScene(QPainter &painter) const
     drawPlane(painter, m_scene->picturePlane, tr("picture plane"));
 }
 
-void SideView::drawPlane(QPainter &painter, const SideScene::Rectangle &plane,
-                         const QString &name) const
+void SideView::drawPlane(QPainter &painter, const SideScene::Rectangle &plane, const QString &name)
 {
     const QColor text = palette().color(QPalette::Text);
     painter.setPen(QPen(faint(text, 0.8), 1));
@@ -85,11 +111,9 @@ void SideView::drawPlane(QPainter &painter, const SideScene::Rectangle &plane,
     painter.setBrush(Qt::NoBrush);
     painter.setPen(text);
     const QRectF box = polygon.boundingRect();
-    const int width = fontMetrics().horizontalAdvance(name);
     // The near plane's name below, the other's above, where both planes stand close together.
     const bool isNear = &plane == &m_scene->nearPlane;
-    const double y = isNear ? box.bottom() + fontMetrics().ascent() + 2 : box.top() - 4;
-    painter.drawText(QPointF(box.center().x() - width / 2.0, y), name);
+    drawName(painter, name, isNear ? box.bottomRight() : box.topRight());
 }
 
 void SideView::drawRays(QPainter &painter) const
@@ -107,7 +131,7 @@ void SideView::drawRays(QPainter &painter) const
     }
 }
 
-void SideView::drawFace(QPainter &painter) const
+void SideView::drawFace(QPainter &painter)
 {
     const QColor text = palette().color(QPalette::Text);
     const QColor colour = signColour(Sign::ColumnInHand, palette());
@@ -119,11 +143,11 @@ void SideView::drawFace(QPainter &painter) const
     painter.drawPolygon(polygonOf(m_face->clipped));
     painter.setPen(text);
     for (std::size_t i = 0; i < m_face->vertices.size(); ++i)
-        drawName(painter, faceVertexName(i), m_face->vertices[i]);
+        drawName(painter, faceVertexName(i), positionOf(m_face->vertices[i]));
 }
 
 /// The face's picture, each corner in its colour.
-void SideView::drawPicture(QPainter &painter) const
+void SideView::drawPicture(QPainter &painter)
 {
     const QColor colour = signColour(Sign::ColumnInHand, palette());
     painter.setPen(QPen(faint(colour, 0.7), 1));
@@ -139,7 +163,7 @@ void SideView::drawPicture(QPainter &painter) const
         painter.setPen(QPen(palette().color(QPalette::Text), 1));
         painter.setBrush(QColor(packed(m_face->colours[i])));
         painter.drawEllipse(positionOf(m_face->picture[i]), dotRadius, dotRadius);
-        drawName(painter, clippedCornerName(i), m_face->picture[i]);
+        drawName(painter, clippedCornerName(i), positionOf(m_face->picture[i]));
     }
     painter.setBrush(Qt::NoBrush);
 }
@@ -158,7 +182,7 @@ void SideView::drawSample(QPainter &painter) const
     painter.setBrush(Qt::NoBrush);
 }
 
-void SideView::drawEye(QPainter &painter) const
+void SideView::drawEye(QPainter &painter)
 {
     const QPointF eye = positionOf({});
     painter.setPen(QPen(palette().color(QPalette::Text), 1.5));
@@ -170,8 +194,8 @@ void SideView::drawEye(QPainter &painter) const
     painter.drawPath(lid);
     painter.setBrush(palette().color(QPalette::Text));
     painter.drawEllipse(eye, dotRadius, dotRadius);
-    painter.drawText(eye + QPointF(-nameDistance, 3 * nameDistance + 2),
-                     m_scene->isPerspective ? tr("eye") : tr("eye (far away)"));
+    drawName(painter, m_scene->isPerspective ? tr("eye") : tr("eye (far away)"),
+             eye + QPointF(nameDistance, -nameDistance));
 }
 
 } // namespace pixelplumb

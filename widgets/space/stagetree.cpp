@@ -7,6 +7,7 @@
 #include "widgets/space/symboldelegate.h"
 
 #include <QHeaderView>
+#include <QRegularExpression>
 
 #include <cmath>
 #include <set>
@@ -21,7 +22,10 @@ QString withMinus(QString text) { return text.replace(u'-', minus); }
 
 } // namespace
 
-QString usedText(const StageNumber &number) { return displayText(Quantity::of(number.used)); }
+QString usedText(const StageNumber &number)
+{
+    return withMinus(displayText(Quantity::of(number.used)));
+}
 
 QString exactText(const StageNumber &number) { return withMinus(number.exact); }
 
@@ -78,7 +82,10 @@ void StageTree::fillStage(QTreeWidgetItem *item, const ProjectionStage &stage)
     bold.setBold(true);
     item->setFont(NameColumn, bold);
     item->setFirstColumnSpanned(true);
-    addSentence(item, stage.formula);
+    // An equation a row: they are too long for one.
+    static const QRegularExpression nextEquation(QStringLiteral(", (?=[^,()=]+ = )"));
+    for (const QString &equation : stage.formula.split(nextEquation))
+        addSentence(item, equation);
     for (const StagePoint &point : stage.points) {
         const QString name = point.note.isEmpty()
             ? point.name
@@ -94,6 +101,8 @@ QTreeWidgetItem *StageTree::addSentence(QTreeWidgetItem *parent, const QString &
 {
     auto *item = new QTreeWidgetItem(parent, {text});
     item->setFirstColumnSpanned(true);
+    // The column of the numbers' names need not hold it.
+    item->setSizeHint(NameColumn, QSize(1, parent->treeWidget()->fontMetrics().height() + 2));
     item->setToolTip(NameColumn, toolTipHtml({text}));
     return item;
 }

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/space/surfacespanel.h"
 
+#include "widgets/look/numberformat.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/look/symboltext.h"
 #include "widgets/model/playhead.h"
+#include "widgets/space/segmentsliders.h"
 #include "widgets/space/stagetree.h"
 
 #include <QBoxLayout>
@@ -14,6 +16,8 @@
 #include <QSplitter>
 #include <QTableWidget>
 #include <QTextBrowser>
+
+#include <span>
 
 namespace pixelplumb {
 
@@ -37,10 +41,47 @@ QString formHtml(const SurfaceForm &form)
     return QStringLiteral("<td>%1</td>").arg(lines.join(QStringLiteral("<br>")));
 }
 
-/// A row of it: a kind of curve or surface.
-QString formsHtml(const Surface &surface, double s, double t)
+QString pointText(const QString &name, std::span<const double> coordinates)
 {
-    QString row = QStringLiteral("<tr><td><b>%1</b></td>").arg(nameOf(surface.kind));
+    QStringList numbers;
+    for (const double coordinate : coordinates)
+        numbers += displayText(Quantity::of(coordinate));
+    return QStringLiteral("%1 = (%2)")
+        .arg(SymbolText(name).html(), numbers.join(QStringLiteral(", ")));
+}
+
+/// What the formulas begin with.
+QStringList givenBy(const Surface &surface)
+{
+    const bool isFlat = surface.kind == SurfaceKind::Line || surface.kind == SurfaceKind::Circle;
+    const auto point = [&](const QString &name, std::size_t index) {
+        return pointText(name, std::span(surface.points[index]).first(isFlat ? 2 : 3));
+    };
+    switch (surface.kind) {
+    case SurfaceKind::Line:
+        return {point(QStringLiteral("P₀"), 0), point(QStringLiteral("P₁"), 1)};
+    case SurfaceKind::Plane:
+        return {point(QStringLiteral("P₀"), 0), point(QStringLiteral("P₁"), 1),
+                point(QStringLiteral("P₂"), 2)};
+    case SurfaceKind::Circle:
+    case SurfaceKind::Sphere:
+        break;
+    }
+    return {point(QStringLiteral("C"), 0),
+            QStringLiteral("r = %1").arg(displayText(Quantity::of(surface.radius)))};
+}
+
+/// A row of it: a kind of curve or surface.
+QString formsHtml(SurfaceKind kind, const Scene &scene, double s, double t)
+{
+    const std::optional<Surface> own = surfaceOf(kind, scene);
+    const Surface surface = own.value_or(exampleOf(kind));
+    QString row = QStringLiteral("<tr><td><b>%1</b>%2<br>%3</td>")
+                      .arg(nameOf(kind),
+                           own ? QString()
+                               : QStringLiteral("<br><i>%1</i>")
+                                     .arg(SurfacesPanel::tr("an example: the scene has none")),
+                           givenBy(surface).join(QStringLiteral("<br>")));
     for (const SurfaceForm &form : formsOf(surface, s, t))
         row += formHtml(form);
     return row + QStringLiteral("</tr>");
@@ -69,7 +110,7 @@ QTableWidget *makeTable(const QString &name, const QString &accessibleName,
 
 } // namespace
 
-SurfacesPanel::SurfacesPanel(Playhead *playhead, QWidget *parent)
+SurfacesPanel::SurfacesPanel(SceneDocument *document, Playhead *playhead, QWidget *parent)
     : QWidget(parent)
     , m_playhead(playhead)
     , m_s(makeSlider(QStringLiteral("surfaceS"), tr("The parameter s, 0 … 1")))
@@ -103,6 +144,7 @@ SurfacesPanel::SurfacesPanel(Playhead *playhead, QWidget *parent)
     auto *segments = new QWidget;
     auto *segmentsColumn = new QVBoxLayout(segments);
     segmentsColumn->setContentsMargins(0, 0, 0, 0);
+    segmentsColumn->addWidget(new SegmentSliders(document));
     segmentsColumn->addWidget(m_segmentSentence);
     segmentsColumn->addWidget(m_segments, 1);
     auto *parts = new QSplitter(Qt::Horizontal);
@@ -154,7 +196,7 @@ void SurfacesPanel::fillForms()
         html += QStringLiteral("<th align='left'>%1</th>").arg(form);
     html += QStringLiteral("</tr>");
     for (const SurfaceKind kind : allSurfaces)
-        html += formsHtml(surfaceOf(kind, scene), s, t);
+        html += formsHtml(kind, scene, s, t);
     const int place = m_forms->verticalScrollBar()->value();
     m_forms->setHtml(html + QStringLiteral("</table>"));
     m_forms->verticalScrollBar()->setValue(place);
@@ -164,7 +206,9 @@ void SurfacesPanel::studySegments()
 {
     const std::shared_ptr<const TracedScene> traced = m_playhead->sharedTraced();
     const Scene scene = traced ? traced->scene : Scene();
-    m_studied = studiedSolid(scene);
+    const std::optional<Solid> own = studiedSolid(scene);
+    m_isExample = !own;
+    m_studied = own.value_or(exampleSolid());
     m_figures.clear();
     fillSegments();
     m_job.start(
@@ -182,17 +226,20 @@ void SurfacesPanel::fillSegments()
 {
     m_segmentSentence->setText(
         m_studied.kind == SolidKind::Sphere
-            ? tr("A sphere of radius %1 by its faces: the largest distance of a face to the "
-                 "sphere, by a formula, and the time of projecting it. Twice as many segments "
-                 "are four times nearer, and cost four times as much.")
-                  .arg(m_studied.radius)
+            ? (m_isExample ? tr("An example, since the scene has no sphere and no patch: ")
+                           : QString())
+                + tr("A sphere of radius %1 by its faces: the largest distance of a face to the "
+                     "sphere, by a formula, and the time of projecting it. Twice as many segments "
+                     "each way are four times as many faces, and in the long run four times "
+                     "nearer.")
+                      .arg(m_studied.radius)
             : tr("A patch by its triangles: the largest distance found between points of the "
                  "triangles and the patch at the same parameters, 9 × 9 a cell, and the time of "
                  "projecting it."));
     m_segments->setRowCount(int(m_figures.size()));
     for (int row = 0; row < m_segments->rowCount(); ++row) {
         const SegmentFigure &figure = m_figures[std::size_t(row)];
-        const bool isOwn = figure.segments == m_studied.segments;
+        const bool isOwn = !m_isExample && figure.segments == m_studied.segments;
         const QString segments
             = QStringLiteral("%1 × %2").arg(figure.segments[0]).arg(figure.segments[1]);
         m_segments->setItem(row, 0, figureItem(isOwn ? segments + QStringLiteral(" ◂") : segments));

@@ -15,16 +15,17 @@ class QTextBrowser;
 namespace pixelplumb {
 
 class Playhead;
+class SceneDocument;
 
 /// Line, circle, plane and sphere in their three forms at a parameter, and how far a surface's
 /// triangles are from it, beside their number and time (objectName "surfacesPanel"; forms
 /// "surfaceForms", table "segmentTable"). Surfaces are the scene's first of their kind, or
-/// examples.
+/// examples, which are called so.
 class SurfacesPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit SurfacesPanel(Playhead *playhead, QWidget *parent = nullptr);
+    SurfacesPanel(SceneDocument *document, Playhead *playhead, QWidget *parent = nullptr);
 
     const std::vector<SegmentFigure> &figures() const { return m_figures; }
 
@@ -50,6 +51,7 @@ private:
     QTableWidget *m_segments;
     bool m_isStale = true;
     Solid m_studied; ///< the sphere or patch whose segments are studied
+    bool m_isExample = false; ///< it is not the scene's
     std::vector<SegmentFigure> m_figures;
     Job m_job;
 };

@@ -116,7 +116,10 @@ void EffectsPanel::makeTable()
             tr("With it against without it, and between which a half of the measurements lies"));
     m_table->verticalHeader()->hide();
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
-    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->horizontalHeader()->setSectionResizeMode(EffectReason, QHeaderView::Stretch);
+    // The reason beside the verdict, and all of it.
+    m_table->horizontalHeader()->moveSection(EffectReason, EffectSwitch);
+    m_table->verticalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
     for (const Effect effect : allEffects) {
         const int row = tableRowOf(effect);
         for (int column = 0; column < EffectColumnCount; ++column) {
@@ -135,7 +138,9 @@ void EffectsPanel::addSwitch(int row, Effect effect)
     if (effect == Effect::Clipping) {
         m_table->item(row, EffectSwitch)->setText(tr("none"));
         m_table->item(row, EffectSwitch)
-            ->setToolTip(tr("The frame's border bounds every loop, at no cost"));
+            ->setToolTip(
+                tr("The frame's border bounds every loop, at no cost; what lies before the "
+                   "near plane has no place in the frame"));
         return;
     }
     auto *box = new QComboBox(m_table);
@@ -158,6 +163,7 @@ void EffectsPanel::forget()
     m_planJob.cancel();
     m_measureJob.cancel();
     m_timing.reset();
+    m_switches->setChanges(nullptr);
     m_isStale = true;
     showSwitches();
     showTiming();
@@ -166,9 +172,9 @@ void EffectsPanel::forget()
 
 EffectsPanel::Finding EffectsPanel::findingOf(const Scene &scene)
 {
-    Finding finding{planOf(scene), objectionTo(scene), std::nullopt};
+    Finding finding{planOf(scene), objectionTo(scene), nullptr};
     if (scene.appearance.forced != EffectForcing{} && finding.objection.isEmpty())
-        finding.changed = pixelsChangedByForcing(scene);
+        finding.changes = std::make_shared<DifferenceMap>(changesByForcing(scene));
     return finding;
 }
 
@@ -196,8 +202,9 @@ void EffectsPanel::take(const std::optional<Finding> &finding)
         const Method *method = methodNamed(QString::fromStdString(m_document->scene().method));
         m_summary->setText(QStringLiteral("%1 %2.").arg(method->title, m_objection));
     } else {
-        m_summary->setText(
-            forcingText(*m_plan, drawnScene()->appearance, finding->changed.value_or(0)));
+        m_summary->setText(forcingText(*m_plan, drawnScene()->appearance,
+                                       finding->changes ? finding->changes->total() : 0));
+        m_switches->setChanges(finding->changes);
     }
     showPlan();
     emit planned();
@@ -220,6 +227,9 @@ void EffectsPanel::showPlan()
 
 void EffectsPanel::showTiming()
 {
+    // Before they are filled they would take the reasons' room.
+    for (const EffectColumn column : {EffectPerPixel, EffectOperations, EffectRatio})
+        m_table->setColumnHidden(column, !m_timing);
     for (const Effect effect : allEffects) {
         const std::optional<EffectCost> cost
             = m_timing ? m_timing->costs[effect] : std::optional<EffectCost>();

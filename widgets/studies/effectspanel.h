@@ -53,7 +53,7 @@ private:
     struct Finding {
         EffectPlan plan;
         QString objection; ///< why its method cannot draw it, after the method's name
-        std::optional<std::int64_t> changed; ///< pixels, where something is forced
+        std::shared_ptr<const DifferenceMap> changes; ///< where something is forced
     };
     static Finding findingOf(const Scene &scene);
 

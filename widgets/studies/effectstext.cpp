@@ -45,6 +45,15 @@ std::optional<Effect> onlyForced(const EffectForcing &forced)
     return only;
 }
 
+QString forcedWords(const EffectPlan &plan, Effect effect, Forcing forcing)
+{
+    const QString name = nameText(nameOf(effect));
+    if (forcing == Forcing::Off)
+        return translated("%1 off").arg(name);
+    return plan.runs(effect) ? translated("%1 on").arg(name)
+                             : translated("%1 on, where there is none to switch on").arg(name);
+}
+
 QString contradictionText(const EffectPlan &plan, const Appearance &appearance,
                           std::int64_t changed)
 {
@@ -55,7 +64,9 @@ QString contradictionText(const EffectPlan &plan, const Appearance &appearance,
     const Verdict verdict = plan.verdicts[*effect].verdict;
     const bool isOff = appearance.forced[*effect] == Forcing::Off;
     if (isOff && verdict == Verdict::CalledFor && changed == 0)
-        return translated("A defect: %1 is called for, and no pixel needs it.").arg(name);
+        return translated("No pixel needs %1 here: that it is called for is a defect of the plan, "
+                          "unless its values differ by less than a byte.")
+            .arg(name);
     if (isOff && verdict == Verdict::NotCalledFor && changed > 0)
         return translated("A defect: %1 is not called for, and pixels change without it.")
             .arg(name);
@@ -79,15 +90,13 @@ QString forcingText(const EffectPlan &plan, const Appearance &appearance, std::i
     QStringList words;
     for (const Effect effect : allEffects) {
         if (appearance.forced[effect] != Forcing::AsCalledFor)
-            words.append((appearance.forced[effect] == Forcing::On ? translated("%1 on")
-                                                                   : translated("%1 off"))
-                             .arg(nameText(nameOf(effect))));
+            words.append(forcedWords(plan, effect, appearance.forced[effect]));
     }
     if (words.empty())
         return {};
     const QString changes = changed == 0 ? translated("no pixel changes")
-        : changed == 1                   ? translated("1 pixel changes")
-                                         : translated("%L1 pixels change").arg(changed);
+        : changed == 1                   ? translated("1 pixel changes, marked on the canvas")
+                       : translated("%L1 pixels change, marked on the canvas").arg(changed);
     return QStringList{translated("Forced: %1; %2.").arg(words.join(QStringLiteral(", ")), changes),
                        contradictionText(plan, appearance, changed)}
         .join(u' ')

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/mainwindow.h"
 
+#include "core/runs/clampeddepths.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/canvas/overdrawoverlay.h"
 #include "widgets/files/recentfiles.h"
@@ -110,6 +111,7 @@ void MainWindow::makeCentre()
     auto *centre = new QWidget(this);
     m_parts.canvas = new Canvas(m_parts.document, m_parts.playhead, m_parts.options, centre);
     m_parts.canvas->setPreviewer(m_parts.previewer);
+    m_parts.canvas->setEffects(m_parts.effects);
     m_parts.messageBar = new MessageBar(m_parts.canvas);
     m_parts.overdraw = new OverdrawOverlay(m_parts.canvas, m_parts.playhead);
     m_parts.scrubber = new Scrubber(m_parts.playhead, centre);
@@ -224,6 +226,8 @@ void MainWindow::takeTrace(const std::shared_ptr<const TracedScene> &traced)
         m_parts.messageBar->tell(cutRunNote(*traced));
     else if (const QString rejected = rejectionNote(*traced); !rejected.isEmpty())
         m_parts.messageBar->tell(rejected);
+    else if (const QString clamped = clampedDepthsText(traced->primitives); !clamped.isEmpty())
+        m_parts.messageBar->tell(clamped + u'.');
 }
 
 void MainWindow::goToOpeningPlace()

@@ -31,6 +31,11 @@ QWidget *pixelGrid(const WindowParts &parts)
     return new PixelGrid(parts.playhead, parts.options);
 }
 
+QWidget *projection(const WindowParts &parts)
+{
+    return new ProjectionPanel(parts.document, parts.playhead);
+}
+
 QWidget *effects(const WindowParts &parts)
 {
     return new EffectsPanel(parts.document, parts.effects);
@@ -64,7 +69,7 @@ constexpr Panel table[] = {
     {"accuracyLabDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Accuracy lab"),
      follower<AccuracyLab>, bottomArea, hiddenAtFirst},
     {"projectionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Projection"),
-     follower<ProjectionPanel>, bottomArea, hiddenAtFirst},
+     projection, bottomArea, hiddenAtFirst},
     {"effectsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Effects"), effects, bottomArea,
      hiddenAtFirst},
 };

@@ -45,8 +45,10 @@ void StatusFigures::measure()
         setWholeText(measuringNote());
     m_job.start([scene = std::shared_ptr<const Scene>(traced, &traced->scene)](
                     const ProgressListener &listener) { return liveFiguresOf(scene, listener); },
-                [this](const std::optional<LiveFigures> &figures) {
-                    setWholeText(figures ? figures->text() : QString());
+                [this, isForced = traced->scene.appearance.forced != EffectForcing{}](
+                    const std::optional<LiveFigures> &figures) {
+                    const QString text = figures ? figures->text() : QString();
+                    setWholeText(isForced ? tr("as forced: %1").arg(text) : text);
                     setToolTip(figures ? figures->details() : QString());
                 });
 }

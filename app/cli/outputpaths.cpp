@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/outputpaths.h"
+
+#include <QDir>
+#include <QFileInfo>
+
+namespace pixelplumb::cli {
+
+Result<QStringList> outputPaths(const QString &output, const QStringList &inputs,
+                                const QString &suffix)
+{
+    const bool isFolder = output.endsWith(u'/') || QFileInfo(output).isDir();
+    if (!isFolder && inputs.size() == 1)
+        return QStringList(output);
+    if (!isFolder)
+        return InputError{
+            QStringLiteral("-o ") + output,
+            QStringLiteral("is one file for %1 scenes").arg(inputs.size()),
+            QStringLiteral("a folder, such as %1/").arg(QFileInfo(output).baseName())};
+    if (!QDir().mkpath(output))
+        return InputError{output, QStringLiteral("cannot be made"), QStringLiteral("a folder")};
+    QStringList paths;
+    for (const QString &input : inputs) {
+        if (input == QStringLiteral("-"))
+            return InputError{QStringLiteral("-o ") + output,
+                              QStringLiteral("standard input has no name in a folder"),
+                              QStringLiteral("a scene file, or a file to write to")};
+        const QString path
+            = QDir(output).filePath(QFileInfo(input).completeBaseName() + u'.') + suffix;
+        if (const qsizetype other = paths.indexOf(path); other >= 0)
+            return InputError{input,
+                              QStringLiteral("and %1 would both be %2").arg(inputs[other], path),
+                              QStringLiteral("scenes of different names")};
+        paths.append(path);
+    }
+    return paths;
+}
+
+} // namespace pixelplumb::cli

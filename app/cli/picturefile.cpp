@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/picturefile.h"
+
+#include <QFileInfo>
+#include <QImageWriter>
+
+namespace pixelplumb::cli {
+
+const QStringList &pictureFormats()
+{
+    static const QStringList formats
+        = {QStringLiteral("png"), QStringLiteral("bmp"), QStringLiteral("ppm")};
+    return formats;
+}
+
+Result<QString> pictureFormatOf(const QString &path, const QString &option)
+{
+    const QString suffix = path == QStringLiteral("-") ? QString() : QFileInfo(path).suffix();
+    const QString format = suffix.isEmpty() ? pictureFormats().front() : suffix.toLower();
+    if (pictureFormats().contains(format))
+        return format;
+    return InputError{option + u' ' + path, QStringLiteral("unknown kind of picture"),
+                      QStringLiteral("a name that ends in .")
+                          + pictureFormats().join(QStringLiteral(", ."))};
+}
+
+std::optional<InputError> writePicture(const QImage &picture, Output &output, const QString &format)
+{
+    if (auto error = output.open())
+        return error;
+    QImageWriter writer(&output.device(), format.toLatin1());
+    if (!writer.write(picture))
+        return output.error(writer.errorString());
+    return output.finish();
+}
+
+} // namespace pixelplumb::cli

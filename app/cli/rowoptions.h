@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/commandline.h"
+#include "core/export/traceexport.h"
+
+namespace pixelplumb::cli {
+
+/// --triangle, --x and --y, which choose rows of a trace's table.
+void addRowOptions(CommandLine &line);
+
+/// An error where an option names what the run or the table does not have.
+Result<RowChoice> chosenRows(const CommandLine &line, const TracedScene &traced, TraceLevel level);
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/strokepixels.h"
+#include "core/number/quantity.h"
+
+#include <span>
+
+namespace pixelplumb {
+
+/// What a stroke has of one pixel.
+class StrokeCoverage {
+public:
+    /// The pixel's entries, at least one, of these quadrilaterals; both outlive this.
+    StrokeCoverage(std::span<const StrokePixel> pixel, std::span<const StrokeQuad> quads)
+        : m_pixel(pixel)
+        , m_quads(quads)
+    {
+    }
+
+    /// Whether the stroke covers a point, given from the pixel's sample: its quadrilaterals wind
+    /// around it. A point on a border is taken as if displaced to the right and, less, up, so that
+    /// neighbours count it once.
+    bool covers(const LatticePoint &offset) const;
+
+    struct Share {
+        /// ⌊255·area + ½⌋, exactly: how much of the pixel's square, centred on its sample, the
+        /// stroke covers. The areas of its quadrilaterals are added, each as often as its border
+        /// winds around it; where the stroke lies over itself the sum is at most the square.
+        std::uint8_t alpha = 0;
+        bool isEmpty = true; ///< not even a part too small for a byte
+    };
+    Share share() const;
+    /// That area itself, px²; the nearest double where 128 bits do not hold it.
+    Quantity area() const;
+
+private:
+    template <class Number>
+    Number sumOfAreas() const;
+
+    std::span<const StrokePixel> m_pixel;
+    std::span<const StrokeQuad> m_quads;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/strokescan.h"
+#include "core/trace/numberrow.h"
+#include "core/trace/stepwords.h"
+
+/// The numbers and the words of strokes.
+namespace pixelplumb {
+
+/// What the numbers of a pixel read: it and what it belongs to.
+struct StrokeSampleState {
+    const StrokeSetUp &setUp;
+    const StrokeSample &sample;
+    ByteRounding rounding = ByteRounding::Nearest;
+    std::int64_t y = 0;
+
+    bool isOnLine() const { return setUp.shape.kind == PrimitiveKind::Line; }
+    bool isByArea() const { return sample.samples == 0; }
+    Quantity place() const; ///< t
+    Quantity level(std::size_t channel) const; ///< before rounding
+};
+
+const NumberTable<StrokeSetUp> &strokeSetUpNumbers();
+const NumberTable<StrokeColumn> &strokeColumnNumbers();
+/// Of a run with this antialiasing: by area, or by 1, 4 or 16 samples.
+NumberTable<StrokeSampleState> strokeSampleNumbers(Antialiasing antialiasing);
+
+void tellStroke(StepWords &words, const StrokeSetUp &setUp);
+void tellStroke(StepWords &words, const StrokeColumn &column);
+void tellStroke(StepWords &words, const StrokeSampleState &state);
+
+} // namespace pixelplumb

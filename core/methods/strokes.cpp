@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/strokes.h"
+
+#include "core/effects/requirements.h"
+#include "core/methods/strokerecording.h"
+
+namespace pixelplumb {
+
+namespace {
+
+bool drawsStroke(const Primitives &primitives, std::size_t index)
+{
+    return !primitives.isTriangle(index) && isStroke(primitives.shape(index));
+}
+
+void drawStrokes(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
+{
+    StrokeCanvas canvas(frame, antialiasingOf(primitives.appearance));
+    for (const Shape &shape : primitives.shapes) {
+        if (isStroke(shape))
+            StrokeScan(shape, settings, canvas, NullObserver{}).run();
+    }
+}
+
+std::unique_ptr<ScanTrace> traceStrokes(const Primitives &primitives, const ScanSettings &settings,
+                                        FrameView frame, const TraceOptions &options)
+{
+    const Antialiasing antialiasing = antialiasingOf(primitives.appearance);
+    StrokeCanvas canvas(frame, antialiasing);
+    return recordTrace<StrokeRecording>(
+        primitives.size(), settings, options,
+        [&](std::size_t index) { return drawsStroke(primitives, index); },
+        [&](std::size_t index, const TraceRecorder<StrokeRecording> &recorder) {
+            StrokeScan(primitives.shape(index), settings, canvas, recorder).run();
+        },
+        TablesOf<StrokeRecording>::of(antialiasing));
+}
+
+} // namespace
+
+Method strokeCoverageMethod()
+{
+    Method method;
+    method.id = QStringLiteral("stroke-coverage");
+    method.title = QStringLiteral("Line or curve: one pixel wide");
+    method.family = MethodFamily::Curves;
+    method.source
+        = QStringLiteral("Rasterization slides, “Output Primitives” (lines, circles, other "
+                         "curves); Foley 1990, unweighted area sampling");
+    method.summary
+        = QStringLiteral("Takes a line as the rectangle one pixel wide, a curve as a strip of "
+                         "quadrilaterals, and blends it by the area that it has of each pixel, or "
+                         "by 4 or 16 samples: equally bright in every direction.");
+    method.effects = {Effect::SmoothColour, Effect::Clipping, Effect::Antialiasing};
+    method.remarks += QStringLiteral("butt ends");
+    method.kinds = {PrimitiveKind::Line, PrimitiveKind::Circle, PrimitiveKind::Ellipse,
+                    PrimitiveKind::Bezier};
+    method.fills = {ShapeFill::Outline};
+    method.arithmetics = {Arithmetic::Exact};
+    method.fillRules = {FillRule::Closed};
+    method.fillRuleReason = QStringLiteral("a pixel has a share of the stroke, not all or nothing");
+    method.numbers = {descriptionsOf(StrokeRecording::setUpNumbers()),
+                      descriptionsOf(StrokeRecording::spanNumbers()),
+                      descriptionsOf(StrokeRecording::sampleNumbers())};
+    method.draw = drawStrokes;
+    method.trace = traceStrokes;
+    return method;
+}
+
+} // namespace pixelplumb

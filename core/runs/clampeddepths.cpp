@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/clampeddepths.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+int bitsOf(DepthFormat format)
+{
+    switch (format) {
+    case DepthFormat::Bits16:
+        return 16;
+    case DepthFormat::Bits24:
+        return 24;
+    case DepthFormat::Bits32:
+        return 32;
+    case DepthFormat::Exact:
+        break;
+    }
+    return 0;
+}
+
+} // namespace
+
+QString clampedDepthsText(const Primitives &primitives)
+{
+    const Appearance &appearance = primitives.appearance;
+    if (appearance.depthFormat == DepthFormat::Exact || appearance.depth == DepthUse::Off)
+        return {};
+    std::ptrdiff_t clamped = 0;
+    for (const TriangleAttributes &attributes : primitives.attributes) {
+        clamped += std::ranges::count_if(attributes.vertices, [](const VertexAttributes &vertex) {
+            return vertex.z < 0 || vertex.z > attributeOne;
+        });
+    }
+    if (clamped == 0)
+        return {};
+    return (clamped == 1 ? QStringLiteral("%1 vertex has a depth outside 0 … 1, which %2 bits keep "
+                                          "as 0 or 1")
+                         : QStringLiteral("%1 vertices have a depth outside 0 … 1, which %2 bits "
+                                          "keep as 0 or 1"))
+        .arg(clamped)
+        .arg(bitsOf(appearance.depthFormat));
+}
+
+} // namespace pixelplumb

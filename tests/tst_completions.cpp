@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/method.h"
+#include "core/scan/choicenames.h"
+#include "tests/support/programrun.h"
+
+#include <QProcess>
+#include <QTest>
+
+using namespace pixelplumb;
+
+namespace {
+
+const QString folder = QStringLiteral(PIXELPLUMB_RESOURCES "/completions/");
+
+QStringList linesOf(const QString &shell, const QStringList &arguments)
+{
+    QProcess process;
+    process.start(shell, arguments);
+    if (!process.waitForFinished() || process.exitCode() != 0)
+        return {QString::fromUtf8(process.readAllStandardError())};
+    QStringList lines = QString::fromUtf8(process.readAllStandardOutput()).split(u'\n');
+    lines.removeAll(QString());
+    return lines;
+}
+
+/// What a shell offers for the last of the words that follow the program's name.
+QStringList offeredByBash(const QStringList &words)
+{
+    const QString script = QStringLiteral(R"(. "$0"; COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1))
+        _pixelplumb_cli 2>/dev/null; printf '%s\n' "${COMPREPLY[@]}")");
+    return linesOf(QStringLiteral("bash"),
+                   QStringList{QStringLiteral("-c"), script,
+                               folder + QStringLiteral("pixelplumb-cli"), program()}
+                       + words);
+}
+
+/// The same of zsh, which keeps those that begin with the word by itself.
+QStringList offeredByZsh(const QStringList &words)
+{
+    const QString script
+        = QStringLiteral(R"(compadd() { shift; print -l -- $@ }; _files() { print files }
+        f() { local -a words=("$@"); local CURRENT=$#; source "$script" }; script=$1; shift; f "$@")");
+    const QStringList all
+        = linesOf(QStringLiteral("zsh"),
+                  QStringList{QStringLiteral("-fc"), script, QStringLiteral("zsh"),
+                              folder + QStringLiteral("_pixelplumb-cli"), program()}
+                      + words);
+    QStringList offered;
+    for (const QString &each : all) {
+        if (each.startsWith(words.last()))
+            offered.append(each);
+    }
+    return offered;
+}
+
+QStringList methodNames()
+{
+    QStringList names;
+    for (const Method &method : methods())
+        names.append(method.id);
+    return names;
+}
+
+} // namespace
+
+/// What the Tab key offers in a terminal.
+class TestCompletions : public QObject {
+    Q_OBJECT
+
+private slots:
+    void bothShellsOfferWhatTheProgramTakes_data()
+    {
+        QTest::addColumn<QStringList>("words");
+        QTest::addColumn<QStringList>("offered");
+        const auto row
+            = [](const char *name, const QStringList &words, const QStringList &offered) {
+                  QTest::newRow(name) << words << offered;
+              };
+        row("commands", {""},
+            {"render", "trace", "pixel", "methods", "plan", "check", "compare", "diff", "lab",
+             "help"});
+        row("the beginning of a command", {"pl"}, {"plan"});
+        row("commands to be helped with", {"help", "ren"}, {"render"});
+        row("options", {"render", "scene.json", "--a"}, {"--ascii", "--accuracy", "--arithmetic"});
+        row("options with a short form", {"trace", "--ou"}, {"--output"});
+        row("methods", {"render", "--method", ""}, methodNames());
+        row("a method to be told", {"methods", "barycentric-of"}, {"barycentric-off-screen"});
+        row("arithmetics", {"trace", "--arithmetic", ""}, namesOf(allArithmetics));
+        row("fill rules", {"pixel", "--fill-rule", ""}, namesOf(allFillRules));
+        row("roundings", {"render", "--rounding", ""}, namesOf(allByteRoundings));
+        row("nothing of that beginning", {"render", "--zz"}, {});
+    }
+    void bothShellsOfferWhatTheProgramTakes()
+    {
+        QFETCH(QStringList, words);
+        QFETCH(QStringList, offered);
+
+        QCOMPARE(offeredByBash(words), offered);
+        QCOMPARE(offeredByZsh(words), offered);
+    }
+
+    void theManualTellsEveryOption_data()
+    {
+        QTest::addColumn<QString>("command");
+        for (const char *command :
+             {"render", "trace", "pixel", "methods", "plan", "check", "compare", "diff", "lab"})
+            QTest::newRow(command) << QString::fromLatin1(command);
+    }
+    void theManualTellsEveryOption()
+    {
+        QFETCH(QString, command);
+        QFile file(QStringLiteral(PIXELPLUMB_RESOURCES "/man/pixelplumb-cli.1"));
+        QVERIFY(file.open(QIODevice::ReadOnly));
+        const QString manual = QString::fromUtf8(file.readAll());
+        const QStringList options = offeredByBash({command, QStringLiteral("--")});
+
+        QVERIFY(options.contains(QStringLiteral("--help")));
+        for (const QString &option : options) {
+            const QString name = option.sliced(2).replace(u'-', QStringLiteral("\\-"));
+            const bool isTold = manual.contains(QStringLiteral("Fl \\-") + name)
+                || option == QStringLiteral("--output");
+            QVERIFY2(isTold, qPrintable(option + QStringLiteral(" is not in the manual")));
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestCompletions)
+#include "tst_completions.moc"
