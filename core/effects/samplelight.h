@@ -22,11 +22,17 @@ Real dot(const Vector<Real> &a, const Vector<Real> &b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+template <class Real>
+Real largestMagnitude(const Vector<Real> &vector)
+{
+    return std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
+}
+
 /// Of length 1; 0 stays 0. Scaled first, so that no square leaves the range of the number.
 template <class Real>
 Vector<Real> unitVector(Vector<Real> vector)
 {
-    const Real largest = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
+    const Real largest = largestMagnitude(vector);
     if (!(largest > 0) || !std::isfinite(largest))
         return {};
     for (Real &each : vector)
@@ -35,6 +41,18 @@ Vector<Real> unitVector(Vector<Real> vector)
     for (Real &each : vector)
         each /= length;
     return vector;
+}
+
+/// What unitVector() divides by, in two steps; 0 where it gives 0.
+template <class Real>
+Real lengthOf(Vector<Real> vector)
+{
+    const Real largest = largestMagnitude(vector);
+    if (!(largest > 0) || !std::isfinite(largest))
+        return 0;
+    for (Real &each : vector)
+        each /= largest;
+    return largest * std::sqrt(dot(vector, vector));
 }
 
 template <class Real>
@@ -52,14 +70,16 @@ struct SampleLightTerm {
     Vector<Real> toLight; ///< L, of length 1
     Vector<Real> halfway; ///< H, of length 1
     Real diffuse; ///< max(0, N·L)
-    Real highlight; ///< max(0, N·H)^shininess, 0 where N·L is not positive
+    Real facing; ///< max(0, N·H)
+    Real highlight; ///< its power by the shininess, 0 where N·L is not positive
 };
 
 /// Light at a sample.
 template <class Real>
 struct LitSample {
     Vector<Real> place; ///< p
-    Vector<Real> normal; ///< N, of length 1
+    Vector<Real> carried; ///< N as it was interpolated, of any length
+    Vector<Real> normal; ///< n, of length 1
     Vector<Real> toViewer; ///< V, of length 1
     std::array<SampleLightTerm<Real>, mostLights> terms; ///< one for each light
     std::array<Real, 3> level; ///< before rounding
@@ -124,6 +144,7 @@ template <class Real>
 void lightSample(const Lighting<Real> &lighting, const Material &material, const Colour &surface,
                  const Vector<Real> &normal, LitSample<Real> &lit)
 {
+    lit.carried = normal;
     lit.normal = unitVector(normal);
     lit.toViewer = lighting.viewer.from(lit.place);
     std::array<Real, 3> arriving = lighting.ambient;
@@ -138,8 +159,8 @@ void lightSample(const Lighting<Real> &lighting, const Material &material, const
                                                   term.toLight[2] + lit.toViewer[2]})
                               : Vector<Real>{};
         term.diffuse = std::max(Real(0), dot(lit.normal, term.toLight));
-        const Real facing = std::max(Real(0), dot(lit.normal, term.halfway));
-        term.highlight = term.diffuse > 0 ? naturalPower(facing, material.shininess) : Real(0);
+        term.facing = std::max(Real(0), dot(lit.normal, term.halfway));
+        term.highlight = term.diffuse > 0 ? naturalPower(term.facing, material.shininess) : Real(0);
         for (std::size_t i = 0; i < 3; ++i) {
             arriving[i] += source.colour[i] * term.diffuse;
             reflected[i] += source.colour[i] * term.highlight;

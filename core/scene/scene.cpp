@@ -24,6 +24,8 @@ void append(ProjectedSolids projected, Primitives &primitives)
     };
     appendTo(primitives.triangles, projected.triangles);
     appendTo(primitives.attributes, projected.attributes);
+    primitives.sources = std::move(projected.sources);
+    primitives.wExponent = projected.wExponent;
 }
 
 /// Moves plain primitives to sample coordinates.

@@ -14,6 +14,11 @@ Appearance appearanceOf(const Scene &scene);
 ProjectedSolids projectedSolids(const Scene &scene);
 
 /// The way of the face of one of these triangles.
+FaceStages stagesOf(const Scene &scene, const TriangleSource &source, int wExponent);
 FaceStages stagesOf(const Scene &scene, const ProjectedSolids &projected, std::size_t triangle);
+
+/// The corners of the polygon that clipping at the near plane makes of a face, on the lattice, in
+/// sample coordinates; those that no coordinates reach are missing.
+std::vector<LatticePoint> clippedPolygon(const Scene &scene, const TriangleSource &source);
 
 } // namespace pixelplumb

@@ -2,19 +2,10 @@
 #pragma once
 
 #include "core/geometry/shape.h"
+#include "core/geometry/trianglesource.h"
 #include "core/space/faceprojector.h"
 
 namespace pixelplumb {
-
-/// Where a triangle of the frame comes from: a piece of the fan of the polygon that clipping makes
-/// of a face of a solid.
-struct TriangleSource {
-    std::uint32_t solid = 0;
-    std::uint32_t face = 0;
-    std::uint32_t piece = 0;
-
-    friend bool operator==(const TriangleSource &, const TriangleSource &) = default;
-};
 
 /// Why a face, or a triangle of it, is not drawn.
 enum class ProjectionLoss : std::uint8_t {
