@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/effectstudy.h"
 
+#include "core/effects/shadeddrawing.h"
 #include "core/frame/framebuffer.h"
 #include "core/lab/drawsample.h"
+#include "core/lab/effectloop.h"
 #include "core/lab/effectscenes.h"
 #include "core/runs/tracedscene.h"
 
 #include <cmath>
+#include <functional>
+#include <memory>
 
 namespace pixelplumb {
 
@@ -15,15 +19,28 @@ namespace {
 constexpr double sampleNanoseconds = 1e6;
 constexpr std::array arithmetics = {Arithmetic::Exact, Arithmetic::Float32};
 
+const QString kernelGroup = QStringLiteral("kernel of ");
+const QString kernelWay = QStringLiteral("kernel");
+
 /// A way with its row, and what it is timed by.
 struct Entry {
     EffectRow row;
     std::size_t first = 0; ///< the row that it is measured by
-    Primitives primitives;
-    ScanSettings settings;
     std::unique_ptr<FrameBuffer> frame;
+    std::function<void(FrameView)> draw;
     int draws = 0; ///< of a sample; 0: not yet known
     std::vector<double> samples; ///< ns a draw
+
+    Entry(const QString &group, const QString &way, Arithmetic arithmetic, const FrameSpec &spec,
+          std::function<void(FrameView)> drawing)
+        : frame(std::make_unique<FrameBuffer>(spec))
+        , draw(std::move(drawing))
+    {
+        row.group = group;
+        row.way = way;
+        row.arithmetic = arithmetic;
+        draw(frame->view());
+    }
 };
 
 void judge(EffectRow &row, const FrameBuffer &drawn, const FrameBuffer &truth)
@@ -47,12 +64,12 @@ void judge(EffectRow &row, const FrameBuffer &drawn, const FrameBuffer &truth)
     row.rms = std::sqrt(squares / (3.0 * frame.width * frame.height));
 }
 
-void sample(Entry &entry, const Method &method)
+void sample(Entry &entry)
 {
     const double time = sampleDraw(
         [&] {
             entry.frame->clear();
-            method.draw(entry.primitives, entry.settings, entry.frame->view());
+            entry.draw(entry.frame->view());
         },
         entry.draws, sampleNanoseconds);
     entry.samples.push_back(time);
@@ -70,43 +87,75 @@ void setTimes(Entry &entry, const Entry &first)
     entry.row.timesFirst = spreadOf(ratios);
 }
 
+/// The ways of a scene, in each arithmetic.
+void addWays(const effectscenes::Group &group, std::vector<Entry> &entries)
+{
+    const Method &method = *methodNamed(u"column-scan");
+    const FrameBuffer truth(group.truth.frame);
+    drawTruth(group.truth, truth);
+    for (const Arithmetic arithmetic : arithmetics) {
+        const std::size_t first = entries.size();
+        for (const effectscenes::Way &way : group.ways) {
+            ScanSettings settings = way.scene.settings;
+            settings.arithmetic = arithmetic;
+            const auto draw = [&method, settings, primitives = primitivesOnSamples(way.scene)](
+                                  FrameView frame) { method.draw(primitives, settings, frame); };
+            Entry &entry
+                = entries.emplace_back(group.name, way.name, arithmetic, way.scene.frame, draw);
+            entry.first = first;
+            entry.row.distance = way.distance;
+            judge(entry.row, *entry.frame, truth);
+        }
+    }
+}
+
+/// A straight loop and the kernel of its effects, by whose picture both are judged.
+void addKernel(const EffectLoop &loop, std::vector<Entry> &entries)
+{
+    const QString group = kernelGroup + QString::fromLatin1(loop.name);
+    const EffectLoopScene scene(loop);
+    const auto add = [&](const QString &way, const std::function<void(FrameView)> &draw) {
+        entries.emplace_back(group, way, Arithmetic::Float32, scene.frame, draw);
+    };
+    add(QStringLiteral("straight loop"),
+        [scene, loop](FrameView frame) { loop.draw(scene.primitives, frame); });
+    add(kernelWay, [scene](FrameView frame) {
+        drawShaded(ShadedMethod::ColumnScan, scene.primitives, scene.settings, frame, scene.plan);
+    });
+    for (std::size_t i = entries.size() - 2; i < entries.size(); ++i) {
+        entries[i].first = entries.size() - 2;
+        judge(entries[i].row, *entries[i].frame, *entries.back().frame);
+    }
+}
+
 } // namespace
+
+bool EffectRow::isTooSlow() const
+{
+    return timesFirst && timesFirst->median > mostTimesLoop && way == kernelWay
+        && group.startsWith(kernelGroup);
+}
 
 std::optional<std::vector<EffectRow>> runEffectStudy(int rounds, const ProgressListener &listener)
 {
-    const Method &method = *methodNamed(u"column-scan");
     const std::vector<effectscenes::Group> groups = effectscenes::all();
     std::vector<Entry> entries;
     std::int64_t done = 0;
-    const std::int64_t steps = std::int64_t(groups.size()) + rounds;
+    const std::int64_t steps = std::int64_t(groups.size()) + 1 + rounds;
     for (const effectscenes::Group &group : groups) {
         if (!goesOn(listener, {JobPhase::Judging, done++, steps}))
             return std::nullopt;
-        const FrameBuffer truth(group.truth.frame);
-        drawTruth(group.truth, truth);
-        for (const Arithmetic arithmetic : arithmetics) {
-            const std::size_t first = entries.size();
-            for (const effectscenes::Way &way : group.ways) {
-                Entry &entry = entries.emplace_back();
-                entry.first = first;
-                entry.row.group = group.name;
-                entry.row.way = way.name;
-                entry.row.arithmetic = arithmetic;
-                entry.row.distance = way.distance;
-                entry.primitives = primitivesOnSamples(way.scene);
-                entry.settings = way.scene.settings;
-                entry.settings.arithmetic = arithmetic;
-                entry.frame = std::make_unique<FrameBuffer>(way.scene.frame);
-                method.draw(entry.primitives, entry.settings, entry.frame->view());
-                judge(entry.row, *entry.frame, truth);
-            }
-        }
+        addWays(group, entries);
     }
+    if (!goesOn(listener, {JobPhase::Judging, done++, steps}))
+        return std::nullopt;
+    for (const EffectLoop &loop : effectLoops())
+        addKernel(loop, entries);
     for (int round = 0; round < rounds; ++round) {
         if (!goesOn(listener, {JobPhase::Measuring, done++, steps}))
             return std::nullopt;
         for (Entry &entry : entries)
-            sample(entry, method);
+            sample(entry);
     }
     std::vector<EffectRow> rows;
     for (Entry &entry : entries) {

@@ -15,7 +15,9 @@ namespace pixelplumb {
 /// of a group draw the same scene and are judged by one truth; the first is what the others are
 /// measured by.
 struct EffectRow {
-    QString group; ///< "antialiasing", "depth buffer", "perspective", "segments", "neutral effects"
+    /// "antialiasing", "depth buffer", "perspective", "segments", "neutral effects"; "kernel of
+    /// light": a straight loop of the same effects, and the kernel.
+    QString group;
     QString way; ///< "16 samples"
     Arithmetic arithmetic = Arithmetic::Exact;
     std::int64_t pixels = 0; ///< of the picture that are not its background
@@ -27,13 +29,19 @@ struct EffectRow {
     std::int64_t wrongPixels = 0; ///< in other bytes than that
     std::optional<double> distance; ///< of a surface's triangles from it, in the scene's unit
 
+    /// Whether it is a kernel that takes more than mostTimesLoop as long as its straight loop.
+    bool isTooSlow() const;
+
     friend bool operator==(const EffectRow &, const EffectRow &) = default;
 };
 
+inline constexpr double mostTimesLoop = 1.3;
+
 /// All of them in turn, round by round, by the column scan's plain kernels in exact arithmetic and
 /// float32: antialiasing beside the exact area, depth buffers beside exact depths, affine beside
-/// perspective, segments of a sphere and a patch, effects that change nothing forced on. Rounds 0:
-/// the errors alone. None where the listener ended it.
+/// perspective, segments of a sphere and a patch, effects that change nothing forced on; and in
+/// float32 the kernels of sets of effects, each beside a straight loop. Rounds 0: the errors alone.
+/// None where the listener ended it.
 std::optional<std::vector<EffectRow>> runEffectStudy(int rounds,
                                                      const ProgressListener &listener = {});
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/shape.h"
+#include "core/number/jobprogress.h"
 #include "core/space/faceprojector.h"
 
 namespace pixelplumb {
@@ -46,7 +47,9 @@ struct ProjectedSolids {
     int wExponent = 0;
 };
 
-ProjectedSolids projectSolids(const SpaceScene &scene);
+/// None where the listener, who hears now and then how many faces are projected, ended it.
+std::optional<ProjectedSolids> projectSolids(const SpaceScene &scene,
+                                             const ProgressListener &listener = {});
 
 /// The power of two by which w is written for all of a scene, since only ratios of w count: 0 where
 /// every depth lies between 1 and 2^20; otherwise such that the largest fits, and, where that
