@@ -59,32 +59,6 @@ std::shared_ptr<const Scene> shared(const Scene &scene)
     return std::make_shared<const Scene>(scene);
 }
 
-/// Panes of glass, one over the other.
-Scene glassScene(Arithmetic arithmetic, Antialiasing antialiasing)
-{
-    Scene scene = scatteredScene(4, {arithmetic, FillRule::Closed, ByteRounding::Nearest},
-                                 QStringLiteral("column-scan"));
-    scene.appearance.antialiasing = antialiasing;
-    for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
-        TriangleAttributes &attributes = scene.attributes.emplace_back();
-        attributes.triangle = i;
-        for (VertexAttributes &vertex : attributes.vertices)
-            vertex.alpha = 100;
-    }
-    return scene;
-}
-
-Scene sphereScene()
-{
-    Scene scene;
-    scene.camera.emplace();
-    Solid &sphere = scene.solids.emplace_back();
-    sphere.kind = SolidKind::Sphere;
-    sphere.corners.resize(1);
-    sphere.segments = {64, 32};
-    return scene;
-}
-
 /// Long enough under way that another request finds it there.
 Scene slowScene()
 {
@@ -261,70 +235,6 @@ private slots:
         const Scene scene = scatteredScene(3, {}, "column-scan");
         ScenePicture picture(scene.frame);
         QVERIFY(!picture.draw(shared(scene), [](const JobProgress &) { return false; }));
-    }
-
-    void aDrawingWithEffectsEndsWhenItIsToldToAndLosesNothing_data()
-    {
-        QTest::addColumn<Arithmetic>("arithmetic");
-        QTest::addColumn<Antialiasing>("antialiasing");
-        QTest::addColumn<int>("passes"); ///< over the triangles, of both pictures
-        const auto add
-            = [](const char *name, Arithmetic arithmetic, Antialiasing antialiasing, int passes) {
-                  QTest::newRow(name) << arithmetic << antialiasing << passes;
-              };
-        add("exact", Arithmetic::Exact, Antialiasing::None, 1);
-        add("float32 and its twin", Arithmetic::Float32, Antialiasing::None, 2);
-        add("4 samples", Arithmetic::Exact, Antialiasing::Samples4, 5);
-        add("areas", Arithmetic::Exact, Antialiasing::Area, 1);
-    }
-    void aDrawingWithEffectsEndsWhenItIsToldToAndLosesNothing()
-    {
-        QFETCH(Arithmetic, arithmetic);
-        QFETCH(Antialiasing, antialiasing);
-        QFETCH(int, passes);
-        const Scene scene = glassScene(arithmetic, antialiasing);
-        const std::int64_t total = passes * std::int64_t(scene.triangles.size());
-        FrameBuffer whole(scene.frame);
-        drawScene(scene, whole);
-
-        ScenePicture picture(scene.frame);
-        for (const std::int64_t last : {std::int64_t(0), total / 3, total - 1}) {
-            std::int64_t told = -1;
-            QVERIFY(!picture.draw(shared(scene), [&](const JobProgress &progress) {
-                told = progress.done;
-                return progress.phase != JobPhase::Drawing || progress.done < last;
-            }));
-            QCOMPARE(told, last);
-            std::vector<std::int64_t> heard;
-            QVERIFY(picture.draw(shared(scene), [&](const JobProgress &progress) {
-                heard.push_back(progress.done);
-                return progress.total == total;
-            }));
-            QVERIFY(std::ranges::is_sorted(heard));
-            QCOMPARE(heard.back(), total - 1);
-            QVERIFY(picture.drawn().copy() == whole.copy());
-        }
-    }
-
-    void projectingSolidsEndsWhenItIsToldTo()
-    {
-        const Scene scene = sphereScene();
-        for (const std::int64_t last : {0, 1000}) {
-            std::int64_t told = -1;
-            bool wasProjecting = true;
-            QVERIFY(
-                !ScenePicture(scene.frame).draw(shared(scene), [&](const JobProgress &progress) {
-                    wasProjecting &= progress.phase == JobPhase::Projecting;
-                    told = progress.done;
-                    return progress.done < last;
-                }));
-            QVERIFY(wasProjecting);
-            QVERIFY(told >= last && told < last + 500);
-        }
-        TraceOptions options;
-        options.progress
-            = [](const JobProgress &progress) { return progress.phase != JobPhase::Projecting; };
-        QVERIFY(!traceScene(scene, options));
     }
 
     void ofManyRequestsTheNewestIsShownLast()

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/lab/effectstudy.h"
 
-#include "core/effects/shadeddrawing.h"
 #include "core/frame/framebuffer.h"
 #include "core/lab/drawsample.h"
 #include "core/lab/effectloop.h"
@@ -21,6 +20,8 @@ constexpr std::array arithmetics = {Arithmetic::Exact, Arithmetic::Float32};
 
 const QString kernelGroup = QStringLiteral("kernel of ");
 const QString kernelWay = QStringLiteral("kernel");
+
+const Method &columnScan() { return *methodNamed(u"column-scan"); }
 
 /// A way with its row, and what it is timed by.
 struct Entry {
@@ -90,7 +91,7 @@ void setTimes(Entry &entry, const Entry &first)
 /// The ways of a scene, in each arithmetic.
 void addWays(const effectscenes::Group &group, std::vector<Entry> &entries)
 {
-    const Method &method = *methodNamed(u"column-scan");
+    const Method &method = columnScan();
     const FrameBuffer truth(group.truth.frame);
     drawTruth(group.truth, truth);
     for (const Arithmetic arithmetic : arithmetics) {
@@ -119,8 +120,8 @@ void addKernel(const EffectLoop &loop, std::vector<Entry> &entries)
     };
     add(QStringLiteral("straight loop"),
         [scene, loop](FrameView frame) { loop.draw(scene.primitives, frame); });
-    add(kernelWay, [scene](FrameView frame) {
-        drawShaded(ShadedMethod::ColumnScan, scene.primitives, scene.settings, frame, scene.plan);
+    add(kernelWay, [scene, &method = columnScan()](FrameView frame) {
+        method.drawEffects(scene.primitives, scene.settings, frame, scene.plan, {});
     });
     for (std::size_t i = entries.size() - 2; i < entries.size(); ++i) {
         entries[i].first = entries.size() - 2;
