@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/levelpixel.h"
 #include "core/geometry/appearance.h"
 #include "core/number/naturalpower.h"
+#include "core/number/wholenumber.h"
 
 #include <algorithm>
 #include <array>
@@ -55,6 +57,15 @@ Real lengthOf(Vector<Real> vector)
     return largest * std::sqrt(dot(vector, vector));
 }
 
+/// Between two directions; 0 where one of them is 0.
+template <class Real>
+Vector<Real> halfwayOf(const Vector<Real> &a, const Vector<Real> &b)
+{
+    if (a == Vector<Real>{} || b == Vector<Real>{})
+        return {};
+    return unitVector<Real>({a[0] + b[0], a[1] + b[1], a[2] + b[2]});
+}
+
 template <class Real>
 Vector<Real> realVector(const std::array<Attribute, 3> &units)
 {
@@ -105,6 +116,7 @@ struct Lighting {
     struct Source {
         Way way;
         std::array<Real, 3> colour = {}; ///< levels
+        Vector<Real> halfway = {}; ///< to the viewer, where it is the same from every point
     };
 
     std::array<Source, mostLights> sources;
@@ -123,7 +135,16 @@ struct Lighting {
             sources[light].way = wayTo(from.kind, from.at, Real(-1)); // against its direction
             for (std::size_t i = 0; i < 3; ++i)
                 sources[light].colour[i] = Real(from.colour.channels[i]);
+            if (isHalfwaySame(sources[light]))
+                sources[light].halfway = halfwayOf(sources[light].way.at, viewer.at);
         }
+    }
+
+    /// Light and viewer are far away.
+    bool isHalfwaySame(const Source &source) const
+    {
+        return source.way.kind == Light::Kind::Directional
+            && viewer.kind == Light::Kind::Directional;
     }
 
 private:
@@ -153,11 +174,8 @@ void lightSample(const Lighting<Real> &lighting, const Material &material, const
         const auto &source = lighting.sources[index];
         SampleLightTerm<Real> &term = lit.terms[index];
         term.toLight = source.way.from(lit.place);
-        const bool isSeen = lit.toViewer != Vector<Real>{} && term.toLight != Vector<Real>{};
-        term.halfway = isSeen ? unitVector<Real>({term.toLight[0] + lit.toViewer[0],
-                                                  term.toLight[1] + lit.toViewer[1],
-                                                  term.toLight[2] + lit.toViewer[2]})
-                              : Vector<Real>{};
+        term.halfway = lighting.isHalfwaySame(source) ? source.halfway
+                                                      : halfwayOf(term.toLight, lit.toViewer);
         term.diffuse = std::max(Real(0), dot(lit.normal, term.toLight));
         term.facing = std::max(Real(0), dot(lit.normal, term.halfway));
         term.highlight = term.diffuse > 0 ? naturalPower(term.facing, material.shininess) : Real(0);
@@ -170,9 +188,9 @@ void lightSample(const Lighting<Real> &lighting, const Material &material, const
     for (std::size_t i = 0; i < 3; ++i) {
         lit.level[i] = Real(surface.channels[i]) * arriving[i] / 255
             + Real(material.specular.channels[i]) * reflected[i] / 255;
-        const Real byte = std::floor(lit.level[i] + Real(0.5));
+        const std::int64_t byte = floorOf(lit.level[i] + Real(0.5));
         lit.clamped |= byte > 255;
-        lit.colour.channels[i] = std::uint8_t(std::clamp<Real>(byte, 0, 255));
+        lit.colour.channels[i] = std::uint8_t(clampedByte(byte));
     }
 }
 

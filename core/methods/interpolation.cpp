@@ -55,6 +55,7 @@ Method interpolationMethod()
     using Kernel = InterpolationKernel<Form>;
     Method method = methodOf<Kernel>();
     method.draw = drawPlanned<shaded, drawWith<Kernel>>;
+    method.drawEffects = drawEffects<shaded>;
     method.trace = tracePlanned<shaded, traceCarried<Form>>;
     method.family = MethodFamily::Interpolation;
     method.effects.assign(allEffects.begin(), allEffects.end());

@@ -16,11 +16,13 @@ Appearance appearanceOf(const Scene &scene)
     return viewedBy(cameraOf(scene), scene.appearance);
 }
 
-ProjectedSolids projectedSolids(const Scene &scene)
+ProjectedSolids projectedSolids(const Scene &scene) { return projectedSolids(scene, {}).value(); }
+
+std::optional<ProjectedSolids> projectedSolids(const Scene &scene, const ProgressListener &listener)
 {
     const Camera camera = cameraOf(scene);
     const Appearance appearance = appearanceOf(scene);
-    return projectSolids({camera, scene.solids, appearance, scene.frame});
+    return projectSolids({camera, scene.solids, appearance, scene.frame}, listener);
 }
 
 FaceStages stagesOf(const Scene &scene, const TriangleSource &source, int wExponent)

@@ -12,6 +12,9 @@ Appearance appearanceOf(const Scene &scene);
 /// The triangles that the scene's solids become, in sample coordinates; in primitivesOnSamples()
 /// they follow the scene's own. Without a camera they are seen through the default one.
 ProjectedSolids projectedSolids(const Scene &scene);
+/// None where the listener ended it.
+std::optional<ProjectedSolids> projectedSolids(const Scene &scene,
+                                               const ProgressListener &listener);
 
 /// The way of the face of one of these triangles.
 FaceStages stagesOf(const Scene &scene, const TriangleSource &source, int wExponent);

@@ -3,6 +3,7 @@
 
 #include "core/geometry/shape.h"
 #include "core/geometry/trianglesource.h"
+#include "core/number/jobprogress.h"
 #include "core/space/faceprojector.h"
 
 namespace pixelplumb {
@@ -38,7 +39,9 @@ struct ProjectedSolids {
     int wExponent = 0;
 };
 
-ProjectedSolids projectSolids(const SpaceScene &scene);
+/// None where the listener, who hears now and then how many faces are projected, ended it.
+std::optional<ProjectedSolids> projectSolids(const SpaceScene &scene,
+                                             const ProgressListener &listener = {});
 
 /// The power of two by which w is written for all of a scene, since only ratios of w count: 0 where
 /// every depth lies between 1 and 2^20; otherwise such that the largest fits, and, where that
