@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/canvasbench.h"
+#include "tests/support/spacescenes.h"
 #include "widgets/files/svgexport.h"
 
 #include <QTest>
@@ -17,6 +18,7 @@ private slots:
     void showsTheFramesOwnColours();
     void cellsHaveWholeDevicePixelsInsideAWindow();
     void differencesAppearOnlyWhenDecided();
+    void theClippedPolygonIsDrawnWhereItIsWanted();
     void figureHoldsCellsNamesAndColumn();
     void figureOfAHugeFrameIsRefused();
     void repaintsAHugeFrameQuickly();
@@ -102,6 +104,41 @@ void TestCanvasPainting::differencesAppearOnlyWhenDecided()
     moveFarOn(bench.playhead.traced()->decidedAt(pixel.x() - 3, pixel.y()));
     QVERIFY(decided > bench.playhead.position());
     QVERIFY(cellIsPlain());
+}
+
+void TestCanvasPainting::theClippedPolygonIsDrawnWhereItIsWanted()
+{
+    // The third vertex lies behind the eye: four corners are left, and two triangles.
+    CanvasBench bench(sceneOf({triangle3({-1, -0.5, 2}, {1, -0.5, 2}, {0, 1, 5.5})}));
+    const TracedScene &traced = *bench.playhead.traced();
+    const auto corners = clippedPolygon(traced.scene, *traced.primitives.sourceOf(0));
+    QCOMPARE(corners.size(), 4U);
+    QCOMPARE(traced.trace->primitiveCount(), 2U);
+    const auto shown = [&](std::size_t triangle, bool isWanted) {
+        bench.playhead.seek(traced.trace->indexOfSetUp(triangle) + 1);
+        bench.options.setClippingShown(isWanted);
+        return bench.canvas.grab().toImage();
+    };
+    const auto middle = [&](const std::vector<std::size_t> &of) {
+        QPointF sum;
+        for (const std::size_t corner : of)
+            sum += bench.canvas.positionOf(corners[corner]) / double(of.size());
+        return sum.toPoint();
+    };
+    const auto differsAt = [](const QImage &a, const QImage &b, const QPoint &place) {
+        const QRect around(place - QPoint(2, 2), QSize(5, 5));
+        return a.copy(around) != b.copy(around);
+    };
+
+    const QImage plain = shown(0, false);
+    const QImage marked = shown(0, true);
+    QVERIFY(differsAt(plain, marked, middle({2, 3})));
+    QVERIFY(differsAt(plain, marked, middle({3, 0})));
+    QVERIFY(!differsAt(plain, marked, middle({0, 1, 2})));
+    QVERIFY(!differsAt(plain, marked, middle({0, 2, 3})));
+    QVERIFY(shown(0, false) == plain);
+    // The other triangle's outline is drawn; of the polygon, edges and the fan's edge between.
+    QVERIFY(differsAt(shown(1, false), shown(1, true), middle({0, 1})));
 }
 
 void TestCanvasPainting::figureHoldsCellsNamesAndColumn()

@@ -25,10 +25,10 @@ private slots:
         QTest::newRow("h") << QStringList{"-h"} << "Usage: pixelplumb-cli COMMAND"
                            << "render ";
         QTest::newRow("render") << QStringList{"render", "--help"}
-                                << "Usage: pixelplumb-cli render [options] SCENE\n"
+                                << "Usage: pixelplumb-cli render [options] SCENE...\n"
                                 << "--ascii";
         QTest::newRow("trace") << QStringList{"trace", "--help"}
-                               << "Usage: pixelplumb-cli trace [options] SCENE\n"
+                               << "Usage: pixelplumb-cli trace [options] SCENE...\n"
                                << "--level";
         QTest::newRow("pixel") << QStringList{"pixel", "-h"}
                                << "Usage: pixelplumb-cli pixel [options] SCENE X Y\n"
@@ -97,7 +97,7 @@ private slots:
             "pixelplumb-cli render: unknown option --asci; did you mean --ascii?");
         row("unknown short option", {"render", defaultScene(), "-x"}, "unknown option -x");
         row("no scene", {"render", "--ascii"}, "SCENE is missing");
-        row("one too many", {"render", defaultScene(), "again", "--ascii"},
+        row("one too many", {"pixel", defaultScene(), "1", "2", "again"},
             "unexpected argument “again”");
         row("no such method", {"methods", "colum-scan"},
             "unknown method “colum-scan”; did you mean column-scan?");

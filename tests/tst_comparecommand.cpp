@@ -79,7 +79,7 @@ private slots:
         }
         QVERIFY(marked > 0);
         QVERIFY2(
-            result.output.contains("\n1 of 2  " + QByteArray::number(marked).rightJustified(6)),
+            result.output.contains("\n1 of 2 " + QByteArray::number(marked).rightJustified(11)),
             result.output.constData());
     }
 

@@ -77,7 +77,8 @@ private slots:
                   QTest::newRow(name) << words << offered;
               };
         row("commands", {""},
-            {"render", "trace", "pixel", "methods", "plan", "check", "compare", "lab", "help"});
+            {"render", "trace", "pixel", "methods", "plan", "check", "compare", "diff", "lab",
+             "help"});
         row("the beginning of a command", {"pl"}, {"plan"});
         row("commands to be helped with", {"help", "ren"}, {"render"});
         row("options", {"render", "scene.json", "--a"}, {"--ascii", "--accuracy", "--arithmetic"});
@@ -102,7 +103,7 @@ private slots:
     {
         QTest::addColumn<QString>("command");
         for (const char *command :
-             {"render", "trace", "pixel", "methods", "plan", "check", "compare", "lab"})
+             {"render", "trace", "pixel", "methods", "plan", "check", "compare", "diff", "lab"})
             QTest::newRow(command) << QString::fromLatin1(command);
     }
     void theManualTellsEveryOption()

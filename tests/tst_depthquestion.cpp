@@ -2,6 +2,7 @@
 #include "core/effects/depthquestion.h"
 #include "core/effects/framereach.h"
 #include "core/effects/sharededges.h"
+#include "core/effects/tileboxes.h"
 #include "core/number/wideinteger.h"
 #include "core/oracle/oracle.h"
 #include "core/oracle/squarearea.h"
@@ -164,6 +165,78 @@ private slots:
             QVERIFY(answer.inQuestion[triangle]);
         if (answer.verdict == Verdict::CalledFor)
             QVERIFY(isBehindAt(primitives, answer.earlier, answer.later, boundary, answer.place));
+    }
+
+    void depthsOfAnySizeAreComparedInTheirLastUnit()
+    {
+        for (quint32 seed = 0; seed < 200; ++seed) {
+            Primitives primitives = randomScene(seed);
+            QRandomGenerator random(seed + 1);
+            for (TriangleAttributes &attributes : primitives.attributes) {
+                for (VertexAttributes &vertex : attributes.vertices)
+                    vertex.z = (vertex.z - attributeOne / 2) * largestAttributeValue
+                        + Attribute(random.bounded(3));
+            }
+            const BoundaryRule boundary({Arithmetic::Exact, FillRule::Closed, {}}, frameView());
+            const std::set<std::size_t> truly = trulyInQuestion(primitives, boundary);
+
+            const DepthAnswer answer = answerFor(primitives, frameView());
+            QCOMPARE(answer.verdict != Verdict::NotCalledFor, !truly.empty());
+            for (const std::size_t triangle : truly)
+                QVERIFY(answer.inQuestion[triangle]);
+        }
+    }
+
+    void eachPairOfBoxesThatMeetIsVisitedInOneTile()
+    {
+        QRandomGenerator random(1);
+        for (int scene = 0; scene < 50; ++scene) {
+            constexpr std::int32_t side = 4000;
+            std::vector<DepthBox> boxes(20 + random.bounded(60));
+            for (DepthBox &box : boxes) {
+                box.left = std::int32_t(random.bounded(side));
+                box.low = std::int32_t(random.bounded(side));
+                box.right = std::min(side, box.left + std::int32_t(random.bounded(900)));
+                box.high = std::min(side, box.low + std::int32_t(random.bounded(900)));
+                box.nearest = std::int32_t(random.bounded(5));
+                box.farthest = box.nearest + std::int32_t(random.bounded(3));
+            }
+            std::vector<bool> inQuestion(boxes.size());
+            for (std::size_t i = 0; i < boxes.size(); ++i)
+                inQuestion[i] = random.bounded(2) == 0;
+            const SettledPairs settled{random.bounded(2) == 0, random.bounded(2) == 0};
+
+            using Pairs = std::multiset<std::pair<std::size_t, std::size_t>>;
+            Pairs expected;
+            std::int64_t meeting = 0;
+            for (std::size_t later = 0; later < boxes.size(); ++later) {
+                for (std::size_t earlier = 0; earlier < later; ++earlier) {
+                    const DepthBox &a = boxes[earlier];
+                    const DepthBox &b = boxes[later];
+                    if (a.left > b.right || b.left > a.right || a.low > b.high || b.low > a.high)
+                        continue;
+                    ++meeting;
+                    const bool isSettled = (settled.inOrder && b.farthest <= a.nearest)
+                        || (settled.inQuestion && inQuestion[earlier] && inQuestion[later]);
+                    if (!isSettled)
+                        expected.insert({earlier, later});
+                }
+            }
+            const DepthTiles tiles(boxes, side, side);
+            TileBoxes inHand;
+            Pairs visited;
+            for (std::size_t tile = 0; tile < tiles.count(); ++tile) {
+                const auto places = tiles.placesIn(tile);
+                inHand.take(boxes, places, tiles.cornerOf(tile), inQuestion);
+                for (std::size_t later = 0; later < places.size(); ++later)
+                    meeting -= inHand.forEachMeeting(later, settled, [&](std::size_t earlier) {
+                        visited.insert({places[earlier], places[later]});
+                    });
+            }
+            QVERIFY(tiles.count() > 1);
+            QCOMPARE(meeting, 0);
+            QVERIFY(visited == expected);
+        }
     }
 
     void aContinuousMeshNeedsNoDepthUnderAnyRule()

@@ -46,6 +46,8 @@ Truth truthOf(const EffectScene &scene, const ScanSettings &settings)
     return truth;
 }
 
+constexpr auto drawSpecialised = [](const auto &...arguments) { drawShaded(arguments...); };
+
 template <class Draw>
 FrameBuffer drawnBy(const Draw &draw, ShadedMethod method, const EffectScene &scene,
                     const ScanSettings &settings)
@@ -156,7 +158,7 @@ private slots:
                 const Truth truth = truthOf(scene, settings);
                 for (const ShadedMethod method : shadedMethods) {
                     const Departure departure = departureOf(
-                        drawnBy(drawShaded, method, scene, settings), truth.frame, truth.undecided);
+                        drawnBy(drawSpecialised, method, scene, settings), truth.frame, truth.undecided);
                     QVERIFY2(departure.pixels == 0, qPrintable(text + textOf(method, departure)));
                 }
             });
@@ -189,7 +191,7 @@ private slots:
             [](const EffectScene &scene, const ScanSettings &settings, const QString &text) {
                 for (const ShadedMethod method : shadedMethods) {
                     const Departure departure
-                        = departureOf(drawnBy(drawShaded, method, scene, settings),
+                        = departureOf(drawnBy(drawSpecialised, method, scene, settings),
                                       drawnBy(drawShadedGenerally, method, scene, settings));
                     QVERIFY2(departure.pixels == 0, qPrintable(text + textOf(method, departure)));
                 }
@@ -208,7 +210,7 @@ private slots:
                     drawShaded(method, scene.primitives, settings, frame.view(),
                                withNeutralEffects(planByHand(scene.primitives)));
                     const Departure departure
-                        = departureOf(frame, drawnBy(drawShaded, method, scene, settings));
+                        = departureOf(frame, drawnBy(drawSpecialised, method, scene, settings));
                     QVERIFY2(departure.pixels == 0, qPrintable(text + textOf(method, departure)));
                 }
             });
@@ -241,7 +243,7 @@ private slots:
                          pixels += scene.frame.width * scene.frame.height;
                          for (std::size_t i = 0; i < shadedMethods.size(); ++i) {
                              const Departure departure = departureOf(
-                                 drawnBy(drawShaded, shadedMethods[i], scene, settings),
+                                 drawnBy(drawSpecialised, shadedMethods[i], scene, settings),
                                  truth.frame, truth.undecided);
                              others[i] += departure.pixels;
                              beyondOne[i] += departure.beyondOne;

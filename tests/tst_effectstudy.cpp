@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/effectloop.h"
 #include "core/lab/effectstudy.h"
 
 #include <QTest>
@@ -109,17 +110,73 @@ private slots:
         QCOMPARE(row("lines, exact area", "30°").wrongPixels, 0);
     }
 
+    void eachKernelDrawsTheBytesOfItsStraightLoop()
+    {
+        for (const EffectLoop &loop : effectLoops()) {
+            const QByteArray group = QByteArray("kernel of ") + loop.name;
+            const EffectRow &straight
+                = row(group.constData(), "straight loop", Arithmetic::Float32);
+            const EffectRow &kernel = row(group.constData(), "kernel", Arithmetic::Float32);
+            QVERIFY2(straight.wrongPixels == 0 && kernel.wrongPixels == 0, loop.name);
+            QVERIFY2(kernel.pixels > effectLoopSide * effectLoopSide / 2, loop.name);
+        }
+    }
+
+    void eachStraightLoopHasTheEffectsOfItsName_data()
+    {
+        QTest::addColumn<EffectSet>("effects");
+        QTest::addColumn<Antialiasing>("antialiasing");
+        const auto add = [](const char *name, const EffectSet &effects) {
+            QTest::newRow(name) << effects << Antialiasing::None;
+        };
+        add("depth", {.depth = DepthTest::Number});
+        add("depth, 24 bits", {.depth = DepthTest::Levels});
+        add("perspective, texture", {.perspective = true, .texture = true});
+        add("perspective, filtered texture, depth",
+            {.perspective = true, .texture = true, .depth = DepthTest::Number});
+        add("light", {.light = true});
+        add("blending", {.blending = true});
+        QTest::newRow("4 samples") << EffectSet{} << Antialiasing::Samples4;
+    }
+    void eachStraightLoopHasTheEffectsOfItsName()
+    {
+        QFETCH(EffectSet, effects);
+        QFETCH(Antialiasing, antialiasing);
+        const std::vector<EffectLoop> loops = effectLoops();
+        const auto loop = std::ranges::find_if(loops, [](const EffectLoop &each) {
+            return QLatin1String(each.name) == QLatin1String(QTest::currentDataTag());
+        });
+        QVERIFY(loop != loops.end());
+        const EffectLoopScene scene(*loop);
+        QCOMPARE(scene.plan.batches.size(), std::size_t(1));
+        QVERIFY(scene.plan.batches[0].effects == effects);
+        QCOMPARE(scene.plan.antialiasing, antialiasing);
+    }
+
+    void aKernelFarBehindItsLoopIsMarked()
+    {
+        EffectRow kernel = row("kernel of light", "kernel", Arithmetic::Float32);
+        QVERIFY(!kernel.isTooSlow());
+        kernel.timesFirst = Spread{1, 1.29, 2};
+        QVERIFY(!kernel.isTooSlow());
+        kernel.timesFirst = Spread{1, 1.31, 2};
+        QVERIFY(kernel.isTooSlow());
+        kernel.group = QStringLiteral("antialiasing");
+        QVERIFY(!kernel.isTooSlow());
+    }
+
     void aListenerEndsIt()
     {
         QVERIFY(!runEffectStudy(3, [](const JobProgress &progress) { return progress.done < 2; }));
     }
 
 private:
-    const EffectRow &row(const char *group, const char *way) const
+    const EffectRow &row(const char *group, const char *way,
+                         Arithmetic arithmetic = Arithmetic::Exact) const
     {
         const auto found = std::ranges::find_if(m_rows, [&](const EffectRow &each) {
             return each.group == QLatin1String(group) && each.way == QString::fromUtf8(way)
-                && each.arithmetic == Arithmetic::Exact;
+                && each.arithmetic == arithmetic;
         });
         if (found == m_rows.end())
             qFatal("no row %s, %s", group, way);

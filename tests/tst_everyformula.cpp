@@ -9,9 +9,11 @@
 #include "tests/support/polygons.h"
 #include "tests/support/scenesformethods.h"
 #include "tests/support/shapes.h"
+#include "tests/support/spacescenes.h"
 #include "tests/support/spread.h"
 
 #include <QDir>
+#include <QSet>
 #include <QTest>
 
 #include <map>
@@ -33,6 +35,28 @@ QString runName(const QString &scene, const TracedScene &traced, std::size_t ste
              nameText(nameOf(traced.scene.settings.fillRule)))
         .arg(step + 1)
         .arg(traced.trace->stepCount());
+}
+
+Scene exampleNamed(const QString &name)
+{
+    return readSceneFile(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/") + name)->scene;
+}
+
+/// Scenes with effects in the ways in which pixels are covered, each in a frame that cuts it.
+std::vector<NamedScene> shadedScenes()
+{
+    std::vector<NamedScene> scenes;
+    for (const char *name : {"lit-sphere.json", "textured-board.json", "glass-panes.json"}) {
+        for (const Antialiasing antialiasing :
+             {Antialiasing::None, Antialiasing::Samples4, Antialiasing::Area}) {
+            Scene scene = exampleNamed(QString::fromLatin1(name));
+            scene.appearance.antialiasing = antialiasing;
+            scene.frame.width = 40;
+            scenes.push_back(
+                {QStringLiteral("%1, antialiasing %2").arg(name).arg(int(antialiasing)), scene});
+        }
+    }
+    return scenes;
 }
 
 /// The examples as a person opens them, and what they lack: a frame that cuts primitives on all
@@ -77,6 +101,8 @@ std::vector<NamedScene> formulaScenes()
         points.vertices.push_back({latticePixel(2 + i, 1 + i), {{200, 100, 50}}});
     cut.shapes.push_back(points);
     scenes.push_back({QStringLiteral("cut by its frame"), cut});
+    for (const NamedScene &shaded : shadedScenes())
+        scenes.push_back(shaded);
     return scenes;
 }
 
@@ -88,6 +114,12 @@ std::pair<QString, QString> sidesOf(const QString &symbols)
             return {symbols.first(place).trimmed(), symbols.sliced(place + 1).trimmed()};
     }
     return {symbols, symbols};
+}
+
+/// What an exact run has no exact number for it computes in double.
+Arithmetic arithmeticOf(const FormulaLine &line, Arithmetic ofRun)
+{
+    return ofRun == Arithmetic::Exact && !line.used.isRational() ? Arithmetic::Float64 : ofRun;
 }
 
 /// What is wrong with a line; empty where nothing is.
@@ -143,6 +175,106 @@ private slots:
                  qPrintable(QStringLiteral("%1 of %2").arg(tally.vague).arg(tally.count)));
     }
 
+    void theStagesOfALitSampleHaveFormulas_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const char *id : {"column-scan", "interpolate-bilinear", "interpolate-plane",
+                               "interpolate-barycentric"})
+            QTest::newRow(id) << QString::fromLatin1(id);
+    }
+    void theStagesOfALitSampleHaveFormulas()
+    {
+        QFETCH(QString, id);
+        Scene scene = exampleNamed(QStringLiteral("lit-sphere.json"));
+        scene.method = id.toStdString();
+        const auto traced = traceScene(scene);
+        QSet<QString> shown;
+        for (const std::size_t step : spreadOver(traced->trace->stepCount(), 4 * mostSteps)) {
+            for (const FormulaLine &line : explainStep(*traced, step).lines)
+                shown.insert(line.symbols);
+        }
+        QStringList expected = {
+            QStringLiteral("|N| = √(N_x² + N_y² + N_z²)"),
+            QStringLiteral("n_y = N_y/|N|"),
+            QStringLiteral("V_z = (E_z − p_z)/√((E_x − p_x)² + (E_y − p_y)² + (E_z − p_z)²)"),
+            QStringLiteral("L_0x = (−d_0x)/√((−d_0x)² + (−d_0y)² + (−d_0z)²)"),
+            QStringLiteral("L_1x = (S_1x − p_x)/√((S_1x − p_x)² + (S_1y − p_y)² + (S_1z − p_z)²)"),
+            QStringLiteral("NL_1 = max(0, n_x·L_1x + n_y·L_1y + n_z·L_1z)"),
+            QStringLiteral("H_0y = (L_0y + V_y)/√((L_0x + V_x)² + (L_0y + V_y)² + (L_0z + V_z)²)"),
+            QStringLiteral("NH_0 = max(0, n_x·H_0x + n_y·H_0y + n_z·H_0z)"),
+            QStringLiteral("highlight_0 = NH_0^shininess"),
+            QStringLiteral("I_R = b_R·(ambient_R + light_0R·NL_0 + light_1R·NL_1)/255 + "
+                           "specular_R·(light_0R·highlight_0 + light_1R·highlight_1)/255"),
+            QStringLiteral("s_R = min(255, ⌊I_R + ½⌋)"),
+            QStringLiteral("y_T ← y_T′ + m₀₂"),
+            QStringLiteral("m₀₁ = (y₁ − y₀)/(x₁ − x₀)")};
+        if (!id.contains(QStringLiteral("plane")) && !id.contains(QStringLiteral("barycentric")))
+            expected
+                += {QStringLiteral("q_B ← q_B′ + δq₀₂"), QStringLiteral("q_T ← q₀ + (x − x₀)·δq₀₂"),
+                    QStringLiteral("N_xwB ← N_xwB′ + δN_xw₀₂"),
+                    QStringLiteral("δq₁₂ = (q₂ − q₁)/(x₂ − x₁)")};
+        for (const QString &formula : expected)
+            QVERIFY2(shown.contains(formula), qPrintable(formula));
+    }
+
+    void everyFormulaOfTheWayFromSpaceComesOutAtTheNumberBesideIt_data()
+    {
+        QTest::addColumn<Projection>("projection");
+        QTest::addColumn<FrameOrigin>("origin");
+        QTest::addColumn<Shading>("shading");
+        QTest::newRow("perspective, lit at the vertices")
+            << Projection::Perspective << FrameOrigin::BottomLeft << Shading::Gouraud;
+        QTest::newRow("perspective, lit at the samples")
+            << Projection::Perspective << FrameOrigin::TopLeft << Shading::Phong;
+        QTest::newRow("orthographic, lit once a face")
+            << Projection::Orthographic << FrameOrigin::BottomLeft << Shading::Flat;
+    }
+    void everyFormulaOfTheWayFromSpaceComesOutAtTheNumberBesideIt()
+    {
+        QFETCH(Projection, projection);
+        QFETCH(FrameOrigin, origin);
+        QFETCH(Shading, shading);
+        Scene scene = sceneOf({triangle3({-1, -0.5, 2}, {1, -0.5, 2}, {0, 1, 5.5}),
+                               solidOf(SolidKind::Sphere), solidOf(SolidKind::Patch)});
+        scene.camera->projection = projection;
+        scene.camera->eye = {0.3, 0.4, 4.7};
+        scene.frame.origin = origin;
+        scene.appearance.shading = shading;
+        scene.appearance.lights
+            = {{Light::Kind::Directional, {-attributeOne, -attributeOne, 0}, {}},
+               {Light::Kind::Positional, {0, attributeOne, attributeOne}, {}}};
+        const auto traced = traceScene(scene);
+        QSet<QString> stages;
+        QSet<QString> formulas;
+        std::size_t cuts = 0;
+        for (std::size_t primitive = 0; primitive < traced->trace->primitiveCount();
+             primitive += 3) {
+            const std::size_t step = traced->trace->indexOfSetUp(primitive);
+            for (const StageFormulas &stage : explainStep(*traced, step).stages) {
+                stages.insert(stage.stage);
+                cuts += stage.note.contains(QStringLiteral("the near plane cuts")) ? 1 : 0;
+                for (const FormulaLine &line : stage.lines) {
+                    if (line.substituted.isEmpty())
+                        continue;
+                    formulas.insert(line.symbols);
+                    const QString fault = faultOf(line, Arithmetic::Float64);
+                    QVERIFY2(fault.isEmpty(),
+                             qPrintable(QStringLiteral("%1, %2: %3: %4 %5, not %6")
+                                            .arg(stage.stage, stage.point, line.symbols,
+                                                 line.substituted, fault, toText(line.used))));
+                }
+            }
+        }
+        QCOMPARE(stages.size(), shading == Shading::Phong ? 7 : 8);
+        QVERIFY(cuts > 0);
+        for (const char *formula :
+             {"x_view = right_x·(x − E_x) + right_y·(y − E_y) + right_z·(z − E_z)",
+              "z_clip = scale_z·(−z_view − near)", "x_device = x_clip/w",
+              "x = x_first + (x_device + 1)/2·width − ½", "x = ⌊256·x′ + ½⌋/256",
+              "t = z_V₁/(z_V₁ − z_V₂)"})
+            QVERIFY2(formulas.contains(QString::fromUtf8(formula)), formula);
+    }
+
     void everyFormulaOfAHardCaseComesOutAtTheNumberBesideIt_data()
     {
         QTest::addColumn<QString>("id");
@@ -194,9 +326,9 @@ private:
 
     static void look(const QString &scene, const TracedScene &traced, Tally &tally)
     {
-        const Arithmetic arithmetic = traced.scene.settings.arithmetic;
         for (const std::size_t step : spreadOver(traced.trace->stepCount(), mostSteps)) {
             for (const FormulaLine &line : explainStep(traced, step).lines) {
+                const Arithmetic arithmetic = arithmeticOf(line, traced.scene.settings.arithmetic);
                 const QString fault = faultOf(line, arithmetic);
                 if (!fault.isEmpty())
                     tally.faults.emplace(line.symbols,

@@ -36,7 +36,7 @@ const QList<Library> &libraries()
           {"scene"},
           {"runs"},
           {"check", "export", "measure"},
-          {"compare"},
+          {"compare", "grade"},
           {"lab"}},
          {}},
         {"widgets",

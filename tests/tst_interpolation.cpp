@@ -2,7 +2,9 @@
 #include "core/runs/tracedscene.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/polygons.h"
+#include "tests/support/spacescenes.h"
 
+#include <QRegularExpression>
 #include <QTest>
 
 #include <cmath>
@@ -77,6 +79,48 @@ struct ChannelValues {
 
     friend bool operator==(const ChannelValues &, const ChannelValues &) = default;
 };
+
+QStringList namesOf(const std::vector<NumberDescription> &numbers)
+{
+    QStringList names;
+    for (const NumberDescription &number : numbers)
+        names.append(number.title);
+    return names;
+}
+
+/// Those of the channels that are not among the names.
+QStringList missing(const QStringList &names, QStringList channels)
+{
+    channels.removeIf([&](const QString &channel) {
+        return names.contains(channel)
+            || !QStringLiteral("R G B z u v N_x N_y N_z").split(u' ').contains(channel);
+    });
+    return channels;
+}
+
+/// Whether a title is made of a channel's name: "z₀", "z_B", "δz₀₁", "a_Nx".
+bool belongsTo(QString title, const QStringList &channels)
+{
+    static const QRegularExpression decoration(QStringLiteral("^[δΔ]|^[abcABCD]_|[₀₁₂]+$|_?[BT]$"));
+    title.remove(decoration);
+    return std::ranges::any_of(channels, [&](const QString &channel) {
+        return title == channel || title == QString(channel).remove(u'_');
+    });
+}
+
+/// The samples of a span in these channels.
+std::vector<std::vector<Quantity>> carriedCells(const TracedScene &traced, std::size_t span,
+                                                const QStringList &channels)
+{
+    const QStringList names = namesOf(traced.trace->numbers().sample);
+    std::vector<std::vector<Quantity>> cells;
+    for (const SampleRecord &sample : traced.trace->samples(span)) {
+        std::vector<Quantity> &row = cells.emplace_back();
+        for (const QString &channel : channels)
+            row.push_back(sample.cells[std::size_t(names.indexOf(channel))]);
+    }
+    return cells;
+}
 
 std::vector<ChannelValues> valuesOf(const TracedScene &traced)
 {
@@ -260,6 +304,72 @@ private slots:
                  qPrintable(failed.error().message()));
     }
 
+    void aTraceHasTheChannelsThatTheSceneGivesAndNoOthers_data()
+    {
+        QTest::addColumn<bool>("depth");
+        QTest::addColumn<bool>("texture");
+        QTest::addColumn<bool>("normal");
+        QTest::addColumn<QStringList>("channels");
+        const QStringList colour = {QStringLiteral("R"), QStringLiteral("G"), QStringLiteral("B")};
+        const QStringList z = {QStringLiteral("z")};
+        const QStringList uv = {QStringLiteral("u"), QStringLiteral("v")};
+        const QStringList n = {QStringLiteral("N_x"), QStringLiteral("N_y"), QStringLiteral("N_z")};
+        QTest::newRow("colour alone") << false << false << false << colour;
+        QTest::newRow("z") << true << false << false << colour + z;
+        QTest::newRow("u v") << false << true << false << colour + uv;
+        QTest::newRow("normals") << false << false << true << colour + n;
+        QTest::newRow("z and normals") << true << false << true << colour + z + n;
+        QTest::newRow("all") << true << true << true << colour + z + uv + n;
+    }
+    void aTraceHasTheChannelsThatTheSceneGivesAndNoOthers()
+    {
+        QFETCH(bool, depth);
+        QFETCH(bool, texture);
+        QFETCH(bool, normal);
+        QFETCH(QStringList, channels);
+        const Scene whole = anyScene(11);
+        Scene scene = whole;
+        for (VertexAttributes &vertex : scene.attributes[0].vertices) {
+            if (!depth)
+                vertex.z = 0;
+            if (!texture)
+                vertex.texture = {};
+            if (!normal)
+                vertex.normal = {};
+        }
+        for (const char *form : forms) {
+            for (const Arithmetic arithmetic : {Arithmetic::Exact, Arithmetic::Float32}) {
+                const auto traced = tracedBy(scene, form, FillRule::Closed, arithmetic);
+                const auto all = tracedBy(whole, form, FillRule::Closed, arithmetic);
+                const TraceNumbers &numbers = traced->trace->numbers();
+                const QStringList others = missing(channels, namesOf(all->trace->numbers().sample));
+                QVERIFY(missing(namesOf(numbers.sample), channels).isEmpty());
+                for (const auto *table : {&numbers.setUp, &numbers.span, &numbers.sample}) {
+                    for (const NumberDescription &number : *table)
+                        QVERIFY2(!belongsTo(number.title, others), qPrintable(number.title));
+                }
+                // What is carried is what it was beside the others.
+                for (std::size_t span = 0; span < traced->trace->spanCount(); ++span)
+                    QCOMPARE(carriedCells(*traced, span, channels),
+                             carriedCells(*all, span, channels));
+            }
+        }
+    }
+
+    void aCamerasTriangleCarriesColourAloneWhereNoEffectReadsMore()
+    {
+        Scene scene = sceneOf({triangle3({-1, -0.5, 0}, {1, -0.5, 0}, {0, 1, 0})});
+        for (const char *form : forms) {
+            scene.method = form;
+            const auto traced = traceScene(scene);
+            QVERIFY(!traced->plan);
+            QVERIFY(traced->trace->writtenCount() > 0);
+            const QStringList names = namesOf(traced->trace->numbers().sample);
+            for (const char *channel : {"z", "u", "v", "N_x"})
+                QVERIFY2(!names.contains(QLatin1String(channel)), channel);
+        }
+    }
+
     void cellsAreAsTheColumnsSayAndTracingChangesNoPicture()
     {
         for (std::uint32_t seed = 0; seed < 40; ++seed) {
@@ -269,13 +379,13 @@ private slots:
                     const auto traced
                         = tracedBy(anyScene(seed), form, FillRule::Closed, arithmetic);
                     const ScanTrace &trace = *traced->trace;
-                    const Method &method = *traced->method;
-                    QCOMPARE(trace.setUp(0).cells.size(), method.numbers.setUp.size());
+                    const TraceNumbers &numbers = trace.numbers();
+                    QCOMPARE(trace.setUp(0).cells.size(), numbers.setUp.size());
                     FrameBuffer replayed(traced->scene.frame);
                     for (std::size_t span = 0; span < trace.spanCount(); ++span) {
-                        QCOMPARE(trace.span(span).cells.size(), method.numbers.span.size());
+                        QCOMPARE(trace.span(span).cells.size(), numbers.span.size());
                         for (const SampleRecord &sample : trace.samples(span)) {
-                            QCOMPARE(sample.cells.size(), method.numbers.sample.size());
+                            QCOMPARE(sample.cells.size(), numbers.sample.size());
                             const auto byte = [&](std::size_t i) {
                                 return int(std::clamp<std::int64_t>(sample.level[i], 0, 255));
                             };

@@ -2,6 +2,7 @@
 #include "core/export/tracerows.h"
 #include "core/runs/formulaexplanation.h"
 #include "tests/support/defaultscene.h"
+#include "tests/support/spacescenes.h"
 #include "tests/support/tablecolumns.h"
 #include "widgets/inspect/columntable.h"
 #include "widgets/inspect/columntablepanel.h"
@@ -32,6 +33,7 @@ private slots:
     void switchesShowAndHideGroupsOfColumns();
     void widthsStayWhileStepping();
     void formulasNameTheNumbersOfTheStep();
+    void theWayFromSpaceStandsWhereASolidsTriangleBegins();
     void theChangeOfHalfIsAnEvent();
     void anEmptySceneSaysWhatToDo();
     void formulasKeepTheirPlaceWhileStepping();
@@ -182,6 +184,33 @@ void TestPanels::formulasNameTheNumbersOfTheStep()
             QVERIFY2(text.contains(displayError(line.used, line.exact)), qPrintable(line.symbols));
     }
     QVERIFY(panel.accessibleDescription().contains(explanation.sentence));
+}
+
+void TestPanels::theWayFromSpaceStandsWhereASolidsTriangleBegins()
+{
+    Playhead playhead;
+    playhead.setTraced(traceScene(sceneOf({triangle3({0, 0, 2}, {1, 0, -2}, {0, 1, 4.5})})));
+    FormulaPanel panel(&playhead);
+    const auto *browser = panel.findChild<QTextBrowser *>();
+
+    playhead.seek(playhead.traced()->trace->indexOfSetUp(0) + 1);
+    const Explanation explanation = explainStep(*playhead.traced(), playhead.position() - 1);
+    const QString text = browser->toPlainText();
+    QCOMPARE(explanation.stages.front().stage, QStringLiteral("Vertex"));
+    QCOMPARE(explanation.stages.back().stage, QStringLiteral("Lattice"));
+    for (const StageFormulas &stage : explanation.stages) {
+        QVERIFY2(text.contains(stage.stage), qPrintable(stage.stage));
+        for (const FormulaLine &line : stage.lines) {
+            QVERIFY2(text.contains(displayText(line.used)), qPrintable(line.symbols));
+            if (!line.exact.isNone())
+                QVERIFY2(text.contains(displayError(line.used, line.exact)),
+                         qPrintable(line.symbols));
+        }
+    }
+    QVERIFY(panel.accessibleDescription().contains(QStringLiteral("Clip coordinates")));
+
+    playhead.seekToSpan(0);
+    QVERIFY(!browser->toPlainText().contains(QStringLiteral("Clip coordinates")));
 }
 
 void TestPanels::theChangeOfHalfIsAnEvent()

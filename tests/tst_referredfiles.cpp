@@ -88,6 +88,31 @@ private slots:
         QCOMPARE(bytesToRead(folder.filePath(QStringLiteral("none.json"))), qint64(0));
     }
 
+    void readingAMeshTellsHowFarItIsAndStopsWhenItIsToldTo()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        write(path, sceneOf(camera, "{ 'mesh': 'large.obj' }"));
+        const QByteArray mesh
+            = "v 0 0 0\nv 1 0 0\nv 0 1 0\n" + QByteArray("f 1 2 3\n").repeated(10'000);
+        write(folder.filePath(QStringLiteral("large.obj")), mesh);
+        std::vector<std::int64_t> told;
+        QVERIFY(readSceneFile(path, [&](const JobProgress &progress) {
+            told.push_back(progress.done);
+            return progress.phase == JobPhase::Reading && progress.total == mesh.size();
+        }));
+        QVERIFY(told.size() > 5);
+        QVERIFY(std::ranges::is_sorted(told));
+        QVERIFY(told.back() > mesh.size() / 2);
+
+        int calls = 0;
+        const auto cancelled
+            = readSceneFile(path, [&](const JobProgress &) { return ++calls < 4; });
+        QVERIFY(!cancelled);
+        QVERIFY(cancelled.error().message().contains(QStringLiteral("the reading was cancelled")));
+        QCOMPARE(calls, 4);
+    }
+
     void filesThatCannotBeUsedAreNamed_data()
     {
         QTest::addColumn<QByteArray>("content"); // of the file; none: there is no file

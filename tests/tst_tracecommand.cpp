@@ -56,8 +56,9 @@ private slots:
             << QStringList{"--level", "pixel", "--x", "12"} << QByteArray("x") << QByteArray("12");
         QTest::newRow("a row's pixels")
             << QStringList{"--level", "pixel", "--y", "9"} << QByteArray("y") << QByteArray("9");
-        QTest::newRow("a row") << QStringList{"--method", "row-walk", "--y", "9"} << QByteArray("y")
-                               << QByteArray("9");
+        QTest::newRow("a row") << QStringList{"--method", "row-walk", "--fill-rule",
+                                              "closed",   "--y",      "9"}
+                               << QByteArray("y") << QByteArray("9");
     }
     void printsTheRowsOfOneTriangleColumnOrRow()
     {

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/traceexport.h"
 #include "core/scene/scenefile.h"
+#include "tests/support/spacescenes.h"
 
 #include <QBuffer>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QtTest>
+
+#include <algorithm>
 
 using namespace pixelplumb;
 
@@ -71,6 +75,34 @@ class TestTraceExport : public QObject {
     Q_OBJECT
 
 private slots:
+    void everyStageFromSpaceToTheFrameIsPrinted()
+    {
+        Scene scene = sceneOf({triangle3({0, 0, 2}, {1, 0, -2}, {0, 1, 4.5})});
+        scene.triangles = defaultScene().triangles;
+
+        const QList<QByteArray> lines
+            = linesOf(exported(scene, TraceLevel::Stage, TableFormat::Csv));
+
+        QCOMPARE(lines.value(0),
+                 QByteArray("step,primitive,stage,point,used,used_exact,used_error,formula,numbers,"
+                            "note"));
+        const auto has = [&](const char *pattern) {
+            const QRegularExpression expression(QString::fromUtf8(pattern));
+            return std::ranges::any_of(lines, [&](const QByteArray &line) {
+                return expression.match(QString::fromUtf8(line)).hasMatch();
+            });
+        };
+        // One triangle of the frame, then two of the polygon that the near plane leaves.
+        QVERIFY(!has("^\\d+,0,"));
+        for (const char *pattern :
+             {"^\\d+,1,Vertex,V₁,1,1,0,x,,$", "Camera,the camera,1,1,0,near,,$",
+              "Clip coordinates,V₀,3,3,0,w = −z_view,−\\(−3\\),",
+              "Clipped polygon,C₃,0\\.(8|7999)\\d*,4/5,.*,t = z_V₀/\\(z_V₀ − z_V₂\\),.*,the near "
+              "plane cuts V₀V₂$",
+              "^\\d+,2,Lattice,C₃,.*,x = ⌊256·x′ \\+ ½⌋/256,"})
+            QVERIFY2(has(pattern), pattern);
+    }
+
     void writesARowForEachColumn()
     {
         const auto traced = traceScene(defaultScene());

@@ -49,6 +49,39 @@ class TestTriangleTraces : public QObject {
     Q_OBJECT
 
 private slots:
+    void theSamplesOfAnEdgePixelStandInItsColumn_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const Method *method : triangleMethods()) {
+            if (method->supports(Effect::Antialiasing))
+                QTest::newRow(qPrintable(method->id)) << method->id;
+        }
+    }
+    void theSamplesOfAnEdgePixelStandInItsColumn()
+    {
+        QFETCH(QString, id);
+        Scene scene = tracedSceneOf(id, {});
+        scene.appearance.antialiasing = Antialiasing::Samples4;
+        // Its left edge passes between the centre and the outermost sample of a column.
+        scene.triangles = {triangleOf({{{90, 600}, {90, 3000}, {1500, 1800}}})};
+        const auto traced = traceScene(scene);
+        const ScanTrace &trace = *traced->trace;
+        std::size_t unbounded = 0;
+        for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+            const std::int64_t x = trace.placeOf(span).coordinate;
+            for (const SampleRecord &sample : trace.samples(span))
+                QCOMPARE(sample.x, x);
+            if (span > 0 && trace.primitiveOf(span - 1) == trace.primitiveOf(span))
+                QVERIFY(trace.placeOf(span - 1).coordinate <= x);
+            // Only samples beside the centres reach the column: no edge meets it.
+            if (trace.span(span).lower.isNone()) {
+                ++unbounded;
+                QVERIFY(trace.spanWords(span).sentence.startsWith(QStringLiteral("Only samples")));
+            }
+        }
+        QVERIFY(unbounded > 0);
+    }
+
     void tracingDoesNotChangeTheFrame_data() { addAllRows(); }
     void tracingDoesNotChangeTheFrame()
     {

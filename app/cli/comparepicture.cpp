@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/comparepicture.h"
 
+#include "app/cli/faintpixel.h"
+
 namespace pixelplumb::cli {
 
 namespace {
@@ -25,14 +27,6 @@ QRgb colourOf(Disagreement reason)
         break;
     }
     return qRgb(0, 0, 0);
-}
-
-/// Between three quarters of white and white, so that every mark stands out.
-QRgb faint(const Colour &colour)
-{
-    const auto &[red, green, blue] = colour.channels;
-    const int grey = 191 + qGray(red, green, blue) / 4;
-    return qRgb(grey, grey, grey);
 }
 
 } // namespace

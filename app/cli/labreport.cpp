@@ -226,11 +226,12 @@ QStringList effectsText(const Study &study)
              number(row.perPixel ? std::optional(row.perPixel->median) : std::nullopt, 2),
              number(row.timesFirst ? std::optional(row.timesFirst->median) : std::nullopt, 2),
              number(row.rms, 2), QString::number(row.wrongPixels), shortNumber(row.distance),
-             number(row.brightness, 4), QString()});
+             number(row.brightness, 4),
+             row.isTooSlow() ? QStringLiteral("over %1").arg(mostTimesLoop) : QString()});
     return QStringList{QString(),
                        QStringLiteral("What effects cost and what they mend: plain kernels of the "
                                       "column scan, of lines by their own methods; errors from the "
-                                      "exact area or the truth")}
+                                      "exact area or the truth; kernels from their straight loops")}
     + aligned(lines) + brightnessText(study);
 }
 

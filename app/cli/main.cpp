@@ -25,6 +25,8 @@ const std::vector<Command> &commands()
         {QStringLiteral("check"), QStringLiteral("Run a file of hard cases."), check},
         {QStringLiteral("compare"), QStringLiteral("Tell where methods disagree, and why."),
          compare},
+        {QStringLiteral("diff"), QStringLiteral("Tell how two pictures differ, and by what cause."),
+         diff},
         {QStringLiteral("lab"), QStringLiteral("Measure what accuracy costs in time."), lab},
         {QStringLiteral("help"), QStringLiteral("Show this help, or a command's: help COMMAND."),
          help},

@@ -24,6 +24,9 @@ bool hasSpansAlong(const ScanTrace &trace, SpanAxis axis)
 InputError objectionTo(const QString &option, const TracedScene &traced, TraceLevel level)
 {
     const QString place = QStringLiteral("--") + option;
+    if (level == TraceLevel::Stage)
+        return {place, QStringLiteral("a stage has no place in the frame"),
+                QStringLiteral("--level column or --level pixel")};
     if (level == TraceLevel::SetUp)
         return {place, QStringLiteral("a primitive's set-up has no place"),
                 QStringLiteral("--level column or --level pixel")};

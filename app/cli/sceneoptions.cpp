@@ -132,14 +132,11 @@ Result<FillRule> chosenFillRule(const CommandLine &line, FillRule unset)
     return chosen(line, fillRuleOption, allFillRules, unset);
 }
 
-Result<Scene> readSceneAt(const QString &path)
+Result<Scene> sceneIn(const QByteArray &text, const QString &path)
 {
-    const Result<QByteArray> text = readInput(path);
-    if (!text)
-        return text.error();
     const bool isFile = path != QStringLiteral("-");
     const Result<SceneReading> reading
-        = pixelplumb::readScene(*text, {}, isFile ? QFileInfo(path).absolutePath() : QString());
+        = pixelplumb::readScene(text, {}, isFile ? QFileInfo(path).absolutePath() : QString());
     if (!reading) {
         InputError error = reading.error();
         error.place.prepend(error.place.isEmpty() ? path : path + QStringLiteral(", "));
@@ -147,6 +144,14 @@ Result<Scene> readSceneAt(const QString &path)
     }
     reportSnaps(path, reading->snaps);
     return reading->scene;
+}
+
+Result<Scene> readSceneAt(const QString &path)
+{
+    const Result<QByteArray> text = readInput(path);
+    if (!text)
+        return text.error();
+    return sceneIn(*text, path);
 }
 
 Result<Scene> readSceneForAnyMethod(const CommandLine &line, const QString &path)

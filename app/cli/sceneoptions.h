@@ -16,6 +16,9 @@ Positional scenesPositional();
 /// and --force.
 void addSettingOptions(CommandLine &line);
 
+/// The scene that a text read from `path` is; what it refers to lies beside that.
+Result<Scene> sceneIn(const QByteArray &text, const QString &path);
+
 /// The scene of a file ("-" is stdin) as it is. Vertices that had to be snapped are reported on
 /// stderr.
 Result<Scene> readSceneAt(const QString &path);

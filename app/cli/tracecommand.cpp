@@ -18,17 +18,19 @@ namespace pixelplumb::cli {
 
 namespace {
 
-template <class Choice>
-using ChoiceNames = std::array<std::pair<const char *, Choice>, 3>;
+template <class Choice, std::size_t count>
+using ChoiceNames = std::array<std::pair<const char *, Choice>, count>;
 
-constexpr ChoiceNames<TraceLevel> levelNames = {
-    {{"setup", TraceLevel::SetUp}, {"column", TraceLevel::Column}, {"pixel", TraceLevel::Pixel}}};
-constexpr ChoiceNames<TableFormat> formatNames
+constexpr ChoiceNames<TraceLevel, 4> levelNames = {{{"setup", TraceLevel::SetUp},
+                                                    {"column", TraceLevel::Column},
+                                                    {"pixel", TraceLevel::Pixel},
+                                                    {"stage", TraceLevel::Stage}}};
+constexpr ChoiceNames<TableFormat, 3> formatNames
     = {{{"text", TableFormat::Text}, {"csv", TableFormat::Csv}, {"json", TableFormat::Json}}};
 
-template <class Choice>
+template <class Choice, std::size_t count>
 Result<Choice> chosen(const CommandLine &line, const QString &option, Choice unset,
-                      const ChoiceNames<Choice> &choices)
+                      const ChoiceNames<Choice, count> &choices)
 {
     if (!line.isSet(option))
         return unset;
@@ -152,8 +154,9 @@ ExitCode trace(const Command &command, const QStringList &arguments)
     const QString outputOption = QStringLiteral("output");
     CommandLine line(command, {scenesPositional()});
     line.addOption({levelOption,
-                    QStringLiteral("A row a primitive, a column of the scan or a pixel: setup, "
-                                   "column, pixel; column if left out."),
+                    QStringLiteral("A row a primitive, a column of the scan, a pixel, or a number "
+                                   "on a solid's way from space to the frame: setup, column, "
+                                   "pixel, stage; column if left out."),
                     QStringLiteral("level")});
     line.addOption({formatOption,
                     QStringLiteral("text (aligned), csv or json; if left out, text on a terminal, "

@@ -2,6 +2,7 @@
 #include "core/check/attributecase.h"
 
 #include "core/frame/writtenframe.h"
+#include "core/methods/interpolationnames.h"
 
 #include <QJsonObject>
 
@@ -25,13 +26,22 @@ Quantity fraction(JsonReader &json, const JsonNode &node)
     return {};
 }
 
-/// The place of the sample column with this title; none where the method has no such column.
-std::optional<std::size_t> columnTitled(const Method &method, const QString &title)
+bool isChannel(const QString &title)
 {
-    const auto found = std::ranges::find(method.numbers.sample, title, &NumberDescription::title);
-    if (found == method.numbers.sample.end())
-        return std::nullopt;
-    return std::size_t(found - method.numbers.sample.begin());
+    for (std::size_t channel = 0; channel < channelCount; ++channel) {
+        if (channelName(channel) == title)
+            return true;
+    }
+    return false;
+}
+
+/// What a sample has in a channel: 0 in one that no triangle carries.
+Quantity valueOf(const ScanTrace &trace, const SampleRecord &sample, const QString &title)
+{
+    const auto &columns = trace.numbers().sample;
+    const auto found = std::ranges::find(columns, title, &NumberDescription::title);
+    return found == columns.end() ? Quantity::integer(0)
+                                  : sample.cells[std::size_t(found - columns.begin())];
 }
 
 /// The record of the sample at a point; none where the trace did not visit it.
@@ -45,16 +55,16 @@ std::optional<SampleRecord> sampleAt(const ScanTrace &trace, const ExpectedPoint
 }
 
 void compareValues(QStringList &shortfalls, const ExpectedPoint &point, const SampleRecord &sample,
-                   const Method &method)
+                   const ScanTrace &trace)
 {
     for (const auto &[title, expected] : point.values) {
-        const std::optional<std::size_t> column = columnTitled(method, title);
-        if (!column || sample.cells[*column] == expected)
+        const Quantity value = valueOf(trace, sample, title);
+        if (value == expected)
             continue;
         shortfalls.append(QStringLiteral("pixel (%1, %2): %3 is %4 instead of %5")
                               .arg(point.x)
                               .arg(point.y)
-                              .arg(title, toText(sample.cells[*column]), toText(expected)));
+                              .arg(title, toText(value), toText(expected)));
     }
 }
 
@@ -84,7 +94,7 @@ std::map<QString, Quantity> readExpectedValues(JsonReader &json, const JsonNode 
     std::map<QString, Quantity> values;
     const QStringList titles = node.value.toObject().keys();
     for (const QString &title : titles) {
-        if (columnTitled(*methodNamed(u"interpolate-plane"), title))
+        if (isChannel(title))
             values[title] = fraction(json, node[title]);
         else
             json.fail(node[title], QStringLiteral("“%1”").arg(title),
@@ -98,7 +108,7 @@ QStringList valueShortfalls(const HardCase &hardCase, const ScanSettings &settin
                             const Method &method)
 {
     const bool pointsUp = settings.fillRule != FillRule::TopLeft;
-    const bool hasValues = columnTitled(method, QStringLiteral("z")).has_value();
+    const bool hasValues = method.family == MethodFamily::Interpolation;
     if (settings.arithmetic != Arithmetic::Exact || !pointsUp || !hasValues
         || !hardCase.displacements.isEmpty())
         return {};
@@ -111,7 +121,7 @@ QStringList valueShortfalls(const HardCase &hardCase, const ScanSettings &settin
         if (covered == point.covered.end() || !covered->second)
             continue;
         if (const std::optional<SampleRecord> sample = sampleAt(*trace, point))
-            compareValues(shortfalls, point, *sample, method);
+            compareValues(shortfalls, point, *sample, *trace);
         else
             shortfalls.append(
                 QStringLiteral("pixel (%1, %2) has no values").arg(point.x).arg(point.y));

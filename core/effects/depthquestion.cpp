@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/depthquestion.h"
 
+#include "core/effects/depthcandidates.h"
 #include "core/effects/depthtiles.h"
 #include "core/effects/framereach.h"
+#include "core/effects/tileboxes.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace pixelplumb {
 
@@ -21,100 +22,18 @@ constexpr std::int64_t budgetPerTriangle = 260;
 /// How many samples are looked at, of pairs one after another, for a witness.
 constexpr int mostSamples = 50'000;
 
-/// The triangles that take part, each with its box in the frame and its range of depths.
-struct Candidates {
-    std::vector<UnitBox> boxes;
-    std::vector<std::uint32_t> triangles; ///< indices in the primitives
-    std::vector<std::array<Attribute, 3>> z;
-
-    Attribute nearest(std::size_t i) const { return std::ranges::min(z[i]); }
-    Attribute farthest(std::size_t i) const { return std::ranges::max(z[i]); }
-    bool isFlat(std::size_t i) const { return nearest(i) == farthest(i); }
-};
-
-std::array<Attribute, 3> depthsOf(const TriangleAttributes &attributes)
-{
-    const auto &vertices = attributes.vertices;
-    return {vertices[0].z, vertices[1].z, vertices[2].z};
-}
-
-/// Triangles without attributes have depth 0.
-bool haveOneDepth(const Primitives &primitives)
-{
-    const std::vector<TriangleAttributes> &attributes = primitives.attributes;
-    if (attributes.empty())
-        return true;
-    const Attribute depth
-        = attributes.size() < primitives.triangles.size() ? 0 : attributes[0].vertices[0].z;
-    return std::ranges::all_of(attributes, [depth](const TriangleAttributes &each) {
-        return std::ranges::all_of(
-            each.vertices, [depth](const VertexAttributes &vertex) { return vertex.z == depth; });
-    });
-}
-
-/// The triangle's bounding box, widened by a margin, within the frame so widened.
-UnitBox boxWithin(const Triangle &triangle, const FrameView &frame, Lattice margin)
-{
-    const auto &v = triangle.vertices;
-    const auto [left, right] = std::minmax({v[0].position.x, v[1].position.x, v[2].position.x});
-    const auto [low, high] = std::minmax({v[0].position.y, v[1].position.y, v[2].position.y});
-    const auto within = [margin](Lattice coordinate, std::int32_t first, std::int32_t count) {
-        const Lattice fromFirst = coordinate - first * unitsPerPixel + margin;
-        return std::int32_t(
-            std::clamp<Lattice>(fromFirst, 0, (count - 1) * unitsPerPixel + 2 * margin));
-    };
-    return {within(left - margin, frame.firstColumn, frame.width),
-            within(right + margin, frame.firstColumn, frame.width),
-            within(low - margin, frame.firstRow, frame.height),
-            within(high + margin, frame.firstRow, frame.height)};
-}
-
-Lattice marginOf(Antialiasing antialiasing)
-{
-    return antialiasing == Antialiasing::None ? 0 : halfPixel;
-}
-
-Candidates candidatesOf(const Primitives &primitives, const FrameView &frame,
-                        Antialiasing antialiasing)
-{
-    Candidates candidates;
-    auto attributes = primitives.attributes.begin();
-    for (std::size_t i = 0; i < primitives.triangles.size(); ++i) {
-        std::array<Attribute, 3> z = {};
-        if (attributes != primitives.attributes.end() && attributes->triangle == i)
-            z = depthsOf(*attributes++);
-        const Triangle &triangle = primitives.triangles[i];
-        if (reachOf(triangle, frame, antialiasing).isEmpty() || doubledArea(triangle) == 0)
-            continue;
-        candidates.boxes.push_back(boxWithin(triangle, frame, marginOf(antialiasing)));
-        candidates.triangles.push_back(std::uint32_t(i));
-        candidates.z.push_back(z);
-    }
-    return candidates;
-}
-
-bool areInOrder(const Candidates &candidates)
-{
-    Attribute nearest = std::numeric_limits<Attribute>::max();
-    for (std::size_t i = 0; i < candidates.z.size(); ++i) {
-        if (candidates.farthest(i) > nearest)
-            return false;
-        nearest = candidates.nearest(i);
-    }
-    return true;
-}
-
 /// Compares the triangles of each tile, two by two.
 class PairComparison {
 public:
     PairComparison(const Primitives &primitives, const ScanSettings &settings,
-                   const FrameView &frame, Antialiasing antialiasing, const Candidates &candidates)
+                   const FrameView &frame, Antialiasing antialiasing,
+                   const DepthCandidates &candidates)
         : m_primitives(primitives)
         , m_candidates(candidates)
         , m_rule(settings, frame)
         , m_frame(frame)
         , m_antialiasing(antialiasing)
-        , m_tiles(candidates.boxes, sideOf(frame.width), sideOf(frame.height))
+        , m_tiles(candidates.boxes, candidates.width, candidates.height)
         , m_inQuestion(candidates.boxes.size(), false)
         , m_budget(leastBudget + budgetPerTriangle * std::int64_t(candidates.boxes.size()))
     {
@@ -133,44 +52,45 @@ public:
     }
 
 private:
-    std::int32_t sideOf(std::int32_t pixels) const
-    {
-        return std::int32_t((pixels - 1) * unitsPerPixel + 2 * marginOf(m_antialiasing));
-    }
-
     /// False when no more can be compared.
     bool compareTile(std::size_t tile)
     {
-        const std::span<const TiledBox> boxes = m_tiles.boxesOf(tile);
-        for (std::size_t later = 1; later < boxes.size(); ++later) {
-            const UnitBox &b = boxes[later].box;
-            for (std::size_t earlier = 0; earlier < later; ++earlier) {
-                const UnitBox &a = boxes[earlier].box;
-                if (a.meets(b)
-                    && m_tiles.tileAt(std::max(a.left, b.left), std::max(a.low, b.low)) == tile)
-                    compare(boxes[earlier].place, boxes[later].place);
-            }
-            m_answer.operations += std::int64_t(later);
+        const std::span<const std::uint32_t> places = m_tiles.placesIn(tile);
+        m_boxes.take(m_candidates.boxes, places, m_tiles.cornerOf(tile), m_inQuestion);
+        for (std::size_t later = 1; later < places.size(); ++later) {
+            const auto compareWith = [&](std::size_t earlier) {
+                compare(places[earlier], places[later]);
+                for (const std::size_t each : {earlier, later}) {
+                    if (m_inQuestion[places[each]])
+                        m_boxes.setInQuestion(each);
+                }
+            };
+            const std::int64_t meetings
+                = m_boxes.forEachMeeting(later, settledPairs(), compareWith);
+            m_answer.operations += std::int64_t(later) + meetingCost * meetings;
             if (m_answer.operations > m_budget)
                 return false;
         }
         return true;
     }
 
+    /// Depth runs for both already: nothing more is learnt, once it is known that it must.
+    SettledPairs settledPairs() const
+    {
+        // A plane counts at samples outside of its triangle, too, where areas are covered.
+        return {m_mayOverlap && m_antialiasing != Antialiasing::Area, isCalledFor()};
+    }
+
     void compare(std::size_t earlier, std::size_t later)
     {
-        m_answer.operations += meetingCost;
-        // Depth runs for both already: nothing more is learnt, once it is known that it must.
         if (m_inQuestion[earlier] && m_inQuestion[later] && isCalledFor())
             return;
         const bool inOrder = m_candidates.farthest(later) <= m_candidates.nearest(earlier);
         if (m_antialiasing == Antialiasing::Area
-            && !(m_candidates.isFlat(earlier) && m_candidates.isFlat(later))) {
-            // A plane counts at samples outside of its triangle, too.
+            && !(m_candidates.isFlat(earlier) && m_candidates.isFlat(later)))
             question(earlier, later);
-        } else if (!inOrder || !m_mayOverlap) {
+        else if (!inOrder || !m_mayOverlap)
             compareOverlap(earlier, later, inOrder);
-        }
     }
 
     void compareOverlap(std::size_t earlier, std::size_t later, bool inOrder)
@@ -267,11 +187,12 @@ private:
     }
 
     const Primitives &m_primitives;
-    const Candidates &m_candidates;
+    const DepthCandidates &m_candidates;
     BoundaryRule m_rule;
     FrameView m_frame;
     Antialiasing m_antialiasing;
     DepthTiles m_tiles;
+    TileBoxes m_boxes; ///< of the tile in hand
     std::vector<bool> m_inQuestion; ///< by candidate
     std::int64_t m_budget;
     DepthAnswer m_answer;
@@ -296,7 +217,7 @@ DepthAnswer depthQuestion(const Primitives &primitives, const ScanSettings &sett
     answer.ground = DepthAnswer::Ground::SameDepth;
     if (haveOneDepth(primitives))
         return answer;
-    const Candidates candidates = candidatesOf(primitives, frame, antialiasing);
+    const DepthCandidates candidates = depthCandidatesOf(primitives, frame, antialiasing);
     answer.ground = DepthAnswer::Ground::FewTriangles;
     if (candidates.boxes.size() < 2)
         return answer;

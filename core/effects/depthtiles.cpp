@@ -5,7 +5,7 @@
 
 namespace pixelplumb {
 
-DepthTiles::DepthTiles(std::span<const UnitBox> boxes, std::int32_t width, std::int32_t height)
+DepthTiles::DepthTiles(std::span<const DepthBox> boxes, std::int32_t width, std::int32_t height)
 {
     // About two boxes a tile where they are spread evenly.
     constexpr std::uint64_t boxesPerTile = 2;
@@ -21,22 +21,20 @@ DepthTiles::DepthTiles(std::span<const UnitBox> boxes, std::int32_t width, std::
     m_columns = std::size_t(width >> m_shift) + 1;
     const std::size_t tiles = m_columns * (std::size_t(height >> m_shift) + 1);
     m_begin.assign(tiles + 1, 0);
-    for (const UnitBox &box : boxes)
+    for (const DepthBox &box : boxes)
         forEachTile(box, [&](std::size_t tile) { ++m_begin[tile + 1]; });
     for (std::size_t tile = 0; tile < tiles; ++tile)
         m_begin[tile + 1] += m_begin[tile];
-    m_boxes.resize(m_begin.back());
+    m_places.resize(m_begin.back());
     std::vector<std::uint32_t> next(m_begin.begin(), m_begin.end() - 1);
     for (std::size_t i = 0; i < boxes.size(); ++i)
-        forEachTile(boxes[i], [&](std::size_t tile) {
-            m_boxes[next[tile]++] = {boxes[i], std::uint32_t(i)};
-        });
+        forEachTile(boxes[i], [&](std::size_t tile) { m_places[next[tile]++] = std::uint32_t(i); });
 }
 
-std::uint64_t DepthTiles::touchedTiles(std::span<const UnitBox> boxes) const
+std::uint64_t DepthTiles::touchedTiles(std::span<const DepthBox> boxes) const
 {
     std::uint64_t touched = 0;
-    for (const UnitBox &box : boxes) {
+    for (const DepthBox &box : boxes) {
         touched += std::uint64_t((box.right >> m_shift) - (box.left >> m_shift) + 1)
             * std::uint64_t((box.high >> m_shift) - (box.low >> m_shift) + 1);
     }
@@ -44,7 +42,7 @@ std::uint64_t DepthTiles::touchedTiles(std::span<const UnitBox> boxes) const
 }
 
 template <class Visit>
-void DepthTiles::forEachTile(const UnitBox &box, const Visit &visit) const
+void DepthTiles::forEachTile(const DepthBox &box, const Visit &visit) const
 {
     for (std::int32_t row = box.low >> m_shift; row <= box.high >> m_shift; ++row) {
         for (std::int32_t column = box.left >> m_shift; column <= box.right >> m_shift; ++column)

@@ -8,20 +8,18 @@
 
 namespace pixelplumb {
 
-/// A bounding box, its boundary included; lattice units from the frame's first sample.
-struct UnitBox {
+/// A bounding box, its boundary included; lattice units from the frame's first sample. Its depths
+/// are levels of 0 … mostDepthLevel, the same for all boxes of a scene, widened to whole levels.
+struct DepthBox {
     std::int32_t left = 0, right = 0, low = 0, high = 0;
-
-    bool meets(const UnitBox &other) const
-    {
-        return left <= other.right && other.left <= right && low <= other.high && other.low <= high;
-    }
+    std::int32_t nearest = 0, farthest = 0;
 };
 
-/// A box in a tile, and which of all boxes it is.
-struct TiledBox {
-    UnitBox box;
-    std::uint32_t place = 0;
+inline constexpr std::int32_t mostDepthLevel = (std::int32_t(1) << 30) - 1;
+
+/// The lower left corner of a tile; lattice units from the frame's first sample.
+struct TileCorner {
+    std::int32_t x = 0, y = 0;
 };
 
 /// The boxes of a scene's triangles sorted into square tiles, so that only those of a tile need to
@@ -29,30 +27,29 @@ struct TiledBox {
 class DepthTiles {
 public:
     /// Boxes within [0, width] × [0, height].
-    DepthTiles(std::span<const UnitBox> boxes, std::int32_t width, std::int32_t height);
+    DepthTiles(std::span<const DepthBox> boxes, std::int32_t width, std::int32_t height);
 
     std::size_t count() const { return m_begin.size() - 1; }
-    /// Those that touch a tile, in ascending places.
-    std::span<const TiledBox> boxesOf(std::size_t tile) const
+    /// Which boxes touch a tile, ascending.
+    std::span<const std::uint32_t> placesIn(std::size_t tile) const
     {
-        return std::span(m_boxes).subspan(m_begin[tile], m_begin[tile + 1] - m_begin[tile]);
+        return std::span(m_places).subspan(m_begin[tile], m_begin[tile + 1] - m_begin[tile]);
     }
-    /// The tile of a point: of all tiles that two boxes share, one has the lower left corner of
-    /// what they share.
-    std::size_t tileAt(std::int32_t x, std::int32_t y) const
+    TileCorner cornerOf(std::size_t tile) const
     {
-        return std::size_t(y >> m_shift) * m_columns + std::size_t(x >> m_shift);
+        return {std::int32_t((tile % m_columns) << m_shift),
+                std::int32_t((tile / m_columns) << m_shift)};
     }
 
 private:
-    std::uint64_t touchedTiles(std::span<const UnitBox> boxes) const;
+    std::uint64_t touchedTiles(std::span<const DepthBox> boxes) const;
     template <class Visit>
-    void forEachTile(const UnitBox &box, const Visit &visit) const;
+    void forEachTile(const DepthBox &box, const Visit &visit) const;
 
     int m_shift = 0; ///< a tile's side is 2^shift lattice units
     std::size_t m_columns = 1;
-    std::vector<std::uint32_t> m_begin; ///< of each tile in m_boxes, and the end
-    std::vector<TiledBox> m_boxes; ///< side by side: they are compared by the million
+    std::vector<std::uint32_t> m_begin; ///< of each tile in m_places, and the end
+    std::vector<std::uint32_t> m_places;
 };
 
 } // namespace pixelplumb

@@ -17,6 +17,22 @@ EdgePixels::EdgePixels(std::span<const Triangle> triangles, const FrameView &fra
             addEdge(triangle.vertices[i].position, triangle.vertices[(i + 1) % 3].position);
     }
     m_count = std::ranges::count(m_isEdge, 1);
+    findBorders();
+}
+
+void EdgePixels::findBorders()
+{
+    m_firstBorder.assign(1, 0);
+    for (std::int64_t x = m_frame.firstColumn; x < m_frame.endColumn(); ++x) {
+        bool wasEdge = false;
+        for (std::int64_t y = m_frame.firstRow; y < m_frame.endRow(); ++y) {
+            const bool isEdge = contains(x, y);
+            if (isEdge != wasEdge)
+                m_borders.push_back(y);
+            wasEdge = isEdge;
+        }
+        m_firstBorder.push_back(m_borders.size());
+    }
 }
 
 void EdgePixels::addEdge(LatticePoint a, LatticePoint b)

@@ -5,6 +5,7 @@
 #include "core/frame/frameview.h"
 #include "core/geometry/triangle.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -26,16 +27,13 @@ public:
     void forEachRun(std::int64_t x, const RowRun &rows, bool ofEdges,
                     const Function &function) const
     {
-        for (std::int64_t y = rows.first; y < rows.end;) {
-            if (contains(x, y) != ofEdges) {
-                ++y;
-                continue;
-            }
-            RowRun run{y, y + 1};
-            while (run.end < rows.end && contains(x, run.end) == ofEdges)
-                ++run.end;
-            function(run);
-            y = run.end;
+        const std::span<const std::int64_t> borders = bordersIn(x);
+        auto border = std::upper_bound(borders.begin(), borders.end(), rows.first);
+        bool isEdge = (border - borders.begin()) % 2 != 0;
+        for (RowRun run = rows; run.first < rows.end; run.first = run.end, isEdge = !isEdge) {
+            run.end = border == borders.end() ? rows.end : std::min(*border++, rows.end);
+            if (isEdge == ofEdges)
+                function(run);
         }
     }
 
@@ -45,11 +43,21 @@ private:
         return std::size_t(x - m_frame.firstColumn) * std::size_t(m_frame.height)
             + std::size_t(y - m_frame.firstRow);
     }
+    /// The rows at which the column goes over to these pixels and, in turn, back, ascending.
+    std::span<const std::int64_t> bordersIn(std::int64_t x) const
+    {
+        const auto column = std::size_t(x - m_frame.firstColumn);
+        return std::span(m_borders).subspan(m_firstBorder[column],
+                                            m_firstBorder[column + 1] - m_firstBorder[column]);
+    }
     void addEdge(LatticePoint a, LatticePoint b);
+    void findBorders();
 
     FrameView m_frame; ///< for its window alone
     std::vector<std::uint8_t> m_isEdge; ///< column by column
     std::int64_t m_count = 0;
+    std::vector<std::int64_t> m_borders;
+    std::vector<std::size_t> m_firstBorder; ///< of each column in m_borders, and the end
 };
 
 /// Where the samples of a pixel lie, from its own sample, 1/256 px; y upward.

@@ -71,21 +71,22 @@ bool haveOppositeSigns(const Integer &a, const Integer &b)
 template <class Integer>
 class DepthDifference {
 public:
-    DepthDifference(const DepthTriangle &earlier, const DepthTriangle &later)
-        : m_earlierEdges(*earlier.triangle, *later.triangle)
-        , m_laterEdges(*later.triangle, *earlier.triangle)
+    using Edges = EdgesAtVertices<Integer>;
+
+    DepthDifference(const DepthTriangle &earlier, const Edges &earlierEdges,
+                    const DepthTriangle &later, const Edges &laterEdges)
+        : m_earlierEdges(earlierEdges)
+        , m_laterEdges(laterEdges)
         , m_earlier(earlier)
         , m_later(later)
     {
     }
 
-    PlaneOrder order(FillRule rule) const
+    /// At a corner of the polygon in which they overlap; where they touch, at a vertex.
+    bool isPositive() const
     {
-        const Integer parting = std::min(m_earlierEdges.parting(), m_laterEdges.parting());
-        if (parting < 0 || (parting == 0 && rule != FillRule::Closed))
-            return PlaneOrder::Apart;
-        const bool isBehind = isPositiveAtVertex() || (parting > 0 && isPositiveAtCrossing());
-        return isBehind ? PlaneOrder::Behind : PlaneOrder::NotBehind;
+        const bool touch = m_earlierEdges.parting() == 0 || m_laterEdges.parting() == 0;
+        return isPositiveAtVertex() || (!touch && isPositiveAtCrossing());
     }
 
 private:
@@ -138,11 +139,29 @@ private:
         return Int256(atFrom) * Int256(absolute(to)) + Int256(atTo) * Int256(absolute(from)) > 0;
     }
 
-    EdgesAtVertices<Integer> m_earlierEdges; ///< the earlier triangle's at the later's vertices
-    EdgesAtVertices<Integer> m_laterEdges;
+    const Edges &m_earlierEdges; ///< the earlier triangle's at the later's vertices
+    const Edges &m_laterEdges;
     const DepthTriangle &m_earlier;
     const DepthTriangle &m_later;
 };
+
+template <class Integer>
+PlaneOrder orderOf(const DepthTriangle &earlier, const DepthTriangle &later, FillRule rule)
+{
+    using Edges = EdgesAtVertices<Integer>;
+    const auto part = [rule](const Edges &edges) {
+        const Integer parting = edges.parting();
+        return parting < 0 || (parting == 0 && rule != FillRule::Closed);
+    };
+    const Edges earlierEdges(*earlier.triangle, *later.triangle);
+    if (part(earlierEdges))
+        return PlaneOrder::Apart;
+    const Edges laterEdges(*later.triangle, *earlier.triangle);
+    if (part(laterEdges))
+        return PlaneOrder::Apart;
+    const DepthDifference<Integer> difference(earlier, earlierEdges, later, laterEdges);
+    return difference.isPositive() ? PlaneOrder::Behind : PlaneOrder::NotBehind;
+}
 
 } // namespace
 
@@ -150,8 +169,8 @@ PlaneOrder planeOrderOf(const DepthTriangle &earlier, const DepthTriangle &later
 {
     const bool isNarrow = integerWidthFor(*earlier.triangle) == IntegerWidth::Bits64
         && integerWidthFor(*later.triangle) == IntegerWidth::Bits64;
-    return isNarrow ? DepthDifference<std::int64_t>(earlier, later).order(rule)
-                    : DepthDifference<Int128>(earlier, later).order(rule);
+    return isNarrow ? orderOf<std::int64_t>(earlier, later, rule)
+                    : orderOf<Int128>(earlier, later, rule);
 }
 
 } // namespace pixelplumb

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/levelpixel.h"
 #include "core/geometry/appearance.h"
 #include "core/number/naturalpower.h"
+#include "core/number/wholenumber.h"
 
 #include <algorithm>
 #include <array>
@@ -22,11 +24,17 @@ Real dot(const Vector<Real> &a, const Vector<Real> &b)
     return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
+template <class Real>
+Real largestMagnitude(const Vector<Real> &vector)
+{
+    return std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
+}
+
 /// Of length 1; 0 stays 0. Scaled first, so that no square leaves the range of the number.
 template <class Real>
 Vector<Real> unitVector(Vector<Real> vector)
 {
-    const Real largest = std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
+    const Real largest = largestMagnitude(vector);
     if (!(largest > 0) || !std::isfinite(largest))
         return {};
     for (Real &each : vector)
@@ -35,6 +43,27 @@ Vector<Real> unitVector(Vector<Real> vector)
     for (Real &each : vector)
         each /= length;
     return vector;
+}
+
+/// What unitVector() divides by, in two steps; 0 where it gives 0.
+template <class Real>
+Real lengthOf(Vector<Real> vector)
+{
+    const Real largest = largestMagnitude(vector);
+    if (!(largest > 0) || !std::isfinite(largest))
+        return 0;
+    for (Real &each : vector)
+        each /= largest;
+    return largest * std::sqrt(dot(vector, vector));
+}
+
+/// Between two directions; 0 where one of them is 0.
+template <class Real>
+Vector<Real> halfwayOf(const Vector<Real> &a, const Vector<Real> &b)
+{
+    if (a == Vector<Real>{} || b == Vector<Real>{})
+        return {};
+    return unitVector<Real>({a[0] + b[0], a[1] + b[1], a[2] + b[2]});
 }
 
 template <class Real>
@@ -52,14 +81,16 @@ struct SampleLightTerm {
     Vector<Real> toLight; ///< L, of length 1
     Vector<Real> halfway; ///< H, of length 1
     Real diffuse; ///< max(0, N·L)
-    Real highlight; ///< max(0, N·H)^shininess, 0 where N·L is not positive
+    Real facing; ///< max(0, N·H)
+    Real highlight; ///< its power by the shininess, 0 where N·L is not positive
 };
 
 /// Light at a sample.
 template <class Real>
 struct LitSample {
     Vector<Real> place; ///< p
-    Vector<Real> normal; ///< N, of length 1
+    Vector<Real> carried; ///< N as it was interpolated, of any length
+    Vector<Real> normal; ///< n, of length 1
     Vector<Real> toViewer; ///< V, of length 1
     std::array<SampleLightTerm<Real>, mostLights> terms; ///< one for each light
     std::array<Real, 3> level; ///< before rounding
@@ -85,6 +116,7 @@ struct Lighting {
     struct Source {
         Way way;
         std::array<Real, 3> colour = {}; ///< levels
+        Vector<Real> halfway = {}; ///< to the viewer, where it is the same from every point
     };
 
     std::array<Source, mostLights> sources;
@@ -103,7 +135,16 @@ struct Lighting {
             sources[light].way = wayTo(from.kind, from.at, Real(-1)); // against its direction
             for (std::size_t i = 0; i < 3; ++i)
                 sources[light].colour[i] = Real(from.colour.channels[i]);
+            if (isHalfwaySame(sources[light]))
+                sources[light].halfway = halfwayOf(sources[light].way.at, viewer.at);
         }
+    }
+
+    /// Light and viewer are far away.
+    bool isHalfwaySame(const Source &source) const
+    {
+        return source.way.kind == Light::Kind::Directional
+            && viewer.kind == Light::Kind::Directional;
     }
 
 private:
@@ -124,6 +165,7 @@ template <class Real>
 void lightSample(const Lighting<Real> &lighting, const Material &material, const Colour &surface,
                  const Vector<Real> &normal, LitSample<Real> &lit)
 {
+    lit.carried = normal;
     lit.normal = unitVector(normal);
     lit.toViewer = lighting.viewer.from(lit.place);
     std::array<Real, 3> arriving = lighting.ambient;
@@ -132,14 +174,11 @@ void lightSample(const Lighting<Real> &lighting, const Material &material, const
         const auto &source = lighting.sources[index];
         SampleLightTerm<Real> &term = lit.terms[index];
         term.toLight = source.way.from(lit.place);
-        const bool isSeen = lit.toViewer != Vector<Real>{} && term.toLight != Vector<Real>{};
-        term.halfway = isSeen ? unitVector<Real>({term.toLight[0] + lit.toViewer[0],
-                                                  term.toLight[1] + lit.toViewer[1],
-                                                  term.toLight[2] + lit.toViewer[2]})
-                              : Vector<Real>{};
+        term.halfway = lighting.isHalfwaySame(source) ? source.halfway
+                                                      : halfwayOf(term.toLight, lit.toViewer);
         term.diffuse = std::max(Real(0), dot(lit.normal, term.toLight));
-        const Real facing = std::max(Real(0), dot(lit.normal, term.halfway));
-        term.highlight = term.diffuse > 0 ? naturalPower(facing, material.shininess) : Real(0);
+        term.facing = std::max(Real(0), dot(lit.normal, term.halfway));
+        term.highlight = term.diffuse > 0 ? naturalPower(term.facing, material.shininess) : Real(0);
         for (std::size_t i = 0; i < 3; ++i) {
             arriving[i] += source.colour[i] * term.diffuse;
             reflected[i] += source.colour[i] * term.highlight;
@@ -149,9 +188,9 @@ void lightSample(const Lighting<Real> &lighting, const Material &material, const
     for (std::size_t i = 0; i < 3; ++i) {
         lit.level[i] = Real(surface.channels[i]) * arriving[i] / 255
             + Real(material.specular.channels[i]) * reflected[i] / 255;
-        const Real byte = std::floor(lit.level[i] + Real(0.5));
+        const std::int64_t byte = floorOf(lit.level[i] + Real(0.5));
         lit.clamped |= byte > 255;
-        lit.colour.channels[i] = std::uint8_t(std::clamp<Real>(byte, 0, 255));
+        lit.colour.channels[i] = std::uint8_t(clampedByte(byte));
     }
 }
 

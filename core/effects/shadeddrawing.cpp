@@ -3,6 +3,8 @@
 
 #include "core/effects/shadedpicture.h"
 
+#include <optional>
+
 namespace pixelplumb {
 
 namespace {
@@ -21,35 +23,40 @@ struct CountingObserver : NullObserver {
 /// Hears nothing, but is no NullObserver: it gets the kernel that takes its effects when it runs.
 struct GeneralObserver : NullObserver { };
 
+/// The bytes of its depth buffer; none where the listener ended it.
+using Drawing = std::optional<std::size_t>;
+
 template <ShadedMethod method, class Observer>
-std::size_t drawBy(const Primitives &primitives, const ScanSettings &settings, FrameView frame,
-                   const EffectPlan &plan, Observer observer)
+Drawing drawBy(const Primitives &primitives, const ScanSettings &settings, FrameView frame,
+               const EffectPlan &plan, Observer observer, const ProgressListener &listener)
 {
-    return withShadingNumbers<method>(settings, shadingWidthsFor(primitives, plan),
-                                      [&]<InterpolationForm Form, class N, class A>() {
-                                          ShadedPicture<Form, N, A, Observer> picture(
-                                              primitives, settings, frame, plan, observer);
-                                          picture.draw();
-                                          return picture.depthBytes();
-                                      });
+    return withShadingNumbers<method>(
+        settings, shadingWidthsFor(primitives, plan),
+        [&]<InterpolationForm Form, class N, class A>() {
+            ShadedPicture<Form, N, A, Observer> picture(primitives, settings, frame, plan, observer,
+                                                        listener);
+            return picture.draw() ? Drawing(picture.depthBytes()) : std::nullopt;
+        });
 }
 
 template <class Observer>
-std::size_t drawHeard(ShadedMethod method, const Primitives &primitives,
-                      const ScanSettings &settings, FrameView frame, const EffectPlan &plan,
-                      Observer observer)
+Drawing drawHeard(ShadedMethod method, const Primitives &primitives, const ScanSettings &settings,
+                  FrameView frame, const EffectPlan &plan, Observer observer,
+                  const ProgressListener &listener = {})
 {
     switch (method) {
     case ShadedMethod::Plane:
-        return drawBy<ShadedMethod::Plane>(primitives, settings, frame, plan, observer);
+        return drawBy<ShadedMethod::Plane>(primitives, settings, frame, plan, observer, listener);
     case ShadedMethod::Barycentric:
-        return drawBy<ShadedMethod::Barycentric>(primitives, settings, frame, plan, observer);
+        return drawBy<ShadedMethod::Barycentric>(primitives, settings, frame, plan, observer,
+                                                 listener);
     case ShadedMethod::Bilinear:
-        return drawBy<ShadedMethod::Bilinear>(primitives, settings, frame, plan, observer);
+        return drawBy<ShadedMethod::Bilinear>(primitives, settings, frame, plan, observer,
+                                              listener);
     case ShadedMethod::ColumnScan:
         break;
     }
-    return drawBy<ShadedMethod::ColumnScan>(primitives, settings, frame, plan, observer);
+    return drawBy<ShadedMethod::ColumnScan>(primitives, settings, frame, plan, observer, listener);
 }
 
 } // namespace
@@ -83,6 +90,13 @@ void drawShaded(ShadedMethod method, const Primitives &primitives, const ScanSet
     drawHeard(method, primitives, settings, frame, plan, NullObserver{});
 }
 
+bool drawShaded(ShadedMethod method, const Primitives &primitives, const ScanSettings &settings,
+                FrameView frame, const EffectPlan &plan, const ProgressListener &listener)
+{
+    return drawHeard(method, primitives, settings, frame, plan, NullObserver{}, listener)
+        .has_value();
+}
+
 void drawShadedGenerally(ShadedMethod method, const Primitives &primitives,
                          const ScanSettings &settings, FrameView frame, const EffectPlan &plan)
 {
@@ -94,7 +108,7 @@ EffectTally countShaded(ShadedMethod method, const Primitives &primitives,
 {
     EffectTally tally;
     tally.depthBytes
-        = drawHeard(method, primitives, settings, frame, plan, CountingObserver(tally));
+        = drawHeard(method, primitives, settings, frame, plan, CountingObserver(tally)).value();
     return tally;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/effects/shadedchoice.h"
+#include "core/number/jobprogress.h"
 
 #include <array>
 
@@ -20,6 +21,11 @@ struct EffectTally {
 /// settings' arithmetic is one that the method shades in.
 void drawShaded(ShadedMethod method, const Primitives &primitives, const ScanSettings &settings,
                 FrameView frame, const EffectPlan &plan);
+
+/// The same; false where the listener, who hears before each triangle how many are drawn, ended it.
+/// With 4 or 16 samples a triangle counts once more for each.
+bool drawShaded(ShadedMethod method, const Primitives &primitives, const ScanSettings &settings,
+                FrameView frame, const EffectPlan &plan, const ProgressListener &listener);
 
 /// The same picture by the kernel that takes its effects when it runs: what specialised kernels are
 /// tested against, and what is listened to.

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/effects/depthbuffer.h"
+#include "core/effects/effectwork.h"
 #include "core/effects/pixelarea.h"
 #include "core/effects/shadedsample.h"
 #include "core/frame/levelpixel.h"
@@ -11,25 +12,6 @@
 /// What happens at the samples of a column, bottom to top: each stage is there where the effects
 /// call for it.
 namespace pixelplumb {
-
-/// What is done at a sample that costs something: what observers may count.
-enum class EffectWork : std::uint8_t {
-    DepthRead,
-    DepthWrite,
-    Division, ///< by 1/w
-    TexelFetch,
-    Normal, ///< made unit length
-    Blend,
-    Sample, ///< that gives a pixel: one, or one of 4 or 16
-};
-inline constexpr std::size_t effectWorkCount = 7;
-
-/// An observer that also wants to know of that work. Every other one pays nothing for it.
-template <class Observer>
-concept HearsEffectWork = requires(Observer observer, EffectWork work)
-{
-    observer.worked(work);
-};
 
 /// What the samples of one triangle are shaded with.
 template <class N>
@@ -269,13 +251,17 @@ private:
     {
         const auto count = [this] { worked(EffectWork::TexelFetch); };
         const auto fetch = [&](const Number &u, const Number &v) {
-            sample.texels = fetchTexels<N>(*m_surface.material, u, v, sample.denominator, count);
+            // In memory its bytes would be read in other words than they were stored in.
+            const TexelSample<N> texels
+                = fetchTexels<N>(*m_surface.material, u, v, sample.denominator, count);
+            sample.source = tinted(sample.source, texels.texel);
+            if constexpr (readsNumbers<Observer>)
+                sample.texels = texels;
         };
         if constexpr (N::isExact)
             fetch(sample.value[indexOf(Channel::U)], sample.value[indexOf(Channel::V)]);
         else
             fetch(quotient(sample, Channel::U), quotient(sample, Channel::V));
-        sample.source = tinted(sample.source, sample.texels.texel);
     }
 
     void light(Sample &sample)

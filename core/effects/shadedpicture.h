@@ -4,6 +4,7 @@
 #include "core/effects/scratchframe.h"
 #include "core/effects/shadedchoice.h"
 #include "core/frame/framebuffer.h"
+#include "core/number/jobprogress.h"
 
 #include <vector>
 
@@ -14,66 +15,75 @@ template <InterpolationForm Form, class N, class A, class Observer>
 class ShadedPicture {
 public:
     ShadedPicture(const Primitives &primitives, const ScanSettings &settings, FrameView frame,
-                  const EffectPlan &plan, Observer observer)
+                  const EffectPlan &plan, Observer observer, const ProgressListener &listener)
         : m_primitives(primitives)
         , m_plan(plan)
         , m_frame(frame)
         , m_surroundings(plan, primitives.appearance, frame)
         , m_run(primitives, settings, observer)
+        , m_listener(listener)
     {
     }
 
-    void draw()
+    /// False where the listener ended it. It hears before each triangle how many are drawn, once
+    /// for each sample that is drawn by itself.
+    bool draw()
     {
         switch (m_plan.antialiasing) {
         case Antialiasing::None:
-            forEachTriangle([&](std::size_t index, const EffectSet &effects) {
+            return forEachTriangle([&](std::size_t index, const EffectSet &effects) {
                 m_run.draw(index, effects, m_frame, m_surroundings);
             });
-            break;
         case Antialiasing::Area:
-            forEachTriangle([&](std::size_t index, const EffectSet &effects) {
+            return forEachTriangle([&](std::size_t index, const EffectSet &effects) {
                 m_run.drawAreas(index, effects, m_frame, m_surroundings);
             });
-            break;
         case Antialiasing::Samples4:
         case Antialiasing::Samples16:
-            drawSamples();
             break;
         }
+        return drawSamples();
     }
 
     std::size_t depthBytes() const { return m_surroundings.depths.bytes(); }
 
 private:
     template <class Draw>
-    void forEachTriangle(const Draw &draw)
+    bool forEachTriangle(const Draw &draw)
     {
+        const std::size_t count = m_primitives.triangles.size();
+        const std::size_t times = 1 + samplePattern(m_plan.antialiasing).size();
         TriangleEffects effects(m_plan);
-        for (std::size_t index = 0; index < m_primitives.triangles.size(); ++index)
+        for (std::size_t index = 0; index < count; ++index) {
+            if (!goesOn(m_listener, {JobPhase::Drawing, m_done++, std::int64_t(times * count)}))
+                return false;
             draw(index, effects.at(index));
+        }
+        return true;
     }
 
     /// The pixels without an edge once, those with one once for each of their samples.
-    void drawSamples()
+    bool drawSamples()
     {
         const EdgePixels edges(m_primitives.triangles, m_frame);
         const auto nothing = [](const auto &) {};
         ScratchFrame before(m_frame);
         before.copyFrom(m_frame);
-        forEachTriangle([&](std::size_t index, const EffectSet &effects) {
+        const bool isComplete = forEachTriangle([&](std::size_t index, const EffectSet &effects) {
             m_run.draw(index, effects, m_frame, m_surroundings, edges, false, {0, 0}, nothing);
         });
-        if (edges.count() == 0)
-            return;
+        if (!isComplete || edges.count() == 0)
+            return isComplete;
         std::vector<SampleMean> means(std::size_t(m_frame.width) * std::size_t(m_frame.height));
         ScratchFrame scratch(m_frame);
         for (const LatticePoint &sample : samplePattern(m_plan.antialiasing)) {
             scratch.copyFrom(before.view());
             ShadedSurroundings<N> own(m_plan, m_primitives.appearance, m_frame);
-            forEachTriangle([&](std::size_t index, const EffectSet &effects) {
+            const auto drawSample = [&](std::size_t index, const EffectSet &effects) {
                 m_run.draw(index, effects, scratch.view(), own, edges, true, sample, nothing);
-            });
+            };
+            if (!forEachTriangle(drawSample))
+                return false;
             forEachEdgePixel(edges, [&](std::int64_t x, std::int64_t y) {
                 means[placeOf(x, y)].add(*scratch.view().at(x, y));
             });
@@ -81,6 +91,7 @@ private:
         forEachEdgePixel(edges, [&](std::int64_t x, std::int64_t y) {
             *m_frame.at(x, y) = means[placeOf(x, y)].pixel();
         });
+        return true;
     }
 
     std::size_t placeOf(std::int64_t x, std::int64_t y) const
@@ -105,6 +116,8 @@ private:
     FrameView m_frame;
     ShadedSurroundings<N> m_surroundings;
     ShadedRun<Form, N, A, Observer> m_run;
+    const ProgressListener &m_listener;
+    std::int64_t m_done = 0; ///< triangles
 };
 
 } // namespace pixelplumb

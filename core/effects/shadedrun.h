@@ -36,13 +36,6 @@ struct ShadedSurroundings {
     DepthBuffer<N> depths;
 };
 
-/// Which pixels of a triangle are drawn.
-enum class PixelChoice : std::uint8_t {
-    All,
-    Others, ///< but for the edge pixels
-    Edges, ///< the edge pixels alone
-};
-
 /// Draws shaded triangles one by one. An observer that reads numbers hears the kernel that takes
 /// its effects when it runs; one that does not gets the kernel that was compiled for them. Both are
 /// the same text.

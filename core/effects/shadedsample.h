@@ -13,12 +13,20 @@
 
 namespace pixelplumb {
 
+/// Where the numbers of a column's edges come from.
+enum class ColumnOrigin : std::uint8_t {
+    Walked, ///< from the column before it
+    Direct, ///< from the vertices
+    None, ///< no edge meets it: only samples beside the centres reach it
+};
+
 /// What one column of a shaded triangle uses.
 template <class N>
 struct ShadedColumn {
     using Number = typename N::Number;
 
     std::int64_t x = 0; ///< px
+    ColumnOrigin origin = ColumnOrigin::None;
     ColumnHalf half = ColumnHalf::First;
     LongEdge longEdge = LongEdge::Above;
     std::int64_t firstRow = 0, endRow = 0; ///< covered

@@ -99,6 +99,7 @@ public:
         const Walker &top = longAbove ? longEdge : shortEdge;
         Column column;
         column.x = x;
+        column.origin = ColumnOrigin::Direct;
         column.half = isSecond ? ColumnHalf::Second : ColumnHalf::First;
         column.longEdge = m_setUp.longEdge;
         column.lower = bottom.bound.y;
@@ -176,6 +177,7 @@ private:
     {
         Column column;
         column.x = x;
+        column.origin = ColumnOrigin::Walked;
         column.half = half;
         column.longEdge = sideOfLongEdge(shortEdge, longEdge);
         const bool longAbove = column.longEdge == LongEdge::Above;

@@ -88,8 +88,8 @@ struct FloatShading {
     static std::uint32_t depthLevel(Number z, std::uint32_t most)
     {
         // A product with 2^32 − 1 would round in float32: the levels are made in double.
-        const double level = std::floor(std::clamp(double(z), 0.0, 1.0) * most + 0.5);
-        return level > 0 ? std::uint32_t(level) : 0; // 0 for what is no number
+        const double level = std::clamp(double(z), 0.0, 1.0) * most + 0.5;
+        return level > 0 ? std::uint32_t(std::int64_t(level)) : 0; // 0 for what is no number
     }
 };
 

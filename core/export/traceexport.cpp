@@ -18,6 +18,8 @@ QString nameOf(TraceLevel level)
         return QStringLiteral("setup");
     case TraceLevel::Column:
         return QStringLiteral("column");
+    case TraceLevel::Stage:
+        return QStringLiteral("stage");
     case TraceLevel::Pixel:
         break;
     }
@@ -31,6 +33,8 @@ std::vector<NumberDescription> descriptionsOf(const TracedScene &traced, TraceLe
         return traced.trace->numbers().setUp;
     case TraceLevel::Column:
         return spanHeadings(traced);
+    case TraceLevel::Stage:
+        return {};
     case TraceLevel::Pixel:
         break;
     }
@@ -119,6 +123,11 @@ bool isChosen(const RowChoice &choice, const SampleRow &row)
         && (!choice.x || *choice.x == row.record.x) && (!choice.y || *choice.y == row.record.y);
 }
 
+bool isChosen(const RowChoice &choice, const StageRow &row)
+{
+    return !choice.primitive || *choice.primitive == row.primitive;
+}
+
 /// Writes the rows that `rowsAt(index)` gives for each index below `count`.
 template <class Row, class RowsAt>
 bool writeTable(const TraceTable<Row> &table, std::size_t count, const RowsAt &rowsAt,
@@ -159,6 +168,8 @@ QStringList traceColumnNames(const TraceNumbers &numbers, TraceLevel level)
         return namesOf(setUpTable(numbers.setUp));
     case TraceLevel::Column:
         return namesOf(spanTable(numbers.span));
+    case TraceLevel::Stage:
+        return namesOf(stageTable());
     case TraceLevel::Pixel:
         break;
     }
@@ -179,6 +190,10 @@ bool exportTrace(const TracedScene &traced, const TraceExportOptions &options, Q
         return writeTable(
             spanTable(spanHeadings(traced)), trace.spanCount(),
             [&](std::size_t span) { return std::array{spanRow(traced, span)}; }, options, *writer);
+    case TraceLevel::Stage:
+        return writeTable(
+            stageTable(), trace.primitiveCount(),
+            [&](std::size_t primitive) { return stageRows(traced, primitive); }, options, *writer);
     case TraceLevel::Pixel:
         break;
     }

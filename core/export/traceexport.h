@@ -16,13 +16,14 @@ enum class TraceLevel {
     SetUp, ///< a primitive
     Column, ///< a span: a column, a row or a step of the method
     Pixel, ///< a visited sample
+    Stage, ///< a number of a stage on the way of a solid's triangle from space to the frame
 };
 
 /// Which rows of the run are written; what is not set leaves all.
 struct RowChoice {
     std::optional<std::size_t> primitive;
-    /// Of the pixel; in a table of spans, of the column or the row that the span is. Set-up has
-    /// neither.
+    /// Of the pixel; in a table of spans, of the column or the row that the span is. Set-ups and
+    /// stages have neither.
     std::optional<std::int64_t> x, y;
 };
 
@@ -46,8 +47,10 @@ QStringList traceColumnNames(const TraceNumbers &numbers, TraceLevel level);
 /// and column level: each of the method's numbers under its id; where there is an exact value,
 /// "<id>_exact" and "<id>_error" (used − exact) follow. Pixel level: "x", "y"; for R, G and B the
 /// used value, "_exact", "_error", "_level" (rounded, before clamping) and "_byte"; "clamped",
-/// "before", "after" and "fate", then the method's own numbers. False when the device refused to
-/// take it or options.progress ended it.
+/// "before", "after" and "fate", then the method's own numbers. Stage level: "stage", "point",
+/// what was "used", "used_exact", to 20 digits, "used_error", the "formula" of the number in
+/// symbols and with the "numbers" put in, and a "note" on the point. False when the device refused
+/// to take it or options.progress ended it.
 bool exportTrace(const TracedScene &traced, const TraceExportOptions &options, QIODevice &device);
 
 } // namespace pixelplumb

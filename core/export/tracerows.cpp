@@ -2,6 +2,7 @@
 #include "core/export/tracerows.h"
 
 #include "core/methods/rejectiontext.h"
+#include "core/runs/projectionstages.h"
 #include "core/scene/colourtext.h"
 
 #include <algorithm>
@@ -114,6 +115,38 @@ SpanRow spanRow(const TracedScene &traced, std::size_t span)
 {
     return {traced.trace->indexOfSpan(span), traced.trace->span(span),
             exactSpanCells(traced, span)};
+}
+
+TraceTable<StageRow> stageTable()
+{
+    TraceTable<StageRow> table;
+    table.add({QStringLiteral("step"), Kind::Number},
+              [](const StageRow &row) { return stepNumber(row.step); });
+    table.add({QStringLiteral("primitive"), Kind::Number},
+              [](const StageRow &row) { return integer(std::int64_t(row.primitive)); });
+    table.add({QStringLiteral("stage"), Kind::Text}, [](const StageRow &row) { return row.stage; });
+    table.add({QStringLiteral("point"), Kind::Text}, [](const StageRow &row) { return row.point; });
+    addCompared<StageRow>(
+        table, QStringLiteral("used"), QStringLiteral("used"),
+        [](const StageRow &row) { return row.number.used; },
+        [](const StageRow &row) { return row.number.exact; });
+    table.add({QStringLiteral("formula"), Kind::Text},
+              [](const StageRow &row) { return row.number.symbols; });
+    table.add({QStringLiteral("numbers"), Kind::Text},
+              [](const StageRow &row) { return row.number.substituted; });
+    table.add({QStringLiteral("note"), Kind::Text}, [](const StageRow &row) { return row.note; });
+    return table;
+}
+
+std::vector<StageRow> stageRows(const TracedScene &traced, std::size_t primitive)
+{
+    std::vector<StageRow> rows;
+    for (const StageFormulas &stage : stageFormulas(traced, primitive)) {
+        for (const FormulaLine &line : stage.lines)
+            rows.push_back({traced.trace->indexOfSetUp(primitive), primitive, stage.stage,
+                            stage.point, stage.note, line});
+    }
+    return rows;
 }
 
 TraceTable<SampleRow> sampleTable(const std::vector<NumberDescription> &numbers)

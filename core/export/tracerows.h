@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/export/tracetable.h"
+#include "core/runs/explanation.h"
 #include "core/runs/tracedscene.h"
 
 namespace pixelplumb {
@@ -25,6 +26,17 @@ struct SpanRow {
 /// By the method's descriptions, or by a run's headings.
 TraceTable<SpanRow> spanTable(const std::vector<NumberDescription> &numbers);
 SpanRow spanRow(const TracedScene &traced, std::size_t span);
+
+/// A number on the way of a solid's triangle from space to the frame.
+struct StageRow {
+    std::size_t step = 0; ///< index
+    std::size_t primitive = 0;
+    QString stage, point, note;
+    FormulaLine number;
+};
+TraceTable<StageRow> stageTable();
+/// None of a triangle that the scene gives in the frame.
+std::vector<StageRow> stageRows(const TracedScene &traced, std::size_t primitive);
 
 /// The record of a sample, and what became of its pixel.
 struct SampleRow {

@@ -5,6 +5,12 @@
 
 namespace pixelplumb {
 
+const TriangleSource *Primitives::sourceOf(std::size_t triangle) const
+{
+    const std::size_t first = triangles.size() - sources.size();
+    return triangle >= first && triangle < triangles.size() ? &sources[triangle - first] : nullptr;
+}
+
 const TriangleAttributes *Primitives::attributesOf(std::size_t triangle) const
 {
     const auto found

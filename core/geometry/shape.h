@@ -3,6 +3,7 @@
 
 #include "core/geometry/appearance.h"
 #include "core/geometry/triangle.h"
+#include "core/geometry/trianglesource.h"
 
 #include <QString>
 
@@ -58,9 +59,15 @@ struct Primitives {
     std::vector<Shape> shapes;
     std::vector<TriangleAttributes> attributes = {}; ///< sparse, ascending
     Appearance appearance = {};
+    /// Of the last triangles: those that a camera makes of solids. Their w is the view depth times
+    /// 2^wExponent.
+    std::vector<TriangleSource> sources = {};
+    int wExponent = 0;
     /// Triangles that are pieces of a face which the near plane has cut; ascending.
     std::vector<std::size_t> cutAtNear = {};
 
+    /// Where a triangle comes from; null where a scene gives it in the frame.
+    const TriangleSource *sourceOf(std::size_t triangle) const;
     /// Null where the triangle carries none.
     const TriangleAttributes *attributesOf(std::size_t triangle) const;
 

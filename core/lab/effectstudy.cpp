@@ -3,10 +3,13 @@
 
 #include "core/frame/framebuffer.h"
 #include "core/lab/drawsample.h"
+#include "core/lab/effectloop.h"
 #include "core/lab/effectscenes.h"
 #include "core/runs/tracedscene.h"
 
 #include <cmath>
+#include <functional>
+#include <memory>
 
 namespace pixelplumb {
 
@@ -15,16 +18,30 @@ namespace {
 constexpr double sampleNanoseconds = 1e6;
 constexpr std::array arithmetics = {Arithmetic::Exact, Arithmetic::Float32};
 
+const QString kernelGroup = QStringLiteral("kernel of ");
+const QString kernelWay = QStringLiteral("kernel");
+
+const Method &columnScan() { return *methodNamed(u"column-scan"); }
+
 /// A way with its row, and what it is timed by.
 struct Entry {
     EffectRow row;
     std::size_t first = 0; ///< the row that it is measured by
-    const Method *method = nullptr;
-    Primitives primitives;
-    ScanSettings settings;
     std::unique_ptr<FrameBuffer> frame;
+    std::function<void(FrameView)> draw;
     int draws = 0; ///< of a sample; 0: not yet known
     std::vector<double> samples; ///< ns a draw
+
+    Entry(const QString &group, const QString &way, Arithmetic arithmetic, const FrameSpec &spec,
+          std::function<void(FrameView)> drawing)
+        : frame(std::make_unique<FrameBuffer>(spec))
+        , draw(std::move(drawing))
+    {
+        row.group = group;
+        row.way = way;
+        row.arithmetic = arithmetic;
+        draw(frame->view());
+    }
 };
 
 FrameBuffer truthOf(const Scene &scene)
@@ -60,7 +77,7 @@ void sample(Entry &entry)
     const double time = sampleDraw(
         [&] {
             entry.frame->clear();
-            entry.method->draw(entry.primitives, entry.settings, entry.frame->view());
+            entry.draw(entry.frame->view());
         },
         entry.draws, sampleNanoseconds);
     entry.samples.push_back(time);
@@ -76,6 +93,52 @@ void setTimes(Entry &entry, const Entry &first)
     for (std::size_t i = 0; i < std::min(entry.samples.size(), first.samples.size()); ++i)
         ratios.push_back(entry.samples[i] / first.samples[i]);
     entry.row.timesFirst = spreadOf(ratios);
+}
+
+/// The ways of a scene, in each arithmetic that its method has.
+void addWays(const effectscenes::Group &group, std::vector<Entry> &entries)
+{
+    const FrameBuffer truth = truthOf(group.truth);
+    for (const Arithmetic arithmetic : arithmetics) {
+        const std::size_t first = entries.size();
+        for (const effectscenes::Way &way : group.ways) {
+            const Method *method = methodNamed(QString::fromStdString(way.scene.method));
+            if (!method->supports(arithmetic))
+                continue;
+            ScanSettings settings = way.scene.settings;
+            settings.arithmetic = arithmetic;
+            const auto draw = [method, settings, primitives = primitivesOnSamples(way.scene)](
+                                  FrameView frame) { method->draw(primitives, settings, frame); };
+            Entry &entry
+                = entries.emplace_back(group.name, way.name, arithmetic, way.scene.frame, draw);
+            entry.first = first;
+            entry.row.distance = way.distance;
+            entry.row.brightness = way.brightness;
+            if (way.truth)
+                judge(entry.row, *entry.frame, truthOf(*way.truth));
+            else
+                judge(entry.row, *entry.frame, truth);
+        }
+    }
+}
+
+/// A straight loop and the kernel of its effects, by whose picture both are judged.
+void addKernel(const EffectLoop &loop, std::vector<Entry> &entries)
+{
+    const QString group = kernelGroup + QString::fromLatin1(loop.name);
+    const EffectLoopScene scene(loop);
+    const auto add = [&](const QString &way, const std::function<void(FrameView)> &draw) {
+        entries.emplace_back(group, way, Arithmetic::Float32, scene.frame, draw);
+    };
+    add(QStringLiteral("straight loop"),
+        [scene, loop](FrameView frame) { loop.draw(scene.primitives, frame); });
+    add(kernelWay, [scene, &method = columnScan()](FrameView frame) {
+        method.drawEffects(scene.primitives, scene.settings, frame, scene.plan, {});
+    });
+    for (std::size_t i = entries.size() - 2; i < entries.size(); ++i) {
+        entries[i].first = entries.size() - 2;
+        judge(entries[i].row, *entries[i].frame, *entries.back().frame);
+    }
 }
 
 } // namespace
@@ -95,42 +158,27 @@ std::optional<BrightnessRange> brightnessRangeOf(const std::vector<EffectRow> &r
     return range;
 }
 
+bool EffectRow::isTooSlow() const
+{
+    return timesFirst && timesFirst->median > mostTimesLoop && way == kernelWay
+        && group.startsWith(kernelGroup);
+}
+
 std::optional<std::vector<EffectRow>> runEffectStudy(int rounds, const ProgressListener &listener)
 {
     const std::vector<effectscenes::Group> groups = effectscenes::all();
     std::vector<Entry> entries;
     std::int64_t done = 0;
-    const std::int64_t steps = std::int64_t(groups.size()) + rounds;
+    const std::int64_t steps = std::int64_t(groups.size()) + 1 + rounds;
     for (const effectscenes::Group &group : groups) {
         if (!goesOn(listener, {JobPhase::Judging, done++, steps}))
             return std::nullopt;
-        const FrameBuffer truth = truthOf(group.truth);
-        for (const Arithmetic arithmetic : arithmetics) {
-            const std::size_t first = entries.size();
-            for (const effectscenes::Way &way : group.ways) {
-                const Method *method = methodNamed(QString::fromStdString(way.scene.method));
-                if (!method->supports(arithmetic))
-                    continue;
-                Entry &entry = entries.emplace_back();
-                entry.first = first;
-                entry.row.group = group.name;
-                entry.row.way = way.name;
-                entry.row.arithmetic = arithmetic;
-                entry.row.distance = way.distance;
-                entry.row.brightness = way.brightness;
-                entry.method = method;
-                entry.primitives = primitivesOnSamples(way.scene);
-                entry.settings = way.scene.settings;
-                entry.settings.arithmetic = arithmetic;
-                entry.frame = std::make_unique<FrameBuffer>(way.scene.frame);
-                method->draw(entry.primitives, entry.settings, entry.frame->view());
-                if (way.truth)
-                    judge(entry.row, *entry.frame, truthOf(*way.truth));
-                else
-                    judge(entry.row, *entry.frame, truth);
-            }
-        }
+        addWays(group, entries);
     }
+    if (!goesOn(listener, {JobPhase::Judging, done++, steps}))
+        return std::nullopt;
+    for (const EffectLoop &loop : effectLoops())
+        addKernel(loop, entries);
     for (int round = 0; round < rounds; ++round) {
         if (!goesOn(listener, {JobPhase::Measuring, done++, steps}))
             return std::nullopt;

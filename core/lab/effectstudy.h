@@ -15,8 +15,9 @@ namespace pixelplumb {
 /// of a group draw the same scene and are judged by one truth; the first is what the others are
 /// measured by.
 struct EffectRow {
-    QString
-        group; ///< "antialiasing", "depth buffer", "perspective", "segments", "lines, Bresenham"
+    /// "antialiasing", "depth buffer", "perspective", "segments", "neutral effects", "lines,
+    /// Bresenham"; "kernel of light": a straight loop of the same effects, and the kernel.
+    QString group;
     QString way; ///< "16 samples"
     Arithmetic arithmetic = Arithmetic::Exact;
     std::int64_t pixels = 0; ///< of the picture that are not its background
@@ -31,8 +32,13 @@ struct EffectRow {
     /// longer. 1 is even: a line one pixel wide. 1/√2 is what one pixel a column has at 45°.
     std::optional<double> brightness;
 
+    /// Whether it is a kernel that takes more than mostTimesLoop as long as its straight loop.
+    bool isTooSlow() const;
+
     friend bool operator==(const EffectRow &, const EffectRow &) = default;
 };
+
+inline constexpr double mostTimesLoop = 1.3;
 
 /// The least and the greatest brightness of a group's lines, whatever their direction.
 struct BrightnessRange {
@@ -46,8 +52,8 @@ std::optional<BrightnessRange> brightnessRangeOf(const std::vector<EffectRow> &r
 /// All of them in turn, round by round, by the column scan's plain kernels in exact arithmetic and
 /// float32: antialiasing beside the exact area, depth buffers beside exact depths, affine beside
 /// perspective, segments of a sphere and a patch, effects that change nothing forced on; lines in
-/// every direction by their own methods. Rounds 0: the errors alone. None where the listener ended
-/// it.
+/// every direction by their own methods; and in float32 the kernels of sets of effects, each beside
+/// a straight loop. Rounds 0: the errors alone. None where the listener ended it.
 std::optional<std::vector<EffectRow>> runEffectStudy(int rounds,
                                                      const ProgressListener &listener = {});
 

@@ -22,8 +22,8 @@ const auto &coloursOf(const TestedSample<A> &sample)
 {
     return sample.colour;
 }
-template <class N>
-const auto &coloursOf(const InterpolationSample<N> &sample)
+template <class N, std::size_t channels>
+const auto &coloursOf(const InterpolationSample<N, channels> &sample)
 {
     return sample.value;
 }

@@ -33,6 +33,7 @@ Method columnScanMethod()
     method.fillRuleReason = spanRuleReason(SpanAxis::Column);
     method.draw = drawPlanned<ShadedMethod::ColumnScan, drawWith<ColumnScanKernel>>;
     method.drawFast = drawPlanned<ShadedMethod::ColumnScan, drawColumnsFast>;
+    method.drawEffects = drawEffects<ShadedMethod::ColumnScan>;
     method.trace = tracePlanned<ShadedMethod::ColumnScan, traceWith<ColumnScanKernel>>;
     return method;
 }

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/edgewalknames.h"
 
+#include <algorithm>
+
 namespace pixelplumb {
 
-QString subscriptOf(SortedEdge edge)
+QString subscriptOf(SortedEdge edge, const std::array<std::size_t, 3> &digits)
 {
     const auto &ends = sortedEdgeEnds[std::size_t(edge)];
-    return QString(vertexDigits[ends[0]]) + vertexDigits[ends[1]];
+    const auto [first, last] = std::minmax(digits[ends[0]], digits[ends[1]]);
+    return QString(vertexDigits[first]) + vertexDigits[last];
 }
 
 QString nameOf(SortedEdge edge) { return u'L' + subscriptOf(edge); }
@@ -73,11 +76,11 @@ QString EdgeWalkNames::biased(QString rounding) const
         .replace(u'⌋', QStringLiteral(" + %1⌋").arg(bound));
 }
 
-QString EdgeWalkNames::exchanged(QString title) const
+QString EdgeWalkNames::exchanged(const QString &title) const
 {
-    const QString lower = filled(QStringLiteral("_{lo}"));
-    const QString upper = filled(QStringLiteral("_{hi}"));
-    return title.contains(lower) ? title.replace(lower, upper) : title.replace(upper, lower);
+    const QString lower = filled(QStringLiteral("{lo}"));
+    const QString upper = filled(QStringLiteral("{hi}"));
+    return title.chopped(1) + (title.endsWith(lower) ? upper : lower);
 }
 
 QString EdgeWalkNames::boundFormula(const EdgeWalkSpanState &state, SpanBound bound,
@@ -85,7 +88,7 @@ QString EdgeWalkNames::boundFormula(const EdgeWalkSpanState &state, SpanBound bo
                                     const QString &rate) const
 {
     const SortedEdge edge = bound == SpanBound::Lower ? state.lower : state.upper;
-    const QString slope = rate + subscriptOf(edge);
+    const QString slope = rate + subscriptOf(edge, state.digits);
     // L₀₂ goes on through the middle vertex; a short edge does not.
     const bool goesOn = m_form.walk == WalkForm::Accumulated && !state.isFirst
         && (edge == SortedEdge::L02 || !state.beginsHalf);
@@ -96,10 +99,10 @@ QString EdgeWalkNames::boundFormula(const EdgeWalkSpanState &state, SpanBound bo
     // A segment along the span lies in one of them, from P0 to P2.
     const bool isSegmentsEnd = !state.start.hasPlane && isAlong && bound == SpanBound::Upper;
     const std::size_t from = isSegmentsEnd ? 2 : sortedEdgeEnds[std::size_t(edge)][0];
-    const QString start = value + vertexDigits[from];
+    const QString start = value + vertexDigits[state.digits[from]];
     if (isAlong || state.column.x * unitsPerPixel == across(state.corners[from]))
         return QStringLiteral("%1 ← %2").arg(title, start);
-    return QStringLiteral("%1 ← %2 + %3·%4").arg(title, start, way(from), slope);
+    return QStringLiteral("%1 ← %2 + %3·%4").arg(title, start, way(state.digits[from]), slope);
 }
 
 } // namespace pixelplumb

@@ -18,8 +18,10 @@ inline constexpr std::array<QChar, 3> vertexDigits = {u'₀', u'₁', u'₂'};
 inline constexpr std::array<std::array<std::size_t, 2>, 3> sortedEdgeEnds
     = {{{0, 1}, {1, 2}, {0, 2}}};
 
-/// "₀₁".
-QString subscriptOf(SortedEdge edge);
+inline constexpr std::array sortedEdges = {SortedEdge::L01, SortedEdge::L12, SortedEdge::L02};
+
+/// "₀₁"; the smaller digit first.
+QString subscriptOf(SortedEdge edge, const std::array<std::size_t, 3> &digits = {0, 1, 2});
 /// "L₀₁".
 QString nameOf(SortedEdge edge);
 
@@ -67,7 +69,7 @@ public:
 
 private:
     /// The number's title at the other bound.
-    QString exchanged(QString title) const;
+    QString exchanged(const QString &title) const;
 
     EdgeWalkForm m_form;
 };

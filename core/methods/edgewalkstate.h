@@ -27,6 +27,7 @@ struct EdgeWalkSpanState {
     std::size_t primitive = 0;
     ScanSettings settings;
     std::array<Vertex, 3> corners; ///< P0, P1, P2
+    std::array<std::size_t, 3> digits = {0, 1, 2}; ///< by which texts call them
     EdgeWalkStart start;
     ColumnState<AnyArithmetic> column; ///< of a row walk, in the plane turned to (−y, x)
     Quantity biasBottom, biasTop; ///< β of the two bounds, px

@@ -8,13 +8,55 @@ namespace pixelplumb {
 
 namespace {
 
+/// What the triangles are given that a person wrote. Of a camera's triangles only what an effect
+/// reads counts, and then it is the effects' kernels that draw.
+CarriedChannels carriedBy(const Primitives &primitives)
+{
+    CarriedChannels carried;
+    const std::size_t written = primitives.triangles.size() - primitives.sources.size();
+    for (const TriangleAttributes &attributes : primitives.attributes) {
+        if (attributes.triangle >= written)
+            break;
+        for (const VertexAttributes &vertex : attributes.vertices) {
+            carried.depth |= vertex.z != 0;
+            carried.texture |= vertex.texture != std::array<Attribute, 2>{};
+            carried.normal |= vertex.normal != std::array<Attribute, 3>{};
+        }
+    }
+    return carried;
+}
+
+template <InterpolationForm Form>
+std::unique_ptr<ScanTrace> traceCarried(const Primitives &primitives, const ScanSettings &settings,
+                                        FrameView frame, const TraceOptions &options)
+{
+    using Kernel = InterpolationKernel<Form>;
+    const CarriedChannels carried = carriedBy(primitives);
+    if (carried.count() == colourChannelCount)
+        return traceWith<Kernel>(primitives, settings, frame, options);
+    return Kernel::withNumbers(settings, IntegerWidth::Bits128, [&]<class Number>() {
+        using R = InterpolationRecording<Form, Number, channelCount>;
+        return recordTrace<R>(
+            primitives.size(), settings, options,
+            [&](std::size_t index) { return primitives.isTriangle(index); },
+            [&](std::size_t index, const TraceRecorder<R> &recorder) {
+                InterpolationScan<Form, Number, WideBeside<Number>, channelCount, TraceRecorder<R>>(
+                    primitives.triangles[index], primitives.attributesOf(index), carried, settings,
+                    frame, recorder)
+                    .run();
+            },
+            TablesOf<R>::of(carried));
+    });
+}
+
 template <InterpolationForm Form, ShadedMethod shaded>
 Method interpolationMethod()
 {
     using Kernel = InterpolationKernel<Form>;
     Method method = methodOf<Kernel>();
     method.draw = drawPlanned<shaded, drawWith<Kernel>>;
-    method.trace = tracePlanned<shaded, traceWith<Kernel>>;
+    method.drawEffects = drawEffects<shaded>;
+    method.trace = tracePlanned<shaded, traceCarried<Form>>;
     method.family = MethodFamily::Interpolation;
     method.effects.assign(allEffects.begin(), allEffects.end());
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};

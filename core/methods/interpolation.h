@@ -6,7 +6,8 @@
 namespace pixelplumb {
 
 /// Colour, depth, texture coordinates and normals over a triangle, in the three forms of the
-/// Scan Conversion slides, "Interpolation During Scan Conversion". The picture shows the colour.
+/// Scan Conversion slides, "Interpolation During Scan Conversion". The picture shows the colour; a
+/// trace carries what else the scene's triangles are given.
 Method bilinearInterpolationMethod();
 Method planeInterpolationMethod();
 Method barycentricInterpolationMethod();

@@ -22,41 +22,31 @@ constexpr bool hasNarrowFractions(const Triangle &triangle)
         && high - low <= longest;
 }
 
-struct AttributedTriangle {
-    const Triangle &triangle;
-    const TriangleAttributes *attributes = nullptr;
-};
-
 template <InterpolationForm Form>
 struct InterpolationKernel : TriangleKernel,
                              InExactOrFloat<CommonFraction, CommonFraction, float, double> {
     template <class Number>
     using Recording = InterpolationRecording<Form, Number>;
 
-    static AttributedTriangle geometryOf(const Primitives &primitives, std::size_t index)
-    {
-        return {primitives.triangles[index], primitives.attributesOf(index)};
-    }
+    /// The picture shows the colour: of the other channels it needs none.
     template <class Number, class Observer>
-    static void scan(const AttributedTriangle &scanned, const ScanSettings &settings,
-                     FrameView frame, Observer observer)
+    static void scan(const Triangle &triangle, const ScanSettings &settings, FrameView frame,
+                     Observer observer)
     {
-        // The picture shows the colour: of the other channels it needs none.
-        constexpr std::size_t channels = readsNumbers<Observer> ? channelCount : colourChannelCount;
         const auto scanIn = [&]<class InNumber, class Integer>() {
-            InterpolationScan<Form, InNumber, Integer, channels, Observer>(
-                scanned.triangle, scanned.attributes, settings, frame, observer)
+            InterpolationScan<Form, InNumber, Integer, colourChannelCount, Observer>(
+                triangle, nullptr, CarriedChannels{}, settings, frame, observer)
                 .run();
         };
         // The picture is the same in all; who reads the numbers has one type of them.
         if constexpr (!readsNumbers<Observer>) {
             if constexpr (std::is_same_v<Number, CommonFraction>) {
-                if (hasNarrowFractions(scanned.triangle)) {
+                if (hasNarrowFractions(triangle)) {
                     scanIn.template operator()<FractionOf<std::int64_t>, std::int64_t>();
                     return;
                 }
             }
-            if (integerWidthFor(scanned.triangle) == IntegerWidth::Bits64) {
+            if (integerWidthFor(triangle) == IntegerWidth::Bits64) {
                 scanIn.template operator()<Number, NarrowBeside<Number>>();
                 return;
             }

@@ -75,22 +75,23 @@ void appendBounds(NumberTable<InterpolationSpanState> &table)
 }
 
 /// The channels where an edge meets the column.
-void appendBoundValues(NumberTable<InterpolationSpanState> &table, SpanBound bound,
+void appendBoundValues(NumberTable<InterpolationSpanState> &table, const CarriedChannels &carried,
+                       SpanBound bound,
                        std::array<Quantity, channelCount> InterpolationColumn<Quantity>::*values)
 {
     const bool isLower = bound == SpanBound::Lower;
-    for (std::size_t channel = 0; channel < channelCount; ++channel) {
-        const QString &name = channelName(channel);
+    for (std::size_t place = 0; place < carried.count(); ++place) {
+        const QString &name = channelName(carried.at(place));
         const QString title
             = withSubscript(name, isLower ? QStringLiteral("B") : QStringLiteral("T"));
         table.push_back(
             {comparedNumber(
-                 title, title, channelUnit(channel),
+                 title, title, channelUnit(place),
                  QStringLiteral("%1 where the %2 edge meets the column; its rate is "
                                 "added from column to column.")
                      .arg(name, isLower ? QStringLiteral("lower") : QStringLiteral("upper")),
                  QStringLiteral("%1 ← %1′ + δ%2").arg(title, name), Group::EdgeColours),
-             [=](const InterpolationSpanState &state) { return (state.column.*values)[channel]; },
+             [=](const InterpolationSpanState &state) { return (state.column.*values)[place]; },
              [=](NumberDescription &number, const InterpolationSpanState &state) {
                  number.formula = columnNames().boundFormula(state.walk, bound, title, name,
                                                              QStringLiteral("δ") + name);
@@ -98,12 +99,12 @@ void appendBoundValues(NumberTable<InterpolationSpanState> &table, SpanBound bou
     }
 }
 
-void appendRates(NumberTable<InterpolationSpanState> &table)
+void appendRates(NumberTable<InterpolationSpanState> &table, const CarriedChannels &carried)
 {
-    for (std::size_t channel = 0; channel < channelCount; ++channel) {
-        const QString &name = channelName(channel);
+    for (std::size_t place = 0; place < carried.count(); ++place) {
+        const QString &name = channelName(carried.at(place));
         table.push_back(
-            {comparedNumber(QStringLiteral("delta_") + name, u'Δ' + name, channelUnit(channel),
+            {comparedNumber(QStringLiteral("delta_") + name, u'Δ' + name, channelUnit(place),
                             QStringLiteral("Change of %1 for each upward move; none where y_B = "
                                            "y_T, with nothing to share out.")
                                 .arg(name),
@@ -112,7 +113,7 @@ void appendRates(NumberTable<InterpolationSpanState> &table)
                                      withSubscript(name, QStringLiteral("B"))),
                             Group::ColourRates),
              [=](const InterpolationSpanState &state) {
-                 return state.hasRate() ? state.column.rate[channel] : Quantity();
+                 return state.hasRate() ? state.column.rate[place] : Quantity();
              }});
     }
 }
@@ -181,7 +182,8 @@ void specifyValue(NumberDescription &number, InterpolationForm form, const QStri
 
 } // namespace
 
-NumberTable<InterpolationSpanState> interpolationSpanNumbers(InterpolationForm form)
+NumberTable<InterpolationSpanState> interpolationSpanNumbers(InterpolationForm form,
+                                                             const CarriedChannels &carried)
 {
     using Column = InterpolationColumn<Quantity>;
     NumberTable<InterpolationSpanState> table;
@@ -189,28 +191,28 @@ NumberTable<InterpolationSpanState> interpolationSpanNumbers(InterpolationForm f
     if (form != InterpolationForm::Bilinear)
         return table;
     appendBounds(table);
-    appendBoundValues(table, SpanBound::Lower, &Column::bottom);
-    appendBoundValues(table, SpanBound::Upper, &Column::top);
-    appendRates(table);
+    appendBoundValues(table, carried, SpanBound::Lower, &Column::bottom);
+    appendBoundValues(table, carried, SpanBound::Upper, &Column::top);
+    appendRates(table, carried);
     return table;
 }
 
-NumberTable<InterpolationSampleState> interpolationSampleNumbers(InterpolationForm form)
+NumberTable<InterpolationSampleState> interpolationSampleNumbers(InterpolationForm form,
+                                                                 const CarriedChannels &carried)
 {
     NumberTable<InterpolationSampleState> table;
     if (form == InterpolationForm::Barycentric)
         appendWeights(table);
-    for (std::size_t channel = 0; channel < channelCount; ++channel) {
-        const QString &name = channelName(channel);
-        NumberDescription number = comparedNumber(name, name, channelUnit(channel),
+    for (std::size_t place = 0; place < carried.count(); ++place) {
+        const QString &name = channelName(carried.at(place));
+        NumberDescription number = comparedNumber(name, name, channelUnit(place),
                                                   QStringLiteral("%1 at the sample.").arg(name),
                                                   valueFormula(form, name), Group::FirstColour);
         if (form == InterpolationForm::Bilinear)
             number.startFormula = QStringLiteral("%1 ← %2 + (y − y_B)·Δ%1")
                                       .arg(name, withSubscript(name, QStringLiteral("B")));
         table.push_back(
-            {number,
-             [channel](const InterpolationSampleState &state) { return state.value[channel]; },
+            {number, [place](const InterpolationSampleState &state) { return state.value[place]; },
              [=](NumberDescription &description, const InterpolationSampleState &state) {
                  specifyValue(description, form, name, state);
              }});

@@ -6,9 +6,12 @@
 
 namespace pixelplumb {
 
-/// The numbers of the three forms of interpolation.
-NumberTable<InterpolationSetUpState> interpolationSetUpNumbers(InterpolationForm form);
-NumberTable<InterpolationSpanState> interpolationSpanNumbers(InterpolationForm form);
-NumberTable<InterpolationSampleState> interpolationSampleNumbers(InterpolationForm form);
+/// The numbers of the three forms of interpolation, of the channels that are carried.
+NumberTable<InterpolationSetUpState> interpolationSetUpNumbers(InterpolationForm form,
+                                                               const CarriedChannels &carried);
+NumberTable<InterpolationSpanState> interpolationSpanNumbers(InterpolationForm form,
+                                                             const CarriedChannels &carried);
+NumberTable<InterpolationSampleState> interpolationSampleNumbers(InterpolationForm form,
+                                                                 const CarriedChannels &carried);
 
 } // namespace pixelplumb

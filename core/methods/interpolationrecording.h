@@ -7,27 +7,25 @@
 
 namespace pixelplumb {
 
-/// How the numbers of an interpolation become records.
-template <InterpolationForm Form, class Number>
-struct InterpolationRecording : InterpolationNumbers<Number> {
-    using typename InterpolationNumbers<Number>::SetUp;
-    using typename InterpolationNumbers<Number>::Span;
-    using typename InterpolationNumbers<Number>::Sample;
+/// How the numbers of an interpolation become records: of R G B, or with room for all channels, of
+/// those that are carried.
+template <InterpolationForm Form, class Number, std::size_t channelsInAll = colourChannelCount>
+struct InterpolationRecording : InterpolationNumbers<Number, channelsInAll> {
+    using typename InterpolationNumbers<Number, channelsInAll>::SetUp;
+    using typename InterpolationNumbers<Number, channelsInAll>::Span;
+    using typename InterpolationNumbers<Number, channelsInAll>::Sample;
 
-    static const NumberTable<InterpolationSetUpState> &setUpNumbers()
+    static auto setUpNumbers(const CarriedChannels &carried = {})
     {
-        static const auto table = interpolationSetUpNumbers(Form);
-        return table;
+        return interpolationSetUpNumbers(Form, carried);
     }
-    static const NumberTable<InterpolationSpanState> &spanNumbers()
+    static auto spanNumbers(const CarriedChannels &carried = {})
     {
-        static const auto table = interpolationSpanNumbers(Form);
-        return table;
+        return interpolationSpanNumbers(Form, carried);
     }
-    static const NumberTable<InterpolationSampleState> &sampleNumbers()
+    static auto sampleNumbers(const CarriedChannels &carried = {})
     {
-        static const auto table = interpolationSampleNumbers(Form);
-        return table;
+        return interpolationSampleNumbers(Form, carried);
     }
 
     static InterpolationSetUpState stateOf(const SetUpInHand<SetUp> &step)
@@ -36,11 +34,11 @@ struct InterpolationRecording : InterpolationNumbers<Number> {
     }
     static InterpolationSpanState stateOf(const SpanInHand<SetUp, Span> &step)
     {
-        return interpolationStateOf<Number>(step);
+        return interpolationStateOf<Number, channelsInAll>(step);
     }
     static InterpolationSampleState stateOf(const SampleInHand<SetUp, Span, Sample> &step)
     {
-        return interpolationStateOf<Number>(step);
+        return interpolationStateOf<Number, channelsInAll>(step);
     }
     template <class State>
     static auto tell(StepWords &words, const State &state)

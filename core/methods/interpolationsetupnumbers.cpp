@@ -39,21 +39,27 @@ void appendPositions(NumberTable<InterpolationSetUpState> &table, InterpolationF
     }
 }
 
+/// A channel that is carried: its place among these, and its name.
+struct PlacedChannel {
+    std::size_t place;
+    QString name;
+};
+
 void appendValues(NumberTable<InterpolationSetUpState> &table, InterpolationForm form,
-                  std::size_t channel)
+                  const PlacedChannel &channel)
 {
-    const QString &name = channelName(channel);
+    const auto &[place, name] = channel;
     for (std::size_t digit = 0; digit < 3; ++digit) {
         table.push_back({{.id = name + QString::number(digit),
                           .title = name + vertexDigits[digit],
-                          .unit = channelUnit(channel),
+                          .unit = channelUnit(place),
                           .toolTip = QStringLiteral("%1 at vertex %2.").arg(name).arg(digit),
                           .formula = {},
                           .group = Group::EdgeColours},
-                         [=](const InterpolationSetUpState &state) {
+                         [form, digit, at = place](const InterpolationSetUpState &state) {
                              const std::size_t vertex = vertexIn(state, form, digit);
-                             return Quantity::rational(state.vertices[vertex].channels[channel],
-                                                       unitsOfChannel(channel));
+                             return Quantity::rational(state.vertices[vertex].channels[at],
+                                                       unitsOfChannel(at));
                          }});
     }
 }
@@ -68,7 +74,7 @@ NumberRow<InterpolationSetUpState>::Specify ifCarried(std::size_t channel)
 }
 
 /// N = ⟨A, B, C⟩ and D of the plane through the three values; % stands for the channel.
-void appendNormal(NumberTable<InterpolationSetUpState> &table, std::size_t channel)
+void appendNormal(NumberTable<InterpolationSetUpState> &table, const PlacedChannel &channel)
 {
     struct Component {
         const char16_t *name;
@@ -79,7 +85,7 @@ void appendNormal(NumberTable<InterpolationSetUpState> &table, std::size_t chann
            Component{u"B", u"(%₁ − %₀)·(x₂ − x₀) − (x₁ − x₀)·(%₂ − %₀)"},
            Component{u"C", u"(x₁ − x₀)·(y₂ − y₀) − (y₁ − y₀)·(x₂ − x₀)"},
            Component{u"D", u"−({A}·x₀ + {B}·y₀ + {C}·%₀)"}};
-    const QString &name = channelName(channel);
+    const auto &[place, name] = channel;
     for (std::size_t i = 0; i < components.size(); ++i) {
         const QString title = coefficientOf(QString::fromUtf16(components[i].name), name);
         QString formula = title + QStringLiteral(" = ") + QString::fromUtf16(components[i].formula);
@@ -95,20 +101,20 @@ void appendNormal(NumberTable<InterpolationSetUpState> &table, std::size_t chann
                                     + name + u'.'
                                   : QStringLiteral("D = −N·P₀ of the plane of ") + name + u'.',
                             formula.replace(u'%', name), Group::ColourRates),
-             [=](const InterpolationSetUpState &state) { return state.normal[channel][i]; },
-             ifCarried(channel)});
+             [i, at = place](const InterpolationSetUpState &state) { return state.normal[at][i]; },
+             ifCarried(place)});
     }
 }
 
-void appendPlane(NumberTable<InterpolationSetUpState> &table, std::size_t channel)
+void appendPlane(NumberTable<InterpolationSetUpState> &table, const PlacedChannel &channel)
 {
     constexpr std::array<char16_t, 3> coefficients = {u'a', u'b', u'c'};
     constexpr std::array<char16_t, 3> dividends = {u'A', u'B', u'D'};
-    const QString &name = channelName(channel);
+    const auto &[place, name] = channel;
     for (std::size_t i = 0; i < 3; ++i) {
         const QString title = coefficientOf(QString(QChar(coefficients[i])), name);
         table.push_back(
-            {comparedNumber(title, title, channelUnit(channel),
+            {comparedNumber(title, title, channelUnit(place),
                             QStringLiteral("%1 of %2 = a·x + b·y + c, the plane through the three "
                                            "values of %2.")
                                 .arg(QChar(coefficients[i]))
@@ -117,8 +123,8 @@ void appendPlane(NumberTable<InterpolationSetUpState> &table, std::size_t channe
                                 .arg(title, coefficientOf(QString(QChar(dividends[i])), name),
                                      coefficientOf(QStringLiteral("C"), name)),
                             Group::ColourRates),
-             [=](const InterpolationSetUpState &state) { return state.plane[channel][i]; },
-             ifCarried(channel)});
+             [i, at = place](const InterpolationSetUpState &state) { return state.plane[at][i]; },
+             ifCarried(place)});
     }
 }
 
@@ -183,10 +189,11 @@ void appendSlope(NumberTable<InterpolationSetUpState> &table, SortedEdge edge)
          [edge](const InterpolationSetUpState &state) { return state.slope[std::size_t(edge)]; }});
 }
 
-void appendRate(NumberTable<InterpolationSetUpState> &table, SortedEdge edge, std::size_t channel)
+void appendRate(NumberTable<InterpolationSetUpState> &table, SortedEdge edge,
+                const PlacedChannel &channel)
 {
     const auto &ends = sortedEdgeEnds[std::size_t(edge)];
-    const QString &name = channelName(channel);
+    const auto &[place, name] = channel;
     table.push_back(
         {comparedNumber(
              QStringLiteral("rate_%1_%2%3").arg(name).arg(ends[0]).arg(ends[1]),
@@ -197,32 +204,35 @@ void appendRate(NumberTable<InterpolationSetUpState> &table, SortedEdge edge, st
                  .replace(u'&', vertexDigits[ends[1]])
                  .replace(u'%', name),
              Group::ColourRates),
-         [=](const InterpolationSetUpState &state) {
-             return state.rate[std::size_t(edge)][channel];
+         [edge, at = place](const InterpolationSetUpState &state) {
+             return state.rate[std::size_t(edge)][at];
          },
-         ifCarried(channel)});
+         ifCarried(place)});
 }
 
 } // namespace
 
-NumberTable<InterpolationSetUpState> interpolationSetUpNumbers(InterpolationForm form)
+NumberTable<InterpolationSetUpState> interpolationSetUpNumbers(InterpolationForm form,
+                                                               const CarriedChannels &carried)
 {
+    std::vector<PlacedChannel> channels;
+    for (std::size_t place = 0; place < carried.count(); ++place)
+        channels.push_back({place, channelName(carried.at(place))});
     NumberTable<InterpolationSetUpState> table;
     appendPositions(table, form);
-    for (std::size_t channel = 0; channel < channelCount; ++channel)
+    for (const PlacedChannel &channel : channels)
         appendValues(table, form, channel);
-    const std::array edges = {SortedEdge::L01, SortedEdge::L12, SortedEdge::L02};
     switch (form) {
     case InterpolationForm::Bilinear:
-        for (const SortedEdge edge : edges)
+        for (const SortedEdge edge : sortedEdges)
             appendSlope(table, edge);
-        for (std::size_t channel = 0; channel < channelCount; ++channel) {
-            for (const SortedEdge edge : edges)
+        for (const PlacedChannel &channel : channels) {
+            for (const SortedEdge edge : sortedEdges)
                 appendRate(table, edge, channel);
         }
         break;
     case InterpolationForm::Plane:
-        for (std::size_t channel = 0; channel < channelCount; ++channel) {
+        for (const PlacedChannel &channel : channels) {
             appendNormal(table, channel);
             appendPlane(table, channel);
         }

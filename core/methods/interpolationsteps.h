@@ -11,6 +11,26 @@
 /// serves every arithmetic.
 namespace pixelplumb {
 
+/// What a kernel has in the channels that it carries; the rest are none.
+template <class Number, std::size_t carried>
+std::array<Quantity, channelCount> channelQuantities(const std::array<Number, carried> &numbers)
+{
+    std::array<Quantity, channelCount> quantities;
+    for (std::size_t i = 0; i < carried; ++i)
+        quantities[i] = quantityOf(numbers[i]);
+    return quantities;
+}
+
+template <std::size_t channelsInAll>
+ChannelVertex roomyVertex(const VertexOfChannels<channelsInAll> &vertex)
+{
+    ChannelVertex roomy;
+    roomy.carried = vertex.carried;
+    roomy.position = vertex.position;
+    std::ranges::copy(vertex.channels, roomy.channels.begin());
+    return roomy;
+}
+
 /// Without an area there is no plane and there are no weights: these are none.
 struct InterpolationSetUpState : InterpolationSetUp<Quantity> {
     std::array<std::array<Quantity, 4>, channelCount> normal; ///< A B C D, [channel]
@@ -47,28 +67,31 @@ struct InterpolationSampleState : InterpolationSample<Quantity> {
     bool isPoint = false; ///< all vertices are one
 };
 
-template <InterpolationForm Form, class Number>
-InterpolationSetUpState interpolationStateOf(const InterpolationSetUp<Number> &setUp)
+template <InterpolationForm Form, class Number, std::size_t channelsInAll>
+InterpolationSetUpState interpolationStateOf(const InterpolationSetUp<Number, channelsInAll> &setUp)
 {
     InterpolationSetUpState state{
-        {setUp.order, setUp.longEdge, setUp.zeroArea, setUp.vertices, {}, {}}, {}, {}, {}, {}};
-    const auto corner = [&](std::size_t number) -> const ChannelVertex & {
+        {setUp.order, setUp.longEdge, setUp.zeroArea, {}, {}, {}}, {}, {}, {}, {}};
+    for (std::size_t i = 0; i < 3; ++i)
+        state.vertices[i] = roomyVertex(setUp.vertices[i]);
+    using Corner = VertexOfChannels<channelsInAll>;
+    const auto corner = [&](std::size_t number) -> const Corner & {
         return setUp.vertices[std::size_t(setUp.order[number])];
     };
     for (std::size_t edge = 0; edge < 3 && Form == InterpolationForm::Bilinear; ++edge) {
         const auto &ends = sortedEdgeEnds[edge];
-        const ChannelVertex &a = corner(ends[0]);
-        const ChannelVertex &b = corner(ends[1]);
+        const Corner &a = corner(ends[0]);
+        const Corner &b = corner(ends[1]);
         if (a.position.x == b.position.x
             || (setUp.zeroArea && edge != std::size_t(SortedEdge::L02)))
             continue;
-        const ChannelEdge<Number> walked(a, b, 0);
+        const ChannelEdge<Number, channelsInAll> walked(a, b, 0);
         state.slope[edge] = Quantity::of(walked.slope);
-        state.rate[edge] = quantitiesOf(walked.rate);
+        state.rate[edge] = channelQuantities(walked.rate);
     }
     if (setUp.zeroArea)
         return state;
-    for (std::size_t channel = 0; channel < channelCount && Form == InterpolationForm::Plane;
+    for (std::size_t channel = 0; channel < setUp.carried() && Form == InterpolationForm::Plane;
          ++channel) {
         const auto normal = planeNormal<Number>(setUp.vertices, channel);
         state.normal[channel] = quantitiesOf(std::array{normal.a, normal.b, normal.c, normal.d});
@@ -83,11 +106,12 @@ InterpolationSetUpState interpolationStateOf(const InterpolationSetUp<Number> &s
 }
 
 /// How a column's walk along the edges is told, as the edge walks tell theirs.
-template <class Number>
+template <class Number, std::size_t channelsInAll>
 EdgeWalkSpanState interpolationWalkOf(
-    const SpanInHand<InterpolationSetUp<Number>, InterpolationColumn<Number>> &step)
+    const SpanInHand<InterpolationSetUp<Number, channelsInAll>,
+                     InterpolationColumn<Number, channelsInAll>> &step)
 {
-    const InterpolationSetUp<Number> &setUp = step.setUp;
+    const auto &setUp = step.setUp;
     EdgeWalkSpanState walk;
     walk.primitive = step.primitive;
     for (std::size_t corner = 0; corner < 3; ++corner)
@@ -109,27 +133,30 @@ EdgeWalkSpanState interpolationWalkOf(
     return walk;
 }
 
-template <class Number>
+template <class Number, std::size_t channelsInAll>
 InterpolationSpanState interpolationStateOf(
-    const SpanInHand<InterpolationSetUp<Number>, InterpolationColumn<Number>> &step)
+    const SpanInHand<InterpolationSetUp<Number, channelsInAll>,
+                     InterpolationColumn<Number, channelsInAll>> &step)
 {
-    const InterpolationColumn<Number> &column = step.span;
-    return {interpolationWalkOf(step),
+    const InterpolationColumn<Number, channelsInAll> &column = step.span;
+    return {interpolationWalkOf<Number, channelsInAll>(step),
             {column.x, column.half, column.lower, column.upper, column.firstRow, column.endRow,
              column.firstDrawn, column.endDrawn, Quantity::of(column.yBottom),
-             Quantity::of(column.yTop), quantitiesOf(column.bottom), quantitiesOf(column.top),
-             quantitiesOf(column.rate), quantitiesOf(column.first)}};
+             Quantity::of(column.yTop), channelQuantities(column.bottom),
+             channelQuantities(column.top), channelQuantities(column.rate),
+             channelQuantities(column.first)}};
 }
 
-template <class Number>
+template <class Number, std::size_t channelsInAll>
 InterpolationSampleState interpolationStateOf(
-    const SampleInHand<InterpolationSetUp<Number>, InterpolationColumn<Number>,
-                       InterpolationSample<Number>> &step)
+    const SampleInHand<InterpolationSetUp<Number, channelsInAll>,
+                       InterpolationColumn<Number, channelsInAll>,
+                       InterpolationSample<Number, channelsInAll>> &step)
 {
-    const InterpolationSample<Number> &sample = step.sample;
-    InterpolationSampleState state{{quantitiesOf(sample.value), {}, sample.level},
+    const InterpolationSample<Number, channelsInAll> &sample = step.sample;
+    InterpolationSampleState state{{channelQuantities(sample.value), {}, sample.level},
                                    step.setUp.order,
-                                   interpolationWalkOf<Number>(step).start,
+                                   interpolationWalkOf<Number, channelsInAll>(step).start,
                                    false};
     const auto corner = [&](std::size_t number) {
         return step.setUp.vertices[std::size_t(step.setUp.order[number])].position;

@@ -77,6 +77,36 @@ QString spanRuleReason(SpanAxis axis)
         .arg(axis == SpanAxis::Row ? QStringLiteral("row") : QStringLiteral("column"));
 }
 
+bool Method::drawInPieces(const Primitives &primitives, const ScanSettings &settings,
+                          FrameView frame, const ProgressListener &listener) const
+{
+    const auto mayGoOn = [&](std::size_t done) {
+        return goesOn(listener,
+                      {JobPhase::Drawing, std::int64_t(done), std::int64_t(primitives.size())});
+    };
+    if (!mayGoOn(0))
+        return false;
+    if (drawEffects) {
+        if (const auto plan = planBeyondColour(primitives, settings, frame))
+            return drawEffects(primitives, settings, frame, *plan, listener);
+    }
+    // Nothing but colour: no triangle depends on what those before it left.
+    const std::span<const Triangle> triangles = primitives.triangles;
+    for (std::size_t first = 0; first < triangles.size(); first += pieceSize()) {
+        if (!mayGoOn(first))
+            return false;
+        const auto piece
+            = triangles.subspan(first, std::min(pieceSize(), triangles.size() - first));
+        drawFastest({{piece.begin(), piece.end()}, {}}, settings, frame);
+    }
+    for (std::size_t i = 0; i < primitives.shapes.size(); ++i) {
+        if (!mayGoOn(triangles.size() + i))
+            return false;
+        drawFastest({{}, {primitives.shapes[i]}}, settings, frame);
+    }
+    return true;
+}
+
 bool Method::supports(Arithmetic arithmetic) const
 {
     return std::ranges::find(arithmetics, arithmetic) != arithmetics.end();

@@ -47,6 +47,11 @@ struct Method {
     /// way.
     void (*drawFast)(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
         = nullptr;
+    /// Draws the triangles as a plan says that runs more than colour; false where the listener, who
+    /// hears how many are drawn, ended it. Null where the method can no effects.
+    bool (*drawEffects)(const Primitives &primitives, const ScanSettings &settings, FrameView frame,
+                        const EffectPlan &plan, const ProgressListener &listener)
+        = nullptr;
     /// Draws and records. Null when options.progress cancelled it.
     std::unique_ptr<ScanTrace> (*trace)(const Primitives &primitives, const ScanSettings &settings,
                                         FrameView frame, const TraceOptions &options);
@@ -56,6 +61,12 @@ struct Method {
     {
         (drawFast ? drawFast : draw)(primitives, settings, frame);
     }
+    /// The same, in pieces; false where the listener, who hears how many primitives are drawn,
+    /// ended it.
+    bool drawInPieces(const Primitives &primitives, const ScanSettings &settings, FrameView frame,
+                      const ProgressListener &listener) const;
+    /// Triangles between two questions whether to go on: some milliseconds of each.
+    std::size_t pieceSize() const { return std::size_t(1) << (drawFast ? 16 : 10); }
     bool supports(Arithmetic arithmetic) const;
     bool supports(FillRule rule) const;
     bool supports(Effect effect) const;

@@ -16,6 +16,13 @@ void drawPlanned(const Primitives &primitives, const ScanSettings &settings, Fra
         plain(primitives, settings, frame);
 }
 
+template <ShadedMethod method>
+bool drawEffects(const Primitives &primitives, const ScanSettings &settings, FrameView frame,
+                 const EffectPlan &plan, const ProgressListener &listener)
+{
+    return drawShaded(method, primitives, settings, frame, plan, listener);
+}
+
 template <ShadedMethod method, auto plain>
 std::unique_ptr<ScanTrace> tracePlanned(const Primitives &primitives, const ScanSettings &settings,
                                         FrameView frame, const TraceOptions &options)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/interpolationnames.h"
 #include "core/methods/shadednumbers.h"
+#include "core/methods/units.h"
 
 namespace pixelplumb {
 
@@ -21,5 +22,7 @@ QString linearName(Channel channel, const EffectSet &effects)
         ? withSubscript(name, QStringLiteral("w"))
         : name;
 }
+
+QString unitOf(Channel channel) { return isLevel(channel) ? unit::levels() : QString(); }
 
 } // namespace pixelplumb

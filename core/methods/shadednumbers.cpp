@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/shadednumbers.h"
 
+#include "core/methods/edgewalknames.h"
 #include "core/methods/formulatext.h"
 #include "core/methods/interpolationnames.h"
-#include "core/methods/placenumbers.h"
 #include "core/methods/units.h"
 
 #include <utility>
@@ -13,10 +13,6 @@ namespace pixelplumb {
 namespace {
 
 using Group = NumberGroup;
-
-constexpr std::array<char16_t, 3> digits = {u'₀', u'₁', u'₂'};
-
-QString unitOf(Channel channel) { return isLevel(channel) ? unit::levels() : QString(); }
 
 /// The vertex that a digit names: of the bilinear form they are sorted by x.
 std::size_t vertexIn(const ShadedSetUpState &state, InterpolationForm form, std::size_t digit)
@@ -34,7 +30,7 @@ void appendVertices(NumberTable<ShadedSetUpState> &table, const ShadedScope &sco
         const auto row = [&](const QString &name, const QString &unit, const QString &toolTip,
                              const auto &read) {
             table.push_back({{.id = name + QString::number(digit),
-                              .title = name + digits[digit],
+                              .title = name + vertexDigits[digit],
                               .unit = unit,
                               .toolTip = owner.arg(name).arg(digit) + toolTip,
                               .formula = {}},
@@ -68,7 +64,7 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
         const QString given = shadedName(which);
         if (which != Channel::Reciprocal)
             table.push_back({{.id = given + QString::number(digit),
-                              .title = given + digits[digit],
+                              .title = given + vertexDigits[digit],
                               .unit = unitOf(which),
                               .toolTip = QStringLiteral("%1 at vertex %2.").arg(given).arg(digit),
                               .formula = {},
@@ -80,15 +76,16 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
             continue;
         const QString name = linearName(which, scope.effects);
         const QString above
-            = which == Channel::Reciprocal ? QStringLiteral("1") : given + digits[digit];
+            = which == Channel::Reciprocal ? QStringLiteral("1") : given + vertexDigits[digit];
         table.push_back(
-            {comparedNumber(name + QString::number(digit), name + digits[digit], unitOf(which),
+            {comparedNumber(name + QString::number(digit), name + vertexDigits[digit],
+                            unitOf(which),
                             QStringLiteral("%1 at vertex %2 divided by its w: what is linear in "
                                            "the frame.")
                                 .arg(which == Channel::Reciprocal ? QStringLiteral("1") : given)
                                 .arg(digit),
                             QStringLiteral("%1 = %2/w%3")
-                                .arg(name + digits[digit], above, QString(digits[digit])),
+                                .arg(name + vertexDigits[digit], above, vertexDigits[digit]),
                             Group::EdgeColours),
              [=](const ShadedSetUpState &state) {
                  return state.linear[channel][vertexIn(state, form, digit)];
@@ -109,33 +106,61 @@ void appendCoefficients(NumberTable<ShadedSetUpState> &table, const QString &nam
     }
 }
 
-/// What an edge has where it meets the column, and the change from row to row.
-void appendBounds(NumberTable<ShadedSpanState> &table, const QString &name, const QString &unit,
-                  std::size_t channel)
+/// The edge of the state between the vertices that the digits of an edge name.
+std::size_t edgeIn(const ShadedSetUpState &state, InterpolationForm form, SortedEdge named)
 {
-    const QString bottom = withSubscript(name, QStringLiteral("B"));
-    const QString top = withSubscript(name, QStringLiteral("T"));
-    const auto bound = [&](const QString &title, const QString &edge,
-                           PerChannel<Quantity> ShadedSpanState::*values) {
-        table.push_back(
-            {comparedNumber(
-                 title, title, unit,
-                 QStringLiteral("%1 where the %2 edge meets the column.").arg(name, edge), {},
-                 Group::EdgeColours),
-             [=](const ShadedSpanState &state) { return (state.*values)[channel]; }});
-    };
-    bound(bottom, QStringLiteral("lower"), &ShadedSpanState::bottom);
-    bound(top, QStringLiteral("upper"), &ShadedSpanState::top);
+    if (form == InterpolationForm::Bilinear)
+        return std::size_t(named);
+    const std::array digits
+        = {std::size_t(state.order[0]), std::size_t(state.order[1]), std::size_t(state.order[2])};
+    for (const SortedEdge edge : sortedEdges) {
+        if (subscriptOf(edge, digits) == subscriptOf(named))
+            return std::size_t(edge);
+    }
+    return std::size_t(named);
+}
+
+/// "(% − %)/(x₁ − x₀)" of an edge; # and & are its ends, % the letter.
+QString slopeFormula(const QString &title, SortedEdge edge, const QString &letter)
+{
+    const auto &ends = sortedEdgeEnds[std::size_t(edge)];
+    return title
+        + QString(QStringLiteral(" = (%& − %#)/(x& − x#)"))
+              .replace(u'#', vertexDigits[ends[0]])
+              .replace(u'&', vertexDigits[ends[1]])
+              .replace(u'%', letter);
+}
+
+/// What each column adds to y along an edge.
+void appendSlope(NumberTable<ShadedSetUpState> &table, InterpolationForm form, SortedEdge edge)
+{
+    const auto &ends = sortedEdgeEnds[std::size_t(edge)];
+    const QString title = u'm' + subscriptOf(edge);
     table.push_back(
-        {comparedNumber(QStringLiteral("delta_") + name, u'Δ' + name, unit,
-                        QStringLiteral("Change of %1 for each upward move.").arg(name),
-                        QStringLiteral("Δ%1 = (%2 − %3)/(y_T − y_B)").arg(name, top, bottom),
-                        Group::ColourRates),
-         [=](const ShadedSpanState &state) { return state.rate[channel]; },
-         [](NumberDescription &number, const ShadedSpanState &state) {
-             if (state.lower == state.upper)
-                 number.formula.clear();
-         }});
+        {comparedNumber(
+             QStringLiteral("m_%1%2").arg(ends[0]).arg(ends[1]), title, QStringLiteral("px/column"),
+             QStringLiteral("Slope of the edge from P%1 to P%2: what each column adds to its y; "
+                            "none where it is vertical.")
+                 .arg(ends[0])
+                 .arg(ends[1]),
+             slopeFormula(title, edge, QStringLiteral("y")), Group::Position),
+         [=](const ShadedSetUpState &state) { return state.slope[edgeIn(state, form, edge)]; }});
+}
+
+/// What each column adds to a channel along an edge.
+void appendRate(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope, std::size_t channel,
+                SortedEdge edge)
+{
+    const auto &ends = sortedEdgeEnds[std::size_t(edge)];
+    const QString name = linearName(channelAt(channel), scope.effects);
+    const QString title = u'δ' + name + subscriptOf(edge);
+    table.push_back(
+        {comparedNumber(
+             QStringLiteral("rate_%1_%2%3").arg(name).arg(ends[0]).arg(ends[1]), title,
+             isLevel(channelAt(channel)) ? QStringLiteral("levels/column") : QString(),
+             QStringLiteral("What each column adds to %1 along %2.").arg(name, nameOf(edge)),
+             slopeFormula(title, edge, name), Group::ColourRates),
+         [=](const ShadedSetUpState &state) { return state.rate[std::size_t(edge)][channel]; }});
 }
 
 } // namespace
@@ -146,6 +171,13 @@ NumberTable<ShadedSetUpState> shadedSetUpNumbers(const ShadedScope &scope)
     appendVertices(table, scope);
     forEachChannel(scope.effects,
                    [&](std::size_t channel) { appendValues(table, scope, channel); });
+    for (const SortedEdge edge : sortedEdges)
+        appendSlope(table, scope.form, edge);
+    if (scope.form == InterpolationForm::Bilinear)
+        forEachChannel(scope.effects, [&](std::size_t channel) {
+            for (const SortedEdge edge : sortedEdges)
+                appendRate(table, scope, channel, edge);
+        });
     if (scope.form == InterpolationForm::Plane)
         forEachChannel(scope.effects, [&](std::size_t channel) {
             const QString name = linearName(channelAt(channel), scope.effects);
@@ -162,50 +194,8 @@ NumberTable<ShadedSetUpState> shadedSetUpNumbers(const ShadedScope &scope)
                 QStringLiteral("Of the weight of vertex %1, a·x + b·y + c.").arg(i),
                 [i](const ShadedSetUpState &state, std::size_t k) { return state.weight[i][k]; });
     }
-    return table;
-}
-
-NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope)
-{
-    using State = ShadedSpanState;
-    NumberTable<State> table;
-    const auto whole = [&](const NumberDescription &number, const auto &read) {
-        table.push_back({number, [read](const State &state) {
-                             return Quantity::integer(Int128(read(state)));
-                         }});
-    };
-    whole(triangleNumber(), [](const State &state) { return state.primitive; });
-    whole(scannedNumber(), [](const State &state) { return state.x; });
-    whole(halfNumber(), [](const State &state) { return int(state.half) + 1; });
-    const auto bound = [&](const QString &title, const QString &edge, Quantity State::*value) {
-        table.push_back(
-            {comparedNumber(title, title, unit::px(),
-                            QStringLiteral("Where the %1 edge meets the column.").arg(edge), {},
-                            Group::Span),
-             [value](const State &state) { return state.*value; }});
-    };
-    bound(QStringLiteral("y_B"), QStringLiteral("lower"), &State::lower);
-    bound(QStringLiteral("y_T"), QStringLiteral("upper"), &State::upper);
-    whole({.id = QStringLiteral("first_row"),
-           .title = QStringLiteral("y_first"),
-           .unit = unit::px(),
-           .toolTip = QStringLiteral("The first covered row."),
-           .formula = {},
-           .group = Group::Span},
-          [](const State &state) { return state.firstRow; });
-    whole({.id = QStringLiteral("last_row"),
-           .title = QStringLiteral("y_last"),
-           .unit = unit::px(),
-           .toolTip = QStringLiteral("The last covered row."),
-           .formula = {},
-           .group = Group::Span},
-          [](const State &state) { return state.endRow - 1; });
-    whole(columnPixelsNumber(), [](const State &state) { return state.drawnSamples(); });
-    if (scope.form == InterpolationForm::Bilinear)
-        forEachChannel(scope.effects, [&](std::size_t channel) {
-            appendBounds(table, linearName(channelAt(channel), scope.effects),
-                         unitOf(channelAt(channel)), channel);
-        });
+    if (scope.appearance)
+        appendLightSources(table, scope.appearance);
     return table;
 }
 

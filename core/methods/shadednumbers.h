@@ -12,6 +12,16 @@ NumberTable<ShadedSetUpState> shadedSetUpNumbers(const ShadedScope &scope);
 NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope);
 NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope);
 
+/// The numbers of a scene's lights, its viewer and a triangle's material; and, at a sample, of the
+/// light that meets it: N before and after unit length, L, V and H, and each light's terms.
+void appendLightSources(NumberTable<ShadedSetUpState> &table,
+                        const std::shared_ptr<const Appearance> &appearance);
+void appendLight(NumberTable<ShadedSampleState> &table, const ShadedScope &scope);
+
+/// Read where the sample was written, a single one.
+using ReadOfSample = std::function<Quantity(const ShadedSampleState &)>;
+ReadOfSample ofWritten(const ReadOfSample &read);
+
 /// What a triangle carries, which column is in hand, and what becomes of a sample, in words.
 void tellShaded(StepWords &words, const ShadedSetUpState &state);
 void tellShaded(StepWords &words, const ShadedSpanState &state);
@@ -21,5 +31,7 @@ void tellShaded(StepWords &words, const ShadedSampleState &state);
 /// perspective is corrected, divided by w.
 const QString &shadedName(Channel channel);
 QString linearName(Channel channel, const EffectSet &effects);
+/// "levels", or empty.
+QString unitOf(Channel channel);
 
 } // namespace pixelplumb

@@ -22,7 +22,7 @@ public:
         , m_edges(primitives.triangles, frame)
         , m_surroundings(plan, primitives.appearance, frame)
         , m_pattern(samplePattern(plan.antialiasing))
-        , m_centre(primitives, settings, recorder)
+        , m_centre(primitives, settings, CentreListener{this, recorder})
         , m_recorder(recorder)
         , m_settings(settings)
     {
@@ -38,11 +38,7 @@ public:
         for (std::size_t k = 0; k < m_samples.size(); ++k)
             drawSample(k, index, effects);
         m_centre.draw(index, effects, m_frame, m_surroundings, m_edges, false, {0, 0},
-                      [this](const Column &column) {
-                          // Columns that only samples reach come before and after the others.
-                          announceBefore(column.x);
-                          announceIn(column.x);
-                      });
+                      [this](const Column &column) { announceIn(column.x); });
         announceBefore(std::numeric_limits<std::int64_t>::max());
     }
 
@@ -72,6 +68,34 @@ private:
         void pixelWritten(std::int64_t x, std::int64_t y, QRgb, QRgb, const AnySample &)
         {
             recording->m_written[x][y] |= bit;
+        }
+    };
+
+    /// Hears the triangle as the samples at the centres have it. Columns that only other samples
+    /// reach come before and after its own.
+    struct CentreListener {
+        SampledRecording *recording;
+        Recorder recorder;
+
+        void primitiveBegun(const ShadedSetUpRead<N> &setUp) { recorder.primitiveBegun(setUp); }
+        void primitiveRejected(const Rejection &rejection)
+        {
+            recorder.primitiveRejected(rejection);
+        }
+        void spanEntered(const Column &column)
+        {
+            recording->announceBefore(column.x);
+            recorder.spanEntered(column);
+        }
+        void sampleRejected(std::int64_t x, std::int64_t y, QRgb pixel,
+                            const ShadedSample<N> &sample)
+        {
+            recorder.sampleRejected(x, y, pixel, sample);
+        }
+        void pixelWritten(std::int64_t x, std::int64_t y, QRgb before, QRgb after,
+                          const ShadedSample<N> &sample)
+        {
+            recorder.pixelWritten(x, y, before, after, sample);
         }
     };
 
@@ -126,7 +150,7 @@ private:
     EdgePixels m_edges;
     ShadedSurroundings<N> m_surroundings;
     std::span<const LatticePoint> m_pattern;
-    ShadedRun<Form, N, A, Recorder> m_centre;
+    ShadedRun<Form, N, A, CentreListener> m_centre;
     Recorder m_recorder;
     ScanSettings m_settings;
     std::vector<std::unique_ptr<Sample>> m_samples;

@@ -21,7 +21,7 @@ struct ShadedRecording : ShadedNumbers<N, A> {
 
     static ShadedSetUpState stateOf(const SetUpInHand<SetUp> &step)
     {
-        return shadedStateOf<N>(step.setUp);
+        return shadedStateOf<Form, N, A>(step.setUp);
     }
     static ShadedSpanState stateOf(const SpanInHand<SetUp, Span> &step)
     {
@@ -51,6 +51,8 @@ struct ShadedRecording : ShadedNumbers<N, A> {
     }
     static void record(const Span &column, SpanRecord &record)
     {
+        if (column.origin == ColumnOrigin::None)
+            return;
         record.lower = quantityOf(column.lower);
         record.upper = quantityOf(column.upper);
         record.longEdge = column.longEdge;

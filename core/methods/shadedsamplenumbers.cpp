@@ -4,6 +4,7 @@
 #include "core/methods/shadednumbers.h"
 #include "core/methods/units.h"
 
+#include <optional>
 #include <utility>
 
 namespace pixelplumb {
@@ -13,7 +14,7 @@ namespace {
 using Group = NumberGroup;
 using State = ShadedSampleState;
 using Table = NumberTable<State>;
-using Read = std::function<Quantity(const State &)>;
+using Read = ReadOfSample;
 
 NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
                               const QString &toolTip, const QString &formula, Group group)
@@ -30,14 +31,6 @@ void append(Table &table, const QString &id, const QString &toolTip, const QStri
             const Read &read, Group group = Group::FirstColour)
 {
     table.push_back({plainNumber(id, id, {}, toolTip, formula, group), read});
-}
-
-/// Read where the sample was written, a single one.
-Read ofWritten(const Read &read)
-{
-    return [read](const State &state) {
-        return state.isWritten && state.samples == 0 ? read(state) : Quantity();
-    };
 }
 
 /// What a sample has in a channel, linear in the frame.
@@ -103,16 +96,25 @@ void appendDepth(Table &table, const ShadedScope &scope)
             [](const State &state) { return state.depth; }, Group::Span);
 }
 
-/// R, G and B of bytes: "t_R".
+/// R, G and B of bytes: "t_R". `formulaIn` is that of states that have another one.
 void appendBytes(Table &table, const QString &name, const QString &toolTip, const QString &formula,
-                 const std::function<Colour(const State &)> &read)
+                 const std::function<std::optional<Colour>(const State &)> &read,
+                 const std::function<QString(const State &)> &formulaIn = {})
 {
     for (std::size_t i = 0; i < 3; ++i) {
         const QString letter = QString(channelLetters[i]);
-        append(table, name + u'_' + letter, QString(toolTip).replace(u'%', letter),
-               QString(formula).replace(u'%', letter), ofWritten([=](const State &state) {
-                   return Quantity::integer(read(state).channels[i]);
-               }));
+        const QString title = name + u'_' + letter;
+        table.push_back({plainNumber(title, title, {}, QString(toolTip).replace(u'%', letter),
+                                     QString(formula).replace(u'%', letter), Group::FirstColour),
+                         ofWritten([=](const State &state) {
+                             const std::optional<Colour> colour = read(state);
+                             return colour ? Quantity::integer(colour->channels[i]) : Quantity();
+                         }),
+                         [=](NumberDescription &number, const State &state) {
+                             const QString own = formulaIn ? formulaIn(state) : QString();
+                             if (!own.isEmpty())
+                                 number.formula = QString(own).replace(u'%', letter);
+                         }});
     }
 }
 
@@ -150,43 +152,39 @@ void appendTexels(Table &table, const ShadedScope &scope)
                    return state.effects.texture ? state.fraction[side] : Quantity();
                }));
     }
-    const auto textured = [](const std::function<Colour(const State &)> &read) { return read; };
-    appendBytes(table, QStringLiteral("b"), QStringLiteral("% interpolated, as a byte."), {},
-                textured([](const State &state) { return state.interpolated; }));
     appendBytes(table, QStringLiteral("t"), QStringLiteral("% of the texel, or of the four."), {},
-                textured([](const State &state) { return state.texel; }));
-    appendBytes(table, QStringLiteral("c"), QStringLiteral("% modulated by the texel."),
-                QStringLiteral("c_% = ⌊b_%·t_%/255 + ½⌋"),
-                textured([](const State &state) { return state.textured; }));
+                [](const State &state) {
+                    return state.effects.texture ? std::optional(state.texel) : std::nullopt;
+                });
+    appendBytes(
+        table, QStringLiteral("c"), QStringLiteral("% modulated by the texel."),
+        QStringLiteral("c_% = ⌊b_%·t_%/255 + ½⌋"),
+        [](const State &state) { return state.textured; },
+        [](const State &state) {
+            return state.effects.texture ? QString() : QStringLiteral("c_% = b_%");
+        });
 }
 
-void appendLight(Table &table, const ShadedScope &scope)
+/// What is painted: what the last stage made of the colour.
+void appendSource(Table &table, const EffectSet &ofScope)
 {
-    constexpr std::array axes = {u'x', u'y', u'z'};
-    for (std::size_t i = 0; i < 3; ++i)
-        append(table, QStringLiteral("n_") + QChar(axes[i]),
-               QStringLiteral("The normal, made of length 1: its %1.").arg(QChar(axes[i])), {},
-               ofWritten([i](const State &state) { return state.normal[i]; }));
-    for (std::size_t light = 0; light < scope.lights; ++light) {
-        append(table, QStringLiteral("NL_%1").arg(light),
-               QStringLiteral("max(0, N·L) of light %1: what of it meets the surface.").arg(light),
-               {}, ofWritten([light](const State &state) { return state.lights[light].diffuse; }));
-        append(table, QStringLiteral("NH_%1").arg(light),
-               QStringLiteral("max(0, N·H) to the power of the shininess, of light %1.").arg(light),
-               {},
-               ofWritten([light](const State &state) { return state.lights[light].highlight; }));
-    }
-    for (std::size_t i = 0; i < 3; ++i)
-        append(table, QStringLiteral("I_") + QChar(channelLetters[i]),
-               QStringLiteral("Light that leaves the surface, level of %1, before rounding.")
-                   .arg(QChar(channelLetters[i])),
-               {}, ofWritten([i](const State &state) { return state.lit[i]; }));
+    const QString surface = ofScope.texture ? QStringLiteral("s_% = c_%")
+        : ofScope.light                     ? QStringLiteral("s_% = b_%")
+                                            : QString();
+    appendBytes(
+        table, QStringLiteral("s"), QStringLiteral("% that is painted."), surface,
+        [](const State &state) { return state.source; },
+        [](const State &state) {
+            return state.effects.light ? QStringLiteral("s_% = min(255, ⌊I_% + ½⌋)") : QString();
+        });
 }
 
 void appendBlending(Table &table, const ShadedScope &scope)
 {
     append(table, QStringLiteral("a"), QStringLiteral("Alpha as a byte."), {},
-           ofWritten([](const State &state) { return Quantity::integer(state.alpha); }));
+           ofWritten([](const State &state) {
+               return state.isBlended ? Quantity::integer(state.alpha) : Quantity();
+           }));
     QString alpha = QStringLiteral("a");
     if (scope.antialiasing == Antialiasing::Area) {
         append(table, QStringLiteral("area"),
@@ -194,23 +192,27 @@ void appendBlending(Table &table, const ShadedScope &scope)
                               "it."),
                {}, ofWritten([](const State &state) { return state.area; }));
         alpha = QStringLiteral("a_area");
-        table.push_back(
-            {plainNumber(alpha, alpha, {},
-                         QStringLiteral("Alpha times the covered area, as a byte."),
-                         QStringLiteral("a_area = ⌊a·area + ½⌋"), Group::FirstColour),
-             ofWritten([](const State &state) { return Quantity::integer(state.blendedAlpha); }),
-             [](NumberDescription &number, const State &state) {
-                 if (state.area.isNone())
-                     number.formula = QStringLiteral("a_area = a");
-             }});
+        table.push_back({plainNumber(alpha, alpha, {},
+                                     QStringLiteral("Alpha times the covered area, as a byte."),
+                                     QStringLiteral("a_area = ⌊a·area + ½⌋"), Group::FirstColour),
+                         ofWritten([](const State &state) {
+                             return state.isBlended ? Quantity::integer(state.blendedAlpha)
+                                                    : Quantity();
+                         }),
+                         [](NumberDescription &number, const State &state) {
+                             if (state.area.isNone())
+                                 number.formula = QStringLiteral("a_area = a");
+                         }});
     }
-    appendBytes(table, QStringLiteral("s"), QStringLiteral("% that is painted."), {},
-                [](const State &state) { return state.source; });
     appendBytes(table, QStringLiteral("d"), QStringLiteral("% that stood there."), {},
                 [](const State &state) { return state.before; });
-    appendBytes(table, QStringLiteral("r"), QStringLiteral("% of the pixel now."),
-                QStringLiteral("r_% = ⌊(s_%·@ + d_%·(255 − @))/255 + ½⌋").replace(u'@', alpha),
-                [](const State &state) { return state.after; });
+    appendBytes(
+        table, QStringLiteral("r"), QStringLiteral("% of the pixel now."),
+        QStringLiteral("r_% = ⌊(s_%·@ + d_%·(255 − @))/255 + ½⌋").replace(u'@', alpha),
+        [](const State &state) { return state.after; },
+        [](const State &state) {
+            return state.isBlended ? QString() : QStringLiteral("r_% = s_%");
+        });
 }
 
 void appendSamples(Table &table)
@@ -236,6 +238,13 @@ void appendSamples(Table &table)
 }
 
 } // namespace
+
+ReadOfSample ofWritten(const ReadOfSample &read)
+{
+    return [read](const ShadedSampleState &state) {
+        return state.isWritten && state.samples == 0 ? read(state) : Quantity();
+    };
+}
 
 NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope)
 {
@@ -268,10 +277,15 @@ NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope)
     }
     if (effects.depth != DepthTest::None)
         appendDepth(table, scope);
+    if (effects.texture || effects.light)
+        appendBytes(table, QStringLiteral("b"), QStringLiteral("% interpolated, as a byte."), {},
+                    [](const State &state) { return state.interpolated; });
     if (effects.texture)
         appendTexels(table, scope);
     if (effects.light)
         appendLight(table, scope);
+    if (effects.light || effects.blending)
+        appendSource(table, effects);
     if (effects.blending)
         appendBlending(table, scope);
     if (!samplePattern(scope.antialiasing).empty())

@@ -3,12 +3,13 @@
 
 #include "core/effects/edgepixels.h"
 #include "core/effects/shadedscan.h"
+#include "core/methods/edgewalkstate.h"
 #include "core/number/widequantity.h"
 #include "core/scan/scansettings.h"
 #include "core/trace/stepinhand.h"
 
 #include <array>
-#include <vector>
+#include <memory>
 
 /// What the tables of shaded triangles read: the kernel's numbers as quantities, so that one table
 /// serves every arithmetic.
@@ -20,12 +21,14 @@ struct ShadedScope {
     InterpolationForm form = InterpolationForm::Bilinear;
     EffectSet effects;
     Antialiasing antialiasing = Antialiasing::None;
-    std::size_t lights = 0;
     bool isFiltered = false; ///< some material reads four texels
+    /// Its lights, its viewer and its materials; null where no sample is lit.
+    std::shared_ptr<const Appearance> appearance = nullptr;
 };
 
 template <class Value>
 using OfVertices = std::array<Value, 3>;
+using OfAxes = std::array<Quantity, 3>; ///< x, y, z
 
 struct ShadedSetUpState {
     std::array<int, 3> order = {0, 1, 2};
@@ -34,14 +37,17 @@ struct ShadedSetUpState {
     PerChannel<OfVertices<Quantity>> given; ///< as the vertices have them
     OfVertices<Quantity> w;
     PerChannel<OfVertices<Quantity>> linear; ///< as they are interpolated: divided by w
+    /// What each column adds along an edge, by SortedEdge; none where the edge is vertical.
+    std::array<Quantity, 3> slope;
+    std::array<PerChannel<Quantity>, 3> rate; ///< of the bilinear form
     PerChannel<OfVertices<Quantity>> plane; ///< a, b, c
     std::array<OfVertices<Quantity>, 3> weight; ///< a, b, c of each vertex
+    int material = noMaterial;
 };
 
 struct ShadedSpanState {
-    std::size_t primitive = 0;
-    std::int64_t x = 0;
-    ColumnHalf half = ColumnHalf::First;
+    EdgeWalkSpanState walk; ///< which edges bound the column, and whether the walk goes on
+    bool isBounded = false; ///< the triangle's edges meet it
     std::int64_t firstRow = 0, endRow = 0, firstDrawn = 0, endDrawn = 0;
     Quantity lower, upper; ///< px, as the channels use them
     PerChannel<Quantity> bottom, top, rate;
@@ -50,13 +56,15 @@ struct ShadedSpanState {
 };
 
 struct ShadedLightState {
-    Quantity diffuse, highlight;
+    OfAxes toLight, halfway; ///< L, H
+    Quantity diffuse, facing, highlight;
 };
 
 struct ShadedSampleState {
     std::int64_t x = 0, y = 0;
     bool startsRun = false; ///< adding begins here
     bool isWritten = false;
+    bool isBlended = false; ///< and has an alpha
     EffectSet effects; ///< of the triangle
     int samples = 0; ///< 4 or 16 where the pixel is a mean of them: then there are no other numbers
     std::uint16_t samplesWritten = 0;
@@ -70,7 +78,9 @@ struct ShadedSampleState {
     std::array<std::int32_t, 2> firstTexel = {}, secondTexel = {};
     std::array<Quantity, 2> fraction;
     Colour texel, textured;
-    std::array<Quantity, 3> normal; ///< of unit length
+    Quantity normalLength; ///< of the normal as it is interpolated
+    OfAxes normal; ///< of length 1
+    OfAxes toViewer; ///< V
     std::array<ShadedLightState, mostLights> lights;
     std::array<Quantity, 3> lit;
     Colour source;
@@ -151,6 +161,14 @@ struct ShadedQuantities<ExactShading<Integer>> {
     {
         return isDivided(channel) ? quotientOf(BigInteger(value) * scale, unitOf(channel) * product)
                                   : quotientOf(BigInteger(value), unitOf(channel));
+    }
+    /// What a rise over `run` > 0 lattice units is for a column.
+    Quantity rate(std::size_t channel, const Integer &rise, Lattice run) const
+    {
+        const BigInteger above = BigInteger(rise) * unitsPerPixel;
+        const BigInteger below = unitOf(channel) * run;
+        return isDivided(channel) ? quotientOf(above * scale, below * product)
+                                  : quotientOf(above, below);
     }
     Quantity weight(const Integer &numerator) const
     {

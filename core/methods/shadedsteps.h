@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/methods/edgewalknames.h"
 #include "core/methods/shadedstate.h"
 #include "core/scan/biasnumber.h"
+
+#include <algorithm>
 
 namespace pixelplumb {
 
@@ -15,12 +18,43 @@ inline Quantity givenValue(const Vertex &vertex, const VertexAttributes &attribu
                                                                                  : attributeOne);
 }
 
-template <class N>
+/// What each column adds to y along the edges, as it is walked, and in the bilinear form to the
+/// channels; exact ones are what the plane of the channel has along the edge.
+template <InterpolationForm Form, class N, class A>
+void setSlopes(const ShadedSetUpRead<N> &setUp, ShadedSetUpState &state)
+{
+    const ShadedQuantities<N> quantities(setUp);
+    for (std::size_t edge = 0; edge < 3; ++edge) {
+        const auto from = std::size_t(setUp.order[sortedEdgeEnds[edge][0]]);
+        const auto to = std::size_t(setUp.order[sortedEdgeEnds[edge][1]]);
+        const ShadedCorner<N> &a = setUp.vertices[from];
+        const ShadedCorner<N> &b = setUp.vertices[to];
+        const Lattice run = b.position.x - a.position.x;
+        if (run == 0)
+            continue;
+        state.slope[edge] = quantityOf(A::edgeSlope(setUp.corners[from], setUp.corners[to]));
+        if constexpr (Form == InterpolationForm::Bilinear && N::isExact) {
+            forEachChannel(setUp.effects, [&](std::size_t channel) {
+                state.rate[edge][channel]
+                    = quantities.rate(channel, b.channels[channel] - a.channels[channel], run);
+            });
+        } else if constexpr (Form == InterpolationForm::Bilinear) {
+            const ShadedEdge<N> walked(a, b, 0, setUp.effects);
+            state.slope[edge] = Quantity::of(walked.slope);
+            forEachChannel(setUp.effects, [&](std::size_t channel) {
+                state.rate[edge][channel] = Quantity::of(walked.rate[channel]);
+            });
+        }
+    }
+}
+
+template <InterpolationForm Form, class N, class A>
 ShadedSetUpState shadedStateOf(const ShadedSetUpRead<N> &setUp)
 {
     ShadedSetUpState state;
     state.order = setUp.order;
     state.effects = setUp.effects;
+    state.material = setUp.material;
     for (std::size_t i = 0; i < 3; ++i) {
         state.position[i] = setUp.vertices[i].position;
         state.w[i]
@@ -28,6 +62,7 @@ ShadedSetUpState shadedStateOf(const ShadedSetUpRead<N> &setUp)
     }
     if (setUp.zeroArea)
         return state;
+    setSlopes<Form, N, A>(setUp, state);
     const ShadedQuantities<N> quantities(setUp);
     forEachChannel(setUp.effects, [&](std::size_t channel) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -74,14 +109,43 @@ void setBounds(const ShadedSetUpRead<N> &setUp, const BoundedColumn<N, A> &colum
     });
 }
 
+/// How a column's walk along the edges is told, as the edge walks tell theirs. In the forms that
+/// are not bilinear digits name the vertices as they are given.
+template <InterpolationForm Form, class N, class A>
+EdgeWalkSpanState shadedWalkOf(const SpanInHand<ShadedSetUpRead<N>, BoundedColumn<N, A>> &step)
+{
+    const ShadedSetUpRead<N> &setUp = step.setUp;
+    const BoundedColumn<N, A> &column = step.span;
+    EdgeWalkSpanState walk;
+    walk.primitive = step.primitive;
+    for (std::size_t i = 0; i < 3; ++i) {
+        walk.corners[i].position = setUp.vertices[std::size_t(setUp.order[i])].position;
+        if constexpr (Form != InterpolationForm::Bilinear)
+            walk.digits[i] = std::size_t(setUp.order[i]);
+    }
+    walk.start.hasPlane = !setUp.zeroArea;
+    walk.column.x = column.x;
+    walk.column.half = column.half;
+    const SortedEdge shortEdge
+        = column.half == ColumnHalf::First ? SortedEdge::L01 : SortedEdge::L12;
+    (column.longEdge == LongEdge::Above ? walk.lower : walk.upper) = shortEdge;
+    const BoundedColumn<N, A> *before
+        = step.previous && step.previous->origin == ColumnOrigin::Walked ? step.previous : nullptr;
+    walk.isFirst = !before || column.origin != ColumnOrigin::Walked;
+    walk.beginsHalf = !before || before->half != column.half;
+    walk.isCrossed = before && before->longEdge != column.longEdge;
+    return walk;
+}
+
 template <InterpolationForm Form, class N, class A>
 ShadedSpanState shadedStateOf(const SpanInHand<ShadedSetUpRead<N>, BoundedColumn<N, A>> &step)
 {
     const BoundedColumn<N, A> &column = step.span;
     ShadedSpanState state;
-    state.primitive = step.primitive;
-    state.x = column.x;
-    state.half = column.half;
+    state.walk = shadedWalkOf<Form>(step);
+    state.isBounded = column.origin != ColumnOrigin::None;
+    if (!state.isBounded)
+        return state;
     state.firstRow = column.firstRow;
     state.endRow = column.endRow;
     state.firstDrawn = column.firstDrawn;
@@ -96,6 +160,13 @@ ShadedSpanState shadedStateOf(const SpanInHand<ShadedSetUpRead<N>, BoundedColumn
     if constexpr (Form == InterpolationForm::Bilinear)
         setBounds(step.setUp, column, ShadedQuantities<N>(step.setUp), state);
     return state;
+}
+
+template <class Real>
+ShadedLightState lightStateOf(const SampleLightTerm<Real> &term)
+{
+    return {quantitiesOf(term.toLight), quantitiesOf(term.halfway), Quantity::of(term.diffuse),
+            Quantity::of(term.facing), Quantity::of(term.highlight)};
 }
 
 /// u and v as if all w were equal: what an affine texture would show here.
@@ -123,6 +194,16 @@ std::array<Quantity, 2> affineTexture(const ShadedSetUpRead<N> &setUp, std::int6
     return texture;
 }
 
+/// Inside of a triangle whose areas are covered an opaque one is not blended, and has no alpha.
+template <class N>
+bool isBlended(const ShadedSetUpRead<N> &setUp, const ShadedSample<N> &sample)
+{
+    const bool isOpaque = std::ranges::all_of(
+        setUp.attributes, [](const VertexAttributes &vertex) { return vertex.alpha == 255; });
+    const bool hasAlpha = sample.value[indexOf(Channel::Alpha)] != typename N::Number(0);
+    return setUp.effects.blending && (hasAlpha || !isOpaque);
+}
+
 template <InterpolationForm Form, class N, class A>
 ShadedSampleState shadedStateOf(
     const SampleInHand<ShadedSetUpRead<N>, BoundedColumn<N, A>, ShadedSample<N>> &step)
@@ -143,7 +224,10 @@ ShadedSampleState shadedStateOf(
     }
     const ShadedQuantities<N> quantities(setUp);
     state.startsRun = step.y == sample.runFirst;
+    state.isBlended = isBlended(setUp, sample);
     forEachChannel(setUp.effects, [&](std::size_t channel) {
+        if (channelAt(channel) == Channel::Alpha && !state.isBlended)
+            return;
         state.linear[channel] = quantities.linear(channel, sample.value[channel]);
         if (followsPerspective(channelAt(channel)))
             state.value[channel] = quantities.value(sample, channel);
@@ -177,11 +261,12 @@ ShadedSampleState shadedStateOf(
     if (setUp.effects.light) {
         for (std::size_t i = 0; i < 3; ++i) {
             state.normal[i] = Quantity::of(sample.light.normal[i]);
+            state.toViewer[i] = Quantity::of(sample.light.toViewer[i]);
             state.lit[i] = Quantity::of(sample.light.level[i]);
         }
+        state.normalLength = Quantity::of(lengthOf(sample.light.carried));
         for (std::size_t i = 0; i < mostLights; ++i)
-            state.lights[i] = {Quantity::of(sample.light.terms[i].diffuse),
-                               Quantity::of(sample.light.terms[i].highlight)};
+            state.lights[i] = lightStateOf(sample.light.terms[i]);
     }
     state.source = sample.source;
     state.alpha = sample.alpha;

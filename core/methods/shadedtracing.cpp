@@ -16,7 +16,6 @@ ShadedScope scopeOf(InterpolationForm form, const Primitives &primitives, const 
     ShadedScope scope;
     scope.form = form;
     scope.antialiasing = plan.antialiasing;
-    scope.lights = std::min(primitives.appearance.lights.size(), mostLights);
     EffectSet &all = scope.effects;
     for (const EffectBatch &batch : plan.batches) {
         all.smooth |= batch.effects.smooth;
@@ -27,6 +26,8 @@ ShadedScope scopeOf(InterpolationForm form, const Primitives &primitives, const 
         all.depth = std::max(all.depth, batch.effects.depth);
     }
     all.blending |= plan.antialiasing == Antialiasing::Area;
+    if (all.light)
+        scope.appearance = std::make_shared<const Appearance>(primitives.appearance);
     scope.isFiltered
         = std::ranges::any_of(primitives.appearance.materials, [](const Material &material) {
               return material.texture && material.filter == TextureFilter::Bilinear;

@@ -24,10 +24,16 @@ void tellShaded(StepWords &words, const ShadedSetUpState &state)
 
 void tellShaded(StepWords &words, const ShadedSpanState &state)
 {
-    words.heading = QStringLiteral("Column %1, %2 half")
-                        .arg(state.x)
-                        .arg(state.half == ColumnHalf::First ? QStringLiteral("first")
-                                                             : QStringLiteral("second"));
+    words.heading
+        = QStringLiteral("Column %1, %2 half")
+              .arg(state.walk.column.x)
+              .arg(state.walk.column.half == ColumnHalf::First ? QStringLiteral("first")
+                                                               : QStringLiteral("second"));
+    if (state.isBounded)
+        return;
+    words.heading = QStringLiteral("Column %1").arg(state.walk.column.x);
+    words.sentence = QStringLiteral("Only samples beside the centres of its pixels lie in the "
+                                    "triangle: no bounds are walked here.");
 }
 
 void tellShaded(StepWords &words, const ShadedSampleState &state)

@@ -10,6 +10,7 @@ namespace pixelplumb {
 /// What a long job is doing just now, for a person who waits.
 enum class JobPhase {
     Reading, ///< counts bytes
+    Projecting, ///< solids; counts faces
     Drawing, ///< counts primitives, or pictures where there are several
     Recording, ///< counts spans, or runs where there are several
     RecordingExactly, ///< the same run in exact arithmetic; counts spans
@@ -25,6 +26,8 @@ constexpr std::string_view nameOf(JobPhase phase)
     switch (phase) {
     case JobPhase::Reading:
         return "reading";
+    case JobPhase::Projecting:
+        return "projecting";
     case JobPhase::Drawing:
         return "drawing";
     case JobPhase::Recording:

@@ -43,6 +43,8 @@ Primitives primitivesFor(const Primitives &primitives, const Contender &contende
     if (contender.method->draws(PrimitiveKind::Triangle)) {
         drawn.triangles = primitives.triangles;
         drawn.attributes = primitives.attributes;
+        drawn.sources = primitives.sources;
+        drawn.wExponent = primitives.wExponent;
     }
     for (const Shape &shape : primitives.shapes) {
         if (contender.method->draws(shape))

@@ -35,6 +35,19 @@ std::vector<Quantity> compared(const std::vector<NumberDescription> &numbers,
     return cells;
 }
 
+/// The same of an exact run's own cells: what it had to round, a root or a power, has no exact
+/// number in it.
+std::vector<Quantity> comparedOfItself(const std::vector<NumberDescription> &numbers,
+                                       const std::vector<Quantity> &own)
+{
+    std::vector<Quantity> cells = compared(numbers, own);
+    for (Quantity &cell : cells) {
+        if (!cell.isRational())
+            cell = {};
+    }
+    return cells;
+}
+
 bool isExact(const TracedScene &traced)
 {
     return traced.scene.settings.arithmetic == Arithmetic::Exact;
@@ -65,7 +78,7 @@ std::vector<Quantity> exactSetUpCells(const TracedScene &traced, std::size_t pri
 {
     const std::vector<NumberDescription> &numbers = traced.trace->numbers().setUp;
     if (isExact(traced))
-        return compared(numbers, traced.trace->setUp(primitive).cells);
+        return comparedOfItself(numbers, traced.trace->setUp(primitive).cells);
     const bool hasTwin = traced.exactTrace && primitive < traced.exactTrace->primitiveCount();
     return compared(numbers,
                     hasTwin ? traced.exactTrace->setUp(primitive).cells : std::vector<Quantity>());
@@ -75,7 +88,7 @@ std::vector<Quantity> exactSpanCells(const TracedScene &traced, std::size_t span
 {
     const std::vector<NumberDescription> &numbers = traced.trace->numbers().span;
     if (isExact(traced))
-        return compared(numbers, traced.trace->span(span).cells);
+        return comparedOfItself(numbers, traced.trace->span(span).cells);
     const std::optional<std::size_t> twin = twinOf(traced, span);
     if (!twin)
         return std::vector<Quantity>(numbers.size());
@@ -103,8 +116,10 @@ std::vector<ExactSample> exactSamplesOf(const TracedScene &traced, std::size_t s
         const SampleRecord *twin = found != twins.end() ? &found->second
             : isExact(traced)                           ? &sample
                                                         : nullptr;
-        exact[i].cells = compared(traced.trace->numbers().sample,
-                                  twin ? twin->cells : std::vector<Quantity>());
+        const std::vector<NumberDescription> &numbers = traced.trace->numbers().sample;
+        exact[i].cells = isExact(traced)
+            ? comparedOfItself(numbers, sample.cells)
+            : compared(numbers, twin ? twin->cells : std::vector<Quantity>());
         // With effects a colour is no plane of the vertices' alone.
         if (traced.plan)
             exact[i].colour = twin ? twin->colour : std::array<Quantity, 3>();

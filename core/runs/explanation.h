@@ -19,12 +19,23 @@ struct FormulaLine {
     Quantity exact; ///< what it would be without rounding; none where there is nothing to compare
 };
 
+/// One stage of a vertex's way from space to the frame, or of a corner of the polygon that clipping
+/// makes. A number that is given stands alone in its symbols.
+struct StageFormulas {
+    QString stage; ///< "Clip coordinates"
+    QString point; ///< "V₀", "C₁"
+    QString note; ///< "V₁, kept"
+    std::vector<FormulaLine> lines;
+};
+
 /// What the step in hand does, in words and in numbers; all numbers are those of the trace.
 struct Explanation {
     QString heading; ///< "Column 27, second half"
     QString sentence; ///< one sentence that a screen reader can speak
     QString event; ///< what has just changed for the steps to come: "L₁₂ takes over from L₀₁"
     std::vector<FormulaLine> lines;
+    /// Of a triangle that a camera made of a solid, when it begins: its way to the frame.
+    std::vector<StageFormulas> stages = {};
 };
 
 } // namespace pixelplumb

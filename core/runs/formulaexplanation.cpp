@@ -5,6 +5,7 @@
 #include "core/methods/rejectiontext.h"
 #include "core/oracle/oracle.h"
 #include "core/runs/formulanames.h"
+#include "core/runs/projectionstages.h"
 #include "core/runs/refusaltext.h"
 #include "core/runs/setupsentence.h"
 #include "core/runs/tracedscene.h"
@@ -54,6 +55,7 @@ Explanation explainBeginning(const TracedScene &traced, std::size_t primitive)
     const SetUpRecord setUp = traced.trace->setUp(primitive);
     Explanation explanation;
     explanation.heading = QStringLiteral("%1: set-up").arg(primitiveText(traced, primitive));
+    explanation.stages = stageFormulas(traced, primitive);
     if (setUp.rejection) {
         explanation.sentence
             = setUpSentence(traced, primitive, {}) + u' ' + rejectionText(*setUp.rejection);

@@ -3,6 +3,7 @@
 
 #include "core/frame/keptrows.h"
 #include "core/frame/pixelrows.h"
+#include "core/runs/redrawnrows.h"
 #include "core/runs/sceneplan.h"
 #include "core/scan/columndrawing.h"
 
@@ -12,56 +13,17 @@ namespace pixelplumb {
 
 namespace {
 
-// Triangles between two questions whether to go on: some milliseconds of each.
-constexpr std::size_t fastPiece = std::size_t(1) << 16;
-constexpr std::size_t plainPiece = std::size_t(1) << 10;
-
-Triangle onSamples(Triangle triangle, Lattice offset)
-{
-    for (Vertex &vertex : triangle.vertices)
-        vertex.position = {vertex.position.x - offset, vertex.position.y - offset};
-    return triangle;
-}
-
-/// Rows by which rounded increments may leave a triangle's bounding box, amply: float32 adds some
-/// 2^13 columns of at most 2^12 px with errors of at most 2^-13 px each.
-constexpr std::int64_t rowsOfError = 4;
-constexpr Lattice largestOfSmallError = (Lattice(1) << 12) * unitsPerPixel;
-
-/// More triangles are not kept for comparison: they take 72 bytes each.
-constexpr std::size_t mostCompared = std::size_t(1) << 20;
-
-bool staysNearItsBox(const Triangle &triangle)
-{
-    return std::ranges::all_of(triangle.vertices, [](const Vertex &vertex) {
-        return absolute(vertex.position.x) <= largestOfSmallError
-            && absolute(vertex.position.y) <= largestOfSmallError;
-    });
-}
-
-/// Whether rows can be drawn by themselves: where it is known which triangles reach into them.
-bool isDrawnByRows(const Scene &scene, const Method &method)
-{
-    const bool wraps = scene.settings.arithmetic == Arithmetic::Fixed16; // to any row
-    return method.drawFast && !wraps && scene.shapes.empty() && !mayCallForEffects(scene)
-        && scene.triangles.size() <= mostCompared
-        && std::ranges::all_of(scene.triangles, staysNearItsBox);
-}
-
-bool differInTrianglesAlone(const Scene &scene, const Scene &other)
-{
-    return scene.frame == other.frame && scene.settings == other.settings
-        && scene.method == other.method && scene.shapes == other.shapes
-        && scene.attributes == other.attributes && scene.appearance == other.appearance
-        && scene.triangles.size() == other.triangles.size();
-}
-
 /// Of two words that are not the same.
 Difference differenceBetween(QRgb drawn, QRgb twin)
 {
     if (qAlpha(drawn) == 0)
         return Difference::Missing;
     return qAlpha(twin) == 0 ? Difference::Extra : Difference::Colour;
+}
+
+ScanSettings exactSettingsOf(const Scene &scene)
+{
+    return {Arithmetic::Exact, scene.settings.fillRule, scene.settings.rounding};
 }
 
 } // namespace
@@ -101,13 +63,12 @@ bool ScenePicture::draw(const std::shared_ptr<const Scene> &scene, const Progres
     const Method *method = methodNamed(QString::fromStdString(scene->method));
     Q_ASSERT(method && objectionTo(*scene).isEmpty());
     Q_ASSERT(scene->frame == spec());
-    const Rows rows = rowsToDraw(*scene, *method);
+    const FrameRows rows = rowsToDraw(*scene, *method);
     m_twinKind = twinOf(*scene, *method);
     m_scene.reset();
     if (m_twinKind == Twin::Drawn && !m_twin)
         m_twin = std::make_unique<FrameBuffer>(spec());
-    const bool isWhole = rows.first == allRows().first && rows.end == allRows().end;
-    if (isWhole) {
+    if (rows == allRowsOf(spec())) {
         clear(rows);
         if (!drawAll(*scene, *method, listener))
             return false;
@@ -120,50 +81,20 @@ bool ScenePicture::draw(const std::shared_ptr<const Scene> &scene, const Progres
     return true;
 }
 
-/// In sample coordinates; of all that rounding may make of it.
-ScenePicture::Rows ScenePicture::rowsReachedBy(const Triangle &triangle)
-{
-    const auto &[a, b, c] = triangle.vertices;
-    const auto [low, high] = std::minmax({a.position.y, b.position.y, c.position.y});
-    return {floorPixel(low) - rowsOfError, ceilPixel(high) + rowsOfError + 1};
-}
-
-ScenePicture::Rows ScenePicture::allRows() const
-{
-    return {spec().firstRow, std::int64_t(spec().firstRow) + spec().height};
-}
-
 /// Those that differ from the picture as it is.
-ScenePicture::Rows ScenePicture::rowsToDraw(const Scene &scene, const Method &method) const
+FrameRows ScenePicture::rowsToDraw(const Scene &scene, const Method &method) const
 {
-    if (!m_scene || !differInTrianglesAlone(scene, *m_scene) || !isDrawnByRows(scene, method))
-        return allRows();
-    Rows rows = {allRows().end, allRows().first};
-    const Lattice offset = sampleOffset(scene.frame);
-    for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
-        if (scene.triangles[i] == m_scene->triangles[i])
-            continue;
-        for (const Triangle &triangle : {scene.triangles[i], m_scene->triangles[i]}) {
-            const Rows reached = rowsReachedBy(onSamples(triangle, offset));
-            rows = {std::min(rows.first, reached.first), std::max(rows.end, reached.end)};
-        }
-    }
-    return {std::max(rows.first, allRows().first), std::min(rows.end, allRows().end)};
+    const bool knowsRows = m_scene && isDrawnByRows(scene, method);
+    return knowsRows ? rowsThatDiffer(scene, *m_scene) : allRowsOf(spec());
 }
 
 bool ScenePicture::drawAll(const Scene &scene, const Method &method,
                            const ProgressListener &listener)
 {
     const auto count = std::int64_t(scene.triangles.size() + scene.shapes.size());
-    // Triangles may depend on those before them: such a scene is drawn whole.
-    if (mayCallForEffects(scene)) {
-        if (!goesOn(listener, {JobPhase::Drawing, 0, 1}))
-            return false;
-        m_piece = primitivesOnSamples(scene);
-        drawPiece(scene, method);
-        return true;
-    }
-    const std::size_t pieceSize = method.drawFast ? fastPiece : plainPiece;
+    if (mayCallForEffects(scene))
+        return drawWhole(scene, method, listener);
+    const std::size_t pieceSize = method.pieceSize();
     for (std::size_t first = 0; first < scene.triangles.size(); first += pieceSize) {
         if (!goesOn(listener, {JobPhase::Drawing, std::int64_t(first), count}))
             return false;
@@ -183,25 +114,48 @@ bool ScenePicture::drawAll(const Scene &scene, const Method &method,
     return true;
 }
 
+/// Triangles may depend on those before them: both pictures at one piece, one after the other.
+bool ScenePicture::drawWhole(const Scene &scene, const Method &method,
+                             const ProgressListener &listener)
+{
+    const auto primitives = primitivesOnSamples(scene, listener);
+    if (!primitives)
+        return false;
+    const std::int64_t pictures = m_twinKind == Twin::Drawn ? 2 : 1;
+    std::int64_t drawn = 0;
+    const auto tell = [&](const JobProgress &progress) {
+        return goesOn(
+            listener,
+            {progress.phase, progress.done + drawn * progress.total, pictures * progress.total});
+    };
+    if (!method.drawInPieces(*primitives, scene.settings, m_drawn.view(), tell))
+        return false;
+    ++drawn;
+    return drawn == pictures
+        || methodNamed(u"column-scan")
+               ->drawInPieces(*primitives, exactSettingsOf(scene), m_twin->view(), tell);
+}
+
 /// Draws the triangles that may reach into the rows, and puts back what they paint outside: in a
 /// window of these rows alone, rounded increments would begin anew at its first row.
-bool ScenePicture::drawRows(Rows rows, const Scene &scene, const Method &method,
+bool ScenePicture::drawRows(FrameRows rows, const Scene &scene, const Method &method,
                             const ProgressListener &listener)
 {
     if (!goesOn(listener, {JobPhase::Drawing, 0, 1}))
         return false;
     takePiece(scene, 0, 0); // empties it and keeps its memory
     const Lattice offset = sampleOffset(scene.frame);
-    Rows painted = rows;
+    FrameRows painted = rows;
     for (const Triangle &each : scene.triangles) {
         const Triangle triangle = onSamples(each, offset);
-        const Rows reached = rowsReachedBy(triangle);
+        const FrameRows reached = rowsReachedBy(triangle);
         if (reached.end <= rows.first || reached.first >= rows.end)
             continue;
         painted = {std::min(painted.first, reached.first), std::max(painted.end, reached.end)};
         m_piece.triangles.push_back(triangle);
     }
-    painted = {std::max(painted.first, allRows().first), std::min(painted.end, allRows().end)};
+    const FrameRows all = allRowsOf(spec());
+    painted = {std::max(painted.first, all.first), std::min(painted.end, all.end)};
     std::vector<KeptRows> kept;
     for (const FrameBuffer *frame : frames()) {
         kept.emplace_back(rowsOf(frame->view(), painted.first, rows.first));
@@ -219,8 +173,7 @@ void ScenePicture::drawPiece(const Scene &scene, const Method &method)
     method.drawFastest(m_piece, scene.settings, m_drawn.view());
     if (m_twinKind != Twin::Drawn)
         return;
-    const ScanSettings exact{Arithmetic::Exact, scene.settings.fillRule, scene.settings.rounding};
-    methodNamed(u"column-scan")->drawFastest(m_piece, exact, m_twin->view());
+    methodNamed(u"column-scan")->drawFastest(m_piece, exactSettingsOf(scene), m_twin->view());
 }
 
 /// Those that are drawn into.
@@ -232,7 +185,7 @@ std::vector<const FrameBuffer *> ScenePicture::frames() const
     return frames;
 }
 
-void ScenePicture::clear(Rows rows)
+void ScenePicture::clear(FrameRows rows)
 {
     for (const FrameBuffer *frame : frames())
         fillTransparent(rowsOf(frame->view(), rows.first, rows.end), spec().background);
@@ -259,7 +212,7 @@ void ScenePicture::takePiece(const Scene &scene, std::size_t first, std::size_t 
 }
 
 /// Notes what differs and makes the background opaque, in one walk over the frames.
-void ScenePicture::compareRows(Rows rows)
+void ScenePicture::compareRows(FrameRows rows)
 {
     const FrameView drawn = m_drawn.view();
     for (std::int64_t y = rows.first; y < rows.end; ++y) {

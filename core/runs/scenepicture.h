@@ -4,6 +4,7 @@
 #include "core/methods/method.h"
 #include "core/number/jobprogress.h"
 #include "core/runs/differencemap.h"
+#include "core/runs/redrawnrows.h"
 #include "core/scene/scene.h"
 
 #include <memory>
@@ -38,11 +39,6 @@ public:
     bool draw(const std::shared_ptr<const Scene> &scene, const ProgressListener &listener);
 
 private:
-    /// Rows of the frame, [first, end).
-    struct Rows {
-        std::int64_t first = 0;
-        std::int64_t end = 0;
-    };
     enum class Twin {
         Itself, ///< the picture is true by proof
         Drawn, ///< a second picture
@@ -50,17 +46,16 @@ private:
     };
 
     static Twin twinOf(const Scene &scene, const Method &method);
-    static Rows rowsReachedBy(const Triangle &triangle);
-    Rows allRows() const;
-    Rows rowsToDraw(const Scene &scene, const Method &method) const;
+    FrameRows rowsToDraw(const Scene &scene, const Method &method) const;
     bool drawAll(const Scene &scene, const Method &method, const ProgressListener &listener);
-    bool drawRows(Rows rows, const Scene &scene, const Method &method,
+    bool drawWhole(const Scene &scene, const Method &method, const ProgressListener &listener);
+    bool drawRows(FrameRows rows, const Scene &scene, const Method &method,
                   const ProgressListener &listener);
     void drawPiece(const Scene &scene, const Method &method);
     std::vector<const FrameBuffer *> frames() const;
-    void clear(Rows rows);
+    void clear(FrameRows rows);
     void takePiece(const Scene &scene, std::size_t first, std::size_t count);
-    void compareRows(Rows rows);
+    void compareRows(FrameRows rows);
     void forgetDifferences(std::int64_t y);
     void noteDifferences(std::int64_t y, const QRgb *drawnRow, const QRgb *twinRow);
 

@@ -134,7 +134,10 @@ std::optional<TracedScene::WrongPixel> TracedScene::firstWrongPixel() const
 std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOptions &options)
 {
     const Method &method = methodOf(scene);
-    auto traced = std::make_shared<TracedScene>(scene, primitivesOnSamples(scene), &method);
+    auto onSamples = primitivesOnSamples(scene, options.progress);
+    if (!onSamples)
+        return nullptr;
+    auto traced = std::make_shared<TracedScene>(scene, std::move(*onSamples), &method);
     const Primitives &primitives = traced->primitives;
     FrameBuffer drawn(scene.frame);
     if (method.draws(PrimitiveKind::Triangle))

@@ -50,8 +50,8 @@ template <FloatingNumber Float, class Corner>
     return {a, b, c, -(a * p[0] + b * p[1] + c * p[2])};
 }
 
-template <std::same_as<CommonFraction> Exact>
-PlaneNormal<Exact> planeNormal(const std::array<ChannelVertex, 3> &vertices, std::size_t channel)
+template <std::same_as<CommonFraction> Exact, class Corner>
+PlaneNormal<Exact> planeNormal(const std::array<Corner, 3> &vertices, std::size_t channel)
 {
     const auto &[p, q, r] = vertices;
     constexpr Int128 unit = unitsPerPixel;
@@ -141,8 +141,8 @@ ScaledLine<Float> scaledLine(const std::array<Corner, 3> &vertices, std::size_t 
     return {a, b, c, Float(1) / (a * x(vertex) + b * y(vertex) + c)};
 }
 
-template <std::same_as<CommonFraction> Exact>
-ScaledLine<Exact> scaledLine(const std::array<ChannelVertex, 3> &vertices, std::size_t vertex)
+template <std::same_as<CommonFraction> Exact, class Corner>
+ScaledLine<Exact> scaledLine(const std::array<Corner, 3> &vertices, std::size_t vertex)
 {
     const LatticePoint &at = vertices[vertex].position;
     const LatticePoint &from = vertices[(vertex + 1) % 3].position;
@@ -163,11 +163,11 @@ void setWeight(InterpolationSetUp<Float, channelsInAll> &setUp, std::size_t vert
     setUp.weight[vertex] = {line.k * line.a, line.k * line.b, line.k * line.c};
 }
 
-/// What a vertex has in all channels, to be weighted.
+/// What a vertex has in its channels, to be weighted.
 template <class Number, std::size_t channelsInAll>
 void setWeighted(InterpolationSetUp<Number, channelsInAll> &setUp, std::size_t vertex)
 {
-    for (std::size_t channel = 0; channel < channelsInAll; ++channel)
+    for (std::size_t channel = 0; channel < setUp.carried(); ++channel)
         setUp.weighted[channel][vertex]
             = VertexValue<Number>::of(setUp.vertices[vertex].channels[channel], channel);
 }

@@ -9,23 +9,24 @@ namespace pixelplumb {
 /// An edge under way in the bilinear form: y and all channels where it meets the current column,
 /// each changed by adding a rate.
 template <class Number, std::size_t channelsInAll = channelCount>
-struct ChannelEdge {
+struct ChannelEdge : CarriedCount<channelsInAll> {
     using Vertex = VertexOfChannels<channelsInAll>;
 
     Number y = {}, slope = {};
     std::array<Number, channelsInAll> channel = {}, rate = {};
 
     ChannelEdge(const Vertex &a, const Vertex &b, std::int64_t column)
+        : CarriedCount<channelsInAll>(a)
     {
         start(y, slope, {a.position.y, b.position.y, yChannel}, a, b, column);
-        for (std::size_t i = 0; i < channelsInAll; ++i)
+        for (std::size_t i = 0; i < this->carried; ++i)
             start(channel[i], rate[i], {a.channels[i], b.channels[i], i}, a, b, column);
     }
 
     void stepToNextColumn()
     {
         advance(y, slope);
-        for (std::size_t i = 0; i < channelsInAll; ++i)
+        for (std::size_t i = 0; i < this->carried; ++i)
             advance(channel[i], rate[i]);
     }
 
@@ -87,7 +88,7 @@ void interpolateColumn(const ChannelEdge<FractionOf<Integer>, channelsInAll> &bo
     const Wider topY = top.y.numerator;
     const Wider height = topY * bottomWidth - bottomY * topWidth;
     const Wider row = Wider(column.firstDrawn) * unitsPerPixel;
-    for (std::size_t i = 0; i < channelsInAll; ++i) {
+    for (std::size_t i = 0; i < bottom.carried; ++i) {
         if (height == 0) {
             column.rate[i] = {Integer(0), bottom.channel[i].denominator};
             column.first[i] = bottom.channel[i];
@@ -111,7 +112,7 @@ void interpolateColumn(const ChannelEdge<Float, channelsInAll> &bottom,
                        InterpolationColumn<Float, channelsInAll> &column)
 {
     const Float height = top.y - bottom.y;
-    for (std::size_t i = 0; i < channelsInAll; ++i) {
+    for (std::size_t i = 0; i < bottom.carried; ++i) {
         column.rate[i]
             = height == Float(0) ? Float(0) : (top.channel[i] - bottom.channel[i]) / height;
         column.first[i]

@@ -21,9 +21,8 @@ Number alongSegment(const InterpolationSetUp<Number, channelsInAll> &setUp, std:
     const bool isVertical = a.position.x == b.position.x;
     // ChannelEdge walks along x; a vertical segment is mirrored.
     const auto along = [&](const Corner &vertex) {
-        Corner result;
+        Corner result = vertex;
         result.position.x = isVertical ? vertex.position.y : vertex.position.x;
-        result.channels[channel] = vertex.channels[channel];
         return result;
     };
     return ChannelEdge<Number, channelsInAll>(along(a), along(b), isVertical ? y : x)
@@ -36,12 +35,12 @@ void evaluate(const InterpolationSetUp<Number, channelsInAll> &setUp, std::int64
               std::int64_t y, InterpolationSample<Number, channelsInAll> &sample)
 {
     if constexpr (Form == InterpolationForm::Plane) {
-        for (std::size_t channel = 0; channel < channelsInAll; ++channel)
+        for (std::size_t channel = 0; channel < setUp.carried(); ++channel)
             sample.value[channel] = linearAt(setUp.plane[channel], x, y);
     } else if constexpr (Form == InterpolationForm::Barycentric) {
         for (std::size_t i = 0; i < 3; ++i)
             sample.weight[i] = linearAt(setUp.weight[i], x, y);
-        for (std::size_t channel = 0; channel < channelsInAll; ++channel)
+        for (std::size_t channel = 0; channel < setUp.carried(); ++channel)
             sample.value[channel] = weightedSum(sample.weight, setUp.weighted[channel], channel);
     }
 }
@@ -81,7 +80,7 @@ template <InterpolationForm Form, class Number, std::size_t channelsInAll, class
         std::array<Number, channelsInAll> value = column.first;
         colourColumn(column, rounding, frame, observer, [&](std::int64_t, Sample &sample) {
             sample.value = value;
-            for (std::size_t channel = 0; channel < channelsInAll; ++channel)
+            for (std::size_t channel = 0; channel < setUp.carried(); ++channel)
                 advance(value[channel], column.rate[channel]);
         });
     } else {
@@ -99,16 +98,17 @@ void fillSegment(const InterpolationSetUp<Number, channelsInAll> &setUp,
 {
     using Sample = InterpolationSample<Number, channelsInAll>;
     colourColumn(column, rounding, frame, observer, [&](std::int64_t y, Sample &sample) {
-        for (std::size_t channel = 0; channel < channelsInAll; ++channel)
+        for (std::size_t channel = 0; channel < setUp.carried(); ++channel)
             sample.value[channel] = alongSegment(setUp, channel, column.x, y);
     });
 }
 
 /// Fills a column once more, alone, with the same numbers: the set-up and the column are all that
 /// it reads.
-template <InterpolationForm Form, class Number, class Observer>
-void fillAgain(const InterpolationSetUp<Number> &setUp, const InterpolationColumn<Number> &column,
-               ByteRounding rounding, FrameView frame, Observer observer)
+template <InterpolationForm Form, class Number, std::size_t channelsInAll, class Observer>
+void fillAgain(const InterpolationSetUp<Number, channelsInAll> &setUp,
+               const InterpolationColumn<Number, channelsInAll> &column, ByteRounding rounding,
+               FrameView frame, Observer observer)
 {
     if (setUp.zeroArea)
         fillSegment(setUp, column, rounding, frame, observer);

@@ -11,7 +11,7 @@
 #include <algorithm>
 
 /// What the three forms of interpolation over a triangle compute with: R G B, z, u v, N_x N_y N_z,
-/// all alike.
+/// all alike, as far as they are carried.
 namespace pixelplumb {
 
 enum class InterpolationForm {
@@ -30,9 +30,43 @@ constexpr std::int64_t unitsOfChannel(std::size_t channel)
     return channel < colourChannelCount ? unitsPerPixel : attributeOne;
 }
 
+/// What triangles carry beside R G B, which all do. Only this is interpolated: it follows R G B,
+/// without gaps, in the order z, u v, N_x N_y N_z.
+struct CarriedChannels {
+    bool depth = false; ///< z
+    bool texture = false; ///< u, v
+    bool normal = false; ///< N_x, N_y, N_z
+
+    constexpr std::size_t count() const
+    {
+        return colourChannelCount + (depth ? 1 : 0) + (texture ? 2 : 0) + (normal ? 3 : 0);
+    }
+    /// The place among all nine of a channel that has a place among those that are carried.
+    constexpr std::size_t at(std::size_t place) const
+    {
+        std::size_t channel = place;
+        if (!depth && channel >= colourChannelCount)
+            channel += 1;
+        if (!texture && channel > colourChannelCount)
+            channel += 2;
+        return channel;
+    }
+};
+
+/// How many channels there are, the first ones of an array: known when it is compiled where it has
+/// room for R G B alone.
+template <std::size_t channelsInAll>
+struct CarriedCount {
+    std::size_t carried = channelsInAll;
+};
+template <>
+struct CarriedCount<colourChannelCount> {
+    static constexpr std::size_t carried = colourChannelCount;
+};
+
 /// A vertex with what is interpolated, in the channels' units.
 template <std::size_t channelsInAll>
-struct VertexOfChannels {
+struct VertexOfChannels : CarriedCount<channelsInAll> {
     LatticePoint position;
     std::array<std::int64_t, channelsInAll> channels = {};
 };
@@ -41,20 +75,24 @@ using ChannelVertex = VertexOfChannels<channelCount>;
 /// Attributes that are not there are zeros.
 template <std::size_t channelsInAll>
 constexpr VertexOfChannels<channelsInAll> channelVertex(const Vertex &vertex,
-                                                        const VertexAttributes *attributes)
+                                                        const VertexAttributes *attributes,
+                                                        const CarriedChannels &carried)
 {
     VertexOfChannels<channelsInAll> result;
     result.position = vertex.position;
     for (std::size_t i = 0; i < colourChannelCount; ++i)
         result.channels[i] = vertex.colour.channels[i] * unitsPerPixel;
     if constexpr (channelsInAll == channelCount) {
+        result.carried = carried.count();
         if (!attributes)
             return result;
-        result.channels[3] = attributes->z;
-        for (std::size_t i = 0; i < 2; ++i)
-            result.channels[4 + i] = attributes->texture[i];
-        for (std::size_t i = 0; i < 3; ++i)
-            result.channels[6 + i] = attributes->normal[i];
+        std::size_t place = colourChannelCount;
+        if (carried.depth)
+            result.channels[place++] = attributes->z;
+        for (std::size_t i = 0; carried.texture && i < 2; ++i)
+            result.channels[place++] = attributes->texture[i];
+        for (std::size_t i = 0; carried.normal && i < 3; ++i)
+            result.channels[place++] = attributes->normal[i];
     }
     return result;
 }
@@ -103,6 +141,8 @@ struct InterpolationSetUp {
     std::array<std::array<Number, 3>, 3> weight = {};
     /// What they weight, [channel][vertex].
     std::array<std::array<typename VertexValue<Number>::Type, 3>, channelsInAll> weighted = {};
+
+    constexpr std::size_t carried() const { return vertices[0].carried; }
 };
 
 /// What one column uses.

@@ -23,7 +23,8 @@ template <InterpolationForm Form, class Number, class Integer, std::size_t chann
 class InterpolationScan {
 public:
     InterpolationScan(const Triangle &triangle, const TriangleAttributes *attributes,
-                      const ScanSettings &settings, FrameView frame, Observer observer)
+                      const CarriedChannels &carried, const ScanSettings &settings, FrameView frame,
+                      Observer observer)
         : m_triangle(triangle)
         , m_settings(settings)
         , m_intervals(columnIntervals(settings.fillRule))
@@ -32,7 +33,7 @@ public:
     {
         for (std::size_t i = 0; i < 3; ++i)
             m_setUp.vertices[i] = channelVertex<channelsInAll>(
-                triangle.vertices[i], attributes ? &attributes->vertices[i] : nullptr);
+                triangle.vertices[i], attributes ? &attributes->vertices[i] : nullptr, carried);
         m_setUp.order = sortedByColumn(triangle);
         m_area = doubledArea(at(0).position, at(1).position, at(2).position);
         m_setUp.longEdge = m_area >= 0 ? LongEdge::Above : LongEdge::Below;
@@ -95,7 +96,7 @@ private:
     void computeCoefficients()
     {
         if constexpr (Form == InterpolationForm::Plane) {
-            for (std::size_t channel = 0; channel < channelsInAll; ++channel)
+            for (std::size_t channel = 0; channel < m_setUp.carried(); ++channel)
                 setPlane(m_setUp, channel);
         } else if constexpr (Form == InterpolationForm::Barycentric) {
             for (std::size_t vertex = 0; vertex < 3; ++vertex) {

@@ -41,6 +41,11 @@ Result<QByteArray> readFile(const QString &path)
     return content;
 }
 
+InputError readingCancelled(const QString &place)
+{
+    return {place, QStringLiteral("the reading was cancelled"), {}};
+}
+
 bool isSameFile(const QString &path, const QString &other)
 {
     const std::filesystem::path first(path.toStdU16String());

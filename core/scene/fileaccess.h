@@ -12,6 +12,9 @@ namespace pixelplumb {
 /// The content of a file of up to 256 MiB.
 Result<QByteArray> readFile(const QString &path);
 
+/// What is said where a listener ended the reading.
+InputError readingCancelled(const QString &place);
+
 /// Whether two paths lead to one regular file (same device and inode), through links too; false
 /// where one of them does not exist.
 bool isSameFile(const QString &path, const QString &other);

@@ -22,6 +22,7 @@ class TextBuffer : public std::streambuf {
 public:
     explicit TextBuffer(QByteArray &text) { setg(text.begin(), text.begin(), text.end()); }
     qsizetype position() const { return gptr() - eback(); }
+    void end() { setg(eback(), egptr(), egptr()); }
 };
 
 /// Position, texture coordinate and normal of a corner, counted from 0; −1: none.
@@ -40,9 +41,10 @@ struct CornerHash {
 /// Makes a mesh of the lines that tinyobjloader tells. The first fault ends the reading.
 class MeshBuilder {
 public:
-    MeshBuilder(const QByteArray &text, const TextBuffer &buffer)
+    MeshBuilder(const QByteArray &text, TextBuffer &buffer, const ProgressListener &listener)
         : m_text(text)
         , m_buffer(buffer)
+        , m_listener(listener)
     {
     }
 
@@ -51,12 +53,13 @@ public:
     void takeNormal()
     {
         take(m_normals, 3);
-        if (!hasFailed() && m_normals.back() == Vector3())
+        if (!hasFailed() && !m_wasCancelled && m_normals.back() == Vector3())
             fail(QStringLiteral("a normal of length 0"), QStringLiteral("a direction"));
     }
     void takeFace(const tinyobj::index_t *corners, int count);
 
     bool hasFailed() const { return !m_found.isEmpty(); }
+    bool wasCancelled() const { return m_wasCancelled; }
     InputError error(const QString &name) const
     {
         const QString place
@@ -71,6 +74,7 @@ public:
     }
 
 private:
+    bool goesOnReading();
     void take(std::vector<Vector3> &all, std::size_t needed);
     std::int64_t resolved(int index, std::size_t count, const char *what);
     std::uint32_t cornerOf(const CornerIndices &indices);
@@ -78,7 +82,8 @@ private:
     void fail(const QString &found, const QString &expected);
 
     const QByteArray &m_text;
-    const TextBuffer &m_buffer;
+    TextBuffer &m_buffer;
+    const ProgressListener &m_listener;
     std::vector<Vector3> m_positions;
     std::vector<Vector3> m_texturePoints;
     std::vector<Vector3> m_normals;
@@ -87,7 +92,23 @@ private:
     QString m_found;
     QString m_expected;
     qsizetype m_line = 0;
+    std::int64_t m_lines = 0; ///< of those that are taken
+    bool m_wasCancelled = false;
 };
+
+/// Before each line that is taken.
+bool MeshBuilder::goesOnReading()
+{
+    if (hasFailed() || m_wasCancelled)
+        return false;
+    constexpr std::int64_t linesBetweenProgress = 1024;
+    if (m_lines++ % linesBetweenProgress == 0
+        && !goesOn(m_listener, {JobPhase::Reading, m_buffer.position(), m_text.size()})) {
+        m_wasCancelled = true;
+        m_buffer.end();
+    }
+    return !m_wasCancelled;
+}
 
 QByteArrayView MeshBuilder::lineInHand() const
 {
@@ -102,12 +123,13 @@ void MeshBuilder::fail(const QString &found, const QString &expected)
     m_expected = expected;
     const QByteArrayView line = lineInHand();
     m_line = m_text.first(line.data() - m_text.data()).count('\n') + 1;
+    m_buffer.end();
 }
 
 /// tinyobjloader takes what is no number for 0, and rounds decimals in a way of its own.
 void MeshBuilder::take(std::vector<Vector3> &all, std::size_t needed)
 {
-    if (hasFailed())
+    if (!goesOnReading())
         return;
     const QByteArrayView line = lineInHand();
     const char *place = line.data();
@@ -162,7 +184,7 @@ std::uint32_t MeshBuilder::cornerOf(const CornerIndices &indices)
 
 void MeshBuilder::takeFace(const tinyobj::index_t *corners, int count)
 {
-    if (hasFailed())
+    if (!goesOnReading())
         return;
     if (count < 3) {
         fail(QStringLiteral("a face of %1").arg(count), QStringLiteral("3 corners or more"));
@@ -193,11 +215,11 @@ void MeshBuilder::takeFace(const tinyobj::index_t *corners, int count)
 
 } // namespace
 
-Result<Mesh> parseMesh(QByteArray text, const QString &name)
+Result<Mesh> parseMesh(QByteArray text, const QString &name, const ProgressListener &listener)
 {
     TextBuffer buffer(text);
     std::istream stream(&buffer);
-    MeshBuilder builder(text, buffer);
+    MeshBuilder builder(text, buffer, listener);
     tinyobj::callback_t callback;
     using Real = tinyobj::real_t;
     callback.vertex_cb = [](void *data, Real, Real, Real, Real) {
@@ -212,6 +234,8 @@ Result<Mesh> parseMesh(QByteArray text, const QString &name)
         static_cast<MeshBuilder *>(data)->takeFace(corners, count);
     };
     tinyobj::LoadObjWithCallback(stream, callback, &builder);
+    if (builder.wasCancelled())
+        return readingCancelled(name);
     if (builder.hasFailed())
         return builder.error(name);
     Mesh mesh = builder.takeMesh();
@@ -223,12 +247,12 @@ Result<Mesh> parseMesh(QByteArray text, const QString &name)
     return mesh;
 }
 
-Result<Mesh> readMesh(const QString &path)
+Result<Mesh> readMesh(const QString &path, const ProgressListener &listener)
 {
     Result<QByteArray> content = readFile(path);
     if (!content)
         return content.error();
-    return parseMesh(std::move(*content), path);
+    return parseMesh(std::move(*content), path, listener);
 }
 
 } // namespace pixelplumb

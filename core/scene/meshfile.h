@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/number/jobprogress.h"
 #include "core/scene/result.h"
 #include "core/space/solid.h"
 
@@ -8,9 +9,11 @@ namespace pixelplumb {
 
 /// The triangles of a Wavefront OBJ file: its v, vt, vn and f lines; a face of more corners becomes
 /// a fan. Everything else in the file (groups, materials, lines) is passed over.
-Result<Mesh> readMesh(const QString &path);
+/// The listener hears now and then how many bytes are read; when it ends the reading, an error says
+/// so.
+Result<Mesh> readMesh(const QString &path, const ProgressListener &listener = {});
 
 /// The same of its content; `name` stands in messages.
-Result<Mesh> parseMesh(QByteArray text, const QString &name);
+Result<Mesh> parseMesh(QByteArray text, const QString &name, const ProgressListener &listener = {});
 
 } // namespace pixelplumb

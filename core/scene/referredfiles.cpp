@@ -51,7 +51,7 @@ Result<std::shared_ptr<const Mesh>> ReferredFiles::mesh(const QString &name)
     const QString path = pathOf(name);
     if (const auto known = m_meshes.value(path))
         return known;
-    Result<Mesh> mesh = readMesh(path);
+    Result<Mesh> mesh = readMesh(path, m_listener);
     if (!mesh)
         return mesh.error();
     return m_meshes[path] = std::make_shared<const Mesh>(std::move(*mesh));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/geometry/appearance.h"
+#include "core/number/jobprogress.h"
 #include "core/scene/result.h"
 #include "core/space/solid.h"
 
@@ -14,8 +15,9 @@ namespace pixelplumb {
 class ReferredFiles {
 public:
     /// The folder of the scene's file; empty where there is none: the current one.
-    explicit ReferredFiles(const QString &folder)
+    explicit ReferredFiles(const QString &folder, const ProgressListener &listener = {})
         : m_folder(folder)
+        , m_listener(listener)
     {
     }
 
@@ -27,6 +29,7 @@ private:
     QString pathOf(const QString &name) const;
 
     QString m_folder;
+    ProgressListener m_listener; ///< of meshes
     QHash<QString, std::shared_ptr<const Texture>> m_textures; // by path
     QHash<QString, std::shared_ptr<const Mesh>> m_meshes;
     std::size_t m_texels = 0;

@@ -24,6 +24,8 @@ void append(ProjectedSolids projected, Primitives &primitives)
     };
     appendTo(primitives.triangles, projected.triangles);
     appendTo(primitives.attributes, projected.attributes);
+    primitives.sources = std::move(projected.sources);
+    primitives.wExponent = projected.wExponent;
 }
 
 /// Moves plain primitives to sample coordinates.
@@ -45,6 +47,11 @@ void shiftToSamples(Lattice offset, Primitives &primitives)
 
 Primitives primitivesOnSamples(const Scene &scene)
 {
+    return primitivesOnSamples(scene, {}).value();
+}
+
+std::optional<Primitives> primitivesOnSamples(const Scene &scene, const ProgressListener &listener)
+{
     Primitives primitives{scene.triangles, scene.shapes, scene.attributes, appearanceOf(scene)};
     if (scene.frame.origin == FrameOrigin::TopLeft) {
         for (Shape &shape : primitives.shapes)
@@ -53,8 +60,12 @@ Primitives primitivesOnSamples(const Scene &scene)
     lightPlainTriangles(primitives.triangles, primitives.attributes, primitives.appearance);
     if (const Lattice offset = sampleOffset(scene.frame); offset != 0)
         shiftToSamples(offset, primitives);
-    if (!scene.solids.empty())
-        append(projectedSolids(scene), primitives);
+    if (scene.solids.empty())
+        return primitives;
+    auto projected = projectedSolids(scene, listener);
+    if (!projected)
+        return std::nullopt;
+    append(std::move(*projected), primitives);
     return primitives;
 }
 

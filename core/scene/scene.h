@@ -3,6 +3,7 @@
 
 #include "core/frame/framespec.h"
 #include "core/geometry/shape.h"
+#include "core/number/jobprogress.h"
 #include "core/scan/boundaryrule.h"
 #include "core/space/solid.h"
 
@@ -37,6 +38,8 @@ struct Scene {
 
 /// The scene's primitives in sample coordinates: pixel (x, y) is the sample at (x, y).
 Primitives primitivesOnSamples(const Scene &scene);
+/// None where the listener, who hears of solids how many faces are projected, ended it.
+std::optional<Primitives> primitivesOnSamples(const Scene &scene, const ProgressListener &listener);
 
 /// The scene's fill rule as its frame sees it, for sample coordinates.
 BoundaryRule boundaryRuleOf(const Scene &scene);

@@ -16,19 +16,42 @@ Appearance appearanceOf(const Scene &scene)
     return viewedBy(cameraOf(scene), scene.appearance);
 }
 
-ProjectedSolids projectedSolids(const Scene &scene)
+ProjectedSolids projectedSolids(const Scene &scene) { return projectedSolids(scene, {}).value(); }
+
+std::optional<ProjectedSolids> projectedSolids(const Scene &scene, const ProgressListener &listener)
 {
     const Camera camera = cameraOf(scene);
     const Appearance appearance = appearanceOf(scene);
-    return projectSolids({camera, scene.solids, appearance, scene.frame});
+    return projectSolids({camera, scene.solids, appearance, scene.frame}, listener);
+}
+
+FaceStages stagesOf(const Scene &scene, const TriangleSource &source, int wExponent)
+{
+    const Camera camera = cameraOf(scene);
+    const Appearance appearance = appearanceOf(scene);
+    return stagesOf(SpaceScene{camera, scene.solids, appearance, scene.frame}, source, wExponent);
+}
+
+std::vector<LatticePoint> clippedPolygon(const Scene &scene, const TriangleSource &source)
+{
+    const Camera camera = cameraOf(scene);
+    const Appearance appearance = appearanceOf(scene);
+    const SpaceScene space{camera, scene.solids, appearance, scene.frame};
+    FaceProjector<double> projector(space, scene.solids[source.solid]);
+    const ProjectedFace<double> &face = projector.project(source.face);
+    std::vector<LatticePoint> corners;
+    for (std::size_t i = 0; i < face.clipped.size(); ++i) {
+        const SnappedCorner corner = snapped(face.clipped[i], face.places[i], face.devices[i].z, 0);
+        if (corner.loss != ProjectionLoss::NotFinite
+            && corner.loss != ProjectionLoss::OutsideCoordinates)
+            corners.push_back(corner.vertex.position);
+    }
+    return corners;
 }
 
 FaceStages stagesOf(const Scene &scene, const ProjectedSolids &projected, std::size_t triangle)
 {
-    const Camera camera = cameraOf(scene);
-    const Appearance appearance = appearanceOf(scene);
-    return stagesOf({camera, scene.solids, appearance, scene.frame}, projected.sources[triangle],
-                    projected.wExponent);
+    return stagesOf(scene, projected.sources[triangle], projected.wExponent);
 }
 
 } // namespace pixelplumb

@@ -23,9 +23,9 @@ namespace {
 /// Reads the parts of a scene out of a JSON text; errors stay with the JsonReader.
 class SceneReader {
 public:
-    SceneReader(JsonReader &json, const QString &folder)
+    SceneReader(JsonReader &json, const QString &folder, const ProgressListener &listener)
         : m_json(json)
-        , m_inHand{{}, ReferredFiles(folder)}
+        , m_inHand{{}, ReferredFiles(folder, listener)}
     {
     }
 
@@ -210,7 +210,7 @@ std::optional<Result<SceneReading>> readByPieces(const QByteArray &text,
                                                  const ProgressListener &listener,
                                                  const QString &folder)
 {
-    const InputError cancelled{{}, QStringLiteral("the reading was cancelled"), {}};
+    const InputError cancelled = readingCancelled({});
     const auto mayGoOn = [&](const char *place) {
         return goesOn(listener, {JobPhase::Reading, place - text.constData(), text.size()});
     };
@@ -225,7 +225,8 @@ std::optional<Result<SceneReading>> readByPieces(const QByteArray &text,
     const auto mayRead = [&](std::size_t index, QByteArrayView piece) {
         return index % primitivesBetweenProgress != 0 || mayGoOn(piece.data());
     };
-    const auto reading = SceneReader(json, folder).read(text, pieces->primitives, mayRead);
+    const auto reading
+        = SceneReader(json, folder, listener).read(text, pieces->primitives, mayRead);
     return reading ? reading : cancelled;
 }
 
@@ -251,7 +252,7 @@ Result<SceneReading> readScene(const QByteArray &text, const ProgressListener &l
     JsonReader json(text);
     if (json.hasFailed())
         return json.error();
-    SceneReading reading = SceneReader(json, folder).read();
+    SceneReading reading = SceneReader(json, folder, listener).read();
     if (json.hasFailed())
         return json.error();
     return reading;

@@ -103,6 +103,9 @@ public:
         return {w / m_scaleX, w / m_scaleY};
     }
 
+    const Vector &eye() const { return m_eye; }
+    /// What of clip coordinates a length in view space is, sideways, upward and in depth.
+    Vector scale() const { return {m_scaleX, m_scaleY, m_scaleZ}; }
     const Vector &right() const { return m_right; }
     const Vector &up() const { return m_up; }
     const Vector &backward() const { return m_backward; }

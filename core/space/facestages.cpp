@@ -3,6 +3,7 @@
 
 #include "core/space/attributenumber.h"
 #include "core/space/stagenumbers.h"
+#include "core/space/stagepoints.h"
 
 namespace pixelplumb {
 
@@ -81,28 +82,7 @@ private:
         for (std::size_t i = 0; i < m_used.lit.size(); ++i) {
             StagePoint &point = stage.points.emplace_back(
                 StagePoint{isFlat ? QStringLiteral("centre") : faceVertexName(i), {}, {}});
-            writeLight(point, m_used.lit[i], m_exact.lit[i]);
-        }
-    }
-
-    void writeLight(StagePoint &point, const LitColour<double> &used,
-                    const LitColour<ExactReal> &exact)
-    {
-        const Appearance &appearance = m_scene.appearance;
-        StageNumberWriter numbers(point.numbers);
-        for (std::size_t i = 0; i < appearance.lights.size(); ++i) {
-            const Light &light = appearance.lights[i];
-            const auto usedTerm = lightTerm(appearance, light, m_material.shininess, used.point);
-            const auto exactTerm = lightTerm(appearance, light, m_material.shininess, exact.point);
-            const QString which = QStringLiteral(", light %1").arg(i);
-            numbers.add(QStringLiteral("max(0, N·L)") + which, usedTerm.diffuse, exactTerm.diffuse);
-            numbers.add(QStringLiteral("(N·H)ˢ") + which, usedTerm.specular, exactTerm.specular);
-        }
-        const auto usedLevels = litLevels(appearance, m_material, used.colour, used.point);
-        const auto exactLevels = litLevels(appearance, m_material, exact.colour, exact.point);
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            numbers.add(QString(channelLetters[channel]), usedLevels[channel],
-                        exactLevels[channel]);
+            writeLightPoint(point, m_scene.appearance, m_material, m_used.lit[i], m_exact.lit[i]);
         }
     }
 
@@ -111,10 +91,19 @@ private:
         ProjectionStage &stage
             = begin(QStringLiteral("Camera"),
                     QStringLiteral("x to the right, y up, the eye at 0, looking along −z"));
+        writeCameraPoint(stage.points.emplace_back(StagePoint{cameraName(), {}, {}}), m_scene);
+        const auto along = [](const char *axis) {
+            return QStringLiteral("%_x·(x − E_x) + %_y·(y − E_y) + %_z·(z − E_z)")
+                .replace(u'%', QLatin1String(axis));
+        };
         for (std::size_t i = 0; i < m_used.views.size(); ++i) {
             StagePoint &point = stage.points.emplace_back(StagePoint{faceVertexName(i), {}, {}});
-            StageNumberWriter(point.numbers)
-                .add(QStringLiteral("_view"), m_used.views[i], &m_exact.views[i]);
+            StageNumberWriter numbers(point.numbers);
+            const auto &[usedX, usedY, usedZ] = m_used.views[i];
+            const auto &[exactX, exactY, exactZ] = m_exact.views[i];
+            numbers.add(QStringLiteral("x_view"), usedX, exactX, along("right"));
+            numbers.add(QStringLiteral("y_view"), usedY, exactY, along("up"));
+            numbers.add(QStringLiteral("z_view"), usedZ, exactZ, along("back"));
         }
     }
 
@@ -134,7 +123,10 @@ private:
                 ? QStringLiteral("at or beyond the near plane: z_clip ≥ 0")
                 : QStringLiteral("before the near plane: z_clip < 0");
             StagePoint &point = stage.points.emplace_back(StagePoint{faceVertexName(i), note, {}});
-            writeClipPoint(point, m_used.polygon[i].clip, &m_exact.polygon[i].clip);
+            writeClipPoint(point, m_used.polygon[i].clip, &m_exact.polygon[i].clip,
+                           {QStringLiteral("scale_x·x_view"), QStringLiteral("scale_y·y_view"),
+                            QStringLiteral("scale_z·(−z_view − near)"),
+                            isPerspective ? QStringLiteral("−z_view") : QStringLiteral("1")});
         }
     }
 
@@ -153,21 +145,38 @@ private:
                 : QStringLiteral("%1, kept").arg(faceVertexName(corner.inside));
             StagePoint &point
                 = stage.points.emplace_back(StagePoint{clippedCornerName(i), note, {}});
+            const auto of = [&](QChar coordinate, std::size_t vertex) {
+                return clipName(coordinate, vertex);
+            };
             if (corner.isCut())
                 StageNumberWriter(point.numbers)
-                    .add(QStringLiteral("t"), corner.t, exact ? &exact->t : nullptr);
-            writeClipPoint(point, corner.vertex.clip, exact ? &exact->vertex.clip : nullptr);
+                    .add(QStringLiteral("t"), corner.t, exact ? &exact->t : nullptr,
+                         QStringLiteral("%1/(%1 − %2)")
+                             .arg(of(u'z', corner.inside), of(u'z', corner.outside)));
+            const auto between = [&](QChar coordinate) {
+                return QStringLiteral("%1 + t·(%2 − %1)")
+                    .arg(of(coordinate, corner.inside), of(coordinate, corner.outside));
+            };
+            const bool isPerspective = m_scene.camera.projection == Projection::Perspective;
+            writeClipPoint(
+                point, corner.vertex.clip, exact ? &exact->vertex.clip : nullptr,
+                corner.isCut()
+                    ? ClipFormulas{between(u'x'), between(u'y'), QStringLiteral("0"),
+                                   isPerspective ? QStringLiteral("near") : QStringLiteral("1")}
+                    : ClipFormulas{of(u'x', corner.inside), of(u'y', corner.inside),
+                                   of(u'z', corner.inside), of(u'w', corner.inside)});
         }
     }
 
+    using ClipFormulas = std::array<QString, 4>; ///< of x, y, z and w
     static void writeClipPoint(StagePoint &point, const ClipPoint<double> &used,
-                               const ClipPoint<ExactReal> *exact)
+                               const ClipPoint<ExactReal> *exact, const ClipFormulas &formulas)
     {
         StageNumberWriter numbers(point.numbers);
-        numbers.add(QStringLiteral("x_clip"), used.x, exact ? &exact->x : nullptr);
-        numbers.add(QStringLiteral("y_clip"), used.y, exact ? &exact->y : nullptr);
-        numbers.add(QStringLiteral("z_clip"), used.z, exact ? &exact->z : nullptr);
-        numbers.add(QStringLiteral("w"), used.w, exact ? &exact->w : nullptr);
+        numbers.add(QStringLiteral("x_clip"), used.x, exact ? &exact->x : nullptr, formulas[0]);
+        numbers.add(QStringLiteral("y_clip"), used.y, exact ? &exact->y : nullptr, formulas[1]);
+        numbers.add(QStringLiteral("z_clip"), used.z, exact ? &exact->z : nullptr, formulas[2]);
+        numbers.add(QStringLiteral("w"), used.w, exact ? &exact->w : nullptr, formulas[3]);
     }
 
     void writeDivision()
@@ -178,9 +187,14 @@ private:
         for (std::size_t i = 0; i < m_used.devices.size(); ++i) {
             StagePoint &point = stage.points.emplace_back(StagePoint{clippedCornerName(i), {}, {}});
             const auto at = exactPlaceOf(m_used.clipped[i]);
-            StageNumberWriter(point.numbers)
-                .add(QStringLiteral("_device"), m_used.devices[i],
-                     at ? &m_exact.devices[*at] : nullptr);
+            const auto *exact = at ? &m_exact.devices[*at] : nullptr;
+            StageNumberWriter numbers(point.numbers);
+            numbers.add(QStringLiteral("x_device"), m_used.devices[i].x,
+                        exact ? &exact->x : nullptr, QStringLiteral("x_clip/w"));
+            numbers.add(QStringLiteral("y_device"), m_used.devices[i].y,
+                        exact ? &exact->y : nullptr, QStringLiteral("y_clip/w"));
+            numbers.add(QStringLiteral("z_device"), m_used.devices[i].z,
+                        exact ? &exact->z : nullptr, QStringLiteral("z_clip/w"));
         }
     }
 
@@ -198,9 +212,12 @@ private:
             const auto at = exactPlaceOf(m_used.clipped[i]);
             StageNumberWriter numbers(point.numbers);
             numbers.add(QStringLiteral("x"), m_used.places[i][0],
-                        at ? &m_exact.places[*at][0] : nullptr);
+                        at ? &m_exact.places[*at][0] : nullptr,
+                        QStringLiteral("x_first + (x_device + 1)/2·width − ½"));
             numbers.add(QStringLiteral("y"), m_used.places[i][1],
-                        at ? &m_exact.places[*at][1] : nullptr);
+                        at ? &m_exact.places[*at][1] : nullptr,
+                        isUpward ? QStringLiteral("y_first + (y_device + 1)/2·height − ½")
+                                 : QStringLiteral("y_first + (1 − y_device)/2·height − ½"));
         }
     }
 
@@ -221,38 +238,14 @@ private:
                 point.note = nameOf(*corner.loss);
                 continue;
             }
-            writeSnapped(point, corner, exactPlaceOf(m_used.clipped[i]));
+            const auto at = exactPlaceOf(m_used.clipped[i]);
+            writeSnappedPoint(point, corner, at ? exactCorner(*at) : std::nullopt, m_wExponent);
         }
     }
 
-    void writeSnapped(StagePoint &point, const SnappedCorner &corner,
-                      const std::optional<std::size_t> &at)
+    std::optional<ExactCorner> exactCorner(std::size_t at) const
     {
-        const auto pixels = [](Lattice units) { return double(units) / double(unitsPerPixel); };
-        const auto value
-            = [](Attribute attribute) { return double(attribute) / double(attributeOne); };
-        const ClippedCorner<ExactReal> *exact = at ? &m_exact.clipped[*at] : nullptr;
-        const ExactReal exactW
-            = exact ? ExactReal(ldexp(exact->vertex.clip.w, m_wExponent)) : ExactReal();
-        StageNumberWriter numbers(point.numbers);
-        const auto &[vertex, attributes, loss] = corner;
-        numbers.add(QStringLiteral("x"), pixels(vertex.position.x),
-                    at ? &m_exact.places[*at][0] : nullptr);
-        numbers.add(QStringLiteral("y"), pixels(vertex.position.y),
-                    at ? &m_exact.places[*at][1] : nullptr);
-        numbers.add(QStringLiteral("z"), value(attributes.z),
-                    at ? &m_exact.devices[*at].z : nullptr);
-        numbers.add(QStringLiteral("w"), value(attributes.w), exact ? &exactW : nullptr);
-        numbers.add(QStringLiteral("u"), value(attributes.texture[0]),
-                    exact ? &exact->vertex.texture[0] : nullptr);
-        numbers.add(QStringLiteral("v"), value(attributes.texture[1]),
-                    exact ? &exact->vertex.texture[1] : nullptr);
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            numbers.add(QString(channelLetters[channel]), vertex.colour.channels[channel],
-                        exact ? &exact->vertex.levels[channel] : nullptr);
-        }
-        numbers.add(QStringLiteral("α"), attributes.alpha,
-                    exact ? &exact->vertex.levels[3] : nullptr);
+        return ExactCorner{m_exact.clipped[at].vertex, m_exact.places[at], m_exact.devices[at].z};
     }
 
     /// The same corner without rounding; none where a vertex so near to the plane changed sides.
@@ -287,6 +280,13 @@ FaceStages stagesOf(const SpaceScene &scene, const TriangleSource &source, int w
 {
     return StageWriter(scene, scene.solids[source.solid], source.face, wExponent).written();
 }
+
+QString clipName(QChar coordinate, std::size_t vertex)
+{
+    return coordinate + QStringLiteral("_") + faceVertexName(vertex);
+}
+
+QString cameraName() { return QStringLiteral("the camera"); }
 
 QString faceVertexName(std::size_t vertex) { return subscripted(u'V', vertex); }
 

@@ -13,6 +13,10 @@ struct StageNumber {
     double used = 0;
     QString exact; ///< 20 digits; empty where there is no such number without rounding
     double error = 0; ///< used − exact; NaN where there is none
+    /// What it is worked out from, the numbers of this point and of the camera by their names,
+    /// those of a stage before under the same name with a prime: "x_clip/w"; empty where it is
+    /// given.
+    QString formula = {};
 };
 
 /// A vertex V₀, V₁, … of the face, a corner C₀, C₁, … of the polygon that clipping makes of it, or
@@ -37,6 +41,11 @@ struct FaceStages {
     ProjectedFace<double> face; ///< as it was used
     std::vector<SnappedCorner> corners; ///< of the clipped polygon, as kernels get them
 };
+
+/// "x_V₁": a clip coordinate of a vertex, as the polygon's formulas call it.
+QString clipName(QChar coordinate, std::size_t vertex);
+/// The name of the point, in the stage “Camera”, that has the camera's own numbers.
+QString cameraName();
 
 /// source: a face of the scene; its piece does not matter.
 FaceStages stagesOf(const SpaceScene &scene, const TriangleSource &source, int wExponent);

@@ -3,12 +3,6 @@
 
 namespace pixelplumb {
 
-Colour tinted(const Colour &colour, const Colour &tint)
-{
-    return {{tinted(colour.red(), tint.red()), tinted(colour.green(), tint.green()),
-             tinted(colour.blue(), tint.blue())}};
-}
-
 const Material &materialOf(const Appearance &appearance, int material)
 {
     static const Material white;

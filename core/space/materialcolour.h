@@ -12,7 +12,11 @@ constexpr std::uint8_t tinted(std::uint8_t level, std::uint8_t tint)
 {
     return std::uint8_t((2 * level * tint + 255) / 510);
 }
-Colour tinted(const Colour &colour, const Colour &tint);
+constexpr Colour tinted(const Colour &colour, const Colour &tint)
+{
+    return {{tinted(colour.red(), tint.red()), tinted(colour.green(), tint.green()),
+             tinted(colour.blue(), tint.blue())}};
+}
 
 /// A triangle's or a solid's material, by its index; a white one where there is none of it.
 const Material &materialOf(const Appearance &appearance, int material);

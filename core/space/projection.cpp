@@ -167,8 +167,10 @@ SnappedCorner snapped(const ClippedCorner<double> &corner, const std::array<doub
     return to;
 }
 
-ProjectedSolids projectSolids(const SpaceScene &scene)
+std::optional<ProjectedSolids> projectSolids(const SpaceScene &scene,
+                                             const ProgressListener &listener)
 {
+    constexpr std::int64_t facesBetweenProgress = 256;
     ProjectedSolids projected;
     projected.wExponent = wExponentOf(scene);
     std::size_t count = 0;
@@ -177,6 +179,7 @@ ProjectedSolids projectSolids(const SpaceScene &scene)
     projected.triangles.reserve(count);
     projected.attributes.reserve(count);
     projected.sources.reserve(count);
+    std::int64_t done = 0;
     const bool hasView = !CameraTransform<double>(scene.camera, scene.frame).right().isZero();
     for (std::size_t i = 0; i < scene.solids.size(); ++i) {
         const Solid &solid = scene.solids[i];
@@ -186,8 +189,12 @@ ProjectedSolids projectSolids(const SpaceScene &scene)
         }
         FaceProjector<double> projector(scene, solid);
         TriangleCollector triangles(projected, solid.material);
-        for (std::size_t face = 0; face < faceCount(solid); ++face)
+        for (std::size_t face = 0; face < faceCount(solid); ++face, ++done) {
+            if (done % facesBetweenProgress == 0
+                && !goesOn(listener, {JobPhase::Projecting, done, std::int64_t(count)}))
+                return std::nullopt;
             triangles.append({std::uint32_t(i), std::uint32_t(face), 0}, projector.project(face));
+        }
     }
     return projected;
 }

@@ -2,19 +2,11 @@
 #pragma once
 
 #include "core/geometry/shape.h"
+#include "core/geometry/trianglesource.h"
+#include "core/number/jobprogress.h"
 #include "core/space/faceprojector.h"
 
 namespace pixelplumb {
-
-/// Where a triangle of the frame comes from: a piece of the fan of the polygon that clipping makes
-/// of a face of a solid.
-struct TriangleSource {
-    std::uint32_t solid = 0;
-    std::uint32_t face = 0;
-    std::uint32_t piece = 0;
-
-    friend bool operator==(const TriangleSource &, const TriangleSource &) = default;
-};
 
 /// Why a face, or a triangle of it, is not drawn.
 enum class ProjectionLoss : std::uint8_t {
@@ -47,7 +39,9 @@ struct ProjectedSolids {
     int wExponent = 0;
 };
 
-ProjectedSolids projectSolids(const SpaceScene &scene);
+/// None where the listener, who hears now and then how many faces are projected, ended it.
+std::optional<ProjectedSolids> projectSolids(const SpaceScene &scene,
+                                             const ProgressListener &listener = {});
 
 /// The power of two by which w is written for all of a scene, since only ratios of w count: 0 where
 /// every depth lies between 1 and 2^20; otherwise such that the largest fits, and, where that

@@ -16,17 +16,21 @@ public:
     {
     }
 
-    void add(const QString &name, double used, const ExactReal *exact)
+    void add(const QString &name, double used, const ExactReal *exact, const QString &formula = {})
     {
         if (!exact) {
-            m_numbers.push_back({name, used, {}, std::numeric_limits<double>::quiet_NaN()});
+            m_numbers.push_back(
+                {name, used, {}, std::numeric_limits<double>::quiet_NaN(), formula});
             return;
         }
         constexpr int digits = 20;
         m_numbers.push_back({name, used, QString::fromStdString(exact->str(digits)),
-                             (ExactReal(used) - *exact).convert_to<double>()});
+                             (ExactReal(used) - *exact).convert_to<double>(), formula});
     }
-    void add(const QString &name, double used, const ExactReal &exact) { add(name, used, &exact); }
+    void add(const QString &name, double used, const ExactReal &exact, const QString &formula = {})
+    {
+        add(name, used, &exact, formula);
+    }
     /// x, y and z, each with the subscript.
     void add(const QString &subscript, const SpaceVector<double> &used,
              const SpaceVector<ExactReal> *exact)

@@ -78,21 +78,30 @@ void light(Triangle &triangle, const TriangleAttributes &attributes, const Appea
 } // namespace
 
 template <class Number>
+LightVectors<Number> lightVectors(const Appearance &appearance, const Light &light,
+                                  const LitPoint<Number> &point)
+{
+    LightVectors<Number> vectors;
+    vectors.normal = unit(point.normal);
+    vectors.toLight = towardsLight<Number>(light, point.place);
+    vectors.toViewer
+        = towards(appearance.viewerKind, spaceVectorOf<Number>(appearance.viewer), point.place);
+    // Without a viewer there is no half-way vector (see appearance.h).
+    if (!vectors.toViewer.isZero())
+        vectors.halfway = unit(vectors.toLight + vectors.toViewer);
+    return vectors;
+}
+
+template <class Number>
 LightTerm<Number> lightTerm(const Appearance &appearance, const Light &light, int shininess,
                             const LitPoint<Number> &point)
 {
-    const SpaceVector<Number> normal = unit(point.normal);
-    const SpaceVector<Number> toLight = towardsLight<Number>(light, point.place);
+    const LightVectors<Number> vectors = lightVectors(appearance, light, point);
     LightTerm<Number> term;
-    term.diffuse = dot(normal, toLight);
+    term.diffuse = dot(vectors.normal, vectors.toLight);
     if (!(term.diffuse > 0))
         return {};
-    const SpaceVector<Number> toViewer
-        = towards(appearance.viewerKind, spaceVectorOf<Number>(appearance.viewer), point.place);
-    // Without a viewer there is no half-way vector (see appearance.h).
-    if (toViewer.isZero())
-        return term;
-    const Number highlight = dot(normal, unit(toLight + toViewer));
+    const Number highlight = dot(vectors.normal, vectors.halfway);
     if (highlight > 0)
         term.specular = naturalPower(highlight, shininess);
     return term;
@@ -125,6 +134,10 @@ std::array<Number, 3> litLevels(const Appearance &appearance, const Material &ma
     return levels;
 }
 
+template LightVectors<double> lightVectors(const Appearance &, const Light &,
+                                           const LitPoint<double> &);
+template LightVectors<ExactReal> lightVectors(const Appearance &, const Light &,
+                                              const LitPoint<ExactReal> &);
 template LightTerm<double> lightTerm(const Appearance &, const Light &, int,
                                      const LitPoint<double> &);
 template LightTerm<ExactReal> lightTerm(const Appearance &, const Light &, int,

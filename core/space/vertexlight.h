@@ -18,6 +18,18 @@ struct LitPoint {
     SpaceVector<Number> normal; ///< of any length; 0: no light but the ambient one
 };
 
+/// The vectors of length 1 by which a light counts at a point; 0 where there is none.
+template <class Number>
+struct LightVectors {
+    SpaceVector<Number> normal; ///< n
+    SpaceVector<Number> toLight; ///< L
+    SpaceVector<Number> toViewer; ///< V
+    SpaceVector<Number> halfway; ///< H, of L + V [Blinn 1977]
+};
+template <class Number>
+LightVectors<Number> lightVectors(const Appearance &appearance, const Light &light,
+                                  const LitPoint<Number> &point);
+
 /// What one light adds at a point.
 template <class Number>
 struct LightTerm {
@@ -25,7 +37,6 @@ struct LightTerm {
     Number specular = Number(0); ///< max(0, N·H)^shininess where N·L > 0
 };
 
-/// With H the unit vector of L + V [Blinn 1977].
 template <class Number>
 LightTerm<Number> lightTerm(const Appearance &appearance, const Light &light, int shininess,
                             const LitPoint<Number> &point);

@@ -94,6 +94,8 @@ private:
         NumberRange value = base();
         while (takes(u'²'))
             value = m_arithmetic.product(value, value);
+        if (takes(u'^'))
+            value = m_arithmetic.power(value, int(digits()));
         return value;
     }
     NumberRange base()

@@ -118,6 +118,16 @@ NumberRange RangeArithmetic::root(const NumberRange &range) const
         {std::sqrt(std::max(range.least, 0.0L)), std::sqrt(std::max(range.greatest, 0.0L))});
 }
 
+NumberRange RangeArithmetic::power(const NumberRange &base, int exponent) const
+{
+    NumberRange result = {1, 1};
+    for (int i = 0; i < exponent; ++i)
+        result = product(result, base);
+    if (std::abs(result.least) < std::numeric_limits<double>::min())
+        result.least = std::min(result.least, 0.0L);
+    return result;
+}
+
 NumberRange RangeArithmetic::turned(const NumberRange &angle,
                                     long double (*function)(long double)) const
 {

@@ -39,6 +39,8 @@ public:
     /// Of numbers that are shown whole; none of a divisor that is 0.
     static std::optional<NumberRange> remainder(const NumberRange &a, const NumberRange &b);
     NumberRange root(const NumberRange &range) const;
+    /// exponent >= 0; what is too small for the arithmetic may be 0.
+    NumberRange power(const NumberRange &base, int exponent) const;
     /// A sine or cosine, whose slope is never more than 1.
     NumberRange turned(const NumberRange &angle, long double (*function)(long double)) const;
     /// A number that is read, which was rounded before it was shown.

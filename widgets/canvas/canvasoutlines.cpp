@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/canvas/canvasoutlines.h"
 
+#include "core/scene/sceneprojection.h"
 #include "widgets/canvas/canvasview.h"
+#include "widgets/look/displayoptions.h"
 #include "widgets/model/playhead.h"
 
 #include <algorithm>
@@ -92,6 +94,9 @@ void addSolidsTriangle(CanvasScene &scene, const CanvasSources &sources)
     const auto &[a, b, c] = traced->primitives.triangles[step->primitive].vertices;
     scene.outlines.push_back(
         {{a.position, b.position, c.position}, rolesOf(traced->trace->setUp(step->primitive))});
+    const TriangleSource *source = traced->primitives.sourceOf(step->primitive);
+    if (source && sources.options->isClippingShown())
+        scene.clippedPolygon = clippedPolygon(traced->scene, *source);
 }
 
 void addOutline(CanvasScene &scene, int primitive, const CanvasSources &sources,

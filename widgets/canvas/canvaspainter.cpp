@@ -25,6 +25,7 @@ void drawOutlines(FramePainter &frame, const CanvasScene &scene)
         frame.drawOutline(outline.corners, outline.roles);
     for (const Shape &shape : scene.shapes)
         frame.drawShapeOutline(shape);
+    frame.drawClippedPolygon(scene.clippedPolygon);
 }
 
 void drawSigns(FramePainter &frame, const CanvasScene &scene)

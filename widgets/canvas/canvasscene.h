@@ -68,6 +68,8 @@ struct CanvasScene {
 
     std::vector<Outline> outlines;
     std::vector<Shape> shapes; ///< outlined over the triangles
+    /// That clipping makes of the face whose triangle is in hand; empty: not shown.
+    std::vector<LatticePoint> clippedPolygon;
     std::vector<QPoint> breakpoints;
     std::optional<QPoint> picked;
     std::optional<SpanRecord> span; ///< in hand

@@ -135,11 +135,14 @@ void FormulaPanel::present(const Explanation &explanation)
     m_sentence->setText(sentenceHtml(explanation.sentence));
 
     const int scrolled = m_formulas->verticalScrollBar()->value();
-    m_formulas->setHtml(formulaHtml(explanation, arithmetic(), palette()));
+    m_formulas->setHtml(formulaHtml(explanation, arithmetic(), palette())
+                        + stagesHtml(explanation, arithmetic(), palette()));
     m_formulas->verticalScrollBar()->setValue(scrolled);
     setAccessibleDescription(explanation.heading + QStringLiteral(". ") + explanation.sentence
                              + u'\n' + formulaText(explanation, arithmetic()));
-    growTo(int(std::ceil(m_formulas->document()->size().height())));
+    // Stages are many, and are scrolled to.
+    if (explanation.stages.empty())
+        growTo(int(std::ceil(m_formulas->document()->size().height())));
 }
 
 Arithmetic FormulaPanel::arithmetic() const

@@ -4,6 +4,7 @@
 #include "core/scan/choicenames.h"
 #include "widgets/lab/labtext.h"
 #include "widgets/look/numberlayout.h"
+#include "widgets/look/signs.h"
 
 #include <QHeaderView>
 
@@ -90,6 +91,11 @@ void LabEffects::show(const Study &study)
         if (row.timesFirst) {
             put(EffectColumn::Ratio, figureText(row.timesFirst->median));
             item->setToolTip(int(EffectColumn::Ratio), middleHalfText(*row.timesFirst));
+            if (row.isTooSlow()) {
+                put(EffectColumn::Ratio,
+                    tr("%1, over %2").arg(figureText(row.timesFirst->median)).arg(mostTimesLoop));
+                item->setForeground(int(EffectColumn::Ratio), signColour(Sign::Extra, palette()));
+            }
         }
         put(EffectColumn::Error, figureText(row.rms));
         put(EffectColumn::Wrong, QString::number(row.wrongPixels));

@@ -11,6 +11,7 @@ class DisplayOptions : public QObject {
     Q_PROPERTY(bool gridShown READ isGridShown WRITE setGridShown NOTIFY changed)
     Q_PROPERTY(
         bool differencesShown READ areDifferencesShown WRITE setDifferencesShown NOTIFY changed)
+    Q_PROPERTY(bool clippingShown READ isClippingShown WRITE setClippingShown NOTIFY changed)
     Q_PROPERTY(bool truthShown READ isTruthShown WRITE setTruthShown NOTIFY changed)
 
 public:
@@ -18,12 +19,15 @@ public:
 
     bool isGridShown() const { return m_grid; }
     bool areDifferencesShown() const { return m_differences; }
+    /// The polygon that clipping makes of the face whose triangle is in hand.
+    bool isClippingShown() const { return m_clipping; }
     /// The oracle's finished picture instead of the frame at the position.
     bool isTruthShown() const { return m_truth; }
 
 public slots:
     void setGridShown(bool shown) { change(m_grid, shown); }
     void setDifferencesShown(bool shown) { change(m_differences, shown); }
+    void setClippingShown(bool shown) { change(m_clipping, shown); }
     void setTruthShown(bool shown) { change(m_truth, shown); }
 
 signals:
@@ -40,6 +44,7 @@ private:
 
     bool m_grid = true;
     bool m_differences = true;
+    bool m_clipping = false;
     bool m_truth = false;
 };
 

@@ -72,11 +72,18 @@ QString typesetHtml(const QString &text)
 /// the symbols, not by the numbers, so that a formula keeps its lines from step to step.
 bool isShort(const FormulaLine &line) { return !line.symbols.contains(u'('); }
 
+/// Whether the exact number and the error stand beside a number: where it may have been rounded.
+bool isCompared(const FormulaLine &line, Arithmetic arithmetic)
+{
+    const bool isRounded = arithmetic != Arithmetic::Exact || !line.used.isRational();
+    return isRounded && !line.used.isNone() && !line.exact.isNone();
+}
+
 /// The number used, underlined from the first digit that the exact one does not have.
 QString usedHtml(const FormulaLine &line, Arithmetic arithmetic)
 {
     const QString text = displayText(line.used, arithmetic);
-    const int marked = arithmetic == Arithmetic::Exact || line.exact.isNone()
+    const int marked = !isCompared(line, arithmetic)
         ? -1
         : firstDifferingDigit(text, displayDecimal(line.exact, comparedPlaces));
     if (marked < 0)
@@ -115,11 +122,21 @@ public:
             m_html += QStringLiteral("<tr><td colspan='5' style='font-size:3px'>&nbsp;</td></tr>");
     }
 
+    /// The heading of a stage.
+    void begin(const StageFormulas &stage)
+    {
+        begin(NumberSubject::General);
+        const QString note = stage.note.isEmpty() ? QString() : QStringLiteral(": ") + stage.note;
+        row(wide(QStringLiteral("<b>%1</b>")
+                     .arg(typesetHtml(stage.stage + QStringLiteral(", ") + stage.point + note))));
+    }
+
     void append(const FormulaLine &line)
     {
         QString symbols = takeTitle() + typesetHtml(line.symbols);
-        const bool sharesLine = line.subject != NumberSubject::General || isShort(line);
-        if (sharesLine)
+        const bool isGiven = line.substituted.isEmpty();
+        const bool sharesLine = isGiven || line.subject != NumberSubject::General || isShort(line);
+        if (sharesLine && !isGiven)
             symbols += QStringLiteral(" &nbsp;") + quiet(equals(line));
         row(wide(symbols) + used(line));
         if (!sharesLine)
@@ -174,7 +191,7 @@ private:
     /// The exact number and the error, where the arithmetic rounds.
     void compare(const FormulaLine &line)
     {
-        if (m_arithmetic != Arithmetic::Exact && !line.used.isNone() && !line.exact.isNone())
+        if (isCompared(line, m_arithmetic))
             row(QStringLiteral("<td width='16'></td><td>%1</td><td align='right'>%2</td>")
                     .arg(quiet(typesetHtml(exactText(line))), quiet(errorText(line))));
     }
@@ -222,17 +239,36 @@ QString formulaHtml(const Explanation &explanation, Arithmetic arithmetic, const
     return explanation.lines.empty() ? QString() : writer.html();
 }
 
+QString stagesHtml(const Explanation &explanation, Arithmetic arithmetic, const QPalette &palette)
+{
+    HtmlWriter writer(arithmetic, palette);
+    for (const StageFormulas &stage : explanation.stages) {
+        writer.begin(stage);
+        for (const FormulaLine &line : stage.lines)
+            writer.append(line);
+    }
+    return explanation.stages.empty() ? QString() : writer.html();
+}
+
 QString formulaText(const Explanation &explanation, Arithmetic arithmetic)
 {
     QStringList lines;
-    for (const FormulaLine &line : explanation.lines) {
-        QString text = typeset(line.symbols).remove(u'_') + QStringLiteral(" = ")
-            + typeset(line.substituted);
+    const auto append = [&](const FormulaLine &line) {
+        QString text = typeset(line.symbols).remove(u'_');
+        if (!line.substituted.isEmpty())
+            text += QStringLiteral(" = ") + typeset(line.substituted);
         if (!line.used.isNone())
             text += QStringLiteral(" = ") + displayText(line.used, arithmetic);
-        if (arithmetic != Arithmetic::Exact && !line.used.isNone() && !line.exact.isNone())
+        if (isCompared(line, arithmetic))
             text += QStringLiteral("; ") + exactText(line) + QStringLiteral("; ") + errorText(line);
         lines.append(text);
+    };
+    for (const FormulaLine &line : explanation.lines)
+        append(line);
+    for (const StageFormulas &stage : explanation.stages) {
+        lines.append(stage.stage + QStringLiteral(", ") + stage.point);
+        for (const FormulaLine &line : stage.lines)
+            append(line);
     }
     return lines.join(u'\n');
 }

@@ -12,7 +12,11 @@ namespace pixelplumb {
 /// below it the numbers put in, and in a rounding arithmetic the exact number and the error.
 QString formulaHtml(const Explanation &explanation, Arithmetic arithmetic, const QPalette &palette);
 
-/// The same in plain text, a formula a line, for screen readers.
+/// The stages of an explanation, each with a heading; the exact numbers and the errors stand there
+/// in every arithmetic, because stages are computed in double.
+QString stagesHtml(const Explanation &explanation, Arithmetic arithmetic, const QPalette &palette);
+
+/// The formulas in plain text, a formula a line, for screen readers; the stages after them.
 QString formulaText(const Explanation &explanation, Arithmetic arithmetic);
 
 /// A sentence with its symbols and mixed numbers typeset.

@@ -45,6 +45,9 @@ public:
     /// A line to a vertex that is not placed yet.
     /// The curve that a shape stands for, and a Bézier curve's control polygon.
     void drawShapeOutline(const Shape &shape);
+    /// The edges and the corners C₀, C₁, … of a polygon that clipping made, and between its corners
+    /// those of the fan of triangles that is drawn.
+    void drawClippedPolygon(const std::vector<LatticePoint> &corners);
     void drawRubberPath(const std::vector<LatticePoint> &points);
     void drawRubberLine(const LatticePoint &from, const LatticePoint &to);
     void drawHandle(const LatticePoint &point, const Colour &colour, HandleState state);

@@ -16,6 +16,7 @@ namespace {
 
 // Logical pixels.
 constexpr double outlineWidth = 1.5;
+constexpr double clippedWidth = 2.5; ///< of the polygon that clipping made
 constexpr double offScreenSize = 7; ///< of the off-screen point's mark, from its middle
 constexpr double largestCurve = 1e6;
 
@@ -131,6 +132,23 @@ void FramePainter::drawShapeOutline(const Shape &shape)
     m_painter.drawPath(path);
     m_painter.setPen(QPen(signColour(Sign::VertexMark, m_palette), outlineWidth));
     m_painter.drawPath(path);
+}
+
+void FramePainter::drawClippedPolygon(const std::vector<LatticePoint> &corners)
+{
+    QPointF inside;
+    std::vector<QPointF> places;
+    for (const LatticePoint &corner : corners) {
+        places.push_back(m_mapping.positionOf(corner));
+        inside += places.back() / double(corners.size());
+    }
+    const QColor colour = signColour(Sign::VertexMark, m_palette);
+    for (std::size_t i = 2; i + 1 < places.size(); ++i)
+        drawCased({places[0], places[i]}, colour, outlineWidth, Qt::DashLine);
+    for (std::size_t i = 0; i < places.size(); ++i)
+        drawCased({places[i], places[(i + 1) % places.size()]}, colour, clippedWidth);
+    for (std::size_t i = 0; i < corners.size(); ++i)
+        drawVertexName(QStringLiteral("C%1").arg(i), corners[i], inside);
 }
 
 void FramePainter::drawOffScreenPoint(const LatticePoint &point)

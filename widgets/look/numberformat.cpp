@@ -142,7 +142,7 @@ QString decimalBeside(const Quantity &quantity, Arithmetic arithmetic)
 
 QString displayError(const Quantity &used, const Quantity &exact)
 {
-    if (used.isNone() || !exact.isRational())
+    if (used.isNone() || exact.isNone() || !exact.isFinite())
         return {};
     if (!used.isFinite())
         return nonFiniteText(used.toDouble());

@@ -150,7 +150,8 @@ void SceneTracer::trace(const std::shared_ptr<const Scene> &scene)
             const std::int64_t expectedSpans = traceCostOf(*scene).columns;
             TraceOptions options;
             options.progress = [&listener, expectedSpans](JobProgress progress) {
-                if (progress.phase != JobPhase::Judging)
+                if (progress.phase == JobPhase::Recording
+                    || progress.phase == JobPhase::RecordingExactly)
                     progress.total = std::max(expectedSpans, progress.done);
                 return listener(progress);
             };

@@ -107,8 +107,11 @@ void ProjectionPanel::takeTraced()
     }
     // What stands there is another scene's, until this one's is there.
     m_job.start(
-        [traced](const ProgressListener & /*listener*/) {
-            Seen seen{projectedSolids(traced->scene), sideSceneOf(traced->scene)};
+        [traced](const ProgressListener &listener) {
+            auto projected = projectedSolids(traced->scene, listener);
+            if (!projected)
+                return Seen();
+            Seen seen{std::move(*projected), sideSceneOf(traced->scene)};
             seen.projected.triangles = {};
             seen.projected.attributes = {};
             return seen;

@@ -57,6 +57,10 @@ void ViewMenu::addOptions(const WindowParts &parts)
                                  "colour (D)"),
                               Qt::Key_D, &DisplayOptions::areDifferencesShown,
                               &DisplayOptions::setDifferencesShown);
+    addOption("showClipping", tr("&Clipped polygon"), tr("clipped"),
+              tr("What the near plane leaves of the face whose triangle is in hand, and the "
+                 "triangles that it is drawn as (N)"),
+              Qt::Key_N, &DisplayOptions::isClippingShown, &DisplayOptions::setClippingShown);
     OverdrawOverlay *overdraw = parts.overdraw;
     QAction *counts = addMenuAction(this, "showOverdraw", tr("&Overdraw and gaps"), Qt::Key_O,
                                     [overdraw](bool shown) { overdraw->setVisible(shown); });

@@ -61,6 +61,7 @@ void WindowSettings::restoreChoices()
     options->setGridShown(settings.value(QLatin1String("canvas/grid"), true).toBool());
     options->setDifferencesShown(
         settings.value(QLatin1String("canvas/differences"), true).toBool());
+    options->setClippingShown(settings.value(QLatin1String("canvas/clipping"), false).toBool());
 }
 
 void WindowSettings::store() const
@@ -73,6 +74,7 @@ void WindowSettings::store() const
     settings.setValue(QLatin1String("canvas/snap"), int(m_parts.document->snap()));
     settings.setValue(QLatin1String("canvas/grid"), m_parts.options->isGridShown());
     settings.setValue(QLatin1String("canvas/differences"), m_parts.options->areDifferencesShown());
+    settings.setValue(QLatin1String("canvas/clipping"), m_parts.options->isClippingShown());
 }
 
 } // namespace pixelplumb

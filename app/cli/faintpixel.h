@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/colour.h"
+
+#include <QRgb>
+
+namespace pixelplumb::cli {
+
+/// Between three quarters of white and white, so that every mark beside it stands out.
+inline QRgb faint(const Colour &colour)
+{
+    const int grey = 191 + qGray(colour.red(), colour.green(), colour.blue()) / 4;
+    return qRgb(grey, grey, grey);
+}
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/picture.h"
+
+#include "core/runs/tracedscene.h"
+#include "core/scene/asciiraster.h"
+
+#include <QBuffer>
+#include <QImageReader>
+
+#include <algorithm>
+#include <array>
+
+namespace pixelplumb {
+
+namespace {
+
+Picture blankPicture(int width, int height)
+{
+    Picture picture{width, height, {}, {}};
+    const std::size_t pixels = std::size_t(width) * std::size_t(height);
+    picture.colours.resize(pixels);
+    picture.covered.resize(pixels, 0);
+    return picture;
+}
+
+void takeColours(const QImage &image, Picture &picture)
+{
+    for (int line = 0; line < picture.height; ++line) {
+        const auto *pixels = reinterpret_cast<const QRgb *>(image.constScanLine(line));
+        for (int x = 0; x < picture.width; ++x)
+            picture.colours[picture.placeOf(x, line)] = unpacked(pixels[x]);
+    }
+}
+
+void takeCoverage(const CoverageMask &coverage, Picture &picture)
+{
+    const FrameSpec &frame = coverage.spec();
+    for (int line = 0; line < picture.height; ++line) {
+        const std::int64_t y = rowOfPictureLine(frame, line);
+        for (int x = 0; x < picture.width; ++x)
+            picture.covered[picture.placeOf(x, line)]
+                = coverage.covers(frame.firstColumn + x, y) ? 1 : 0;
+    }
+}
+
+bool looksLikeRaster(const QByteArray &content)
+{
+    return !content.isEmpty() && std::ranges::all_of(content, [](char character) {
+        return character == '#' || character == '.' || character == '\n' || character == '\r';
+    });
+}
+
+InputError tooLarge(const QString &name, const QSize &size)
+{
+    return {name, QStringLiteral("%1 × %2 pixels").arg(size.width()).arg(size.height()),
+            QStringLiteral("at most %1 pixels").arg(largestFrameArea)};
+}
+
+bool isTooLarge(const QSize &size)
+{
+    return std::int64_t(size.width()) * size.height() > largestFrameArea;
+}
+
+} // namespace
+
+Colour backgroundOf(const Picture &picture)
+{
+    const int right = picture.width - 1;
+    const int bottom = picture.height - 1;
+    std::array<Colour, 4> corners;
+    const std::array places = {picture.placeOf(0, 0), picture.placeOf(right, 0),
+                               picture.placeOf(0, bottom), picture.placeOf(right, bottom)};
+    for (std::size_t i = 0; i < places.size(); ++i)
+        corners[i] = picture.colours[places[i]];
+    return *std::ranges::max_element(corners, {}, [&corners](const Colour &corner) {
+        return std::ranges::count(corners, corner);
+    });
+}
+
+void coverAllBut(const Colour &background, Picture &picture)
+{
+    for (std::size_t i = 0; i < picture.size(); ++i)
+        picture.covered[i] = picture.colours[i] == background ? 0 : 1;
+}
+
+Picture pictureOf(const Scene &scene)
+{
+    const FrameBuffer frame(scene.frame);
+    drawScene(scene, frame);
+    Picture picture = blankPicture(scene.frame.width, scene.frame.height);
+    takeColours(frame.image(), picture);
+    takeCoverage(coverageOf(scene), picture);
+    return picture;
+}
+
+Result<Picture> parsePicture(const QByteArray &content, const QString &name)
+{
+    if (looksLikeRaster(content)) {
+        const Result<CoverageMask> raster = parseAsciiRaster(QString::fromLatin1(content));
+        if (!raster)
+            return InputError{name, raster.error().message(), {}};
+        const FrameSpec &frame = raster->spec();
+        Picture picture = blankPicture(frame.width, frame.height);
+        picture.hasColours = false;
+        takeCoverage(*raster, picture);
+        return picture;
+    }
+    QByteArray bytes = content;
+    QBuffer buffer(&bytes);
+    QImageReader reader(&buffer);
+    if (const QSize size = reader.size(); size.isValid() && isTooLarge(size))
+        return tooLarge(name, size);
+    const QImage image = reader.read().convertToFormat(QImage::Format_RGB32);
+    if (image.isNull())
+        return InputError{name, QStringLiteral("no picture: ") + reader.errorString(),
+                          QStringLiteral("PNG, PPM, BMP, a raster of # and ., or a scene")};
+    if (isTooLarge(image.size()))
+        return tooLarge(name, image.size());
+    Picture picture = blankPicture(image.width(), image.height());
+    takeColours(image, picture);
+    return picture;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/colour.h"
+#include "core/scene/result.h"
+#include "core/scene/scene.h"
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+namespace pixelplumb {
+
+/// A picture to be judged, whoever drew it: line by line, the top line first, as files have it.
+struct Picture {
+    int width = 0;
+    int height = 0;
+    std::vector<Colour> colours;
+    std::vector<std::uint8_t> covered; ///< 1 where something was drawn
+    bool hasColours = true; ///< a raster of characters has none
+
+    std::size_t size() const { return colours.size(); }
+    std::size_t placeOf(int x, int line) const
+    {
+        return std::size_t(line) * std::size_t(width) + std::size_t(x);
+    }
+    bool contains(int x, int line) const
+    {
+        return x >= 0 && x < width && line >= 0 && line < height;
+    }
+
+    friend bool operator==(const Picture &, const Picture &) = default;
+};
+
+/// Without a scene nobody knows the background: it is what most of the corners have. Then what has
+/// another colour is covered.
+Colour backgroundOf(const Picture &picture);
+void coverAllBut(const Colour &background, Picture &picture);
+
+/// What the scene's method draws; covered is what it writes.
+Picture pictureOf(const Scene &scene);
+
+/// A picture file of at most 2^28 pixels, or a raster of `#` and `.` (asciiRaster). Nothing is
+/// covered yet of a file with colours.
+Result<Picture> parsePicture(const QByteArray &content, const QString &name);
+
+} // namespace pixelplumb

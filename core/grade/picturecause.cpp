@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/picturecause.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr int farthestShift = 4; // px
+
+/// The pixel of the found picture that stands where (x, line) was meant.
+using PlaceMap = std::function<std::pair<int, int>(int x, int line)>;
+
+Picture moved(const Picture &found, const PlaceMap &source, const Colour &background)
+{
+    Picture picture = found;
+    for (int line = 0; line < found.height; ++line) {
+        for (int x = 0; x < found.width; ++x) {
+            const auto [fromX, fromLine] = source(x, line);
+            const bool isInside = found.contains(fromX, fromLine);
+            const std::size_t to = picture.placeOf(x, line);
+            const std::size_t from = isInside ? found.placeOf(fromX, fromLine) : 0;
+            picture.colours[to] = isInside ? found.colours[from] : background;
+            picture.covered[to] = isInside ? found.covered[from] : std::uint8_t(0);
+        }
+    }
+    return picture;
+}
+
+PictureChange move(const QString &name, const Colour &background, const PlaceMap &source)
+{
+    return {name, [=](const Picture &found) { return moved(found, source, background); }};
+}
+
+PictureChange recolour(const QString &name, const std::function<Colour(const Colour &)> &undone)
+{
+    return {name, [=](const Picture &found) {
+                Picture picture = found;
+                for (std::size_t i = 0; i < picture.size(); ++i) {
+                    if (picture.covered[i] != 0)
+                        picture.colours[i] = undone(picture.colours[i]);
+                }
+                return picture;
+            }};
+}
+
+void appendShifts(const Colour &background, std::vector<PictureChange> &changes)
+{
+    for (int dy = -farthestShift; dy <= farthestShift; ++dy) {
+        for (int dx = -farthestShift; dx <= farthestShift; ++dx) {
+            if (dx == 0 && dy == 0)
+                continue;
+            changes.push_back(
+                move(QStringLiteral("shifted by %1 to the right and %2 up").arg(dx).arg(-dy),
+                     background, [=](int x, int line) { return std::pair(x + dx, line + dy); }));
+        }
+    }
+}
+
+void appendFlips(const Picture &found, const Colour &background,
+                 std::vector<PictureChange> &changes)
+{
+    const int right = found.width - 1;
+    const int bottom = found.height - 1;
+    changes.push_back(move(QStringLiteral("upside down"), background,
+                           [=](int x, int line) { return std::pair(x, bottom - line); }));
+    changes.push_back(move(QStringLiteral("left and right exchanged"), background,
+                           [=](int x, int line) { return std::pair(right - x, line); }));
+    changes.push_back(move(QStringLiteral("turned by half a turn"), background,
+                           [=](int x, int line) { return std::pair(right - x, bottom - line); }));
+    if (found.width != found.height)
+        return;
+    // Rows are counted from the bottom: x and y exchanged are lines and columns, mirrored.
+    changes.push_back(move(QStringLiteral("x and y exchanged"), background,
+                           [=](int x, int line) { return std::pair(bottom - line, right - x); }));
+    changes.push_back(move(QStringLiteral("lines and columns exchanged"), background,
+                           [=](int x, int line) { return std::pair(line, x); }));
+}
+
+void appendChannels(std::vector<PictureChange> &changes)
+{
+    constexpr std::array letters = {'R', 'G', 'B'};
+    std::array<std::size_t, 3> order = {0, 1, 2};
+    while (std::ranges::next_permutation(order).found) {
+        QString name;
+        for (const std::size_t channel : order)
+            name += QLatin1Char(letters[channel]);
+        changes.push_back(recolour(QStringLiteral("channels %1 in place of RGB").arg(name),
+                                   [order](const Colour &colour) {
+                                       Colour undone;
+                                       for (std::size_t i = 0; i < 3; ++i)
+                                           undone.channels[order[i]] = colour.channels[i];
+                                       return undone;
+                                   }));
+    }
+}
+
+/// IEC 61966-2-1.
+double toLinear(double encoded)
+{
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+double toEncoded(double linear)
+{
+    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
+}
+
+Colour mapped(const Colour &colour, double (*curve)(double))
+{
+    Colour result;
+    for (std::size_t i = 0; i < 3; ++i)
+        result.channels[i] = std::uint8_t(std::lround(255 * curve(colour.channels[i] / 255.0)));
+    return result;
+}
+
+} // namespace
+
+std::vector<PictureChange> pictureChangesFor(const Picture &found, const Colour &background)
+{
+    std::vector<PictureChange> changes;
+    appendFlips(found, background, changes);
+    appendShifts(background, changes);
+    if (!found.hasColours)
+        return changes;
+    appendChannels(changes);
+    changes.push_back(recolour(QStringLiteral("encoded as sRGB once too often"),
+                               [](const Colour &colour) { return mapped(colour, toLinear); }));
+    changes.push_back(recolour(QStringLiteral("decoded from sRGB once too often"),
+                               [](const Colour &colour) { return mapped(colour, toEncoded); }));
+    return changes;
+}
+
+} // namespace pixelplumb

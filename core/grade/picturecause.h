@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/picture.h"
+
+#include <functional>
+
+namespace pixelplumb {
+
+/// Something that a program may have done to its whole picture, and how it is undone.
+struct PictureChange {
+    QString name;
+    std::function<Picture(const Picture &found)> undo;
+};
+
+/// Shifts by up to 4 px each way, flips, the two coordinates exchanged (where the frame is square),
+/// channels exchanged, and the two ways between linear and sRGB levels.
+std::vector<PictureChange> pictureChangesFor(const Picture &found, const Colour &background);
+
+} // namespace pixelplumb

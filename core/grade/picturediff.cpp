@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/picturediff.h"
+
+#include "core/grade/picturecause.h"
+#include "core/oracle/oracle.h"
+#include "core/scan/edgeteststate.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+int errorBetween(const Colour &a, const Colour &b)
+{
+    int error = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        error = std::max(error, std::abs(int(a.channels[i]) - int(b.channels[i])));
+    return error;
+}
+
+PixelVerdict verdictAt(const Picture &expected, const Picture &found, std::size_t place)
+{
+    if (expected.covered[place] != found.covered[place])
+        return expected.covered[place] != 0 ? PixelVerdict::Missing : PixelVerdict::Extra;
+    const bool haveColours = expected.hasColours && found.hasColours;
+    return haveColours && expected.colours[place] != found.colours[place] ? PixelVerdict::Colour
+                                                                          : PixelVerdict::Same;
+}
+
+std::int64_t differingPixels(const Picture &expected, const Picture &found)
+{
+    std::int64_t differing = 0;
+    for (std::size_t i = 0; i < expected.size(); ++i)
+        differing += verdictAt(expected, found, i) != PixelVerdict::Same ? 1 : 0;
+    return differing;
+}
+
+void findCauses(const Picture &expected, const Picture &found, PictureDiff &diff)
+{
+    const std::int64_t before = differingPixels(expected, found);
+    for (const PictureChange &change : pictureChangesFor(found, backgroundOf(found))) {
+        const std::int64_t left = differingPixels(expected, change.undo(found));
+        if (2 * left <= before)
+            diff.causes.push_back({change.name, left});
+    }
+    std::ranges::stable_sort(diff.causes, {}, &PictureCause::left);
+}
+
+} // namespace
+
+QString nameOf(PixelVerdict verdict)
+{
+    switch (verdict) {
+    case PixelVerdict::Same:
+        return QStringLiteral("same");
+    case PixelVerdict::Missing:
+        return QStringLiteral("missing");
+    case PixelVerdict::Extra:
+        return QStringLiteral("extra");
+    case PixelVerdict::Colour:
+        return QStringLiteral("colour");
+    case PixelVerdict::Undecidable:
+        break;
+    }
+    return QStringLiteral("undecidable");
+}
+
+PictureDiff differenceOf(const Picture &expected, const Picture &found,
+                         std::span<const std::uint8_t> undecidable)
+{
+    PictureDiff diff;
+    diff.width = expected.width;
+    diff.height = expected.height;
+    diff.verdicts.reserve(expected.size());
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        PixelVerdict verdict = verdictAt(expected, found, i);
+        const bool isOpen = !undecidable.empty() && undecidable[i] != 0;
+        if (verdict != PixelVerdict::Same && isOpen)
+            verdict = PixelVerdict::Undecidable;
+        if (verdict == PixelVerdict::Colour)
+            diff.largestError
+                = std::max(diff.largestError, errorBetween(expected.colours[i], found.colours[i]));
+        diff.verdicts.push_back(verdict);
+        ++diff.counts[std::size_t(verdict)];
+    }
+    if (diff.differing() > 0)
+        findCauses(expected, found, diff);
+    return diff;
+}
+
+std::vector<std::uint8_t> tiesOf(const Scene &scene)
+{
+    const FrameSpec &frame = scene.frame;
+    const FrameView window = windowOf(frame);
+    std::vector<std::uint8_t> ties(std::size_t(frame.width) * std::size_t(frame.height), 0);
+    const auto lineOf = [&](std::int64_t y) {
+        const std::int64_t fromFirst = y - frame.firstRow;
+        return frame.origin == FrameOrigin::TopLeft ? fromFirst : frame.height - 1 - fromFirst;
+    };
+    for (const Triangle &triangle : primitivesOnSamples(scene).triangles) {
+        const SampleBox box = intersection(boundingBoxOf(triangle), samplesOf(window));
+        for (std::int64_t y = box.firstY; y < box.endY; ++y) {
+            for (std::int64_t x = box.firstX; x < box.endX; ++x) {
+                if (oracle::covers(triangle, FillRule::Closed, x, y)
+                    != oracle::covers(triangle, FillRule::Open, x, y))
+                    ties[std::size_t(lineOf(y) * frame.width + x - frame.firstColumn)] = 1;
+            }
+        }
+    }
+    return ties;
+}
+
+QString rasterOf(const PictureDiff &diff, const Picture &expected)
+{
+    QString raster;
+    for (int line = 0; line < diff.height; ++line) {
+        for (int x = 0; x < diff.width; ++x) {
+            const std::size_t place = expected.placeOf(x, line);
+            switch (diff.verdicts[place]) {
+            case PixelVerdict::Same:
+                raster += expected.covered[place] != 0 ? u'#' : u'.';
+                break;
+            case PixelVerdict::Missing:
+                raster += u'?';
+                break;
+            case PixelVerdict::Extra:
+                raster += u'!';
+                break;
+            case PixelVerdict::Colour:
+                raster += u'c';
+                break;
+            case PixelVerdict::Undecidable:
+                raster += u'=';
+                break;
+            }
+        }
+        raster += u'\n';
+    }
+    return raster;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/effects/effectplan.h"
+#include "core/frame/framespec.h"
+
+#include <span>
+#include <vector>
+
+namespace pixelplumb {
+
+/// What a kernel of effects is measured by: one set of effects as one function, by the column scan
+/// in float32 under the half-open rule, without clipping, choices, observers or work for what is
+/// not there. Its pictures are the kernel's, bit for bit, of its own scene.
+struct EffectLoop {
+    const char *name; ///< "depth, 24 bits"
+    /// Of triangles with area inside of the frame, all with attributes.
+    void (*draw)(const Primitives &primitives, FrameView frame);
+    Primitives (*makeScene)(); ///< sample coordinates, in a frame of effectLoopSide px
+};
+
+inline constexpr std::int32_t effectLoopSide = 256;
+
+/// All of them.
+std::vector<EffectLoop> effectLoops();
+/// Those of textures and light.
+std::span<const EffectLoop> loopsOfSurfaces();
+
+/// The scene of a loop as its kernel gets it.
+struct EffectLoopScene {
+    FrameSpec frame;
+    ScanSettings settings; ///< float32, half-open columns
+    Primitives primitives;
+    EffectPlan plan;
+
+    explicit EffectLoopScene(const EffectLoop &loop);
+};
+
+} // namespace pixelplumb

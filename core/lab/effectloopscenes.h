@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/shape.h"
+
+/// The scenes by which kernels of effects are measured beside straight loops: large triangles, in
+/// sample coordinates, that lie inside of a frame of effectLoopSide px and call for one set of
+/// effects.
+namespace pixelplumb::effectscenes {
+
+Primitives deep();
+Primitives deepIn24Bits();
+Primitives textured();
+Primitives filteredAndDeep();
+Primitives lit();
+Primitives glass();
+Primitives sampled();
+
+} // namespace pixelplumb::effectscenes

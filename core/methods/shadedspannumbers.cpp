@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/edgewalknames.h"
+#include "core/methods/interpolationnames.h"
+#include "core/methods/placenumbers.h"
+#include "core/methods/shadednumbers.h"
+#include "core/methods/units.h"
+
+namespace pixelplumb {
+
+namespace {
+
+using Group = NumberGroup;
+
+/// The walk along the edges is told as the column scan's.
+const EdgeWalkNames &walkNames()
+{
+    static const EdgeWalkNames names(
+        EdgeWalkForm{SpanAxis::Column, WalkForm::Accumulated, ColourRate::Bilinear});
+    return names;
+}
+
+/// A number that is walked along the edge that bounds a column: `value` is its letter at a vertex,
+/// `rate` that of its change.
+void appendWalked(NumberTable<ShadedSpanState> &table, SpanBound bound, NumberDescription number,
+                  const QString &value, const QString &rate,
+                  const std::function<Quantity(const ShadedSpanState &)> &read)
+{
+    number.formula = QStringLiteral("%1 ← %1′ + %2").arg(number.title, rate);
+    table.push_back({number, read, [=](NumberDescription &inHand, const ShadedSpanState &state) {
+                         inHand.formula = walkNames().boundFormula(state.walk, bound, inHand.title,
+                                                                   value, rate);
+                     }});
+}
+
+/// What an edge has where it meets the column, and the change from row to row.
+void appendBounds(NumberTable<ShadedSpanState> &table, const QString &name, const QString &unit,
+                  std::size_t channel)
+{
+    const QString bottom = withSubscript(name, QStringLiteral("B"));
+    const QString top = withSubscript(name, QStringLiteral("T"));
+    const auto append = [&](SpanBound bound, const QString &title, const QString &edge,
+                            PerChannel<Quantity> ShadedSpanState::*values) {
+        appendWalked(
+            table, bound,
+            comparedNumber(title, title, unit,
+                           QStringLiteral("%1 where the %2 edge meets the column; its rate is "
+                                          "added from column to column.")
+                               .arg(name, edge),
+                           {}, Group::EdgeColours),
+            name, u'δ' + name,
+            [=](const ShadedSpanState &state) { return (state.*values)[channel]; });
+    };
+    append(SpanBound::Lower, bottom, QStringLiteral("lower"), &ShadedSpanState::bottom);
+    append(SpanBound::Upper, top, QStringLiteral("upper"), &ShadedSpanState::top);
+    table.push_back(
+        {comparedNumber(QStringLiteral("delta_") + name, u'Δ' + name, unit,
+                        QStringLiteral("Change of %1 for each upward move.").arg(name),
+                        QStringLiteral("Δ%1 = (%2 − %3)/(y_T − y_B)").arg(name, top, bottom),
+                        Group::ColourRates),
+         [=](const ShadedSpanState &state) { return state.rate[channel]; },
+         [](NumberDescription &number, const ShadedSpanState &state) {
+             if (state.lower == state.upper)
+                 number.formula.clear();
+         }});
+}
+
+} // namespace
+
+NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope)
+{
+    using State = ShadedSpanState;
+    NumberTable<State> table;
+    const auto whole = [&](const NumberDescription &number, const auto &read) {
+        table.push_back({number, [read](const State &state) {
+                             return Quantity::integer(Int128(read(state)));
+                         }});
+    };
+    const auto covered = [&](const NumberDescription &number, const auto &read) {
+        table.push_back({number, [read](const State &state) {
+                             return state.isBounded ? Quantity::integer(read(state)) : Quantity();
+                         }});
+    };
+    whole(triangleNumber(), [](const State &state) { return state.walk.primitive; });
+    whole(scannedNumber(), [](const State &state) { return state.walk.column.x; });
+    covered(halfNumber(), [](const State &state) { return int(state.walk.column.half) + 1; });
+    const auto bound = [&](SpanBound side, const QString &title, const QString &edge,
+                           Quantity State::*value) {
+        appendWalked(table, side,
+                     comparedNumber(title, title, unit::px(),
+                                    QStringLiteral("Where the %1 edge meets the column.").arg(edge),
+                                    {}, Group::Span),
+                     QStringLiteral("y"), QStringLiteral("m"),
+                     [value](const State &state) { return state.*value; });
+    };
+    bound(SpanBound::Lower, QStringLiteral("y_B"), QStringLiteral("lower"), &State::lower);
+    bound(SpanBound::Upper, QStringLiteral("y_T"), QStringLiteral("upper"), &State::upper);
+    covered({.id = QStringLiteral("first_row"),
+             .title = QStringLiteral("y_first"),
+             .unit = unit::px(),
+             .toolTip = QStringLiteral("The first covered row."),
+             .formula = {},
+             .group = Group::Span},
+            [](const State &state) { return state.firstRow; });
+    covered({.id = QStringLiteral("last_row"),
+             .title = QStringLiteral("y_last"),
+             .unit = unit::px(),
+             .toolTip = QStringLiteral("The last covered row."),
+             .formula = {},
+             .group = Group::Span},
+            [](const State &state) { return state.endRow - 1; });
+    whole(columnPixelsNumber(), [](const State &state) { return state.drawnSamples(); });
+    if (scope.form == InterpolationForm::Bilinear)
+        forEachChannel(scope.effects, [&](std::size_t channel) {
+            appendBounds(table, linearName(channelAt(channel), scope.effects),
+                         unitOf(channelAt(channel)), channel);
+        });
+    return table;
+}
+
+} // namespace pixelplumb

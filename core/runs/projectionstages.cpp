@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/projectionstages.h"
+
+#include "core/runs/formulanames.h"
+#include "core/runs/tracedscene.h"
+#include "core/scene/sceneprojection.h"
+
+#include <cmath>
+#include <map>
+#include <set>
+
+namespace pixelplumb {
+
+namespace {
+
+/// The decimal of a number without rounding, as far as 128 bits hold it; none of an empty text.
+Quantity exactQuantity(const QString &text)
+{
+    if (text.isEmpty())
+        return {};
+    constexpr int mostDigits = 36;
+    const qsizetype letter = text.indexOf(u'e');
+    const QString mantissa = text.left(letter < 0 ? text.size() : letter);
+    const qsizetype point = mantissa.indexOf(u'.');
+    const auto places = int(point < 0 ? 0 : mantissa.size() - point - 1);
+    const int exponent = (letter < 0 ? 0 : text.sliced(letter + 1).toInt()) - places;
+    Int128 numerator = 0;
+    for (const QChar digit : mantissa) {
+        if (digit.isDigit())
+            numerator = numerator * 10 + digit.digitValue();
+    }
+    if (std::abs(exponent) > mostDigits
+        || (exponent > 0 && mantissa.size() + exponent > mostDigits))
+        return Quantity::of(text.toDouble());
+    Int128 power = 1;
+    for (int i = 0; i < std::abs(exponent); ++i)
+        power *= 10;
+    if (text.startsWith(u'-'))
+        numerator = -numerator;
+    return exponent < 0 ? Quantity::rational(numerator, power)
+                        : Quantity::integer(numerator * power);
+}
+
+/// What the numbers of a point have been called so far, with what they were.
+class PointNames {
+public:
+    void add(const QString &title, const Quantity &value)
+    {
+        const auto before = m_latest.find(title);
+        m_names.add(title, value,
+                    before == m_latest.end() ? std::nullopt : std::optional(before->second));
+        m_latest[title] = value;
+    }
+    void add(const StagePoint &point)
+    {
+        for (const StageNumber &number : point.numbers)
+            add(number.name, Quantity::of(number.used));
+    }
+    QString substituted(const StageNumber &number) const
+    {
+        return m_names.substituted(number.formula, number.name);
+    }
+
+private:
+    FormulaNames m_names;
+    std::map<QString, Quantity> m_latest;
+};
+
+/// The stages of one triangle's corners, as formulas.
+class StageReader {
+public:
+    StageReader(const FaceStages &stages, std::size_t piece)
+        : m_stages(stages)
+    {
+        for (const std::size_t corner : {std::size_t(0), piece + 1, piece + 2}) {
+            const ClippedCorner<double> &clipped = stages.face.clipped[corner];
+            m_corners[clippedCornerName(corner)] = &clipped;
+            m_vertices.insert(faceVertexName(clipped.inside));
+            m_vertices.insert(faceVertexName(clipped.outside));
+        }
+    }
+
+    std::vector<StageFormulas> formulas()
+    {
+        for (const ProjectionStage &stage : m_stages.stages) {
+            for (const StagePoint &point : stage.points) {
+                if (belongs(point))
+                    read(stage, point);
+            }
+        }
+        return std::move(m_formulas);
+    }
+
+private:
+    /// A face's centre and the camera belong to every triangle.
+    bool belongs(const StagePoint &point) const
+    {
+        const bool isVertex = point.name.startsWith(u'V');
+        const bool isCorner = point.name.startsWith(u'C');
+        return isVertex ? m_vertices.contains(point.name)
+                        : !isCorner || m_corners.contains(point.name);
+    }
+
+    void read(const ProjectionStage &stage, const StagePoint &point)
+    {
+        PointNames &names = namesOf(point.name);
+        names.add(point);
+        StageFormulas &read
+            = m_formulas.emplace_back(StageFormulas{stage.title, point.name, point.note, {}});
+        for (const StageNumber &number : point.numbers)
+            read.lines.push_back(lineOf(number, names));
+    }
+
+    static FormulaLine lineOf(const StageNumber &number, const PointNames &names)
+    {
+        FormulaLine line;
+        line.symbols = number.name;
+        if (!number.formula.isEmpty()) {
+            line.symbols += QStringLiteral(" = ") + number.formula;
+            line.substituted = names.substituted(number);
+        }
+        line.used = Quantity::of(number.used);
+        line.exact = exactQuantity(number.exact);
+        return line;
+    }
+
+    /// Every point may name the camera's numbers, a corner those of the vertices that it is made
+    /// of.
+    PointNames &namesOf(const QString &point)
+    {
+        const auto [entry, isNew] = m_names.try_emplace(point);
+        PointNames &names = entry->second;
+        if (!isNew || point == cameraName())
+            return names;
+        for (const ProjectionStage &stage : m_stages.stages) {
+            for (const StagePoint &each : stage.points) {
+                if (each.name == cameraName())
+                    names.add(each);
+            }
+        }
+        if (const auto corner = m_corners.find(point); corner != m_corners.end()) {
+            addVertex(names, corner->second->inside);
+            addVertex(names, corner->second->outside);
+        }
+        return names;
+    }
+
+    void addVertex(PointNames &names, std::size_t vertex) const
+    {
+        const ClipPoint<double> &clip = m_stages.face.polygon[vertex].clip;
+        names.add(clipName(u'x', vertex), Quantity::of(clip.x));
+        names.add(clipName(u'y', vertex), Quantity::of(clip.y));
+        names.add(clipName(u'z', vertex), Quantity::of(clip.z));
+        names.add(clipName(u'w', vertex), Quantity::of(clip.w));
+    }
+
+    const FaceStages &m_stages;
+    std::map<QString, const ClippedCorner<double> *> m_corners;
+    std::set<QString> m_vertices;
+    std::map<QString, PointNames> m_names;
+    std::vector<StageFormulas> m_formulas;
+};
+
+} // namespace
+
+std::vector<StageFormulas> stageFormulas(const TracedScene &traced, std::size_t primitive)
+{
+    const Primitives &primitives = traced.primitives;
+    const TriangleSource *source = primitives.sourceOf(primitive);
+    if (!source)
+        return {};
+    const FaceStages stages = stagesOf(traced.scene, *source, primitives.wExponent);
+    return StageReader(stages, source->piece).formulas();
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/space/stagepoints.h"
+
+#include "core/space/attributenumber.h"
+#include "core/space/stagenumbers.h"
+
+#include <cmath>
+
+namespace pixelplumb {
+
+void writeCameraPoint(StagePoint &point, const SpaceScene &scene)
+{
+    using std::acos;
+    const Camera &camera = scene.camera;
+    const FrameSpec &frame = scene.frame;
+    const CameraTransform<double> usedCamera(camera, frame);
+    const CameraTransform<ExactReal> exactCamera(camera, frame);
+    StageNumberWriter numbers(point.numbers);
+    const auto vector = [&](const QString &name, const SpaceVector<double> &used,
+                            const SpaceVector<ExactReal> &exact) {
+        numbers.add(name + QStringLiteral("_x"), used.x, exact.x);
+        numbers.add(name + QStringLiteral("_y"), used.y, exact.y);
+        numbers.add(name + QStringLiteral("_z"), used.z, exact.z);
+    };
+    const auto given
+        = [&](const QString &name, double value) { numbers.add(name, value, ExactReal(value)); };
+    vector(QStringLiteral("E"), usedCamera.eye(), exactCamera.eye());
+    vector(QStringLiteral("right"), usedCamera.right(), exactCamera.right());
+    vector(QStringLiteral("up"), usedCamera.up(), exactCamera.up());
+    vector(QStringLiteral("back"), usedCamera.backward(), exactCamera.backward());
+    given(QStringLiteral("near"), camera.near);
+    given(QStringLiteral("far"), camera.far);
+    given(QStringLiteral("x_first"), frame.firstColumn);
+    given(QStringLiteral("y_first"), frame.firstRow);
+    given(QStringLiteral("width"), frame.width);
+    given(QStringLiteral("height"), frame.height);
+    const bool isPerspective = camera.projection == Projection::Perspective;
+    if (isPerspective)
+        numbers.add(QStringLiteral("φ"), camera.fieldOfView / 180 * acos(0.0),
+                    ExactReal(camera.fieldOfView) / 180 * acos(ExactReal(0)));
+    else
+        given(QStringLiteral("view_height"), camera.height);
+    const auto used = usedCamera.scale();
+    const auto exact = exactCamera.scale();
+    numbers.add(QStringLiteral("scale_y"), used.y, exact.y,
+                isPerspective ? QStringLiteral("cos φ/sin φ") : QStringLiteral("2/view_height"));
+    numbers.add(QStringLiteral("scale_x"), used.x, exact.x, QStringLiteral("scale_y·height/width"));
+    numbers.add(QStringLiteral("scale_z"), used.z, exact.z,
+                isPerspective ? QStringLiteral("far/(far − near)")
+                              : QStringLiteral("1/(far − near)"));
+}
+
+void writeLightPoint(StagePoint &point, const Appearance &appearance, const Material &material,
+                     const LitColour<double> &used, const LitColour<ExactReal> &exact)
+{
+    StageNumberWriter numbers(point.numbers);
+    for (std::size_t i = 0; i < appearance.lights.size(); ++i) {
+        const Light &light = appearance.lights[i];
+        const auto usedTerm = lightTerm(appearance, light, material.shininess, used.point);
+        const auto exactTerm = lightTerm(appearance, light, material.shininess, exact.point);
+        const auto usedVectors = lightVectors(appearance, light, used.point);
+        const auto exactVectors = lightVectors(appearance, light, exact.point);
+        if (i == 0) {
+            numbers.add(QStringLiteral("_n"), usedVectors.normal, &exactVectors.normal);
+            numbers.add(QStringLiteral("_V"), usedVectors.toViewer, &exactVectors.toViewer);
+        }
+        numbers.add(QStringLiteral("_L%1").arg(i), usedVectors.toLight, &exactVectors.toLight);
+        numbers.add(QStringLiteral("_H%1").arg(i), usedVectors.halfway, &exactVectors.halfway);
+        const QString which = QStringLiteral(", light %1").arg(i);
+        numbers.add(QStringLiteral("max(0, N·L)") + which, usedTerm.diffuse, exactTerm.diffuse,
+                    QStringLiteral("max(0, x_n·x_L%1 + y_n·y_L%1 + z_n·z_L%1)").arg(i));
+        numbers.add(QStringLiteral("(N·H)ˢ") + which, usedTerm.specular, exactTerm.specular,
+                    usedTerm.diffuse > 0
+                        ? QStringLiteral("max(0, x_n·x_H%1 + y_n·y_H%1 + z_n·z_H%1)^%2")
+                              .arg(i)
+                              .arg(material.shininess)
+                        : QStringLiteral("0"));
+    }
+    const auto usedLevels = litLevels(appearance, material, used.colour, used.point);
+    const auto exactLevels = litLevels(appearance, material, exact.colour, exact.point);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        numbers.add(QString(channelLetters[channel]), usedLevels[channel], exactLevels[channel]);
+    }
+}
+
+void writeSnappedPoint(StagePoint &point, const SnappedCorner &corner,
+                       const std::optional<ExactCorner> &exact, int wExponent)
+{
+    const auto pixels = [](Lattice units) { return double(units) / double(unitsPerPixel); };
+    const auto value = [](Attribute attribute) { return double(attribute) / double(attributeOne); };
+    const ExactReal exactW
+        = exact ? ExactReal(ldexp(exact->vertex.clip.w, wExponent)) : ExactReal();
+    StageNumberWriter numbers(point.numbers);
+    const auto &[vertex, attributes, loss] = corner;
+    numbers.add(QStringLiteral("x"), pixels(vertex.position.x), exact ? &exact->place[0] : nullptr,
+                QStringLiteral("⌊256·x′ + ½⌋/256"));
+    numbers.add(QStringLiteral("y"), pixels(vertex.position.y), exact ? &exact->place[1] : nullptr,
+                QStringLiteral("⌊256·y′ + ½⌋/256"));
+    numbers.add(QStringLiteral("z"), value(attributes.z), exact ? &exact->z : nullptr,
+                QStringLiteral("⌊16777216·z_device + ½⌋/16777216"));
+    // 2^24 and the power by which w is written.
+    const int power = attributeFractionBits + wExponent;
+    const QString scaled = power < 0
+        ? QStringLiteral("w′/%1").arg(std::ldexp(1.0, -power), 0, 'f', 0)
+        : QStringLiteral("%1·w′").arg(std::ldexp(1.0, power), 0, 'f', 0);
+    numbers.add(QStringLiteral("w"), value(attributes.w), exact ? &exactW : nullptr,
+                attributes.w > 1 ? QStringLiteral("⌊%1 + ½⌋/16777216").arg(scaled) : QString());
+    numbers.add(QStringLiteral("u"), value(attributes.texture[0]),
+                exact ? &exact->vertex.texture[0] : nullptr);
+    numbers.add(QStringLiteral("v"), value(attributes.texture[1]),
+                exact ? &exact->vertex.texture[1] : nullptr);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        numbers.add(QString(channelLetters[channel]), vertex.colour.channels[channel],
+                    exact ? &exact->vertex.levels[channel] : nullptr);
+    }
+    numbers.add(QStringLiteral("α"), attributes.alpha, exact ? &exact->vertex.levels[3] : nullptr);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/picturediff.h"
+#include "core/scene/fileaccess.h"
+#include "tests/support/programrun.h"
+
+#include <QImage>
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QTemporaryDir>
+#include <QTest>
+
+using namespace pixelplumb;
+
+/// Pictures against pictures and against scenes, from the command line.
+class TestDiffCommand : public QObject {
+    Q_OBJECT
+
+private slots:
+    void initTestCase()
+    {
+        QVERIFY(m_folder.isValid());
+        QCOMPARE(run({"render", defaultScene(), "-o", path("right.png")}).exitCode, 0);
+        m_right = QImage(path("right.png")).convertToFormat(QImage::Format_RGB32);
+        QCOMPARE(m_right.size(), QSize(64, 48));
+    }
+
+    void aSceneIsItsOwnPicture_data()
+    {
+        QTest::addColumn<QString>("suffix");
+        for (const char *suffix : {"png", "bmp", "ppm"})
+            QTest::newRow(suffix) << QString::fromLatin1(suffix);
+    }
+    void aSceneIsItsOwnPicture()
+    {
+        QFETCH(QString, suffix);
+        const QString picture = m_folder.filePath(QStringLiteral("same.") + suffix);
+        QCOMPARE(run({"render", defaultScene(), "-o", picture}).exitCode, 0);
+
+        const ProgramRun result = run({"diff", defaultScene(), picture});
+
+        QCOMPARE(result.exitCode, 0);
+        QCOMPARE(QString::fromUtf8(result.output), QStringLiteral("64 × 48 pixels: 3072 same\n"));
+    }
+
+    void aRasterIsComparedByWhatIsCovered()
+    {
+        const QByteArray raster = run({"render", defaultScene(), "--ascii"}).output;
+
+        QCOMPARE(run({"diff", defaultScene(), "-"}, raster).exitCode, 0);
+
+        const qsizetype covered = raster.indexOf('#');
+        QByteArray other = raster;
+        other[covered] = '.';
+        other[raster.indexOf('.')] = '#';
+        const ProgramRun result = run({"diff", defaultScene(), "-", "--ascii"}, other);
+        QCOMPARE(result.exitCode, 1);
+        QByteArray expected = raster;
+        expected[covered] = '?';
+        expected[raster.indexOf('.')] = '!';
+        const QByteArray marked = result.output.sliced(result.output.indexOf('\n') + 1);
+        QCOMPARE(marked, expected);
+    }
+
+    void theCauseOfAWholePictureIsNamed_data()
+    {
+        QTest::addColumn<QImage>("picture");
+        QTest::addColumn<QString>("cause");
+        QTest::newRow("upside down") << m_right.mirrored(false, true) << "upside down";
+        QTest::newRow("mirrored") << m_right.mirrored(true, false) << "left and right exchanged";
+        QTest::newRow("channels") << m_right.rgbSwapped() << "channels BGR in place of RGB";
+        QTest::newRow("shifted") << m_right.copy(-1, 2, 64, 48)
+                                 << "shifted by 1 to the right and 2 up";
+    }
+    void theCauseOfAWholePictureIsNamed()
+    {
+        QFETCH(QImage, picture);
+        QFETCH(QString, cause);
+        // What a copy takes from outside is transparent black, as is the scene's background.
+        QVERIFY(picture.save(path("changed.png")));
+
+        const ProgramRun result = run({"diff", defaultScene(), path("changed.png"), "--json"});
+
+        QCOMPARE(result.exitCode, 1);
+        const QJsonArray causes
+            = QJsonDocument::fromJson(result.output)[QStringLiteral("causes")].toArray();
+        QVERIFY2(!causes.isEmpty(), result.output.constData());
+        QCOMPARE(causes[0][QStringLiteral("cause")].toString(), cause);
+        QCOMPARE(causes[0][QStringLiteral("left")].toInt(), 0);
+    }
+
+    void oneWrongPixelHasNoCause()
+    {
+        QImage picture = m_right;
+        const QPoint inside = firstCovered();
+        picture.setPixel(inside, picture.pixel(inside) ^ 0x00050000);
+        QVERIFY(picture.save(path("one.png")));
+
+        const ProgramRun result
+            = run({"diff", defaultScene(), path("one.png"), "-o", path("marked.png")});
+
+        QCOMPARE(result.exitCode, 1);
+        const QString output = QString::fromUtf8(result.output);
+        QVERIFY2(
+            output.startsWith(QStringLiteral("64 × 48 pixels: 3071 same, 1 colour; a byte by ")),
+            qPrintable(output));
+        QCOMPARE(output.count(u'\n'), qsizetype(1));
+        const QImage marked(path("marked.png"));
+        QCOMPARE(marked.pixel(inside), qRgb(204, 121, 167));
+    }
+
+    void ofASampleOnAnEdgeNothingIsDecided()
+    {
+        const QByteArray scene = R"({ "pixelplumb": 1, "frame": { "width": 6, "height": 5 },
+            "primitives": [ { "triangle": [[1, 1], [4, 1], [1, 3]],
+                              "colors": ["#ffffff", "#ffffff", "#ffffff"] } ] })";
+        QFile file(path("edge.json"));
+        QVERIFY(file.open(QIODevice::WriteOnly) && file.write(scene) > 0);
+        file.close();
+
+        // (1, 1) lies on two edges: another rule would leave it out.
+        const ProgramRun result = run({"diff", path("edge.json"), "-", "--ascii"},
+                                      "......\n.#....\n.##...\n..###.\n......\n");
+
+        QCOMPARE(result.exitCode, 0);
+        QVERIFY2(result.output.contains("\n......\n.#....\n.##...\n.=###.\n......\n"),
+                 result.output.constData());
+    }
+
+    void sizesThatDifferAreToldApart()
+    {
+        const ProgramRun result = run({"diff", defaultScene(), "-"}, "##\n..\n");
+
+        QCOMPARE(result.exitCode, 3);
+        QVERIFY2(result.messages.contains("has 64 × 48 pixels, - has 2 × 2"),
+                 result.messages.constData());
+    }
+
+    void refusesWhatIsNoPicture_data()
+    {
+        QTest::addColumn<QByteArray>("content");
+        QTest::addColumn<QByteArray>("message");
+        QTest::newRow("nothing") << QByteArray() << QByteArray("-: no picture");
+        QTest::newRow("words") << QByteArray("no picture at all") << QByteArray("-: no picture");
+        QTest::newRow("cut") << QByteArray("\x89PNG\r\n\x1a\n") << QByteArray("-: no picture");
+        QTest::newRow("ragged") << QByteArray("##\n#\n") << QByteArray("-: ");
+        QTest::newRow("broken scene") << QByteArray("{ \"pixelplumb\": 1 ") << QByteArray("-, ");
+    }
+    void refusesWhatIsNoPicture()
+    {
+        QFETCH(QByteArray, content);
+        QFETCH(QByteArray, message);
+
+        const ProgramRun result = run({"diff", defaultScene(), "-"}, content);
+
+        QCOMPARE(result.exitCode, 2);
+        QVERIFY2(result.messages.contains(message), result.messages.constData());
+    }
+
+private:
+    QString path(const char *name) const { return m_folder.filePath(QString::fromLatin1(name)); }
+    QPoint firstCovered() const
+    {
+        for (int y = 0; y < m_right.height(); ++y) {
+            for (int x = 0; x < m_right.width(); ++x) {
+                if (m_right.pixel(x, y) != m_right.pixel(0, 0))
+                    return {x, y};
+            }
+        }
+        return {};
+    }
+
+    QTemporaryDir m_folder;
+    QImage m_right;
+};
+
+QTEST_GUILESS_MAIN(TestDiffCommand)
+#include "tst_diffcommand.moc"
