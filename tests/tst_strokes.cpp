@@ -1,12 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/check/casecheck.h"
 #include "core/effects/strokestrip.h"
 #include "core/lab/seededrandom.h"
 #include "core/oracle/truepicture.h"
-#include "core/runs/sceneplan.h"
-#include "core/scene/scenefile.h"
-#include "tests/support/caselist.h"
-#include "tests/support/shapeexamples.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tracereplay.h"
 
@@ -15,8 +10,6 @@
 #include <cmath>
 
 using namespace pixelplumb;
-
-Q_DECLARE_METATYPE(pixelplumb::Antialiasing)
 
 namespace {
 
@@ -200,6 +193,22 @@ private slots:
         }
     }
 
+    void aPictureInPiecesIsTheSame_data() { everyPictureIsTheTruth_data(); }
+    void aPictureInPiecesIsTheSame()
+    {
+        QFETCH(int, seed);
+        const RandomStrokes strokes{std::uint64_t(seed)};
+        for (const Antialiasing antialiasing : kindsOfAntialiasing) {
+            const Scene scene = sceneOf(strokes.shapes(), strokes.frame(), antialiasing);
+            const FrameBuffer whole(scene.frame);
+            const FrameBuffer inPieces(scene.frame);
+            drawScene(scene, whole);
+            QVERIFY(strokeMethod().drawInPieces(primitivesOnSamples(scene), scene.settings,
+                                                inPieces.view(), {}));
+            QCOMPARE(inPieces.copy(), whole.copy());
+        }
+    }
+
     void aLineHasThePixelsOfItsReverse()
     {
         SeededRandom random(3);
@@ -259,60 +268,6 @@ private slots:
         QCOMPARE(strokeHalfWidth(0, 0), StrokePoint{});
         const Int128 large = Int128(1) << 103;
         QCOMPARE(strokeHalfWidth(3 * large, 4 * large), strokeHalfWidth(3, 4));
-    }
-
-    void aLineMethodRefusesAntialiasingAndNamesTheOneThatCan()
-    {
-        Scene scene = sceneOf({lineAt(1, 1, 9, 4)}, frameOf(12, 8), Antialiasing::Samples4);
-        QCOMPARE(objectionTo(scene), QString());
-        for (const char *id : {"line-dda", "line-bresenham", "line-slope-intercept"}) {
-            scene.method = id;
-            QVERIFY2(objectionTo(scene).contains(QStringLiteral("stroke-coverage can")), id);
-        }
-        scene.shapes = {lineAt(100, 100, 109, 104)};
-        QCOMPARE(objectionTo(scene), QString());
-        scene.shapes = {circleAt(4, 4, 2, ShapeFill::NonZero)};
-        scene.method = "circle-fill";
-        QCOMPARE(objectionTo(scene), QString());
-    }
-
-    void aPlanSaysThatLinesAreAntialiased()
-    {
-        const Scene scene = sceneOf({lineAt(1, 1, 9, 4)}, frameOf(12, 8), Antialiasing::Area);
-        const EffectVerdict verdict = planOf(scene).verdicts[Effect::Antialiasing];
-        QCOMPARE(verdict.verdict, Verdict::CalledFor);
-        QCOMPARE(verdict.primitives, std::size_t(1));
-        QVERIFY(verdict.pixels < 12 * 8);
-        QCOMPARE(verdict.reason,
-                 QStringLiteral("the scene asks for the exact area that a line or "
-                                "curve has of a pixel"));
-    }
-
-    void aSceneOfLinesThatNamesNoMethodGetsTheOneThatCan()
-    {
-        const QByteArray line = shapeExamples()[1].text;
-        const QByteArray curve = shapeExamples()[5].text;
-        const QByteArray antialiased = "\"antialiasing\": \"area\",";
-        QCOMPARE(readScene(sceneOfPrimitives(line, antialiased))->scene.method,
-                 std::string("stroke-coverage"));
-        QCOMPARE(readScene(sceneOfPrimitives(curve, antialiased))->scene.method,
-                 std::string("stroke-coverage"));
-        QCOMPARE(readScene(sceneOfPrimitives(line))->scene.method, std::string("line-dda"));
-    }
-
-    void theLinesAndCirclesOfTheHardCasesAreTheTruth()
-    {
-        const std::vector<HardCase> cases = casesOf(QFINDTESTDATA("data/shape_cases.json"));
-        int checked = 0;
-        for (const HardCase &hardCase : cases) {
-            const CaseReport report
-                = checkCase(hardCase, {contenderFor(strokeMethod(), ScanSettings{})});
-            if (report.verdicts.empty())
-                continue;
-            QVERIFY2(report.summary() == CaseOutcome::Passed, qPrintable(hardCase.id));
-            ++checked;
-        }
-        QCOMPARE(checked, 24);
     }
 };
 

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/requirements.h"
+#include "core/effects/strokestrip.h"
+#include "core/methods/method.h"
+#include "core/scan/choicenames.h"
+
+#include <algorithm>
+
+/// What a method cannot do, and who can.
+namespace pixelplumb {
+
+namespace {
+
+QString quoted(std::string_view name) { return u'“' + nameText(name) + u'”'; }
+
+/// What a plan runs and not every method of triangles can.
+std::vector<Effect> shadingEffectsOf(const EffectPlan &plan)
+{
+    std::vector<Effect> effects;
+    for (const Effect effect : allEffects) {
+        if (effect != Effect::SmoothColour && effect != Effect::Clipping && plan.runs(effect))
+            effects.push_back(effect);
+    }
+    return effects;
+}
+
+/// Their ids.
+template <class Draws>
+QStringList methodsThatDo(const std::vector<Effect> &effects, const Draws &draws)
+{
+    QStringList ids;
+    for (const Method &method : methods()) {
+        const bool doesAll = std::ranges::all_of(
+            effects, [&method](Effect effect) { return method.supports(effect); });
+        if (doesAll && draws(method))
+            ids.append(method.id);
+    }
+    return ids;
+}
+
+/// Who asks for it: the scene, or a person's switch alone.
+QString askerText(bool isCalledFor)
+{
+    return isCalledFor ? QStringLiteral("which the scene calls for")
+                       : QStringLiteral("which is forced on");
+}
+QString askerText(const EffectPlan &plan, const std::vector<Effect> &effects)
+{
+    return askerText(std::ranges::any_of(effects, [&plan](Effect effect) {
+        return plan.verdicts[effect].verdict != Verdict::NotCalledFor;
+    }));
+}
+
+QString lackText(const std::vector<Effect> &missing, const QString &asker, const QStringList &able)
+{
+    const QString separator = QStringLiteral(", ");
+    return QStringLiteral("cannot do %1, %2; %3 can")
+        .arg(namesOf(missing).join(separator), asker, able.join(separator));
+}
+
+} // namespace
+
+QString Method::objection(const ScanSettings &settings) const
+{
+    if (!supports(settings.arithmetic))
+        return QStringLiteral("does not compute in %1; it knows %2")
+            .arg(quoted(nameOf(settings.arithmetic)),
+                 namesOf(arithmetics).join(QStringLiteral(", ")));
+    if (!supports(settings.fillRule))
+        return QStringLiteral("cannot keep the fill rule %1: %2; it keeps %3")
+            .arg(quoted(nameOf(settings.fillRule)), fillRuleReason,
+                 namesOf(fillRules).join(QStringLiteral(", ")));
+    return {};
+}
+
+QString Method::objection(const EffectPlan &plan, Arithmetic arithmetic) const
+{
+    if (plan.isPlain() || !draws(PrimitiveKind::Triangle))
+        return {};
+    const std::vector<Effect> run = shadingEffectsOf(plan);
+    std::vector<Effect> missing = run;
+    std::erase_if(missing, [this](Effect effect) { return supports(effect); });
+    if (!missing.empty())
+        return lackText(missing, askerText(plan, missing),
+                        methodsThatDo(missing, [](const Method &method) {
+                            return method.draws(PrimitiveKind::Triangle);
+                        }));
+    const QString separator = QStringLiteral(", ");
+    if (!shadingArithmetics.empty()
+        && std::ranges::find(shadingArithmetics, arithmetic) == shadingArithmetics.end())
+        return QStringLiteral("cannot do %1, %2, in %3; it can in %4")
+            .arg(namesOf(run).join(separator), askerText(plan, run), quoted(nameOf(arithmetic)),
+                 namesOf(shadingArithmetics).join(separator));
+    return {};
+}
+
+QString Method::objection(const Shape &shape, const Appearance &appearance) const
+{
+    if (antialiasingOf(appearance) == Antialiasing::None || !isStroke(shape) || !draws(shape)
+        || supports(Effect::Antialiasing))
+        return {};
+    return lackText({Effect::Antialiasing},
+                    askerText(appearance.antialiasing != Antialiasing::None),
+                    methodsThatDo({Effect::Antialiasing},
+                                  [&shape](const Method &method) { return method.draws(shape); }));
+}
+
+QString Method::refusal(const ScanSettings &settings) const
+{
+    const QString why = objection(settings);
+    return why.isEmpty() ? why : QStringLiteral("method “%1” %2").arg(id, why);
+}
+
+ScanSettings Method::adapted(const ScanSettings &settings) const
+{
+    ScanSettings drawn = settings;
+    if (!supports(drawn.arithmetic) && !arithmetics.empty())
+        drawn.arithmetic = arithmetics.front();
+    if (!supports(drawn.fillRule) && !fillRules.empty())
+        drawn.fillRule = fillRules.front();
+    return drawn;
+}
+
+} // namespace pixelplumb
