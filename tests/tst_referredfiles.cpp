@@ -131,7 +131,7 @@ private slots:
             "as PNG or JPEG");
         // A header of 5000 x 20 texels, and nothing behind it.
         row("huge picture", "P6 5000 20 255\n", "a.ppm",
-            "materials.a.texture: %1: a picture of 5000 × 20, 0 MiB of texels; expected at most "
+            "materials.a.texture: %1: a picture of 5000 × 20; expected at most "
             "4096 × 4096");
         row("no mesh", "", "a.obj",
             "primitives[0].mesh: %1: cannot be read: No such file or directory");
@@ -144,6 +144,11 @@ private slots:
         row("index too small", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4", "a.obj",
             "primitives[0].mesh: %1, line 4: a face with vertex -4; expected 1 to 3, of those "
             "before the face");
+        row("index that is no number", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1x 2 3\n", "a.obj",
+            "primitives[0].mesh: %1, line 4: a face with a corner “1x”; expected 1, 1/2, 1//3 or "
+            "1/2/3");
+        row("index beyond 32 bits", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4294967299\n", "a.obj",
+            "primitives[0].mesh: %1, line 4: a face with a corner “4294967299”; expected");
         row("index 0", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "a.obj",
             "primitives[0].mesh: %1, line 4: a face with vertex 0; expected 1 to 3, of those "
             "before the face");
