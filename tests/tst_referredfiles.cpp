@@ -8,6 +8,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <sys/stat.h>
+
 using namespace pixelplumb;
 
 namespace {
@@ -111,6 +113,35 @@ private slots:
         QVERIFY(!cancelled);
         QVERIFY(cancelled.error().message().contains(QStringLiteral("the reading was cancelled")));
         QCOMPARE(calls, 4);
+    }
+
+    void marksRemarksAndLinesThatGoOnAreNoFaults()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        write(path, sceneOf(camera, "{ 'mesh': 'm.obj' }"));
+        write(folder.filePath(QStringLiteral("m.obj")),
+              "\xEF\xBB\xBFv 0 0 0 # the first\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n 3 # one\n");
+
+        const Result<SceneReading> reading = readSceneFile(path);
+
+        QVERIFY2(reading, reading ? "" : qPrintable(reading.error().message()));
+        QCOMPARE(reading->scene.solids[0].mesh->faces.size(), std::size_t(1));
+        QCOMPARE(reading->scene.solids[0].mesh->corners.size(), std::size_t(3));
+    }
+
+    void aPipeIsNotWaitedFor()
+    {
+        const QTemporaryDir folder;
+        QCOMPARE(::mkfifo(QFile::encodeName(folder.filePath(QStringLiteral("m.obj"))), 0600), 0);
+        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        write(path, sceneOf(camera, "{ 'mesh': 'm.obj' }"));
+
+        const Result<SceneReading> reading = readSceneFile(path);
+
+        QVERIFY(!reading);
+        QVERIFY2(reading.error().message().contains(QStringLiteral("it is a pipe or a device")),
+                 qPrintable(reading.error().message()));
     }
 
     void filesThatCannotBeUsedAreNamed_data()
