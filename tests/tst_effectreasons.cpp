@@ -52,7 +52,8 @@ private slots:
             [](Primitives &p) {
                 p.triangles[0] = triangleAt({{{-9, 2}, {-2, 2}, {-9, 10}}});
             },
-            Effect::Clipping, no, 0, "what is drawn lies within the frame; 1 outside");
+            Effect::Clipping, no, 0,
+            "what is drawn lies within the frame; 1 covers no sample of it");
         add(
             "the box alone crosses the border",
             [](Primitives &p) {
@@ -138,8 +139,9 @@ private slots:
                 setColour(p, 0);
             },
             Effect::Perspective, yes, 1,
-            "w differs between the vertices of 1 of 2 triangles, and so do colours: these change "
-            "evenly only when divided by w");
+            "w differs between the vertices of 1 of 2 triangles; only divided by it do these "
+            "change "
+            "evenly: colours");
         add(
             "w and u differ",
             [](Primitives &p) {
@@ -147,8 +149,9 @@ private slots:
                 setTexture(p, 0);
             },
             Effect::Perspective, yes, 1,
-            "w differs between the vertices of 1 of 2 triangles, and so do u and v: these change "
-            "evenly only when divided by w");
+            "w differs between the vertices of 1 of 2 triangles; only divided by it do these "
+            "change "
+            "evenly: u and v");
 
         add("no texture", none, Effect::Texture, no, 0, "no triangle's material has a texture");
         add(
@@ -187,7 +190,19 @@ private slots:
             },
             Effect::Blending, yes, 2,
             "both triangles have an alpha below 255, the lowest is 128; the closed rule paints 9 "
-            "samples on their shared edges twice");
+            "samples on their shared edges twice, one of them (2, 10)");
+        add(
+            "a pane beside what is opaque",
+            [](Primitives &p) {
+                p.triangles[1] = triangleAt({{{10, 2}, {10, 10}, {2, 10}}});
+                setAlpha(p, 0, 128);
+            },
+            Effect::Blending, yes, 1,
+            "1 of 2 triangles has an alpha below 255, the lowest is 128; the closed rule paints 9 "
+            "samples on their shared edges twice, one of them (2, 10)");
+        add(
+            "a face that the near plane cuts", [](Primitives &p) { p.cutAtNear = {1}; },
+            Effect::Clipping, yes, 1, "1 of 2 triangles is of a face that the near plane cuts");
 
         add("one sample", none, Effect::Antialiasing, no, 0,
             "the scene asks for one sample a pixel");

@@ -203,7 +203,7 @@ private slots:
             QStringLiteral("H_0y = (L_0y + V_y)/√((L_0x + V_x)² + (L_0y + V_y)² + (L_0z + V_z)²)"),
             QStringLiteral("NH_0 = max(0, n_x·H_0x + n_y·H_0y + n_z·H_0z)"),
             QStringLiteral("highlight_0 = NH_0^shininess"),
-            QStringLiteral("I_R = b_R·(ambient_R + light_0R·NL_0 + light_1R·NL_1)/255 + "
+            QStringLiteral("I_R = base_R·(ambient_R + light_0R·NL_0 + light_1R·NL_1)/255 + "
                            "specular_R·(light_0R·highlight_0 + light_1R·highlight_1)/255"),
             QStringLiteral("s_R = min(255, ⌊I_R + ½⌋)"),
             QStringLiteral("y_T ← y_T′ + m₀₂"),

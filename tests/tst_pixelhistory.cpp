@@ -9,6 +9,7 @@
 #include <QLabel>
 #include <QTest>
 #include <QToolButton>
+#include <QTreeView>
 
 using namespace pixelplumb;
 
@@ -21,6 +22,7 @@ private slots:
     void theChannelsOfAWriteChangeWithIt();
     void historyOfARefusedPixelListsEdges();
     void historyCountsTheRefusalsThatItDoesNotList();
+    void theAttemptInHandIsChosen();
     void historyRunsToTheWritesOfThePickedPixel();
     void historyNamesPixelColourAndTruth();
 };
@@ -114,6 +116,24 @@ void TestPixelHistory::historyCountsTheRefusalsThatItDoesNotList()
     QCOMPARE(model.rowCount(), PixelHistoryModel::listedRefusals + 1);
     QCOMPARE(model.index(model.rowCount() - 1, 0).data().toString(),
              QStringLiteral("and 5 more that refuse it"));
+}
+
+void TestPixelHistory::theAttemptInHandIsChosen()
+{
+    Playhead playhead;
+    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact, 3)));
+    PixelHistoryPanel panel(&playhead);
+    panel.show();
+    playhead.pick(QPoint(27, 19));
+    const auto *tree = panel.findChild<QTreeView *>(QStringLiteral("pixelHistoryTree"));
+    const QAbstractItemModel *attempts = tree->model();
+    for (const int row : {1, 0, 2}) {
+        const std::size_t step
+            = attempts->index(row, 0).data(PixelHistoryModel::StepRole).toULongLong();
+        playhead.seekToPixelStep(step);
+        QCOMPARE(tree->currentIndex().row(), row);
+        QVERIFY(!tree->currentIndex().parent().isValid());
+    }
 }
 
 void TestPixelHistory::historyRunsToTheWritesOfThePickedPixel()

@@ -8,6 +8,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <sys/stat.h>
+
 using namespace pixelplumb;
 
 namespace {
@@ -113,6 +115,35 @@ private slots:
         QCOMPARE(calls, 4);
     }
 
+    void marksRemarksAndLinesThatGoOnAreNoFaults()
+    {
+        const QTemporaryDir folder;
+        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        write(path, sceneOf(camera, "{ 'mesh': 'm.obj' }"));
+        write(folder.filePath(QStringLiteral("m.obj")),
+              "\xEF\xBB\xBFv 0 0 0 # the first\nv 1 0 0\nv 0 1 0\nf 1 2 \\\n 3 # one\n");
+
+        const Result<SceneReading> reading = readSceneFile(path);
+
+        QVERIFY2(reading, reading ? "" : qPrintable(reading.error().message()));
+        QCOMPARE(reading->scene.solids[0].mesh->faces.size(), std::size_t(1));
+        QCOMPARE(reading->scene.solids[0].mesh->corners.size(), std::size_t(3));
+    }
+
+    void aPipeIsNotWaitedFor()
+    {
+        const QTemporaryDir folder;
+        QCOMPARE(::mkfifo(QFile::encodeName(folder.filePath(QStringLiteral("m.obj"))), 0600), 0);
+        const QString path = folder.filePath(QStringLiteral("scene.json"));
+        write(path, sceneOf(camera, "{ 'mesh': 'm.obj' }"));
+
+        const Result<SceneReading> reading = readSceneFile(path);
+
+        QVERIFY(!reading);
+        QVERIFY2(reading.error().message().contains(QStringLiteral("it is a pipe or a device")),
+                 qPrintable(reading.error().message()));
+    }
+
     void filesThatCannotBeUsedAreNamed_data()
     {
         QTest::addColumn<QByteArray>("content"); // of the file; none: there is no file
@@ -131,7 +162,7 @@ private slots:
             "as PNG or JPEG");
         // A header of 5000 x 20 texels, and nothing behind it.
         row("huge picture", "P6 5000 20 255\n", "a.ppm",
-            "materials.a.texture: %1: a picture of 5000 × 20, 0 MiB of texels; expected at most "
+            "materials.a.texture: %1: a picture of 5000 × 20; expected at most "
             "4096 × 4096");
         row("no mesh", "", "a.obj",
             "primitives[0].mesh: %1: cannot be read: No such file or directory");
@@ -144,6 +175,11 @@ private slots:
         row("index too small", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 -4", "a.obj",
             "primitives[0].mesh: %1, line 4: a face with vertex -4; expected 1 to 3, of those "
             "before the face");
+        row("index that is no number", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1x 2 3\n", "a.obj",
+            "primitives[0].mesh: %1, line 4: a face with a corner “1x”; expected 1, 1/2, 1//3 or "
+            "1/2/3");
+        row("index beyond 32 bits", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4294967299\n", "a.obj",
+            "primitives[0].mesh: %1, line 4: a face with a corner “4294967299”; expected");
         row("index 0", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 2\n", "a.obj",
             "primitives[0].mesh: %1, line 4: a face with vertex 0; expected 1 to 3, of those "
             "before the face");

@@ -54,9 +54,11 @@ QString clippingReason(const NeedsTally &tally, const QString &noun)
             .arg(tally.drawn)
             .arg(noun);
     const QString within = QStringLiteral("what is drawn lies within the frame");
-    return tally.outside == 0
-        ? within
-        : within + QStringLiteral("; %1 cover no sample of it").arg(tally.outside);
+    return tally.outside == 0 ? within
+                              : within
+            + (tally.outside == 1
+                   ? QStringLiteral("; 1 covers no sample of it")
+                   : QStringLiteral("; %1 cover no sample of it").arg(tally.outside));
 }
 
 /// What is divided by w.
@@ -146,7 +148,7 @@ QString paintedTwiceWords(const Primitives &primitives, const NeedsTally &tally,
     }
     const SharedSamples shared = sharedSamplesOf(tally.blended, others, frame);
     if (shared.samples == 0)
-        return QStringLiteral("; no sample lies on an edge that they share");
+        return {};
     return QStringLiteral("; the closed rule paints %1%2 on their shared edges twice, one of them "
                           "(%3, %4)")
         .arg(shared.isExact ? QString() : QStringLiteral("at most "))

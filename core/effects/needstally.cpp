@@ -101,7 +101,6 @@ private:
             m_tally.carried.carriesLight |= needs.carriesLight;
         }
         m_tally.dividingNothing += needs.wDiffers && !needs.effects.perspective ? 1 : 0;
-        m_tally.withNormals += hasNormals(attributes) ? 1 : 0;
         if (needs.effects.texture)
             addTexture(textureOf(attributes, m_appearance));
         if (!needs.effects.blending)

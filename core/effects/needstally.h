@@ -30,7 +30,6 @@ struct NeedsTally {
     std::size_t dividingNothing = 0; ///< triangles whose w differ and that carry nothing but z
     TriangleNeeds carried; ///< what the triangles that call for perspective carry, of any of them
     std::vector<const Texture *> textures; ///< each once, at most three
-    std::size_t withNormals = 0;
     int lowestAlpha = 255;
     std::vector<const Triangle *> blended;
 };

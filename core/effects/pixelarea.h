@@ -16,7 +16,6 @@ public:
     PixelArea(const Triangle &triangle, std::int64_t x, std::int64_t y);
 
     bool isEmpty() const;
-    double nearest() const { return m_area; }
     /// ⌊α·area + ½⌋, exactly.
     std::uint8_t times(std::uint8_t alpha) const;
     /// The fraction itself; the nearest double where 128 bits do not hold it.

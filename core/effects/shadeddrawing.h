@@ -17,8 +17,9 @@ struct EffectTally {
     friend bool operator==(const EffectTally &, const EffectTally &) = default;
 };
 
-/// Draws the triangles as the plan says, each batch by the kernel that was compiled for it. The
-/// settings' arithmetic is one that the method shades in.
+/// Draws the triangles as the plan says, each batch by the kernel that was compiled for it; in
+/// float64, in 256 bits and in pixels that a triangle covers in part by one that asks at each
+/// sample. The settings' arithmetic is one that the method shades in.
 void drawShaded(ShadedMethod method, const Primitives &primitives, const ScanSettings &settings,
                 FrameView frame, const EffectPlan &plan);
 

@@ -23,7 +23,7 @@ constexpr EffectSet effectSetOf(std::size_t number)
             number / 8 % 2 != 0, number / 16 % 2 != 0, DepthTest(number / 32)};
 }
 
-/// The kernels of a form, one compiled for each set of effects: one look into this table a batch,
+/// The kernels of a form, one compiled for each set of effects: one look into this table a triangle,
 /// none a pixel.
 template <InterpolationForm Form, class N>
 struct ShadeTable {

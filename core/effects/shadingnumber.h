@@ -18,7 +18,7 @@ namespace pixelplumb {
 
 /// Numerators over the triangle's doubled area, or, where perspective is corrected, over the
 /// numerator of 1/w: a value is the quotient of two linear forms of integers. Integer is Int128
-/// where bitsOf() says that it suffices, Int256 elsewhere.
+/// where fitsNarrowShading() says that it suffices, Int256 elsewhere.
 template <class Int>
 struct ExactShading {
     using Integer = Int;

@@ -78,9 +78,10 @@ private:
 /// What a sample reads of a texture.
 template <class N>
 struct TexelSample {
-    /// Of the texel, or of the lower left and the upper right of four: {i, j}.
-    std::array<std::int32_t, 2> first = {}, second = {};
-    std::array<typename N::Real, 2> fraction = {}; ///< from the first to the second
+    std::array<std::int32_t, 2> first = {}; ///< of the texel, or of the lower left of four: {i, j}
+    bool isFiltered = false; ///< four texels are read
+    std::array<Colour, 4> four = {}; ///< lower left, lower right, upper left, upper right
+    std::array<typename N::Real, 2> fraction = {}; ///< from the first to its neighbours
     std::array<std::int32_t, 2> size = {}; ///< of the texture
     Colour texel; ///< what they make
 };
@@ -132,16 +133,15 @@ TexelSample<N> fetchTexels(const Material &material, const typename N::Number &u
     count();
     const Colour &corner = texture.texel(sample.first[0], sample.first[1]);
     if (material.filter == TextureFilter::Nearest) {
-        sample.second = sample.first;
         sample.texel = corner;
         return sample;
     }
-    sample.second = {wrapped(placeU.whole + 1, texture.width, material.wrap),
-                     wrapped(placeV.whole + 1, texture.height, material.wrap)};
-    const std::array<const Colour *, 4> texels
-        = {&corner, &texture.texel(sample.second[0], sample.first[1]),
-           &texture.texel(sample.first[0], sample.second[1]),
-           &texture.texel(sample.second[0], sample.second[1])};
+    const std::array<std::int32_t, 2> second
+        = {wrapped(placeU.whole + 1, texture.width, material.wrap),
+           wrapped(placeV.whole + 1, texture.height, material.wrap)};
+    sample.isFiltered = true;
+    sample.four = {corner, texture.texel(second[0], sample.first[1]),
+                   texture.texel(sample.first[0], second[1]), texture.texel(second[0], second[1])};
     for (int i = 1; i < 4; ++i)
         count();
     if constexpr (N::isExact)
@@ -153,7 +153,7 @@ TexelSample<N> fetchTexels(const Material &material, const typename N::Number &u
         std::array<int, 4> bytes;
         std::array<Real, 4> levels;
         for (std::size_t i = 0; i < 4; ++i) {
-            bytes[i] = texels[i]->channels[channel];
+            bytes[i] = sample.four[i].channels[channel];
             levels[i] = Real(bytes[i]);
         }
         const Real level = texelfetch::mixed(levels, sample.fraction) + Real(0.5);

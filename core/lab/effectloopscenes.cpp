@@ -132,6 +132,7 @@ EffectLoopScene::EffectLoopScene(const EffectLoop &loop)
     , primitives(loop.makeScene())
 {
     frame.width = frame.height = effectLoopSide;
+    frame.background = {{30, 60, 90}}; // no colour of a texel
     plan = planFor(primitives, settings, FrameBuffer(frame).view());
 }
 

@@ -32,8 +32,6 @@ bool Method::drawInPieces(const Primitives &primitives, const ScanSettings &sett
         return goesOn(listener,
                       {JobPhase::Drawing, std::int64_t(done), std::int64_t(primitives.size())});
     };
-    if (!mayGoOn(0))
-        return false;
     if (drawEffects) {
         if (const auto plan = planBeyondColour(primitives, settings, frame))
             return drawEffects(primitives, settings, frame, *plan, listener);

@@ -245,7 +245,8 @@ void appendLight(NumberTable<ShadedSampleState> &table, const ShadedScope &scope
     const std::size_t lights = std::min(appearance.lights.size(), mostLights);
     for (std::size_t i = 0; i < lights; ++i)
         appendTerm(table, appearance.lights[i], i);
-    appendLevels(table, scope.effects.texture ? QStringLiteral("c") : QStringLiteral("b"), lights);
+    appendLevels(table, scope.effects.texture ? QStringLiteral("mod") : QStringLiteral("base"),
+                 lights);
 }
 
 } // namespace pixelplumb

@@ -118,6 +118,52 @@ void appendBytes(Table &table, const QString &name, const QString &toolTip, cons
     }
 }
 
+/// How a byte comes from the interpolated levels; empty where they are not interpolated, or where
+/// one of them is clamped.
+QString baseFormula(const State &state, ByteRounding rounding, const QString &name)
+{
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const Quantity &quotient = state.value[channel];
+        const Quantity &level = quotient.isNone() ? state.linear[channel] : quotient;
+        if (level.isNone() || level.toDouble() < 0 || level.toDouble() > 255)
+            return {};
+    }
+    return name
+        + (rounding == ByteRounding::Nearest ? QStringLiteral("⌊% + ½⌋") : QStringLiteral("⌊%⌋"));
+}
+
+/// Whether no texel that is read along a side is wrapped or clamped.
+bool liesInside(const State &state, std::size_t side)
+{
+    const std::size_t channel = indexOf(Channel::U) + side;
+    const Quantity &value
+        = state.value[channel].isNone() ? state.linear[channel] : state.value[channel];
+    if (!state.isWritten || !state.effects.texture || value.isNone())
+        return false;
+    const double half = state.isFiltered ? 0.5 : 0;
+    const double place = value.toDouble() * state.textureSize[side] - half;
+    return place >= 0 && place < state.textureSize[side] - 2 * half;
+}
+
+bool isFiltered(const State &state)
+{
+    return state.isWritten && state.effects.texture && state.isFiltered;
+}
+
+void appendFourTexels(Table &table)
+{
+    const std::array names = {QStringLiteral("t00"), QStringLiteral("t10"), QStringLiteral("t01"),
+                              QStringLiteral("t11")};
+    const std::array places = {QStringLiteral("lower left"), QStringLiteral("lower right"),
+                               QStringLiteral("upper left"), QStringLiteral("upper right")};
+    for (std::size_t k = 0; k < names.size(); ++k)
+        appendBytes(table, names[k],
+                    QStringLiteral("% of the %1 of the four texels.").arg(places[k]), {},
+                    [k](const State &state) {
+                        return isFiltered(state) ? std::optional(state.texels[k]) : std::nullopt;
+                    });
+}
+
 /// Which texels are read. The formula holds where the place is inside of the texture.
 void appendTexels(Table &table, const ShadedScope &scope)
 {
@@ -133,49 +179,70 @@ void appendTexels(Table &table, const ShadedScope &scope)
                                               : Quantity();
              }),
              [=](NumberDescription &number, const State &state) {
-                 const Quantity &value = state.value[indexOf(Channel::U) + side];
-                 const double at = value.isNone() ? -1 : value.toDouble();
-                 if (!state.isWritten || state.secondTexel != state.firstTexel || at < 0 || at >= 1)
+                 if (!liesInside(state, side))
                      return;
-                 number.formula = QStringLiteral("%1 = ⌊%2·%3⌋")
+                 const QString half = state.isFiltered ? QStringLiteral(" − ½") : QString();
+                 number.formula = QStringLiteral("%1 = ⌊%2·%3%4⌋")
                                       .arg(index)
                                       .arg(state.textureSize[side])
-                                      .arg(coordinate);
+                                      .arg(coordinate, half);
              }});
         if (!scope.isFiltered)
             continue;
-        append(table, QStringLiteral("f_") + coordinate,
-               QStringLiteral("How far the sample lies from that texel's centre to the next one's, "
-                              "along %1.")
-                   .arg(coordinate),
-               {}, ofWritten([side](const State &state) {
-                   return state.effects.texture ? state.fraction[side] : Quantity();
-               }));
+        const QString fraction = QStringLiteral("f_") + coordinate;
+        table.push_back(
+            {plainNumber(fraction, fraction, {},
+                         QStringLiteral("How far the sample lies from that texel's centre to the "
+                                        "next one's, along %1.")
+                             .arg(coordinate),
+                         {}, Group::FirstColour),
+             ofWritten([side](const State &state) {
+                 return isFiltered(state) ? state.fraction[side] : Quantity();
+             }),
+             [=](NumberDescription &number, const State &state) {
+                 if (isFiltered(state) && liesInside(state, side))
+                     number.formula = QStringLiteral("%1 = %2·%3 − ½ − %4")
+                                          .arg(fraction)
+                                          .arg(state.textureSize[side])
+                                          .arg(coordinate, index);
+             }});
     }
-    appendBytes(table, QStringLiteral("t"), QStringLiteral("% of the texel, or of the four."), {},
-                [](const State &state) {
-                    return state.effects.texture ? std::optional(state.texel) : std::nullopt;
-                });
+    if (scope.isFiltered)
+        appendFourTexels(table);
     appendBytes(
-        table, QStringLiteral("c"), QStringLiteral("% modulated by the texel."),
-        QStringLiteral("c_% = ⌊b_%·t_%/255 + ½⌋"),
+        table, QStringLiteral("t"), QStringLiteral("% of the texel, or of the four."), {},
+        [](const State &state) {
+            return state.effects.texture ? std::optional(state.texel) : std::nullopt;
+        },
+        [](const State &state) {
+            return isFiltered(state) ? QStringLiteral(
+                       "t_% = ⌊(t00_%·(1 − f_u) + t10_%·f_u)·(1 − f_v) + (t01_%·(1 − f_u) "
+                       "+ t11_%·f_u)·f_v + ½⌋")
+                                     : QString();
+        });
+    appendBytes(
+        table, QStringLiteral("mod"), QStringLiteral("% modulated by the texel."),
+        QStringLiteral("mod_% = ⌊base_%·t_%/255 + ½⌋"),
         [](const State &state) { return state.textured; },
         [](const State &state) {
-            return state.effects.texture ? QString() : QStringLiteral("c_% = b_%");
+            return state.effects.texture ? QString() : QStringLiteral("mod_% = base_%");
         });
 }
 
 /// What is painted: what the last stage made of the colour.
-void appendSource(Table &table, const EffectSet &ofScope)
+void appendSource(Table &table, const EffectSet &ofScope, ByteRounding rounding)
 {
-    const QString surface = ofScope.texture ? QStringLiteral("s_% = c_%")
-        : ofScope.light                     ? QStringLiteral("s_% = b_%")
+    const bool hasBase = ofScope.texture || ofScope.light;
+    const QString surface = ofScope.texture ? QStringLiteral("s_% = mod_%")
+        : ofScope.light                     ? QStringLiteral("s_% = base_%")
                                             : QString();
     appendBytes(
         table, QStringLiteral("s"), QStringLiteral("% that is painted."), surface,
         [](const State &state) { return state.source; },
-        [](const State &state) {
-            return state.effects.light ? QStringLiteral("s_% = min(255, ⌊I_% + ½⌋)") : QString();
+        [=](const State &state) {
+            if (state.effects.light)
+                return QStringLiteral("s_% = min(255, ⌊I_% + ½⌋)");
+            return hasBase ? QString() : baseFormula(state, rounding, QStringLiteral("s_% = "));
         });
 }
 
@@ -278,14 +345,18 @@ NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope)
     if (effects.depth != DepthTest::None)
         appendDepth(table, scope);
     if (effects.texture || effects.light)
-        appendBytes(table, QStringLiteral("b"), QStringLiteral("% interpolated, as a byte."), {},
-                    [](const State &state) { return state.interpolated; });
+        appendBytes(
+            table, QStringLiteral("base"), QStringLiteral("% interpolated, as a byte."), {},
+            [](const State &state) { return state.interpolated; },
+            [rounding = scope.rounding](const State &state) {
+                return baseFormula(state, rounding, QStringLiteral("base_% = "));
+            });
     if (effects.texture)
         appendTexels(table, scope);
     if (effects.light)
         appendLight(table, scope);
     if (effects.light || effects.blending)
-        appendSource(table, effects);
+        appendSource(table, effects, scope.rounding);
     if (effects.blending)
         appendBlending(table, scope);
     if (!samplePattern(scope.antialiasing).empty())

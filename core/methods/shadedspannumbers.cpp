@@ -68,21 +68,21 @@ void appendBounds(NumberTable<ShadedSpanState> &table, const QString &name, cons
 
 NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope)
 {
-    using State = ShadedSpanState;
-    NumberTable<State> table;
+    NumberTable<ShadedSpanState> table;
     const auto whole = [&](const NumberDescription &number, const auto &read) {
-        table.push_back({number, [read](const State &state) {
+        table.push_back({number, [read](const ShadedSpanState &state) {
                              return Quantity::integer(Int128(read(state)));
                          }});
     };
     const auto covered = [&](const NumberDescription &number, const auto &read) {
-        table.push_back({number, [read](const State &state) {
+        table.push_back({number, [read](const ShadedSpanState &state) {
                              return state.isBounded ? Quantity::integer(read(state)) : Quantity();
                          }});
     };
-    whole(triangleNumber(), [](const State &state) { return state.walk.primitive; });
-    whole(scannedNumber(), [](const State &state) { return state.walk.column.x; });
-    covered(halfNumber(), [](const State &state) { return int(state.walk.column.half) + 1; });
+    whole(triangleNumber(), [](const ShadedSpanState &state) { return state.walk.primitive; });
+    whole(scannedNumber(), [](const ShadedSpanState &state) { return state.walk.column.x; });
+    covered(halfNumber(),
+            [](const ShadedSpanState &state) { return int(state.walk.column.half) + 1; });
     const auto bound = [&](SpanBound side, const QString &title, const QString &edge,
                            Quantity State::*value) {
         appendWalked(table, side,
@@ -90,7 +90,7 @@ NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope)
                                     QStringLiteral("Where the %1 edge meets the column.").arg(edge),
                                     {}, Group::Span),
                      QStringLiteral("y"), QStringLiteral("m"),
-                     [value](const State &state) { return state.*value; });
+                     [value](const ShadedSpanState &state) { return state.*value; });
     };
     bound(SpanBound::Lower, QStringLiteral("y_B"), QStringLiteral("lower"), &State::lower);
     bound(SpanBound::Upper, QStringLiteral("y_T"), QStringLiteral("upper"), &State::upper);
@@ -100,15 +100,15 @@ NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope)
              .toolTip = QStringLiteral("The first covered row."),
              .formula = {},
              .group = Group::Span},
-            [](const State &state) { return state.firstRow; });
+            [](const ShadedSpanState &state) { return state.firstRow; });
     covered({.id = QStringLiteral("last_row"),
              .title = QStringLiteral("y_last"),
              .unit = unit::px(),
              .toolTip = QStringLiteral("The last covered row."),
              .formula = {},
              .group = Group::Span},
-            [](const State &state) { return state.endRow - 1; });
-    whole(columnPixelsNumber(), [](const State &state) { return state.drawnSamples(); });
+            [](const ShadedSpanState &state) { return state.endRow - 1; });
+    whole(columnPixelsNumber(), [](const ShadedSpanState &state) { return state.drawnSamples(); });
     if (scope.form == InterpolationForm::Bilinear)
         forEachChannel(scope.effects, [&](std::size_t channel) {
             appendBounds(table, linearName(channelAt(channel), scope.effects),

@@ -21,6 +21,7 @@ struct ShadedScope {
     InterpolationForm form = InterpolationForm::Bilinear;
     EffectSet effects;
     Antialiasing antialiasing = Antialiasing::None;
+    ByteRounding rounding = ByteRounding::Nearest;
     bool isFiltered = false; ///< some material reads four texels
     /// Its lights, its viewer and its materials; null where no sample is lit.
     std::shared_ptr<const Appearance> appearance = nullptr;
@@ -75,7 +76,10 @@ struct ShadedSampleState {
     Quantity depth, nearest; ///< z or its level, and what stood there; none: nothing did
     Colour interpolated;
     std::array<std::int32_t, 2> textureSize = {};
-    std::array<std::int32_t, 2> firstTexel = {}, secondTexel = {};
+    std::array<std::int32_t, 2> firstTexel = {};
+    bool isFiltered = false; ///< four texels are read
+    std::array<Colour, 4> texels
+        = {}; ///< of four: lower left, lower right, upper left, upper right
     std::array<Quantity, 2> fraction;
     Colour texel, textured;
     Quantity normalLength; ///< of the normal as it is interpolated

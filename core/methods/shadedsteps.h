@@ -194,6 +194,23 @@ std::array<Quantity, 2> affineTexture(const ShadedSetUpRead<N> &setUp, std::int6
     return texture;
 }
 
+/// How far the sample lies from a texel's centre to the next one's: exactly, where its place is
+/// exact.
+inline Quantity texelFraction(const ShadedSampleState &state, std::size_t side,
+                              const Quantity &used)
+{
+    const std::size_t channel = indexOf(Channel::U) + side;
+    const Quantity &place
+        = state.value[channel].isNone() ? state.linear[channel] : state.value[channel];
+    if (!place.isRational())
+        return used;
+    const BigInteger below = 2 * BigInteger(place.denominator());
+    const BigInteger twice = 2 * BigInteger(state.textureSize[side]) * BigInteger(place.numerator())
+        - BigInteger(place.denominator());
+    const BigInteger rest = twice % below;
+    return quotientOf(rest < 0 ? BigInteger(rest + below) : rest, below);
+}
+
 /// Inside of a triangle whose areas are covered an opaque one is not blended, and has no alpha.
 template <class N>
 bool isBlended(const ShadedSetUpRead<N> &setUp, const ShadedSample<N> &sample)
@@ -252,9 +269,10 @@ ShadedSampleState shadedStateOf(
     if (setUp.effects.texture) {
         state.textureSize = sample.texels.size;
         state.firstTexel = sample.texels.first;
-        state.secondTexel = sample.texels.second;
+        state.isFiltered = sample.texels.isFiltered;
+        state.texels = sample.texels.four;
         for (std::size_t i = 0; i < 2; ++i)
-            state.fraction[i] = Quantity::of(sample.texels.fraction[i]);
+            state.fraction[i] = texelFraction(state, i, Quantity::of(sample.texels.fraction[i]));
         state.texel = sample.texels.texel;
     }
     state.textured = sample.textured;

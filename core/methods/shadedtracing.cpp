@@ -11,10 +11,12 @@ namespace pixelplumb {
 namespace {
 
 /// What some triangle of the plan does.
-ShadedScope scopeOf(InterpolationForm form, const Primitives &primitives, const EffectPlan &plan)
+ShadedScope scopeOf(InterpolationForm form, const Primitives &primitives,
+                    const ScanSettings &settings, const EffectPlan &plan)
 {
     ShadedScope scope;
     scope.form = form;
+    scope.rounding = settings.rounding;
     scope.antialiasing = plan.antialiasing;
     EffectSet &all = scope.effects;
     for (const EffectBatch &batch : plan.batches) {
@@ -66,7 +68,7 @@ std::unique_ptr<ScanTrace> traceBy(const Primitives &primitives, const ScanSetti
         return recordTrace<R>(
             primitives.size(), settings, options,
             [&](std::size_t index) { return primitives.isTriangle(index); }, draw,
-            TablesOf<R>::of(scopeOf(Form, primitives, plan)));
+            TablesOf<R>::of(scopeOf(Form, primitives, settings, plan)));
     };
     return withShadingNumbers<method>(settings, shadingWidthsFor(primitives, plan), trace);
 }

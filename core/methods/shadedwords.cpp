@@ -40,13 +40,16 @@ void tellShaded(StepWords &words, const ShadedSampleState &state)
 {
     if (state.samples > 0) {
         words.sentence
-            = QStringLiteral("An edge passes through the pixel: it has %1 samples, of which this "
-                             "triangle wrote %2, and is their mean.")
+            = QStringLiteral("An edge passes through the pixel: of its %1 samples this triangle "
+                             "wrote %2. The pixel is the mean of all of them.")
                   .arg(state.samples)
                   .arg(__builtin_popcount(state.samplesWritten));
         return;
     }
     if (state.effects.depth == DepthTest::None) {
+        if (state.isWritten && !state.area.isNone())
+            words.sentence = QStringLiteral("The triangle covers %1 of the pixel's square.")
+                                 .arg(term(state.area));
         if (!state.isWritten)
             words.sentence = QStringLiteral("Refused: it lies beyond the horizon of the triangle's "
                                             "plane, where there are no attributes.");

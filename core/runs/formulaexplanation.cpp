@@ -174,6 +174,51 @@ Quantity byteOf(const Quantity &level, ByteRounding rounding)
     return Quantity::integer(std::clamp<Int128>(byte, 0, 255));
 }
 
+/// What a sample has on which effects were done and no formula tells or names: u as it would be
+/// without perspective, how many of the pixel's samples were written.
+void appendGiven(Explanation &explanation, const std::vector<NumberDescription> &columns,
+                 const std::vector<Quantity> &used)
+{
+    for (std::size_t i = 0; i < columns.size() && i < used.size(); ++i) {
+        const QString &title = columns[i].title;
+        const bool isTold = std::ranges::any_of(columns, [&title](const NumberDescription &other) {
+            return other.formula.contains(title);
+        });
+        if (!used[i].isNone() && columns[i].formula.isEmpty() && !isTold)
+            explanation.lines.push_back({columns[i].subject, title, {}, used[i], {}});
+    }
+}
+
+/// What the last stage of a sample's effects made of the colour: "r", "s", "mod"; empty where none
+/// did anything to it.
+QString lastStage(const std::vector<NumberDescription> &columns, const std::vector<Quantity> &used)
+{
+    for (const QString &stage : {QStringLiteral("mean"), QStringLiteral("r"), QStringLiteral("s"),
+                                 QStringLiteral("mod")}) {
+        const auto column
+            = std::ranges::find(columns, stage + QStringLiteral("_R"), &NumberDescription::title);
+        const auto place = std::size_t(column - columns.begin());
+        if (place < used.size() && !used[place].isNone())
+            return stage;
+    }
+    return {};
+}
+
+/// The bytes that stand in the pixel: those of the last stage.
+void appendBytesOf(Explanation &explanation, const QString &stage, QRgb pixel)
+{
+    const Colour colour = unpacked(pixel);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const Quantity byte = Quantity::integer(colour.channels[channel]);
+        explanation.lines.push_back(
+            {channelSubjects[channel],
+             QStringLiteral("byte = %1_%2").arg(stage).arg(channelLetters[channel]),
+             term(byte),
+             byte,
+             {}});
+    }
+}
+
 /// The bytes of a written sample, and its levels where no column describes them.
 void appendBytes(Explanation &explanation, const TracedScene &traced, const SampleRecord &sample,
                  const ExactSample &exact)
@@ -187,8 +232,7 @@ void appendBytes(Explanation &explanation, const TracedScene &traced, const Samp
         };
         FormulaLine byte;
         byte.subject = channelSubjects[channel];
-        byte.symbols = (traced.plan ? QStringLiteral("base byte = ") : QStringLiteral("byte = "))
-            + filled(QString(channelLetters[channel]));
+        byte.symbols = QStringLiteral("byte = ") + filled(QString(channelLetters[channel]));
         byte.substituted = filled(term(sample.colour[channel]));
         byte.used = Quantity::integer(std::clamp<std::int64_t>(sample.level[channel], 0, 255));
         if (exact.colour[channel].isRational())
@@ -237,8 +281,13 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
     const ExactSample exact = exactSamplesOf(traced, step.span, {&sample, 1}).front();
     appendLines(explanation, words.numbers, sample.cells, exact.cells, names,
                 place == 0 ? FormulaStart::Fresh : FormulaStart::Continued);
-    if (isWritten)
+    if (traced.plan)
+        appendGiven(explanation, words.numbers, sample.cells);
+    const QString stage = traced.plan ? lastStage(words.numbers, sample.cells) : QString();
+    if (isWritten && stage.isEmpty())
         appendBytes(explanation, traced, sample, exact);
+    else if (isWritten)
+        appendBytesOf(explanation, stage, trace.changes()[step.sample].after);
     return explanation;
 }
 

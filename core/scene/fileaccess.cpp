@@ -41,6 +41,15 @@ Result<QByteArray> readFile(const QString &path)
     return content;
 }
 
+Result<QByteArray> readRegularFile(const QString &path)
+{
+    const QFileInfo file(path);
+    if (file.exists() && !file.isFile() && !file.isDir())
+        return InputError{path, QStringLiteral("cannot be read: it is a pipe or a device"),
+                          QStringLiteral("a file")};
+    return readFile(path);
+}
+
 InputError readingCancelled(const QString &place)
 {
     return {place, QStringLiteral("the reading was cancelled"), {}};

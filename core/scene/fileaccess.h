@@ -11,6 +11,8 @@ namespace pixelplumb {
 
 /// The content of a file of up to 256 MiB.
 Result<QByteArray> readFile(const QString &path);
+/// The same of what a scene refers to: a pipe or a device, which may never end, is refused.
+Result<QByteArray> readRegularFile(const QString &path);
 
 /// What is said where a listener ended the reading.
 InputError readingCancelled(const QString &place);

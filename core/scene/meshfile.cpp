@@ -5,6 +5,7 @@
 
 #include "core/geometry/attributes.h"
 #include "core/scene/fileaccess.h"
+#include "core/scene/meshtext.h"
 #include "core/scene/solidlimits.h"
 
 #include <tiny_obj_loader.h>
@@ -186,6 +187,16 @@ void MeshBuilder::takeFace(const tinyobj::index_t *corners, int count)
 {
     if (!goesOnReading())
         return;
+    const QByteArray line = lineInHand().toByteArray();
+    const QList<QByteArray> words = line.simplified().split(' ');
+    const auto wrong = std::find_if(words.begin() + 1, words.end(),
+                                    [](const QByteArray &word) { return !isCorner(word); });
+    if (wrong != words.end()) {
+        fail(QStringLiteral("a face with a corner “%1”")
+                 .arg(QString::fromUtf8(wrong->first(qMin<qsizetype>(wrong->size(), 40)))),
+             QStringLiteral("1, 1/2, 1//3 or 1/2/3"));
+        return;
+    }
     if (count < 3) {
         fail(QStringLiteral("a face of %1").arg(count), QStringLiteral("3 corners or more"));
         return;
@@ -217,6 +228,7 @@ void MeshBuilder::takeFace(const tinyobj::index_t *corners, int count)
 
 Result<Mesh> parseMesh(QByteArray text, const QString &name, const ProgressListener &listener)
 {
+    text = withoutRemarks(text);
     TextBuffer buffer(text);
     std::istream stream(&buffer);
     MeshBuilder builder(text, buffer, listener);
@@ -249,7 +261,7 @@ Result<Mesh> parseMesh(QByteArray text, const QString &name, const ProgressListe
 
 Result<Mesh> readMesh(const QString &path, const ProgressListener &listener)
 {
-    Result<QByteArray> content = readFile(path);
+    Result<QByteArray> content = readRegularFile(path);
     if (!content)
         return content.error();
     return parseMesh(std::move(*content), path, listener);

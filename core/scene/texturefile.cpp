@@ -18,12 +18,7 @@ bool isWithinLimits(const QSize &size)
 
 InputError tooLarge(const QString &path, const QSize &size)
 {
-    const qint64 texels = qint64(size.width()) * size.height();
-    return {path,
-            QStringLiteral("a picture of %1 × %2, %3 MiB of texels")
-                .arg(size.width())
-                .arg(size.height())
-                .arg(texels * qint64(sizeof(Colour)) >> 20),
+    return {path, QStringLiteral("a picture of %1 × %2").arg(size.width()).arg(size.height()),
             QStringLiteral("at most %1 × %1").arg(largestTextureSide)};
 }
 
@@ -31,7 +26,7 @@ InputError tooLarge(const QString &path, const QSize &size)
 
 Result<Texture> readTexture(const QString &path)
 {
-    Result<QByteArray> content = readFile(path);
+    Result<QByteArray> content = readRegularFile(path);
     if (!content)
         return content.error();
     QBuffer buffer(&content.value());

@@ -53,7 +53,7 @@ struct Solid {
     double scale = 1; ///< of a mesh
     Vector3 rotate = {}; ///< of a mesh: degrees about x, then y, then z
     int material = noMaterial;
-    /// Of a sphere, a patch, a plane and a mesh: whether the file gives it a colour of its own.
+    /// Of a sphere, a patch, a plane and a mesh; white where the file gives it none.
     Colour colour = {{255, 255, 255}};
     std::uint8_t alpha = 255;
 

@@ -86,7 +86,7 @@ LightVectors<Number> lightVectors(const Appearance &appearance, const Light &lig
     vectors.toLight = towardsLight<Number>(light, point.place);
     vectors.toViewer
         = towards(appearance.viewerKind, spaceVectorOf<Number>(appearance.viewer), point.place);
-    // Without a viewer there is no half-way vector (see appearance.h).
+    // Without a viewer there is no half-way vector.
     if (!vectors.toViewer.isZero())
         vectors.halfway = unit(vectors.toLight + vectors.toViewer);
     return vectors;
