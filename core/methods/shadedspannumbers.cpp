@@ -84,7 +84,7 @@ NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope)
     covered(halfNumber(),
             [](const ShadedSpanState &state) { return int(state.walk.column.half) + 1; });
     const auto bound = [&](SpanBound side, const QString &title, const QString &edge,
-                           Quantity State::*value) {
+                           Quantity ShadedSpanState::*value) {
         appendWalked(table, side,
                      comparedNumber(title, title, unit::px(),
                                     QStringLiteral("Where the %1 edge meets the column.").arg(edge),
@@ -92,8 +92,10 @@ NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope)
                      QStringLiteral("y"), QStringLiteral("m"),
                      [value](const ShadedSpanState &state) { return state.*value; });
     };
-    bound(SpanBound::Lower, QStringLiteral("y_B"), QStringLiteral("lower"), &State::lower);
-    bound(SpanBound::Upper, QStringLiteral("y_T"), QStringLiteral("upper"), &State::upper);
+    bound(SpanBound::Lower, QStringLiteral("y_B"), QStringLiteral("lower"),
+          &ShadedSpanState::lower);
+    bound(SpanBound::Upper, QStringLiteral("y_T"), QStringLiteral("upper"),
+          &ShadedSpanState::upper);
     covered({.id = QStringLiteral("first_row"),
              .title = QStringLiteral("y_first"),
              .unit = unit::px(),

@@ -10,6 +10,8 @@
 
 #include <tiny_obj_loader.h>
 
+#include <QList>
+
 #include <charconv>
 #include <cmath>
 #include <unordered_map>
