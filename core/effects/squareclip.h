@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstddef>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -12,7 +13,12 @@ namespace pixelplumb {
 template <class Number, std::size_t mostCorners>
 class ClippedPolygon {
 public:
-    void append(const Number &x, const Number &y) { m_corners[m_count++] = {x, y}; }
+    void append(Number x, Number y)
+    {
+        Corner &corner = m_corners[m_count++];
+        corner.x = std::move(x);
+        corner.y = std::move(y);
+    }
 
     /// Keeps what lies in [−half, half] × [−half, half].
     void clipToSquare(const Number &half)
