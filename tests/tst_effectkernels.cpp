@@ -157,8 +157,9 @@ private slots:
             [](const EffectScene &scene, const ScanSettings &settings, const QString &text) {
                 const Truth truth = truthOf(scene, settings);
                 for (const ShadedMethod method : shadedMethods) {
-                    const Departure departure = departureOf(
-                        drawnBy(drawSpecialised, method, scene, settings), truth.frame, truth.undecided);
+                    const Departure departure
+                        = departureOf(drawnBy(drawSpecialised, method, scene, settings),
+                                      truth.frame, truth.undecided);
                     QVERIFY2(departure.pixels == 0, qPrintable(text + textOf(method, departure)));
                 }
             });

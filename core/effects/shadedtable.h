@@ -23,8 +23,8 @@ constexpr EffectSet effectSetOf(std::size_t number)
             number / 8 % 2 != 0, number / 16 % 2 != 0, DepthTest(number / 32)};
 }
 
-/// The kernels of a form, one compiled for each set of effects: one look into this table a triangle,
-/// none a pixel.
+/// The kernels of a form, one compiled for each set of effects: one look into this table a
+/// triangle, none a pixel.
 template <InterpolationForm Form, class N>
 struct ShadeTable {
     using Kernel = void (*)(const ShadedSetUp<N> &setUp, const ShadedColumn<N> &column,

@@ -31,7 +31,8 @@ QString rejectionText(const Rejection &rejection)
         return QStringLiteral("It has no area: its vertices lie on one line, and only the closed "
                               "rule paints a segment. Nothing is drawn.");
     case PrimitiveRejection::OutsideFrame:
-        return QStringLiteral("It lies outside the frame, or between its samples. Nothing is drawn.");
+        return QStringLiteral(
+            "It lies outside the frame, or between its samples. Nothing is drawn.");
     case PrimitiveRejection::NotRepresentable:
         return QStringLiteral("A coordinate does not fit this arithmetic. Nothing is drawn.");
     case PrimitiveRejection::VerticalLine:

@@ -8,9 +8,9 @@
 #include "core/scene/meshtext.h"
 #include "core/scene/solidlimits.h"
 
-#include <tiny_obj_loader.h>
-
 #include <QList>
+
+#include <tiny_obj_loader.h>
 
 #include <charconv>
 #include <cmath>

@@ -63,7 +63,8 @@ QString typeset(QString text)
 /// but one for an ordinary one, at which a line may break.
 QString typesetHtml(const QString &text)
 {
-    static const QRegularExpression fraction(QStringLiteral("(?<![\\d).])(\\d+/\\d+)(?!\\d|\\.\\d)"));
+    static const QRegularExpression fraction(
+        QStringLiteral("(?<![\\d).])(\\d+/\\d+)(?!\\d|\\.\\d)"));
     QString html = SymbolText(typeset(text).replace(u'\u202f', QChar::Nbsp)).html();
     return html.replace(fraction, QStringLiteral("<small>\\1</small>"));
 }

@@ -68,8 +68,8 @@ constexpr Panel table[] = {
      follower<OperationPanel>, bottomArea, hiddenAtFirst},
     {"accuracyLabDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Accuracy lab"),
      follower<AccuracyLab>, bottomArea, hiddenAtFirst},
-    {"projectionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Projection"),
-     projection, bottomArea, hiddenAtFirst},
+    {"projectionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Projection"), projection,
+     bottomArea, hiddenAtFirst},
     {"effectsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Effects"), effects, bottomArea,
      hiddenAtFirst},
 };
