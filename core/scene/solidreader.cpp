@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/solidreader.h"
 
+#include "core/scan/choicenames.h"
 #include "core/scene/appearancenames.h"
 #include "core/scene/attributereader.h"
 #include "core/scene/primitivereader.h"
