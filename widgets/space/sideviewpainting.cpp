@@ -73,8 +73,8 @@ void SideView::drawName(QPainter &painter, const QString &name, const QPointF &p
             if (place.isNull())
                 place = tried;
             const bool isFree = area.contains(tried)
-                && std::ranges::none_of(m_names, [&tried](const QRectF &name) {
-                                    return name.intersects(tried);
+                && std::ranges::none_of(m_names, [&tried](const QRectF &other) {
+                                    return other.intersects(tried);
                                 });
             if (!isFree)
                 continue;
