@@ -126,7 +126,8 @@ void TestCanvasPainting::theClippedPolygonIsDrawnWhereItIsWanted()
         return sum.toPoint();
     };
     const auto differsAt = [](const QImage &a, const QImage &b, const QPoint &place) {
-        const QRect around(place - QPoint(2, 2), QSize(5, 5));
+        const QPoint device = place * a.devicePixelRatio();
+        const QRect around(device - QPoint(2, 2), QSize(5, 5));
         return a.copy(around) != b.copy(around);
     };
 

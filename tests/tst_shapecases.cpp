@@ -252,8 +252,9 @@ private slots:
 
         QCOMPARE(report.remarks,
                  QStringList{QStringLiteral(
-                     "none of the methods checked draws an outlined circle; by "
-                     "name can be checked: circle-midpoint, circle-explicit, circle-parametric")});
+                     "none of the methods checked draws an outlined circle; by name can be "
+                     "checked: circle-midpoint, circle-explicit, circle-parametric, "
+                     "stroke-coverage")});
     }
 
 private:
