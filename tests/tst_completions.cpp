@@ -88,6 +88,10 @@ private slots:
         row("arithmetics", {"trace", "--arithmetic", ""}, namesOf(allArithmetics));
         row("fill rules", {"pixel", "--fill-rule", ""}, namesOf(allFillRules));
         row("roundings", {"render", "--rounding", ""}, namesOf(allByteRoundings));
+        row("a switch", {"plan", "--force", "smooth-colour"},
+            {"smooth-colour=on", "smooth-colour=off"});
+        row("contenders", {"compare", "--methods", "line-b"},
+            {"line-bresenham", "line-bresenham-symmetric"});
         row("nothing of that beginning", {"render", "--zz"}, {});
     }
     void bothShellsOfferWhatTheProgramTakes()

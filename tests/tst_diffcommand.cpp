@@ -10,6 +10,8 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <cmath>
+
 using namespace pixelplumb;
 
 /// Pictures against pictures and against scenes, from the command line.
@@ -69,6 +71,7 @@ private slots:
         QTest::newRow("upside down") << m_right.mirrored(false, true) << "upside down";
         QTest::newRow("mirrored") << m_right.mirrored(true, false) << "left and right exchanged";
         QTest::newRow("channels") << m_right.rgbSwapped() << "channels BGR in place of RGB";
+        QTest::newRow("decoded") << decoded(m_right) << "decoded from sRGB once too often";
         QTest::newRow("shifted") << m_right.copy(-1, 2, 64, 48)
                                  << "shifted by 1 to the right and 2 up";
     }
@@ -158,6 +161,24 @@ private slots:
     }
 
 private:
+    static QImage decoded(QImage picture)
+    {
+        const auto level = [](int byte) {
+            const double encoded = byte / 255.0;
+            const double linear
+                = encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+            return int(std::lround(255 * linear));
+        };
+        for (int y = 0; y < picture.height(); ++y) {
+            for (int x = 0; x < picture.width(); ++x) {
+                const QRgb pixel = picture.pixel(x, y);
+                picture.setPixel(
+                    x, y, qRgb(level(qRed(pixel)), level(qGreen(pixel)), level(qBlue(pixel))));
+            }
+        }
+        return picture;
+    }
+
     QString path(const char *name) const { return m_folder.filePath(QString::fromLatin1(name)); }
     QPoint firstCovered() const
     {

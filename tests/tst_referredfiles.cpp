@@ -178,6 +178,9 @@ private slots:
         row("index that is no number", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1x 2 3\n", "a.obj",
             "primitives[0].mesh: %1, line 4: a face with a corner “1x”; expected 1, 1/2, 1//3 or "
             "1/2/3");
+        row("part that is missing", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/ 2/ 3/\n", "a.obj",
+            "primitives[0].mesh: %1, line 4: a face with a corner “1/”; expected 1, 1/2, 1//3 or "
+            "1/2/3");
         row("index beyond 32 bits", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 4294967299\n", "a.obj",
             "primitives[0].mesh: %1, line 4: a face with a corner “4294967299”; expected 1, "
             "1/2, 1//3 or 1/2/3");

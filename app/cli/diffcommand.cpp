@@ -88,6 +88,8 @@ ExitCode diff(const Command &command, const QStringList &arguments)
     const auto format = pictureFormatOf(line.value(markedOption), QStringLiteral("-o"));
     if (!format)
         return line.refuse(format.error());
+    if (line.argument(0) == QStringLiteral("-") && line.argument(1) == QStringLiteral("-"))
+        return line.refuse(QStringLiteral("standard input can be only one of the two"));
     Result<Side> expected = readSide(line.argument(0));
     if (!expected)
         return line.refuse(expected.error());

@@ -12,6 +12,10 @@ Result<QStringList> outputPaths(const QString &output, const QStringList &inputs
     const bool isFolder = output.endsWith(u'/') || QFileInfo(output).isDir();
     if (!isFolder && inputs.size() == 1)
         return QStringList(output);
+    if (!isFolder && output == QStringLiteral("-"))
+        return InputError{QStringLiteral("%1 scenes").arg(inputs.size()),
+                          QStringLiteral("standard output is one"),
+                          QStringLiteral("a folder to write to, -o DIR/")};
     if (!isFolder)
         return InputError{
             QStringLiteral("-o ") + output,

@@ -122,6 +122,8 @@ QStringList textOf(const PlanReport &report)
     QStringList lines = aligned(rows, {3, 4});
     lines.append(QString());
     lines.append(samplesText(plan.antialiasing));
+    if (plan.batches.empty())
+        return report.timing ? lines + textOf(*report.timing) : lines;
     constexpr std::size_t mostBatches = 20;
     std::vector<QStringList> batches = {{QStringLiteral("triangles"), QStringLiteral("what runs")}};
     for (std::size_t i = 0; i < std::min(plan.batches.size(), mostBatches); ++i)

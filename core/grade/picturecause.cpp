@@ -11,20 +11,20 @@ namespace {
 
 constexpr int farthestShift = 4; // px
 
-/// The pixel of the found picture that stands where (x, line) was meant.
+/// The pixel of the expected picture that is found at (x, line).
 using PlaceMap = std::function<std::pair<int, int>(int x, int line)>;
 
-Picture moved(const Picture &found, const PlaceMap &source, const Colour &background)
+Picture moved(const Picture &expected, const PlaceMap &source, const Colour &background)
 {
-    Picture picture = found;
-    for (int line = 0; line < found.height; ++line) {
-        for (int x = 0; x < found.width; ++x) {
+    Picture picture = expected;
+    for (int line = 0; line < expected.height; ++line) {
+        for (int x = 0; x < expected.width; ++x) {
             const auto [fromX, fromLine] = source(x, line);
-            const bool isInside = found.contains(fromX, fromLine);
+            const bool isInside = expected.contains(fromX, fromLine);
             const std::size_t to = picture.placeOf(x, line);
-            const std::size_t from = isInside ? found.placeOf(fromX, fromLine) : 0;
-            picture.colours[to] = isInside ? found.colours[from] : background;
-            picture.covered[to] = isInside ? found.covered[from] : std::uint8_t(0);
+            const std::size_t from = isInside ? expected.placeOf(fromX, fromLine) : 0;
+            picture.colours[to] = isInside ? expected.colours[from] : background;
+            picture.covered[to] = isInside ? expected.covered[from] : std::uint8_t(0);
         }
     }
     return picture;
@@ -32,16 +32,15 @@ Picture moved(const Picture &found, const PlaceMap &source, const Colour &backgr
 
 PictureChange move(const QString &name, const Colour &background, const PlaceMap &source)
 {
-    return {name, [=](const Picture &found) { return moved(found, source, background); }};
+    return {name, [=](const Picture &expected) { return moved(expected, source, background); }};
 }
 
-PictureChange recolour(const QString &name, const std::function<Colour(const Colour &)> &undone)
+PictureChange recolour(const QString &name, const std::function<Colour(const Colour &)> &change)
 {
-    return {name, [=](const Picture &found) {
-                Picture picture = found;
+    return {name, [=](const Picture &expected) {
+                Picture picture = expected;
                 for (std::size_t i = 0; i < picture.size(); ++i) {
-                    if (picture.covered[i] != 0)
-                        picture.colours[i] = undone(picture.colours[i]);
+                    picture.colours[i] = change(picture.colours[i]);
                 }
                 return picture;
             }};
@@ -55,23 +54,23 @@ void appendShifts(const Colour &background, std::vector<PictureChange> &changes)
                 continue;
             changes.push_back(
                 move(QStringLiteral("shifted by %1 to the right and %2 up").arg(dx).arg(-dy),
-                     background, [=](int x, int line) { return std::pair(x + dx, line + dy); }));
+                     background, [=](int x, int line) { return std::pair(x - dx, line - dy); }));
         }
     }
 }
 
-void appendFlips(const Picture &found, const Colour &background,
+void appendFlips(const Picture &expected, const Colour &background,
                  std::vector<PictureChange> &changes)
 {
-    const int right = found.width - 1;
-    const int bottom = found.height - 1;
+    const int right = expected.width - 1;
+    const int bottom = expected.height - 1;
     changes.push_back(move(QStringLiteral("upside down"), background,
                            [=](int x, int line) { return std::pair(x, bottom - line); }));
     changes.push_back(move(QStringLiteral("left and right exchanged"), background,
                            [=](int x, int line) { return std::pair(right - x, line); }));
     changes.push_back(move(QStringLiteral("turned by half a turn"), background,
                            [=](int x, int line) { return std::pair(right - x, bottom - line); }));
-    if (found.width != found.height)
+    if (expected.width != expected.height)
         return;
     // Rows are counted from the bottom: x and y exchanged are lines and columns, mirrored.
     changes.push_back(move(QStringLiteral("x and y exchanged"), background,
@@ -90,10 +89,10 @@ void appendChannels(std::vector<PictureChange> &changes)
             name += QLatin1Char(letters[channel]);
         changes.push_back(recolour(QStringLiteral("channels %1 in place of RGB").arg(name),
                                    [order](const Colour &colour) {
-                                       Colour undone;
+                                       Colour exchanged;
                                        for (std::size_t i = 0; i < 3; ++i)
-                                           undone.channels[order[i]] = colour.channels[i];
-                                       return undone;
+                                           exchanged.channels[i] = colour.channels[order[i]];
+                                       return exchanged;
                                    }));
     }
 }
@@ -118,18 +117,18 @@ Colour mapped(const Colour &colour, double (*curve)(double))
 
 } // namespace
 
-std::vector<PictureChange> pictureChangesFor(const Picture &found, const Colour &background)
+std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colour &background)
 {
     std::vector<PictureChange> changes;
-    appendFlips(found, background, changes);
+    appendFlips(expected, background, changes);
     appendShifts(background, changes);
-    if (!found.hasColours)
+    if (!expected.hasColours)
         return changes;
     appendChannels(changes);
     changes.push_back(recolour(QStringLiteral("encoded as sRGB once too often"),
-                               [](const Colour &colour) { return mapped(colour, toLinear); }));
-    changes.push_back(recolour(QStringLiteral("decoded from sRGB once too often"),
                                [](const Colour &colour) { return mapped(colour, toEncoded); }));
+    changes.push_back(recolour(QStringLiteral("decoded from sRGB once too often"),
+                               [](const Colour &colour) { return mapped(colour, toLinear); }));
     return changes;
 }
 

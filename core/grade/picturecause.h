@@ -7,14 +7,14 @@
 
 namespace pixelplumb {
 
-/// Something that a program may have done to its whole picture, and how it is undone.
+/// Something that a program may have done to its whole picture, background and all.
 struct PictureChange {
     QString name;
-    std::function<Picture(const Picture &found)> undo;
+    std::function<Picture(const Picture &expected)> apply;
 };
 
 /// Shifts by up to 4 px each way, flips, the two coordinates exchanged (where the frame is square),
 /// channels exchanged, and the two ways between linear and sRGB levels.
-std::vector<PictureChange> pictureChangesFor(const Picture &found, const Colour &background);
+std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colour &background);
 
 } // namespace pixelplumb

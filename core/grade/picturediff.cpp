@@ -28,19 +28,24 @@ PixelVerdict verdictAt(const Picture &expected, const Picture &found, std::size_
                                                                           : PixelVerdict::Same;
 }
 
+/// By colours alone where both have them: what is done to a background makes it no drawing.
 std::int64_t differingPixels(const Picture &expected, const Picture &found)
 {
+    const bool haveColours = expected.hasColours && found.hasColours;
     std::int64_t differing = 0;
-    for (std::size_t i = 0; i < expected.size(); ++i)
-        differing += verdictAt(expected, found, i) != PixelVerdict::Same ? 1 : 0;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        const bool isOther = haveColours ? expected.colours[i] != found.colours[i]
+                                         : expected.covered[i] != found.covered[i];
+        differing += isOther ? 1 : 0;
+    }
     return differing;
 }
 
 void findCauses(const Picture &expected, const Picture &found, PictureDiff &diff)
 {
     const std::int64_t before = differingPixels(expected, found);
-    for (const PictureChange &change : pictureChangesFor(found, backgroundOf(found))) {
-        const std::int64_t left = differingPixels(expected, change.undo(found));
+    for (const PictureChange &change : pictureChangesFor(expected, backgroundOf(expected))) {
+        const std::int64_t left = differingPixels(change.apply(expected), found);
         if (2 * left <= before)
             diff.causes.push_back({change.name, left});
     }

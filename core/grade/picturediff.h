@@ -25,7 +25,7 @@ inline constexpr std::array allPixelVerdicts
 /// "same", "missing", …
 QString nameOf(PixelVerdict verdict);
 
-/// One thing done to the whole picture that would explain differences: undone, fewer are left.
+/// One thing that, done to the whole of what was expected, leaves fewer differences.
 struct PictureCause {
     QString name; ///< "shifted by (1, 0)", "rows counted from the other side", "R and B swapped"
     std::int64_t left = 0; ///< pixels that differ still

@@ -246,12 +246,28 @@ void appendSource(Table &table, const EffectSet &ofScope, ByteRounding rounding)
         });
 }
 
+/// How alpha's byte comes from the interpolated one; empty where it is not interpolated.
+QString alphaFormula(const State &state, ByteRounding rounding)
+{
+    const std::size_t channel = indexOf(Channel::Alpha);
+    const Quantity &level
+        = state.value[channel].isNone() ? state.linear[channel] : state.value[channel];
+    if (!state.isWritten || level.isNone() || level.toDouble() < 0 || level.toDouble() > 255)
+        return {};
+    return rounding == ByteRounding::Nearest ? QStringLiteral("a = ⌊A + ½⌋")
+                                             : QStringLiteral("a = ⌊A⌋");
+}
+
 void appendBlending(Table &table, const ShadedScope &scope)
 {
-    append(table, QStringLiteral("a"), QStringLiteral("Alpha as a byte."), {},
-           ofWritten([](const State &state) {
-               return state.isBlended ? Quantity::integer(state.alpha) : Quantity();
-           }));
+    table.push_back({plainNumber(QStringLiteral("a"), QStringLiteral("a"), {},
+                                 QStringLiteral("Alpha as a byte."), {}, Group::FirstColour),
+                     ofWritten([](const State &state) {
+                         return state.isBlended ? Quantity::integer(state.alpha) : Quantity();
+                     }),
+                     [rounding = scope.rounding](NumberDescription &number, const State &state) {
+                         number.formula = alphaFormula(state, rounding);
+                     }});
     QString alpha = QStringLiteral("a");
     if (scope.antialiasing == Antialiasing::Area) {
         append(table, QStringLiteral("area"),

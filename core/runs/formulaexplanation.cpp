@@ -283,7 +283,7 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
                 place == 0 ? FormulaStart::Fresh : FormulaStart::Continued);
     if (traced.plan)
         appendGiven(explanation, words.numbers, sample.cells);
-    const QString stage = traced.plan ? lastStage(words.numbers, sample.cells) : QString();
+    const QString stage = lastStage(words.numbers, sample.cells);
     if (isWritten && stage.isEmpty())
         appendBytes(explanation, traced, sample, exact);
     else if (isWritten)

@@ -20,7 +20,7 @@ bool isCorner(QByteArrayView word)
         if (digits > mostDigits || parts > 3)
             return false;
     }
-    return word.at(0) != '/';
+    return !word.startsWith('/') && !word.endsWith('/');
 }
 
 QByteArray withoutRemarks(const QByteArray &text)

@@ -160,6 +160,10 @@ private:
 
     QString hint() const
     {
+        const TracedScene *traced = m_playhead.traced();
+        const bool isAhead = m_previewer && m_previewer->isAheadOfTrace();
+        if (traced && !isAhead && traced->scene.method != m_document.scene().method)
+            return tr("Still the picture of %1").arg(traced->method->title);
         if (m_isTruth)
             return tr("Truth: the exact picture");
         const QString foreign = m_document.pendingVertices().empty()
@@ -176,10 +180,6 @@ private:
     QString viewNote(const OutlineChoice &choice) const
     {
         QStringList notes;
-        const TracedScene *traced = m_playhead.traced();
-        const bool isAhead = m_previewer && m_previewer->isAheadOfTrace();
-        if (traced && !isAhead && traced->scene.method != m_document.scene().method)
-            notes += tr("Still the picture of %1").arg(traced->method->title);
         if (shownPreview() && !m_isTruth && !m_previewer->isAheadOfTrace())
             notes += tr("Finished picture; the first %L1 steps are recorded").arg(m_playhead.end());
         if (choice.isCrowded())

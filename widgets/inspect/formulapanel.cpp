@@ -135,8 +135,9 @@ void FormulaPanel::present(const Explanation &explanation)
     m_sentence->setText(sentenceHtml(explanation.sentence));
 
     const int scrolled = m_formulas->verticalScrollBar()->value();
-    m_formulas->setHtml(formulaHtml(explanation, arithmetic(), palette())
-                        + stagesHtml(explanation, arithmetic(), palette()));
+    // From space to the frame comes before what is done there.
+    m_formulas->setHtml(stagesHtml(explanation, arithmetic(), palette())
+                        + formulaHtml(explanation, arithmetic(), palette()));
     m_formulas->verticalScrollBar()->setValue(scrolled);
     setAccessibleDescription(explanation.heading + QStringLiteral(". ") + explanation.sentence
                              + u'\n' + formulaText(explanation, arithmetic()));

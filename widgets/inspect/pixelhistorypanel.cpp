@@ -11,6 +11,7 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
+#include <QTimer>
 #include <QToolButton>
 #include <QTreeView>
 
@@ -129,6 +130,8 @@ void PixelHistoryPanel::showEvent(QShowEvent *event)
     QWidget::showEvent(event);
     if (m_isStale)
         takePixel();
+    // Only now its height is known.
+    QTimer::singleShot(0, m_attempts, [this] { m_attempts->scrollTo(m_attempts->currentIndex()); });
 }
 
 void PixelHistoryPanel::scheduleUpdate()

@@ -24,6 +24,17 @@ QString nameText(const PixelAttempt &attempt)
 
 QColor opaque(QRgb colour) { return QColor::fromRgb(colour); }
 
+/// Whether effects have made other bytes of the colour that the sample had.
+bool isOfBase(const PixelAttempt &attempt)
+{
+    const Colour written = unpacked(attempt.change.after);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (std::clamp<std::int64_t>(attempt.sample->level[i], 0, 255) != written.channels[i])
+            return true;
+    }
+    return false;
+}
+
 /// Why the triangle keeps the sample out: the edge that is farthest from accepting it.
 std::size_t refusingEdge(const oracle::SampleVerdict &verdict)
 {
@@ -166,7 +177,7 @@ QString PixelHistoryModel::channelText(const PixelAttempt &attempt, std::size_t 
     switch (column) {
     case WhatColumn:
         // What is done to it afterwards stands in the reason and in the Formula panel.
-        return (m_traced->plan ? tr("base %1") : QStringLiteral("%1"))
+        return (isOfBase(attempt) ? tr("base %1") : QStringLiteral("%1"))
             .arg(QStringLiteral("RGB").at(qsizetype(channel)));
     case UsedColumn:
         return displayText(used, arithmetic);
