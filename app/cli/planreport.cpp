@@ -14,7 +14,7 @@ namespace {
 /// What is run of an effect, where it is not what the verdict says.
 QString runText(const EffectPlan &plan, const EffectForcing &forced, Effect effect)
 {
-    const QString runs = plan.runs(effect) ? QStringLiteral("yes") : QStringLiteral("no");
+    QString runs = plan.runs(effect) ? QStringLiteral("yes") : QStringLiteral("no");
     if (forced[effect] == Forcing::AsCalledFor)
         return runs;
     const bool isInVain = forced[effect] == Forcing::On && !plan.runs(effect);
