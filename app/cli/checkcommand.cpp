@@ -8,7 +8,6 @@
 #include "core/scan/choicenames.h"
 
 #include <QJsonArray>
-#include <QJsonDocument>
 #include <QJsonObject>
 
 namespace pixelplumb::cli {
@@ -158,7 +157,7 @@ ExitCode check(const Command &command, const QStringList &arguments)
                               {QStringLiteral("passed"), tally.passed},
                               {QStringLiteral("fellShort"), tally.fellShort},
                               {QStringLiteral("skipped"), tally.skipped}};
-        printLine(QString::fromUtf8(QJsonDocument(all).toJson().chopped(1)));
+        printJson(QJsonDocument(all));
     } else {
         printLine(QStringLiteral("%1 cases: %2 passed, %3 fell short, %4 skipped")
                       .arg(tally.total())

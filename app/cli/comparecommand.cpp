@@ -8,9 +8,6 @@
 #include "app/cli/rejectionreport.h"
 #include "app/cli/sceneoptions.h"
 #include "app/cli/wholenumber.h"
-#include "core/runs/sceneplan.h"
-
-#include <QJsonDocument>
 
 namespace pixelplumb::cli {
 
@@ -56,11 +53,11 @@ ExitCode compare(const Command &command, const QStringList &arguments)
     if (!contenders)
         return line.refuse(contenders.error());
     for (const Contender &contender : *contenders) {
-        const QString objection
-            = contender.isTruth() ? QString() : objectionTo(sceneFor(*scene, contender));
-        if (!objection.isEmpty())
-            return line.refuse(
-                QStringLiteral("--methods: method “%1” %2").arg(contender.method->id, objection));
+        if (contender.isTruth())
+            continue;
+        if (const auto refusal
+            = refusalOf(sceneFor(*scene, contender), QStringLiteral("--methods")))
+            return line.refuse(*refusal);
     }
 
     Progress progress;
@@ -74,13 +71,10 @@ ExitCode compare(const Command &command, const QStringList &arguments)
     }
 
     const CompareReport report{*contest, std::size_t(limit->value())};
-    if (line.isSet(jsonOption)) {
-        printLine(QString::fromUtf8(QJsonDocument(jsonOf(report)).toJson().chopped(1)));
-    } else {
-        const QStringList lines = textOf(report);
-        for (const QString &each : lines)
-            printLine(each);
-    }
+    if (line.isSet(jsonOption))
+        printJson(QJsonDocument(jsonOf(report)));
+    else
+        printLines(textOf(report));
     if (line.isSet(drawingOption)) {
         Output output(line.value(drawingOption), line.argument(0));
         if (const auto error = writePicture(pictureOf(*contest), output, *format))

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/comparereport.h"
 
+#include "app/cli/alignedrows.h"
 #include "core/runs/undrawn.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/colourtext.h"
@@ -34,25 +35,10 @@ std::vector<PixelComparison> differingPixels(const CompareReport &report)
 
 QString number(std::int64_t value) { return QString::number(value); }
 
-/// Columns aligned: the first to the left, the others to the right.
+/// The first column to the left, the others to the right.
 QStringList aligned(const std::vector<QStringList> &rows)
 {
-    std::vector<qsizetype> widths;
-    for (const QStringList &row : rows) {
-        widths.resize(std::max(widths.size(), std::size_t(row.size())), 0);
-        for (qsizetype column = 0; column < row.size(); ++column)
-            widths[std::size_t(column)] = std::max(widths[std::size_t(column)], row[column].size());
-    }
-    QStringList lines;
-    for (const QStringList &row : rows) {
-        QString line = row.front().leftJustified(widths.front());
-        for (qsizetype column = 1; column < row.size(); ++column)
-            line += QStringLiteral("  ") + row[column].rightJustified(widths[std::size_t(column)]);
-        while (line.endsWith(u' '))
-            line.chop(1);
-        lines.append(line);
-    }
-    return lines;
+    return alignedRows(rows, [](qsizetype column) { return column == 0; });
 }
 
 /// The kinds of primitives of the scene that a contender leaves out.

@@ -17,6 +17,17 @@ void writeLine(std::FILE *stream, const QString &line)
 
 void printLine(const QString &line) { writeLine(stdout, line); }
 
+void printLines(const QStringList &lines)
+{
+    for (const QString &line : lines)
+        printLine(line);
+}
+
+void printJson(const QJsonDocument &document)
+{
+    printLine(QString::fromUtf8(document.toJson().chopped(1)));
+}
+
 void sayLine(const QString &line) { writeLine(stderr, line); }
 
 } // namespace pixelplumb::cli

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
+#include <QJsonDocument>
+#include <QStringList>
 
 namespace pixelplumb::cli {
 
@@ -16,6 +17,8 @@ enum class ExitCode {
 
 /// A result: a line on stdout, in UTF-8 whatever the locale.
 void printLine(const QString &line);
+void printLines(const QStringList &lines);
+void printJson(const QJsonDocument &document);
 /// A message: a line on stderr.
 void sayLine(const QString &line);
 

@@ -4,10 +4,7 @@
 #include "app/cli/input.h"
 #include "app/cli/picturefile.h"
 #include "app/cli/sceneoptions.h"
-#include "core/runs/sceneplan.h"
 #include "core/scene/colourtext.h"
-
-#include <QJsonDocument>
 
 namespace pixelplumb::cli {
 
@@ -34,11 +31,8 @@ Result<Side> readSide(const QString &path)
     const Result<Scene> scene = sceneIn(*content, path);
     if (!scene)
         return scene.error();
-    if (const QString objection = objectionTo(*scene); !objection.isEmpty())
-        return InputError{
-            path,
-            QStringLiteral("method “%1” %2").arg(QString::fromStdString(scene->method), objection),
-            {}};
+    if (const auto refusal = refusalOf(*scene, path))
+        return *refusal;
     return Side{pictureOf(*scene), *scene};
 }
 
@@ -118,10 +112,9 @@ ExitCode diff(const Command &command, const QStringList &arguments)
     const PictureDiff difference = differenceOf(
         expected->picture, found->picture, scene ? tiesOf(*scene) : std::vector<std::uint8_t>());
     if (line.isSet(jsonOption)) {
-        printLine(QString::fromUtf8(QJsonDocument(jsonOf(difference)).toJson().chopped(1)));
+        printJson(QJsonDocument(jsonOf(difference)));
     } else {
-        for (const QString &each : textOf(difference))
-            printLine(each);
+        printLines(textOf(difference));
         if (line.isSet(asciiOption))
             printLine(rasterOf(difference, expected->picture).chopped(1));
     }

@@ -187,8 +187,7 @@ ExitCode compareFiles(const CommandLine &line)
     if (!after)
         return line.refuse(after.error());
     const LabComparison comparison = compareStudies(*before, *after);
-    for (const QString &each : textOf(comparison))
-        printLine(each);
+    printLines(textOf(comparison));
     return comparison.isWorse() ? ExitCode::FallsShort : ExitCode::Done;
 }
 

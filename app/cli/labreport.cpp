@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/labreport.h"
 
+#include "app/cli/alignedrows.h"
 #include "core/lab/pareto.h"
 #include "core/scan/choicenames.h"
 
@@ -11,27 +12,14 @@ namespace pixelplumb::cli {
 
 namespace {
 
-using Line = std::vector<QString>;
+using Line = QStringList;
 
-/// Columns of equal width; the first is a word, the others are numbers, the last a remark.
+/// The first column is a word, the others are numbers, the last a remark.
 QStringList aligned(const std::vector<Line> &lines)
 {
-    std::vector<qsizetype> widths(lines.front().size(), 0);
-    for (const Line &line : lines) {
-        for (std::size_t i = 0; i < line.size(); ++i)
-            widths[i] = std::max(widths[i], line[i].size());
-    }
-    QStringList texts;
-    for (const Line &line : lines) {
-        QString text;
-        for (std::size_t i = 0; i < line.size(); ++i) {
-            const bool isWord = i == 0 || i + 1 == line.size();
-            text += isWord ? line[i].leftJustified(widths[i]) : line[i].rightJustified(widths[i]);
-            text += QStringLiteral("  ");
-        }
-        texts << text.trimmed();
-    }
-    return texts;
+    return alignedRows(lines, [last = lines.front().size() - 1](qsizetype column) {
+        return column == 0 || column == last;
+    });
 }
 
 /// Nothing where nothing was measured: 0.000 is a figure.

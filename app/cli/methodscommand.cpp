@@ -4,7 +4,6 @@
 #include "app/cli/suggestion.h"
 
 #include <QJsonArray>
-#include <QJsonDocument>
 
 #include <algorithm>
 
@@ -31,11 +30,6 @@ QStringList methodNames()
     for (const Method &method : methods())
         names.append(method.id);
     return names;
-}
-
-void printJson(const QJsonDocument &document)
-{
-    printLine(QString::fromUtf8(document.toJson().chopped(1)));
 }
 
 } // namespace

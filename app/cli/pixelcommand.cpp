@@ -6,8 +6,6 @@
 #include "app/cli/wholenumber.h"
 #include "core/scene/colourtext.h"
 
-#include <QJsonDocument>
-
 namespace pixelplumb::cli {
 
 ExitCode pixel(const Command &command, const QStringList &arguments)
@@ -42,13 +40,10 @@ ExitCode pixel(const Command &command, const QStringList &arguments)
     reportRejections(line.argument(0) + QStringLiteral(", ") + traced->method->id,
                      rejectedPrimitives(traced->primitives, *traced->trace));
     const PixelReport report{*traced, *x, *y, pixelHistory(*traced, *x, *y)};
-    if (line.isSet(jsonOption)) {
-        printLine(QString::fromUtf8(QJsonDocument(jsonOf(report)).toJson().chopped(1)));
-    } else {
-        const QStringList text = textOf(report);
-        for (const QString &each : text)
-            printLine(each);
-    }
+    if (line.isSet(jsonOption))
+        printJson(QJsonDocument(jsonOf(report)));
+    else
+        printLines(textOf(report));
     return ExitCode::Done;
 }
 

@@ -5,8 +5,6 @@
 #include "app/cli/sceneoptions.h"
 #include "core/runs/sceneplan.h"
 
-#include <QJsonDocument>
-
 namespace pixelplumb::cli {
 
 ExitCode plan(const Command &command, const QStringList &arguments)
@@ -24,24 +22,20 @@ ExitCode plan(const Command &command, const QStringList &arguments)
     const Result<Scene> scene = readSceneForAnyMethod(line, line.argument(0));
     if (!scene)
         return line.refuse(scene.error());
-    const QString objection = objectionTo(*scene);
+    const auto refusal = refusalOf(*scene, line.argument(0));
     PlanReport report{planOf(*scene), scene->appearance.forced, std::nullopt};
-    if (line.isSet(measureOption) && objection.isEmpty()) {
+    if (line.isSet(measureOption) && !refusal) {
         Progress progress;
         TimingOptions options;
         options.progress = progress.listener();
         report.timing = timeEffects(*scene, options);
     }
-    if (line.isSet(jsonOption)) {
-        printLine(QString::fromUtf8(QJsonDocument(jsonOf(report)).toJson().chopped(1)));
-    } else {
-        const QStringList text = textOf(report);
-        for (const QString &each : text)
-            printLine(each);
-    }
-    if (!objection.isEmpty())
-        sayLine(QStringLiteral("%1: method “%2” %3")
-                    .arg(line.argument(0), QString::fromStdString(scene->method), objection));
+    if (line.isSet(jsonOption))
+        printJson(QJsonDocument(jsonOf(report)));
+    else
+        printLines(textOf(report));
+    if (refusal)
+        sayLine(refusal->message());
     return ExitCode::Done;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/planreport.h"
 
+#include "app/cli/alignedrows.h"
 #include "core/scan/choicenames.h"
 
 #include <QJsonArray>
@@ -21,23 +22,10 @@ QString runText(const EffectPlan &plan, const EffectForcing &forced, Effect effe
     return runs + (isInVain ? QStringLiteral(" (nothing to force)") : QStringLiteral(" (forced)"));
 }
 
-/// The rows of a table with its columns aligned: all to the left but numbers; the last one open.
+/// All columns to the left but those of numbers.
 QStringList aligned(const std::vector<QStringList> &rows, const QList<qsizetype> &numbers)
 {
-    QList<qsizetype> widths(rows.front().size(), 0);
-    for (const QStringList &row : rows) {
-        for (qsizetype column = 0; column + 1 < row.size(); ++column)
-            widths[column] = std::max(widths[column], row[column].size());
-    }
-    QStringList lines;
-    for (const QStringList &row : rows) {
-        QStringList cells;
-        for (qsizetype column = 0; column < row.size(); ++column)
-            cells.append(numbers.contains(column) ? row[column].rightJustified(widths[column])
-                                                  : row[column].leftJustified(widths[column]));
-        lines.append(cells.join(QStringLiteral("  ")).trimmed());
-    }
-    return lines;
+    return alignedRows(rows, [&numbers](qsizetype column) { return !numbers.contains(column); });
 }
 
 /// "4", "0 … 3" of the first and the last triangle.
@@ -61,6 +49,21 @@ QString samplesText(Antialiasing antialiasing)
         return QStringLiteral("exact areas");
     }
     return {};
+}
+
+/// The first of them; nothing where there are none.
+QStringList batchesText(const std::vector<EffectBatch> &batches)
+{
+    if (batches.empty())
+        return {};
+    constexpr std::size_t mostBatches = 20;
+    std::vector<QStringList> rows = {{QStringLiteral("triangles"), QStringLiteral("what runs")}};
+    for (std::size_t i = 0; i < std::min(batches.size(), mostBatches); ++i)
+        rows.push_back({triangleRange(batches[i]), namesOf(batches[i].effects)});
+    QStringList lines = aligned(rows, {});
+    if (batches.size() > mostBatches)
+        lines.append(QStringLiteral("and %1 more batches").arg(batches.size() - mostBatches));
+    return lines;
 }
 
 /// What each effect costs where it does something, and changes.
@@ -122,15 +125,7 @@ QStringList textOf(const PlanReport &report)
     QStringList lines = aligned(rows, {3, 4});
     lines.append(QString());
     lines.append(samplesText(plan.antialiasing));
-    if (plan.batches.empty())
-        return report.timing ? lines + textOf(*report.timing) : lines;
-    constexpr std::size_t mostBatches = 20;
-    std::vector<QStringList> batches = {{QStringLiteral("triangles"), QStringLiteral("what runs")}};
-    for (std::size_t i = 0; i < std::min(plan.batches.size(), mostBatches); ++i)
-        batches.push_back({triangleRange(plan.batches[i]), namesOf(plan.batches[i].effects)});
-    lines.append(aligned(batches, {}));
-    if (plan.batches.size() > mostBatches)
-        lines.append(QStringLiteral("and %1 more batches").arg(plan.batches.size() - mostBatches));
+    lines.append(batchesText(plan.batches));
     if (report.timing)
         lines.append(textOf(*report.timing));
     return lines;

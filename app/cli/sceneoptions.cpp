@@ -132,6 +132,17 @@ Result<FillRule> chosenFillRule(const CommandLine &line, FillRule unset)
     return chosen(line, fillRuleOption, allFillRules, unset);
 }
 
+std::optional<InputError> refusalOf(const Scene &scene, const QString &path)
+{
+    const QString objection = objectionTo(scene);
+    if (objection.isEmpty())
+        return std::nullopt;
+    return InputError{
+        path,
+        QStringLiteral("method “%1” %2").arg(QString::fromStdString(scene.method), objection),
+        {}};
+}
+
 Result<Scene> sceneIn(const QByteArray &text, const QString &path)
 {
     const bool isFile = path != QStringLiteral("-");
@@ -178,10 +189,9 @@ Result<Scene> readScene(const CommandLine &line, const QString &path)
     Result<Scene> scene = readSceneForAnyMethod(line, path);
     if (!scene)
         return scene;
-    const Method &method = *methodNamed(QString::fromStdString(scene->method));
-    if (const QString objection = objectionTo(*scene); !objection.isEmpty())
-        return InputError{path, QStringLiteral("method “%1” %2").arg(method.id, objection), {}};
-    reportNothingDrawn(path, method, *scene);
+    if (const auto refusal = refusalOf(*scene, path))
+        return *refusal;
+    reportNothingDrawn(path, *methodNamed(QString::fromStdString(scene->method)), *scene);
     if (scene->appearance.depthFormat != DepthFormat::Exact) {
         if (const QString clamped = clampedDepthsText(primitivesOnSamples(*scene));
             !clamped.isEmpty())

@@ -16,6 +16,9 @@ Positional scenesPositional();
 /// and --force.
 void addSettingOptions(CommandLine &line);
 
+/// Why the scene's method cannot draw it; none where it can.
+std::optional<InputError> refusalOf(const Scene &scene, const QString &path);
+
 /// The scene that a text read from `path` is; what it refers to lies beside that.
 Result<Scene> sceneIn(const QByteArray &text, const QString &path);
 

@@ -5,25 +5,6 @@
 
 namespace pixelplumb {
 
-namespace {
-
-int bitsOf(DepthFormat format)
-{
-    switch (format) {
-    case DepthFormat::Bits16:
-        return 16;
-    case DepthFormat::Bits24:
-        return 24;
-    case DepthFormat::Bits32:
-        return 32;
-    case DepthFormat::Exact:
-        break;
-    }
-    return 0;
-}
-
-} // namespace
-
 QString clampedDepthsText(const Primitives &primitives)
 {
     const Appearance &appearance = primitives.appearance;
@@ -42,7 +23,7 @@ QString clampedDepthsText(const Primitives &primitives)
                          : QStringLiteral("%1 vertices have a depth outside 0 … 1, which %2 bits "
                                           "keep as 0 or 1"))
         .arg(clamped)
-        .arg(bitsOf(appearance.depthFormat));
+        .arg(int(appearance.depthFormat));
 }
 
 } // namespace pixelplumb
