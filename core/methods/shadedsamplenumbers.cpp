@@ -16,17 +16,6 @@ using State = ShadedSampleState;
 using Table = NumberTable<State>;
 using Read = ReadOfSample;
 
-NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
-                              const QString &toolTip, const QString &formula, Group group)
-{
-    return {.id = id,
-            .title = title,
-            .unit = unit,
-            .toolTip = toolTip,
-            .formula = formula,
-            .group = group};
-}
-
 void append(Table &table, const QString &id, const QString &toolTip, const QString &formula,
             const Read &read, Group group = Group::FirstColour)
 {
@@ -96,137 +85,26 @@ void appendDepth(Table &table, const ShadedScope &scope)
             [](const State &state) { return state.depth; }, Group::Span);
 }
 
-/// R, G and B of bytes: "t_R". `formulaIn` is that of states that have another one.
-void appendBytes(Table &table, const QString &name, const QString &toolTip, const QString &formula,
-                 const std::function<std::optional<Colour>(const State &)> &read,
-                 const std::function<QString(const State &)> &formulaIn = {})
+/// "⌊R + ½⌋"
+QString roundedText(const QString &level, ByteRounding rounding)
 {
-    for (std::size_t i = 0; i < 3; ++i) {
-        const QString letter = QString(channelLetters[i]);
-        const QString title = name + u'_' + letter;
-        table.push_back({plainNumber(title, title, {}, QString(toolTip).replace(u'%', letter),
-                                     QString(formula).replace(u'%', letter), Group::FirstColour),
-                         ofWritten([=](const State &state) {
-                             const std::optional<Colour> colour = read(state);
-                             return colour ? Quantity::integer(colour->channels[i]) : Quantity();
-                         }),
-                         [=](NumberDescription &number, const State &state) {
-                             const QString own = formulaIn ? formulaIn(state) : QString();
-                             if (!own.isEmpty())
-                                 number.formula = QString(own).replace(u'%', letter);
-                         }});
-    }
+    return u'⌊' + level
+        + (rounding == ByteRounding::Nearest ? QStringLiteral(" + ½⌋") : QStringLiteral("⌋"));
 }
 
-/// How a byte comes from the interpolated levels; empty where they are not interpolated, or where
-/// one of them is clamped.
+/// Whether a channel is interpolated, to a level that no byte clamps.
+bool isPlainLevel(const State &state, std::size_t channel)
+{
+    const Quantity &level = state.interpolatedIn(channel);
+    return !level.isNone() && level.toDouble() >= 0 && level.toDouble() <= 255;
+}
+
+/// How a byte comes from the interpolated levels, where all three are plain; else empty.
 QString baseFormula(const State &state, ByteRounding rounding, const QString &name)
 {
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        const Quantity &quotient = state.value[channel];
-        const Quantity &level = quotient.isNone() ? state.linear[channel] : quotient;
-        if (level.isNone() || level.toDouble() < 0 || level.toDouble() > 255)
-            return {};
-    }
-    return name
-        + (rounding == ByteRounding::Nearest ? QStringLiteral("⌊% + ½⌋") : QStringLiteral("⌊%⌋"));
-}
-
-/// Whether no texel that is read along a side is wrapped or clamped.
-bool liesInside(const State &state, std::size_t side)
-{
-    const std::size_t channel = indexOf(Channel::U) + side;
-    const Quantity &value
-        = state.value[channel].isNone() ? state.linear[channel] : state.value[channel];
-    if (!state.isWritten || !state.effects.texture || value.isNone())
-        return false;
-    const double half = state.isFiltered ? 0.5 : 0;
-    const double place = value.toDouble() * state.textureSize[side] - half;
-    return place >= 0 && place < state.textureSize[side] - 2 * half;
-}
-
-bool isFiltered(const State &state)
-{
-    return state.isWritten && state.effects.texture && state.isFiltered;
-}
-
-void appendFourTexels(Table &table)
-{
-    const std::array names = {QStringLiteral("t00"), QStringLiteral("t10"), QStringLiteral("t01"),
-                              QStringLiteral("t11")};
-    const std::array places = {QStringLiteral("lower left"), QStringLiteral("lower right"),
-                               QStringLiteral("upper left"), QStringLiteral("upper right")};
-    for (std::size_t k = 0; k < names.size(); ++k)
-        appendBytes(table, names[k],
-                    QStringLiteral("% of the %1 of the four texels.").arg(places[k]), {},
-                    [k](const State &state) {
-                        return isFiltered(state) ? std::optional(state.texels[k]) : std::nullopt;
-                    });
-}
-
-/// Which texels are read. The formula holds where the place is inside of the texture.
-void appendTexels(Table &table, const ShadedScope &scope)
-{
-    for (std::size_t side = 0; side < 2; ++side) {
-        const QString index = side == 0 ? QStringLiteral("i") : QStringLiteral("j");
-        const QString coordinate = side == 0 ? QStringLiteral("u") : QStringLiteral("v");
-        table.push_back(
-            {plainNumber(index, index, {},
-                         QStringLiteral("The texel's place along %1, from 0.").arg(coordinate), {},
-                         Group::FirstColour),
-             ofWritten([side](const State &state) {
-                 return state.effects.texture ? Quantity::integer(state.firstTexel[side])
-                                              : Quantity();
-             }),
-             [=](NumberDescription &number, const State &state) {
-                 if (!liesInside(state, side))
-                     return;
-                 const QString half = state.isFiltered ? QStringLiteral(" − ½") : QString();
-                 number.formula = QStringLiteral("%1 = ⌊%2·%3%4⌋")
-                                      .arg(index)
-                                      .arg(state.textureSize[side])
-                                      .arg(coordinate, half);
-             }});
-        if (!scope.isFiltered)
-            continue;
-        const QString fraction = QStringLiteral("f_") + coordinate;
-        table.push_back(
-            {plainNumber(fraction, fraction, {},
-                         QStringLiteral("How far the sample lies from that texel's centre to the "
-                                        "next one's, along %1.")
-                             .arg(coordinate),
-                         {}, Group::FirstColour),
-             ofWritten([side](const State &state) {
-                 return isFiltered(state) ? state.fraction[side] : Quantity();
-             }),
-             [=](NumberDescription &number, const State &state) {
-                 if (isFiltered(state) && liesInside(state, side))
-                     number.formula = QStringLiteral("%1 = %2·%3 − ½ − %4")
-                                          .arg(fraction)
-                                          .arg(state.textureSize[side])
-                                          .arg(coordinate, index);
-             }});
-    }
-    if (scope.isFiltered)
-        appendFourTexels(table);
-    appendBytes(
-        table, QStringLiteral("t"), QStringLiteral("% of the texel, or of the four."), {},
-        [](const State &state) {
-            return state.effects.texture ? std::optional(state.texel) : std::nullopt;
-        },
-        [](const State &state) {
-            return isFiltered(state) ? QStringLiteral(
-                       "t_% = ⌊(t00_%·(1 − f_u) + t10_%·f_u)·(1 − f_v) + (t01_%·(1 − f_u) "
-                       "+ t11_%·f_u)·f_v + ½⌋")
-                                     : QString();
-        });
-    appendBytes(
-        table, QStringLiteral("mod"), QStringLiteral("% modulated by the texel."),
-        QStringLiteral("mod_% = ⌊base_%·t_%/255 + ½⌋"),
-        [](const State &state) { return state.textured; },
-        [](const State &state) {
-            return state.effects.texture ? QString() : QStringLiteral("mod_% = base_%");
-        });
+    const bool arePlain
+        = isPlainLevel(state, 0) && isPlainLevel(state, 1) && isPlainLevel(state, 2);
+    return arePlain ? name + roundedText(QStringLiteral("%"), rounding) : QString();
 }
 
 /// What is painted: what the last stage made of the colour.
@@ -246,18 +124,6 @@ void appendSource(Table &table, const EffectSet &ofScope, ByteRounding rounding)
         });
 }
 
-/// How alpha's byte comes from the interpolated one; empty where it is not interpolated.
-QString alphaFormula(const State &state, ByteRounding rounding)
-{
-    const std::size_t channel = indexOf(Channel::Alpha);
-    const Quantity &level
-        = state.value[channel].isNone() ? state.linear[channel] : state.value[channel];
-    if (!state.isWritten || level.isNone() || level.toDouble() < 0 || level.toDouble() > 255)
-        return {};
-    return rounding == ByteRounding::Nearest ? QStringLiteral("a = ⌊A + ½⌋")
-                                             : QStringLiteral("a = ⌊A⌋");
-}
-
 void appendBlending(Table &table, const ShadedScope &scope)
 {
     table.push_back({plainNumber(QStringLiteral("a"), QStringLiteral("a"), {},
@@ -266,7 +132,9 @@ void appendBlending(Table &table, const ShadedScope &scope)
                          return state.isBlended ? Quantity::integer(state.alpha) : Quantity();
                      }),
                      [rounding = scope.rounding](NumberDescription &number, const State &state) {
-                         number.formula = alphaFormula(state, rounding);
+                         if (state.isWritten && isPlainLevel(state, indexOf(Channel::Alpha)))
+                             number.formula = QStringLiteral("a = ")
+                                 + roundedText(QStringLiteral("A"), rounding);
                      }});
     QString alpha = QStringLiteral("a");
     if (scope.antialiasing == Antialiasing::Area) {
@@ -321,6 +189,38 @@ void appendSamples(Table &table)
 }
 
 } // namespace
+
+NumberDescription plainNumber(const QString &id, const QString &title, const QString &unit,
+                              const QString &toolTip, const QString &formula, NumberGroup group)
+{
+    return {.id = id,
+            .title = title,
+            .unit = unit,
+            .toolTip = toolTip,
+            .formula = formula,
+            .group = group};
+}
+
+void appendBytes(NumberTable<ShadedSampleState> &table, const QString &name, const QString &toolTip,
+                 const QString &formula, const ColourOfSample &read,
+                 const FormulaOfSample &formulaIn)
+{
+    for (std::size_t i = 0; i < 3; ++i) {
+        const QString letter = QString(channelLetters[i]);
+        const QString title = name + u'_' + letter;
+        table.push_back({plainNumber(title, title, {}, QString(toolTip).replace(u'%', letter),
+                                     QString(formula).replace(u'%', letter), Group::FirstColour),
+                         ofWritten([=](const State &state) {
+                             const std::optional<Colour> colour = read(state);
+                             return colour ? Quantity::integer(colour->channels[i]) : Quantity();
+                         }),
+                         [=](NumberDescription &number, const State &state) {
+                             const QString own = formulaIn ? formulaIn(state) : QString();
+                             if (!own.isEmpty())
+                                 number.formula = QString(own).replace(u'%', letter);
+                         }});
+    }
+}
 
 ReadOfSample ofWritten(const ReadOfSample &read)
 {

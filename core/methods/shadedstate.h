@@ -91,6 +91,12 @@ struct ShadedSampleState {
     std::uint8_t alpha = 255, blendedAlpha = 255;
     Quantity area;
     Colour before, after;
+
+    /// A channel as the effects take it: the quotient where there is one.
+    const Quantity &interpolatedIn(std::size_t channel) const
+    {
+        return value[channel].isNone() ? linear[channel] : value[channel];
+    }
 };
 
 /// How the numbers of one kernel become quantities.

@@ -199,9 +199,7 @@ std::array<Quantity, 2> affineTexture(const ShadedSetUpRead<N> &setUp, std::int6
 inline Quantity texelFraction(const ShadedSampleState &state, std::size_t side,
                               const Quantity &used)
 {
-    const std::size_t channel = indexOf(Channel::U) + side;
-    const Quantity &place
-        = state.value[channel].isNone() ? state.linear[channel] : state.value[channel];
+    const Quantity &place = state.interpolatedIn(indexOf(Channel::U) + side);
     if (!place.isRational())
         return used;
     const BigInteger below = 2 * BigInteger(place.denominator());
