@@ -39,8 +39,7 @@ struct BresenhamKernel : ShapeKernel<PrimitiveKind::Line>, InIntegers {
     static void scan(const Shape &line, const ScanSettings &settings, FrameView frame,
                      Observer observer)
     {
-        scanLineByBresenham<NarrowBeside<typename A::Number>>(line, settings.rounding, frame,
-                                                              observer);
+        scanLineByBresenham<NarrowBeside<typename A::Number>>(line, settings, frame, observer);
     }
 };
 

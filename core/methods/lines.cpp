@@ -62,6 +62,7 @@ Method lineBresenhamMethod()
                                     "integer; p_k < 0 stays, so that ties go up on a rising line "
                                     "and down on a falling one.");
     method.remarks += QStringLiteral("whole-pixel end points");
+    method.variants = {Variant::StayAtZero, Variant::OneStepShort};
     return method;
 }
 

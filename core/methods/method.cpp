@@ -77,6 +77,11 @@ bool Method::supports(Effect effect) const
     return std::ranges::find(effects, effect) != effects.end();
 }
 
+bool Method::supports(Variant variant) const
+{
+    return std::ranges::find(variants, variant) != variants.end();
+}
+
 bool Method::draws(PrimitiveKind kind) const
 {
     return std::ranges::find(kinds, kind) != kinds.end();
