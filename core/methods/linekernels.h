@@ -31,6 +31,18 @@ struct DdaKernel : ShapeKernel<PrimitiveKind::Line>, InAnyArithmetic {
     }
 };
 
+struct ParametricLineKernel : ShapeKernel<PrimitiveKind::Line>, InAnyArithmetic {
+    template <class A>
+    using Recording = ParametricLineRecording<A>;
+
+    template <class A, class Observer>
+    static void scan(const Shape &line, const ScanSettings &settings, FrameView frame,
+                     Observer observer)
+    {
+        scanLineParametrically<A>(line, settings, frame, observer);
+    }
+};
+
 struct BresenhamKernel : ShapeKernel<PrimitiveKind::Line>, InIntegers {
     template <class>
     using Recording = BresenhamRecording;

@@ -91,6 +91,20 @@ struct DdaRecording : LineStepRecording<A, DdaNumbers<A>> {
     static const auto &spanNumbers() { return ddaNumbers(); }
 };
 
+template <class A>
+struct ParametricLineRecording : LineStepRecording<A, ParametricLineNumbers<A>> {
+    using Base = LineStepRecording<A, ParametricLineNumbers<A>>;
+    using Base::record;
+    using typename Base::Span;
+
+    static const auto &setUpNumbers() { return parametricLineSetUpNumbers(); }
+    static const auto &spanNumbers() { return parametricLineNumbers(); }
+
+    /// Neither column nor row: a point for each t.
+    static SpanPlace placeOf(const Span &step) { return {SpanAxis::Free, step.number, 0}; }
+    static void record(const Span &, SpanRecord &) { }
+};
+
 struct BresenhamRecording : LineStepRecording<BresenhamArithmetic, BresenhamNumbers> {
     static const auto &setUpNumbers() { return bresenhamSetUpNumbers(); }
     static const auto &spanNumbers() { return decisionNumbers(); }

@@ -38,6 +38,20 @@ Method lineSlopeInterceptMethod()
     return method;
 }
 
+Method lineParametricMethod()
+{
+    Method method = lineMethod<ParametricLineKernel>();
+    method.id = QStringLiteral("line-parametric");
+    method.title = QStringLiteral("Line: P(t)");
+    method.source = QStringLiteral("Scan Conversion slides, “Lines and Curves: Parametric”");
+    method.summary = QStringLiteral("Computes P(t) = P₀ + t·(P₁ − P₀) for t in steps of one pixel "
+                                    "of the longer side, or less, and writes the pixel nearest to "
+                                    "each point.");
+    method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
+    method.variants = {Variant::TwiceT, Variant::FiveT};
+    return method;
+}
+
 Method lineDdaMethod()
 {
     Method method = lineMethod<DdaKernel>();

@@ -4,6 +4,7 @@
 #include "core/methods/anyarithmetic.h"
 #include "core/methods/formulatext.h"
 #include "core/scan/linedda.h"
+#include "core/scan/lineparametric.h"
 #include "core/scan/lineslopeintercept.h"
 #include "core/scan/linesymmetric.h"
 
@@ -24,6 +25,12 @@ struct DdaSetUpState : DdaSetUp<AnyArithmetic> {
 };
 struct DdaState : DdaStep<AnyArithmetic> {
     bool isPoint = false;
+};
+
+using ParametricLineSetUpState = ParametricLineSetUp<AnyArithmetic>;
+struct ParametricLineState : ParametricLineStep<AnyArithmetic> {
+    Quantity t;
+    std::int64_t pace = 1;
 };
 
 /// Of a line that the sign of a decision parameter leads.
@@ -96,6 +103,21 @@ DdaState lineStateOf(const DdaSetUp<A> &setUp, const DdaStep<A> &step)
 {
     return {{step.place, quantityOf(step.ordinate), quantitiesOf(step.colour)},
             setUp.start.position.x == setUp.end.position.x};
+}
+
+template <class A>
+ParametricLineSetUpState lineStateOf(const ParametricLineSetUp<A> &setUp)
+{
+    return {setUp.start, setUp.end, setUp.steps, setUp.pace};
+}
+template <class A>
+ParametricLineState lineStateOf(const ParametricLineSetUp<A> &setUp,
+                                const ParametricLineStep<A> &step)
+{
+    return {{step.place, step.number, quantityOf(step.x), quantityOf(step.y),
+             quantitiesOf(step.colour)},
+            Quantity::rational(step.number, setUp.steps),
+            setUp.pace};
 }
 
 inline DecisionSetUpState lineStateOf(const BresenhamSetUp &setUp)

@@ -142,6 +142,7 @@ std::span<const Method> methods()
         barycentricInterpolationMethod(),
         lineDdaMethod(),
         lineSlopeInterceptMethod(),
+        lineParametricMethod(),
         lineBresenhamMethod(),
         lineSymmetricMethod(),
         circleMidpointMethod(),

@@ -22,6 +22,10 @@ std::string_view nameOf(Variant variant)
         return "divisor-plus-one";
     case Variant::UnsortedColours:
         return "unsorted-colours";
+    case Variant::TwiceT:
+        return "twice-t";
+    case Variant::FiveT:
+        return "five-t";
     }
     return {};
 }
@@ -105,6 +109,23 @@ constexpr VariantWords unsortedColours = {
     "given in order.",
 };
 
+constexpr VariantWords twiceT = {
+    "P(2t)",
+    "P(t) = P₀ + 2t(P₁ − P₀), t from 0 to ½",
+    "P(t) = P₀ + t(P₁ − P₀), t from 0 to 1",
+    "Scan Conversion slides, “Lines and Curves: Parametric”: “not unique!”",
+    "It is the same line, in half the steps: with the step of t left as it is, points stand two "
+    "pixels apart, and every second pixel is missing.",
+};
+constexpr VariantWords fiveT = {
+    "P(5t)",
+    "P(t) = P₀ + 5t(P₁ − P₀), t from 0 to ⅕",
+    "P(t) = P₀ + t(P₁ − P₀), t from 0 to 1",
+    "Scan Conversion slides, “Lines and Curves: Parametric”: “could replace t by 5t”",
+    "It is the same line, in a fifth of the steps: with the step of t left as it is, points stand "
+    "five pixels apart, and the four between them are missing.",
+};
+
 } // namespace
 
 const VariantWords &wordsOf(Variant variant)
@@ -126,6 +147,10 @@ const VariantWords &wordsOf(Variant variant)
         return divisorPlusOne;
     case Variant::UnsortedColours:
         return unsortedColours;
+    case Variant::TwiceT:
+        return twiceT;
+    case Variant::FiveT:
+        return fiveT;
     }
     return roundedBox;
 }

@@ -20,12 +20,15 @@ enum class Variant : std::uint8_t {
     DivisorMinusOne, ///< increments along an edge or line are divided by Δ − 1
     DivisorPlusOne, ///< by Δ + 1
     UnsortedColours, ///< vertices are sorted, colours stay in the order in which they were given
+    TwiceT, ///< P(2t) in place of P(t): "not unique", the same line in half the steps
+    FiveT, ///< P(5t)
 };
 
-inline constexpr std::array allVariants
-    = {Variant::RoundedBox,      Variant::StayAtZero,     Variant::OneStepShort,
-       Variant::NoColourPreStep, Variant::NoEdgePreStep,  Variant::DivisorMinusOne,
-       Variant::DivisorPlusOne,  Variant::UnsortedColours};
+inline constexpr std::array allVariants = {Variant::RoundedBox,     Variant::StayAtZero,
+                                           Variant::OneStepShort,   Variant::NoColourPreStep,
+                                           Variant::NoEdgePreStep,  Variant::DivisorMinusOne,
+                                           Variant::DivisorPlusOne, Variant::UnsortedColours,
+                                           Variant::TwiceT,         Variant::FiveT};
 
 /// Any of them together; none, which is the right algorithm, by default.
 struct VariantSet {
