@@ -52,7 +52,7 @@ Scene sceneFor(const Method &method)
                                        LatticePoint{2432, 4480}})};
     } else if (method.draws(PrimitiveKind::Line)) {
         scene.frame.pixelCentre = PixelCentre::Integer;
-        scene.shapes = {lineAt(2, 1, 12, 4)};
+        scene.shapes = {lineAt(2, 1, 12, 4), lineAtUnits({400, 700}, {4500, 4300})};
     } else {
         scene.frame.pixelCentre = PixelCentre::Integer;
         scene.shapes = {circleAt(9, 9, 1), circleAt(9, 9, 8)};

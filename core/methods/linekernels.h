@@ -27,7 +27,7 @@ struct DdaKernel : ShapeKernel<PrimitiveKind::Line>, InAnyArithmetic {
     static void scan(const Shape &line, const ScanSettings &settings, FrameView frame,
                      Observer observer)
     {
-        scanLineByDda<A>(line, settings.rounding, frame, observer);
+        scanLineByDda<A>(line, settings, frame, observer);
     }
 };
 

@@ -93,16 +93,13 @@ struct DdaRecording : LineStepRecording<A, DdaNumbers<A>> {
 
 template <class A>
 struct ParametricLineRecording : LineStepRecording<A, ParametricLineNumbers<A>> {
-    using Base = LineStepRecording<A, ParametricLineNumbers<A>>;
-    using Base::record;
-    using typename Base::Span;
+    using typename LineStepRecording<A, ParametricLineNumbers<A>>::Span;
 
     static const auto &setUpNumbers() { return parametricLineSetUpNumbers(); }
     static const auto &spanNumbers() { return parametricLineNumbers(); }
 
     /// Neither column nor row: a point for each t.
     static SpanPlace placeOf(const Span &step) { return {SpanAxis::Free, step.number, 0}; }
-    static void record(const Span &, SpanRecord &) { }
 };
 
 struct BresenhamRecording : LineStepRecording<BresenhamArithmetic, BresenhamNumbers> {

@@ -61,6 +61,7 @@ Method lineDdaMethod()
     method.summary = QStringLiteral("Walks along the longer side and adds the slope at each step; "
                                     "the pixel is the nearest one.");
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
+    method.variants = {Variant::NoEdgePreStep, Variant::DivisorMinusOne, Variant::DivisorPlusOne};
     method.stableArithmetics = {Arithmetic::Exact};
     return method;
 }

@@ -22,9 +22,16 @@ using SlopeInterceptState = SlopeInterceptStep<AnyArithmetic>;
 struct DdaSetUpState : DdaSetUp<AnyArithmetic> {
     /// Both ends are one point: there is no slope.
     bool isPoint() const { return start.position.x == end.position.x; }
+    /// Δ − 1 leaves nothing to divide by.
+    bool isTooShort() const
+    {
+        return variants.contains(Variant::DivisorMinusOne)
+            && end.position.x - start.position.x <= unitsPerPixel;
+    }
 };
 struct DdaState : DdaStep<AnyArithmetic> {
     bool isPoint = false;
+    bool hasPreStep = true; ///< from the first end to the first pixel
 };
 
 using ParametricLineSetUpState = ParametricLineSetUp<AnyArithmetic>;
@@ -95,14 +102,15 @@ SlopeInterceptState lineStateOf(const SlopeInterceptSetUp<A> &, const SlopeInter
 template <class A>
 DdaSetUpState lineStateOf(const DdaSetUp<A> &setUp)
 {
-    return {{setUp.axis, setUp.start, setUp.end, quantityOf(setUp.slope),
+    return {{setUp.axis, setUp.start, setUp.end, setUp.variants, quantityOf(setUp.slope),
              quantitiesOf(setUp.colourRate)}};
 }
 template <class A>
 DdaState lineStateOf(const DdaSetUp<A> &setUp, const DdaStep<A> &step)
 {
     return {{step.place, quantityOf(step.ordinate), quantitiesOf(step.colour)},
-            setUp.start.position.x == setUp.end.position.x};
+            setUp.start.position.x == setUp.end.position.x,
+            !setUp.variants.contains(Variant::NoEdgePreStep)};
 }
 
 template <class A>
