@@ -43,18 +43,15 @@ Scene sceneFor(const Method &method)
 {
     Scene scene;
     scene.frame = frameOf(24, 20);
-    scene.frame.pixelCentre = PixelCentre::Half;
     scene.method = method.id.toStdString();
     if (method.draws(PrimitiveKind::Triangle)) {
-        // The second one has its left side on the centres of a column.
+        // The rounded box of the second one ends a column before its right side.
         scene.triangles = {unevenTriangle(),
-                           triangleOf({LatticePoint{384, 2944}, LatticePoint{384, 4480},
-                                       LatticePoint{2432, 4480}})};
+                           triangleOf({LatticePoint{384, 2944}, LatticePoint{2368, 2944},
+                                       LatticePoint{2368, 4480}})};
     } else if (method.draws(PrimitiveKind::Line)) {
-        scene.frame.pixelCentre = PixelCentre::Integer;
         scene.shapes = {lineAt(2, 1, 12, 4), lineAtUnits({400, 700}, {4500, 4300})};
     } else {
-        scene.frame.pixelCentre = PixelCentre::Integer;
         scene.shapes = {circleAt(9, 9, 1), circleAt(9, 9, 8)};
     }
     return scene;
@@ -259,21 +256,9 @@ private slots:
 
     void incrementsDividedByTooMuchOrTooLittleAreTheSlopesOfAnEdgeAPixelOff()
     {
-        // L₀₂ of (1, 1) to (17, 9): 8/16, 8/15, 8/17; the last column is at y₀ + 16·m.
+        // L₀₂ rises by 8/16, 8/15, 8/17, L₁₂ falls by 9/16, 9/15, 9/17.
         const Triangle triangle
             = triangleOf({latticePixel(1, 1), latticePixel(1, 18), latticePixel(17, 9)});
-        const auto lowestInLastColumn = [&](VariantSet variants) {
-            const WindowPicture picture
-                = pictureOf(u"column-scan", triangle, settingsWith(variants));
-            for (int y = 0; y < 20; ++y) {
-                if (picture.at(16, y) != 0)
-                    return y;
-            }
-            return -1;
-        };
-        QCOMPARE(lowestInLastColumn({}), 9); // ⌈1 + 15·8/16⌉
-        QCOMPARE(lowestInLastColumn(only(Variant::DivisorPlusOne)), 9); // ⌈1 + 15·8/17⌉
-        QCOMPARE(lowestInLastColumn(only(Variant::DivisorMinusOne)), 9); // ⌈1 + 15·8/15⌉
         const auto heightAt = [&](VariantSet variants, int x) {
             const WindowPicture picture
                 = pictureOf(u"column-scan", triangle, settingsWith(variants));
@@ -282,11 +267,11 @@ private slots:
                 count += picture.at(x, y) != 0 ? 1 : 0;
             return count;
         };
-        // Too small increments leave a blunt tip, too large ones cross before it.
-        QCOMPARE(heightAt({}, 17), 1);
-        QVERIFY(heightAt(only(Variant::DivisorPlusOne), 17) > 1);
-        QVERIFY(heightAt(only(Variant::DivisorMinusOne), 16)
-                < heightAt(only(Variant::DivisorPlusOne), 16));
+        // 7 … 11 1/4 and 7 2/5 … 10 4/5; 8 1/2 … 9 9/16 and 8 1/17 … 10 1/17.
+        QCOMPARE(heightAt({}, 13), 5);
+        QCOMPARE(heightAt(only(Variant::DivisorMinusOne), 13), 3);
+        QCOMPARE(heightAt({}, 16), 1);
+        QCOMPARE(heightAt(only(Variant::DivisorPlusOne), 16), 2);
     }
 
     void unsortedColoursKeepTheShapeAndExchangeTheCorners()

@@ -20,8 +20,8 @@ struct EdgeWalkStart {
     bool isVertical = false; ///< it has none and lies in one column, from P0 to P2
     bool isClipped = false; ///< the frame begins after the lower bound
     bool isPoint = false; ///< the bounds are equal: there is no change between them to share out
-    bool hasPreStep = true; ///< to the first sample: not so by the variant NoColourPreStep
     Interval covered = Interval::Closed; ///< which bounds belong to the span
+    bool hasPreStep = true; ///< to the first sample: not so by the variant NoColourPreStep
 };
 
 struct EdgeWalkSpanState {
@@ -79,8 +79,8 @@ EdgeWalkStart edgeWalkStartOf(const EdgeWalkSetUp<A> &setUp, const ColumnState<A
             setUp.scan.zeroArea && p0.x == p2.x && p0.y != p2.y,
             column.firstDrawnRow != column.firstRow,
             quantityOf(column.yBottom) == quantityOf(column.yTop),
-            setUp.scan.zeroArea || !variants.contains(Variant::NoColourPreStep),
-            setUp.intervals.rows};
+            setUp.intervals.rows,
+            setUp.scan.zeroArea || !variants.contains(Variant::NoColourPreStep)};
 }
 
 template <class A>

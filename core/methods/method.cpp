@@ -11,6 +11,7 @@
 #include "core/methods/edgewalks.h"
 #include "core/methods/interpolation.h"
 #include "core/methods/lines.h"
+#include "core/methods/outlinefill.h"
 #include "core/methods/polygons.h"
 #include "core/methods/strokes.h"
 #include "core/methods/text.h"
@@ -132,6 +133,7 @@ std::span<const Method> methods()
         incrementalBarycentricMethod(),
         cramerBarycentricMethod(),
         offScreenBarycentricMethod(),
+        outlineFillMethod(),
         biasColumnScanMethod(),
         constantRateColumnScanMethod(),
         constantRateRowWalkMethod(),

@@ -161,19 +161,19 @@ struct VariedScan {
     /// of which Δ − 1 leaves nothing, stays at its first vertex; one along the column has no slope.
     constexpr Edge edge(const Vertex &a, const Vertex &b) const
     {
-        Edge edge{a, b};
+        Edge walked{a, b};
         if (a.position.x == b.position.x)
-            return edge;
+            return walked;
         if (variants.contains(Variant::DivisorMinusOne))
-            edge.b.position.x = std::max(b.position.x - unitsPerPixel, a.position.x);
+            walked.b.position.x = std::max(b.position.x - unitsPerPixel, a.position.x);
         if (variants.contains(Variant::DivisorPlusOne))
-            edge.b.position.x += unitsPerPixel;
+            walked.b.position.x += unitsPerPixel;
         if (variants.contains(Variant::NoEdgePreStep)) {
             const Lattice late = ceilPixel(a.position.x) * unitsPerPixel - a.position.x;
-            edge.a.position.x += late;
-            edge.b.position.x += late;
+            walked.a.position.x += late;
+            walked.b.position.x += late;
         }
-        return edge;
+        return walked;
     }
 
     template <class Number>
