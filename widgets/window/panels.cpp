@@ -3,6 +3,7 @@
 
 #include "widgets/inspect/columntablepanel.h"
 #include "widgets/inspect/formulapanel.h"
+#include "widgets/inspect/methodpanel.h"
 #include "widgets/inspect/pixelgrid.h"
 #include "widgets/inspect/pixelhistorypanel.h"
 #include "widgets/lab/accuracylab.h"
@@ -70,6 +71,8 @@ constexpr Panel table[] = {
      follower<AccuracyLab>, bottomArea, hiddenAtFirst},
     {"projectionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Projection"), projection,
      bottomArea, hiddenAtFirst},
+    {"methodDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "This method"),
+     follower<MethodPanel>, leftArea, hiddenAtFirst},
     {"effectsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Effects"), effects, bottomArea,
      hiddenAtFirst},
 };
