@@ -97,6 +97,15 @@ QModelIndex PixelHistoryModel::decisiveRow() const
     return index(std::max(0, decisive), 0);
 }
 
+bool PixelHistoryModel::isAllWritten() const
+{
+    const auto isAhead = [this](const PixelAttempt &attempt) {
+        return attempt.written && attempt.step >= m_position;
+    };
+    const auto isWritten = [](const PixelAttempt &attempt) { return attempt.written; };
+    return std::ranges::any_of(m_attempts, isWritten) && std::ranges::none_of(m_attempts, isAhead);
+}
+
 QModelIndex PixelHistoryModel::rowInHand() const
 {
     const auto inHand = std::ranges::find_if(m_attempts, [this](const PixelAttempt &attempt) {

@@ -36,6 +36,8 @@ public:
     /// The row of the write that the frame shows, else of the first to come, else 0; none when
     /// empty.
     QModelIndex decisiveRow() const;
+    /// Whether every write of the pixel is behind the position, and there is one.
+    bool isAllWritten() const;
     /// The attempt that the step in hand is; invalid where it is none of the pixel's.
     QModelIndex rowInHand() const;
 

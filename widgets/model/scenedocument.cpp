@@ -145,6 +145,7 @@ void SceneDocument::reset(Scene scene)
     m_chosenColour.reset();
     m_selected.reset();
     m_undoStack.clear();
+    emit opened();
     emit selectionChanged();
     emit pendingChanged();
     emit nextColourChanged();

@@ -95,6 +95,7 @@ public slots:
     void selectVertex(const std::optional<pixelplumb::VertexRef> &ref);
 
 signals:
+    void opened(); ///< reset() has taken another scene
     void sceneChanged(); ///< primitives, frame, settings or method
     void pendingChanged();
     void selectionChanged();

@@ -6,6 +6,7 @@
 #include "widgets/inspect/methodpanel.h"
 #include "widgets/inspect/pixelgrid.h"
 #include "widgets/inspect/pixelhistorypanel.h"
+#include "widgets/inspect/predictpanel.h"
 #include "widgets/lab/accuracylab.h"
 #include "widgets/space/projectionpanel.h"
 #include "widgets/studies/comparepanel.h"
@@ -42,6 +43,11 @@ QWidget *effects(const WindowParts &parts)
     return new EffectsPanel(parts.document, parts.effects);
 }
 
+QWidget *predict(const WindowParts &parts)
+{
+    return new PredictPanel(parts.document, parts.playhead);
+}
+
 constexpr Qt::DockWidgetArea leftArea = Qt::LeftDockWidgetArea;
 constexpr Qt::DockWidgetArea rightArea = Qt::RightDockWidgetArea;
 constexpr Qt::DockWidgetArea bottomArea = Qt::BottomDockWidgetArea;
@@ -73,6 +79,8 @@ constexpr Panel table[] = {
      bottomArea, hiddenAtFirst},
     {"methodDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "This method"),
      follower<MethodPanel>, leftArea, hiddenAtFirst},
+    {"predictDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Predict"), predict, leftArea,
+     hiddenAtFirst},
     {"effectsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Effects"), effects, bottomArea,
      hiddenAtFirst},
 };
