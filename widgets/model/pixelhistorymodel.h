@@ -52,6 +52,8 @@ private:
     QString attemptText(const PixelAttempt &attempt, int column) const;
     QString channelText(const PixelAttempt &attempt, std::size_t channel, int column) const;
     QString edgeText(const PixelAttempt &attempt, std::size_t index, int column) const;
+    /// The channels of a write come first, then the edges of a triangle.
+    QString detailText(const PixelAttempt &attempt, std::size_t row, int column) const;
 
     std::shared_ptr<const TracedScene> m_traced;
     std::vector<PixelAttempt> m_attempts; ///< those that are listed
