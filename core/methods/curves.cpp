@@ -174,10 +174,13 @@ Method pointAddressMethod()
     method.title = QStringLiteral("Points by address");
     method.family = MethodFamily::Others;
     method.source = QStringLiteral("Rasterization slides, “Point Plotting”");
-    method.pseudocode = {{0, QStringLiteral("(x, y) ← the nearest pixel"), {Moment::SetUp}},
-                         {0, QStringLiteral("if it is not in the frame: done"), {Moment::Rejected}},
-                         {0, QStringLiteral("addr ← y·width + x"), {Moment::Begin}},
-                         {0, QStringLiteral("frame[addr] ← colour"), {Moment::First}}};
+    method.pseudocode
+        = {{0, QStringLiteral("points ← those of the shape"), {Moment::SetUp}},
+           {0, QStringLiteral("if none is in the frame: done"), {Moment::Rejected}},
+           {0, QStringLiteral("for each point:"), {Moment::Begin, Moment::Span}},
+           {1, QStringLiteral("(x, y) ← the nearest pixel"), {Moment::Begin, Moment::Span}},
+           {1, QStringLiteral("addr ← y·width + x"), {Moment::Begin, Moment::Span}},
+           {1, QStringLiteral("if it is in the frame: frame[addr] ← colour"), {Moment::First}}};
     method.summary = QStringLiteral("Writes the colour of each point to the address "
                                     "addr = y·width + x.");
     method.kinds = {PrimitiveKind::Point};

@@ -12,8 +12,8 @@ namespace pixelplumb {
 namespace {
 
 constexpr quintptr topLevel = 0; // internal ids: 0 for attempts, 1 + row of the attempt for details
-constexpr int channelCount = 3; // that come before the edges
-constexpr int edgeCount = 3;
+constexpr int channelRows = 3; // that come before the edges
+constexpr int edgeRows = 3;
 
 /// "△ 2", "line 0".
 QString nameText(const PixelAttempt &attempt)
@@ -77,7 +77,7 @@ void PixelHistoryModel::setPosition(std::size_t position)
         const QModelIndex attempt = index(row, 0);
         if (m_attempts[std::size_t(row)].written)
             emit dataChanged(index(0, 0, attempt),
-                             index(channelCount - 1, columnTotal - 1, attempt), {IsAheadRole});
+                             index(channelRows - 1, columnTotal - 1, attempt), {IsAheadRole});
     }
 }
 
@@ -143,7 +143,7 @@ int PixelHistoryModel::rowCount(const QModelIndex &parent) const
     if (!hasDetails)
         return 0;
     const PixelAttempt &attempt = m_attempts[std::size_t(parent.row())];
-    return (attempt.written ? channelCount : 0) + (attempt.hasEdges() ? edgeCount : 0);
+    return (attempt.written ? channelRows : 0) + (attempt.hasEdges() ? edgeRows : 0);
 }
 
 int PixelHistoryModel::columnCount(const QModelIndex &) const { return columnTotal; }
@@ -231,7 +231,7 @@ QString PixelHistoryModel::edgeText(const PixelAttempt &attempt, std::size_t ind
 QString PixelHistoryModel::detailText(const PixelAttempt &attempt, std::size_t row,
                                       int column) const
 {
-    const std::size_t channels = attempt.written ? channelCount : 0;
+    const std::size_t channels = attempt.written ? channelRows : 0;
     return row < channels ? channelText(attempt, row, column)
                           : edgeText(attempt, row - channels, column);
 }
@@ -263,7 +263,7 @@ QVariant PixelHistoryModel::data(const QModelIndex &index, int role) const
         return attempt.written ? QVariant(qulonglong(attempt.step)) : QVariant();
     case IsAheadRole: // of an edge it is said that it accepts or refuses, at any time
         return attempt.written && attempt.step >= m_position
-            && !(isDetail && index.row() >= channelCount);
+            && !(isDetail && index.row() >= channelRows);
     case BeforeColourRole:
         return isSwatch ? QVariant(opaque(attempt.change.before)) : QVariant();
     case AfterColourRole:

@@ -12,6 +12,7 @@
 #include "widgets/studies/comparepanel.h"
 #include "widgets/studies/effectspanel.h"
 #include "widgets/studies/hardcasespanel.h"
+#include "widgets/studies/motionpanel.h"
 #include "widgets/studies/operationpanel.h"
 #include "widgets/studies/performancepanel.h"
 #include "widgets/studies/precisionpanel.h"
@@ -42,6 +43,8 @@ QWidget *effects(const WindowParts &parts)
 {
     return new EffectsPanel(parts.document, parts.effects);
 }
+
+QWidget *motion(const WindowParts &parts) { return new MotionPanel(parts.document); }
 
 QWidget *predict(const WindowParts &parts)
 {
@@ -79,6 +82,8 @@ constexpr Panel table[] = {
      bottomArea, hiddenAtFirst},
     {"methodDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "This method"),
      follower<MethodPanel>, leftArea, hiddenAtFirst},
+    {"motionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Motion"), motion, bottomArea,
+     hiddenAtFirst},
     {"predictDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Predict"), predict, leftArea,
      hiddenAtFirst},
     {"effectsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Effects"), effects, bottomArea,
