@@ -180,7 +180,7 @@ private slots:
     {
         action(*m_window, "methodDockToggle")->trigger();
         const auto *text = named<QTextBrowser>(*m_window, "methodText");
-        m_playhead->seekToSpan(*m_playhead->spanInHand());
+        m_playhead->seekToSpan(*m_playhead->spanInHand() + 1);
         QVERIFY(text->toPlainText().contains(QStringLiteral("▶")));
         const QString atSpan
             = named<MethodPanel>(*m_window, "methodPanel")->accessibleDescription();

@@ -187,7 +187,7 @@ private slots:
         Scene lines;
         lines.frame.width = lines.frame.height = 40;
         lines.shapes = {lineAt(1, 1, 30, 12), lineAt(2, 30, 35, 8), lineAt(5, 2, 12, 38),
-                        lineAt(38, 39, 20, 1), circleAt(20, 20, 17)};
+                        lineAt(38, 39, 20, 1), circleAt(20, 20, 17), circleAt(20, 20, 11)};
         const auto traced = tracedBy(*methodNamed(id), Arithmetic::Exact, lines);
         const ScanTrace &trace = *traced->trace;
         for (std::size_t span = 1; span < trace.spanCount(); ++span) {

@@ -19,10 +19,11 @@ namespace pixelplumb {
 
 namespace {
 
-QLabel *wordsIn(QWidget *parent, const char *name)
+QLabel *wordsIn(QWidget *parent, const char *name, const QString &accessible)
 {
     auto *label = new QLabel(parent);
     label->setObjectName(QString::fromLatin1(name));
+    label->setAccessibleName(accessible);
     label->setTextFormat(Qt::RichText);
     label->setWordWrap(true);
     label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
@@ -45,13 +46,13 @@ PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget 
     , m_document(document)
     , m_playhead(playhead)
     , m_choice(new QComboBox(this))
-    , m_question(wordsIn(this, "predictQuestion"))
+    , m_question(wordsIn(this, "predictQuestion", tr("The question")))
     , m_answer(new QLineEdit(this))
     , m_check(button(this, "predictCheck", tr("Check")))
     , m_show(button(this, "predictShow", tr("Show")))
     , m_next(button(this, "predictNext", tr("Next")))
-    , m_verdict(wordsIn(this, "predictVerdict"))
-    , m_score(wordsIn(this, "predictScore"))
+    , m_verdict(wordsIn(this, "predictVerdict", tr("What is said of the answer")))
+    , m_score(wordsIn(this, "predictScore", tr("Score")))
 {
     setObjectName(QStringLiteral("predict"));
     setAccessibleName(tr("Predict"));
@@ -239,7 +240,7 @@ void PredictPanel::count(bool isRight)
 void PredictPanel::tell(const QString &verdict)
 {
     m_verdict->setText(sentenceHtml(verdict));
-    m_verdict->setAccessibleName(verdict);
+    m_verdict->setAccessibleDescription(verdict);
 }
 
 } // namespace pixelplumb

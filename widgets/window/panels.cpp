@@ -80,13 +80,13 @@ constexpr Panel table[] = {
      follower<AccuracyLab>, bottomArea, hiddenAtFirst},
     {"projectionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Projection"), projection,
      bottomArea, hiddenAtFirst},
+    {"effectsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Effects"), effects, bottomArea,
+     hiddenAtFirst},
     {"methodDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "This method"),
      follower<MethodPanel>, leftArea, hiddenAtFirst},
-    {"motionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Motion"), motion, bottomArea,
-     hiddenAtFirst},
     {"predictDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Predict"), predict, leftArea,
      hiddenAtFirst},
-    {"effectsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Effects"), effects, bottomArea,
+    {"motionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Motion"), motion, bottomArea,
      hiddenAtFirst},
 };
 
