@@ -151,12 +151,12 @@ private slots:
         const QStringList draw = {QStringLiteral("render"), file, QStringLiteral("--ascii"),
                                   QStringLiteral("--frame")};
         const MotionStudy study = *studyMotion(movingScene());
-        for (const int frame : {0, 7, 32}) {
+        for (const int frame : {0, 7, 24}) {
             const ProgramRun result = run(draw + QStringList{QString::number(frame)});
             QCOMPARE(result.exitCode, 0);
             QCOMPARE(result.output.count('#'), study.frames[std::size_t(frame)].drawn);
         }
-        QCOMPARE(run(draw + QStringList{QStringLiteral("33")}).exitCode, 2);
+        QCOMPARE(run(draw + QStringList{QStringLiteral("25")}).exitCode, 2);
         const ProgramRun still
             = run({QStringLiteral("render"), sceneFile(QStringLiteral("default.json")),
                    QStringLiteral("--ascii"), QStringLiteral("--frame"), QStringLiteral("1")});

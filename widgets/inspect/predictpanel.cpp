@@ -72,14 +72,14 @@ PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget 
     form->addRow(tr("Ask for"), m_choice);
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(8);
-    buttons->addWidget(m_answer, 1);
     for (QPushButton *made : {m_check, m_show, m_next})
-        buttons->addWidget(made);
+        buttons->addWidget(made, 1);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(8);
     layout->addLayout(form);
     layout->addWidget(m_question);
+    layout->addWidget(m_answer);
     layout->addLayout(buttons);
     layout->addWidget(m_verdict);
     layout->addStretch(1);

@@ -241,7 +241,9 @@ QVariant ColumnTableModel::data(const QModelIndex &index, int role) const
     const auto row = std::size_t(index.row());
     const bool isAhead = m_traced->trace->indexOfSpan(row) >= m_position;
     if (isAhead && m_playhead->isAheadHidden() && !isToldAhead(index.column(), role))
-        return role == Qt::DisplayRole ? QVariant(QStringLiteral("?")) : QVariant();
+        return role == Qt::DisplayRole ? QVariant(QStringLiteral("?"))
+            : role == MarkedDigitRole  ? QVariant(-1)
+                                       : QVariant();
     switch (role) {
     case Qt::TextAlignmentRole:
         return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);

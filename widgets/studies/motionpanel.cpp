@@ -144,7 +144,7 @@ void MotionPanel::makeTable()
     m_table->setFont(tabularFont(font()));
     m_table->setColumnCount(4);
     m_table->setHorizontalHeaderLabels(
-        {tr("pixels"), tr("truth"), tr("came or went"), tr("truth")});
+        {tr("pixels"), tr("in truth"), tr("came or went"), tr("in truth")});
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
     connect(m_table, &QTableWidget::currentCellChanged, m_slider,
