@@ -127,6 +127,10 @@ void tellLine(StepWords &words, const ParametricLineState &state)
 
 void tellLine(StepWords &words, const DecisionState &state)
 {
+    if (!state.isLedByDecision())
+        words.moment = Moment::Begin;
+    else
+        words.moment = state.movesAcross ? Moment::Cross : Moment::Stay;
     words.sentence = decisionSentence(state);
 }
 

@@ -67,6 +67,7 @@ public:
 private:
     static QString primitivesKey() { return QStringLiteral("primitives"); }
     static QString cameraKey() { return QStringLiteral("camera"); }
+    static QString motionKey() { return QStringLiteral("motion"); }
 
     /// Everything but the primitives, and but the choice of a method, which depends on them.
     void readSurroundings()
@@ -81,7 +82,8 @@ private:
                                   QStringLiteral("offScreenPoint"),
                                   QStringLiteral("rounding"),
                                   QStringLiteral("variants"),
-                                  cameraKey()};
+                                  cameraKey(),
+                                  motionKey()};
         m_json.expectObject(root, keys + appearanceKeys() + QStringList{primitivesKey()});
         readFrame(root[QStringLiteral("frame")]);
         readSettings(root);
@@ -91,6 +93,8 @@ private:
             scene.frame.offScreenPoint = numbers.position(point);
         if (const JsonNode camera = root[cameraKey()]; !camera.isMissing())
             scene.camera = readCamera(m_json, numbers, camera);
+        if (const JsonNode motion = root[motionKey()]; !motion.isMissing())
+            scene.motion = readMotion(numbers, motion);
         scene.appearance = readAppearance(m_json, numbers, m_inHand.files, root);
     }
 
@@ -145,6 +149,17 @@ private:
         }
     }
 
+    Motion readMotion(NumberReader &numbers, const JsonNode &node)
+    {
+        const QString by = QStringLiteral("by");
+        const QString frames = QStringLiteral("frames");
+        m_json.expectObject(node, {by, frames});
+        Motion motion;
+        motion.by = numbers.position(node[by]);
+        motion.frames = int(m_json.integer(node[frames], 2, largestFrameCount));
+        return motion;
+    }
+
     void readSettings(const JsonNode &root)
     {
         Scene &scene = m_inHand.reading.scene;
@@ -153,21 +168,7 @@ private:
         readChoice(m_json, root[QStringLiteral("fillRule")], allFillRules, scene.settings.fillRule);
         readChoice(m_json, root[QStringLiteral("rounding")], allByteRoundings,
                    scene.settings.rounding);
-        readVariants(root[QStringLiteral("variants")]);
-    }
-
-    void readVariants(const JsonNode &node)
-    {
-        if (node.isMissing())
-            return;
-        VariantSet &variants = m_inHand.reading.scene.settings.variants;
-        for (const JsonNode &each : m_json.array(node)) {
-            Variant variant = allVariants.front();
-            readChoice(m_json, each, allVariants, variant);
-            if (m_json.hasFailed())
-                return;
-            variants = variants.with(variant);
-        }
+        scene.settings.variants = readVariants(m_json, root[QStringLiteral("variants")]);
     }
 
     void readPrimitives(const JsonNode &node)

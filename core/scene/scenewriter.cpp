@@ -57,6 +57,12 @@ QByteArray variantsText(VariantSet variants)
     return ",\n    \"variants\": [" + names + ']';
 }
 
+QByteArray motionText(const Motion &motion)
+{
+    return "{ \"by\": " + jsonPointText(motion.by)
+        + ", \"frames\": " + QByteArray::number(motion.frames) + " }";
+}
+
 } // namespace
 
 QByteArray writeScene(const Scene &scene, const QString &folder)
@@ -70,6 +76,8 @@ QByteArray writeScene(const Scene &scene, const QString &folder)
         + quoted(nameOf(scene.settings.rounding)) + variantsText(scene.settings.variants);
     if (scene.camera)
         text += ",\n    \"camera\": " + cameraText(*scene.camera);
+    if (scene.motion)
+        text += ",\n    \"motion\": " + motionText(*scene.motion);
     text += appearanceText(scene.appearance, folder) + ",\n    \"primitives\": [";
     const char *separator = "\n        ";
     const auto append = [&](const QByteArray &primitive) {

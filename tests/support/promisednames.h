@@ -29,7 +29,14 @@ inline const QStringList promisedWidgets{
     "projectionTabs",   "projectionSentence", "sideView",         "stageTree",
     "surfacesPanel",    "surfaceForms",       "surfaceS",         "surfaceT",
     "segmentTable",     "effectsPanel",       "effectsDock",      "effectsTable",
-    "effectsSummary",   "effectsMeasure",     "effectsCancel"};
+    "effectsSummary",   "effectsMeasure",     "effectsCancel",    "methodPanel",
+    "methodText",       "methodDock",         "predict",          "predictChoice",
+    "predictQuestion",  "predictAnswer",      "predictCheck",     "predictShow",
+    "predictNext",      "predictVerdict",     "predictScore",     "predictDock",
+    "motion",           "motionDock",         "motionX",          "motionY",
+    "motionFrames",     "motionSet",          "motionEnd",        "motionSlider",
+    "motionPlay",       "motionPosition",     "motionSummary",    "motionView",
+    "motionTable"};
 
 /// Of the lab's menu of files; those of the menus have names that tests find in the menus.
 inline const QStringList promisedActions{"labOpen",       "labEarlier", "labSave",
