@@ -41,8 +41,7 @@ struct Method {
     std::vector<FillRule> fillRules;
     /// Why it keeps no other fill rules; empty when it keeps all.
     QString fillRuleReason = {};
-    /// Departures that it can be given; none by itself.
-    std::vector<Variant> variants = {};
+    std::vector<Variant> variants = {}; ///< departures that it can be given
     /// Of runs that call for nothing but colour; a trace has its own (ScanTrace::numbers).
     TraceNumbers numbers = {};
 

@@ -145,11 +145,10 @@ private:
             const std::array<std::array<const Vertex *, 2>, 3> edges
                 = {{{&m_p0, &m_p1}, {&m_p1, &m_p2}, {&m_p0, &m_p2}}};
             for (std::size_t edge = 0; edge < 3; ++edge) {
-                const auto walked = m_form.edge(*edges[edge][0], *edges[edge][1]);
-                setUp.slope[edge] = A::edgeSlope(walked.a, walked.b);
+                const auto [a, b] = m_form.edge(*edges[edge][0], *edges[edge][1]);
+                setUp.slope[edge] = A::edgeSlope(a, b);
                 for (std::size_t channel = 0; channel < 3; ++channel)
-                    setUp.colourRate[edge][channel]
-                        = A::edgeColourRate(walked.a, walked.b, channel);
+                    setUp.colourRate[edge][channel] = A::edgeColourRate(a, b, channel);
             }
         }
         return setUp;

@@ -54,9 +54,7 @@ struct ScanSettings {
     Arithmetic arithmetic = Arithmetic::Exact;
     FillRule fillRule = FillRule::Closed;
     ByteRounding rounding = ByteRounding::Nearest;
-    /// Departures from the right algorithm; a method that does not know one draws as if it were not
-    /// there, and says so by its objection.
-    VariantSet variants = {};
+    VariantSet variants = {}; ///< departures, of a method that does not object to them
 
     friend bool operator==(const ScanSettings &, const ScanSettings &) = default;
 };
