@@ -88,6 +88,8 @@ private slots:
         row("arithmetics", {"trace", "--arithmetic", ""}, namesOf(allArithmetics));
         row("fill rules", {"pixel", "--fill-rule", ""}, namesOf(allFillRules));
         row("roundings", {"render", "--rounding", ""}, namesOf(allByteRoundings));
+        row("variants", {"render", "--variant", ""},
+            namesOf(allVariants) + QStringList{QStringLiteral("none")});
         row("a switch", {"plan", "--force", "smooth-colour"},
             {"smooth-colour=on", "smooth-colour=off"});
         row("contenders", {"compare", "--methods", "line-b"},

@@ -47,6 +47,30 @@ Method lineSlopeInterceptMethod()
     return method;
 }
 
+Method lineParametricMethod()
+{
+    Method method = lineMethod<ParametricLineKernel>();
+    method.id = QStringLiteral("line-parametric");
+    method.title = QStringLiteral("Line: P(t)");
+    method.source = QStringLiteral("Scan Conversion slides, “Lines and Curves: Parametric”");
+    method.pseudocode
+        = {{0,
+            QStringLiteral("N ← the pixels of the longer side, rounded up; t goes in steps of 1/N"),
+            {Moment::SetUp}},
+           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+           {0, QStringLiteral("for i from 0 while t ≤ 1:"), {Moment::Begin, Moment::Span}},
+           {1,
+            QStringLiteral("t ← i/N, (x, y) ← P₀ + t·(P₁ − P₀); R, G and B likewise"),
+            {Moment::Begin, Moment::Span}},
+           {1, QStringLiteral("pixel (⌊x + ½⌋, ⌊y + ½⌋) ← the bytes of R, G, B"), {Moment::First}}};
+    method.summary = QStringLiteral("Computes P(t) = P₀ + t·(P₁ − P₀) for t in steps of one pixel "
+                                    "of the longer side, or less, and writes the pixel nearest to "
+                                    "each point.");
+    method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
+    method.variants = {Variant::TwiceT, Variant::FiveT};
+    return method;
+}
+
 Method lineDdaMethod()
 {
     Method method = lineMethod<DdaKernel>();
@@ -66,6 +90,7 @@ Method lineDdaMethod()
     method.summary = QStringLiteral("Walks along the longer side and adds the slope at each step; "
                                     "the pixel is the nearest one.");
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
+    method.variants = {Variant::NoEdgePreStep, Variant::DivisorMinusOne, Variant::DivisorPlusOne};
     method.stableArithmetics = {Arithmetic::Exact};
     return method;
 }
@@ -93,6 +118,7 @@ Method lineBresenhamMethod()
                                     "integer; p_k < 0 stays, so that ties go up on a rising line "
                                     "and down on a falling one.");
     method.remarks += QStringLiteral("whole-pixel end points");
+    method.variants = {Variant::StayAtZero, Variant::OneStepShort};
     return method;
 }
 

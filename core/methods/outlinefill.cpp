@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/outlinefill.h"
+
+namespace pixelplumb {
+
+Method outlineFillMethod()
+{
+    Method method = methodOf<OutlineFillKernel>();
+    method.id = QStringLiteral("midpoint-outline-fill");
+    method.title = QStringLiteral("Midpoint outline, filled");
+    method.source = QStringLiteral("Triangles slides, “Use Midpoint Algorithm for edges and fill "
+                                   "in?”; Rasterization slides, “Bresenham's Line Algorithm”");
+    method.pseudocode = {
+        {0, QStringLiteral("round the vertices to whole pixels"), {Moment::SetUp}},
+        {0, QStringLiteral("P₀P₁, P₁P₂, P₂P₀ ← lines by the midpoint algorithm"), {Moment::SetUp}},
+        {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+        {0, QStringLiteral("for each column x of the outline:"), {Moment::Begin, Moment::Span}},
+        {1,
+         QStringLiteral("low, high ← its lowest and highest pixel in the column, with the colours "
+                        "of their lines"),
+         {Moment::Begin, Moment::Span}},
+        {1,
+         QStringLiteral("ΔR ← (R_high − R_low)/(high − low); ΔG and ΔB likewise"),
+         {Moment::Begin, Moment::Span}},
+        {1, QStringLiteral("for each row from low to high:"), {Moment::First, Moment::Next}},
+        {2,
+         QStringLiteral(
+             "the first: R, G, B ← those of low, moved on to the first row of the frame"),
+         {Moment::First}},
+        {2, QStringLiteral("else: R ← R + ΔR, G ← G + ΔG, B ← B + ΔB"), {Moment::Next}},
+        {2, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {Moment::First, Moment::Next}}};
+    method.summary = QStringLiteral("Draws the three edges as lines of whole pixels and fills each "
+                                    "column between the lowest and the highest of them: pixels "
+                                    "nearest to an edge are painted on whichever side of it they "
+                                    "lie, those of a shared edge twice.");
+    method.remarks += QStringLiteral("whole-pixel vertices");
+    method.effects = {Effect::SmoothColour, Effect::Clipping};
+    method.arithmetics = {Arithmetic::Exact};
+    method.fillRules = {FillRule::Closed};
+    method.fillRuleReason = QStringLiteral("the pixels of the outline are painted whatever side of "
+                                           "the edge they lie on");
+    return method;
+}
+
+} // namespace pixelplumb
