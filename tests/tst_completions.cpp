@@ -109,7 +109,7 @@ private slots:
     {
         QTest::addColumn<QString>("command");
         for (const char *command : {"render", "trace", "pixel", "methods", "plan", "check",
-                                    "compare", "diff", "motion", "lab"})
+                                    "compare", "diff", "diagnose", "motion", "lab"})
             QTest::newRow(command) << QString::fromLatin1(command);
     }
     void theManualTellsEveryOption()
