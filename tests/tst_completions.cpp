@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/layer.h"
 #include "core/methods/method.h"
 #include "core/scan/choicenames.h"
 #include "tests/support/programrun.h"
@@ -61,6 +62,14 @@ QStringList methodNames()
     return names;
 }
 
+QStringList layerNames()
+{
+    QStringList names;
+    for (const Layer &layer : layers())
+        names.append(layer.id);
+    return names;
+}
+
 } // namespace
 
 /// What the Tab key offers in a terminal.
@@ -88,6 +97,7 @@ private slots:
         row("arithmetics", {"trace", "--arithmetic", ""}, namesOf(allArithmetics));
         row("fill rules", {"pixel", "--fill-rule", ""}, namesOf(allFillRules));
         row("roundings", {"render", "--rounding", ""}, namesOf(allByteRoundings));
+        row("layers", {"render", "--layers", ""}, layerNames());
         row("a switch", {"plan", "--force", "smooth-colour"},
             {"smooth-colour=on", "smooth-colour=off"});
         row("contenders", {"compare", "--methods", "line-b"},

@@ -27,9 +27,9 @@ inline const QStringList promisedWidgets{
     "labSizeAxis",      "labDrift",           "labEffects",       "labChanges",
     "labWarnings",      "labConditions",      "projectionPanel",  "projectionDock",
     "projectionTabs",   "projectionSentence", "sideView",         "stageTree",
-    "surfacesPanel",    "surfaceForms",       "surfaceS",         "surfaceT",
-    "segmentTable",     "effectsPanel",       "effectsDock",      "effectsTable",
-    "effectsSummary",   "effectsMeasure",     "effectsCancel"};
+    "layersMenu",       "surfacesPanel",      "surfaceForms",     "surfaceS",
+    "surfaceT",         "segmentTable",       "effectsPanel",     "effectsDock",
+    "effectsTable",     "effectsSummary",     "effectsMeasure",   "effectsCancel"};
 
 /// Of the lab's menu of files; those of the menus have names that tests find in the menus.
 inline const QStringList promisedActions{"labOpen",       "labEarlier", "labSave",

@@ -61,6 +61,14 @@ void drawPending(FramePainter &frame, const CanvasScene &scene)
         frame.drawCandidate(scene.candidate->point, scene.candidate->colour);
 }
 
+LayerSurface surfaceOf(const ViewMapping &mapping, const QRectF &area, const QPalette &palette)
+{
+    const QPointF corner = mapping.positionOfDevice(mapping.origin());
+    const double cell = mapping.zoom().factor() / mapping.devicePixelRatio();
+    return {pictureTransform(mapping.frame(), corner, cell), area,
+            isDark(palette) ? LayerTone::Dark : LayerTone::Light};
+}
+
 void paintRulers(QPainter &painter, const CanvasScene &scene, const CanvasView &view,
                  const QPalette &palette)
 {
@@ -86,6 +94,8 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     drawOutlines(frame, scene);
     if (scene.marked)
         m_differences.drawGlyphs(painter, scene.position, palette);
+    if (!scene.layers.isEmpty())
+        m_layers.paint(painter, scene.layers, surfaceOf(view.mapping(), area, palette));
     drawSigns(frame, scene);
     drawVertices(frame, scene);
     drawPending(frame, scene);

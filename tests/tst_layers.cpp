@@ -1,0 +1,393 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/layer.h"
+#include "core/layers/layerpainter.h"
+#include "tests/support/scanning.h"
+
+#include <QImage>
+#include <QPainter>
+#include <QTest>
+
+#include <algorithm>
+#include <memory>
+
+using namespace pixelplumb;
+
+namespace {
+
+Scene sceneBy(const char *method, const Triangle &triangle)
+{
+    Scene scene;
+    scene.method = method;
+    scene.triangles = {triangle};
+    return scene;
+}
+
+/// (4, 5) (58, 12) (26 1/2, 44), counter-clockwise.
+Triangle firstTriangle()
+{
+    return triangleAtUnits(latticePixel(4, 5), latticePixel(58, 12),
+                           {26 * unitsPerPixel + halfPixel, 44 * unitsPerPixel});
+}
+
+/// The whole frame of a run, at a zoom at which numbers stand in cells.
+struct Look {
+    explicit Look(const Scene &scene)
+        : traced(traceScene(scene))
+    {
+        view.traced = traced.get();
+        view.position = traced->trace->stepCount();
+        view.seen = samplesOf(windowOf(scene.frame));
+        view.cell = 32;
+    }
+
+    LayerDrawing drawing(const char *layer) const
+    {
+        return drawingOf({QString::fromLatin1(layer)}, view);
+    }
+
+    std::shared_ptr<const TracedScene> traced;
+    LayerView view;
+};
+
+QStringList textsOf(const std::vector<LayerDrawing::Label> &labels)
+{
+    QStringList texts;
+    for (const LayerDrawing::Label &label : labels)
+        texts.append(label.text);
+    return texts;
+}
+
+/// The numbers in the cell of a pixel, from the top.
+QStringList textsIn(const LayerDrawing &drawing, std::int64_t x, std::int64_t y)
+{
+    QStringList texts;
+    for (const LayerDrawing::CellText &text : drawing.cells) {
+        if (text.x == x && text.y == y)
+            texts.append(text.text);
+    }
+    return texts;
+}
+
+bool contains(const LayerDrawing::Area &area, const QPointF &point)
+{
+    return QPolygonF(QList<QPointF>(area.corners.begin(), area.corners.end()))
+        .containsPoint(point, Qt::OddEvenFill);
+}
+
+std::ptrdiff_t areasAround(const LayerDrawing &drawing, const QPointF &point)
+{
+    return std::ranges::count_if(
+        drawing.areas, [&point](const LayerDrawing::Area &area) { return contains(area, point); });
+}
+
+} // namespace
+
+/// The figures of the course texts over a scene: their numbers are those of the run.
+class TestLayers : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theBoxIsRawAndAsPrintedAndAsVisited_data()
+    {
+        QTest::addColumn<QByteArray>("method");
+        QTest::addColumn<PixelCentre>("centre");
+        QTest::addColumn<QStringList>("labels");
+        // (int)(44 − .5) = 43: the rounding that the slides print is for samples in the middle of
+        // pixels. The last column, 70, lies outside a frame of 64.
+        const QStringList integer
+            = {"bbox: x 4 1/4 … 70, y 5 … 44", "(int)(bbox ± .5): x 4 … 69, y 5 … 43",
+               "visited: x 5 … 63, y 5 … 44"};
+        const QStringList half
+            = {"bbox: x 4 1/4 … 70, y 5 … 44", "(int)(bbox ± .5): x 4 … 69, y 5 … 43",
+               "visited: x 4 … 63, y 5 … 43"};
+        QTest::newRow("rows of tests")
+            << QByteArray("edge-equations") << PixelCentre::Integer << integer;
+        QTest::newRow("columns of tests")
+            << QByteArray("barycentric-rectangle") << PixelCentre::Integer << integer;
+        QTest::newRow("no tests") << QByteArray("column-scan") << PixelCentre::Integer << integer;
+        QTest::newRow("in the middle of pixels")
+            << QByteArray("edge-equations") << PixelCentre::Half << half;
+        QTest::newRow("the whole frame is visited")
+            << QByteArray("barycentric-all") << PixelCentre::Integer
+            << QStringList{integer[0], integer[1], "visited: x 0 … 63, y 0 … 47"};
+    }
+    void theBoxIsRawAndAsPrintedAndAsVisited()
+    {
+        QFETCH(QByteArray, method);
+        QFETCH(PixelCentre, centre);
+        QFETCH(QStringList, labels);
+        Scene scene = sceneBy(method.constData(),
+                              triangleAtUnits({4 * unitsPerPixel + 64, 5 * unitsPerPixel},
+                                              latticePixel(70, 12), latticePixel(26, 44)));
+        scene.frame.pixelCentre = centre;
+
+        QCOMPARE(textsOf(Look(scene).drawing("box").labels), labels);
+    }
+
+    void theBoxOfAPolygonIsThatOfItsVertices()
+    {
+        Scene scene;
+        scene.method = "polygon-parity";
+        Shape polygon;
+        polygon.kind = PrimitiveKind::Polygon;
+        polygon.fill = ShapeFill::EvenOdd;
+        for (const auto &[x, y] : {std::pair(3, 2), std::pair(9, 2), std::pair(5, 11)})
+            polygon.vertices.push_back({latticePixel(x, y), red});
+        scene.shapes = {polygon};
+
+        const LayerDrawing drawing = Look(scene).drawing("box");
+
+        QCOMPARE(textsOf(drawing.labels).first(), "bbox: x 3 … 9, y 2 … 11");
+        QCOMPARE(drawing.lines.front().from, QPointF(3, 2));
+    }
+
+    void theNormalsAreTheNumbersOfTheSetUp()
+    {
+        const Look look(sceneBy("edge-equations", firstTriangle()));
+        const LayerDrawing drawing = look.drawing("half-planes");
+        const SetUpRecord setUp = look.traced->trace->setUp(0);
+        const NamedNumbers numbers(look.traced->trace->numbers().setUp, setUp.cells);
+
+        std::size_t edge = 0;
+        for (const LayerDrawing::Line &line : drawing.lines) {
+            if (line.stroke != LayerDrawing::Stroke::Arrow)
+                continue;
+            const QPointF normal(numbers[QStringLiteral("a_%1").arg(edge)].toDouble(),
+                                 numbers[QStringLiteral("b_%1").arg(edge)].toDouble());
+            const QPointF arrow = line.to - line.from;
+            QVERIFY(QPointF::dotProduct(arrow, normal) > 0);
+            QVERIFY(std::abs(arrow.x() * normal.y() - arrow.y() * normal.x()) < 1e-9);
+            ++edge;
+        }
+        QCOMPARE(edge, std::size_t(3));
+        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("E₀ > 0  ⟨−7, 54⟩")));
+        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("E₂ > 0  ⟨39, −22.5⟩")));
+        QVERIFY(drawing.notes.isEmpty());
+    }
+
+    void halfPlanesAreTintedWhereTheKernelsFunctionsArePositive_data()
+    {
+        QTest::addColumn<QByteArray>("method");
+        QTest::addColumn<bool>("turned");
+        QTest::addColumn<int>("inside");
+        QTest::newRow("flipped to be positive inside") << QByteArray("edge-equations") << true << 3;
+        QTest::newRow("f_bc of a counter-clockwise triangle")
+            << QByteArray("barycentric-rectangle") << false << 0;
+        QTest::newRow("f_bc of a clockwise triangle")
+            << QByteArray("barycentric-rectangle") << true << 3;
+        QTest::newRow("the oracle's") << QByteArray("column-scan") << true << 3;
+    }
+    void halfPlanesAreTintedWhereTheKernelsFunctionsArePositive()
+    {
+        QFETCH(QByteArray, method);
+        QFETCH(bool, turned);
+        QFETCH(int, inside);
+        Triangle triangle = firstTriangle();
+        if (turned)
+            std::swap(triangle.vertices[1], triangle.vertices[2]);
+
+        const LayerDrawing drawing
+            = Look(sceneBy(method.constData(), triangle)).drawing("half-planes");
+
+        QCOMPARE(drawing.areas.size(), std::size_t(3));
+        QCOMPARE(areasAround(drawing, {28, 20}), std::ptrdiff_t(inside));
+    }
+
+    void oneHalfPlaneIsOneOfThem()
+    {
+        const Look look(sceneBy("edge-equations", firstTriangle()));
+        const LayerDrawing all = look.drawing("half-planes");
+
+        for (std::size_t edge = 0; edge < 3; ++edge) {
+            const LayerDrawing one = look.drawing(("half-plane-" + std::to_string(edge)).c_str());
+            QCOMPARE(one.areas.size(), std::size_t(1));
+            QVERIFY(one.areas.front() == all.areas[edge]);
+        }
+    }
+
+    void whatAMethodDoesNotComputeIsExactAndSaidToBe()
+    {
+        const LayerDrawing byColumns
+            = Look(sceneBy("column-scan", firstTriangle())).drawing("half-planes");
+        const LayerDrawing byEdges
+            = Look(sceneBy("edge-equations", firstTriangle())).drawing("half-planes");
+
+        QVERIFY(byColumns.labels == byEdges.labels);
+        QCOMPARE(byColumns.notes,
+                 QStringList("Half-planes: exact, since “Column scan” computes no edge functions"));
+    }
+
+    void theCellsHoldWhatDecidedTheSamplesUpToTheStep_data()
+    {
+        QTest::addColumn<QByteArray>("method");
+        QTest::addColumn<QStringList>("ids");
+        QTest::newRow("edge functions")
+            << QByteArray("edge-equations") << QStringList{"E_0", "E_1", "E_2"};
+        QTest::newRow("weights") << QByteArray("barycentric-rectangle")
+                                 << QStringList{"alpha", "beta", "gamma"};
+        QTest::newRow("Cramer's rule")
+            << QByteArray("barycentric-cramer") << QStringList{"u", "v", "w"};
+    }
+    void theCellsHoldWhatDecidedTheSamplesUpToTheStep()
+    {
+        QFETCH(QByteArray, method);
+        QFETCH(QStringList, ids);
+        // (0, 0) (8, 0) (0, 4): at (2, 1) each weight is a multiple of 1/4.
+        Look look(sceneBy(method.constData(), triangleAt(0, 0, 8, 0, 0, 4)));
+        const ScanTrace &trace = *look.traced->trace;
+        const std::size_t middle = trace.spanCount() / 2;
+        look.view.position = trace.indexOfSample(trace.firstSampleOf(middle)) + 1;
+        const LayerDrawing drawing = look.drawing("weights");
+
+        QCOMPARE(drawing.cells.size(), 3 * (trace.firstSampleOf(middle) + 1));
+        const SampleRecord sample = trace.samples(middle).front();
+        const NamedNumbers numbers(trace.numbers().sample, sample.cells);
+        QStringList expected;
+        for (const QString &id : ids) {
+            const Quantity number = numbers[id];
+            expected.append(number.isInteger() ? toText(number) : toDecimal(number, 2));
+        }
+        QCOMPARE(textsIn(drawing, sample.x, sample.y).replaceInStrings("−", "-"), expected);
+        QVERIFY(textsIn(drawing, 8, 4).isEmpty());
+    }
+
+    void weightsThatAMethodDoesNotComputeAreThoseOfBarycentricOnes()
+    {
+        const LayerDrawing exact
+            = Look(sceneBy("column-scan", triangleAt(0, 0, 8, 0, 0, 4))).drawing("weights");
+
+        QCOMPARE(textsIn(exact, 2, 1), QStringList({"0.50", "0.25", "0.25"}));
+        QCOMPARE(textsIn(exact, 8, 4), QStringList({"−1", "1", "1"}));
+        QCOMPARE(exact.notes.size(), 1);
+    }
+
+    void levelsAreThoseOfTheSamples()
+    {
+        const LayerDrawing drawing
+            = Look(sceneBy("column-scan", triangleAt(0, 0, 8, 0, 0, 4))).drawing("levels");
+
+        // 255/2 red, 255/4 green, 255/4 blue.
+        QCOMPARE(textsIn(drawing, 2, 1), QStringList({"128", "63.8", "63.8"}));
+    }
+
+    void smallCellsHoldNoNumbersAndSaySo()
+    {
+        Look look(sceneBy("edge-equations", firstTriangle()));
+        look.view.cell = 8;
+        const LayerDrawing drawing = look.drawing("weights");
+
+        QVERIFY(drawing.cells.empty());
+        QVERIFY(drawing.notes.front().contains("cells of 24 pixels"));
+    }
+
+    void thePrimitiveInHandIsTheOneThatIsDrawn()
+    {
+        Scene scene = sceneBy("edge-equations", triangleAt(0, 0, 8, 0, 0, 4));
+        scene.triangles.push_back(triangleAt(10, 10, 20, 10, 10, 20));
+        Look look(scene);
+
+        QCOMPARE(textsOf(look.drawing("box").labels).first(), "bbox: x 10 … 20, y 10 … 20");
+        look.view.position = 1;
+        QCOMPARE(textsOf(look.drawing("box").labels).first(), "bbox: x 0 … 8, y 0 … 4");
+        look.view.primitive = 1;
+        QCOMPARE(textsOf(look.drawing("box").labels).first(), "bbox: x 10 … 20, y 10 … 20");
+    }
+
+    void aLayerWithNothingToShowSaysWhy_data()
+    {
+        QTest::addColumn<QByteArray>("method");
+        QTest::addColumn<QString>("layer");
+        QTest::addColumn<QString>("objection");
+        QTest::newRow("another kind") << QByteArray("line-bresenham") << "weights"
+                                      << "“Line: Bresenham” draws no triangle";
+        QTest::newRow("not in the scene") << QByteArray("polygon-parity") << "box"
+                                          << "the scene has no polygon";
+        QTest::newRow("something to show") << QByteArray("row-walk") << "weights"
+                                           << "";
+    }
+    void aLayerWithNothingToShowSaysWhy()
+    {
+        QFETCH(QByteArray, method);
+        QFETCH(QString, layer);
+        QFETCH(QString, objection);
+
+        QCOMPARE(layerNamed(layer)->objection(sceneBy(method.constData(), firstTriangle())),
+                 objection);
+    }
+
+    void everyLayerDrawsAnEmptySceneAndASceneOfNoArea()
+    {
+        QStringList ids;
+        for (const Layer &layer : layers()) {
+            QVERIFY2(!layer.toolTip.isEmpty(), qPrintable(layer.id));
+            ids.append(layer.id);
+        }
+        for (const Method &method : methods()) {
+            Scene scene;
+            scene.method = method.id.toStdString();
+            QVERIFY(drawingOf(ids, Look(scene).view).labels.empty());
+            scene.triangles = {triangleAt(2, 2, 2, 2, 2, 2), triangleAt(-9, 1, -9, 7, -9, 3)};
+            drawingOf(ids, Look(scene).view);
+        }
+    }
+
+    void samplesArePaintedInTheMiddleOfTheirCells_data()
+    {
+        QTest::addColumn<FrameOrigin>("origin");
+        QTest::addColumn<QPoint>("place");
+        QTest::newRow("y upward") << FrameOrigin::BottomLeft << QPoint(70, 90);
+        QTest::newRow("y downward") << FrameOrigin::TopLeft << QPoint(70, 10);
+    }
+    void samplesArePaintedInTheMiddleOfTheirCells()
+    {
+        QFETCH(FrameOrigin, origin);
+        QFETCH(QPoint, place);
+        FrameSpec frame;
+        frame.width = 8;
+        frame.height = 5;
+        frame.firstColumn = -2;
+        frame.firstRow = 7;
+        frame.origin = origin;
+        QImage picture(8 * 20, 5 * 20, QImage::Format_RGB32);
+        picture.fill(Qt::white);
+        LayerDrawing drawing;
+        drawing.points = {{{1, 7}, LayerInk::First}};
+
+        QPainter painter(&picture);
+        LayerPainter().paint(painter, drawing,
+                             {pictureTransform(frame, {}, 20), picture.rect(), LayerTone::Light});
+        painter.end();
+
+        QCOMPARE(picture.pixelColor(place), colourOf(LayerInk::First, LayerTone::Light));
+        QCOMPARE(picture.pixelColor(place - QPoint(20, 0)), QColor(Qt::white));
+    }
+
+    void numbersAreWrittenInTheirCellsAndInNoOthers()
+    {
+        FrameSpec frame;
+        frame.width = 3;
+        frame.height = 1;
+        QImage picture(3 * 40, 40, QImage::Format_RGB32);
+        picture.fill(Qt::black);
+        LayerDrawing drawing;
+        drawing.cells = {{1, 0, QStringLiteral("0.25")}, {1, 0, QStringLiteral("−123")}};
+
+        QPainter painter(&picture);
+        LayerPainter().paint(painter, drawing,
+                             {pictureTransform(frame, {}, 40), picture.rect(), LayerTone::Light});
+        painter.end();
+
+        const auto isBlack = [&](int left) {
+            const QImage cell = picture.copy(left, 0, 40, 40);
+            QImage black = cell;
+            black.fill(Qt::black);
+            return cell == black;
+        };
+        QVERIFY(isBlack(0));
+        QVERIFY(!isBlack(40));
+        QVERIFY(isBlack(80));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLayers)
+#include "tst_layers.moc"
