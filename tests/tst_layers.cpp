@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/layers/layer.h"
-#include "core/layers/layerpainter.h"
+#include "tests/support/layerlook.h"
 #include "tests/support/scanning.h"
 
-#include <QImage>
-#include <QPainter>
+#include <QPolygonF>
 #include <QTest>
 
 #include <algorithm>
-#include <memory>
+#include <cmath>
 
 using namespace pixelplumb;
 
@@ -27,45 +25,6 @@ Triangle firstTriangle()
 {
     return triangleAtUnits(latticePixel(4, 5), latticePixel(58, 12),
                            {26 * unitsPerPixel + halfPixel, 44 * unitsPerPixel});
-}
-
-/// The whole frame of a run, at a zoom at which numbers stand in cells.
-struct Look {
-    explicit Look(const Scene &scene)
-        : traced(traceScene(scene))
-    {
-        view.traced = traced.get();
-        view.position = traced->trace->stepCount();
-        view.seen = samplesOf(windowOf(scene.frame));
-        view.cell = 32;
-    }
-
-    LayerDrawing drawing(const char *layer) const
-    {
-        return drawingOf({QString::fromLatin1(layer)}, view);
-    }
-
-    std::shared_ptr<const TracedScene> traced;
-    LayerView view;
-};
-
-QStringList textsOf(const std::vector<LayerDrawing::Label> &labels)
-{
-    QStringList texts;
-    for (const LayerDrawing::Label &label : labels)
-        texts.append(label.text);
-    return texts;
-}
-
-/// The numbers in the cell of a pixel, from the top.
-QStringList textsIn(const LayerDrawing &drawing, std::int64_t x, std::int64_t y)
-{
-    QStringList texts;
-    for (const LayerDrawing::CellText &text : drawing.cells) {
-        if (text.x == x && text.y == y)
-            texts.append(text.text);
-    }
-    return texts;
 }
 
 bool contains(const LayerDrawing::Area &area, const QPointF &point)
@@ -122,23 +81,6 @@ private slots:
         scene.frame.pixelCentre = centre;
 
         QCOMPARE(textsOf(Look(scene).drawing("box").labels), labels);
-    }
-
-    void theBoxOfAPolygonIsThatOfItsVertices()
-    {
-        Scene scene;
-        scene.method = "polygon-parity";
-        Shape polygon;
-        polygon.kind = PrimitiveKind::Polygon;
-        polygon.fill = ShapeFill::EvenOdd;
-        for (const auto &[x, y] : {std::pair(3, 2), std::pair(9, 2), std::pair(5, 11)})
-            polygon.vertices.push_back({latticePixel(x, y), red});
-        scene.shapes = {polygon};
-
-        const LayerDrawing drawing = Look(scene).drawing("box");
-
-        QCOMPARE(textsOf(drawing.labels).first(), "bbox: x 3 … 9, y 2 … 11");
-        QCOMPARE(drawing.lines.front().from, QPointF(3, 2));
     }
 
     void theNormalsAreTheNumbersOfTheSetUp()
@@ -270,6 +212,69 @@ private slots:
         QCOMPARE(textsIn(drawing, 2, 1), QStringList({"128", "63.8", "63.8"}));
     }
 
+    void specialPointsHaveTheirWeights()
+    {
+        // P₀ is the first in the order of columns, as the column scan sorts them: (0, 0).
+        const Look look(sceneBy("column-scan", triangleAt(12, 3, 0, 0, 3, 9)));
+        const LayerDrawing drawing = look.drawing("barycentric-axes");
+        const auto placeOfLabel = [&](const char *text) {
+            const auto found = std::ranges::find(drawing.labels, QString::fromUtf8(text),
+                                                 &LayerDrawing::Label::text);
+            return found == drawing.labels.end() ? QPointF(-99, -99) : found->place;
+        };
+
+        QCOMPARE(placeOfLabel("P₀ (1, 0, 0)"), QPointF(0, 0));
+        QCOMPARE(placeOfLabel("P₁ (0, 1, 0)"), QPointF(3, 9));
+        QCOMPARE(placeOfLabel("P₂ (0, 0, 1)"), QPointF(12, 3));
+        QCOMPARE(placeOfLabel("(½, ½, 0)"), QPointF(1.5, 4.5));
+        QCOMPARE(placeOfLabel("(0, ½, ½)"), QPointF(7.5, 6));
+        QCOMPARE(placeOfLabel("(⅓, ⅓, ⅓)"), QPointF(5, 4));
+        // β = 1 goes through P₁ along γ's axis, from γ = −1 to 2.
+        const LayerDrawing::Line line
+            = {{-9, 6}, {27, 15}, LayerInk::First, LayerDrawing::Stroke::Dashed};
+        QVERIFY(std::ranges::count(drawing.lines, line) == 1);
+    }
+
+    void contourLinesAreThoseOfTheChannelsPlane_data()
+    {
+        QTest::addColumn<QByteArray>("method");
+        QTest::newRow("the vertices' plane") << QByteArray("column-scan");
+        QTest::newRow("the set-up's plane") << QByteArray("interpolate-plane");
+    }
+    void contourLinesAreThoseOfTheChannelsPlane()
+    {
+        QFETCH(QByteArray, method);
+        const LayerDrawing drawing
+            = Look(sceneBy(method.constData(), triangleAt(0, 0, 32, 0, 0, 16)))
+                  .drawing("isolines-red");
+
+        QCOMPARE(drawing.lines.size(), std::size_t(7)); // 32, 64, … 224
+        for (std::size_t i = 0; i < drawing.lines.size(); ++i) {
+            // R = 255·(1 − x/32 − y/16)
+            for (const QPointF &end : {drawing.lines[i].from, drawing.lines[i].to})
+                QVERIFY(std::abs(255 * (1 - end.x() / 32 - end.y() / 16) - 32.0 * double(i + 1))
+                        < 1e-9);
+        }
+        QCOMPARE(drawing.labels.front().text, QStringLiteral("R = 32"));
+    }
+
+    void everySampleOfAPixelIsAPoint()
+    {
+        Scene scene = sceneBy("column-scan", firstTriangle());
+        scene.frame.width = 3;
+        scene.frame.height = 2;
+        QCOMPARE(Look(scene).drawing("samples").points.size(), std::size_t(6));
+
+        scene.appearance.antialiasing = Antialiasing::Samples4;
+        const LayerDrawing drawing = Look(scene).drawing("samples");
+
+        QCOMPARE(drawing.points.size(), std::size_t(30));
+        for (const LayerDrawing::Point &point : drawing.points) {
+            const QPointF away = point.place - QPointF(point.place.toPoint());
+            QVERIFY(std::abs(away.x()) < 0.5 && std::abs(away.y()) < 0.5);
+        }
+    }
+
     void smallCellsHoldNoNumbersAndSaySo()
     {
         Look look(sceneBy("edge-equations", firstTriangle()));
@@ -329,63 +334,6 @@ private slots:
             scene.triangles = {triangleAt(2, 2, 2, 2, 2, 2), triangleAt(-9, 1, -9, 7, -9, 3)};
             drawingOf(ids, Look(scene).view);
         }
-    }
-
-    void samplesArePaintedInTheMiddleOfTheirCells_data()
-    {
-        QTest::addColumn<FrameOrigin>("origin");
-        QTest::addColumn<QPoint>("place");
-        QTest::newRow("y upward") << FrameOrigin::BottomLeft << QPoint(70, 90);
-        QTest::newRow("y downward") << FrameOrigin::TopLeft << QPoint(70, 10);
-    }
-    void samplesArePaintedInTheMiddleOfTheirCells()
-    {
-        QFETCH(FrameOrigin, origin);
-        QFETCH(QPoint, place);
-        FrameSpec frame;
-        frame.width = 8;
-        frame.height = 5;
-        frame.firstColumn = -2;
-        frame.firstRow = 7;
-        frame.origin = origin;
-        QImage picture(8 * 20, 5 * 20, QImage::Format_RGB32);
-        picture.fill(Qt::white);
-        LayerDrawing drawing;
-        drawing.points = {{{1, 7}, LayerInk::First}};
-
-        QPainter painter(&picture);
-        LayerPainter().paint(painter, drawing,
-                             {pictureTransform(frame, {}, 20), picture.rect(), LayerTone::Light});
-        painter.end();
-
-        QCOMPARE(picture.pixelColor(place), colourOf(LayerInk::First, LayerTone::Light));
-        QCOMPARE(picture.pixelColor(place - QPoint(20, 0)), QColor(Qt::white));
-    }
-
-    void numbersAreWrittenInTheirCellsAndInNoOthers()
-    {
-        FrameSpec frame;
-        frame.width = 3;
-        frame.height = 1;
-        QImage picture(3 * 40, 40, QImage::Format_RGB32);
-        picture.fill(Qt::black);
-        LayerDrawing drawing;
-        drawing.cells = {{1, 0, QStringLiteral("0.25")}, {1, 0, QStringLiteral("−123")}};
-
-        QPainter painter(&picture);
-        LayerPainter().paint(painter, drawing,
-                             {pictureTransform(frame, {}, 40), picture.rect(), LayerTone::Light});
-        painter.end();
-
-        const auto isBlack = [&](int left) {
-            const QImage cell = picture.copy(left, 0, 40, 40);
-            QImage black = cell;
-            black.fill(Qt::black);
-            return cell == black;
-        };
-        QVERIFY(isBlack(0));
-        QVERIFY(!isBlack(40));
-        QVERIFY(isBlack(80));
     }
 };
 

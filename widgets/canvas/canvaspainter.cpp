@@ -91,11 +91,11 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     paintCells(painter, scene, view, palette);
     FramePainter frame(painter, view.mapping(), palette, area);
     frame.drawFrameEdge();
+    if (!scene.layers.isEmpty())
+        m_layers.paint(painter, scene.layers, surfaceOf(view.mapping(), area, palette));
     drawOutlines(frame, scene);
     if (scene.marked)
         m_differences.drawGlyphs(painter, scene.position, palette);
-    if (!scene.layers.isEmpty())
-        m_layers.paint(painter, scene.layers, surfaceOf(view.mapping(), area, palette));
     drawSigns(frame, scene);
     drawVertices(frame, scene);
     drawPending(frame, scene);
