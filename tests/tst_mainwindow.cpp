@@ -211,7 +211,7 @@ private slots:
         QAction *edgeTable = action(*window, "layer-edge-table");
 
         QVERIFY(!edgeTable->isEnabled());
-        QCOMPARE(edgeTable->toolTip(),
+        QCOMPARE(edgeTable->statusTip(),
                  "Nothing to show: “Column scan” has no such numbers; “Polygon by parity” has.");
         QVERIFY(action(*window, "layer-weights")->isEnabled());
     }

@@ -110,6 +110,8 @@ Layer barycentricAxesLayer()
                 "The oblique axes from P₀: β towards P₁, γ towards P₂, the lines of their whole "
                 "values, and (α, β, γ) of the vertices, the middles of the edges and the centroid; "
                 "exact, from the vertices."),
+            .source = QStringLiteral("Triangles slides, “p = a + β(b − a) + γ(c − a)”; "
+                                     "Rasterization slides, “BC – Special Points”"),
             .kinds = {PrimitiveKind::Triangle},
             .draw = drawAxes};
 }

@@ -115,6 +115,9 @@ Layer boxLayer()
                 "(int)(bbox − .5) as the slides print it for samples in the middle of pixels "
                 "(dotted), and the pixels that the method visits, clipped to the frame (solid); "
                 "where it visits no box, the box's own, exact."),
+            .source = QStringLiteral("Triangle Rasterization slides, “Edge equations "
+                                     "rasterization” and “Triangle rasterization implementation "
+                                     "guidelines”; Scan Conversion slides, “Using Edge Equations”"),
             .kinds = {PrimitiveKind::Triangle, PrimitiveKind::Polygon},
             .draw = drawBox};
 }

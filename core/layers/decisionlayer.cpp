@@ -113,6 +113,8 @@ Layer decisionsLayer()
                 "Of a line by Bresenham, d_lower from the pixel that stays and d_upper to the one "
                 "across, at the step in hand; of a circle, the midpoint between two pixels and its "
                 "F, which decides the next step."),
+            .source = QStringLiteral("Rasterization slides, “Bresenham's Line Algorithm (1/4)”; "
+                                     "Scan Conversion slides, “Lines and Curves: Implicit”"),
             .kinds = {PrimitiveKind::Line, PrimitiveKind::Circle, PrimitiveKind::Ellipse},
             .methods = {wholeLineMethod, QStringLiteral("line-bresenham-symmetric"),
                         QStringLiteral("circle-midpoint")},

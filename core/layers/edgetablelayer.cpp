@@ -93,6 +93,8 @@ Layer edgeTableLayer()
                 "Each edge with the row in whose bucket it stands; of the row in hand the active "
                 "edges, their crossings x₀, x₁, … as the method computed them, and the intervals "
                 "between them that lie inside."),
+            .source
+            = QStringLiteral("Scan Conversion slides, “Scan Conversion: A General Algorithm”"),
             .kinds = {PrimitiveKind::Polygon},
             .methods = {QStringLiteral("polygon-parity")},
             .draw = drawEdgeTable};

@@ -56,6 +56,7 @@ Layer samplesLayer()
             .title = QStringLiteral("Sampling points"),
             .toolTip = QStringLiteral("Where each pixel is sampled, and with antialiasing the 4 or "
                                       "16 samples around it."),
+            .source = QStringLiteral("Triangle Rasterization slides, “Rasterization of triangles”"),
             .draw = drawSamples};
 }
 
@@ -65,6 +66,7 @@ Layer memoryLayer()
             .title = QStringLiteral("Addresses in memory"),
             .toolTip = QStringLiteral("The address of each pixel, y·width + x, counted in pixels "
                                       "from the frame's first one; the same under every method."),
+            .source = QStringLiteral("Rasterization slides, “Point Plotting”"),
             .draw = drawMemory};
 }
 

@@ -84,6 +84,7 @@ Layer halfPlaneLayer()
                            .arg((edge + 1) % 3)
                            .arg(QStringList({QStringLiteral("bc"), QStringLiteral("ca"),
                                              QStringLiteral("ab")})[qsizetype(edge)]),
+            .source = QStringLiteral("Rasterization slides, “Edge Equations”"),
             .kinds = {PrimitiveKind::Triangle},
             .draw = [](const LayerMoment &moment, LayerDrawing &drawing) {
                 appendHalfPlanes(moment, edge, edge + 1, drawing);
@@ -100,6 +101,9 @@ Layer halfPlanesLayer()
                 "Where each edge function A·x + B·y + C is positive (tinted, the inside thrice) "
                 "and its normal ⟨A, B⟩: the numbers of the set-up; exact ones where the method "
                 "has none."),
+            .source = QStringLiteral(
+                "Triangle Rasterization slides, “Edge sidedness”; Rasterization slides, “Edge "
+                "Equations”; Scan Conversion slides, “Implicit Equation for a 2D line”"),
             .kinds = {PrimitiveKind::Triangle},
             .draw = [](const LayerMoment &moment, LayerDrawing &drawing) {
                 appendHalfPlanes(moment, 0, 3, drawing);

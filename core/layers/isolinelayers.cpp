@@ -83,6 +83,7 @@ Layer isolinesLayer(const QString &id, const QString &title)
                              "through the vertices' levels.")
                   .arg(letter)
                   .arg(levelStep),
+            .source = QStringLiteral("Scan Conversion slides, “2. Plane Equation”"),
             .kinds = {PrimitiveKind::Triangle},
             .draw = drawIsolines<channel>};
 }

@@ -14,6 +14,7 @@ struct Layer {
     QString id; ///< "half-planes"
     QString title; ///< in menus: "Half-planes"
     QString toolTip; ///< what it shows, and where its numbers come from
+    QString source; ///< course text and slide, by the names of resources/sources.md
     /// Of what it has something to say; empty: of every pixel.
     std::vector<PrimitiveKind> kinds = {};
     /// The ids of the methods whose numbers it shows; empty: of all that draw these kinds.

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <map>
 #include <utility>
 
 namespace pixelplumb {
@@ -31,19 +31,20 @@ LayerDrawing::Circle circumcircleOf(const Piece &piece)
     return {a + centre, std::hypot(centre.x(), centre.y()), LayerInk::Second};
 }
 
-/// Those that two triangles share, once each.
-std::vector<ContourEdge> innerEdgesOf(const std::vector<Piece> &pieces)
+/// Each edge once: solid where two triangles share it, dotted where it bounds the polygon.
+void appendEdges(const std::vector<Piece> &pieces, LayerDrawing &drawing)
 {
-    std::set<std::pair<LatticePoint, LatticePoint>> once;
-    std::vector<ContourEdge> inner;
+    std::map<std::pair<LatticePoint, LatticePoint>, int> sides;
     for (const Piece &piece : pieces) {
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto edge = std::minmax(piece[i], piece[(i + 1) % 3]);
-            if (!once.insert(edge).second)
-                inner.push_back({edge.first, edge.second});
-        }
+        for (std::size_t i = 0; i < 3; ++i)
+            ++sides[std::minmax(piece[i], piece[(i + 1) % 3])];
     }
-    return inner;
+    for (const auto &[edge, count] : sides) {
+        const bool isInner = count > 1;
+        drawing.lines.push_back(
+            {placeOf(edge.first), placeOf(edge.second), isInner ? LayerInk::First : LayerInk::Mark,
+             isInner ? LayerDrawing::Stroke::Solid : LayerDrawing::Stroke::Dotted});
+    }
 }
 
 void appendPieceInHand(const LayerMoment &moment, const std::vector<Piece> &pieces,
@@ -64,8 +65,7 @@ void drawInnerEdges(const LayerMoment &moment, LayerDrawing &drawing)
     const bool isFan = moment.view.traced->method->id == fanMethod;
     const Contours contours = contoursOf(moment.shape());
     const std::vector<Piece> pieces = (isFan ? fanOf(contours) : delaunayOf(contours)).triangles;
-    for (const ContourEdge &edge : innerEdgesOf(pieces))
-        drawing.lines.push_back({placeOf(edge.from), placeOf(edge.to), LayerInk::First});
+    appendEdges(pieces, drawing);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         if (!isFan && doubledArea(pieces[i][0], pieces[i][1], pieces[i][2]) != 0)
             drawing.circles.push_back(circumcircleOf(pieces[i]));
@@ -86,6 +86,8 @@ Layer innerEdgesLayer()
                 "The inner edges of the fan or the triangulation that the method fills, its "
                 "triangles by number, the one in hand tinted, and of a Delaunay triangulation the "
                 "circles around them, which no vertex that they see lies in."),
+            .source = QStringLiteral("Rasterization slides, “Triangulation”; Scan Conversion "
+                                     "slides, “From Polygons to Triangles”"),
             .kinds = {PrimitiveKind::Polygon},
             .methods = {fanMethod, delaunayMethod},
             .draw = drawInnerEdges};

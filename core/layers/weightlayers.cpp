@@ -95,6 +95,7 @@ Layer weightsLayer()
             .toolTip = QStringLiteral(
                 "What decides each sample that the method has visited: α β γ, u v w or E₀ E₁ E₂, "
                 "one below the other, as it computed them; exact α β γ where it has none."),
+            .source = QStringLiteral("Rasterization slides, “BC – Inside Triangle Test”"),
             .kinds = {PrimitiveKind::Triangle},
             .draw = drawWeights};
 }
@@ -105,6 +106,8 @@ Layer levelsLayer()
             .title = QStringLiteral("R G B in the cells"),
             .toolTip = QStringLiteral("The levels of each sample, one below the other, before they "
                                       "are rounded to a byte, as the method computed them."),
+            .source
+            = QStringLiteral("Scan Conversion slides, “Interpolation During Scan Conversion”"),
             .kinds = {PrimitiveKind::Triangle},
             .draw = drawLevels};
 }

@@ -37,10 +37,13 @@ void LayersMenu::addLayer(const Layer &layer, const WindowParts &parts)
         = [options, action, &layer] { action->setChecked(options->layers().contains(layer.id)); };
     const auto tell = [document, action, &layer] {
         const QString objection = layer.objection(document->scene());
+        const QString text
+            = objection.isEmpty() ? layer.toolTip : tr("Nothing to show: %1.").arg(objection);
         action->setEnabled(objection.isEmpty());
-        action->setToolTip(objection.isEmpty() ? layer.toolTip
-                                               : tr("Nothing to show: %1.").arg(objection));
-        action->setStatusTip(action->toolTip());
+        action->setStatusTip(text);
+        // Rich text is broken into lines.
+        action->setToolTip(QStringLiteral("<p>%1</p><p>%2</p>")
+                               .arg(text.toHtmlEscaped(), layer.source.toHtmlEscaped()));
     };
     connect(options, &DisplayOptions::changed, action, check);
     connect(document, &SceneDocument::sceneChanged, action, tell);
