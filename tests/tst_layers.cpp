@@ -330,7 +330,9 @@ private slots:
         for (const Method &method : methods()) {
             Scene scene;
             scene.method = method.id.toStdString();
-            QVERIFY(drawingOf(ids, Look(scene).view).labels.empty());
+            const LayerDrawing ofPixels = drawingOf(ids, Look(scene).view);
+            QVERIFY(ofPixels.labels.empty() && ofPixels.lines.empty());
+            QCOMPARE(ofPixels.cells.size(), std::size_t(64 * 48)); // addresses
             scene.triangles = {triangleAt(2, 2, 2, 2, 2, 2), triangleAt(-9, 1, -9, 7, -9, 3)};
             drawingOf(ids, Look(scene).view);
         }

@@ -37,14 +37,15 @@ QString titlesOf(const QStringList &ids)
 /// The primitive in hand, or the last one before it that the layer and the method know.
 std::optional<std::size_t> subjectOf(const Layer &layer, const LayerView &view)
 {
+    if (layer.kinds.empty())
+        return 0; // it tells of none
     const TracedScene &traced = *view.traced;
     const auto isSubject = [&](std::size_t primitive) {
         const PrimitiveKind kind = traced.primitives.kindOf(primitive);
-        return layer.kinds.empty()
-            || (std::ranges::count(layer.kinds, kind) > 0
-                && (traced.primitives.isTriangle(primitive)
-                        ? traced.method->draws(kind)
-                        : traced.method->draws(traced.primitives.shape(primitive))));
+        return std::ranges::count(layer.kinds, kind) > 0
+            && (traced.primitives.isTriangle(primitive)
+                    ? traced.method->draws(kind)
+                    : traced.method->draws(traced.primitives.shape(primitive)));
     };
     const ScanTrace &trace = *traced.trace;
     if (trace.stepCount() == 0)

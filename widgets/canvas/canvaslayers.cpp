@@ -5,6 +5,7 @@
 #include "widgets/canvas/canvasoutlines.h"
 #include "widgets/canvas/canvasview.h"
 #include "widgets/look/displayoptions.h"
+#include "widgets/look/layersurface.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenepreviewer.h"
 
@@ -43,11 +44,10 @@ void CanvasLayers::addTo(CanvasScene &scene, const CanvasSources &sources, const
                            sources.options->layers(), view.mapping(), view.area()};
     if (moment != m_moment) {
         m_moment = moment;
-        const double ratio = moment.mapping.devicePixelRatio();
         m_drawing = drawingOf(moment.layers,
                               {moment.traced.get(), moment.position,
-                               pixelsIn(moment.area, moment.mapping),
-                               moment.mapping.zoom().factor() / ratio, std::nullopt});
+                               pixelsIn(moment.area, moment.mapping), cellSideOf(moment.mapping),
+                               std::nullopt});
     }
     scene.layers = m_drawing;
     if (!m_drawing.notes.isEmpty())

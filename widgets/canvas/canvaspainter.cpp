@@ -3,6 +3,7 @@
 
 #include "widgets/canvas/canvaspicture.h"
 #include "widgets/canvas/canvasview.h"
+#include "widgets/look/layersurface.h"
 
 #include <QPainter>
 
@@ -61,14 +62,6 @@ void drawPending(FramePainter &frame, const CanvasScene &scene)
         frame.drawCandidate(scene.candidate->point, scene.candidate->colour);
 }
 
-LayerSurface surfaceOf(const ViewMapping &mapping, const QRectF &area, const QPalette &palette)
-{
-    const QPointF corner = mapping.positionOfDevice(mapping.origin());
-    const double cell = mapping.zoom().factor() / mapping.devicePixelRatio();
-    return {pictureTransform(mapping.frame(), corner, cell), area,
-            isDark(palette) ? LayerTone::Dark : LayerTone::Light};
-}
-
 void paintRulers(QPainter &painter, const CanvasScene &scene, const CanvasView &view,
                  const QPalette &palette)
 {
@@ -92,7 +85,7 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     FramePainter frame(painter, view.mapping(), palette, area);
     frame.drawFrameEdge();
     if (!scene.layers.isEmpty())
-        m_layers.paint(painter, scene.layers, surfaceOf(view.mapping(), area, palette));
+        m_layers.paint(painter, scene.layers, layerSurface(view.mapping(), area, palette));
     drawOutlines(frame, scene);
     if (scene.marked)
         m_differences.drawGlyphs(painter, scene.position, palette);
