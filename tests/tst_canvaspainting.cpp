@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/polygons/textoutlines.h"
 #include "tests/support/canvasbench.h"
 #include "tests/support/spacescenes.h"
 #include "widgets/files/svgexport.h"
@@ -163,6 +164,8 @@ void TestCanvasPainting::figureHoldsCellsNamesAndColumn()
 
 void TestCanvasPainting::figureHoldsTheLayers()
 {
+    if (textFontFile().isEmpty())
+        QSKIP("DejaVu Sans is not installed (fonts-dejavu-core)");
     CanvasBench bench(firstScene());
     const auto pathsOf = [&bench](const QStringList &layers) {
         bench.options.setLayers(layers);

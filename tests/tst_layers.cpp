@@ -182,6 +182,7 @@ private slots:
         const LayerDrawing drawing = look.drawing("weights");
 
         QCOMPARE(drawing.cells.size(), 3 * (trace.firstSampleOf(middle) + 1));
+        QVERIFY(drawing.notes.front().startsWith("In the cells, from the top: "));
         const SampleRecord sample = trace.samples(middle).front();
         const NamedNumbers numbers(trace.numbers().sample, sample.cells);
         QStringList expected;
@@ -200,7 +201,9 @@ private slots:
 
         QCOMPARE(textsIn(exact, 2, 1), QStringList({"0.50", "0.25", "0.25"}));
         QCOMPARE(textsIn(exact, 8, 4), QStringList({"−1", "1", "1"}));
-        QCOMPARE(exact.notes.size(), 1);
+        QCOMPARE(exact.notes,
+                 QStringList("In the cells, from the top: α, β, γ of the vertices 0, 1, 2: exact, "
+                             "since “Column scan” computes none"));
     }
 
     void levelsAreThoseOfTheSamples()

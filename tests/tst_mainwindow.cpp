@@ -212,7 +212,7 @@ private slots:
 
         QVERIFY(!edgeTable->isEnabled());
         QCOMPARE(edgeTable->statusTip(),
-                 "Nothing to show: “Column scan” has no such numbers; “Polygon by parity” has.");
+                 "Nothing to show: “Column scan” has no such numbers, unlike “Polygon by parity”.");
         QVERIFY(action(*window, "layer-weights")->isEnabled());
     }
 

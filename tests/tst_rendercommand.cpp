@@ -239,9 +239,9 @@ private slots:
 
         QCOMPARE(result.exitCode, 0);
         QCOMPARE(QString::fromUtf8(result.messages),
-                 QStringLiteral("--layers edge-table: “Column scan” has no such numbers; “Polygon "
-                                "by parity” has\nNumbers stand in cells of 24 pixels and more: "
-                                "enlarge the picture\n"));
+                 QStringLiteral("--layers edge-table: “Column scan” has no such numbers, unlike "
+                                "“Polygon by parity”\nNumbers stand in cells of 24 pixels and "
+                                "more: enlarge the picture\n"));
     }
 
     void refusesLayersAndPositionsThatAreNotThere_data()

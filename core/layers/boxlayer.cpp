@@ -56,6 +56,11 @@ SampleBox clippedBoxOf(const LayerMoment &moment, const ContourBox &raw)
     return intersection(whole, samplesOf(windowOf(moment.frame())));
 }
 
+void appendLabel(QString text, const QPointF &place, LayerInk ink, LayerDrawing &drawing)
+{
+    drawing.labels.push_back({text.replace(u'-', QChar(0x2212)), place, ink});
+}
+
 void appendRectangle(const QPointF &first, const QPointF &last, LayerInk ink,
                      LayerDrawing::Stroke stroke, LayerDrawing &drawing)
 {
@@ -75,14 +80,14 @@ void appendSamples(const SampleBox &box, const QString &name, LayerInk ink,
     if (!box.isEmpty())
         appendRectangle({double(box.firstX) - 0.5, double(box.firstY) - 0.5}, last, ink, stroke,
                         drawing);
-    drawing.labels.push_back({box.isEmpty() ? name + QStringLiteral(": no pixel")
-                                            : QStringLiteral("%1: x %2 … %3, y %4 … %5")
-                                                  .arg(name)
-                                                  .arg(box.firstX)
-                                                  .arg(box.endX - 1)
-                                                  .arg(box.firstY)
-                                                  .arg(box.endY - 1),
-                              last, ink});
+    appendLabel(box.isEmpty() ? name + QStringLiteral(": no pixel")
+                              : QStringLiteral("%1: x %2 … %3, y %4 … %5")
+                                    .arg(name)
+                                    .arg(box.firstX)
+                                    .arg(box.endX - 1)
+                                    .arg(box.firstY)
+                                    .arg(box.endY - 1),
+                last, ink, drawing);
 }
 
 void drawBox(const LayerMoment &moment, LayerDrawing &drawing)
@@ -93,11 +98,10 @@ void drawBox(const LayerMoment &moment, LayerDrawing &drawing)
     const QPointF first = placeOf(raw.first);
     const QPointF last = placeOf(raw.last);
     appendRectangle(first, last, LayerInk::Mark, LayerDrawing::Stroke::Dashed, drawing);
-    drawing.labels.push_back({QStringLiteral("bbox: x %1 … %2, y %3 … %4")
-                                  .arg(moment.inScene(raw.first.x), moment.inScene(raw.last.x),
-                                       moment.inScene(raw.first.y), moment.inScene(raw.last.y)),
-                              {first.x(), last.y()},
-                              LayerInk::Mark});
+    appendLabel(QStringLiteral("bbox: x %1 … %2, y %3 … %4")
+                    .arg(moment.inScene(raw.first.x), moment.inScene(raw.last.x),
+                         moment.inScene(raw.first.y), moment.inScene(raw.last.y)),
+                {first.x(), last.y()}, LayerInk::Mark, drawing);
     appendSamples(printedBoxOf(raw, moment.frame()), QStringLiteral("(int)(bbox ± .5)"),
                   LayerInk::Second, LayerDrawing::Stroke::Dotted, drawing);
     appendSamples(clippedBoxOf(moment, raw), QStringLiteral("visited"), LayerInk::First,

@@ -71,7 +71,7 @@ QString Layer::objection(const Scene &scene) const
     if (!method)
         return QStringLiteral("there is no method “%1”").arg(QString::fromStdString(scene.method));
     if (!methods.isEmpty() && !methods.contains(method->id))
-        return QStringLiteral("“%1” has no such numbers; %2 has")
+        return QStringLiteral("“%1” has no such numbers, unlike %2")
             .arg(method->title, titlesOf(methods));
     std::vector<PrimitiveKind> drawn;
     for (const PrimitiveKind kind : kinds) {

@@ -71,7 +71,7 @@ void LayerTexts::paintCells(std::span<const LayerDrawing::CellText> texts)
         most = std::max(most, lines.size());
     const double side = m_surface.fromSamples.m11() * usedCell;
     const double em = std::min({largestEm, side / widest, side / (lineHeight * double(most))});
-    if (!(em >= leastEm)) // nor without a font
+    if (em < leastEm || widest == 0) // without a font there is no width
         return;
     for (const auto &[pixel, lines] : sorted) {
         const QPointF centre
