@@ -8,7 +8,8 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr Lattice em = 24 * unitsPerPixel; ///< fine enough for chords, coarse enough to be few
+constexpr Lattice emHeight
+    = 24 * unitsPerPixel; ///< fine enough for chords, coarse enough to be few
 
 } // namespace
 
@@ -42,11 +43,12 @@ const Glyphs::Glyph &Glyphs::glyphOf(char32_t character)
     text.kind = PrimitiveKind::Text;
     text.vertices = {Vertex{}};
     text.text = QString::fromUcs4(&character, 1).toStdString();
-    text.textHeight = -em;
+    text.textHeight = -emHeight;
     Glyph &glyph = place->second;
-    glyph.advance = double(advanceOf(text)) / em;
-    const auto pointOf
-        = [](const LatticePoint &point) { return QPointF(double(point.x), double(point.y)) / em; };
+    glyph.advance = double(advanceOf(text)) / emHeight;
+    const auto pointOf = [](const LatticePoint &point) {
+        return QPointF(double(point.x), double(point.y)) / emHeight;
+    };
     const LatticePoint *end = nullptr;
     const Contours contours = contoursOf(outlinesOf(text).polygon);
     for (const ContourEdge &edge : contours.edges) {
