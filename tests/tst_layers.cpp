@@ -46,7 +46,7 @@ class TestLayers : public QObject {
     Q_OBJECT
 
 private slots:
-    void theBoxIsRawAndAsPrintedAndAsVisited_data()
+    void theBoxIsRawAndAsPrintedAndAsTested_data()
     {
         QTest::addColumn<QByteArray>("method");
         QTest::addColumn<PixelCentre>("centre");
@@ -55,22 +55,24 @@ private slots:
         // pixels. The last column, 70, lies outside a frame of 64.
         const QStringList integer
             = {"bbox: x 4 1/4 … 70, y 5 … 44", "(int)(bbox ± .5): x 4 … 69, y 5 … 43",
-               "visited: x 5 … 63, y 5 … 44"};
+               "tested: x 5 … 63, y 5 … 44"};
         const QStringList half
             = {"bbox: x 4 1/4 … 70, y 5 … 44", "(int)(bbox ± .5): x 4 … 69, y 5 … 43",
-               "visited: x 4 … 63, y 5 … 43"};
+               "tested: x 4 … 63, y 5 … 43"};
         QTest::newRow("rows of tests")
             << QByteArray("edge-equations") << PixelCentre::Integer << integer;
         QTest::newRow("columns of tests")
             << QByteArray("barycentric-rectangle") << PixelCentre::Integer << integer;
-        QTest::newRow("no tests") << QByteArray("column-scan") << PixelCentre::Integer << integer;
+        QTest::newRow("no tests") << QByteArray("column-scan") << PixelCentre::Integer
+                                  << QStringList{integer[0], integer[1],
+                                                 "clipped: x 5 … 63, y 5 … 44"};
         QTest::newRow("in the middle of pixels")
             << QByteArray("edge-equations") << PixelCentre::Half << half;
-        QTest::newRow("the whole frame is visited")
+        QTest::newRow("the whole frame is tested")
             << QByteArray("barycentric-all") << PixelCentre::Integer
-            << QStringList{integer[0], integer[1], "visited: x 0 … 63, y 0 … 47"};
+            << QStringList{integer[0], integer[1], "tested: x 0 … 63, y 0 … 47"};
     }
-    void theBoxIsRawAndAsPrintedAndAsVisited()
+    void theBoxIsRawAndAsPrintedAndAsTested()
     {
         QFETCH(QByteArray, method);
         QFETCH(PixelCentre, centre);

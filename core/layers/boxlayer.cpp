@@ -2,7 +2,7 @@
 #include "core/layers/layers.h"
 #include "core/polygons/contours.h"
 
-#include <algorithm>
+#include <array>
 
 namespace pixelplumb {
 
@@ -33,27 +33,47 @@ SampleBox printedBoxOf(const ContourBox &raw, const FrameSpec &frame)
             printedPixel(raw.first.y + first), printedPixel(raw.last.y + last) + 1};
 }
 
-/// The samples that the method visits, by its first and its last span; of a method that visits no
-/// box, those of the box that the frame has.
-SampleBox clippedBoxOf(const LayerMoment &moment, const ContourBox &raw)
+/// The first and the last number of the tested samples of each span, by the ids of edge tests.
+struct TestedIds {
+    SpanAxis axis;
+    const char *first;
+    const char *last;
+};
+constexpr std::array testedIds
+    = {TestedIds{SpanAxis::Row, "x_min", "x_max"}, TestedIds{SpanAxis::Column, "y_min", "y_max"}};
+
+/// What the method tests, which walks the same samples in each span from the first to the last;
+/// none of a method that tests no box.
+std::optional<SampleBox> testedBoxOf(const LayerMoment &moment)
 {
     const ScanTrace &trace = moment.trace();
-    const std::size_t first = trace.firstSpanOf(moment.primitive);
-    const std::size_t end = trace.endSpanOf(moment.primitive);
-    if (first < end) {
-        const SpanRecord begin = trace.span(first);
-        const SpanRecord last = trace.span(end - 1);
-        const auto [low, high] = std::minmax(begin.place.coordinate, last.place.coordinate);
-        const bool testsSamples = begin.lower.isNone() && begin.firstDrawn == last.firstDrawn
-            && begin.endDrawn == last.endDrawn;
-        if (testsSamples && begin.place.axis == SpanAxis::Row)
-            return {begin.firstDrawn, begin.endDrawn, low, high + 1};
-        if (testsSamples && begin.place.axis == SpanAxis::Column)
-            return {low, high + 1, begin.firstDrawn, begin.endDrawn};
+    const std::size_t firstSpan = trace.firstSpanOf(moment.primitive);
+    const std::size_t endSpan = trace.endSpanOf(moment.primitive);
+    if (firstSpan == endSpan)
+        return std::nullopt;
+    const SpanRecord record = trace.span(firstSpan);
+    const NamedNumbers numbers(trace.numbers().span, record.cells);
+    const std::int64_t begin = record.place.coordinate;
+    const std::int64_t end = trace.placeOf(endSpan - 1).coordinate + 1;
+    for (const TestedIds &ids : testedIds) {
+        const Quantity first = numbers[QString::fromLatin1(ids.first)];
+        const Quantity last = numbers[QString::fromLatin1(ids.last)];
+        if (first.isNone() || last.isNone() || record.place.axis != ids.axis)
+            continue;
+        const auto from = std::int64_t(first.numerator());
+        const auto to = std::int64_t(last.numerator()) + 1;
+        return ids.axis == SpanAxis::Row ? SampleBox{from, to, begin, end}
+                                         : SampleBox{begin, end, from, to};
     }
+    return std::nullopt;
+}
+
+/// The samples of the box that the frame has.
+SampleBox clippedBoxOf(const ContourBox &raw, const FrameSpec &frame)
+{
     const SampleBox whole = {ceilPixel(raw.first.x), floorPixel(raw.last.x) + 1,
                              ceilPixel(raw.first.y), floorPixel(raw.last.y) + 1};
-    return intersection(whole, samplesOf(windowOf(moment.frame())));
+    return intersection(whole, samplesOf(windowOf(frame)));
 }
 
 void appendLabel(QString text, const QPointF &place, LayerInk ink, LayerDrawing &drawing)
@@ -104,7 +124,9 @@ void drawBox(const LayerMoment &moment, LayerDrawing &drawing)
                 {first.x(), last.y()}, LayerInk::Mark, drawing);
     appendSamples(printedBoxOf(raw, moment.frame()), QStringLiteral("(int)(bbox ± .5)"),
                   LayerInk::Second, LayerDrawing::Stroke::Dotted, drawing);
-    appendSamples(clippedBoxOf(moment, raw), QStringLiteral("visited"), LayerInk::First,
+    const std::optional<SampleBox> tested = testedBoxOf(moment);
+    appendSamples(tested.value_or(clippedBoxOf(raw, moment.frame())),
+                  tested ? QStringLiteral("tested") : QStringLiteral("clipped"), LayerInk::First,
                   LayerDrawing::Stroke::Solid, drawing);
 }
 
@@ -112,18 +134,19 @@ void drawBox(const LayerMoment &moment, LayerDrawing &drawing)
 
 Layer boxLayer()
 {
-    return {.id = QStringLiteral("box"),
-            .title = QStringLiteral("Bounding box"),
-            .toolTip = QStringLiteral(
-                "The box around the vertices (dashed), the pixels from (int)(bbox + .5) to "
-                "(int)(bbox − .5) as the slides print it for samples in the middle of pixels "
-                "(dotted), and the pixels that the method visits, clipped to the frame (solid); "
-                "where it visits no box, the box's own, exact."),
-            .source = QStringLiteral("Triangle Rasterization slides, “Edge equations "
-                                     "rasterization” and “Triangle rasterization implementation "
-                                     "guidelines”; Scan Conversion slides, “Using Edge Equations”"),
-            .kinds = {PrimitiveKind::Triangle, PrimitiveKind::Polygon},
-            .draw = drawBox};
+    return {
+        .id = QStringLiteral("box"),
+        .title = QStringLiteral("Bounding box"),
+        .toolTip = QStringLiteral(
+            "The box around the vertices (dashed), the pixels from (int)(bbox + .5) to "
+            "(int)(bbox − .5) as the slides print it for samples in the middle of pixels "
+            "(dotted), and the pixels of the frame that the method tests (solid); where it tests "
+            "no box, those that the box covers, exact."),
+        .source = QStringLiteral("Triangle Rasterization slides, “Edge equations "
+                                 "rasterization” and “Triangle rasterization implementation "
+                                 "guidelines”; Scan Conversion slides, “Using Edge Equations”"),
+        .kinds = {PrimitiveKind::Triangle, PrimitiveKind::Polygon},
+        .draw = drawBox};
 }
 
 } // namespace pixelplumb
