@@ -59,6 +59,11 @@ void drawIsolines(const LayerMoment &moment, LayerDrawing &drawing)
 {
     if (doubledArea(moment.triangle()) == 0)
         return; // no plane
+    const std::optional<EffectPlan> &plan = moment.view.traced->plan;
+    if (plan && plan->runs(Effect::Perspective))
+        drawing.notes.append(QStringLiteral("Contour lines: of levels that change evenly over the "
+                                            "frame, while the picture takes perspective into "
+                                            "account"));
     const std::array<PlaneCorner, 3> corners = planeOf(moment, channel);
     for (int level = levelStep; level < 256; level += levelStep) {
         const std::vector<QPointF> ends = crossingsOf(corners, level);
