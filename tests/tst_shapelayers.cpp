@@ -117,6 +117,23 @@ private slots:
         QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("e2, from row 2")));
     }
 
+    void byWindingTheOverlapOfTwoContoursLiesInside()
+    {
+        Shape squares
+            = polygonAt({{0, 0}, {8, 0}, {8, 8}, {0, 8}, {4, 0}, {12, 0}, {12, 8}, {4, 8}});
+        squares.laterContours = {4};
+        const auto intervalsOf = [&squares](ShapeFill fill) {
+            squares.fill = fill;
+            const Look look(sceneOf(squares, "polygon-parity", {}));
+            const LayerDrawing drawing = look.drawing("edge-table");
+            return std::ranges::count(drawing.lines, LayerInk::Hand, &LayerDrawing::Line::ink);
+        };
+
+        // Between 0, 4, 8 and 12.
+        QCOMPARE(intervalsOf(ShapeFill::EvenOdd), std::ptrdiff_t(2));
+        QCOMPARE(intervalsOf(ShapeFill::NonZero), std::ptrdiff_t(3));
+    }
+
     void theLineStandsBetweenThePixelsOfADecision_data()
     {
         QTest::addColumn<Shape>("line");
