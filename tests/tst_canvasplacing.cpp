@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/scenefile.h"
 #include "tests/support/canvasbench.h"
+#include "widgets/dialogs/triangledialog.h"
 #include "widgets/dialogs/vertexdialog.h"
 
 #include <QLineEdit>
@@ -29,6 +31,7 @@ private slots:
     void doubleClickOnAHandleAsksForAColour();
     void doubleClickOnAnEmptyPlacePlacesVertices();
     void coordinatesCanBeTyped();
+    void whatATriangleCarriesCanBeTyped();
 };
 
 void TestCanvasPlacing::placesAVertexAtThePixelUnderTheClick_data()
@@ -211,6 +214,46 @@ void TestCanvasPlacing::coordinatesCanBeTyped()
     dialog.accept();
 
     QCOMPARE(bench.vertex(0, 2), (LatticePoint{53 * 128, 44 * 256}));
+}
+
+void TestCanvasPlacing::whatATriangleCarriesCanBeTyped()
+{
+    CanvasBench bench(firstScene());
+    SceneDocument &document = bench.document;
+    TriangleDialog dialog({document.scene().triangles.front(), document.attributesOf(0)});
+    const auto type = [&dialog](const char *field, const QString &text) {
+        dialog.findChild<QLineEdit *>(QLatin1String(field))->setText(text);
+    };
+    const auto take = [&] {
+        const TypedTriangle typed = *dialog.triangle();
+        document.setTriangle(0, typed.triangle, typed.attributes);
+    };
+    QCOMPARE(dialog.triangle()->triangle, document.scene().triangles.front());
+    take();
+    QVERIFY(!document.isModified()); // nothing was typed
+
+    type("vertex1z", QStringLiteral("1/4"));
+    type("vertex2u", QStringLiteral("-0.5"));
+    take();
+    QCOMPARE(document.scene().attributes.size(), 1U);
+    QCOMPARE(document.attributesOf(0).vertices[1].z, attributeOne / 4);
+    QCOMPARE(document.attributesOf(0).vertices[2].texture[0], -attributeOne / 2);
+    QCOMPARE(readScene(writeScene(document.scene(), {}))->scene, document.scene());
+
+    type("vertex0w", QStringLiteral("0"));
+    QVERIFY(!dialog.triangle());
+    QCOMPARE(dialog.triangle().error().place, QStringLiteral("P0, w"));
+    type("vertex0w", {});
+    type("vertex0N_z", QStringLiteral("1"));
+    QVERIFY(!dialog.triangle()); // one normal of three
+    QVERIFY(dialog.triangle().error().message().contains(QStringLiteral("three normals")));
+    type("vertex0N_z", {});
+    type("vertex1z", {});
+    type("vertex2u", {});
+    take();
+    QVERIFY(document.scene().attributes.empty()); // what all triangles have is not kept
+    document.undoStack()->undo();
+    QCOMPARE(document.attributesOf(0).vertices[1].z, attributeOne / 4);
 }
 
 QTEST_MAIN(TestCanvasPlacing)

@@ -86,8 +86,8 @@ private slots:
                   QTest::newRow(name) << words << offered;
               };
         row("commands", {""},
-            {"render", "trace", "pixel", "methods", "plan", "check", "compare", "diff", "lab",
-             "help"});
+            {"render", "trace", "pixel", "methods", "plan", "check", "compare", "diff", "motion",
+             "lab", "help"});
         row("the beginning of a command", {"pl"}, {"plan"});
         row("commands to be helped with", {"help", "ren"}, {"render"});
         row("options", {"render", "scene.json", "--a"}, {"--ascii", "--accuracy", "--arithmetic"});
@@ -116,8 +116,8 @@ private slots:
     void theManualTellsEveryOption_data()
     {
         QTest::addColumn<QString>("command");
-        for (const char *command :
-             {"render", "trace", "pixel", "methods", "plan", "check", "compare", "diff", "lab"})
+        for (const char *command : {"render", "trace", "pixel", "methods", "plan", "check",
+                                    "compare", "diff", "motion", "lab"})
             QTest::newRow(command) << QString::fromLatin1(command);
     }
     void theManualTellsEveryOption()

@@ -45,6 +45,19 @@ private slots:
         QCOMPARE(QString::fromUtf8(result.output), QStringLiteral("64 × 48 pixels: 3072 same\n"));
     }
 
+    void whatIsComparedIsNeverReplaced()
+    {
+        QVERIFY(m_right.mirrored(false, true).save(path("found.png")));
+        for (const char *side : {"right.png", "found.png"}) {
+            const QByteArray before = *readFile(path(side));
+            const ProgramRun result
+                = run({"diff", path("right.png"), path("found.png"), "-o", path(side)});
+            QCOMPARE(result.exitCode, 2);
+            QVERIFY2(result.messages.contains("is the input"), result.messages.constData());
+            QCOMPARE(*readFile(path(side)), before);
+        }
+    }
+
     void aRasterIsComparedByWhatIsCovered()
     {
         const QByteArray raster = run({"render", defaultScene(), "--ascii"}).output;

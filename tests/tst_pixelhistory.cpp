@@ -57,7 +57,15 @@ void TestPixelHistory::historyOfAWrittenPixelListsChannels()
     QVERIFY(attempt.written);
     QCOMPARE(written.data().toString(), QStringLiteral("△ 0 wrote it"));
     QCOMPARE(written.data(PixelHistoryModel::StepRole).toULongLong(), qulonglong(attempt.step));
-    QCOMPARE(model.rowCount(written), 3);
+    QCOMPARE(model.rowCount(written), 6); // three channels, three edges
+    for (int edge = 0; edge < 3; ++edge) {
+        const auto at
+            = [&](int column) { return model.index(3 + edge, column, written).data().toString(); };
+        QCOMPARE(at(PixelHistoryModel::WhatColumn),
+                 QStringLiteral("edge %1").arg(attempt.edgeNames[std::size_t(edge)]));
+        QCOMPARE(at(PixelHistoryModel::ByteColumn), QStringLiteral("accepts"));
+        QVERIFY(at(PixelHistoryModel::ExactColumn).contains(QStringLiteral("px square to it")));
+    }
     QCOMPARE(model.index(0, PixelHistoryModel::UsedColumn, written).data().toString(),
              displayText(attempt.sample->colour[0]));
     QCOMPARE(model.index(0, PixelHistoryModel::ByteColumn, written).data().toString(),

@@ -1,5 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
+#include "widgets/canvas/canvas.h"
 #include "widgets/stepping/scrubber.h"
 
 #include <QAccessible>
@@ -62,6 +65,44 @@ private slots:
         const ScrubberScale scale{72, 700, 0};
         QCOMPARE(scale.positionAt(400), std::size_t(0));
         QCOMPARE(scale.xOf(0), 72.0);
+    }
+
+    void columnsThatAreSeenStandOnThemselves()
+    {
+        const std::array<ColumnStop, 3> stops = {{{2, 110}, {7, 120}, {30, 130}}};
+        const ScrubberScale scale{100, 35, 44, stops};
+        QCOMPARE(scale.xOf(0), 100.0);
+        QCOMPARE(scale.xOf(2), 110.0);
+        QCOMPARE(scale.xOf(6), 110.0);
+        QCOMPARE(scale.xOf(44), 130.0);
+        QCOMPARE(scale.positionAt(-5), std::size_t(0));
+        QCOMPARE(scale.positionAt(104), std::size_t(0));
+        QCOMPARE(scale.positionAt(106), std::size_t(2));
+        QCOMPARE(scale.positionAt(114), std::size_t(2));
+        QCOMPARE(scale.positionAt(116), std::size_t(7));
+        QCOMPARE(scale.positionAt(134), std::size_t(30));
+        QCOMPARE(scale.positionAt(135), std::size_t(44));
+    }
+
+    void thePlumbLineOfTheWindowIsOneLine()
+    {
+        const IsolatedSettings settings;
+        const auto window = openedWindow();
+        const Canvas &canvas = *window->parts().canvas;
+        Playhead &playhead = *window->parts().playhead;
+        const Scrubber &scrubber = *window->parts().scrubber;
+        for (int zoom : {canvas.zoom(), 6, 4}) {
+            window->parts().canvas->setZoom(zoom);
+            for (std::size_t position = 2; position <= playhead.end(); position += 97) {
+                playhead.seek(position);
+                const double x = canvas.positionOf(QPoint(int(*playhead.columnXInHand()), 0)).x();
+                QCOMPARE(
+                    canvas.mapTo(window.get(), QPointF(x, 0)).x(),
+                    scrubber.mapTo(window.get(), QPointF(scrubber.scale().xOf(position), 0)).x());
+            }
+        }
+        window->parts().canvas->setZoom(40); // most columns are not seen
+        QVERIFY(scrubber.scale().stops.empty());
     }
 
     void aDragSeeksLive()

@@ -13,6 +13,7 @@ ExitCode listMethods(const Command &command, const QStringList &arguments);
 ExitCode plan(const Command &command, const QStringList &arguments);
 ExitCode check(const Command &command, const QStringList &arguments);
 ExitCode diff(const Command &command, const QStringList &arguments);
+ExitCode motion(const Command &command, const QStringList &arguments);
 ExitCode compare(const Command &command, const QStringList &arguments);
 ExitCode lab(const Command &command, const QStringList &arguments);
 ExitCode help(const Command &command, const QStringList &arguments);

@@ -76,7 +76,7 @@ ExitCode compare(const Command &command, const QStringList &arguments)
     else
         printLines(textOf(report));
     if (line.isSet(drawingOption)) {
-        Output output(line.value(drawingOption), line.argument(0));
+        Output output(line.value(drawingOption), {line.argument(0)});
         if (const auto error = writePicture(pictureOf(*contest), output, *format))
             return line.refuse(*error);
     }

@@ -119,7 +119,7 @@ ExitCode diff(const Command &command, const QStringList &arguments)
             printLine(rasterOf(difference, expected->picture).chopped(1));
     }
     if (line.isSet(markedOption)) {
-        Output output(line.value(markedOption), line.argument(0));
+        Output output(line.value(markedOption), {line.argument(0), line.argument(1)});
         if (const auto error
             = writePicture(markedPicture(difference, expected->picture), output, *format))
             return line.refuse(*error);

@@ -274,7 +274,7 @@ ExitCode lab(const Command &command, const QStringList &arguments)
     const Result<StudySettings> settings = settingsFrom(line);
     if (!settings)
         return line.refuse(settings.error());
-    Output output(line.value(outputOption), line.argument(0));
+    Output output(line.value(outputOption), {line.argument(0)});
     if (const auto error = output.open())
         return line.refuse(*error);
 

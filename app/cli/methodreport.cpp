@@ -128,6 +128,34 @@ void printDescription(const Method &method)
         printLine(QStringLiteral("  remarks      %1").arg(method.remarks.join(separator)));
 }
 
+QJsonArray jsonOf(const Pseudocode &code)
+{
+    QJsonArray list;
+    for (const PseudocodeLine &line : code) {
+        QJsonObject object{{QStringLiteral("depth"), line.depth},
+                           {QStringLiteral("text"), line.text}};
+        if (line.effect)
+            object.insert(QStringLiteral("effect"),
+                          QString::fromLatin1(nameOf(*line.effect).data()));
+        list.append(object);
+    }
+    return list;
+}
+
+/// A line each, indented; behind those of an effect its name.
+void printPseudocode(const QString &title, const Pseudocode &code)
+{
+    if (code.empty())
+        return;
+    printLine(QStringLiteral("  %1").arg(title));
+    for (const PseudocodeLine &line : code) {
+        const QString effect = line.effect
+            ? QStringLiteral("   [%1]").arg(QString::fromLatin1(nameOf(*line.effect).data()))
+            : QString();
+        printLine(QString(4 + 4 * line.depth, u' ') + line.text + effect);
+    }
+}
+
 } // namespace
 
 QStringList kindsOf(const Method &method)
@@ -157,6 +185,8 @@ QJsonObject jsonOf(const Method &method)
 void printWholeMethod(const Method &method)
 {
     printDescription(method);
+    printPseudocode(QStringLiteral("what it does"), method.pseudocode);
+    printPseudocode(QStringLiteral("with effects beyond colour"), method.shadedPseudocode);
     printNumbers(QStringLiteral("the set-up"), method.numbers.setUp);
     printNumbers(QStringLiteral("a span"), method.numbers.span);
     printNumbers(QStringLiteral("a sample"), method.numbers.sample);
@@ -167,6 +197,8 @@ QJsonObject jsonOfWhole(const Method &method)
 {
     QJsonObject object = jsonOf(method);
     object.insert(QStringLiteral("fillRuleReason"), method.fillRuleReason);
+    object.insert(QStringLiteral("pseudocode"), jsonOf(method.pseudocode));
+    object.insert(QStringLiteral("shadedPseudocode"), jsonOf(method.shadedPseudocode));
     object.insert(QStringLiteral("setUpNumbers"), jsonOf(method.numbers.setUp));
     object.insert(QStringLiteral("spanNumbers"), jsonOf(method.numbers.span));
     object.insert(QStringLiteral("sampleNumbers"), jsonOf(method.numbers.sample));

@@ -7,14 +7,15 @@
 #include <QFileInfo>
 #include <QSaveFile>
 
+#include <algorithm>
 #include <cstdio>
 #include <utility>
 
 namespace pixelplumb::cli {
 
-Output::Output(QString path, QString input)
+Output::Output(QString path, QStringList inputs)
     : m_path(std::move(path))
-    , m_input(std::move(input))
+    , m_inputs(std::move(inputs))
 {
 }
 
@@ -25,9 +26,11 @@ std::optional<InputError> Output::open()
     const QFileInfo target(m_path);
     bool opened = false;
     const bool toStandardOutput = m_path == QStringLiteral("-");
-    const QString inputPath
-        = m_input == QStringLiteral("-") ? QStringLiteral("/dev/stdin") : m_input;
-    if (!toStandardOutput && isSameFile(m_path, inputPath))
+    const auto isReplaced = [this](const QString &input) {
+        return isSameFile(m_path,
+                          input == QStringLiteral("-") ? QStringLiteral("/dev/stdin") : input);
+    };
+    if (!toStandardOutput && std::ranges::any_of(m_inputs, isReplaced))
         return InputError{m_path, QStringLiteral("is the input, which it would replace"),
                           QStringLiteral("another file")};
     if (toStandardOutput) {

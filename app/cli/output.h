@@ -4,6 +4,7 @@
 #include "core/scene/result.h"
 
 #include <QFileDevice>
+#include <QStringList>
 
 #include <memory>
 #include <optional>
@@ -11,11 +12,11 @@
 namespace pixelplumb::cli {
 
 /// Where a result is written as it is made: standard output for "-", else a file that appears whole
-/// or not at all. A file that the command has read (its `input`, "-" for standard input) is never
+/// or not at all. A file that the command has read (its `inputs`, "-" for standard input) is never
 /// written to.
 class Output {
 public:
-    Output(QString path, QString input);
+    Output(QString path, QStringList inputs);
     ~Output();
     Q_DISABLE_COPY_MOVE(Output)
 
@@ -30,7 +31,7 @@ public:
 
 private:
     QString m_path;
-    QString m_input;
+    QStringList m_inputs;
     std::unique_ptr<QFileDevice> m_file;
 };
 

@@ -93,7 +93,7 @@ ExitCode renderScene(const CommandLine &line, const RenderRequest &request, cons
     reportRejections(path + QStringLiteral(", ") + scene->method.c_str(),
                      rejectedPrimitives(*scene));
     if (request.wantsPicture) {
-        Output output(outputPath, path);
+        Output output(outputPath, {path});
         if (const auto error = drawPicture(*scene, output, request))
             return line.refuse(*error);
     }

@@ -4,6 +4,7 @@
 #include "app/cli/forceoption.h"
 #include "app/cli/input.h"
 #include "app/cli/suggestion.h"
+#include "app/cli/wholenumber.h"
 #include "core/runs/clampeddepths.h"
 #include "core/runs/sceneplan.h"
 #include "core/scan/choicenames.h"
@@ -22,6 +23,7 @@ constexpr QLatin1String methodOption("method");
 constexpr QLatin1String arithmeticOption("arithmetic");
 constexpr QLatin1String fillRuleOption("fill-rule");
 constexpr QLatin1String roundingOption("rounding");
+constexpr QLatin1String frameOption("frame");
 
 template <class Choice, std::size_t Count>
 Result<Choice> chosen(const CommandLine &line, const QString &option,
@@ -108,6 +110,9 @@ void addSettingOptions(CommandLine &line)
                     QStringLiteral("How a level becomes a byte: ")
                         + namesOf(allByteRoundings).join(QStringLiteral(", ")) + u'.',
                     name});
+    line.addOption({frameOption,
+                    QStringLiteral("Of a scene that moves: at this frame, from 0; 0 if left out."),
+                    QStringLiteral("number")});
     addForceOption(line);
 }
 
@@ -178,6 +183,18 @@ Result<Scene> readSceneForAnyMethod(const CommandLine &line, const QString &path
     const auto forced = chosenForcing(line);
     if (const auto error = firstError(method, arithmetic, fillRule, rounding, forced))
         return *error;
+    if (line.isSet(frameOption)) {
+        if (!scene.motion)
+            return InputError{QStringLiteral("--") + frameOption,
+                              QStringLiteral("%1 does not move").arg(path),
+                              QStringLiteral("a scene with “motion”")};
+        const auto frame
+            = wholeNumberOf(line, frameOption,
+                            {0, scene.motion->frames - 1, QStringLiteral("no frame of the scene")});
+        if (!frame)
+            return frame.error();
+        scene = sceneAtFrame(scene, int(**frame));
+    }
     scene.method = (*method)->id.toStdString();
     scene.settings = {*arithmetic, *fillRule, *rounding};
     scene.appearance.forced = *forced;

@@ -121,7 +121,7 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const QSt
     reportRejections(path + QStringLiteral(", ") + traced->method->id,
                      rejectedPrimitives(traced->primitives, *traced->trace));
 
-    Output output(outputPath, path);
+    Output output(outputPath, {path});
     if (const auto error = output.open())
         return line.refuse(*error);
     TraceExportOptions options{request.level, request.format};

@@ -249,8 +249,12 @@ Scene sceneOf(const HardCase &hardCase, const Method &method, const ScanSettings
     scene.shapes = hardCase.shapes;
     scene.attributes = hardCase.attributes;
     scene.appearance = hardCase.appearance;
-    if (hardCase.kind == HardCaseKind::Sequence)
+    if (hardCase.kind == HardCaseKind::Sequence) {
+        const LatticePoint from = scene.triangles.front().vertices[0].position;
+        const LatticePoint to = scene.triangles.back().vertices[0].position;
+        scene.motion = Motion{{to.x - from.x, to.y - from.y}, int(scene.triangles.size())};
         scene.triangles.resize(1);
+    }
     const bool isShape = scene.triangles.empty();
     const bool isDrawn
         = isShape ? method.draws(scene.shapes.front()) : method.draws(PrimitiveKind::Triangle);

@@ -25,6 +25,7 @@ Method columnScanMethod()
                                    "shading the triangle”");
     method.summary = QStringLiteral("Walks the columns between two edges and colours the samples "
                                     "from ⌈y_B⌉ to ⌊y_T⌋, all by adding increments.");
+    method.shadedPseudocode = pixelplumb::shadedPseudocode(InterpolationForm::Bilinear);
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     method.effects.assign(allEffects.begin(), allEffects.end());
     method.shadingArithmetics = {Arithmetic::Exact, Arithmetic::Float32};

@@ -49,6 +49,15 @@ Method circleExplicitMethod()
     method.id = QStringLiteral("circle-explicit");
     method.title = QStringLiteral("Circle: y = ±√(r² − x²)");
     method.source = QStringLiteral("Scan Conversion slides, “Lines and Curves: Explicit”");
+    method.pseudocode
+        = {{0, QStringLiteral("(x_c, y_c), r_x, r_y ← of the shape"), {Moment::SetUp}},
+           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+           {0, QStringLiteral("for each column x of the curve:"), {Moment::Begin, Moment::Span}},
+           {1, QStringLiteral("h ← r_y/r_x·√(r_x² − (x − x_c)²)"), {Moment::Begin, Moment::Span}},
+           {1, QStringLiteral("pixel (x, ⌊y_c + h + ½⌋) ← colour"), {Moment::First}},
+           {1,
+            QStringLiteral("pixel (x, ⌈y_c − h − ½⌉) ← colour, where it is another one"),
+            {Moment::Next}}};
     method.summary = QStringLiteral("Computes y = ±√(r² − x²) for each column; there are gaps "
                                     "where the curve is steep.");
     method.remarks += QStringLiteral("gaps where the curve is steep");
@@ -62,6 +71,14 @@ Method circleParametricMethod()
     method.id = QStringLiteral("circle-parametric");
     method.title = QStringLiteral("Circle: (r cos θ, r sin θ)");
     method.source = QStringLiteral("Scan Conversion slides, “Lines and Curves: Parametric”");
+    method.pseudocode
+        = {{0, QStringLiteral("Δθ ← 1/r, one pixel of arc"), {Moment::SetUp}},
+           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+           {0, QStringLiteral("for i from 0, once around:"), {Moment::Begin, Moment::Span}},
+           {1,
+            QStringLiteral("θ ← i·Δθ, u ← x_c + r_x·cos θ, v ← y_c + r_y·sin θ"),
+            {Moment::Begin, Moment::Span}},
+           {1, QStringLiteral("pixel (⌊u + ½⌋, ⌊v + ½⌋) ← colour"), {Moment::First}}};
     method.summary = QStringLiteral("Goes round in steps of one pixel of arc and writes the pixel "
                                     "nearest to each point (r cos θ, r sin θ).");
     method.arithmetics = {Arithmetic::Float64, Arithmetic::Float32};
@@ -76,6 +93,20 @@ Method circleMidpointMethod()
     method.source = QStringLiteral("Rasterization slides, “Bresenham's Line Algorithm”, "
                                    "“Résumé” (adaptable to circles); Scan Conversion slides, "
                                    "“Lines and Curves: Implicit”");
+    method.pseudocode
+        = {{0, QStringLiteral("round the centre and the radii to whole pixels"), {Moment::SetUp}},
+           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+           {0,
+            QStringLiteral("the start of an arc: x, y on it, p ← F at the midpoint next to it"),
+            {Moment::Begin}},
+           {0, QStringLiteral("for each x of the arc:"), {Moment::Stay, Moment::Cross}},
+           {1, QStringLiteral("if p ≤ 0, the midpoint is inside: y stays"), {Moment::Stay}},
+           {1, QStringLiteral("else: y goes inwards until it is"), {Moment::Cross}},
+           {1,
+            QStringLiteral("p ← F at the next midpoint, by adding Δp"),
+            {Moment::Stay, Moment::Cross}},
+           {1, QStringLiteral("pixel (x_c + x, y_c + y) ← colour"), {Moment::First}},
+           {1, QStringLiteral("its mirror images ← colour"), {Moment::Next}}};
     method.summary = QStringLiteral("Steps through an octant by the sign of F at midpoints, an "
                                     "integer, and mirrors each pixel into the other seven.");
     method.remarks += QStringLiteral("whole-pixel centre and radii");
@@ -89,6 +120,15 @@ Method circleFillMethod()
     method.title = QStringLiteral("Circle: filled by spans");
     method.source = QStringLiteral("Rasterization slides, “Output Primitives” (also filled); "
                                    "Scan Conversion slides, “Edge Walking”");
+    method.pseudocode
+        = {{0, QStringLiteral("(x_c, y_c), r_x, r_y ← of the shape"), {Moment::SetUp}},
+           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+           {0, QStringLiteral("for each row y of the shape:"), {Moment::Begin, Moment::Span}},
+           {1,
+            QStringLiteral("x_L, x_R ← where the row meets the curve"),
+            {Moment::Begin, Moment::Span}},
+           {1, QStringLiteral("for each x from ⌈x_L⌉ to ⌊x_R⌋:"), {Moment::First, Moment::Next}},
+           {2, QStringLiteral("pixel (x, y) ← colour"), {Moment::First, Moment::Next}}};
     method.summary = QStringLiteral("On each row, writes the samples between the two places where "
                                     "the row meets the curve.");
     method.stableArithmetics = {Arithmetic::Exact};
@@ -103,6 +143,22 @@ Method bezierSubdivisionMethod()
     method.title = QStringLiteral("Bézier: subdivision");
     method.source = QStringLiteral("Rasterization slides, “Output Primitives” (other curves); "
                                    "Scan Conversion slides, “Polygons” (splines)");
+    method.pseudocode
+        = {{0, QStringLiteral("piece ← the whole curve"), {Moment::SetUp}},
+           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+           {0,
+            QStringLiteral("if more pixels than those of its ends may belong to the piece:"),
+            {Moment::Halve}},
+           {1,
+            QStringLiteral(
+                "halve it by de Casteljau and do this with the first half, then with the second"),
+            {Moment::Halve}},
+           {0,
+            QStringLiteral("else: pixels ← those of its ends, and of a corner that it passes"),
+            {Moment::Span}},
+           {1,
+            QStringLiteral("each pixel that was not the last one ← colour"),
+            {Moment::First, Moment::Next}}};
     method.summary = QStringLiteral("Halves the curve by de Casteljau's algorithm until each piece "
                                     "has no pixels but those of its two ends, and writes these: "
                                     "thin as a line, the pixels nearer than ½ px by |Δx| + |Δy|.");
@@ -118,6 +174,13 @@ Method pointAddressMethod()
     method.title = QStringLiteral("Points by address");
     method.family = MethodFamily::Others;
     method.source = QStringLiteral("Rasterization slides, “Point Plotting”");
+    method.pseudocode
+        = {{0, QStringLiteral("points ← those of the shape"), {Moment::SetUp}},
+           {0, QStringLiteral("if none is in the frame: done"), {Moment::Rejected}},
+           {0, QStringLiteral("for each point:"), {Moment::Begin, Moment::Span}},
+           {1, QStringLiteral("(x, y) ← the nearest pixel"), {Moment::Begin, Moment::Span}},
+           {1, QStringLiteral("addr ← y·width + x"), {Moment::Begin, Moment::Span}},
+           {1, QStringLiteral("if it is in the frame: frame[addr] ← colour"), {Moment::First}}};
     method.summary = QStringLiteral("Writes the colour of each point to the address "
                                     "addr = y·width + x.");
     method.kinds = {PrimitiveKind::Point};

@@ -123,12 +123,14 @@ void tellCurve(StepWords &words, const MidpointStep &step)
 {
     const Quantity next = Quantity::rational(step.nextDecision, step.decisionUnit);
     if (!step.hasDecision) {
+        words.moment = Moment::Begin;
         words.sentence
             = QStringLiteral("The arc starts at (x_k, y_k) = %1 from the centre, without "
                              "a decision; p_k₊₁ = %2 decides about the next step.")
                   .arg(pairText(step.x, step.y), midpointSignText(next));
         return;
     }
+    words.moment = step.down == 0 ? Moment::Stay : Moment::Cross;
     const Quantity decision = Quantity::rational(step.decision, step.decisionUnit);
     const Quantity increment
         = Quantity::rational(step.nextDecision - step.decision, step.decisionUnit);
@@ -140,6 +142,7 @@ void tellCurve(StepWords &words, const MidpointStep &step)
 void tellCurve(StepWords &words, const BezierStep &step)
 {
     const BezierPiece &piece = step.piece;
+    words.moment = step.verdict == BezierVerdict::Undecided ? Moment::Halve : Moment::Span;
     words.sentence = QStringLiteral("From t = %1 to t = %2 the curve %3")
                          .arg(term(dyadic(piece.part, piece.depth)),
                               term(dyadic(piece.part + 1, piece.depth)), verdictText(step));

@@ -36,6 +36,7 @@ template <EdgeTestForm form>
 Method edgeTestMethod()
 {
     Method method = methodOf<EdgeTestKernel<form>>();
+    method.pseudocode = edgeTestPseudocode(form);
     method.effects = {Effect::SmoothColour, Effect::Clipping};
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
     method.stableArithmetics = {Arithmetic::Exact};

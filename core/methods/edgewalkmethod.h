@@ -8,6 +8,8 @@ namespace pixelplumb {
 
 template <EdgeWalkForm form>
 struct EdgeWalkKernel : TriangleKernel, InAnyArithmetic {
+    static constexpr EdgeWalkForm walkForm = form;
+
     template <class A>
     using Recording = EdgeWalkRecording<A, form>;
 
@@ -24,6 +26,7 @@ template <class Kernel>
 Method edgeWalkMethod()
 {
     Method method = methodOf<Kernel>();
+    method.pseudocode = edgeWalkPseudocode(Kernel::walkForm);
     method.effects = {Effect::SmoothColour, Effect::Clipping};
     return method;
 }

@@ -57,6 +57,8 @@ Method interpolationMethod()
     method.draw = drawPlanned<shaded, drawWith<Kernel>>;
     method.drawEffects = drawEffects<shaded>;
     method.trace = tracePlanned<shaded, traceCarried<Form>>;
+    method.pseudocode = interpolationPseudocode(Form);
+    method.shadedPseudocode = pixelplumb::shadedPseudocode(Form);
     method.family = MethodFamily::Interpolation;
     method.effects.assign(allEffects.begin(), allEffects.end());
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};

@@ -31,6 +31,15 @@ Method lineSlopeInterceptMethod()
     method.source = QStringLiteral("Rasterization slides, “Line-Drawing Algorithms” and "
                                    "“Example”; Scan Conversion slides, “Lines and Curves: "
                                    "Explicit”");
+    method.pseudocode = {
+        {0, QStringLiteral("(x₀, y₀), (x₁, y₁) ← the ends from left to right"), {Moment::SetUp}},
+        {0, QStringLiteral("m ← (y₁ − y₀)/(x₁ − x₀), b ← y₀ − m·x₀"), {Moment::SetUp}},
+        {0,
+         QStringLiteral("if it is vertical or no sample is to be drawn: done"),
+         {Moment::Rejected}},
+        {0, QStringLiteral("for each column x from ⌈x₀⌉ to ⌊x₁⌋:"), {Moment::Begin, Moment::Span}},
+        {1, QStringLiteral("y ← m·x + b"), {Moment::Begin, Moment::Span}},
+        {1, QStringLiteral("pixel (x, (int)(y + ½)) ← the bytes of R, G, B"), {Moment::First}}};
     method.summary = QStringLiteral("Computes y = m·x + b for each column and rounds it by "
                                     "(int)(y + ½): steep lines have gaps, vertical ones no m.");
     method.remarks += QStringLiteral("gaps where |m| > 1");
@@ -44,6 +53,16 @@ Method lineDdaMethod()
     method.id = QStringLiteral("line-dda");
     method.title = QStringLiteral("Line: DDA");
     method.source = QStringLiteral("Rasterization slides, “DDA Line-Drawing Algorithm”");
+    method.pseudocode = {
+        {0,
+         QStringLiteral("u along the longer side, v across; the ends in the order of u"),
+         {Moment::SetUp}},
+        {0, QStringLiteral("m ← Δv/Δu"), {Moment::SetUp}},
+        {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+        {0, QStringLiteral("for each u from ⌈u₀⌉ to ⌊u₁⌋:"), {Moment::Begin, Moment::Span}},
+        {1, QStringLiteral("the first: v ← v₀ + (u − u₀)·m; R, G and B likewise"), {Moment::Begin}},
+        {1, QStringLiteral("else: v ← v + m; R, G and B likewise"), {Moment::Span}},
+        {1, QStringLiteral("pixel (u, ⌊v + ½⌋) ← the bytes of R, G, B"), {Moment::First}}};
     method.summary = QStringLiteral("Walks along the longer side and adds the slope at each step; "
                                     "the pixel is the nearest one.");
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
@@ -58,6 +77,18 @@ Method lineBresenhamMethod()
     method.title = QStringLiteral("Line: Bresenham");
     method.source = QStringLiteral("Rasterization slides, “Bresenham's Line Algorithm (1/4)” to "
                                    "“(4/4)” and “Bresenham: Example”");
+    method.pseudocode = {
+        {0, QStringLiteral("round both ends to whole pixels"), {Moment::SetUp}},
+        {0, QStringLiteral("(x₀, y₀) ← the left end"), {Moment::SetUp}},
+        {0,
+         QStringLiteral("if |Δy| ≥ |Δx|: exchange x and y, here and where a pixel is written"),
+         {Moment::SetUp}},
+        {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+        {0, QStringLiteral("(x, y) ← (x₀, y₀), p ← 2Δy − Δx"), {Moment::Begin}},
+        {0, QStringLiteral("for each k:"), {Moment::Stay, Moment::Cross}},
+        {1, QStringLiteral("if p < 0: x ← x + 1, p ← p + 2Δy"), {Moment::Stay}},
+        {1, QStringLiteral("else: x ← x + 1, y a step across, p ← p + 2Δy − 2Δx"), {Moment::Cross}},
+        {1, QStringLiteral("pixel (x, y) ← colour"), {Moment::First}}};
     method.summary = QStringLiteral("Steps from the left end to the right by the sign of an "
                                     "integer; p_k < 0 stays, so that ties go up on a rising line "
                                     "and down on a falling one.");
@@ -72,6 +103,22 @@ Method lineSymmetricMethod()
     method.title = QStringLiteral("Line: Bresenham, sub-pixel ends");
     method.source = QStringLiteral("stable form of the Rasterization slides, “Bresenham's Line "
                                    "Algorithm”");
+    method.pseudocode = {
+        {0, QStringLiteral("(x₀, y₀) ← the left end, to 1/256 px"), {Moment::SetUp}},
+        {0,
+         QStringLiteral("if |Δy| ≥ |Δx|: exchange x and y, here and where a pixel is written"),
+         {Moment::SetUp}},
+        {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+        {0,
+         QStringLiteral("(x, y) ← the pixel of the first column, by a division; p ← the decision "
+                        "about the next"),
+         {Moment::Begin}},
+        {0, QStringLiteral("for each k:"), {Moment::Stay, Moment::Cross}},
+        {1,
+         QStringLiteral("if p < 0, or p = 0 on a falling line: x ← x + 1, p ← p + 2Δy"),
+         {Moment::Stay}},
+        {1, QStringLiteral("else: x ← x + 1, y a step across, p ← p + 2Δy − 2Δx"), {Moment::Cross}},
+        {1, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {Moment::First}}};
     method.summary
         = QStringLiteral("Bresenham's decisions from any lattice point to any other, "
                          "ties to the upper or right pixel whether the line rises or falls.");

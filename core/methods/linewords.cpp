@@ -108,6 +108,10 @@ void tellLine(StepWords &words, const DdaState &state)
 
 void tellLine(StepWords &words, const DecisionState &state)
 {
+    if (!state.isLedByDecision())
+        words.moment = Moment::Begin;
+    else
+        words.moment = state.movesAcross ? Moment::Cross : Moment::Stay;
     words.sentence = decisionSentence(state);
 }
 

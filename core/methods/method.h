@@ -4,6 +4,7 @@
 #include "core/effects/effectplan.h"
 #include "core/frame/frameview.h"
 #include "core/geometry/shape.h"
+#include "core/methods/pseudocode.h"
 #include "core/trace/tracerecorder.h"
 
 #include <QStringList>
@@ -24,6 +25,8 @@ struct Method {
     MethodFamily family = MethodFamily::Triangles;
     QString source; ///< course text and slide, by the names of resources/sources.md
     QString summary; ///< one sentence
+    Pseudocode pseudocode = {}; ///< what the kernel does, line by line
+    Pseudocode shadedPseudocode = {}; ///< with effects beyond colour; of the methods that can some
     std::vector<Effect> effects = {}; ///< that it can
     /// Those of its arithmetics in which it can more than smooth colour and clipping; empty when
     /// in all.

@@ -22,6 +22,22 @@ Method polygonFanMethod()
     method.id = QStringLiteral("polygon-fan");
     method.title = QStringLiteral("Convex polygon as a fan");
     method.source = QStringLiteral("Scan Conversion slides, “From Polygons to Triangles”");
+    method.pseudocode
+        = {{0,
+            QStringLiteral("triangles ← the first vertex with each edge that it is not on"),
+            {Moment::SetUp}},
+           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+           {0,
+            QStringLiteral("for each triangle, for each row y that its edges cross:"),
+            {Moment::Begin, Moment::Span}},
+           {1,
+            QStringLiteral("x_L, x_R ← where the row meets its edges: by adding m, from the vertex "
+                           "where one begins"),
+            {Moment::Begin, Moment::Span}},
+           {1,
+            QStringLiteral("for each sample from x_L to x_R that the fill rule takes:"),
+            {Moment::First, Moment::Next}},
+           {2, QStringLiteral("pixel (x, y) ← colour"), {Moment::First, Moment::Next}}};
     method.summary = QStringLiteral("Breaks a convex polygon into the triangles that its first "
                                     "vertex makes with its edges, and fills each row by row.");
     method.remarks = {QStringLiteral("convex"), QStringLiteral("shared edges")};
@@ -35,6 +51,22 @@ Method polygonDelaunayMethod()
     method.title = QStringLiteral("Polygon by Delaunay triangulation");
     method.source = QStringLiteral("Rasterization slides, “Triangulation”; Scan Conversion "
                                    "slides, “From Polygons to Triangles”");
+    method.pseudocode
+        = {{0,
+            QStringLiteral("triangles ← of the constrained Delaunay triangulation that are inside"),
+            {Moment::SetUp}},
+           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+           {0,
+            QStringLiteral("for each triangle, for each row y that its edges cross:"),
+            {Moment::Begin, Moment::Span}},
+           {1,
+            QStringLiteral("x_L, x_R ← where the row meets its edges: by adding m, from the vertex "
+                           "where one begins"),
+            {Moment::Begin, Moment::Span}},
+           {1,
+            QStringLiteral("for each sample from x_L to x_R that the fill rule takes:"),
+            {Moment::First, Moment::Next}},
+           {2, QStringLiteral("pixel (x, y) ← colour"), {Moment::First, Moment::Next}}};
     method.summary = QStringLiteral("Breaks a polygon that does not cross itself into the "
                                     "triangles of its constrained Delaunay triangulation, and "
                                     "fills each row by row.");

@@ -47,6 +47,22 @@ Method strokeCoverageMethod()
     method.source
         = QStringLiteral("Rasterization slides, “Output Primitives” (lines, circles, other "
                          "curves); Foley 1990, unweighted area sampling");
+    method.pseudocode = {
+        {0,
+         QStringLiteral("outline ← a quadrilateral one pixel wide of each straight piece"),
+         {Moment::SetUp}},
+        {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+        {0, QStringLiteral("for each column of the outline:"), {Moment::Begin, Moment::Span}},
+        {1,
+         QStringLiteral("rows ← those whose pixel squares it meets"),
+         {Moment::Begin, Moment::Span}},
+        {1, QStringLiteral("for each of these rows:"), {Moment::First, Moment::Next}},
+        {2,
+         QStringLiteral("coverage ← the area of the outline in the square, or its samples in it"),
+         {Moment::First, Moment::Next}},
+        {2,
+         QStringLiteral("pixel (x, y) ← so much of the colour over what stands there"),
+         {Moment::First, Moment::Next}}};
     method.summary
         = QStringLiteral("Takes a line as the rectangle one pixel wide, a curve as a strip of "
                          "quadrilaterals, and blends it by the area that it has of each pixel, or "

@@ -5,6 +5,7 @@
 #include "core/geometry/shape.h"
 #include "core/number/jobprogress.h"
 #include "core/scan/boundaryrule.h"
+#include "core/scene/motion.h"
 #include "core/space/solid.h"
 
 #include <optional>
@@ -28,6 +29,7 @@ struct Scene {
     std::optional<Camera> camera; ///< through which the solids are seen; there where there are any
     std::vector<Solid> solids; ///< drawn after the triangles
     Appearance appearance;
+    std::optional<Motion> motion; ///< of the triangles and shapes, which stand as at frame 0
 
     /// Of its own, or of solids.
     bool hasTriangles() const { return !triangles.empty() || !solids.empty(); }

@@ -67,16 +67,22 @@ public:
 private:
     static QString primitivesKey() { return QStringLiteral("primitives"); }
     static QString cameraKey() { return QStringLiteral("camera"); }
+    static QString motionKey() { return QStringLiteral("motion"); }
 
     /// Everything but the primitives, and but the choice of a method, which depends on them.
     void readSurroundings()
     {
         const JsonNode &root = m_json.root();
         readFormat(root);
-        const QStringList keys = {QStringLiteral("pixelplumb"), QStringLiteral("frame"),
-                                  QStringLiteral("method"),     QStringLiteral("arithmetic"),
-                                  QStringLiteral("fillRule"),   QStringLiteral("offScreenPoint"),
-                                  QStringLiteral("rounding"),   cameraKey()};
+        const QStringList keys = {QStringLiteral("pixelplumb"),
+                                  QStringLiteral("frame"),
+                                  QStringLiteral("method"),
+                                  QStringLiteral("arithmetic"),
+                                  QStringLiteral("fillRule"),
+                                  QStringLiteral("offScreenPoint"),
+                                  QStringLiteral("rounding"),
+                                  cameraKey(),
+                                  motionKey()};
         m_json.expectObject(root, keys + appearanceKeys() + QStringList{primitivesKey()});
         readFrame(root[QStringLiteral("frame")]);
         readSettings(root);
@@ -86,6 +92,8 @@ private:
             scene.frame.offScreenPoint = numbers.position(point);
         if (const JsonNode camera = root[cameraKey()]; !camera.isMissing())
             scene.camera = readCamera(m_json, numbers, camera);
+        if (const JsonNode motion = root[motionKey()]; !motion.isMissing())
+            scene.motion = readMotion(numbers, motion);
         scene.appearance = readAppearance(m_json, numbers, m_inHand.files, root);
     }
 
@@ -138,6 +146,17 @@ private:
             frame.firstColumn = std::int32_t(m_json.integer(pixel[0], -largestPixel, largestPixel));
             frame.firstRow = std::int32_t(m_json.integer(pixel[1], -largestPixel, largestPixel));
         }
+    }
+
+    Motion readMotion(NumberReader &numbers, const JsonNode &node)
+    {
+        const QString by = QStringLiteral("by");
+        const QString frames = QStringLiteral("frames");
+        m_json.expectObject(node, {by, frames});
+        Motion motion;
+        motion.by = numbers.position(node[by]);
+        motion.frames = int(m_json.integer(node[frames], 2, largestFrameCount));
+        return motion;
     }
 
     void readSettings(const JsonNode &root)

@@ -44,6 +44,12 @@ QByteArray offScreenText(const FrameSpec &frame)
         : QByteArray();
 }
 
+QByteArray motionText(const Motion &motion)
+{
+    return "{ \"by\": " + jsonPointText(motion.by)
+        + ", \"frames\": " + QByteArray::number(motion.frames) + " }";
+}
+
 } // namespace
 
 QByteArray writeScene(const Scene &scene, const QString &folder)
@@ -56,6 +62,8 @@ QByteArray writeScene(const Scene &scene, const QString &folder)
         + ",\n    \"rounding\": " + quoted(nameOf(scene.settings.rounding));
     if (scene.camera)
         text += ",\n    \"camera\": " + cameraText(*scene.camera);
+    if (scene.motion)
+        text += ",\n    \"motion\": " + motionText(*scene.motion);
     text += appearanceText(scene.appearance, folder) + ",\n    \"primitives\": [";
     const char *separator = "\n        ";
     const auto append = [&](const QByteArray &primitive) {

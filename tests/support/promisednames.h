@@ -27,9 +27,16 @@ inline const QStringList promisedWidgets{
     "labSizeAxis",      "labDrift",           "labEffects",       "labChanges",
     "labWarnings",      "labConditions",      "projectionPanel",  "projectionDock",
     "projectionTabs",   "projectionSentence", "sideView",         "stageTree",
-    "layersMenu",       "surfacesPanel",      "surfaceForms",     "surfaceS",
-    "surfaceT",         "segmentTable",       "effectsPanel",     "effectsDock",
-    "effectsTable",     "effectsSummary",     "effectsMeasure",   "effectsCancel"};
+    "surfacesPanel",    "surfaceForms",       "surfaceS",         "surfaceT",
+    "segmentTable",     "effectsPanel",       "effectsDock",      "effectsTable",
+    "effectsSummary",   "effectsMeasure",     "effectsCancel",    "methodPanel",
+    "methodText",       "methodDock",         "predict",          "predictChoice",
+    "predictQuestion",  "predictAnswer",      "predictCheck",     "predictShow",
+    "predictNext",      "predictVerdict",     "predictScore",     "predictDock",
+    "motion",           "motionDock",         "motionX",          "motionY",
+    "motionFrames",     "motionSet",          "motionEnd",        "motionSlider",
+    "motionPlay",       "motionPosition",     "motionSummary",    "motionView",
+    "motionTable",      "layersMenu"};
 
 /// Of the lab's menu of files; those of the menus have names that tests find in the menus.
 inline const QStringList promisedActions{"labOpen",       "labEarlier", "labSave",

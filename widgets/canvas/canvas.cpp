@@ -68,6 +68,7 @@ void Canvas::connectSources()
     connect(playhead, &Playhead::pickedPixelChanged, this, &Canvas::announce);
     connect(m_sources.options, &DisplayOptions::changed, this, repaint);
     connect(&m_view, &CanvasView::changed, this, &Canvas::updateVertices);
+    connect(&m_view, &CanvasView::changed, this, &Canvas::viewChanged);
     connect(&m_view, &CanvasView::zoomChanged, this, &Canvas::zoomChanged);
     connect(&m_repaintTimer, &QTimer::timeout, this, repaint);
 }

@@ -80,6 +80,7 @@ public slots:
 
 signals:
     void zoomChanged(int zoom);
+    void viewChanged(); ///< another zoom, another place of the frame
     /// The point that a click would place, in the scene's coordinates; none when the pointer
     /// leaves.
     void hovered(const std::optional<pixelplumb::LatticePoint> &point);

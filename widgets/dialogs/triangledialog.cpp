@@ -13,17 +13,37 @@
 
 namespace pixelplumb {
 
+namespace {
+
+constexpr int firstCarriedColumn = 4; // behind the name, x, y and the colour
+constexpr std::array carriedNames = {"z", "w", "u", "v", "N_x", "N_y", "N_z"};
+constexpr std::size_t divisor = 1; // of them, w
+
+/// Where a number that vertices carry is kept.
+Attribute &carriedIn(VertexAttributes &vertex, std::size_t index)
+{
+    if (index < 2)
+        return index == divisor ? vertex.w : vertex.z;
+    return index < 4 ? vertex.texture[index - 2] : vertex.normal[index - 4];
+}
+
+QString axisName(std::size_t index) { return QString::fromLatin1(carriedNames[index]); }
+
+} // namespace
+
 TriangleDialog::TriangleDialog(QWidget *parent)
     : QDialog(parent)
 {
     setObjectName(QStringLiteral("triangleDialog"));
     setWindowTitle(tr("Add a Triangle"));
     auto *grid = new QGridLayout;
-    grid->setHorizontalSpacing(16);
+    grid->setHorizontalSpacing(8);
     grid->setVerticalSpacing(8);
     grid->addWidget(new QLabel(tr("x"), this), 0, 1);
     grid->addWidget(new QLabel(tr("y"), this), 0, 2);
     grid->addWidget(new QLabel(tr("colour"), this), 0, 3);
+    for (std::size_t i = 0; i < carriedCount; ++i)
+        grid->addWidget(new QLabel(axisName(i), this), 0, firstCarriedColumn + int(i));
     addVertex(grid, 0, {{255, 0, 0}});
     addVertex(grid, 1, {{0, 255, 0}});
     addVertex(grid, 2, {{0, 0, 255}});
@@ -47,9 +67,60 @@ TriangleDialog::TriangleDialog(QWidget *parent)
     judge();
 }
 
-Result<Triangle> TriangleDialog::triangle() const
+TriangleDialog::TriangleDialog(const TypedTriangle &shown, QWidget *parent)
+    : TriangleDialog(parent)
 {
-    Triangle triangle;
+    setWindowTitle(tr("Triangle"));
+    m_buttons->button(QDialogButtonBox::Ok)->setText(tr("Change"));
+    show(shown);
+}
+
+void TriangleDialog::show(const TypedTriangle &shown)
+{
+    m_material = shown.attributes.material;
+    const VertexAttributes byDefault;
+    for (std::size_t i = 0; i < m_rows.size(); ++i) {
+        const Vertex &vertex = shown.triangle.vertices[i];
+        VertexAttributes carried = shown.attributes.vertices[i];
+        VertexAttributes standard = byDefault;
+        m_alpha[i] = carried.alpha;
+        m_rows[i].x->setText(coordinateText(vertex.position.x));
+        m_rows[i].y->setText(coordinateText(vertex.position.y));
+        m_rows[i].colour->setColour(vertex.colour);
+        const bool hasNormal = carried.normal != byDefault.normal;
+        for (std::size_t j = 0; j < carriedCount; ++j) {
+            const Attribute value = carriedIn(carried, j);
+            const bool isShown = j >= 4 ? hasNormal : value != carriedIn(standard, j);
+            m_rows[i].carried[j]->setText(isShown ? numberText(value, attributeFormat) : QString());
+        }
+    }
+    judge();
+}
+
+Result<VertexAttributes> TriangleDialog::carriedBy(std::size_t vertex) const
+{
+    VertexAttributes carried;
+    carried.alpha = m_alpha[vertex];
+    for (std::size_t i = 0; i < carriedCount; ++i) {
+        const QString text = m_rows[vertex].carried[i]->text().trimmed();
+        if (text.isEmpty())
+            continue;
+        const Result<SnappedNumber> number = parseNumber(text, attributeFormat);
+        const QString place = tr("P%1, %2").arg(vertex).arg(axisName(i));
+        if (!number)
+            return InputError{place, number.error().found, number.error().expected};
+        if (i == divisor && number->units <= 0)
+            return InputError{place, text, tr("more than 0")};
+        carriedIn(carried, i) = number->units;
+    }
+    return carried;
+}
+
+Result<TypedTriangle> TriangleDialog::triangle() const
+{
+    TypedTriangle typed;
+    typed.attributes.material = m_material;
+    std::size_t normals = 0;
     for (std::size_t vertex = 0; vertex < 3; ++vertex) {
         const Row &row = m_rows[vertex];
         const Result<SnappedNumber> x = parseCoordinate(row.x->text().trimmed());
@@ -58,39 +129,59 @@ Result<Triangle> TriangleDialog::triangle() const
         const Result<SnappedNumber> y = parseCoordinate(row.y->text().trimmed());
         if (!y)
             return InputError{tr("P%1, y").arg(vertex), y.error().found, y.error().expected};
-        triangle.vertices[vertex] = {{x->units, y->units}, row.colour->colour()};
+        const Result<VertexAttributes> carried = carriedBy(vertex);
+        if (!carried)
+            return carried.error();
+        typed.triangle.vertices[vertex] = {{x->units, y->units}, row.colour->colour()};
+        typed.attributes.vertices[vertex] = *carried;
+        normals += std::size_t(carried->normal != VertexAttributes().normal);
     }
-    return triangle;
+    if (normals != 0 && normals != 3)
+        return InputError{tr("N"), tr("a normal of length 0 beside others"),
+                          tr("three normals, or none")};
+    return typed;
+}
+
+QLineEdit *TriangleDialog::addField(QGridLayout *grid, int vertex, int gridColumn,
+                                    const QString &axis)
+{
+    auto *field = new QLineEdit(this);
+    field->setObjectName(QStringLiteral("vertex%1%2").arg(vertex).arg(axis));
+    field->setAccessibleName(tr("%1 of %2").arg(axis, tr("P%1").arg(vertex)));
+    field->setAlignment(Qt::AlignRight);
+    connect(field, &QLineEdit::textChanged, this, &TriangleDialog::judge);
+    grid->addWidget(field, vertex + 1, gridColumn);
+    return field;
 }
 
 void TriangleDialog::addVertex(QGridLayout *grid, int vertex, const Colour &colour)
 {
     const QString name = tr("P%1").arg(vertex);
-    const auto addField = [&](int gridColumn, const QString &axis) {
-        auto *field = new QLineEdit(this);
-        field->setObjectName(QStringLiteral("vertex%1%2").arg(vertex).arg(axis));
-        field->setAccessibleName(tr("%1 of %2").arg(axis, name));
-        field->setPlaceholderText(tr("26, 26.5 or 53/2"));
-        field->setAlignment(Qt::AlignRight);
-        connect(field, &QLineEdit::textChanged, this, &TriangleDialog::judge);
-        grid->addWidget(field, vertex + 1, gridColumn);
-        return field;
-    };
     Row &row = m_rows[std::size_t(vertex)];
     grid->addWidget(new QLabel(name, this), vertex + 1, 0);
-    row.x = addField(1, QStringLiteral("x"));
-    row.y = addField(2, QStringLiteral("y"));
+    row.x = addField(grid, vertex, 1, QStringLiteral("x"));
+    row.y = addField(grid, vertex, 2, QStringLiteral("y"));
+    for (QLineEdit *field : {row.x, row.y}) {
+        field->setPlaceholderText(tr("26, 26.5 or 53/2"));
+        field->setMinimumWidth(field->fontMetrics().averageCharWidth() * 18);
+    }
     row.colour = new ColourButton(tr("Colour of %1").arg(name), this);
     row.colour->setObjectName(QStringLiteral("vertex%1Colour").arg(vertex));
     row.colour->setColour(colour);
     grid->addWidget(row.colour, vertex + 1, 3);
+    for (std::size_t i = 0; i < carriedCount; ++i) {
+        QLineEdit *field = addField(grid, vertex, firstCarriedColumn + int(i), axisName(i));
+        field->setPlaceholderText(i == divisor ? QStringLiteral("1") : QStringLiteral("0"));
+        field->setMinimumWidth(field->fontMetrics().averageCharWidth() * 7);
+        row.carried[i] = field;
+    }
 }
 
 void TriangleDialog::judge()
 {
     if (!m_buttons)
         return;
-    const Result<Triangle> typed = triangle();
+    const Result<TypedTriangle> typed = triangle();
     const bool isEmpty = std::ranges::all_of(
         m_rows, [](const Row &row) { return row.x->text().isEmpty() && row.y->text().isEmpty(); });
     m_verdict->setText(typed || isEmpty ? QString() : typed.error().message());

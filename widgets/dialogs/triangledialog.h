@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/geometry/attributes.h"
 #include "core/geometry/triangle.h"
 #include "core/scene/result.h"
 
@@ -17,28 +18,48 @@ namespace pixelplumb {
 
 class ColourButton;
 
-/// A triangle typed in: three rows of x, y and colour. Coordinates as in a scene file: 26, 26.5,
-/// 53/2.
+/// What the dialog tells of a triangle.
+struct TypedTriangle {
+    Triangle triangle;
+    TriangleAttributes attributes; ///< of an index that says nothing
+
+    friend bool operator==(const TypedTriangle &, const TypedTriangle &) = default;
+};
+
+/// A triangle typed in: three rows of x, y, colour and what vertices carry beside them: z, w, u, v
+/// and the normal. Numbers as in a scene file: 26, 26.5, 53/2; a field of what is carried that is
+/// left empty stands for what a scene file leaves out.
 class TriangleDialog : public QDialog {
     Q_OBJECT
 
 public:
+    /// For a new triangle.
     explicit TriangleDialog(QWidget *parent = nullptr);
+    /// For one that is there.
+    explicit TriangleDialog(const TypedTriangle &shown, QWidget *parent = nullptr);
 
     /// The triangle as typed so far, or what is wrong with it.
-    Result<Triangle> triangle() const;
+    Result<TypedTriangle> triangle() const;
 
 private:
+    static constexpr std::size_t carriedCount = 7; ///< z, w, u, v, N_x, N_y, N_z
+
     struct Row {
         QLineEdit *x = nullptr;
         QLineEdit *y = nullptr;
         ColourButton *colour = nullptr;
+        std::array<QLineEdit *, carriedCount> carried = {};
     };
 
     void addVertex(QGridLayout *grid, int vertex, const Colour &colour);
+    QLineEdit *addField(QGridLayout *grid, int vertex, int gridColumn, const QString &axis);
+    void show(const TypedTriangle &shown);
+    Result<VertexAttributes> carriedBy(std::size_t vertex) const;
     void judge();
 
     std::array<Row, 3> m_rows;
+    int m_material = noMaterial;
+    std::array<std::uint8_t, 3> m_alpha = {255, 255, 255};
     QLabel *m_verdict = nullptr;
     QDialogButtonBox *m_buttons = nullptr;
 };

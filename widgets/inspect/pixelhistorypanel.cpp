@@ -117,6 +117,7 @@ PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)
     connect(playhead, &Playhead::tracedChanged, this, &PixelHistoryPanel::scheduleUpdate);
     connect(playhead, &Playhead::pickedPixelChanged, this, &PixelHistoryPanel::scheduleUpdate);
     connect(playhead, &Playhead::positionChanged, this, &PixelHistoryPanel::followPosition);
+    connect(playhead, &Playhead::aheadHiddenChanged, this, &PixelHistoryPanel::scheduleUpdate);
     connect(m_attempts, &QTreeView::activated, this, &PixelHistoryPanel::goToWrite);
     connect(m_attempts->selectionModel(), &QItemSelectionModel::currentChanged, this,
             &PixelHistoryPanel::showReason);
@@ -141,11 +142,23 @@ void PixelHistoryPanel::scheduleUpdate()
         takePixel();
 }
 
+/// Whether a student is to foretell what becomes of the pixel.
+bool PixelHistoryPanel::isAhead() const
+{
+    const std::optional<QPoint> pixel = m_playhead->pickedPixel();
+    return m_playhead->isAheadHidden() && pixel
+        && m_playhead->traced()->decidedAt(pixel->x(), pixel->y()) > m_playhead->position()
+        && !m_model->isAllWritten();
+}
+
 void PixelHistoryPanel::takePixel()
 {
     m_isStale = false;
     m_model->setPosition(m_playhead->position());
     m_model->setPixel(m_playhead->sharedTraced(), m_playhead->pickedPixel());
+    m_isAhead = isAhead();
+    if (m_isAhead)
+        m_model->setPixel(m_playhead->sharedTraced(), std::nullopt);
     const QModelIndex decisive = m_model->decisiveRow();
     for (int row = 0; row < m_model->rowCount(); ++row)
         m_attempts->setFirstColumnSpanned(row, {}, true);
@@ -160,6 +173,10 @@ void PixelHistoryPanel::followPosition()
 {
     if (!isVisible()) {
         m_isStale = true;
+        return;
+    }
+    if (m_playhead->isAheadHidden()) {
+        takePixel(); // what was ahead may be told now
         return;
     }
     m_model->setPosition(m_playhead->position());
@@ -189,6 +206,11 @@ void PixelHistoryPanel::describePixel()
     const FrameView frame = m_playhead->frame()->view();
     if (!frame.contains(pixel->x(), pixel->y()))
         return;
+    if (m_isAhead) {
+        m_heading->setText(
+            tr("<b>(%1, %2)</b> is still ahead: predict it").arg(pixel->x()).arg(pixel->y()));
+        return;
+    }
     const QRgb truth = *traced->truth.view().at(pixel->x(), pixel->y());
     QString text = QStringLiteral("<b>(%1, %2)</b> &nbsp;%3 &nbsp;")
                        .arg(pixel->x())

@@ -29,6 +29,7 @@ protected:
 private:
     void scheduleUpdate();
     void takePixel();
+    bool isAhead() const;
     void followPosition();
     void describePixel();
     void select(const QModelIndex &attempt);
@@ -40,6 +41,7 @@ private:
     QLabel *m_heading;
     QLabel *m_reason;
     QTreeView *m_attempts;
+    bool m_isAhead = false; ///< nothing is told of the pixel
     bool m_isStale = true;
 };
 

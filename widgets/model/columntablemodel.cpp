@@ -42,6 +42,7 @@ ColumnTableModel::ColumnTableModel(Playhead *playhead, QObject *parent)
 {
     connect(playhead, &Playhead::tracedChanged, this, &ColumnTableModel::takeTrace);
     connect(playhead, &Playhead::positionChanged, this, &ColumnTableModel::followPosition);
+    connect(playhead, &Playhead::aheadHiddenChanged, this, &ColumnTableModel::takeTrace);
     takeTrace();
 }
 
@@ -70,9 +71,11 @@ void ColumnTableModel::takeTrace()
 void ColumnTableModel::followPosition()
 {
     m_position = m_playhead->position();
+    // Numbers that were hidden ahead may be seen now.
+    const QList<int> roles
+        = m_playhead->isAheadHidden() ? QList<int>() : QList<int>{IsAheadRole, IsInHandRole};
     if (rowCount() > 0)
-        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1),
-                         {IsAheadRole, IsInHandRole});
+        emit dataChanged(index(0, 0), index(rowCount() - 1, columnCount() - 1), roles);
 }
 
 bool ColumnTableModel::isRounding() const
@@ -216,16 +219,36 @@ RowMark ColumnTableModel::markOf(int row) const
                                                                    : RowMark::None;
 }
 
+/// Which row it is and how it is painted is no secret; what its formulas give is.
+bool ColumnTableModel::isToldAhead(int column, int role) const
+{
+    switch (role) {
+    case Qt::TextAlignmentRole:
+    case IsAheadRole:
+    case IsInHandRole:
+    case PrimitiveRole:
+    case RowMarkRole:
+        return true;
+    default:
+        return number(column).group == NumberGroup::Position;
+    }
+}
+
 QVariant ColumnTableModel::data(const QModelIndex &index, int role) const
 {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid))
         return {};
     const auto row = std::size_t(index.row());
+    const bool isAhead = m_traced->trace->indexOfSpan(row) >= m_position;
+    if (isAhead && m_playhead->isAheadHidden() && !isToldAhead(index.column(), role))
+        return role == Qt::DisplayRole ? QVariant(QStringLiteral("?"))
+            : role == MarkedDigitRole  ? QVariant(-1)
+                                       : QVariant();
     switch (role) {
     case Qt::TextAlignmentRole:
         return QVariant::fromValue(Qt::AlignRight | Qt::AlignVCenter);
     case IsAheadRole:
-        return m_traced->trace->indexOfSpan(row) >= m_position;
+        return isAhead;
     case IsInHandRole:
         return m_playhead->spanInHand() == row;
     case PrimitiveRole:

@@ -82,6 +82,7 @@ private:
     QString toolTip(int row, const Entry &entry) const;
     QVariant numberData(const RowNumbers &numbers, const Entry &entry, int role) const;
     RowMark markOf(int row) const;
+    bool isToldAhead(int column, int role) const;
 
     Playhead *m_playhead;
     std::shared_ptr<const TracedScene> m_traced;

@@ -12,7 +12,8 @@ namespace pixelplumb {
 namespace {
 
 constexpr quintptr topLevel = 0; // internal ids: 0 for attempts, 1 + row of the attempt for details
-constexpr int detailCount = 3; // channels or edges
+constexpr int channelRows = 3; // that come before the edges
+constexpr int edgeRows = 3;
 
 /// "△ 2", "line 0".
 QString nameText(const PixelAttempt &attempt)
@@ -75,8 +76,8 @@ void PixelHistoryModel::setPosition(std::size_t position)
     for (int row = 0; row < int(m_attempts.size()); ++row) {
         const QModelIndex attempt = index(row, 0);
         if (m_attempts[std::size_t(row)].written)
-            emit dataChanged(index(0, 0, attempt), index(detailCount - 1, columnTotal - 1, attempt),
-                             {IsAheadRole});
+            emit dataChanged(index(0, 0, attempt),
+                             index(channelRows - 1, columnTotal - 1, attempt), {IsAheadRole});
     }
 }
 
@@ -95,6 +96,15 @@ QModelIndex PixelHistoryModel::decisiveRow() const
             decisive = row;
     }
     return index(std::max(0, decisive), 0);
+}
+
+bool PixelHistoryModel::isAllWritten() const
+{
+    const auto isAhead = [this](const PixelAttempt &attempt) {
+        return attempt.written && attempt.step >= m_position;
+    };
+    const auto isWritten = [](const PixelAttempt &attempt) { return attempt.written; };
+    return std::ranges::any_of(m_attempts, isWritten) && std::ranges::none_of(m_attempts, isAhead);
 }
 
 QModelIndex PixelHistoryModel::rowInHand() const
@@ -133,7 +143,7 @@ int PixelHistoryModel::rowCount(const QModelIndex &parent) const
     if (!hasDetails)
         return 0;
     const PixelAttempt &attempt = m_attempts[std::size_t(parent.row())];
-    return attempt.written || attempt.hasEdges() ? detailCount : 0;
+    return (attempt.written ? channelRows : 0) + (attempt.hasEdges() ? edgeRows : 0);
 }
 
 int PixelHistoryModel::columnCount(const QModelIndex &) const { return columnTotal; }
@@ -218,6 +228,14 @@ QString PixelHistoryModel::edgeText(const PixelAttempt &attempt, std::size_t ind
     return tr("%1 px square to it").arg(QString::number(edge.distance, 'g', 4).replace(u'-', u'−'));
 }
 
+QString PixelHistoryModel::detailText(const PixelAttempt &attempt, std::size_t row,
+                                      int column) const
+{
+    const std::size_t channels = attempt.written ? channelRows : 0;
+    return row < channels ? channelText(attempt, row, column)
+                          : edgeText(attempt, row - channels, column);
+}
+
 QVariant PixelHistoryModel::data(const QModelIndex &index, int role) const
 {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid))
@@ -237,15 +255,15 @@ QVariant PixelHistoryModel::data(const QModelIndex &index, int role) const
     case Qt::DisplayRole:
         if (!isDetail)
             return attemptText(attempt, index.column());
-        return attempt.written ? channelText(attempt, std::size_t(index.row()), index.column())
-                               : edgeText(attempt, std::size_t(index.row()), index.column());
+        return detailText(attempt, std::size_t(index.row()), index.column());
     case Qt::ToolTipRole:
     case ReasonRole:
         return attempt.reason;
     case StepRole:
         return attempt.written ? QVariant(qulonglong(attempt.step)) : QVariant();
-    case IsAheadRole:
-        return attempt.written && attempt.step >= m_position;
+    case IsAheadRole: // of an edge it is said that it accepts or refuses, at any time
+        return attempt.written && attempt.step >= m_position
+            && !(isDetail && index.row() >= channelRows);
     case BeforeColourRole:
         return isSwatch ? QVariant(opaque(attempt.change.before)) : QVariant();
     case AfterColourRole:

@@ -172,8 +172,19 @@ void Playhead::runToPickedPixel(StepDirection direction)
 
 void Playhead::pick(const QPoint &pixel)
 {
-    if (m_traced && setPicked(pixel))
+    if (!m_traced)
+        return;
+    if (setPicked(pixel))
         emit pickedPixelChanged();
+    emit pixelChosen(*m_picked);
+}
+
+void Playhead::setAheadHidden(bool hidden)
+{
+    if (m_isAheadHidden == hidden)
+        return;
+    m_isAheadHidden = hidden;
+    emit aheadHiddenChanged(hidden);
 }
 
 void Playhead::nudgePick(int dx, int dy)
@@ -221,7 +232,10 @@ void Playhead::moveTo(std::size_t position)
     if (moved)
         m_cursor->seek(target);
     bool pickMoved = false;
-    if (target > 0) {
+    // A span's first pixel is written only by the next step.
+    const bool isTold = target > 0
+        && (!m_isAheadHidden || m_traced->trace->stepAt(target - 1).kind == StepKind::Sample);
+    if (isTold) {
         if (const std::optional<QPoint> pixel = navigation().pixelOf(target - 1))
             pickMoved = setPicked(pixel);
     }

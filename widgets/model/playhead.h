@@ -61,6 +61,9 @@ public:
 
     std::optional<QPoint> pickedPixel() const { return m_picked; }
 
+    /// True while a student foretells what the next steps compute: nobody shows it.
+    bool isAheadHidden() const { return m_isAheadHidden; }
+
     const Breakpoints &breakpoints() const { return m_breakpoints; }
     const std::set<std::int64_t> &columnBreakpoints() const { return m_breakpoints.columns; }
     const std::set<std::int64_t> &rowBreakpoints() const { return m_breakpoints.rows; }
@@ -80,6 +83,7 @@ public slots:
     /// Goes to the next or previous step that writes the picked pixel; emits message() when none
     /// does.
     void runToPickedPixel(pixelplumb::StepDirection direction);
+    void setAheadHidden(bool hidden);
     void pick(const QPoint &pixel); ///< clamped to the frame
     void nudgePick(int dx, int dy);
     /// Of a column or a row; a free span has no place at which to pause again.
@@ -94,6 +98,8 @@ signals:
     void positionChanged(std::size_t position);
     void unitChanged(pixelplumb::StepUnit unit);
     void pickedPixelChanged();
+    void pixelChosen(const QPoint &pixel); ///< by pick(); maybe the same one again
+    void aheadHiddenChanged(bool hidden);
     void breakpointsChanged();
     void playingChanged(bool playing);
     void stepsPerSecondChanged(double stepsPerSecond);
@@ -112,6 +118,7 @@ private:
     std::unique_ptr<TraceCursor> m_cursor;
     StepUnit m_unit = StepUnit::Span;
     std::optional<QPoint> m_picked;
+    bool m_isAheadHidden = false;
     Breakpoints m_breakpoints;
     /// The position between landings from which stepping set out; forgotten by any other move.
     std::optional<std::size_t> m_setOutFrom;

@@ -104,6 +104,15 @@ bool SceneDocument::canClosePending() const
     return placedKind() == PrimitiveKind::Polygon && m_pending.size() >= 3;
 }
 
+TriangleAttributes SceneDocument::attributesOf(int triangle) const
+{
+    const auto found = std::ranges::lower_bound(m_scene.attributes, std::size_t(triangle), {},
+                                                &TriangleAttributes::triangle);
+    if (found != m_scene.attributes.end() && found->triangle == std::size_t(triangle))
+        return *found;
+    return {.triangle = std::size_t(triangle), .vertices = {}};
+}
+
 std::vector<VertexRef> SceneDocument::vertices() const
 {
     std::vector<VertexRef> refs;
@@ -145,6 +154,7 @@ void SceneDocument::reset(Scene scene)
     m_chosenColour.reset();
     m_selected.reset();
     m_undoStack.clear();
+    emit opened();
     emit selectionChanged();
     emit pendingChanged();
     emit nextColourChanged();

@@ -50,6 +50,8 @@ public:
     Colour nextColour() const;
     std::optional<VertexRef> selectedVertex() const { return m_selected; }
     std::optional<Vertex> vertexAt(const VertexRef &ref) const;
+    /// What a triangle's vertices carry beside place and colour.
+    TriangleAttributes attributesOf(int triangle) const;
     /// Every vertex: the primitives' in drawing order, then the pending ones.
     std::vector<VertexRef> vertices() const;
     LatticePoint snapped(const LatticePoint &point) const;
@@ -71,7 +73,11 @@ public slots:
     void moveVertex(const pixelplumb::VertexRef &ref, const pixelplumb::LatticePoint &position,
                     int drag);
     void setVertexColour(const pixelplumb::VertexRef &ref, const pixelplumb::Colour &colour);
-    void addTriangle(const pixelplumb::Triangle &triangle);
+    /// The attributes' own index says nothing here.
+    void addTriangle(const pixelplumb::Triangle &triangle,
+                     const pixelplumb::TriangleAttributes &attributes = {});
+    void setTriangle(int primitive, const pixelplumb::Triangle &triangle,
+                     const pixelplumb::TriangleAttributes &attributes);
     /// Makes a polygon of the pending vertices.
     void closePending();
     void setText(int primitive, const QString &text); ///< of a text
@@ -85,6 +91,7 @@ public slots:
     void setCamera(const pixelplumb::Camera &camera, int drag);
     void setSolid(std::size_t index, const pixelplumb::Solid &solid, int drag);
     void setAppearance(const pixelplumb::Appearance &appearance);
+    void setMotion(const std::optional<pixelplumb::Motion> &motion);
     /// Of the rule off-screen-point. Moves that share a drag number are one edit.
     void moveOffScreenPoint(const pixelplumb::LatticePoint &position, int drag);
     void setSettings(const pixelplumb::ScanSettings &settings);
@@ -95,6 +102,7 @@ public slots:
     void selectVertex(const std::optional<pixelplumb::VertexRef> &ref);
 
 signals:
+    void opened(); ///< reset() has taken another scene
     void sceneChanged(); ///< primitives, frame, settings or method
     void pendingChanged();
     void selectionChanged();

@@ -87,15 +87,29 @@ void SceneDocument::setVertexColour(const VertexRef &ref, const Colour &colour)
     edit(tr("change colour"), before, after);
 }
 
-void SceneDocument::addTriangle(const Triangle &triangle)
+void SceneDocument::addTriangle(const Triangle &triangle, const TriangleAttributes &attributes)
 {
     if (!std::ranges::all_of(triangle.vertices,
                              [this](const Vertex &vertex) { return accepts(vertex.position); }))
         return;
     const ScenePiece before = pieceAtEnd();
     ScenePiece after = before;
-    after.run.triangles.push_back(triangle);
+    after.setTriangle(triangle, attributes);
     edit(tr("add triangle"), before, after);
+}
+
+void SceneDocument::setTriangle(int primitive, const Triangle &triangle,
+                                const TriangleAttributes &attributes)
+{
+    if (kindOf(primitive) != PrimitiveKind::Triangle
+        || !std::ranges::all_of(triangle.vertices,
+                                [this](const Vertex &vertex) { return accepts(vertex.position); }))
+        return;
+    const ScenePiece before = pieceWith(primitive);
+    ScenePiece after = before;
+    after.setTriangle(triangle, attributes);
+    if (after != before)
+        edit(tr("change triangle"), before, after);
 }
 
 void SceneDocument::closePending()
@@ -226,6 +240,15 @@ void SceneDocument::setAppearance(const Appearance &appearance)
     ScenePiece after = pieceAtEnd();
     after.appearance = appearance;
     edit(tr("change appearance"), pieceAtEnd(), after);
+}
+
+void SceneDocument::setMotion(const std::optional<Motion> &motion)
+{
+    if (m_scene.motion == motion)
+        return;
+    ScenePiece after = pieceAtEnd();
+    after.motion = motion;
+    edit(motion ? tr("change motion") : tr("end motion"), pieceAtEnd(), after);
 }
 
 void SceneDocument::moveOffScreenPoint(const LatticePoint &position, int drag)

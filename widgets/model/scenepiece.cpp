@@ -58,6 +58,17 @@ void ScenePiece::completePending(PrimitiveKind kind)
     pending.clear();
 }
 
+void ScenePiece::setTriangle(const Triangle &triangle, TriangleAttributes attributes)
+{
+    run.triangles = {triangle};
+    attributes.triangle = firstTriangle;
+    run.attributes.clear();
+    TriangleAttributes byDefault;
+    byDefault.triangle = firstTriangle;
+    if (attributes != byDefault)
+        run.attributes = {attributes};
+}
+
 Vertex &ScenePiece::vertex(const VertexRef &ref)
 {
     const auto index = std::size_t(ref.vertex);
@@ -71,7 +82,7 @@ bool ScenePiece::hasSceneOf(const ScenePiece &other) const
 {
     return frame == other.frame && settings == other.settings && method == other.method
         && run == other.run && solids == other.solids && camera == other.camera
-        && appearance == other.appearance;
+        && appearance == other.appearance && motion == other.motion;
 }
 
 ScenePiece pieceAtEnd(const Scene &scene)
@@ -85,6 +96,7 @@ ScenePiece pieceAtEnd(const Scene &scene)
     piece.firstShape = scene.shapes.size();
     piece.camera = scene.camera;
     piece.appearance = scene.appearance;
+    piece.motion = scene.motion;
     return piece;
 }
 
@@ -129,6 +141,7 @@ void replace(Scene &scene, const ScenePiece &before, const ScenePiece &after)
     scene.method = after.method;
     scene.camera = after.camera;
     scene.appearance = after.appearance;
+    scene.motion = after.motion;
     replaceAttributes(scene.attributes, before, after);
     replaceRun(scene.triangles, before.firstTriangle, before.run.triangles.size(),
                after.run.triangles);

@@ -30,11 +30,14 @@ struct ScenePiece {
     std::vector<Solid> solids; ///< of the run
     std::optional<Camera> camera;
     Appearance appearance;
+    std::optional<Motion> motion;
     std::vector<Vertex> pending; ///< vertices that wait for their primitive
     std::optional<Colour> chosenColour; ///< for the next vertex alone
 
     /// The pending vertices become the run's last primitive.
     void completePending(PrimitiveKind kind);
+    /// The run's only triangle becomes this one; what all triangles have is not kept of it.
+    void setTriangle(const Triangle &triangle, TriangleAttributes attributes);
     /// A vertex of the run's only primitive, or one that waits.
     Vertex &vertex(const VertexRef &ref);
 

@@ -197,6 +197,7 @@ void Scrubber::takeTrace()
         const QSignalBlocker blocker(this);
         setRange(0, int(std::min(end, std::size_t(std::numeric_limits<int>::max()))));
     }
+    findStops();
     findBreakpoints();
     followPlayhead();
 }
@@ -227,6 +228,32 @@ void Scrubber::findBreakpoints()
         }
     }
     forgetBackground();
+}
+
+void Scrubber::setColumnPlaces(const ColumnPlaces &places)
+{
+    m_places = places;
+    findStops();
+}
+
+void Scrubber::findStops()
+{
+    m_stops.clear();
+    forgetBackground();
+    if (!m_playhead->traced() || m_playhead->traced()->trace->primitiveCount() != 1)
+        return;
+    const ScanTrace &trace = *m_playhead->traced()->trace;
+    std::vector<ColumnStop> stops;
+    for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+        const SpanPlace &place = trace.placeOf(span);
+        const double x = m_places.origin + m_places.width * double(place.coordinate);
+        const bool isSeen = x - m_places.width >= m_places.left && x <= m_places.right;
+        const bool ascends = stops.empty() || x >= stops.back().x;
+        if (place.axis != SpanAxis::Column || !isSeen || !ascends)
+            return;
+        stops.push_back({trace.indexOfSpan(span) + 1, x});
+    }
+    m_stops = std::move(stops);
 }
 
 void Scrubber::forgetBackground()

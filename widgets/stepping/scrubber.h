@@ -10,9 +10,18 @@
 
 namespace pixelplumb {
 
+/// How the canvas shows columns, in logical pixels of the scrubber, which is as wide.
+struct ColumnPlaces {
+    double origin = 0; ///< the middle of column 0
+    double width = 0; ///< of a column
+    double left = 0, right = 0; ///< where columns are seen
+};
+
 /// The whole run on one line, with its marks in a lane a kind above it: where vertices are, where
 /// ties and clamps happen, the first pixel that differs from the truth. The plumb line marks the
-/// position; dragging seeks.
+/// position; dragging seeks. A run of one primitive in columns that are all seen on the canvas
+/// stands below them, so that the plumb line is one line; every other is spread evenly by its
+/// steps.
 class Scrubber : public QAbstractSlider {
     Q_OBJECT
 
@@ -27,6 +36,7 @@ public:
     const TraceMark *markNear(double x) const;
 
 public slots:
+    void setColumnPlaces(const pixelplumb::ColumnPlaces &places);
     /// Just after the next or previous mark's step.
     void goToMark(pixelplumb::StepDirection direction);
 
@@ -45,6 +55,7 @@ private:
     void takeTrace();
     void followPlayhead();
     void findBreakpoints();
+    void findStops();
     void forgetBackground();
     void seekSoon(std::size_t position);
     QString hoverText(double x) const;
@@ -54,6 +65,8 @@ private:
 
     Playhead *m_playhead;
     std::vector<std::size_t> m_breakpoints; ///< the positions at which a run pauses
+    ColumnPlaces m_places;
+    std::vector<ColumnStop> m_stops; ///< empty where positions are spread evenly
     std::size_t m_sought = 0; ///< where the mouse wants to go
     QTimer m_seekTimer; ///< one seek a frame, however many mouse moves
     QPixmap m_background; ///< everything but the position; null when it has to be painted anew

@@ -34,6 +34,11 @@ QSize Scrubber::minimumSizeHint() const { return {240, wholeHeight}; }
 
 ScrubberScale Scrubber::scale() const
 {
+    if (!m_stops.empty() && m_stops.front().x - m_places.width >= gutter) {
+        // A column before the first one is where nothing is done, a half behind the last the end.
+        const double left = m_stops.front().x - m_places.width;
+        return {left, m_stops.back().x + m_places.width / 2 - left, m_playhead->end(), m_stops};
+    }
     return {double(gutter), double(std::max(1, width() - gutter - margin)), m_playhead->end()};
 }
 

@@ -59,9 +59,14 @@ void EditMenu::addVertices(QWidget *window)
     addMenuAction(this, "addTriangle", tr("Add a &triangle…"), Qt::CTRL | Qt::Key_T,
                   [document, window] {
                       TriangleDialog dialog(window);
-                      if (dialog.exec() == QDialog::Accepted)
-                          document->addTriangle(*dialog.triangle());
+                      if (dialog.exec() != QDialog::Accepted)
+                          return;
+                      const TypedTriangle typed = *dialog.triangle();
+                      document->addTriangle(typed.triangle, typed.attributes);
                   });
+    QAction *change
+        = addMenuAction(this, "editTriangle", tr("C&hange the selected triangle…"),
+                        Qt::CTRL | Qt::SHIFT | Qt::Key_T, [this, window] { editSelected(window); });
     QAction *close
         = addMenuAction(this, "closePolygon", tr("Close the &polygon"), Qt::CTRL | Qt::Key_Return,
                         [document] { document->closePending(); });
@@ -75,8 +80,9 @@ void EditMenu::addVertices(QWidget *window)
     QAction *remove = addMenuAction(this, "deleteSelected", tr("&Delete the selected primitive"),
                                     QKeySequence::Delete, [this] { deleteSelected(); });
     confineKeyTo(m_parts.canvas, remove);
-    const auto updateSelected = [document, colour, remove] {
+    const auto updateSelected = [this, document, colour, remove, change] {
         const bool isSelected = document->selectedVertex().has_value();
+        change->setEnabled(selectedTriangle().has_value());
         colour->setEnabled(isSelected);
         remove->setEnabled(isSelected);
     };
@@ -84,6 +90,28 @@ void EditMenu::addVertices(QWidget *window)
     updateSelected();
     addMenuAction(this, "clearScene", tr("C&lear all primitives"), {},
                   [document] { document->clear(); });
+}
+
+std::optional<int> EditMenu::selectedTriangle() const
+{
+    const auto selected = m_parts.document->selectedVertex();
+    const bool isTriangle = selected && selected->primitive != VertexRef::pending
+        && m_parts.document->kindOf(selected->primitive) == PrimitiveKind::Triangle;
+    return isTriangle ? std::optional(selected->primitive) : std::nullopt;
+}
+
+void EditMenu::editSelected(QWidget *window)
+{
+    const std::optional<int> index = selectedTriangle();
+    if (!index)
+        return;
+    SceneDocument *document = m_parts.document;
+    const Triangle shown = document->scene().triangles[std::size_t(*index)];
+    TriangleDialog dialog({shown, document->attributesOf(*index)}, window);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    const TypedTriangle typed = *dialog.triangle();
+    document->setTriangle(*index, typed.triangle, typed.attributes);
 }
 
 void EditMenu::addFrameAndSnap(QWidget *window)

@@ -5,6 +5,8 @@
 
 #include <QMenu>
 
+#include <optional>
+
 namespace pixelplumb {
 
 /// Changes to the scene, and the clipboard.
@@ -22,6 +24,9 @@ private:
     void chooseColourOfSelected(QWidget *window);
     void chooseNextColour(QWidget *window);
     void deleteSelected();
+    /// The triangle whose vertex is selected, by its index.
+    std::optional<int> selectedTriangle() const;
+    void editSelected(QWidget *window);
 
     WindowParts m_parts;
 };

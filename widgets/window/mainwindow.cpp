@@ -53,6 +53,13 @@ QString draggedFile(const QMimeData *data)
     return urls.size() == 1 ? urls.constFirst().toLocalFile() : QString();
 }
 
+ColumnPlaces columnPlacesOf(const Canvas &canvas)
+{
+    const double origin = canvas.positionOf(QPoint(0, 0)).x();
+    return {origin, canvas.positionOf(QPoint(1, 0)).x() - origin, canvas.view().left(),
+            canvas.view().right()};
+}
+
 } // namespace
 
 MainWindow::MainWindow(QWidget *parent)
@@ -116,6 +123,9 @@ void MainWindow::makeCentre()
     m_parts.messageBar = new MessageBar(m_parts.canvas);
     m_parts.overdraw = new OverdrawOverlay(m_parts.canvas, m_parts.playhead);
     m_parts.scrubber = new Scrubber(m_parts.playhead, centre);
+    // One stands above the other: a column has the same x in both.
+    connect(m_parts.canvas, &Canvas::viewChanged, m_parts.scrubber,
+            [this] { m_parts.scrubber->setColumnPlaces(columnPlacesOf(*m_parts.canvas)); });
     auto *layout = new QVBoxLayout(centre);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(0);

@@ -3,13 +3,16 @@
 
 #include "widgets/inspect/columntablepanel.h"
 #include "widgets/inspect/formulapanel.h"
+#include "widgets/inspect/methodpanel.h"
 #include "widgets/inspect/pixelgrid.h"
 #include "widgets/inspect/pixelhistorypanel.h"
+#include "widgets/inspect/predictpanel.h"
 #include "widgets/lab/accuracylab.h"
 #include "widgets/space/projectionpanel.h"
 #include "widgets/studies/comparepanel.h"
 #include "widgets/studies/effectspanel.h"
 #include "widgets/studies/hardcasespanel.h"
+#include "widgets/studies/motionpanel.h"
 #include "widgets/studies/operationpanel.h"
 #include "widgets/studies/performancepanel.h"
 #include "widgets/studies/precisionpanel.h"
@@ -39,6 +42,13 @@ QWidget *projection(const WindowParts &parts)
 QWidget *effects(const WindowParts &parts)
 {
     return new EffectsPanel(parts.document, parts.effects);
+}
+
+QWidget *motion(const WindowParts &parts) { return new MotionPanel(parts.document); }
+
+QWidget *predict(const WindowParts &parts)
+{
+    return new PredictPanel(parts.document, parts.playhead);
 }
 
 constexpr Qt::DockWidgetArea leftArea = Qt::LeftDockWidgetArea;
@@ -71,6 +81,12 @@ constexpr Panel table[] = {
     {"projectionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Projection"), projection,
      bottomArea, hiddenAtFirst},
     {"effectsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Effects"), effects, bottomArea,
+     hiddenAtFirst},
+    {"methodDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "This method"),
+     follower<MethodPanel>, leftArea, hiddenAtFirst},
+    {"predictDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Predict"), predict, leftArea,
+     hiddenAtFirst},
+    {"motionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Motion"), motion, bottomArea,
      hiddenAtFirst},
 };
 

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/compare/motionstudy.h"
+
+#include "core/frame/framebuffer.h"
+#include "core/runs/tracedscene.h"
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr Colour paint = {{255, 255, 255}};
+
+/// The same places, all of one colour on black and without effects: what is painted is what is not
+/// black.
+Scene silhouetteOf(Scene scene)
+{
+    scene.frame.background = Colour{};
+    scene.appearance = {};
+    scene.attributes.clear();
+    for (Triangle &triangle : scene.triangles) {
+        for (Vertex &vertex : triangle.vertices)
+            vertex.colour = paint;
+    }
+    for (Shape &shape : scene.shapes) {
+        for (Vertex &vertex : shape.vertices)
+            vertex.colour = paint;
+    }
+    return scene;
+}
+
+/// Counts what is painted and what is otherwise than in the picture before.
+template <class CountToggle>
+std::pair<std::int64_t, std::int64_t> countIn(FrameView now, FrameView before,
+                                              CountToggle countToggle)
+{
+    std::int64_t painted = 0;
+    std::int64_t toggled = 0;
+    const QRgb black = qRgb(0, 0, 0);
+    for (std::int64_t y = now.firstRow; y < now.endRow(); ++y) {
+        for (std::int64_t x = now.firstColumn; x < now.endColumn(); ++x) {
+            const bool isPainted = *now.at(x, y) != black;
+            painted += int(isPainted);
+            if (isPainted == (*before.at(x, y) != black))
+                continue;
+            ++toggled;
+            countToggle(x, y);
+        }
+    }
+    return {painted, toggled};
+}
+
+} // namespace
+
+std::int64_t MotionStudy::toggled() const
+{
+    std::int64_t sum = 0;
+    for (const MotionFrame &frame : frames)
+        sum += frame.toggled;
+    return sum;
+}
+
+std::int64_t MotionStudy::truthToggled() const
+{
+    std::int64_t sum = 0;
+    for (const MotionFrame &frame : frames)
+        sum += frame.truthToggled;
+    return sum;
+}
+
+std::optional<MotionStudy> studyMotion(const Scene &scene, const ProgressListener &listener)
+{
+    const int count = scene.motion ? scene.motion->frames : 1;
+    const Scene silhouette = silhouetteOf(scene);
+    MotionStudy study{{}, FrameMap<PixelToggles>(scene.frame)};
+    std::optional<FrameBuffer> drawnBefore;
+    std::optional<FrameBuffer> truthBefore;
+    for (int number = 0; number < count; ++number) {
+        if (!goesOn(listener, {JobPhase::Drawing, number, count}))
+            return std::nullopt;
+        const Scene moved = sceneAtFrame(silhouette, number);
+        FrameBuffer drawn(moved.frame);
+        FrameBuffer truth(moved.frame);
+        drawScene(moved, drawn);
+        drawTruth(moved, truth);
+        MotionFrame frame;
+        const bool isFirst = !drawnBefore;
+        std::tie(frame.drawn, frame.toggled)
+            = countIn(drawn.view(), (isFirst ? drawn : *drawnBefore).view(),
+                      [&](std::int64_t x, std::int64_t y) { ++study.toggles.at(x, y).drawn; });
+        std::tie(frame.truth, frame.truthToggled)
+            = countIn(truth.view(), (isFirst ? truth : *truthBefore).view(),
+                      [&](std::int64_t x, std::int64_t y) { ++study.toggles.at(x, y).truth; });
+        study.frames.push_back(frame);
+        drawnBefore.emplace(std::move(drawn));
+        truthBefore.emplace(std::move(truth));
+    }
+    return study;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/pseudocode.h"
+
+namespace pixelplumb {
+
+namespace {
+
+using enum Moment;
+
+/// What is computed once for every value that the vertices carry.
+QString coefficientsText(InterpolationForm form)
+{
+    switch (form) {
+    case InterpolationForm::Bilinear:
+        return QStringLiteral("δ ← what each column adds to it along L₀₁, L₁₂ and L₀₂");
+    case InterpolationForm::Plane:
+        return QStringLiteral("a, b, c ← of the plane through its values at the three vertices");
+    case InterpolationForm::Barycentric:
+        break;
+    }
+    return QStringLiteral("a, b, c ← of each weight α, β, γ: 1 at its own vertex, 0 at the others");
+}
+
+/// How each sample gets its values.
+Pseudocode valueLines(InterpolationForm form)
+{
+    if (form == InterpolationForm::Bilinear)
+        return {
+            {2, QStringLiteral("the first: each value v ← v_B, moved on to this sample"), {First}},
+            {2, QStringLiteral("else: v ← v + Δv"), {Next}}};
+    if (form == InterpolationForm::Plane)
+        return {{2, QStringLiteral("each value v ← a·x + b·y + c"), {First, Next}}};
+    return {{2, QStringLiteral("α, β, γ ← a·x + b·y + c, of each its own"), {First, Next}},
+            {2, QStringLiteral("each value v ← α·v₀ + β·v₁ + γ·v₂"), {First, Next}}};
+}
+
+Pseudocode columnLines(InterpolationForm form)
+{
+    Pseudocode code = {
+        {0, QStringLiteral("sort the vertices by x: P₀, P₁, P₂"), {SetUp}},
+        {0, QStringLiteral("m ← the slopes of L₀₁, L₁₂ and L₀₂"), {SetUp}},
+        {0, QStringLiteral("of each value that is carried: ") + coefficientsText(form), {SetUp}},
+        {0, QStringLiteral("if no sample is to be drawn: done"), {Rejected}},
+        {0,
+         QStringLiteral("for each column that the fill rule takes, with L₀₁ up to P₁, with L₁₂ "
+                        "from there, and L₀₂:"),
+         {Begin, Span}},
+        {1, QStringLiteral("where an edge begins: its y in this column, from its vertex"), {Begin}},
+        {1, QStringLiteral("else: y_B ← y_B + m_B, y_T ← y_T + m_T, exactly"), {Span}}};
+    if (form == InterpolationForm::Bilinear)
+        code.push_back({1,
+                        QStringLiteral("of each value: v_B and v_T likewise, Δv ← (v_T − v_B)/(y_T "
+                                       "− y_B)"),
+                        {Begin, Span}});
+    code.push_back({1,
+                    QStringLiteral("for each row from y_B to y_T that the fill rule takes:"),
+                    {First, Next}});
+    return code;
+}
+
+} // namespace
+
+Pseudocode interpolationPseudocode(InterpolationForm form)
+{
+    Pseudocode code = columnLines(form);
+    for (const PseudocodeLine &line : valueLines(form))
+        code.push_back(line);
+    code.push_back({2, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {First, Next}});
+    return code;
+}
+
+Pseudocode shadedPseudocode(InterpolationForm form)
+{
+    Pseudocode code = columnLines(form);
+    code.insert(code.begin() + 2,
+                {0,
+                 QStringLiteral("divide what the vertices carry by their w, but for z; 1/w is "
+                                "carried, too"),
+                 {SetUp},
+                 Effect::Perspective});
+    for (PseudocodeLine line : valueLines(form)) {
+        // A sample behind what stands has its values, too.
+        line.moments.push_back(Refused);
+        code.push_back(line);
+    }
+    const auto append = [&](const QString &text, Effect effect) {
+        code.push_back({2, text, {First, Next}, effect});
+    };
+    code.push_back({2,
+                    QStringLiteral("if z is greater than the depth that stands here: on to the "
+                                   "next row; else the depth ← z"),
+                    {First, Next, Refused},
+                    Effect::Depth});
+    append(QStringLiteral("each value v ← (v/w)/(1/w)"), Effect::Perspective);
+    code.push_back({2, QStringLiteral("colour ← the bytes of R, G, B"), {First, Next}});
+    append(QStringLiteral("colour ← ⌊colour·t/255 + ½⌋ with the texel t at (u, v)"),
+           Effect::Texture);
+    append(QStringLiteral("colour ← ambient and, of each light, the diffuse and specular term"),
+           Effect::Light);
+    append(QStringLiteral("colour ← ⌊(colour·α + pixel·(255 − α))/255 + ½⌋"), Effect::Blending);
+    code.push_back({2, QStringLiteral("pixel (x, y) ← colour"), {First, Next}});
+    return code;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/effect.h"
+#include "core/methods/edgewalkform.h"
+#include "core/scan/edgetestform.h"
+#include "core/scan/interpolationnumbers.h"
+#include "core/trace/stepwords.h"
+
+#include <optional>
+#include <vector>
+
+namespace pixelplumb {
+
+/// A line of a method's pseudocode.
+struct PseudocodeLine {
+    int depth = 0; ///< of its indentation
+    QString text; ///< in the symbols of the method's numbers
+    std::vector<Moment> moments; ///< the steps that do it; none of a line that only holds others
+    std::optional<Effect> effect = {}; ///< the line is there where this runs
+};
+using Pseudocode = std::vector<PseudocodeLine>;
+
+/// Of the families of methods that differ in a form.
+Pseudocode edgeWalkPseudocode(const EdgeWalkForm &form);
+Pseudocode edgeTestPseudocode(const EdgeTestForm &form);
+Pseudocode interpolationPseudocode(InterpolationForm form);
+/// With effects beyond colour; of the column scan as of the bilinear interpolation.
+Pseudocode shadedPseudocode(InterpolationForm form);
+
+} // namespace pixelplumb

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/number/quantity.h"
+
+#include <QPoint>
+#include <QString>
+
+#include <optional>
+#include <vector>
+
+namespace pixelplumb {
+
+struct TracedScene;
+
+/// A number of the next column, row or step, which a student is to foretell.
+struct Prediction {
+    QString place; ///< "Column 31, second half"
+    QString title; ///< "y_B"
+    Quantity value; ///< what the kernel computes
+    /// The same number one span earlier; none where the primitive's part begins.
+    Quantity earlier;
+    QString reason; ///< the formula with its numbers: "y_B ← y_B′ + m₀₂ = (8 10/27) + (7/54)"
+};
+
+/// The numbers that the next span behind a position (0 … stepCount()) computes by formulas, as the
+/// explanation of that step has them; empty where no span follows.
+std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t position);
+
+/// The pixel that is written next behind a position, and why.
+struct NextPixel {
+    QPoint pixel;
+    QString reason;
+};
+std::optional<NextPixel> nextPixelAfter(const TracedScene &traced, std::size_t position);
+
+enum class Guess {
+    Right,
+    Unread, ///< no number
+    Earlier, ///< the value of the span before
+    OneOff, ///< a whole number beside the right one
+    OtherSign,
+    Wrong,
+};
+/// What was typed: "9", "-8.63", "53/2", "8 10/27". A decimal with two places or more counts when
+/// it is the value rounded to as many; everything else must be the value.
+Guess judge(const Prediction &prediction, const QString &typed);
+
+/// What is told of it, the reason when it is right.
+QString verdictText(const Prediction &prediction, Guess guess);
+
+} // namespace pixelplumb

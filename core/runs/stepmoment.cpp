@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/stepmoment.h"
+
+#include "core/runs/tracedscene.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+Moment momentOfSpan(const ScanTrace &trace, const TraceStep &step)
+{
+    if (const auto told = trace.spanWords(step.span).moment)
+        return *told;
+    const bool isFirst = step.span == trace.firstSpanOf(step.primitive);
+    return isFirst || trace.placeOf(step.span - 1).part != trace.placeOf(step.span).part
+        ? Moment::Begin
+        : Moment::Span;
+}
+
+Moment momentOfSample(const ScanTrace &trace, const TraceStep &step)
+{
+    if (!trace.changes()[step.sample].isWritten())
+        return Moment::Refused;
+    return step.sample == trace.firstSampleOf(step.span) ? Moment::First : Moment::Next;
+}
+
+/// What runs for a triangle beyond its method's plain kernel.
+EffectSet effectsOf(const EffectPlan &plan, std::size_t triangle)
+{
+    const auto batch = std::ranges::find_if(plan.batches, [triangle](const EffectBatch &candidate) {
+        return triangle >= candidate.first && triangle - candidate.first < candidate.count;
+    });
+    return batch != plan.batches.end() ? batch->effects : EffectSet{};
+}
+
+} // namespace
+
+Moment momentOf(const ScanTrace &trace, std::size_t stepIndex)
+{
+    const TraceStep step = trace.stepAt(stepIndex);
+    switch (step.kind) {
+    case StepKind::Span:
+        return momentOfSpan(trace, step);
+    case StepKind::Sample:
+        return momentOfSample(trace, step);
+    case StepKind::SetUp:
+        break;
+    }
+    return std::ranges::binary_search(trace.rejectedPrimitives(), step.primitive) ? Moment::Rejected
+                                                                                  : Moment::SetUp;
+}
+
+Pseudocode pseudocodeOf(const TracedScene &traced, std::size_t primitive)
+{
+    if (!traced.plan || traced.method->shadedPseudocode.empty())
+        return traced.method->pseudocode;
+    const EffectSet effects = effectsOf(*traced.plan, primitive);
+    Pseudocode code = traced.method->shadedPseudocode;
+    std::erase_if(code, [&effects](const PseudocodeLine &line) {
+        return line.effect && !contains(effects, *line.effect);
+    });
+    return code;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/pseudocode.h"
+
+namespace pixelplumb {
+
+class ScanTrace;
+struct TracedScene;
+
+/// What the step with an index in 0 … stepCount() − 1 is in the pseudocode of its method: the lines
+/// that list it are what the step does.
+Moment momentOf(const ScanTrace &trace, std::size_t stepIndex);
+
+/// The lines that run for a primitive: of effects, those of its batch alone.
+Pseudocode pseudocodeOf(const TracedScene &traced, std::size_t primitive);
+
+} // namespace pixelplumb

@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/tracedscene.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "widgets/inspect/methodpanel.h"
+#include "widgets/inspect/pixelhistorypanel.h"
+#include "widgets/inspect/predictpanel.h"
+#include "widgets/model/playhead.h"
+
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTableView>
+#include <QTest>
+#include <QTextBrowser>
+
+using namespace pixelplumb;
+
+namespace {
+
+Prediction predictionOf(const Quantity &value, const Quantity &earlier = {})
+{
+    return {QStringLiteral("Column 3"), QStringLiteral("y_B"), value, earlier,
+            QStringLiteral("y_B ← y_B′ + m = 8 + 1/2")};
+}
+
+} // namespace
+
+/// The panels from which one learns by foretelling and by reading along.
+class TestPredict : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_settings.clear();
+        m_window = openedWindow();
+        m_playhead = m_window->parts().playhead;
+    }
+    void cleanup() { m_window.reset(); }
+
+    void answersAreJudgedByTheirValue_data()
+    {
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<int>("guess");
+        const auto add = [](const char *typed, Guess guess) {
+            QTest::newRow(typed) << QString::fromUtf8(typed) << int(guess);
+        };
+        add("8 10/27", Guess::Right);
+        add("226/27", Guess::Right);
+        add("8.37", Guess::Right); // 8.370370…
+        add("8.3704", Guess::Right);
+        add("8.4", Guess::Wrong); // too few places to tell
+        add("8.38", Guess::Wrong);
+        add("−8 10/27", Guess::OtherSign);
+        add("8 13/54", Guess::Earlier);
+        add("eight", Guess::Unread);
+        add("", Guess::Unread);
+        add("9", Guess::Wrong); // no whole number is asked for
+    }
+    void answersAreJudgedByTheirValue()
+    {
+        QFETCH(QString, typed);
+        QFETCH(int, guess);
+        QCOMPARE(int(judge(predictionOf(Quantity::rational(226, 27), Quantity::rational(445, 54)),
+                           typed)),
+                 guess);
+    }
+
+    void aWholeNumberBesideTheRightOneIsOneOff()
+    {
+        const Prediction row = predictionOf(Quantity::integer(9));
+        QCOMPARE(judge(row, QStringLiteral("8")), Guess::OneOff);
+        QCOMPARE(judge(row, QStringLiteral("10")), Guess::OneOff);
+        QCOMPARE(judge(row, QStringLiteral("9")), Guess::Right);
+        QCOMPARE(judge(row, QStringLiteral("7")), Guess::Wrong);
+    }
+
+    /// What is asked for is what the table says once the step is done.
+    void everyQuestionIsANumberOfTheNextSpan()
+    {
+        const TracedScene &traced = *m_playhead->traced();
+        const std::size_t span = *m_playhead->spanInHand() + 1;
+        const auto cells = traced.trace->span(span).cells;
+        const auto all = predictionsAfter(traced, m_playhead->position());
+        QVERIFY(all.size() >= 10);
+        for (const Prediction &prediction : all)
+            QVERIFY2(std::ranges::find(cells, prediction.value) != cells.end(),
+                     qPrintable(prediction.title));
+        QCOMPARE(all.front().title, QStringLiteral("y_B"));
+    }
+
+    void theAnswerIsCheckedAndItsReasonTold()
+    {
+        openPanel();
+        const Prediction asked
+            = predictionsAfter(*m_playhead->traced(), m_playhead->position()).front();
+        QVERIFY(label("predictQuestion").contains(QStringLiteral("Column")));
+
+        answer(QStringLiteral("1000"));
+        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Not")));
+        answer(toText(asked.earlier));
+        QVERIFY(label("predictVerdict").contains(QStringLiteral("span before")));
+        answer(toText(asked.value));
+        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Right")));
+        QVERIFY(label("predictVerdict").contains(QStringLiteral("m")));
+        // The first answer alone counts.
+        QCOMPARE(label("predictScore"), QStringLiteral("Right at the first try: 0 of 1"));
+
+        const std::size_t before = *m_playhead->spanInHand();
+        QTest::keyClick(line(), Qt::Key_Return);
+        QCOMPARE(*m_playhead->spanInHand(), before + 1);
+        answer(
+            toText(predictionsAfter(*m_playhead->traced(), m_playhead->position()).front().value));
+        QCOMPARE(label("predictScore"), QStringLiteral("Right at the first try: 1 of 2"));
+    }
+
+    void whatIsShownCountsAsNotKnown()
+    {
+        openPanel();
+        QTest::mouseClick(named<QPushButton>(*m_window, "predictShow"), Qt::LeftButton);
+        QVERIFY(label("predictVerdict").contains(QStringLiteral("y")));
+        QCOMPARE(label("predictScore"), QStringLiteral("Right at the first try: 0 of 1"));
+        QVERIFY(!named<QPushButton>(*m_window, "predictShow")->isEnabled());
+        QVERIFY(named<QPushButton>(*m_window, "predictNext")->isEnabled());
+    }
+
+    void nothingAheadIsToldWhileThePanelIsSeen()
+    {
+        const auto *table = named<QTableView>(*m_window, "columnTable");
+        const int inHand = int(*m_playhead->spanInHand());
+        const int bound = columnOf(*table, QStringLiteral("y_B"));
+        const QString next = table->model()->index(inHand + 1, bound).data().toString();
+        QVERIFY(next != QStringLiteral("?"));
+
+        openPanel();
+        QCOMPARE(table->model()->index(inHand + 1, bound).data().toString(), QStringLiteral("?"));
+        QVERIFY(!table->model()->index(inHand + 1, bound).data(Qt::ToolTipRole).isValid());
+        QVERIFY(table->model()->index(inHand, bound).data().toString() != QStringLiteral("?"));
+        const auto ahead = nextPixelAfter(*m_playhead->traced(), m_playhead->position());
+        m_playhead->pick(ahead->pixel);
+        QVERIFY(label("pixelHistoryHeading").contains(QStringLiteral("predict it")));
+
+        m_playhead->step(StepUnit::Span, StepDirection::Forward);
+        QCOMPARE(table->model()->index(inHand + 1, bound).data().toString(), next);
+
+        QTest::keyClick(m_window.get(), Qt::Key_Escape);
+        action(*m_window, "predictDockToggle")->trigger();
+        QCOMPARE(table->model()->index(inHand + 2, bound).data().toString() != QStringLiteral("?"),
+                 true);
+    }
+
+    void theNextPixelIsPickedOnTheCanvas()
+    {
+        openPanel();
+        auto *choice = named<QComboBox>(*m_window, "predictChoice");
+        choice->setCurrentIndex(choice->count() - 1);
+        const NextPixel next = *nextPixelAfter(*m_playhead->traced(), m_playhead->position());
+
+        m_playhead->pick(next.pixel + QPoint(1, 1));
+        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Not")));
+        m_playhead->pick(next.pixel);
+        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Right")));
+        QTest::mouseClick(named<QPushButton>(*m_window, "predictNext"), Qt::LeftButton);
+        QCOMPARE(m_playhead->pixelInHand(), std::optional(next.pixel));
+    }
+
+    void theScoreEndsWithTheScene()
+    {
+        openPanel();
+        answer(QStringLiteral("1000"));
+        QVERIFY(!label("predictScore").isEmpty());
+        action(*m_window, "newScene")->trigger();
+        QCOMPARE(label("predictScore"), QString());
+        QVERIFY(label("predictQuestion").contains(QStringLiteral("Nothing lies ahead")));
+    }
+
+    void theLinesThatAStepDoesAreMarked()
+    {
+        action(*m_window, "methodDockToggle")->trigger();
+        const auto *text = named<QTextBrowser>(*m_window, "methodText");
+        m_playhead->seekToSpan(*m_playhead->spanInHand() + 1);
+        QVERIFY(text->toPlainText().contains(QStringLiteral("▶")));
+        const QString atSpan
+            = named<MethodPanel>(*m_window, "methodPanel")->accessibleDescription();
+        QVERIFY(atSpan.contains(QStringLiteral("else: y_B ← y_B + m_B")));
+        m_playhead->step(StepUnit::Sample, StepDirection::Forward);
+        const QString atFirst
+            = named<MethodPanel>(*m_window, "methodPanel")->accessibleDescription();
+        QVERIFY(atFirst.contains(QStringLiteral("the first: R, G, B")));
+        m_playhead->step(StepUnit::Sample, StepDirection::Forward);
+        QVERIFY(named<MethodPanel>(*m_window, "methodPanel")
+                    ->accessibleDescription()
+                    .contains(QStringLiteral("else: R ← R + ΔR")));
+    }
+
+private:
+    void openPanel()
+    {
+        action(*m_window, "predictDockToggle")->trigger();
+        QTRY_VERIFY(named<PredictPanel>(*m_window, "predict")->isVisible());
+    }
+    QLineEdit *line() { return named<QLineEdit>(*m_window, "predictAnswer"); }
+    void answer(const QString &text)
+    {
+        line()->clear();
+        QTest::keyClicks(line(), text);
+        QTest::keyClick(line(), Qt::Key_Return);
+    }
+    /// A label's words without their markup.
+    QString label(const char *name)
+    {
+        QTextDocument document;
+        document.setHtml(named<QLabel>(*m_window, name)->text());
+        return document.toPlainText();
+    }
+    static int columnOf(const QTableView &table, const QString &title)
+    {
+        for (int column = 0; column < table.model()->columnCount(); ++column) {
+            if (table.model()->headerData(column, Qt::Horizontal).toString() == title)
+                return column;
+        }
+        return -1;
+    }
+
+    IsolatedSettings m_settings;
+    std::unique_ptr<MainWindow> m_window;
+    Playhead *m_playhead = nullptr;
+};
+
+QTEST_MAIN(TestPredict)
+#include "tst_predict.moc"

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/inspect/methodpanel.h"
+
+#include "core/runs/stepmoment.h"
+#include "core/runs/tracedscene.h"
+#include "widgets/look/blend.h"
+#include "widgets/look/formulahtml.h"
+#include "widgets/look/numberlayout.h"
+#include "widgets/look/signs.h"
+#include "widgets/model/playhead.h"
+
+#include <QEvent>
+#include <QScrollBar>
+#include <QTextBrowser>
+#include <QVBoxLayout>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr int indentation = 20; // logical pixels a depth
+constexpr float lineTint = 0.18F;
+
+/// A row of the table of lines: the mark beside it, then the text.
+QString lineHtml(const PseudocodeLine &line, bool isInHand, const QColor &tint)
+{
+    return QStringLiteral("<tr%1><td width=16 align=center>%2</td><td style=\"padding-left:%3px\">"
+                          "%4</td></tr>")
+        .arg(isInHand ? QStringLiteral(" bgcolor=\"%1\"").arg(tint.name()) : QString(),
+             isInHand ? QStringLiteral("▶") : QString())
+        .arg(indentation * line.depth + 4)
+        .arg(sentenceHtml(line.text));
+}
+
+} // namespace
+
+MethodPanel::MethodPanel(Playhead *playhead, QWidget *parent)
+    : QWidget(parent)
+    , m_playhead(playhead)
+    , m_text(new QTextBrowser(this))
+{
+    setObjectName(QStringLiteral("methodPanel"));
+    setAccessibleName(tr("This method"));
+    m_text->setObjectName(QStringLiteral("methodText"));
+    m_text->setAccessibleName(tr("What the method does, line by line"));
+    m_text->setFrameShape(QFrame::NoFrame);
+    m_text->setOpenLinks(false);
+    m_text->document()->setDocumentMargin(8);
+    m_text->setFont(tabularFont(font()));
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(0, 0, 0, 0);
+    layout->addWidget(m_text);
+    connect(playhead, &Playhead::tracedChanged, this, &MethodPanel::present);
+    connect(playhead, &Playhead::positionChanged, this, &MethodPanel::present);
+    present();
+}
+
+void MethodPanel::present()
+{
+    const TracedScene *traced = m_playhead->traced();
+    if (!traced) {
+        m_text->clear();
+        return;
+    }
+    const auto step = m_playhead->stepInHand();
+    std::optional<Moment> moment;
+    if (step)
+        moment = momentOf(*traced->trace, m_playhead->position() - 1);
+    const QColor tint = blended(palette().color(QPalette::Base),
+                                signColour(Sign::ColumnInHand, palette()), lineTint);
+    QString rows;
+    QStringList inHand;
+    for (const PseudocodeLine &line : pseudocodeOf(*traced, step ? step->primitive : 0)) {
+        const bool isInHand
+            = moment && std::ranges::find(line.moments, *moment) != line.moments.end();
+        rows += lineHtml(line, isInHand, tint);
+        if (isInHand)
+            inHand += line.text;
+    }
+    const Method &method = *traced->method;
+    const int scrolled = m_text->verticalScrollBar()->value();
+    m_text->setHtml(QStringLiteral("<p><b>%1</b><br>%2</p><table cellspacing=0 cellpadding=2 "
+                                   "width=\"100%\">%3</table><p><small>%4</small></p>")
+                        .arg(method.title.toHtmlEscaped(), sentenceHtml(method.summary), rows,
+                             tr("From: %1.").arg(method.source).toHtmlEscaped()));
+    m_text->verticalScrollBar()->setValue(scrolled);
+    setAccessibleDescription(inHand.join(QStringLiteral("; ")));
+}
+
+void MethodPanel::changeEvent(QEvent *event)
+{
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange)
+        present();
+}
+
+} // namespace pixelplumb

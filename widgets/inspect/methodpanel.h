@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QTextBrowser;
+
+namespace pixelplumb {
+
+class Playhead;
+
+/// This method: what it does, where it comes from, and its pseudocode with the lines that the step
+/// in hand does marked by ▶ and a tint (objectName "methodPanel", its text "methodText").
+class MethodPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit MethodPanel(Playhead *playhead, QWidget *parent = nullptr);
+
+    QSize sizeHint() const override { return {360, 420}; }
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void present();
+
+    Playhead *m_playhead;
+    QTextBrowser *m_text;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/inspect/predictpanel.h"
+
+#include "core/methods/formulatext.h"
+#include "core/runs/tracedscene.h"
+#include "widgets/look/formulahtml.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QComboBox>
+#include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+
+namespace pixelplumb {
+
+namespace {
+
+QLabel *wordsIn(QWidget *parent, const char *name, const QString &accessible)
+{
+    auto *label = new QLabel(parent);
+    label->setObjectName(QString::fromLatin1(name));
+    label->setAccessibleName(accessible);
+    label->setTextFormat(Qt::RichText);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+    label->setMinimumWidth(1); // a long word must not widen the window
+    return label;
+}
+
+QPushButton *button(QWidget *parent, const char *name, const QString &text)
+{
+    auto *made = new QPushButton(text, parent);
+    made->setObjectName(QString::fromLatin1(name));
+    made->setAutoDefault(false);
+    return made;
+}
+
+} // namespace
+
+PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_playhead(playhead)
+    , m_choice(new QComboBox(this))
+    , m_question(wordsIn(this, "predictQuestion", tr("The question")))
+    , m_answer(new QLineEdit(this))
+    , m_check(button(this, "predictCheck", tr("Check")))
+    , m_show(button(this, "predictShow", tr("Show")))
+    , m_next(button(this, "predictNext", tr("Next")))
+    , m_verdict(wordsIn(this, "predictVerdict", tr("What is said of the answer")))
+    , m_score(wordsIn(this, "predictScore", tr("Score")))
+{
+    setObjectName(QStringLiteral("predict"));
+    setAccessibleName(tr("Predict"));
+    m_choice->setObjectName(QStringLiteral("predictChoice"));
+    m_choice->setAccessibleName(tr("What is asked for"));
+    m_answer->setObjectName(QStringLiteral("predictAnswer"));
+    m_answer->setAccessibleName(tr("Your answer"));
+    m_answer->setPlaceholderText(tr("9, 8.63, 53/2 or 8 10/27"));
+    m_check->setToolTip(tr("Compare the answer with what the kernel computes (Enter)"));
+    m_show->setToolTip(tr("Give up this question and see how the number comes about"));
+    m_next->setToolTip(tr("Step on and ask again (Enter)"));
+    m_verdict->setMinimumHeight(fontMetrics().lineSpacing() * 3);
+    m_verdict->setAlignment(Qt::AlignTop | Qt::AlignLeft);
+
+    auto *form = new QFormLayout;
+    form->setContentsMargins(0, 0, 0, 0);
+    form->addRow(tr("Ask for"), m_choice);
+    auto *buttons = new QHBoxLayout;
+    buttons->setSpacing(8);
+    for (QPushButton *made : {m_check, m_show, m_next})
+        buttons->addWidget(made, 1);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(8);
+    layout->addLayout(form);
+    layout->addWidget(m_question);
+    layout->addWidget(m_answer);
+    layout->addLayout(buttons);
+    layout->addWidget(m_verdict);
+    layout->addStretch(1);
+    layout->addWidget(m_score);
+
+    connect(m_choice, &QComboBox::currentIndexChanged, this, &PredictPanel::ask);
+    connect(m_answer, &QLineEdit::returnPressed, this,
+            [this] { m_state == State::Open ? check() : goOn(); });
+    connect(m_check, &QPushButton::clicked, this, &PredictPanel::check);
+    connect(m_show, &QPushButton::clicked, this, &PredictPanel::show);
+    connect(m_next, &QPushButton::clicked, this, &PredictPanel::goOn);
+    connect(playhead, &Playhead::positionChanged, this, &PredictPanel::listQuestions);
+    connect(playhead, &Playhead::tracedChanged, this, &PredictPanel::listQuestions);
+    connect(playhead, &Playhead::pixelChosen, this, &PredictPanel::checkPick);
+    connect(document, &SceneDocument::opened, this, &PredictPanel::forgetScore);
+    forgetScore();
+}
+
+void PredictPanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    m_playhead->setAheadHidden(true);
+    listQuestions();
+}
+
+void PredictPanel::hideEvent(QHideEvent *event)
+{
+    QWidget::hideEvent(event);
+    m_playhead->setAheadHidden(false);
+}
+
+void PredictPanel::forgetScore()
+{
+    m_asked.clear();
+    m_right = 0;
+    m_score->clear();
+}
+
+bool PredictPanel::asksForPixel() const
+{
+    return m_nextPixel && m_choice->currentIndex() == int(m_predictions.size());
+}
+
+const Prediction *PredictPanel::prediction() const
+{
+    const int index = m_choice->currentIndex();
+    return index >= 0 && index < int(m_predictions.size()) ? &m_predictions[std::size_t(index)]
+                                                           : nullptr;
+}
+
+/// The kind of question stays the same from span to span.
+void PredictPanel::listQuestions()
+{
+    if (!isVisible())
+        return;
+    const QString chosen = m_choice->currentText();
+    m_predictions.clear();
+    m_nextPixel.reset();
+    if (const TracedScene *traced = m_playhead->traced()) {
+        m_predictions = predictionsAfter(*traced, m_playhead->position());
+        m_nextPixel = nextPixelAfter(*traced, m_playhead->position());
+    }
+    {
+        const QSignalBlocker blocker(m_choice);
+        m_choice->clear();
+        for (const Prediction &prediction : m_predictions)
+            m_choice->addItem(prediction.title);
+        if (m_nextPixel)
+            m_choice->addItem(tr("the next pixel"));
+        const int same = m_choice->findText(chosen);
+        m_choice->setCurrentIndex(same >= 0 || m_choice->count() == 0 ? same : 0);
+    }
+    ask();
+}
+
+void PredictPanel::ask()
+{
+    m_state = State::Open;
+    m_answer->clear();
+    m_verdict->clear();
+    const Prediction *asked = prediction();
+    if (asked)
+        m_question->setText(sentenceHtml(tr("%1: what is %2?").arg(asked->place, asked->title)));
+    else if (asksForPixel())
+        m_question->setText(tr("Which pixel is written next? Pick it on the canvas."));
+    else
+        m_question->setText(
+            tr("Nothing lies ahead: step back, or run to the start with Shift+F5."));
+    m_answer->setEnabled(asked);
+    m_check->setEnabled(asked);
+    m_show->setEnabled(asked || asksForPixel());
+    m_next->setEnabled(false);
+}
+
+void PredictPanel::check()
+{
+    const Prediction *asked = prediction();
+    if (!asked || m_state != State::Open)
+        return;
+    const Guess guess = judge(*asked, m_answer->text());
+    const QString verdict = verdictText(*asked, guess);
+    if (guess != Guess::Unread)
+        count(guess == Guess::Right);
+    guess == Guess::Right ? settle(verdict) : tell(verdict);
+}
+
+void PredictPanel::checkPick(const QPoint &pixel)
+{
+    if (!isVisible() || !asksForPixel() || m_state != State::Open)
+        return;
+    const bool isRight = pixel == m_nextPixel->pixel;
+    count(isRight);
+    const QString name = tr("(%1, %2)").arg(pixel.x()).arg(pixel.y());
+    if (isRight)
+        settle(tr("Right, %1. %2").arg(name, m_nextPixel->reason));
+    else
+        tell(tr("Not %1. Try again, or have it shown.").arg(name));
+}
+
+void PredictPanel::show()
+{
+    count(false);
+    if (const Prediction *asked = prediction())
+        settle(tr("%1 = %2").arg(asked->reason, term(asked->value)));
+    else if (m_nextPixel)
+        settle(tr("It is (%1, %2). %3")
+                   .arg(m_nextPixel->pixel.x())
+                   .arg(m_nextPixel->pixel.y())
+                   .arg(m_nextPixel->reason));
+}
+
+void PredictPanel::goOn()
+{
+    m_playhead->step(asksForPixel() ? StepUnit::Sample : StepUnit::Span, StepDirection::Forward);
+}
+
+/// The question has its answer; the next key goes on.
+void PredictPanel::settle(const QString &verdict)
+{
+    m_state = State::Answered;
+    tell(verdict);
+    m_check->setEnabled(false);
+    m_show->setEnabled(false);
+    m_next->setEnabled(true);
+}
+
+void PredictPanel::count(bool isRight)
+{
+    const QString question
+        = QStringLiteral("%1 %2").arg(m_playhead->position()).arg(m_choice->currentText());
+    if (m_asked.contains(question))
+        return;
+    m_asked.insert(question);
+    m_right += int(isRight);
+    m_score->setText(tr("Right at the first try: %1 of %2").arg(m_right).arg(m_asked.size()));
+}
+
+void PredictPanel::tell(const QString &verdict)
+{
+    m_verdict->setText(sentenceHtml(verdict));
+    m_verdict->setAccessibleDescription(verdict);
+}
+
+} // namespace pixelplumb

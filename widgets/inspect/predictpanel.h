@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/runs/prediction.h"
+
+#include <QSet>
+#include <QWidget>
+
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+
+namespace pixelplumb {
+
+class Playhead;
+class SceneDocument;
+
+/// Asks for a number of the next span, or for the next pixel, before it is shown (objectName
+/// "predict"). While the panel is seen, tables and histories hide what lies ahead of the playhead.
+/// Every question counts once, by its first answer; the score lasts while the scene is open.
+class PredictPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    PredictPanel(SceneDocument *document, Playhead *playhead, QWidget *parent = nullptr);
+
+    QSize sizeHint() const override { return {360, 220}; }
+
+protected:
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
+
+private:
+    /// What has become of the question.
+    enum class State { Open, Answered };
+
+    void forgetScore();
+    void listQuestions();
+    void ask();
+    void check();
+    void checkPick(const QPoint &pixel);
+    void show();
+    void goOn();
+    void settle(const QString &verdict);
+    void count(bool isRight);
+    void tell(const QString &verdict);
+    bool asksForPixel() const;
+    const Prediction *prediction() const; ///< null where a pixel is asked for, or nothing
+
+    SceneDocument *m_document;
+    Playhead *m_playhead;
+    QComboBox *m_choice;
+    QLabel *m_question;
+    QLineEdit *m_answer;
+    QPushButton *m_check, *m_show, *m_next;
+    QLabel *m_verdict, *m_score;
+    std::vector<Prediction> m_predictions;
+    std::optional<NextPixel> m_nextPixel;
+    State m_state = State::Open;
+    QSet<QString> m_asked; ///< the questions that have counted
+    int m_right = 0;
+};
+
+} // namespace pixelplumb

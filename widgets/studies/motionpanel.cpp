@@ -1,0 +1,273 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/motionpanel.h"
+
+#include "core/frame/framebuffer.h"
+#include "core/runs/sceneplan.h"
+#include "core/runs/tracedscene.h"
+#include "core/scene/coordinatetext.h"
+#include "widgets/look/numberlayout.h"
+#include "widgets/model/scenedocument.h"
+#include "widgets/studies/motionview.h"
+
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QSignalBlocker>
+#include <QSlider>
+#include <QSpinBox>
+#include <QTableWidget>
+#include <QToolButton>
+
+namespace pixelplumb {
+
+namespace {
+
+using namespace std::chrono_literals;
+
+template <class Part>
+Part *namedPart(Part *part, const char *name, const QString &accessible)
+{
+    part->setObjectName(QString::fromLatin1(name));
+    part->setAccessibleName(accessible);
+    return part;
+}
+
+/// A frame and the one before, as pictures.
+struct FramePair {
+    QImage now, before;
+};
+
+QImage pictureAt(const Scene &scene, int frame)
+{
+    if (frame < 0)
+        return {};
+    Scene moved = sceneAtFrame(scene, frame);
+    moved.frame.background = Colour{};
+    const FrameBuffer buffer(moved.frame);
+    drawScene(moved, buffer);
+    return buffer.copy();
+}
+
+} // namespace
+
+MotionPanel::MotionPanel(SceneDocument *document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_x(namedPart(new QLineEdit(QStringLiteral("4"), this), "motionX", tr("Motion along x, px")))
+    , m_y(namedPart(new QLineEdit(QStringLiteral("2"), this), "motionY", tr("Motion along y, px")))
+    , m_frames(namedPart(new QSpinBox(this), "motionFrames", tr("Frames")))
+    , m_move(namedPart(new QPushButton(tr("Move"), this), "motionSet", tr("Let the scene move")))
+    , m_stop(namedPart(new QPushButton(tr("Stand still"), this), "motionEnd",
+                       tr("Let the scene stand still")))
+    , m_slider(namedPart(new QSlider(Qt::Horizontal, this), "motionSlider", tr("Frame in hand")))
+    , m_play(namedPart(new QToolButton(this), "motionPlay", tr("Play the motion")))
+    , m_position(namedPart(new QLabel(this), "motionPosition", tr("Frame in hand")))
+    , m_summary(namedPart(new QLabel(this), "motionSummary", tr("What flickers")))
+    , m_view(new MotionView(this))
+    , m_table(namedPart(new QTableWidget(this), "motionTable", tr("Pixels frame by frame")))
+{
+    setObjectName(QStringLiteral("motion"));
+    setAccessibleName(tr("Motion"));
+    m_summary->setWordWrap(true);
+    makeTable();
+    auto *shown = new QHBoxLayout;
+    shown->setSpacing(8);
+    shown->addWidget(m_view, 1);
+    shown->addWidget(m_table, 1);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(8);
+    layout->addLayout(motionRow());
+    layout->addLayout(playRow());
+    layout->addWidget(m_summary);
+    layout->addLayout(shown, 1);
+    m_clock.setInterval(120ms);
+    connect(&m_clock, &QTimer::timeout, m_slider, [this] {
+        m_slider->setValue(m_slider->value() < m_slider->maximum() ? m_slider->value() + 1 : 0);
+    });
+    connect(document, &SceneDocument::sceneChanged, this, &MotionPanel::followScene);
+    followScene();
+}
+
+QBoxLayout *MotionPanel::motionRow()
+{
+    m_frames->setRange(2, largestFrameCount);
+    m_frames->setValue(33);
+    m_x->setMaximumWidth(80);
+    m_y->setMaximumWidth(80);
+    m_move->setToolTip(tr("All triangles and shapes move by (x, y) px from the first frame to the "
+                          "last; saved with the scene"));
+    auto *row = new QHBoxLayout;
+    row->setSpacing(8);
+    row->addWidget(new QLabel(tr("Move by x"), this));
+    row->addWidget(m_x);
+    row->addWidget(new QLabel(tr("y"), this));
+    row->addWidget(m_y);
+    row->addWidget(new QLabel(tr("px in"), this));
+    row->addWidget(m_frames);
+    row->addWidget(new QLabel(tr("frames"), this));
+    row->addWidget(m_move);
+    row->addWidget(m_stop);
+    row->addStretch(1);
+    connect(m_move, &QPushButton::clicked, this, &MotionPanel::setMotion);
+    connect(m_x, &QLineEdit::returnPressed, this, &MotionPanel::setMotion);
+    connect(m_y, &QLineEdit::returnPressed, this, &MotionPanel::setMotion);
+    connect(m_stop, &QPushButton::clicked, m_document,
+            [this] { m_document->setMotion(std::nullopt); });
+    return row;
+}
+
+QBoxLayout *MotionPanel::playRow()
+{
+    m_play->setText(tr("▶ play"));
+    m_play->setCheckable(true);
+    m_play->setToolTip(tr("Show one frame after the other, over and over"));
+    m_position->setFont(tabularFont(font()));
+    auto *row = new QHBoxLayout;
+    row->setSpacing(8);
+    row->addWidget(m_play);
+    row->addWidget(m_slider, 1);
+    row->addWidget(m_position);
+    connect(m_play, &QToolButton::toggled, this, &MotionPanel::play);
+    connect(m_slider, &QSlider::valueChanged, this, &MotionPanel::showFrame);
+    return row;
+}
+
+void MotionPanel::makeTable()
+{
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setFrameShape(QFrame::NoFrame);
+    m_table->setFont(tabularFont(font()));
+    m_table->setColumnCount(4);
+    m_table->setHorizontalHeaderLabels(
+        {tr("pixels"), tr("in truth"), tr("came or went"), tr("in truth")});
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    connect(m_table, &QTableWidget::currentCellChanged, m_slider,
+            [this](int row) { m_slider->setValue(std::max(row, 0)); });
+}
+
+void MotionPanel::play(bool isPlaying)
+{
+    m_play->setText(isPlaying ? tr("⏸ pause") : tr("▶ play"));
+    isPlaying ? m_clock.start() : m_clock.stop();
+}
+
+void MotionPanel::setMotion()
+{
+    const Result<SnappedNumber> x = parseCoordinate(m_x->text().trimmed());
+    const Result<SnappedNumber> y = parseCoordinate(m_y->text().trimmed());
+    if (!x || !y) {
+        m_summary->setText(tr("“%1” is no distance: expected px, such as 4, 0.5 or 1/3.")
+                               .arg(x ? m_y->text() : m_x->text()));
+        return;
+    }
+    m_document->setMotion(Motion{{x->units, y->units}, m_frames->value()});
+}
+
+void MotionPanel::followScene()
+{
+    m_counting.cancel();
+    m_study.reset();
+    m_isStale = true;
+    const std::optional<Motion> &motion = m_document->scene().motion;
+    if (motion) {
+        m_x->setText(coordinateText(motion->by.x));
+        m_y->setText(coordinateText(motion->by.y));
+        m_frames->setValue(motion->frames);
+    } else {
+        m_play->setChecked(false);
+    }
+    m_stop->setEnabled(motion.has_value());
+    m_play->setEnabled(motion.has_value());
+    m_slider->setEnabled(motion.has_value());
+    m_slider->setMaximum(motion ? motion->frames - 1 : 0);
+    count();
+}
+
+void MotionPanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    count();
+}
+
+void MotionPanel::count()
+{
+    if (!isVisible() || !m_isStale)
+        return;
+    m_isStale = false;
+    m_table->setRowCount(0);
+    showFrame();
+    tell();
+    const auto scene = m_document->snapshot();
+    if (!scene->motion || !objectionTo(*scene).isEmpty())
+        return;
+    m_counting.start(
+        [scene](const ProgressListener &listener) { return studyMotion(*scene, listener); },
+        [this](std::optional<MotionStudy> study) { take(std::move(study)); });
+}
+
+void MotionPanel::take(std::optional<MotionStudy> study)
+{
+    m_study = std::move(study);
+    const std::size_t rows = m_study ? m_study->frames.size() : 0;
+    m_table->setRowCount(int(rows));
+    for (std::size_t row = 0; row < rows; ++row) {
+        const MotionFrame &frame = m_study->frames[row];
+        m_table->setVerticalHeaderItem(int(row), new QTableWidgetItem(QString::number(row)));
+        int column = 0;
+        for (const std::int64_t number :
+             {frame.drawn, frame.truth, frame.toggled, frame.truthToggled}) {
+            auto *item = new QTableWidgetItem(QString::number(number));
+            item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
+            m_table->setItem(int(row), column++, item);
+        }
+    }
+    tell();
+    emit studied();
+}
+
+void MotionPanel::tell()
+{
+    const Scene &scene = m_document->scene();
+    QString text;
+    if (!scene.motion)
+        text = tr("The scene stands still. Move it by a few pixels in many frames, and what comes "
+                  "and goes without reason is seen.");
+    else if (const QString objection = objectionTo(scene); !objection.isEmpty())
+        text = tr("The method %1.").arg(objection);
+    else if (!m_study)
+        text = tr("The frames are being drawn.");
+    else
+        text = tr("In %1 frames pixels come or go %2 times, in truth %3 times.")
+                   .arg(m_study->frames.size())
+                   .arg(m_study->toggled())
+                   .arg(m_study->truthToggled());
+    m_summary->setText(text);
+    setAccessibleDescription(text);
+}
+
+void MotionPanel::showFrame()
+{
+    const auto scene = m_document->snapshot();
+    const int frame = m_slider->value();
+    if (!scene->motion || !objectionTo(*scene).isEmpty()) {
+        m_position->clear();
+        m_view->setPictures({}, {});
+        return;
+    }
+    m_position->setText(tr("frame %1 of %2").arg(frame).arg(scene->motion->frames - 1));
+    m_drawing.start(
+        [scene, frame](const ProgressListener &) {
+            return FramePair{pictureAt(*scene, frame), pictureAt(*scene, frame - 1)};
+        },
+        [this](const FramePair &pair) { m_view->setPictures(pair.now, pair.before); });
+    const QSignalBlocker blocker(m_table);
+    m_table->setCurrentCell(frame, 0);
+}
+
+} // namespace pixelplumb

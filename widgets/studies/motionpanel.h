@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/compare/motionstudy.h"
+#include "widgets/model/job.h"
+
+#include <QTimer>
+#include <QWidget>
+
+class QBoxLayout;
+class QLabel;
+class QLineEdit;
+class QPushButton;
+class QSlider;
+class QSpinBox;
+class QTableWidget;
+class QToolButton;
+
+namespace pixelplumb {
+
+class MotionView;
+class SceneDocument;
+
+/// Moving slivers: lets the document's scene move, plays it, and counts what flickers: the pixels
+/// of each frame and those that come or go, beside the truth (objectName "motion", its table
+/// "motionTable"). Draws beside the GUI thread, and only while it is seen. The document's own
+/// picture stays at frame 0.
+class MotionPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit MotionPanel(SceneDocument *document, QWidget *parent = nullptr);
+
+    /// Of the scene in hand; none while it is being counted, and of one that stands.
+    const std::optional<MotionStudy> &study() const { return m_study; }
+
+    QSize sizeHint() const override { return {900, 320}; }
+
+signals:
+    void studied();
+
+protected:
+    void showEvent(QShowEvent *event) override;
+
+private:
+    QBoxLayout *motionRow();
+    QBoxLayout *playRow();
+    void makeTable();
+    void setMotion();
+    void followScene();
+    void count();
+    void take(std::optional<MotionStudy> study);
+    void showFrame();
+    void play(bool isPlaying);
+    void tell();
+
+    SceneDocument *m_document;
+    QLineEdit *m_x, *m_y;
+    QSpinBox *m_frames;
+    QPushButton *m_move, *m_stop;
+    QSlider *m_slider;
+    QToolButton *m_play;
+    QLabel *m_position, *m_summary;
+    MotionView *m_view;
+    QTableWidget *m_table;
+    std::optional<MotionStudy> m_study;
+    bool m_isStale = true;
+    Job m_counting, m_drawing;
+    QTimer m_clock; ///< runs while the motion is played
+};
+
+} // namespace pixelplumb
