@@ -85,6 +85,30 @@ private slots:
         QCOMPARE(textsOf(Look(scene).drawing("box").labels), labels);
     }
 
+    void verticesHaveTheNamesThatTheMethodGivesThem_data()
+    {
+        QTest::addColumn<QByteArray>("method");
+        QTest::addColumn<QStringList>("names");
+        QTest::newRow("in the order of columns")
+            << QByteArray("column-scan")
+            << QStringList{"P0 (−2, 0)", "P1 (3, 9)", "P2 (12, 3 1/2)"};
+        QTest::newRow("as given") << QByteArray("edge-equations")
+                                  << QStringList{"P0 (12, 3 1/2)", "P1 (−2, 0)", "P2 (3, 9)"};
+    }
+    void verticesHaveTheNamesThatTheMethodGivesThem()
+    {
+        QFETCH(QByteArray, method);
+        QFETCH(QStringList, names);
+        const LayerDrawing drawing
+            = Look(sceneBy(method.constData(),
+                           triangleAtUnits({12 * unitsPerPixel, 3 * unitsPerPixel + halfPixel},
+                                           latticePixel(-2, 0), latticePixel(3, 9))))
+                  .drawing("vertices");
+
+        QCOMPARE(textsOf(drawing.labels), names);
+        QCOMPARE(drawing.lines.size(), std::size_t(3));
+    }
+
     void theNormalsAreTheNumbersOfTheSetUp()
     {
         const Look look(sceneBy("edge-equations", firstTriangle()));

@@ -88,10 +88,11 @@ QString Layer::objection(const Scene &scene) const
 std::span<const Layer> layers()
 {
     static const std::array table
-        = {boxLayer(),         halfPlanesLayer(),    halfPlane0Layer(),   halfPlane1Layer(),
-           halfPlane2Layer(),  weightsLayer(),       levelsLayer(),       barycentricAxesLayer(),
-           redIsolinesLayer(), greenIsolinesLayer(), blueIsolinesLayer(), innerEdgesLayer(),
-           edgeTableLayer(),   decisionsLayer(),     samplesLayer(),      memoryLayer()};
+        = {verticesLayer(),        boxLayer(),         halfPlanesLayer(),    halfPlane0Layer(),
+           halfPlane1Layer(),      halfPlane2Layer(),  weightsLayer(),       levelsLayer(),
+           barycentricAxesLayer(), redIsolinesLayer(), greenIsolinesLayer(), blueIsolinesLayer(),
+           innerEdgesLayer(),      edgeTableLayer(),   decisionsLayer(),     samplesLayer(),
+           memoryLayer()};
     return table;
 }
 

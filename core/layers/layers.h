@@ -6,6 +6,8 @@
 /// The rows of the table of layers.
 namespace pixelplumb {
 
+/// The primitive itself.
+Layer verticesLayer();
 /// The bounding box: raw, rounded as the slides print it, and clipped.
 Layer boxLayer();
 /// Where the edge functions are positive, with the normals <A, B>: all three, and one by one.
