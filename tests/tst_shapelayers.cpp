@@ -234,6 +234,27 @@ private slots:
         QCOMPARE(picture.pixelColor(place - QPoint(20, 0)), QColor(Qt::white));
     }
 
+    void namesOfWhatIsFarOutOfViewAreNotWritten()
+    {
+        const QRectF view(0, 0, 200, 100);
+        const auto isWritten = [&view](const QPointF &place) {
+            QImage picture(200, 100, QImage::Format_RGB32);
+            picture.fill(Qt::black);
+            const QImage before = picture;
+            LayerDrawing drawing;
+            drawing.labels = {{QStringLiteral("E₀ > 0"), place, LayerInk::Mark}};
+            QPainter painter(&picture);
+            LayerPainter().paint(painter, drawing, {QTransform(), view, LayerTone::Light});
+            painter.end();
+            return picture != before;
+        };
+
+        QVERIFY(isWritten({100, 50}));
+        QVERIFY(isWritten({205, 50})); // moved into view
+        QVERIFY(!isWritten({300, 50}));
+        QVERIFY(!isWritten({100, -90}));
+    }
+
     void numbersAreWrittenInTheirCellsAndInNoOthers()
     {
         if (textFontFile().isEmpty())

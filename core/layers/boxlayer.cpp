@@ -2,6 +2,7 @@
 #include "core/layers/layers.h"
 #include "core/polygons/contours.h"
 
+#include <algorithm>
 #include <array>
 
 namespace pixelplumb {
@@ -76,58 +77,82 @@ SampleBox clippedBoxOf(const ContourBox &raw, const FrameSpec &frame)
     return intersection(whole, samplesOf(windowOf(frame)));
 }
 
-void appendLabel(QString text, const QPointF &place, LayerInk ink, LayerDrawing &drawing)
-{
-    drawing.labels.push_back({text.replace(u'-', QChar(0x2212)), place, ink});
-}
+/// How one of the boxes looks.
+struct BoxLook {
+    LayerInk ink;
+    LayerDrawing::Stroke stroke;
+};
 
-void appendRectangle(const QPointF &first, const QPointF &last, LayerInk ink,
-                     LayerDrawing::Stroke stroke, LayerDrawing &drawing)
-{
-    const QPointF right(last.x(), first.y());
-    const QPointF above(first.x(), last.y());
-    drawing.lines.push_back({first, right, ink, stroke});
-    drawing.lines.push_back({right, last, ink, stroke});
-    drawing.lines.push_back({last, above, ink, stroke});
-    drawing.lines.push_back({above, first, ink, stroke});
-}
+class BoxDrawer {
+public:
+    BoxDrawer(const FrameSpec &frame, LayerDrawing &drawing)
+        : m_left(frame.firstColumn - 0.5)
+        , m_low(frame.firstRow - 0.5)
+        , m_right(m_left + frame.width)
+        , m_high(m_low + frame.height)
+        , m_drawing(drawing)
+    {
+    }
 
-/// Around the cells of its samples, with their first and last pixel at a corner.
-void appendSamples(const SampleBox &box, const QString &name, LayerInk ink,
-                   LayerDrawing::Stroke stroke, LayerDrawing &drawing)
-{
-    const QPointF last = {double(box.endX) - 0.5, double(box.endY) - 0.5};
-    if (!box.isEmpty())
-        appendRectangle({double(box.firstX) - 0.5, double(box.firstY) - 0.5}, last, ink, stroke,
-                        drawing);
-    appendLabel(box.isEmpty() ? name + QStringLiteral(": no pixel")
-                              : QStringLiteral("%1: x %2 … %3, y %4 … %5")
-                                    .arg(name)
-                                    .arg(box.firstX)
-                                    .arg(box.endX - 1)
-                                    .arg(box.firstY)
-                                    .arg(box.endY - 1),
-                last, ink, drawing);
-}
+    void appendRectangle(const QPointF &first, const QPointF &last, const BoxLook &look)
+    {
+        const QPointF right(last.x(), first.y());
+        const QPointF above(first.x(), last.y());
+        m_drawing.lines.push_back({first, right, look.ink, look.stroke});
+        m_drawing.lines.push_back({right, last, look.ink, look.stroke});
+        m_drawing.lines.push_back({last, above, look.ink, look.stroke});
+        m_drawing.lines.push_back({above, first, look.ink, look.stroke});
+    }
+
+    /// Beside the place of the frame that is nearest to a corner, which may lie far outside.
+    void appendLabel(QString text, const QPointF &corner, LayerInk ink)
+    {
+        const QPointF place(std::clamp(corner.x(), m_left, m_right),
+                            std::clamp(corner.y(), m_low, m_high));
+        m_drawing.labels.push_back({text.replace(u'-', QChar(0x2212)), place, ink});
+    }
+
+    /// Around the cells of its samples, with their first and last pixel at a corner.
+    void appendSamples(const SampleBox &box, const QString &name, const BoxLook &look)
+    {
+        const QPointF last = {double(box.endX) - 0.5, double(box.endY) - 0.5};
+        if (box.isEmpty())
+            return appendLabel(name + QStringLiteral(": no pixel"), last, look.ink);
+        appendRectangle({double(box.firstX) - 0.5, double(box.firstY) - 0.5}, last, look);
+        appendLabel(QStringLiteral("%1: x %2 … %3, y %4 … %5")
+                        .arg(name)
+                        .arg(box.firstX)
+                        .arg(box.endX - 1)
+                        .arg(box.firstY)
+                        .arg(box.endY - 1),
+                    last, look.ink);
+    }
+
+private:
+    double m_left, m_low, m_right, m_high; ///< of the frame, px
+    LayerDrawing &m_drawing;
+};
 
 void drawBox(const LayerMoment &moment, LayerDrawing &drawing)
 {
+    using Stroke = LayerDrawing::Stroke;
     const ContourBox raw = rawBoxOf(moment);
     if (raw.first.x > raw.last.x)
         return;
     const QPointF first = placeOf(raw.first);
     const QPointF last = placeOf(raw.last);
-    appendRectangle(first, last, LayerInk::Mark, LayerDrawing::Stroke::Dashed, drawing);
-    appendLabel(QStringLiteral("bbox: x %1 … %2, y %3 … %4")
-                    .arg(moment.inScene(raw.first.x), moment.inScene(raw.last.x),
-                         moment.inScene(raw.first.y), moment.inScene(raw.last.y)),
-                {first.x(), last.y()}, LayerInk::Mark, drawing);
-    appendSamples(printedBoxOf(raw, moment.frame()), QStringLiteral("(int)(bbox ± .5)"),
-                  LayerInk::Second, LayerDrawing::Stroke::Dotted, drawing);
+    BoxDrawer drawer(moment.frame(), drawing);
+    drawer.appendRectangle(first, last, {LayerInk::Mark, Stroke::Dashed});
+    drawer.appendLabel(QStringLiteral("bbox: x %1 … %2, y %3 … %4")
+                           .arg(moment.inScene(raw.first.x), moment.inScene(raw.last.x),
+                                moment.inScene(raw.first.y), moment.inScene(raw.last.y)),
+                       {first.x(), last.y()}, LayerInk::Mark);
+    drawer.appendSamples(printedBoxOf(raw, moment.frame()), QStringLiteral("(int)(bbox ± .5)"),
+                         {LayerInk::Second, Stroke::Dotted});
     const std::optional<SampleBox> tested = testedBoxOf(moment);
-    appendSamples(tested.value_or(clippedBoxOf(raw, moment.frame())),
-                  tested ? QStringLiteral("tested") : QStringLiteral("clipped"), LayerInk::First,
-                  LayerDrawing::Stroke::Solid, drawing);
+    drawer.appendSamples(tested.value_or(clippedBoxOf(raw, moment.frame())),
+                         tested ? QStringLiteral("tested") : QStringLiteral("clipped"),
+                         {LayerInk::First, Stroke::Solid});
 }
 
 } // namespace

@@ -18,6 +18,7 @@ constexpr double largestEm = 14;
 constexpr double leastEm = 6;
 constexpr double labelGap = 6;
 constexpr double paperPadding = 3;
+constexpr double nearView = 20; ///< names of what is farther would crowd the border
 
 // In ems.
 constexpr double lineHeight = 1.2;
@@ -92,6 +93,8 @@ void LayerTexts::paintCells(std::span<const LayerDrawing::CellText> texts)
 void LayerTexts::paint(const LayerDrawing::Label &label)
 {
     const QPointF anchor = m_surface.fromSamples.map(label.place);
+    if (!m_surface.view.adjusted(-nearView, -nearView, nearView, nearView).contains(anchor))
+        return;
     const QSizeF size(m_glyphs.widthOf(label.text) * labelEm + 2 * paperPadding,
                       lineHeight * labelEm + 2);
     const auto places = placesAround(anchor, size);

@@ -21,7 +21,8 @@ public:
     /// All in one size, in which the widest fits its cell and the most stand below each other;
     /// nothing where that is too small to read.
     void paintCells(std::span<const LayerDrawing::CellText> texts);
-    /// Beside its place, on the first side where no other label stands.
+    /// Beside its place, on the first side where no other label stands; nothing where the place is
+    /// far out of view.
     void paint(const LayerDrawing::Label &label);
 
 private:
