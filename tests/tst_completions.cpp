@@ -70,6 +70,12 @@ QStringList layerNames()
     return names;
 }
 
+QString manualText()
+{
+    QFile file(QStringLiteral(PIXELPLUMB_RESOURCES "/man/pixelplumb-cli.1"));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
 } // namespace
 
 /// What the Tab key offers in a terminal.
@@ -123,9 +129,7 @@ private slots:
     void theManualTellsEveryOption()
     {
         QFETCH(QString, command);
-        QFile file(QStringLiteral(PIXELPLUMB_RESOURCES "/man/pixelplumb-cli.1"));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QString manual = QString::fromUtf8(file.readAll());
+        const QString manual = manualText();
         const QStringList options = offeredByBash({command, QStringLiteral("--")});
 
         QVERIFY(options.contains(QStringLiteral("--help")));
@@ -134,6 +138,17 @@ private slots:
             const bool isTold = manual.contains(QStringLiteral("Fl \\-") + name)
                 || option == QStringLiteral("--output");
             QVERIFY2(isTold, qPrintable(option + QStringLiteral(" is not in the manual")));
+        }
+    }
+
+    void theManualTellsEveryLayer()
+    {
+        const QString manual = manualText();
+        for (QString name : layerNames()) {
+            name.replace(u'-', QStringLiteral("\\-"));
+            QVERIFY2(manual.contains(QStringLiteral("Cm ") + name)
+                         || manual.contains(QStringLiteral(" , ") + name),
+                     qPrintable(name));
         }
     }
 };
