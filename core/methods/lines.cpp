@@ -54,15 +54,13 @@ Method lineParametricMethod()
     method.title = QStringLiteral("Line: P(t)");
     method.source = QStringLiteral("Scan Conversion slides, “Lines and Curves: Parametric”");
     method.pseudocode
-        = {{0,
-            QStringLiteral("N ← the pixels of the longer side, rounded up; t goes in steps of 1/N"),
-            {Moment::SetUp}},
+        = {{0, QStringLiteral("N ← ⌈the larger of |x₁ − x₀| and |y₁ − y₀|⌉"), {Moment::SetUp}},
            {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-           {0, QStringLiteral("for i from 0 while t ≤ 1:"), {Moment::Begin, Moment::Span}},
+           {0, QStringLiteral("for each t = i/N from 0 to 1/k:"), {Moment::Begin, Moment::Span}},
            {1,
-            QStringLiteral("t ← i/N, (x, y) ← P₀ + t·(P₁ − P₀); R, G and B likewise"),
+            QStringLiteral("u ← x₀ + k·t·(x₁ − x₀), v ← y₀ + k·t·(y₁ − y₀); R, G and B likewise"),
             {Moment::Begin, Moment::Span}},
-           {1, QStringLiteral("pixel (⌊x + ½⌋, ⌊y + ½⌋) ← the bytes of R, G, B"), {Moment::First}}};
+           {1, QStringLiteral("pixel (⌊u + ½⌋, ⌊v + ½⌋) ← the bytes of R, G, B"), {Moment::First}}};
     method.summary = QStringLiteral("Computes P(t) = P₀ + t·(P₁ − P₀) for t in steps of one pixel "
                                     "of the longer side, or less, and writes the pixel nearest to "
                                     "each point.");

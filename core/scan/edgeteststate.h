@@ -25,9 +25,8 @@ inline SampleBox boundingBoxOf(const Triangle &triangle)
 }
 
 /// The same as the slides round it (Triangle Rasterization slides, "Triangle rasterization
-/// implementation guidelines"): left = (int)(x_min + .5), right = (int)(x_max - .5), in the scene's
-/// coordinates. With pixel centres at halves it loses those on x_min and y_min alone; with centres
-/// on whole numbers up to half a pixel. (int) rounds towards 0.
+/// implementation guidelines"): left = (int)(x_min + .5), right = (int)(x_max - .5), in the
+/// coordinates of a text whose centres lie where the frame's do. (int) rounds towards 0.
 inline SampleBox roundedBoxOf(const Triangle &triangle, FrameView frame)
 {
     const Lattice offset = frame.pixelCentre == PixelCentre::Half ? halfPixel : 0;

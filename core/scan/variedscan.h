@@ -161,19 +161,19 @@ struct VariedScan {
     /// of which Δ − 1 leaves nothing, stays at its first vertex; one along the column has no slope.
     constexpr Edge edge(const Vertex &a, const Vertex &b) const
     {
-        Edge walked{a, b};
+        Edge edge{a, b};
         if (a.position.x == b.position.x)
-            return walked;
+            return edge;
         if (variants.contains(Variant::DivisorMinusOne))
-            walked.b.position.x = std::max(b.position.x - unitsPerPixel, a.position.x);
+            edge.b.position.x = std::max(b.position.x - unitsPerPixel, a.position.x);
         if (variants.contains(Variant::DivisorPlusOne))
-            walked.b.position.x += unitsPerPixel;
+            edge.b.position.x += unitsPerPixel;
         if (variants.contains(Variant::NoEdgePreStep)) {
             const Lattice late = ceilPixel(a.position.x) * unitsPerPixel - a.position.x;
-            walked.a.position.x += late;
-            walked.b.position.x += late;
+            edge.a.position.x += late;
+            edge.b.position.x += late;
         }
-        return walked;
+        return edge;
     }
 
     template <class Number>

@@ -168,21 +168,7 @@ private:
         readChoice(m_json, root[QStringLiteral("fillRule")], allFillRules, scene.settings.fillRule);
         readChoice(m_json, root[QStringLiteral("rounding")], allByteRoundings,
                    scene.settings.rounding);
-        readVariants(root[QStringLiteral("variants")]);
-    }
-
-    void readVariants(const JsonNode &node)
-    {
-        if (node.isMissing())
-            return;
-        VariantSet &variants = m_inHand.reading.scene.settings.variants;
-        for (const JsonNode &each : m_json.array(node)) {
-            Variant variant = allVariants.front();
-            readChoice(m_json, each, allVariants, variant);
-            if (m_json.hasFailed())
-                return;
-            variants = variants.with(variant);
-        }
+        scene.settings.variants = readVariants(m_json, root[QStringLiteral("variants")]);
     }
 
     void readPrimitives(const JsonNode &node)
