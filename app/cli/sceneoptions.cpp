@@ -23,9 +23,9 @@ constexpr QLatin1String methodOption("method");
 constexpr QLatin1String arithmeticOption("arithmetic");
 constexpr QLatin1String fillRuleOption("fill-rule");
 constexpr QLatin1String roundingOption("rounding");
+constexpr QLatin1String frameOption("frame");
 constexpr QLatin1String variantOption("variant");
 constexpr QLatin1String noVariant("none");
-constexpr QLatin1String frameOption("frame");
 
 template <class Choice, std::size_t Count>
 Result<Choice> chosen(const CommandLine &line, const QString &option,
@@ -131,15 +131,15 @@ void addSettingOptions(CommandLine &line)
                     QStringLiteral("How a level becomes a byte: ")
                         + namesOf(allByteRoundings).join(QStringLiteral(", ")) + u'.',
                     name});
+    line.addOption({frameOption,
+                    QStringLiteral("Of a scene that moves: at this frame, from 0; 0 if left out."),
+                    QStringLiteral("number")});
     line.addOption(
         {variantOption,
          QStringLiteral("Depart from the right algorithm, to see what that does; several "
                         "with commas: ")
              + namesOf(allVariants).join(QStringLiteral(", ")) + u'.',
          name});
-    line.addOption({frameOption,
-                    QStringLiteral("Of a scene that moves: at this frame, from 0; 0 if left out."),
-                    QStringLiteral("number")});
     addForceOption(line);
 }
 

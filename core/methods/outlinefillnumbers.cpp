@@ -29,7 +29,7 @@ QString edgeName(std::size_t edge)
 /// Its length in steps of the midpoint algorithm: "Δ₀₁".
 QString lengthTitle(std::size_t edge)
 {
-    const auto [first, second] = std::minmax(edge, (edge + 1) % 3);
+    const auto [first, second] = std::minmax({edge, (edge + 1) % 3});
     return QStringLiteral("Δ%1%2").arg(QChar(digits[first])).arg(QChar(digits[second]));
 }
 

@@ -44,6 +44,12 @@ QByteArray offScreenText(const FrameSpec &frame)
         : QByteArray();
 }
 
+QByteArray motionText(const Motion &motion)
+{
+    return "{ \"by\": " + jsonPointText(motion.by)
+        + ", \"frames\": " + QByteArray::number(motion.frames) + " }";
+}
+
 /// Written where the scene departs from the right algorithm.
 QByteArray variantsText(VariantSet variants)
 {
@@ -55,12 +61,6 @@ QByteArray variantsText(VariantSet variants)
             names += (names.isEmpty() ? "" : ", ") + quoted(nameOf(variant));
     }
     return ",\n    \"variants\": [" + names + ']';
-}
-
-QByteArray motionText(const Motion &motion)
-{
-    return "{ \"by\": " + jsonPointText(motion.by)
-        + ", \"frames\": " + QByteArray::number(motion.frames) + " }";
 }
 
 } // namespace

@@ -36,7 +36,7 @@ inline const QStringList promisedWidgets{
     "motion",           "motionDock",         "motionX",          "motionY",
     "motionFrames",     "motionSet",          "motionEnd",        "motionSlider",
     "motionPlay",       "motionPosition",     "motionSummary",    "motionView",
-    "motionTable"};
+    "motionTable",      "layersMenu"};
 
 /// Of the lab's menu of files; those of the menus have names that tests find in the menus.
 inline const QStringList promisedActions{"labOpen",       "labEarlier", "labSave",

@@ -208,7 +208,9 @@ void Canvas::paintEvent(QPaintEvent *)
     m_repaintTimer.stop();
     m_outlines.lookUp(*m_sources.document, mapping(), view());
     QPainter painter(this);
-    m_painter.paint(painter, canvasScene(m_sources, m_view, m_outlines, hand()), m_view, palette());
+    CanvasScene scene = canvasScene(m_sources, m_view, m_outlines, hand());
+    m_layers.addTo(scene, m_sources, m_view);
+    m_painter.paint(painter, scene, m_view, palette());
     if (hasFocus()) {
         painter.setRenderHint(QPainter::Antialiasing, false);
         painter.setBrush(Qt::NoBrush);

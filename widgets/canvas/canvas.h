@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/canvas/canvaskeys.h"
+#include "widgets/canvas/canvaslayers.h"
 #include "widgets/canvas/canvasmouse.h"
 #include "widgets/canvas/canvaspainter.h"
 #include "widgets/canvas/canvasscene.h"
@@ -115,6 +116,7 @@ private:
     CanvasMouse m_mouse;
     CanvasKeys m_keys;
     OutlineChoice m_outlines;
+    CanvasLayers m_layers;
     CanvasPainter m_painter;
     /// Runs while the picture of a change is expected.
     QTimer m_repaintTimer;
