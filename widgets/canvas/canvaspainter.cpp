@@ -84,6 +84,8 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     FramePainter frame(painter, view.mapping(), palette, area);
     frame.drawFrameEdge();
     drawOutlines(frame, scene);
+    if (scene.frame)
+        drawValues(painter, *scene.frame, view.mapping(), area, scene.notation);
     if (scene.marked)
         m_differences.drawGlyphs(painter, scene.position, palette);
     drawSigns(frame, scene);
