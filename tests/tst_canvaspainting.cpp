@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/polygons/textoutlines.h"
 #include "tests/support/canvasbench.h"
 #include "tests/support/spacescenes.h"
 #include "widgets/files/svgexport.h"
@@ -21,6 +22,7 @@ private slots:
     void differencesAppearOnlyWhenDecided();
     void theClippedPolygonIsDrawnWhereItIsWanted();
     void figureHoldsCellsNamesAndColumn();
+    void figureHoldsTheLayers();
     void figureOfAHugeFrameIsRefused();
     void repaintsAHugeFrameQuickly();
 };
@@ -192,6 +194,22 @@ void TestCanvasPainting::figureHoldsCellsNamesAndColumn()
     for (const char *text : {"P0", "P1", "P2", "y", "B", "T", "10", "60"})
         QVERIFY2(texts.contains(QLatin1String(text)), text);
     QCOMPARE(svgFigure(bench.playhead, bench.options), figure);
+}
+
+void TestCanvasPainting::figureHoldsTheLayers()
+{
+    if (textFontFile().isEmpty())
+        QSKIP("DejaVu Sans is not installed (fonts-dejavu-core)");
+    CanvasBench bench(firstScene());
+    const auto pathsOf = [&bench](const QStringList &layers) {
+        bench.options.setLayers(layers);
+        return svgFigure(bench.playhead, bench.options).count("<path");
+    };
+    const qsizetype none = pathsOf({});
+
+    // An address for each pixel.
+    QVERIFY(pathsOf({QStringLiteral("memory")}) >= none + 64 * 48);
+    QCOMPARE(pathsOf({QStringLiteral("edge-table")}), none);
 }
 
 void TestCanvasPainting::figureOfAHugeFrameIsRefused()

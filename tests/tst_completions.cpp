@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/layer.h"
 #include "core/methods/method.h"
 #include "core/scan/choicenames.h"
 #include "tests/support/programrun.h"
@@ -61,6 +62,20 @@ QStringList methodNames()
     return names;
 }
 
+QStringList layerNames()
+{
+    QStringList names;
+    for (const Layer &layer : layers())
+        names.append(layer.id);
+    return names;
+}
+
+QString manualText()
+{
+    QFile file(QStringLiteral(PIXELPLUMB_RESOURCES "/man/pixelplumb-cli.1"));
+    return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
+}
+
 } // namespace
 
 /// What the Tab key offers in a terminal.
@@ -88,6 +103,9 @@ private slots:
         row("arithmetics", {"trace", "--arithmetic", ""}, namesOf(allArithmetics));
         row("fill rules", {"pixel", "--fill-rule", ""}, namesOf(allFillRules));
         row("roundings", {"render", "--rounding", ""}, namesOf(allByteRoundings));
+        row("variants", {"render", "--variant", ""},
+            namesOf(allVariants) + QStringList{QStringLiteral("none")});
+        row("layers", {"render", "--layers", ""}, layerNames());
         row("a switch", {"plan", "--force", "smooth-colour"},
             {"smooth-colour=on", "smooth-colour=off"});
         row("contenders", {"compare", "--methods", "line-b"},
@@ -107,15 +125,13 @@ private slots:
     {
         QTest::addColumn<QString>("command");
         for (const char *command : {"render", "trace", "pixel", "methods", "plan", "check",
-                                    "compare", "diff", "motion", "lab"})
+                                    "compare", "diff", "diagnose", "motion", "lab"})
             QTest::newRow(command) << QString::fromLatin1(command);
     }
     void theManualTellsEveryOption()
     {
         QFETCH(QString, command);
-        QFile file(QStringLiteral(PIXELPLUMB_RESOURCES "/man/pixelplumb-cli.1"));
-        QVERIFY(file.open(QIODevice::ReadOnly));
-        const QString manual = QString::fromUtf8(file.readAll());
+        const QString manual = manualText();
         const QStringList options = offeredByBash({command, QStringLiteral("--")});
 
         QVERIFY(options.contains(QStringLiteral("--help")));
@@ -124,6 +140,17 @@ private slots:
             const bool isTold = manual.contains(QStringLiteral("Fl \\-") + name)
                 || option == QStringLiteral("--output");
             QVERIFY2(isTold, qPrintable(option + QStringLiteral(" is not in the manual")));
+        }
+    }
+
+    void theManualTellsEveryLayer()
+    {
+        const QString manual = manualText();
+        for (QString name : layerNames()) {
+            name.replace(u'-', QStringLiteral("\\-"));
+            QVERIFY2(manual.contains(QStringLiteral("Cm ") + name)
+                         || manual.contains(QStringLiteral(" , ") + name),
+                     qPrintable(name));
         }
     }
 };

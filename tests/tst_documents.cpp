@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/methods/method.h"
+#include "core/layers/layer.h"
 
 #include <QDirIterator>
 #include <QFile>
@@ -109,21 +109,25 @@ private slots:
         QVERIFY(cited > 100);
     }
 
-    void everyMethodCitesACourseTextAndStandsInTheSources()
+    void everyMethodAndLayerCitesACourseTextAndStandsInTheSources()
     {
         const QMap<QString, QString> sections = sectionsOfTheSources();
         const QString text = textOf("resources/sources.md");
-        for (const Method &method : methods()) {
+        const auto verify = [&](const QString &id, const QString &source) {
             const bool cites = std::ranges::any_of(
-                sections.keys(), [&](const QString &name) { return method.source.contains(name); });
-            QVERIFY2(cites, qPrintable(method.source));
-            QVERIFY2(text.contains(u'`' + method.id + u'`'), qPrintable(method.id));
-        }
+                sections.keys(), [&](const QString &name) { return source.contains(name); });
+            QVERIFY2(cites, qPrintable(source));
+            QVERIFY2(text.contains(u'`' + id + u'`'), qPrintable(id));
+        };
+        for (const Method &method : methods())
+            verify(method.id, method.source);
+        for (const Layer &layer : layers())
+            verify(layer.id, layer.source);
         QStringList names = captures(QStringLiteral("`([a-z][a-z-]+)`"), text);
         names.removeOne(QStringLiteral("closed"));
         names.removeOne(QStringLiteral("off-screen-point"));
         for (const QString &name : names)
-            QVERIFY2(methodNamed(name), qPrintable(name));
+            QVERIFY2(methodNamed(name) || layerNamed(name), qPrintable(name));
     }
 
     void everyCitedSectionOfTheNumericsIsThere()

@@ -201,6 +201,40 @@ private slots:
                  qPrintable(QStringLiteral("%1 of %2").arg(tally.vague).arg(tally.count)));
     }
 
+    void everyFormulaOfAVariantComesOutAtTheNumberBesideIt_data()
+    {
+        QTest::addColumn<QString>("id");
+        for (const Method &method : methods()) {
+            if (!method.variants.empty())
+                QTest::newRow(qPrintable(method.id)) << method.id;
+        }
+    }
+    void everyFormulaOfAVariantComesOutAtTheNumberBesideIt()
+    {
+        QFETCH(QString, id);
+        const Method &method = *methodNamed(id);
+        Tally tally;
+        for (const auto &[name, example] : scenesForEveryMethod()) {
+            for (const Arithmetic arithmetic : method.arithmetics) {
+                VariantSet together;
+                for (const Variant variant : method.variants) {
+                    together = together.with(variant);
+                    for (const VariantSet variants : {VariantSet().with(variant), together}) {
+                        Scene scene = example;
+                        scene.method = id.toStdString();
+                        scene.settings.arithmetic = arithmetic;
+                        scene.settings.variants = variants;
+                        scene.settings = method.adapted(scene.settings);
+                        look(name, *traceScene(scene), tally);
+                    }
+                }
+            }
+        }
+        for (const auto &[formula, fault] : tally.faults)
+            qWarning("%s", qPrintable(formula + QStringLiteral(": ") + fault));
+        QVERIFY2(tally.faults.empty(), qPrintable(QString::number(tally.faults.size())));
+    }
+
     void theStagesOfALitSampleHaveFormulas_data()
     {
         QTest::addColumn<QString>("id");

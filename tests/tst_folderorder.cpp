@@ -35,6 +35,7 @@ const QList<Library> &libraries()
           {"methods"},
           {"scene"},
           {"runs"},
+          {"layers"},
           {"check", "export", "measure"},
           {"compare", "grade"},
           {"lab"}},

@@ -3,7 +3,9 @@
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
+#include "widgets/canvas/canvas.h"
 #include "widgets/inspect/columntable.h"
+#include "widgets/look/displayoptions.h"
 #include "widgets/model/columntablemodel.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
@@ -173,6 +175,45 @@ private slots:
         QVERIFY(
             !rule->model()->flags(rule->model()->index(topLeft, 0)).testFlag(Qt::ItemIsEnabled));
         QVERIFY(!rule->itemData(topLeft, Qt::ToolTipRole).toString().isEmpty());
+    }
+
+    void layersLieOverTheFrameFromTheMenuAndLast()
+    {
+        const auto window = openedWindow();
+        Canvas &canvas = *window->parts().canvas;
+        const auto isShown
+            = [&canvas](const QImage &before) { return canvas.grab().toImage() != before; };
+
+        for (const char *layer : {"layer-box", "layer-half-planes"}) {
+            const QImage before = canvas.grab().toImage();
+            QAction *toggle = action(*window, layer);
+            QVERIFY(!toggle->isChecked());
+            QVERIFY(toggle->toolTip().length() > 40);
+            toggle->trigger();
+            QVERIFY(toggle->isChecked());
+            QVERIFY(isShown(before));
+            toggle->trigger();
+            QVERIFY(!isShown(before));
+            toggle->trigger();
+        }
+        window->close();
+
+        const auto next = openedWindow();
+        QCOMPARE(next->parts().options->layers(), QStringList({"box", "half-planes"}));
+        QVERIFY(action(*next, "layer-box")->isChecked());
+        action(*next, "hideLayers")->trigger();
+        QVERIFY(!action(*next, "layer-box")->isChecked());
+    }
+
+    void aLayerWithNothingToShowIsGreyAndSaysWhy()
+    {
+        const auto window = openedWindow();
+        QAction *edgeTable = action(*window, "layer-edge-table");
+
+        QVERIFY(!edgeTable->isEnabled());
+        QCOMPARE(edgeTable->statusTip(),
+                 "Nothing to show: “Column scan” has no such numbers, unlike “Polygon by parity”.");
+        QVERIFY(action(*window, "layer-weights")->isEnabled());
     }
 
     void aPastedRasterIsLaidOverThePicture()

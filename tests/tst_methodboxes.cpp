@@ -7,6 +7,7 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
+#include <QAction>
 #include <QComboBox>
 #include <QLabel>
 #include <QTest>
@@ -139,6 +140,38 @@ private slots:
         QVERIFY2(note.contains(textOf(nameOf(drawn.arithmetic))), qPrintable(note));
         QCOMPARE(note.contains(textOf(nameOf(FillRule::HalfOpenColumn))),
                  !method.supports(FillRule::HalfOpenColumn));
+    }
+
+    void aVariantIsTickedInTheMenuAndGreyWhereTheMethodRefusesIt()
+    {
+        Scene scene;
+        scene.triangles = {triangleAt(1, 2, 10, 3, 5, 9)};
+        const auto window = openedWindow(scene);
+        SceneDocument &document = *window->parts().document;
+        auto *const late = named<QAction>(*window, "variant-no-colour-pre-step");
+        const auto *const box = named<QAction>(*window, "variant-rounded-box");
+        QVERIFY(late->isEnabled() && late->isCheckable() && !late->isChecked());
+        QVERIFY(!box->isEnabled());
+        QVERIFY2(box->toolTip().contains(QStringLiteral("edge-equations")),
+                 qPrintable(box->toolTip()));
+
+        late->trigger();
+        QVERIFY(late->isChecked());
+        QVERIFY(document.scene().settings.variants.contains(Variant::NoColourPreStep));
+        QVERIFY(window->parts().playhead->traced()->scene.settings == document.scene().settings);
+        const QString status = named<QLabel>(*window, "statusSettings")->text();
+        QVERIFY2(status.contains(textOf(nameOf(Variant::NoColourPreStep))), qPrintable(status));
+
+        document.setMethod("edge-equations");
+        QVERIFY(document.scene().settings.variants.isEmpty());
+        QVERIFY(!late->isEnabled() && !late->isChecked() && box->isEnabled());
+        const QString note = window->parts().messageBar->text();
+        QVERIFY2(note.contains(QStringLiteral("no-colour-pre-step")), qPrintable(note));
+
+        document.undoStack()->undo();
+        QVERIFY(late->isChecked());
+        late->trigger();
+        QVERIFY(document.scene().settings.variants.isEmpty());
     }
 
 private:

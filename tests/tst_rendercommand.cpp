@@ -192,6 +192,89 @@ private slots:
         }
     }
 
+    void drawsTheFrameAsItIsAtAPosition()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("moment.png"));
+        const Scene scene = readSceneFile(defaultScene())->scene;
+        const auto traced = traceScene(scene);
+        TraceCursor cursor(*traced->trace, scene.frame);
+        cursor.seek(traced->trace->stepCount() / 2);
+
+        const ProgramRun result = run({"render", defaultScene(), "-o", path, "--position",
+                                       QString::number(traced->trace->stepCount() / 2)});
+
+        QCOMPARE(result.exitCode, 0);
+        QCOMPARE(QImage(path).convertToFormat(QImage::Format_RGB32), cursor.frame().copy());
+    }
+
+    void layersLieOverThePicture()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("layers.png"));
+        const QString plainPath = m_folder.filePath(QStringLiteral("without.png"));
+
+        const ProgramRun result
+            = run({"render", defaultScene(), "-o", path, "--scale", "16", "--layers",
+                   "box,half-planes", "--method", "edge-equations"});
+        const ProgramRun plain = run({"render", defaultScene(), "-o", plainPath, "--scale", "16",
+                                      "--method", "edge-equations"});
+
+        QCOMPARE(result.exitCode, 0);
+        QCOMPARE(result.messages, QByteArray());
+        QCOMPARE(plain.exitCode, 0);
+        const QImage picture(path);
+        const QImage without(plainPath);
+        QCOMPARE(picture.size(), QSize(64 * 16, 48 * 16));
+        // The background is tinted where an edge function is positive, here E₀ and E₁.
+        QVERIFY(picture.pixel(24, 20 * 16) != without.pixel(24, 20 * 16));
+        // The box that was visited begins between the columns 3 and 4.
+        QVERIFY(picture.pixel(4 * 16, 20 * 16) != picture.pixel(2 * 16, 20 * 16));
+    }
+
+    void layersSayWhatIsNotInThePicture()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("said.png"));
+
+        const ProgramRun result
+            = run({"render", defaultScene(), "-o", path, "--layers", "weights,edge-table"});
+
+        QCOMPARE(result.exitCode, 0);
+        QCOMPARE(QString::fromUtf8(result.messages),
+                 QStringLiteral("--layers edge-table: “Column scan” has no such numbers, unlike "
+                                "“Polygon by parity”\nNumbers stand in cells of 24 pixels and "
+                                "more: enlarge the picture\n"));
+    }
+
+    void refusesLayersAndPositionsThatAreNotThere_data()
+    {
+        QTest::addColumn<QStringList>("options");
+        QTest::addColumn<QString>("message");
+        QTest::newRow("unknown layer")
+            << QStringList{"-o", "never.png", "--layers", "bx"} << "--layers: unknown layer “bx”";
+        QTest::newRow("beyond the last step")
+            << QStringList{"-o", "never.png", "--position", "99999"}
+            << "--position: 99999; expected an integer from 0 to ";
+        QTest::newRow("no such primitive")
+            << QStringList{"-o", "never.png", "--layers", "box", "--triangle", "1"}
+            << "--triangle: 1; expected an integer from 0 to 0";
+        QTest::newRow("a primitive of no layer")
+            << QStringList{"-o", "never.png", "--triangle", "0"} << "expected --layers";
+        QTest::newRow("no picture") << QStringList{"--ascii", "--layers", "box"}
+                                    << "--layers and --position need a picture";
+    }
+    void refusesLayersAndPositionsThatAreNotThere()
+    {
+        QFETCH(QStringList, options);
+        QFETCH(QString, message);
+        options.replaceInStrings(QStringLiteral("never.png"),
+                                 m_folder.filePath(QStringLiteral("never.png")));
+
+        const ProgramRun result = run(QStringList{"render", defaultScene()} + options);
+
+        QCOMPARE(result.exitCode, 2);
+        QVERIFY2(QString::fromUtf8(result.messages).contains(message), result.messages.constData());
+        QVERIFY(!QFile::exists(m_folder.filePath(QStringLiteral("never.png"))));
+    }
+
     void refusesScalesThatNoPictureHolds()
     {
         const QString path = m_folder.filePath(QStringLiteral("never.png"));

@@ -125,6 +125,20 @@ private slots:
         }
     }
 
+    void theNextGlyphStandsAtTheAdvance()
+    {
+        const Lattice em = 64 * unitsPerPixel;
+        const Lattice advance = advanceOf(textOf("l", {0, 0}, em));
+        const auto last = [&](const char *words) {
+            return outlinesOf(textOf(words, {0, 0}, em)).polygon.vertices.back().position.x;
+        };
+
+        // To a lattice unit: points are rounded, the advance is cut.
+        QVERIFY(std::abs(double(last("lA") - last("A") - advance)) <= 1);
+        QCOMPARE(advanceOf(textOf("l", {0, 0}, -em)), advance);
+        QCOMPARE(advanceOf(textOf("", {0, 0}, em)), Lattice(0));
+    }
+
     void chordsLeaveTheirCurvesByAtMostAThirtySecondOfAPixel()
     {
         // An outline at 64 times the size has finer chords; its points lie near the coarse ones'.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
+#include "tests/support/shapes.h"
 #include "tests/support/trianglepictures.h"
 
 #include <QTest>
@@ -177,6 +178,48 @@ private slots:
                  Quantity::integer(1));
         QCOMPARE(isProved(triangleOf({{{0, 0}, {1 << 20, (1 << 20) + 1}, {0, 300}}})),
                  Quantity::integer(0));
+    }
+
+    /// Each column of it reaches from the lowest pixel of its three lines to the highest.
+    void aFilledOutlineIsItsLinesAndWhatLiesBetweenThem()
+    {
+        const Method &fill = *methodNamed(u"midpoint-outline-fill");
+        const Method &bresenham = *methodNamed(u"line-bresenham");
+        std::mt19937_64 random(20261123);
+        int beyondTheTruth = 0;
+        for (int round = 0; round < 400; ++round) {
+            WindowPicture drawn(24, 20, -3, 2);
+            WindowPicture lines(24, 120, -3, -46); // with all rows that a triangle reaches
+            WindowPicture truth(24, 20, -3, 2);
+            const Triangle triangle
+                = randomTriangle(random, drawn.spec(), round % 2 == 0 ? 256 : 37);
+            drawn.draw(fill, triangle, {});
+            truth.drawTruth(triangle, {});
+            Primitives outline;
+            for (std::size_t edge = 0; edge < 3; ++edge)
+                outline.shapes.push_back(lineAtUnits(triangle.vertices[edge].position,
+                                                     triangle.vertices[(edge + 1) % 3].position));
+            bresenham.draw(outline, {}, lines.view());
+            for (std::int64_t x = -3; x < 21; ++x) {
+                std::int64_t lowest = 1000;
+                std::int64_t highest = -1000;
+                for (std::int64_t y = -46; y < 74; ++y) {
+                    if (lines.at(x, y) == 0)
+                        continue;
+                    lowest = std::min(lowest, y);
+                    highest = y;
+                }
+                for (std::int64_t y = 2; y < 22; ++y) {
+                    const bool isFilled = y >= lowest && y <= highest;
+                    QVERIFY2((drawn.at(x, y) != 0) == isFilled, toString(triangle).c_str());
+                    beyondTheTruth += isFilled && truth.at(x, y) == 0;
+                    // Of whole pixels it has all that the truth has.
+                    QVERIFY2(round % 2 != 0 || isFilled || truth.at(x, y) == 0,
+                             toString(triangle).c_str());
+                }
+            }
+        }
+        QVERIFY(beyondTheTruth > 1000);
     }
 
     void refusesTheRulesThatAMethodCannotKeep()

@@ -3,9 +3,11 @@
 #include "tests/support/framespec.h"
 #include "tests/support/viewratios.h"
 #include "widgets/canvas/canvaspicture.h"
-#include "widgets/look/viewmapping.h"
+#include "widgets/look/layersurface.h"
 
 #include <QTest>
+
+#include <cmath>
 
 using namespace pixelplumb;
 
@@ -61,6 +63,8 @@ private slots:
     void aPositionReachesThePixelThatIsDrawnThere();
     void samplePointsComeBack_data() { addMappings(); }
     void samplePointsComeBack();
+    void layersStandWhereTheMappingSays_data() { addMappings(); }
+    void layersStandWhereTheMappingSays();
     void cellsHaveWholeDevicePixels();
     void yGrowsUpOrDownAsTheFrameSays();
     void everySixteenthCanBeReached_data();
@@ -127,6 +131,18 @@ void TestViewMapping::samplePointsComeBack()
                  qPrintable(QString::number(back.x)));
         QVERIFY2(std::abs(double(back.y - point.y)) <= tolerance,
                  qPrintable(QString::number(back.y)));
+    }
+}
+
+void TestViewMapping::layersStandWhereTheMappingSays()
+{
+    QFETCH(ViewMapping, mapping);
+    const LayerSurface surface = layerSurface(mapping, {}, QPalette(Qt::white));
+
+    for (const QPointF &sample : {QPointF(0, 0), QPointF(-3.25, 1001), QPointF(17.5, 12)}) {
+        const QPointF away
+            = surface.fromSamples.map(sample) - mapping.positionOf(sample.x(), sample.y());
+        QVERIFY(std::abs(away.x()) < 1e-9 && std::abs(away.y()) < 1e-9);
     }
 }
 

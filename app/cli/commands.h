@@ -12,6 +12,7 @@ ExitCode pixel(const Command &command, const QStringList &arguments);
 ExitCode listMethods(const Command &command, const QStringList &arguments);
 ExitCode plan(const Command &command, const QStringList &arguments);
 ExitCode check(const Command &command, const QStringList &arguments);
+ExitCode diagnose(const Command &command, const QStringList &arguments);
 ExitCode diff(const Command &command, const QStringList &arguments);
 ExitCode motion(const Command &command, const QStringList &arguments);
 ExitCode compare(const Command &command, const QStringList &arguments);

@@ -20,8 +20,8 @@ ExitCode compare(const Command &command, const QStringList &arguments)
     CommandLine line(command, {scenePositional()});
     line.addOption(
         {methodsOption,
-         QStringLiteral("Two to four of method[:arithmetic[:fill-rule]] and truth[:fill-rule], "
-                        "separated by commas; what is left out is the scene's."),
+         QStringLiteral("Two to four of method[:arithmetic[:fill-rule[:variant…]]] and "
+                        "truth[:fill-rule], separated by commas; what is left out is the scene's."),
          QStringLiteral("list")});
     line.addOption({limitOption, QStringLiteral("List this many differing pixels; 20 if left out."),
                     QStringLiteral("count"), QStringLiteral("20")});

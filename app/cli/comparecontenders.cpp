@@ -37,8 +37,12 @@ std::optional<InputError> apply(const QString &word, Contender &contender)
         contender.settings.arithmetic = *arithmetic;
         return std::nullopt;
     }
-    return unknownName(methodsOption, QStringLiteral("arithmetic or fill rule"), word,
-                       namesOf(allArithmetics) + namesOf(allFillRules));
+    if (const auto variant = variantNamed(name)) {
+        contender.settings.variants = contender.settings.variants.with(*variant);
+        return std::nullopt;
+    }
+    return unknownName(methodsOption, QStringLiteral("arithmetic, fill rule or variant"), word,
+                       namesOf(allArithmetics) + namesOf(allFillRules) + namesOf(allVariants));
 }
 
 Result<Contender> contenderNamed(const QString &entry, const ScanSettings &ofScene)

@@ -27,6 +27,8 @@ const std::vector<Command> &commands()
          compare},
         {QStringLiteral("diff"), QStringLiteral("Tell how two pictures differ, and by what cause."),
          diff},
+        {QStringLiteral("diagnose"),
+         QStringLiteral("Name the defects whose pictures equal a student's."), diagnose},
         {QStringLiteral("motion"), QStringLiteral("Count what flickers while a scene moves."),
          motion},
         {QStringLiteral("lab"), QStringLiteral("Measure what accuracy costs in time."), lab},

@@ -124,6 +124,14 @@ void printDescription(const Method &method)
     if (!method.shadingArithmetics.empty())
         printLine(QStringLiteral("  beyond colour and clipping in %1")
                       .arg(namesOf(method.shadingArithmetics).join(separator)));
+    for (const Variant variant : method.variants) {
+        const VariantWords &words = wordsOf(variant);
+        printLine(
+            QStringLiteral("  variant      %1: %2, in place of %3")
+                .arg(nameText(nameOf(variant)), nameText(words.printed), nameText(words.right)));
+        printLine(QStringLiteral("               %1 (%2)")
+                      .arg(nameText(words.fault), nameText(words.source)));
+    }
     if (!method.remarks.empty())
         printLine(QStringLiteral("  remarks      %1").arg(method.remarks.join(separator)));
 }
@@ -179,6 +187,7 @@ QJsonObject jsonOf(const Method &method)
         {QStringLiteral("arithmetics"), QJsonArray::fromStringList(namesOf(method.arithmetics))},
         {QStringLiteral("fillRules"), QJsonArray::fromStringList(namesOf(method.fillRules))},
         {QStringLiteral("effects"), QJsonArray::fromStringList(namesOf(method.effects))},
+        {QStringLiteral("variants"), QJsonArray::fromStringList(namesOf(method.variants))},
         {QStringLiteral("remarks"), QJsonArray::fromStringList(method.remarks)}};
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
+#include "app/cli/enlargedpicture.h"
+#include "app/cli/layeroptions.h"
 #include "app/cli/output.h"
 #include "app/cli/outputpaths.h"
 #include "app/cli/picturefile.h"
@@ -36,31 +38,26 @@ struct RenderRequest {
     bool wantsPicture = false;
     bool wantsAscii = false;
     std::int64_t scale = 1;
+    LayerRequest run;
 };
 
-/// Every pixel a square of so many.
-Result<QImage> enlarged(const QImage &picture, std::int64_t scale)
+std::optional<InputError> writeResult(const Result<QImage> &picture, Output &output,
+                                      const QString &format)
 {
-    const std::int64_t pixels = picture.width() * scale * picture.height() * scale;
-    if (pixels > largestFrameArea)
-        return InputError{QStringLiteral("--scale"),
-                          QStringLiteral("%1 × %2 pixels, %3 times as many each way")
-                              .arg(picture.width())
-                              .arg(picture.height())
-                              .arg(scale),
-                          QStringLiteral("at most %1 pixels").arg(largestFrameArea)};
-    return scale == 1 ? picture : picture.scaled(picture.size() * int(scale));
+    if (!picture)
+        return picture.error();
+    return writePicture(*picture, output, format);
 }
 
 std::optional<InputError> drawPicture(const Scene &scene, Output &output,
                                       const RenderRequest &request)
 {
+    if (request.run.asksForRun())
+        return writeResult(pictureWithLayers(scene, request.run, request.scale), output,
+                           request.format);
     const FrameBuffer frame(scene.frame);
     drawScene(scene, frame);
-    const Result<QImage> picture = enlarged(frame.image(), request.scale);
-    if (!picture)
-        return picture.error();
-    return writePicture(*picture, output, request.format);
+    return writeResult(enlarged(frame.image(), request.scale), output, request.format);
 }
 
 /// The scene drawn by the first of the published order of cost that meets the budget.
@@ -140,6 +137,14 @@ Result<RenderRequest> requestFrom(const CommandLine &line)
     if (!scale)
         return scale.error();
     request.scale = scale->value();
+    const auto run = layerRequestFrom(line);
+    if (!run)
+        return run.error();
+    request.run = *run;
+    if (request.run.asksForRun() && !request.wantsPicture)
+        return InputError{{},
+                          QStringLiteral("--layers and --position need a picture"),
+                          QStringLiteral("-o FILE")};
     if (request.wantsPicture) {
         if (const auto error = choosePictures(line, request))
             return *error;
@@ -165,6 +170,7 @@ ExitCode render(const Command &command, const QStringList &arguments)
                     QStringLiteral("Make each pixel of the picture a square of this many each "
                                    "way, 1 to 64; 1 if left out."),
                     QStringLiteral("count"), QStringLiteral("1")});
+    addLayerOptions(line);
     line.addOption({accuracyOption,
                     QStringLiteral("Draw by the cheapest way that is accurate enough, in the "
                                    "order that the manual prints: exact, 1-level, 10-ppm. In "

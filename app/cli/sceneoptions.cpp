@@ -24,6 +24,8 @@ constexpr QLatin1String arithmeticOption("arithmetic");
 constexpr QLatin1String fillRuleOption("fill-rule");
 constexpr QLatin1String roundingOption("rounding");
 constexpr QLatin1String frameOption("frame");
+constexpr QLatin1String variantOption("variant");
+constexpr QLatin1String noVariant("none");
 
 template <class Choice, std::size_t Count>
 Result<Choice> chosen(const CommandLine &line, const QString &option,
@@ -37,6 +39,25 @@ Result<Choice> chosen(const CommandLine &line, const QString &option,
         return unknownName(QStringLiteral("--") + option, QStringLiteral("name"),
                            line.value(option), names);
     return choices[std::size_t(index)];
+}
+
+/// Several, separated by commas, together take the place of what the scene says.
+Result<VariantSet> chosenVariants(const CommandLine &line, VariantSet unset)
+{
+    if (!line.isSet(variantOption))
+        return unset;
+    const QString list = line.value(variantOption);
+    VariantSet variants;
+    if (list == noVariant)
+        return variants;
+    for (const QString &name : list.split(u',')) {
+        const auto variant = variantNamed(name.trimmed().toStdString());
+        if (!variant)
+            return unknownName(QStringLiteral("--") + variantOption, QStringLiteral("name"), name,
+                               namesOf(allVariants) + QStringList{noVariant});
+        variants = variants.with(*variant);
+    }
+    return variants;
 }
 
 /// The first error of several results.
@@ -113,6 +134,12 @@ void addSettingOptions(CommandLine &line)
     line.addOption({frameOption,
                     QStringLiteral("Of a scene that moves: at this frame, from 0; 0 if left out."),
                     QStringLiteral("number")});
+    line.addOption(
+        {variantOption,
+         QStringLiteral("Depart from the right algorithm, to see what that does; several "
+                        "with commas: ")
+             + namesOf(allVariants).join(QStringLiteral(", ")) + u'.',
+         name});
     addForceOption(line);
 }
 
@@ -180,8 +207,9 @@ Result<Scene> readSceneForAnyMethod(const CommandLine &line, const QString &path
     const auto arithmetic = chosenArithmetic(line, scene.settings.arithmetic);
     const auto fillRule = chosenFillRule(line, scene.settings.fillRule);
     const auto rounding = chosen(line, roundingOption, allByteRoundings, scene.settings.rounding);
+    const auto variants = chosenVariants(line, scene.settings.variants);
     const auto forced = chosenForcing(line);
-    if (const auto error = firstError(method, arithmetic, fillRule, rounding, forced))
+    if (const auto error = firstError(method, arithmetic, fillRule, rounding, variants, forced))
         return *error;
     if (line.isSet(frameOption)) {
         if (!scene.motion)
@@ -196,7 +224,7 @@ Result<Scene> readSceneForAnyMethod(const CommandLine &line, const QString &path
         scene = sceneAtFrame(scene, int(**frame));
     }
     scene.method = (*method)->id.toStdString();
-    scene.settings = {*arithmetic, *fillRule, *rounding};
+    scene.settings = {*arithmetic, *fillRule, *rounding, *variants};
     scene.appearance.forced = *forced;
     return scene;
 }

@@ -12,8 +12,8 @@ Positional scenePositional();
 /// The same of one or more.
 Positional scenesPositional();
 
-/// --method, --arithmetic, --fill-rule and --rounding, which take the place of what the scene says,
-/// and --force.
+/// --method, --arithmetic, --fill-rule, --rounding and --variant, which take the place of what the
+/// scene says, and --force.
 void addSettingOptions(CommandLine &line);
 
 /// Why the scene's method cannot draw it; none where it can.

@@ -57,6 +57,16 @@ bool isWritten(const NumberDescription &number, const QStringList &columns)
 }
 
 /// What a reader has to know about the table: how it was drawn, and what the columns mean.
+QByteArray variantsJson(VariantSet variants)
+{
+    QByteArray names;
+    for (const Variant variant : allVariants) {
+        if (variants.contains(variant))
+            names += (names.isEmpty() ? "" : ", ") + jsonName(nameOf(variant));
+    }
+    return '[' + names + ']';
+}
+
 std::vector<PreambleMember> preambleOf(const TracedScene &traced, const TraceExportOptions &options)
 {
     const ScanSettings &settings = traced.trace->settings();
@@ -75,6 +85,7 @@ std::vector<PreambleMember> preambleOf(const TracedScene &traced, const TraceExp
             {QStringLiteral("arithmetic"), jsonName(nameOf(settings.arithmetic))},
             {QStringLiteral("fillRule"), jsonName(nameOf(settings.fillRule))},
             {QStringLiteral("rounding"), jsonName(nameOf(settings.rounding))},
+            {QStringLiteral("variants"), variantsJson(settings.variants)},
             {QStringLiteral("coordinates"), jsonString(coordinatesText(traced))},
             {QStringLiteral("cut"), traced.trace->isCut() ? "true" : "false"},
             {QStringLiteral("columns"), columns + (columns.size() == 1 ? "]" : "\n  ]")}};

@@ -21,6 +21,7 @@ struct FrameView {
     std::int32_t height = 0;
     // What fill rules look at.
     FrameOrigin origin = FrameOrigin::BottomLeft; ///< which way y points as seen
+    PixelCentre pixelCentre = PixelCentre::Integer; ///< where a text's rounded box has its samples
     LatticePoint offScreenPoint = latticePixel(-1, -1); ///< sample coordinates
 
     constexpr std::int64_t endColumn() const { return std::int64_t(firstColumn) + width; }
@@ -45,6 +46,7 @@ constexpr FrameView windowOf(const FrameSpec &spec)
     window.width = spec.width;
     window.height = spec.height;
     window.origin = spec.origin;
+    window.pixelCentre = spec.pixelCentre;
     window.offScreenPoint = offScreenSample(spec);
     return window;
 }

@@ -12,14 +12,14 @@ namespace {
 constexpr int farthestShift = 4; // px
 
 /// The pixel of the expected picture that is found at (x, line).
-using PlaceMap = std::function<std::pair<int, int>(int x, int line)>;
+using PlaceMap = std::function<std::pair<int, int>(const Picture &expected, int x, int line)>;
 
 Picture moved(const Picture &expected, const PlaceMap &source, const Colour &background)
 {
     Picture picture = expected;
     for (int line = 0; line < expected.height; ++line) {
         for (int x = 0; x < expected.width; ++x) {
-            const auto [fromX, fromLine] = source(x, line);
+            const auto [fromX, fromLine] = source(expected, x, line);
             const bool isInside = expected.contains(fromX, fromLine);
             const std::size_t to = picture.placeOf(x, line);
             const std::size_t from = isInside ? expected.placeOf(fromX, fromLine) : 0;
@@ -52,9 +52,10 @@ void appendShifts(const Colour &background, std::vector<PictureChange> &changes)
         for (int dx = -farthestShift; dx <= farthestShift; ++dx) {
             if (dx == 0 && dy == 0)
                 continue;
-            changes.push_back(
-                move(QStringLiteral("shifted by %1 to the right and %2 up").arg(dx).arg(-dy),
-                     background, [=](int x, int line) { return std::pair(x - dx, line - dy); }));
+            changes.push_back(move(
+                QStringLiteral("shifted by %1 to the right and %2 up").arg(dx).arg(-dy), background,
+                [=](const Picture &, int x, int line) { return std::pair(x - dx, line - dy); }));
+            changes.back().isShift = true;
         }
     }
 }
@@ -62,21 +63,27 @@ void appendShifts(const Colour &background, std::vector<PictureChange> &changes)
 void appendFlips(const Picture &expected, const Colour &background,
                  std::vector<PictureChange> &changes)
 {
-    const int right = expected.width - 1;
-    const int bottom = expected.height - 1;
-    changes.push_back(move(QStringLiteral("upside down"), background,
-                           [=](int x, int line) { return std::pair(x, bottom - line); }));
-    changes.push_back(move(QStringLiteral("left and right exchanged"), background,
-                           [=](int x, int line) { return std::pair(right - x, line); }));
+    const auto right = [](const Picture &picture) { return picture.width - 1; };
+    const auto bottom = [](const Picture &picture) { return picture.height - 1; };
+    changes.push_back(
+        move(QStringLiteral("upside down"), background,
+             [=](const Picture &of, int x, int line) { return std::pair(x, bottom(of) - line); }));
+    changes.push_back(
+        move(QStringLiteral("left and right exchanged"), background,
+             [=](const Picture &of, int x, int line) { return std::pair(right(of) - x, line); }));
     changes.push_back(move(QStringLiteral("turned by half a turn"), background,
-                           [=](int x, int line) { return std::pair(right - x, bottom - line); }));
+                           [=](const Picture &of, int x, int line) {
+                               return std::pair(right(of) - x, bottom(of) - line);
+                           }));
     if (expected.width != expected.height)
         return;
     // Rows are counted from the bottom: x and y exchanged are lines and columns, mirrored.
     changes.push_back(move(QStringLiteral("x and y exchanged"), background,
-                           [=](int x, int line) { return std::pair(bottom - line, right - x); }));
+                           [=](const Picture &of, int x, int line) {
+                               return std::pair(bottom(of) - line, right(of) - x);
+                           }));
     changes.push_back(move(QStringLiteral("lines and columns exchanged"), background,
-                           [=](int x, int line) { return std::pair(line, x); }));
+                           [=](const Picture &, int x, int line) { return std::pair(line, x); }));
 }
 
 void appendChannels(std::vector<PictureChange> &changes)

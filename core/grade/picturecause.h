@@ -11,10 +11,12 @@ namespace pixelplumb {
 struct PictureChange {
     QString name;
     std::function<Picture(const Picture &expected)> apply;
+    bool isShift = false;
 };
 
-/// Shifts by up to 4 px each way, flips, the two coordinates exchanged (where the frame is square),
-/// channels exchanged, and the two ways between linear and sRGB levels.
+/// Of pictures of any size: shifts by up to 4 px each way, flips, the two coordinates exchanged
+/// (where the frame is square), channels exchanged, and the two ways between linear and sRGB
+/// levels.
 std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colour &background);
 
 } // namespace pixelplumb

@@ -11,6 +11,7 @@ std::span<const CountedMethod> countedShapeMethods()
     static constexpr CountedMethod table[] = {
         {"line-dda", countWith<DdaKernel>},
         {"line-slope-intercept", countWith<SlopeInterceptKernel>},
+        {"line-parametric", countWith<ParametricLineKernel>},
         {"line-bresenham", countWith<BresenhamKernel>},
         {"line-bresenham-symmetric", countWith<SymmetricKernel>},
         {"circle-midpoint", countWith<MidpointKernel>},

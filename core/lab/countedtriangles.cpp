@@ -3,6 +3,7 @@
 #include "core/methods/edgetestmethod.h"
 #include "core/methods/edgewalkkernels.h"
 #include "core/methods/interpolationkernel.h"
+#include "core/methods/outlinefill.h"
 
 namespace pixelplumb {
 
@@ -25,6 +26,7 @@ std::span<const CountedMethod> countedTriangleMethods()
         {"barycentric-cramer", countWith<EdgeTestKernel<cramerBarycentricForm>>},
         {"barycentric-off-screen", countWith<EdgeTestKernel<offScreenBarycentricForm>>},
         {"barycentric-relative", countWith<EdgeTestKernel<relativeBarycentricForm>>},
+        {"midpoint-outline-fill", countWith<OutlineFillKernel>},
         {"interpolate-bilinear", countWith<InterpolationKernel<Bilinear>>},
         {"interpolate-plane", countWith<InterpolationKernel<Plane>>},
         {"interpolate-barycentric", countWith<InterpolationKernel<Barycentric>>},

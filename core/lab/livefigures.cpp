@@ -27,6 +27,7 @@ std::int64_t pixelsOf(const Scene &scene, const Method &method)
         = method.draws(PrimitiveKind::Triangle) ? *methodNamed(u"column-scan") : method;
     ScanSettings exact = scene.settings;
     exact.arithmetic = Arithmetic::Exact;
+    exact.variants = {};
     const WrittenFrame frame(scene.frame);
     drawing.drawFastest(primitivesOnSamples(scene), drawing.adapted(exact), frame.view());
     std::int64_t pixels = 0;
@@ -126,7 +127,7 @@ std::optional<LiveFigures> liveFiguresOf(const std::shared_ptr<const Scene> &sce
     ScenePicture picture(scene->frame);
     if (!picture.draw(scene, listener))
         return std::nullopt;
-    figures.isProved = method.isStableIn(scene->settings.arithmetic);
+    figures.isProved = method.isStableUnder(scene->settings);
     if (figures.isProved)
         figures.wrongPixels = 0;
     else if (picture.exactTwin())

@@ -32,10 +32,14 @@ Method columnScanMethod()
     method.stableArithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::Open};
     method.fillRuleReason = spanRuleReason(SpanAxis::Column);
-    method.draw = drawPlanned<ShadedMethod::ColumnScan, drawWith<ColumnScanKernel>>;
-    method.drawFast = drawPlanned<ShadedMethod::ColumnScan, drawColumnsFast>;
-    method.drawEffects = drawEffects<ShadedMethod::ColumnScan>;
-    method.trace = tracePlanned<ShadedMethod::ColumnScan, traceWith<ColumnScanKernel>>;
+    method.variants = edgeWalkVariants();
+    constexpr ShadedMethod shaded = ShadedMethod::ColumnScan;
+    method.draw
+        = drawVaried<drawPlanned<shaded, drawWith<ColumnScanKernel>>, drawWith<VariedColumnScan>>;
+    method.drawFast = drawVaried<drawPlanned<shaded, drawColumnsFast>, drawWith<VariedColumnScan>>;
+    method.drawEffects = drawEffects<shaded>;
+    method.trace = traceVaried<tracePlanned<shaded, traceWith<ColumnScanKernel>>,
+                               traceWith<VariedColumnScan>>;
     return method;
 }
 

@@ -48,9 +48,11 @@ struct MidpointKernel : OutlineKernel, InIntegers {
     using Recording = MidpointRecording;
 
     template <class A, class Observer>
-    static void scan(const Shape &shape, const ScanSettings &, FrameView frame, Observer observer)
+    static void scan(const Shape &shape, const ScanSettings &settings, FrameView frame,
+                     Observer observer)
     {
-        scanCircleByMidpoint<WideBeside<typename A::Number>>(shape, frame, observer);
+        scanCircleByMidpoint<WideBeside<typename A::Number>>(shape, settings.variants, frame,
+                                                             observer);
     }
 };
 

@@ -110,6 +110,7 @@ Method circleMidpointMethod()
     method.summary = QStringLiteral("Steps through an octant by the sign of F at midpoints, an "
                                     "integer, and mirrors each pixel into the other seven.");
     method.remarks += QStringLiteral("whole-pixel centre and radii");
+    method.variants = {Variant::StayAtZero};
     return method;
 }
 

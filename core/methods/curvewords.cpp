@@ -29,8 +29,12 @@ QString midpointSignText(const Quantity &decision)
         + (decision.numerator() < 0 ? QStringLiteral(" < 0") : QStringLiteral(" > 0"));
 }
 
-QString sideText(const Quantity &decision)
+/// Which side of the curve the midpoint is on. A row that stays though it is outside does so by the
+/// variant StayAtZero.
+QString sideText(const MidpointStep &step, const Quantity &decision)
 {
+    if (decision.numerator() > 0 && step.down == 0 && step.y > 0)
+        return QStringLiteral("outside by ¼, which a whole number p = 0 hides from p ≤ 0");
     if (decision.numerator() == 0)
         return QStringLiteral("on the curve");
     return decision.numerator() < 0 ? QStringLiteral("inside") : QStringLiteral("outside");
@@ -135,8 +139,8 @@ void tellCurve(StepWords &words, const MidpointStep &step)
     const Quantity increment
         = Quantity::rational(step.nextDecision - step.decision, step.decisionUnit);
     words.sentence = QStringLiteral("p_k = %1: the midpoint is %2, so %3; Δp = %4%5.")
-                         .arg(midpointSignText(decision), sideText(decision), branchText(step),
-                              incrementFormula(step), term(increment));
+                         .arg(midpointSignText(decision), sideText(step, decision),
+                              branchText(step), incrementFormula(step), term(increment));
 }
 
 void tellCurve(StepWords &words, const BezierStep &step)

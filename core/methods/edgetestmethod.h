@@ -40,6 +40,8 @@ Method edgeTestMethod()
     method.effects = {Effect::SmoothColour, Effect::Clipping};
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
     method.stableArithmetics = {Arithmetic::Exact};
+    if (form.visited == VisitedSamples::BoundingBox)
+        method.variants = {Variant::RoundedBox};
     method.fillRules.assign(allFillRules.begin(), allFillRules.end());
     return method;
 }

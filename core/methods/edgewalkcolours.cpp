@@ -92,7 +92,12 @@ QString startFormula(const EdgeWalkNames &names, const EdgeWalkStart &start, con
     const QString first = start.isClipped ? QStringLiteral("{a}_start")
                                           : names.coveredSample(SpanBound::Lower, start.covered);
     QString formula = QStringLiteral("%_{lo} + (@ − {a}_{lo})·Δ%");
-    if (names.form().walk == WalkForm::Direct && start.hasPlane)
+    if (!start.hasPreStep)
+        formula = start.isClipped && hasRate(names, start)
+            ? QStringLiteral("%_{lo} + ({a}_start − %1)·Δ%")
+                  .arg(names.coveredSample(SpanBound::Lower, start.covered))
+            : QStringLiteral("%_{lo}");
+    else if (names.form().walk == WalkForm::Direct && start.hasPlane)
         formula = QStringLiteral("%₀ + ((%₁ − %₀)·(y₂ − y₀) − (%₂ − %₀)·(y₁ − y₀))/A·(x − x₀) + "
                                  "Δ%·(@ − y₀)");
     else if (names.form().walk == WalkForm::Direct && start.isVertical)

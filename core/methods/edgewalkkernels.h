@@ -1,18 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/methods/edgewalkmethod.h"
+#include "core/methods/variededgewalk.h"
 #include "core/scan/biasarithmetic.h"
 #include "core/scan/constantratearithmetic.h"
 
 /// The kernels of the edge walks as kernelmethod.h wants them.
 namespace pixelplumb {
 
-using ColumnScanKernel
-    = EdgeWalkKernel<EdgeWalkForm{SpanAxis::Column, WalkForm::Accumulated, ColourRate::Bilinear}>;
+template <SpanAxis axis>
+inline constexpr EdgeWalkForm literalWalk = {axis, WalkForm::Accumulated, ColourRate::Bilinear};
 
-using RowWalk
-    = EdgeWalkKernel<EdgeWalkForm{SpanAxis::Row, WalkForm::Accumulated, ColourRate::Bilinear}>;
+using ColumnScanKernel = EdgeWalkKernel<literalWalk<SpanAxis::Column>>;
+using VariedColumnScan = VariedEdgeWalkKernel<literalWalk<SpanAxis::Column>>;
+
+using RowWalk = EdgeWalkKernel<literalWalk<SpanAxis::Row>>;
+using VariedRowWalk = VariedEdgeWalkKernel<literalWalk<SpanAxis::Row>>;
 
 template <SpanAxis axis>
 struct ConstantRateWalk

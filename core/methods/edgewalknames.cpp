@@ -43,9 +43,12 @@ NumberDescription EdgeWalkNames::filled(NumberDescription description) const
     return description;
 }
 
-QString EdgeWalkNames::way(std::size_t corner) const
+QString EdgeWalkNames::way(std::size_t corner, VariantSet variants) const
 {
     // Rows are walked from the top down, columns from left to right.
+    if (variants.contains(Variant::NoEdgePreStep))
+        return (isRow() ? QStringLiteral("(⌊y%1⌋ − y)") : QStringLiteral("(x − ⌈x%1⌉)"))
+            .arg(vertexDigits[corner]);
     return (isRow() ? QStringLiteral("(y%1 − y)") : QStringLiteral("(x − x%1)"))
         .arg(vertexDigits[corner]);
 }
@@ -54,6 +57,25 @@ QString EdgeWalkNames::way(std::size_t from, std::size_t to) const
 {
     const QString pattern = isRow() ? QStringLiteral("(y%1 − y%2)") : QStringLiteral("(x%2 − x%1)");
     return pattern.arg(vertexDigits[from]).arg(vertexDigits[to]);
+}
+
+QString EdgeWalkNames::divisor(SortedEdge edge, VariantSet variants) const
+{
+    const auto &ends = sortedEdgeEnds[std::size_t(edge)];
+    QString text = way(ends[0], ends[1]).chopped(1);
+    if (variants.contains(Variant::DivisorMinusOne))
+        text += QStringLiteral(" − 1");
+    if (variants.contains(Variant::DivisorPlusOne))
+        text += QStringLiteral(" + 1");
+    return text + u')';
+}
+
+bool EdgeWalkNames::isTooShort(const std::array<Vertex, 3> &corners, SortedEdge edge,
+                               VariantSet variants) const
+{
+    const auto &ends = sortedEdgeEnds[std::size_t(edge)];
+    return variants.contains(Variant::DivisorMinusOne)
+        && across(corners[ends[1]]) - across(corners[ends[0]]) <= unitsPerPixel;
 }
 
 QString EdgeWalkNames::coveredSample(SpanBound bound, Interval covered) const
@@ -100,9 +122,14 @@ QString EdgeWalkNames::boundFormula(const EdgeWalkSpanState &state, SpanBound bo
     const bool isSegmentsEnd = !state.start.hasPlane && isAlong && bound == SpanBound::Upper;
     const std::size_t from = isSegmentsEnd ? 2 : sortedEdgeEnds[std::size_t(edge)][0];
     const QString start = value + vertexDigits[state.digits[from]];
-    if (isAlong || state.column.x * unitsPerPixel == across(state.corners[from]))
+    const VariantSet variants = state.start.hasPlane ? state.settings.variants : VariantSet{};
+    const Lattice vertex = across(state.corners[from]);
+    const Lattice first
+        = variants.contains(Variant::NoEdgePreStep) ? ceilPixel(vertex) * unitsPerPixel : vertex;
+    if (isAlong || state.column.x * unitsPerPixel == first)
         return QStringLiteral("%1 ← %2").arg(title, start);
-    return QStringLiteral("%1 ← %2 + %3·%4").arg(title, start, way(state.digits[from]), slope);
+    return QStringLiteral("%1 ← %2 + %3·%4")
+        .arg(title, start, way(state.digits[from], variants), slope);
 }
 
 } // namespace pixelplumb

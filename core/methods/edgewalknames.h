@@ -40,10 +40,13 @@ public:
     QString filled(QString text) const;
     NumberDescription filled(NumberDescription description) const;
 
-    /// The part of a text that says the way from a vertex to the span, px: "(x − x₀)".
-    QString way(std::size_t corner) const;
+    /// The part of a text that says the way from a vertex to the span, px: "(x − x₀)"; of an edge
+    /// without pre-step from its first span on: "(x − ⌈x₀⌉)".
+    QString way(std::size_t corner, VariantSet variants = {}) const;
     /// The same between two vertices: "(x₁ − x₀)".
     QString way(std::size_t from, std::size_t to) const;
+    /// What an edge's increments are divided by: "(x₁ − x₀)", "(x₁ − x₀ − 1)" by a variant.
+    QString divisor(SortedEdge edge, VariantSet variants) const;
 
     /// The coordinate across the spans, turned as the scan turns it, lattice units.
     Lattice across(const Vertex &corner) const
@@ -56,6 +59,10 @@ public:
         const auto &ends = sortedEdgeEnds[std::size_t(edge)];
         return across(corners[ends[0]]) == across(corners[ends[1]]);
     }
+
+    /// True where Δ − 1 leaves nothing to divide by: the edge stays at its first vertex.
+    bool isTooShort(const std::array<Vertex, 3> &corners, SortedEdge edge,
+                    VariantSet variants) const;
 
     /// The first or last covered sample of a span: "⌈y_B⌉", "⌈y_T⌉ − 1" where y_T is not covered.
     QString coveredSample(SpanBound bound, Interval covered) const;

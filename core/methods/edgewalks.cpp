@@ -19,6 +19,9 @@ Method rowWalkMethod()
                          "by trapezoid, all by adding increments.");
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     method.stableArithmetics = {Arithmetic::Exact};
+    method.variants = edgeWalkVariants();
+    method.draw = drawVaried<drawWith<RowWalk>, drawWith<VariedRowWalk>>;
+    method.trace = traceVaried<traceWith<RowWalk>, traceWith<VariedRowWalk>>;
     method.fillRules = {FillRule::Closed, FillRule::TopLeft, FillRule::Open};
     method.fillRuleReason = spanRuleReason(SpanAxis::Row);
     return method;

@@ -48,6 +48,21 @@ bool isWalked(const EdgeWalkSetUpState &state, SortedEdge edge)
     return !state.walk.scan.zeroArea || edge == SortedEdge::L02;
 }
 
+/// By what an increment along an edge is divided in the run in hand.
+void specifyDivisor(const EdgeWalkNames &names, SortedEdge edge, const EdgeWalkSetUpState &state,
+                    NumberDescription &number)
+{
+    const VariantSet variants = state.walk.scan.zeroArea ? VariantSet{} : state.settings.variants;
+    if (names.isTooShort(state.walk.corners, edge, variants)) {
+        number.formula.clear();
+        number.toolTip += names.filled(
+            QStringLiteral(" Δ{c} − 1 leaves nothing to divide by: the edge stays at its first "
+                           "vertex."));
+        return;
+    }
+    number.formula.replace(names.divisor(edge, {}), names.divisor(edge, variants));
+}
+
 /// A text with the digits of the edge's ends in the place of @ and &.
 QString betweenEnds(QString text, SortedEdge edge)
 {
@@ -76,6 +91,9 @@ void appendSlope(NumberTable<EdgeWalkSetUpState> &table, const EdgeWalkNames &na
              return isWalked(state, edge) && !names.hasNoSlope(state.walk.corners, edge)
                  ? state.walk.scan.slope[index]
                  : Quantity();
+         },
+         [=](NumberDescription &number, const EdgeWalkSetUpState &state) {
+             specifyDivisor(names, edge, state, number);
          }});
 }
 
@@ -99,6 +117,9 @@ void appendColourRates(NumberTable<EdgeWalkSetUpState> &table, const EdgeWalkNam
             return isWalked(state, edge) && !names.hasNoSlope(state.walk.corners, edge)
                 ? state.walk.scan.colourRate[index][channel]
                 : Quantity();
+        },
+        [=](NumberDescription &number, const EdgeWalkSetUpState &state) {
+            specifyDivisor(names, edge, state, number);
         });
 }
 

@@ -21,6 +21,7 @@ struct EdgeWalkStart {
     bool isClipped = false; ///< the frame begins after the lower bound
     bool isPoint = false; ///< the bounds are equal: there is no change between them to share out
     Interval covered = Interval::Closed; ///< which bounds belong to the span
+    bool hasPreStep = true; ///< to the first sample: not so by the variant NoColourPreStep
 };
 
 struct EdgeWalkSpanState {
@@ -69,13 +70,17 @@ EdgeWalkSetUpState edgeWalkStateOf(const SetUpInHand<EdgeWalkSetUp<A>> &step)
 }
 
 template <class A>
-EdgeWalkStart edgeWalkStartOf(const EdgeWalkSetUp<A> &setUp, const ColumnState<A> &column)
+EdgeWalkStart edgeWalkStartOf(const EdgeWalkSetUp<A> &setUp, const ColumnState<A> &column,
+                              VariantSet variants)
 {
     const LatticePoint &p0 = setUp.corners[0].position;
     const LatticePoint &p2 = setUp.corners[2].position;
-    return {!setUp.scan.zeroArea, setUp.scan.zeroArea && p0.x == p2.x && p0.y != p2.y,
+    return {!setUp.scan.zeroArea,
+            setUp.scan.zeroArea && p0.x == p2.x && p0.y != p2.y,
             column.firstDrawnRow != column.firstRow,
-            quantityOf(column.yBottom) == quantityOf(column.yTop), setUp.intervals.rows};
+            quantityOf(column.yBottom) == quantityOf(column.yTop),
+            setUp.intervals.rows,
+            setUp.scan.zeroArea || !variants.contains(Variant::NoColourPreStep)};
 }
 
 template <class A>
@@ -87,7 +92,7 @@ EdgeWalkSpanState edgeWalkStateOf(const SpanInHand<EdgeWalkSetUp<A>, ColumnState
     state.primitive = step.primitive;
     state.settings = step.settings;
     state.corners = step.setUp.corners;
-    state.start = edgeWalkStartOf(step.setUp, column);
+    state.start = edgeWalkStartOf(step.setUp, column, step.settings.variants);
     state.column = {column.x,
                     column.half,
                     column.longEdge,
@@ -118,8 +123,8 @@ template <class A>
 EdgeWalkSampleState edgeWalkStateOf(
     const SampleInHand<EdgeWalkSetUp<A>, ColumnState<A>, Fragment<A>> &step, std::int64_t along)
 {
-    return {edgeWalkStartOf(step.setUp, step.span), quantitiesOf(step.sample.colour),
-            along == step.span.firstDrawnRow};
+    return {edgeWalkStartOf(step.setUp, step.span, step.settings.variants),
+            quantitiesOf(step.sample.colour), along == step.span.firstDrawnRow};
 }
 
 } // namespace pixelplumb

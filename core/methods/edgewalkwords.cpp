@@ -74,6 +74,24 @@ QString EdgeWalkWords::coverSentence(const EdgeWalkSpanState &state) const
     return count == 1 ? text : text.arg(state.column.endDrawnRow - 1);
 }
 
+/// What a variant leaves out in this span.
+QString EdgeWalkWords::departureSentence(const EdgeWalkSpanState &state) const
+{
+    QString text;
+    if (state.start.hasPlane && state.beginsHalf
+        && state.settings.variants.contains(Variant::NoEdgePreStep))
+        text += m_names.filled(QStringLiteral(" Without a pre-step, what begins here has its "
+                                              "vertex' values, wherever between two {span}s the "
+                                              "vertex lies."));
+    if (!state.start.hasPreStep && !state.start.isPoint && state.drawnSamples() > 0)
+        text += m_names
+                    .filled(QStringLiteral(" Without a pre-step, the first {across} has the "
+                                           "colours of {a}_{lo}: (%1 − {a}_{lo})·Δ is left "
+                                           "out."))
+                    .arg(m_names.coveredSample(SpanBound::Lower, state.start.covered));
+    return text;
+}
+
 void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSpanState &state) const
 {
     const bool isFirstHalf = state.column.half == ColumnHalf::First;
@@ -87,6 +105,7 @@ void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSpanState &state) const
         && m_names.form().rate == ColourRate::Bilinear)
         words.sentence += m_names.filled(
             QStringLiteral(" Between equal bounds there is no change to share out, and no Δ."));
+    words.sentence += departureSentence(state);
     if (state.start.hasPlane && !isFirstHalf && state.beginsHalf)
         words.event = m_names.filled(
             state.isFirst ? QStringLiteral("the second {half} comes first: L₁₂ and L₀₂")

@@ -22,6 +22,7 @@ private:
     /// What happens at the middle vertex; empty where nothing does.
     QString turnSentence(const EdgeWalkSpanState &state) const;
     QString coverSentence(const EdgeWalkSpanState &state) const;
+    QString departureSentence(const EdgeWalkSpanState &state) const;
 
     EdgeWalkNames m_names;
 };

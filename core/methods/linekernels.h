@@ -27,7 +27,19 @@ struct DdaKernel : ShapeKernel<PrimitiveKind::Line>, InAnyArithmetic {
     static void scan(const Shape &line, const ScanSettings &settings, FrameView frame,
                      Observer observer)
     {
-        scanLineByDda<A>(line, settings.rounding, frame, observer);
+        scanLineByDda<A>(line, settings, frame, observer);
+    }
+};
+
+struct ParametricLineKernel : ShapeKernel<PrimitiveKind::Line>, InAnyArithmetic {
+    template <class A>
+    using Recording = ParametricLineRecording<A>;
+
+    template <class A, class Observer>
+    static void scan(const Shape &line, const ScanSettings &settings, FrameView frame,
+                     Observer observer)
+    {
+        scanLineParametrically<A>(line, settings, frame, observer);
     }
 };
 
@@ -39,8 +51,7 @@ struct BresenhamKernel : ShapeKernel<PrimitiveKind::Line>, InIntegers {
     static void scan(const Shape &line, const ScanSettings &settings, FrameView frame,
                      Observer observer)
     {
-        scanLineByBresenham<NarrowBeside<typename A::Number>>(line, settings.rounding, frame,
-                                                              observer);
+        scanLineByBresenham<NarrowBeside<typename A::Number>>(line, settings, frame, observer);
     }
 };
 

@@ -13,6 +13,30 @@ namespace {
 
 using Group = NumberGroup;
 
+/// By what the run in hand divides its increments.
+void specifyDivisor(NumberDescription &number, const DdaSetUpState &setUp)
+{
+    if (setUp.isTooShort()) {
+        number.formula.clear();
+        return;
+    }
+    QString divisor = QStringLiteral("(u₁ − u₀");
+    if (setUp.variants.contains(Variant::DivisorMinusOne))
+        divisor += QStringLiteral(" − 1");
+    if (setUp.variants.contains(Variant::DivisorPlusOne))
+        divisor += QStringLiteral(" + 1");
+    number.formula.replace(QStringLiteral("(u₁ − u₀"), divisor);
+}
+
+/// Without a pre-step a line is at its end where it meets its first pixel.
+void specifyStart(NumberDescription &number, const DdaState &step)
+{
+    if (step.isPoint)
+        number.startFormula = number.startFormula.section(QStringLiteral(" + "), 0, 0);
+    else if (!step.hasPreStep)
+        number.startFormula.replace(QStringLiteral("(u − u₀)"), QStringLiteral("(u − ⌈u₀⌉)"));
+}
+
 } // namespace
 
 const NumberTable<SlopeInterceptSetUpState> &slopeInterceptSetUpNumbers()
@@ -111,19 +135,22 @@ const NumberTable<DdaSetUpState> &ddaSetUpNumbers()
                  .unit = QStringLiteral("px/step"),
                  .toolTip = QStringLiteral("Δy/Δx; Δx/Δy where the line is steep."),
                  .formula = QStringLiteral("m = (v₁ − v₀)/(u₁ − u₀)")},
-                [](const State &setUp) { return setUp.isPoint() ? Quantity() : setUp.slope; }}};
+                [](const State &setUp) { return setUp.isPoint() ? Quantity() : setUp.slope; },
+                specifyDivisor}};
         appendEndColours(table, 0, &State::start);
         appendEndColours(table, 1, &State::end);
-        appendChannels(table,
-                       {.id = QStringLiteral("delta_%"),
-                        .title = QStringLiteral("Δ%"),
-                        .unit = QStringLiteral("levels/step"),
-                        .toolTip = QStringLiteral("Change of % for each step."),
-                        .formula = QStringLiteral("Δ% = (%₁ − %₀)/(u₁ − u₀)"),
-                        .group = Group::ColourRates},
-                       [](const State &setUp, std::size_t channel) {
-                           return setUp.isPoint() ? Quantity() : setUp.colourRate[channel];
-                       });
+        appendChannels(
+            table,
+            {.id = QStringLiteral("delta_%"),
+             .title = QStringLiteral("Δ%"),
+             .unit = QStringLiteral("levels/step"),
+             .toolTip = QStringLiteral("Change of % for each step."),
+             .formula = QStringLiteral("Δ% = (%₁ − %₀)/(u₁ − u₀)"),
+             .group = Group::ColourRates},
+            [](const State &setUp, std::size_t channel) {
+                return setUp.isPoint() ? Quantity() : setUp.colourRate[channel];
+            },
+            specifyDivisor);
         return table;
     }();
     return numbers;
@@ -151,10 +178,7 @@ const NumberTable<DdaState> &ddaNumbers()
               .group = Group::Decision,
               .comparison = Comparison::WithExact},
              [](const DdaState &step) { return step.ordinate; },
-             [](NumberDescription &number, const DdaState &step) {
-                 if (step.isPoint)
-                     number.startFormula = QStringLiteral("v = v₀");
-             }},
+             specifyStart},
             {{.id = QStringLiteral("v_r"),
               .title = QStringLiteral("v_r"),
               .unit = unit::px(),
@@ -175,10 +199,7 @@ const NumberTable<DdaState> &ddaNumbers()
              .group = Group::EdgeColours,
              .comparison = Comparison::WithExact},
             [](const DdaState &step, std::size_t channel) { return step.colour[channel]; },
-            [](NumberDescription &number, const DdaState &step) {
-                if (step.isPoint)
-                    number.startFormula = QStringLiteral("% = %₀");
-            });
+            specifyStart);
         return table;
     }();
     return numbers;

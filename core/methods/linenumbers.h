@@ -11,6 +11,8 @@ const NumberTable<SlopeInterceptSetUpState> &slopeInterceptSetUpNumbers();
 const NumberTable<SlopeInterceptState> &slopeInterceptNumbers();
 const NumberTable<DdaSetUpState> &ddaSetUpNumbers();
 const NumberTable<DdaState> &ddaNumbers();
+const NumberTable<ParametricLineSetUpState> &parametricLineSetUpNumbers();
+const NumberTable<ParametricLineState> &parametricLineNumbers();
 const NumberTable<DecisionSetUpState> &bresenhamSetUpNumbers();
 const NumberTable<DecisionSetUpState> &symmetricSetUpNumbers();
 const NumberTable<DecisionState> &decisionNumbers();

@@ -91,6 +91,17 @@ struct DdaRecording : LineStepRecording<A, DdaNumbers<A>> {
     static const auto &spanNumbers() { return ddaNumbers(); }
 };
 
+template <class A>
+struct ParametricLineRecording : LineStepRecording<A, ParametricLineNumbers<A>> {
+    using typename LineStepRecording<A, ParametricLineNumbers<A>>::Span;
+
+    static const auto &setUpNumbers() { return parametricLineSetUpNumbers(); }
+    static const auto &spanNumbers() { return parametricLineNumbers(); }
+
+    /// Neither column nor row: a point for each t.
+    static SpanPlace placeOf(const Span &step) { return {SpanAxis::Free, step.number, 0}; }
+};
+
 struct BresenhamRecording : LineStepRecording<BresenhamArithmetic, BresenhamNumbers> {
     static const auto &setUpNumbers() { return bresenhamSetUpNumbers(); }
     static const auto &spanNumbers() { return decisionNumbers(); }

@@ -47,6 +47,28 @@ Method lineSlopeInterceptMethod()
     return method;
 }
 
+Method lineParametricMethod()
+{
+    Method method = lineMethod<ParametricLineKernel>();
+    method.id = QStringLiteral("line-parametric");
+    method.title = QStringLiteral("Line: P(t)");
+    method.source = QStringLiteral("Scan Conversion slides, “Lines and Curves: Parametric”");
+    method.pseudocode
+        = {{0, QStringLiteral("N ← ⌈the larger of |x₁ − x₀| and |y₁ − y₀|⌉"), {Moment::SetUp}},
+           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+           {0, QStringLiteral("for each t = i/N from 0 to 1/k:"), {Moment::Begin, Moment::Span}},
+           {1,
+            QStringLiteral("u ← x₀ + k·t·(x₁ − x₀), v ← y₀ + k·t·(y₁ − y₀); R, G and B likewise"),
+            {Moment::Begin, Moment::Span}},
+           {1, QStringLiteral("pixel (⌊u + ½⌋, ⌊v + ½⌋) ← the bytes of R, G, B"), {Moment::First}}};
+    method.summary = QStringLiteral("Computes P(t) = P₀ + t·(P₁ − P₀) for t in steps of one pixel "
+                                    "of the longer side, or less, and writes the pixel nearest to "
+                                    "each point.");
+    method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
+    method.variants = {Variant::TwiceT, Variant::FiveT};
+    return method;
+}
+
 Method lineDdaMethod()
 {
     Method method = lineMethod<DdaKernel>();
@@ -66,6 +88,7 @@ Method lineDdaMethod()
     method.summary = QStringLiteral("Walks along the longer side and adds the slope at each step; "
                                     "the pixel is the nearest one.");
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
+    method.variants = {Variant::NoEdgePreStep, Variant::DivisorMinusOne, Variant::DivisorPlusOne};
     method.stableArithmetics = {Arithmetic::Exact};
     return method;
 }
@@ -93,6 +116,7 @@ Method lineBresenhamMethod()
                                     "integer; p_k < 0 stays, so that ties go up on a rising line "
                                     "and down on a falling one.");
     method.remarks += QStringLiteral("whole-pixel end points");
+    method.variants = {Variant::StayAtZero, Variant::OneStepShort};
     return method;
 }
 

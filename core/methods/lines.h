@@ -7,6 +7,8 @@ namespace pixelplumb {
 
 /// y = m·x + b for each column, to the letter.
 Method lineSlopeInterceptMethod();
+/// P(t) = P₀ + t·(P₁ − P₀).
+Method lineParametricMethod();
 /// The digital differential analyzer.
 Method lineDdaMethod();
 /// Bresenham's line in all octants.

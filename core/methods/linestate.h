@@ -4,6 +4,7 @@
 #include "core/methods/anyarithmetic.h"
 #include "core/methods/formulatext.h"
 #include "core/scan/linedda.h"
+#include "core/scan/lineparametric.h"
 #include "core/scan/lineslopeintercept.h"
 #include "core/scan/linesymmetric.h"
 
@@ -21,9 +22,22 @@ using SlopeInterceptState = SlopeInterceptStep<AnyArithmetic>;
 struct DdaSetUpState : DdaSetUp<AnyArithmetic> {
     /// Both ends are one point: there is no slope.
     bool isPoint() const { return start.position.x == end.position.x; }
+    /// Δ − 1 leaves nothing to divide by.
+    bool isTooShort() const
+    {
+        return variants.contains(Variant::DivisorMinusOne)
+            && end.position.x - start.position.x <= unitsPerPixel;
+    }
 };
 struct DdaState : DdaStep<AnyArithmetic> {
     bool isPoint = false;
+    bool hasPreStep = true; ///< from the first end to the first pixel
+};
+
+using ParametricLineSetUpState = ParametricLineSetUp<AnyArithmetic>;
+struct ParametricLineState : ParametricLineStep<AnyArithmetic> {
+    Quantity t;
+    std::int64_t pace = 1;
 };
 
 /// Of a line that the sign of a decision parameter leads.
@@ -88,14 +102,30 @@ SlopeInterceptState lineStateOf(const SlopeInterceptSetUp<A> &, const SlopeInter
 template <class A>
 DdaSetUpState lineStateOf(const DdaSetUp<A> &setUp)
 {
-    return {{setUp.axis, setUp.start, setUp.end, quantityOf(setUp.slope),
+    return {{setUp.axis, setUp.start, setUp.end, setUp.variants, quantityOf(setUp.slope),
              quantitiesOf(setUp.colourRate)}};
 }
 template <class A>
 DdaState lineStateOf(const DdaSetUp<A> &setUp, const DdaStep<A> &step)
 {
     return {{step.place, quantityOf(step.ordinate), quantitiesOf(step.colour)},
-            setUp.start.position.x == setUp.end.position.x};
+            setUp.start.position.x == setUp.end.position.x,
+            !setUp.variants.contains(Variant::NoEdgePreStep)};
+}
+
+template <class A>
+ParametricLineSetUpState lineStateOf(const ParametricLineSetUp<A> &setUp)
+{
+    return {setUp.start, setUp.end, setUp.steps, setUp.pace};
+}
+template <class A>
+ParametricLineState lineStateOf(const ParametricLineSetUp<A> &setUp,
+                                const ParametricLineStep<A> &step)
+{
+    return {{step.place, step.number, quantityOf(step.x), quantityOf(step.y),
+             quantitiesOf(step.colour)},
+            Quantity::rational(step.number, setUp.steps),
+            setUp.pace};
 }
 
 inline DecisionSetUpState lineStateOf(const BresenhamSetUp &setUp)

@@ -90,6 +90,19 @@ void tellLine(StepWords &words, const DdaSetUpState &state)
                                   coordinatesOf(state.end));
 }
 
+void tellLine(StepWords &words, const ParametricLineSetUpState &state)
+{
+    words.sentence = QStringLiteral("t goes from 0 to 1/%1 in steps of 1/%2: one pixel of the "
+                                    "longer side, or less, for each step of P(t).")
+                         .arg(state.pace)
+                         .arg(state.steps);
+    if (state.pace > 1)
+        words.sentence += QStringLiteral(" P(%1t) goes %1 times as far, so that there are gaps.")
+                              .arg(state.pace);
+    else
+        words.sentence.replace(QStringLiteral("1/1 "), QStringLiteral("1 "));
+}
+
 void tellLine(StepWords &words, const DecisionSetUpState &state)
 {
     words.sentence = endsSentence(state.axis, QStringLiteral("xy"), {state.startX, state.startY},
@@ -104,6 +117,12 @@ void tellLine(StepWords &words, const SlopeInterceptState &state)
 void tellLine(StepWords &words, const DdaState &state)
 {
     words.sentence = roundingSentence(state.place, state.ordinate);
+}
+
+void tellLine(StepWords &words, const ParametricLineState &state)
+{
+    words.sentence = QStringLiteral("At t = %1 the line is at (%2, %3), which rounds to %4.")
+                         .arg(term(state.t), term(state.x), term(state.y), pixelText(state.place));
 }
 
 void tellLine(StepWords &words, const DecisionState &state)

@@ -10,9 +10,11 @@ namespace pixelplumb {
 /// which pixel, and what led to it.
 void tellLine(StepWords &words, const SlopeInterceptSetUpState &state);
 void tellLine(StepWords &words, const DdaSetUpState &state);
+void tellLine(StepWords &words, const ParametricLineSetUpState &state);
 void tellLine(StepWords &words, const DecisionSetUpState &state);
 void tellLine(StepWords &words, const SlopeInterceptState &state);
 void tellLine(StepWords &words, const DdaState &state);
+void tellLine(StepWords &words, const ParametricLineState &state);
 void tellLine(StepWords &words, const DecisionState &state);
 
 } // namespace pixelplumb

@@ -11,6 +11,7 @@
 #include "core/methods/edgewalks.h"
 #include "core/methods/interpolation.h"
 #include "core/methods/lines.h"
+#include "core/methods/outlinefill.h"
 #include "core/methods/polygons.h"
 #include "core/methods/strokes.h"
 #include "core/methods/text.h"
@@ -77,6 +78,11 @@ bool Method::supports(Effect effect) const
     return std::ranges::find(effects, effect) != effects.end();
 }
 
+bool Method::supports(Variant variant) const
+{
+    return std::ranges::find(variants, variant) != variants.end();
+}
+
 bool Method::draws(PrimitiveKind kind) const
 {
     return std::ranges::find(kinds, kind) != kinds.end();
@@ -127,6 +133,7 @@ std::span<const Method> methods()
         incrementalBarycentricMethod(),
         cramerBarycentricMethod(),
         offScreenBarycentricMethod(),
+        outlineFillMethod(),
         biasColumnScanMethod(),
         constantRateColumnScanMethod(),
         constantRateRowWalkMethod(),
@@ -137,6 +144,7 @@ std::span<const Method> methods()
         barycentricInterpolationMethod(),
         lineDdaMethod(),
         lineSlopeInterceptMethod(),
+        lineParametricMethod(),
         lineBresenhamMethod(),
         lineSymmetricMethod(),
         circleMidpointMethod(),

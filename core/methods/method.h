@@ -41,6 +41,8 @@ struct Method {
     std::vector<FillRule> fillRules;
     /// Why it keeps no other fill rules; empty when it keeps all.
     QString fillRuleReason = {};
+    /// Departures that it can be given; none by itself.
+    std::vector<Variant> variants = {};
     /// Of runs that call for nothing but colour; a trace has its own (ScanTrace::numbers).
     TraceNumbers numbers = {};
 
@@ -73,17 +75,23 @@ struct Method {
     bool supports(Arithmetic arithmetic) const;
     bool supports(FillRule rule) const;
     bool supports(Effect effect) const;
+    bool supports(Variant variant) const;
     bool draws(PrimitiveKind kind) const;
     bool draws(const Shape &shape) const;
-    /// True where every picture under the arithmetic is the truth, by proof.
+    /// True where every picture under the arithmetic is the truth, by proof, without variants.
     bool isStableIn(Arithmetic arithmetic) const;
+    /// The same of settings, which may have variants.
+    bool isStableUnder(const ScanSettings &settings) const
+    {
+        return settings.variants.isEmpty() && isStableIn(settings.arithmetic);
+    }
     /// Why the method cannot draw under these settings, to be read after its name: "does not
     /// compute in …"; empty when it can.
     QString objection(const ScanSettings &settings) const;
     /// Why it cannot draw triangles with the effects that a plan runs, and which methods can, to be
     /// read after its name. Smooth colour and clipping are no objection: who draws in one colour
     /// says so.
-    QString objection(const EffectPlan &plan, Arithmetic arithmetic) const;
+    QString objection(const EffectPlan &plan, const ScanSettings &settings) const;
     /// Why it cannot draw a line or curve with the antialiasing that the appearance asks for, and
     /// which methods can, to be read after its name. Empty for what it draws at no time.
     QString objection(const Shape &shape, const Appearance &appearance) const;

@@ -60,6 +60,32 @@ QString lackText(const std::vector<Effect> &missing, const QString &asker, const
 
 } // namespace
 
+namespace {
+
+/// The ids of those that can be given the variant.
+QStringList methodsThatKnow(Variant variant)
+{
+    QStringList ids;
+    for (const Method &method : methods()) {
+        if (method.supports(variant))
+            ids.append(method.id);
+    }
+    return ids;
+}
+
+QString unknownVariantText(const Method &method, Variant variant)
+{
+    const QString separator = QStringLiteral(", ");
+    const QString text
+        = QStringLiteral("knows no variant %1; %2 can be given it")
+              .arg(quoted(nameOf(variant)), methodsThatKnow(variant).join(separator));
+    return method.variants.empty()
+        ? text
+        : text + QStringLiteral(", and this one knows ") + namesOf(method.variants).join(separator);
+}
+
+} // namespace
+
 QString Method::objection(const ScanSettings &settings) const
 {
     if (!supports(settings.arithmetic))
@@ -70,10 +96,14 @@ QString Method::objection(const ScanSettings &settings) const
         return QStringLiteral("cannot keep the fill rule %1: %2; it keeps %3")
             .arg(quoted(nameOf(settings.fillRule)), fillRuleReason,
                  namesOf(fillRules).join(QStringLiteral(", ")));
+    for (const Variant variant : allVariants) {
+        if (settings.variants.contains(variant) && !supports(variant))
+            return unknownVariantText(*this, variant);
+    }
     return {};
 }
 
-QString Method::objection(const EffectPlan &plan, Arithmetic arithmetic) const
+QString Method::objection(const EffectPlan &plan, const ScanSettings &settings) const
 {
     if (plan.isPlain() || !draws(PrimitiveKind::Triangle))
         return {};
@@ -86,6 +116,10 @@ QString Method::objection(const EffectPlan &plan, Arithmetic arithmetic) const
                             return method.draws(PrimitiveKind::Triangle);
                         }));
     const QString separator = QStringLiteral(", ");
+    if (!settings.variants.isEmpty() && !run.empty())
+        return QStringLiteral("cannot do %1, %2, with variants: they depart from its colours alone")
+            .arg(namesOf(run).join(separator), askerText(plan, run));
+    const Arithmetic arithmetic = settings.arithmetic;
     if (!shadingArithmetics.empty()
         && std::ranges::find(shadingArithmetics, arithmetic) == shadingArithmetics.end())
         return QStringLiteral("cannot do %1, %2, in %3; it can in %4")
@@ -118,6 +152,10 @@ ScanSettings Method::adapted(const ScanSettings &settings) const
         drawn.arithmetic = arithmetics.front();
     if (!supports(drawn.fillRule) && !fillRules.empty())
         drawn.fillRule = fillRules.front();
+    for (const Variant variant : allVariants) {
+        if (!supports(variant))
+            drawn.variants = drawn.variants.without(variant);
+    }
     return drawn;
 }
 

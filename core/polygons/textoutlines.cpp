@@ -131,4 +131,18 @@ TextOutlines outlinesOf(const Shape &text)
     return outlines;
 }
 
+Lattice advanceOf(const Shape &text)
+{
+    const std::optional<Font> font = openFont();
+    if (!font)
+        return 0;
+    FT_FaceRec *const face = font->face.get();
+    Int128 advance = 0; // font units
+    for (const char32_t character : QString::fromStdString(text.text).toUcs4()) {
+        if (FT_Load_Char(face, character, FT_LOAD_NO_SCALE) == 0)
+            advance += face->glyph->metrics.horiAdvance;
+    }
+    return Lattice(advance * absolute(text.textHeight) / face->units_per_EM);
+}
+
 } // namespace pixelplumb

@@ -26,6 +26,10 @@ struct TextOutlines {
 /// point lies beyond ±2^30 px.
 TextOutlines outlinesOf(const Shape &text);
 
+/// How far along the baseline the next glyph after a text would stand, lattice units, down to a
+/// whole one; 0 without the font. Never negative, whichever way y grows.
+Lattice advanceOf(const Shape &text);
+
 /// The file of DejaVu Sans among the system's and the user's fonts; empty where there is none.
 /// The font is read from the file, without a font system, so that a program without a display or a
 /// QGuiApplication can do it, on any thread.

@@ -9,19 +9,18 @@ QString Contender::name() const
 {
     if (isTruth())
         return QStringLiteral("truth ") + nameText(nameOf(settings.fillRule));
-    return QStringList{method->id, nameText(nameOf(settings.arithmetic)),
-                       nameText(nameOf(settings.fillRule))}
-        .join(u' ');
+    QStringList words
+        = {method->id, nameText(nameOf(settings.arithmetic)), nameText(nameOf(settings.fillRule))};
+    for (const Variant variant : allVariants) {
+        if (settings.variants.contains(variant))
+            words.append(nameText(nameOf(variant)));
+    }
+    return words.join(u' ');
 }
 
 Contender contenderFor(const Method &method, const ScanSettings &wanted)
 {
-    Contender contender{&method, wanted};
-    if (!method.supports(wanted.arithmetic))
-        contender.settings.arithmetic = method.arithmetics.front();
-    if (!method.supports(wanted.fillRule))
-        contender.settings.fillRule = method.fillRules.front();
-    return contender;
+    return {&method, method.adapted(wanted)};
 }
 
 Scene sceneFor(const Scene &scene, const Contender &contender)

@@ -112,6 +112,20 @@ QString shadedText(const PixelAttempt &attempt, const TracedScene &traced)
     return text;
 }
 
+/// To what a run that departs from the right algorithm may owe its wrong pixels; empty of others.
+QString variantText(const TracedScene &traced)
+{
+    const VariantSet variants = traced.scene.settings.variants;
+    QStringList names;
+    for (const Variant variant : allVariants) {
+        if (variants.contains(variant))
+            names.append(nameText(nameOf(variant)));
+    }
+    return names.isEmpty()
+        ? QString()
+        : QStringLiteral(" The run has the variant %1.").arg(names.join(QStringLiteral(", ")));
+}
+
 QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                  std::int64_t y)
 {
@@ -125,13 +139,13 @@ QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::in
     if ((traced.plan || isAntialiasedShape) && attempt.sample)
         return shadedText(attempt, traced);
     if (!attempt.written) {
-        return attempt.verdict.covered ? missedText(attempt, *traced.trace)
+        return attempt.verdict.covered ? missedText(attempt, *traced.trace) + variantText(traced)
                                        : refusalText(attempt, traced, x, y);
     }
     QString text = writtenText(attempt);
     if (!attempt.verdict.covered)
         return text + QStringLiteral(" Extra: the truth does not cover it. ")
-            + refusalText(attempt, traced, x, y);
+            + refusalText(attempt, traced, x, y) + variantText(traced);
     if (attempt.kind != PrimitiveKind::Triangle)
         return text;
     const Colour exact
@@ -141,7 +155,8 @@ QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::in
         text += QStringLiteral(" The exact colour is %1, %2, %3.")
                     .arg(exact.red())
                     .arg(exact.green())
-                    .arg(exact.blue());
+                    .arg(exact.blue())
+            + variantText(traced);
     return text;
 }
 

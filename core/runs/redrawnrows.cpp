@@ -56,8 +56,10 @@ Triangle onSamples(Triangle triangle, Lattice offset)
 
 bool isDrawnByRows(const Scene &scene, const Method &method)
 {
-    const bool wraps = scene.settings.arithmetic == Arithmetic::Fixed16; // to any row
-    return method.drawFast && !wraps && scene.shapes.empty() && !mayCallForEffects(scene)
+    // To any row: what wraps, and edges that run past their ends.
+    const bool leaves
+        = scene.settings.arithmetic == Arithmetic::Fixed16 || !scene.settings.variants.isEmpty();
+    return method.drawFast && !leaves && scene.shapes.empty() && !mayCallForEffects(scene)
         && scene.triangles.size() <= mostCompared
         && std::ranges::all_of(scene.triangles, staysNearItsBox);
 }

@@ -49,7 +49,7 @@ const FrameBuffer *ScenePicture::exactTwin() const
 
 ScenePicture::Twin ScenePicture::twinOf(const Scene &scene, const Method &method)
 {
-    if (method.isStableIn(scene.settings.arithmetic))
+    if (method.isStableUnder(scene.settings))
         return Twin::Itself;
     const bool drawsShapes = std::ranges::any_of(
         scene.shapes, [&method](const Shape &shape) { return method.draws(shape); });

@@ -11,12 +11,13 @@ namespace pixelplumb {
 namespace {
 
 /// Whether the method can all that there is: then nobody needs to know what the scene calls for.
-bool canAll(const Method &method, Arithmetic arithmetic)
+bool canAll(const Method &method, const ScanSettings &settings)
 {
     const std::vector<Arithmetic> &shading = method.shadingArithmetics;
-    return std::ranges::all_of(allEffects,
+    return settings.variants.isEmpty()
+        && std::ranges::all_of(allEffects,
                                [&method](Effect effect) { return method.supports(effect); })
-        && (shading.empty() || std::ranges::find(shading, arithmetic) != shading.end());
+        && (shading.empty() || std::ranges::find(shading, settings.arithmetic) != shading.end());
 }
 
 /// Of those that reach the frame.
@@ -55,9 +56,9 @@ QString objectionTo(const Scene &scene)
         return objection;
     if (!method.draws(PrimitiveKind::Triangle) || !scene.hasTriangles())
         return objectionToShapes(method, scene);
-    if (canAll(method, scene.settings.arithmetic))
+    if (canAll(method, scene.settings))
         return objection;
-    return method.objection(planOf(scene), scene.settings.arithmetic);
+    return method.objection(planOf(scene), scene.settings);
 }
 
 } // namespace pixelplumb

@@ -3,6 +3,7 @@
 
 #include "core/methods/formulatext.h"
 #include "core/runs/tracedscene.h"
+#include "core/scan/choicenames.h"
 
 #include <algorithm>
 
@@ -52,6 +53,15 @@ QString placeOfPrimitive(const TracedScene &traced, std::size_t primitive)
     return isRound ? roundText(shape) : pointsText(shape.vertices);
 }
 
+/// What a variant prints, and what it does.
+QString variantText(Variant variant)
+{
+    const VariantWords &words = wordsOf(variant);
+    return QStringLiteral(" Variant “%1”: %2, in place of %3. %4")
+        .arg(nameText(words.title), nameText(words.printed), nameText(words.right),
+             nameText(words.fault));
+}
+
 } // namespace
 
 QString setUpSentence(const TracedScene &traced, std::size_t primitive, const QString &words)
@@ -59,6 +69,10 @@ QString setUpSentence(const TracedScene &traced, std::size_t primitive, const QS
     QString sentence = words;
     if (words.isEmpty() || !traced.primitives.isTriangle(primitive))
         sentence = (placeOfPrimitive(traced, primitive) + u' ' + words).trimmed();
+    for (const Variant variant : allVariants) {
+        if (traced.scene.settings.variants.contains(variant))
+            sentence += variantText(variant);
+    }
     if (traced.scene.frame.pixelCentre == PixelCentre::Half)
         sentence += QStringLiteral(" All coordinates are counted from the centre of pixel (0, 0): "
                                    "½ px less than the scene's.");

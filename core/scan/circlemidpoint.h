@@ -24,6 +24,9 @@ struct MidpointArcOf {
     std::int64_t b = 0; ///< radius across, px
     Integer aa = Integer(a) * a; ///< a²
     Integer bb = Integer(b) * b; ///< b²
+    /// The largest decision that stays: 0. As a whole number p counts from ¼ of a circle's F on, so
+    /// that p ≤ 0 stays up to a decision of r².
+    Integer mostStay = 0;
 
     /// 4·F(x, y − 1/2): positive where the midpoint below row y is outside, so that y − 1 is
     /// nearer.
@@ -54,13 +57,17 @@ struct MidpointSetUp {
     std::int64_t radiusX = 0; ///< px
     std::int64_t radiusY = 0;
 
+    bool staysAtZero = false; ///< where p = 0, with p = F − ¼ of a circle
     bool isCircle() const { return radiusX == radiusY; }
     template <class Integer = Int128>
     MidpointArcOf<Integer> arc(int number) const
     {
-        if (number == 0)
-            return {radiusX, radiusY};
-        return {radiusY, radiusX};
+        MidpointArcOf<Integer> shape{radiusX, radiusY};
+        if (number != 0)
+            shape = {radiusY, radiusX};
+        if (staysAtZero && isCircle())
+            shape.mostStay = shape.aa;
+        return shape;
     }
 };
 
@@ -99,7 +106,7 @@ MidpointStepOf<Integer> midpointStepAt(const MidpointArcOf<Integer> &arc, int nu
     step.x = x;
     step.decisionUnit = 4 * (arc.a == arc.b ? std::max<Int128>(1, Int128(arc.a) * arc.a) : 1);
     for (std::int64_t bit = std::int64_t(1) << 31; bit > 0; bit >>= 1) {
-        if (step.y + bit <= arc.b && arc.decision(x, step.y + bit) <= 0)
+        if (step.y + bit <= arc.b && arc.decision(x, step.y + bit) <= arc.mostStay)
             step.y += bit;
     }
     step.nextDecision = arc.decision(x + 1, step.y);
@@ -115,7 +122,7 @@ void advance(const MidpointArcOf<Integer> &arc, MidpointStepOf<Integer> &step)
     step.decision = step.nextDecision;
     ++step.x;
     const std::int64_t before = step.y;
-    for (; step.nextDecision > 0 && step.y > 0; --step.y)
+    for (; step.nextDecision > arc.mostStay && step.y > 0; --step.y)
         step.nextDecision -= 8 * arc.aa * (step.y - 1);
     step.down = before - step.y;
     step.nextDecision += 4 * arc.bb * (2 * Integer(step.x) + 1);
@@ -178,7 +185,8 @@ std::vector<StepRange> midpointStepsIn(const MidpointSetUp &setUp,
 }
 
 template <class Integer, ScanObserver<MidpointNumbersOf<Integer>> Observer>
-void scanCircleByMidpoint(const Shape &shape, FrameView frame, Observer observer)
+void scanCircleByMidpoint(const Shape &shape, VariantSet variants, FrameView frame,
+                          Observer observer)
 {
     const Round round = Round::of(shape);
     const auto nearest = [](Lattice units) { return floorPixel(units + unitsPerPixel / 2); };
@@ -186,6 +194,7 @@ void scanCircleByMidpoint(const Shape &shape, FrameView frame, Observer observer
     setUp.centre = {nearest(round.centre.x), nearest(round.centre.y)};
     setUp.radiusX = nearest(round.radiusX);
     setUp.radiusY = nearest(round.radiusY);
+    setUp.staysAtZero = variants.contains(Variant::StayAtZero);
     observer.primitiveBegun(setUp);
     if (!round.mayTouch(frame)) {
         observer.primitiveRejected(PrimitiveRejection::OutsideFrame);

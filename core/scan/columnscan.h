@@ -9,6 +9,7 @@
 #include "core/scan/interval.h"
 #include "core/scan/roundedarithmetic.h"
 #include "core/scan/scanobserver.h"
+#include "core/scan/variedscan.h"
 #include "core/scan/workstage.h"
 
 #include <algorithm>
@@ -50,13 +51,16 @@ template <class A, class View, class Observer>
 }
 
 /// The scan of one triangle into one frame under one rule. The view is a FrameView, or one that
-/// shows a frame turned, so that its rows are scanned as columns.
-template <class A, ScanObserver<ColumnScanNumbers<A>> Observer, class View = FrameView>
+/// shows a frame turned, so that its rows are scanned as columns. The form is RightScan, or the
+/// departures of a VariedScan.
+template <class A, ScanObserver<ColumnScanNumbers<A>> Observer, class View = FrameView,
+          class Form = RightScan>
 class ColumnScan {
 public:
     ColumnScan(const Triangle &triangle, ScanIntervals intervals, ByteRounding rounding, View frame,
-               Observer observer)
-        : m_intervals(intervals)
+               Observer observer, Form form = {})
+        : m_form(form)
+        , m_intervals(intervals)
         , m_range(rangeOf(triangle, intervals.columns))
         , m_p0(triangle.vertices[std::size_t(m_range.order[0])])
         , m_p1(triangle.vertices[std::size_t(m_range.order[1])])
@@ -91,13 +95,14 @@ public:
             return;
         }
         const std::int64_t middle = std::clamp(m_range.middleColumn, first, end);
-        Walker longEdge(m_p0, m_p2, first);
-        scanHalf(ColumnHalf::First, first, middle, Walker(m_p0, m_p1, first), longEdge);
-        scanHalf(ColumnHalf::Second, middle, end, Walker(m_p1, m_p2, middle), longEdge);
+        Walker longEdge = walker(m_p0, m_p2, first);
+        scanHalf(ColumnHalf::First, first, middle, walker(m_p0, m_p1, first), longEdge);
+        scanHalf(ColumnHalf::Second, middle, end, walker(m_p1, m_p2, middle), longEdge);
     }
 
 private:
-    static constexpr bool walksColours = A::ColourRamp::readsEdges || readsNumbers<Observer>;
+    using Ramp = typename Form::template Ramp<A>;
+    static constexpr bool walksColours = Ramp::readsEdges || readsNumbers<Observer>;
     /// In a triangle that has area.
     using Walker
         = EdgeWalker<A, std::conditional_t<walksColours, EdgeColours<A>, NoEdgeColours<A>>>;
@@ -120,8 +125,16 @@ private:
 
     bool isRepresentable() const
     {
-        return A::represents(m_p0.position) && A::represents(m_p1.position)
-            && A::represents(m_p2.position);
+        const auto isHeld
+            = [](const Vertex &vertex) { return Form::template represents<A>(vertex.position); };
+        return isHeld(m_p0) && isHeld(m_p1) && isHeld(m_p2);
+    }
+
+    [[gnu::always_inline]] Walker walker(const Vertex &a, const Vertex &b,
+                                         std::int64_t column) const
+    {
+        const auto edge = m_form.edge(a, b);
+        return Walker(edge.a, edge.b, column);
     }
 
     /// With the quotients that the walkers start with, for who reads them.
@@ -132,11 +145,11 @@ private:
             const std::array<std::array<const Vertex *, 2>, 3> edges
                 = {{{&m_p0, &m_p1}, {&m_p1, &m_p2}, {&m_p0, &m_p2}}};
             for (std::size_t edge = 0; edge < 3; ++edge) {
-                const Vertex &a = *edges[edge][0];
-                const Vertex &b = *edges[edge][1];
-                setUp.slope[edge] = A::edgeSlope(a, b);
+                const auto walked = m_form.edge(*edges[edge][0], *edges[edge][1]);
+                setUp.slope[edge] = A::edgeSlope(walked.a, walked.b);
                 for (std::size_t channel = 0; channel < 3; ++channel)
-                    setUp.colourRate[edge][channel] = A::edgeColourRate(a, b, channel);
+                    setUp.colourRate[edge][channel]
+                        = A::edgeColourRate(walked.a, walked.b, channel);
             }
         }
         return setUp;
@@ -185,11 +198,11 @@ private:
     template <class AnyWalker>
     LongEdge sideOfLongEdge(const AnyWalker &shortEdge, const AnyWalker &longEdge) const
     {
-        if constexpr (A::boundsMayCross) {
+        if constexpr (Form::template boundsMayCross<A>) {
             const bool isClosed = m_intervals.rows == Interval::Closed;
-            if (isClosed && longEdge.y < shortEdge.y)
+            if (isClosed && Form::isBelow(longEdge.y, shortEdge.y))
                 return LongEdge::Below;
-            if (isClosed && shortEdge.y < longEdge.y)
+            if (isClosed && Form::isBelow(shortEdge.y, longEdge.y))
                 return LongEdge::Above;
         }
         return m_range.longEdge;
@@ -215,17 +228,18 @@ private:
         column.firstDrawnRow = std::max<std::int64_t>(column.firstRow, m_frame.firstRow);
         column.endDrawnRow = std::min(column.endRow, m_frame.endRow());
         column.colourRate = m_ramp.rates(column);
-        column.firstColour = m_ramp.starts(column, column.firstDrawnRow);
+        column.firstColour = m_form.starts(m_ramp, column);
         m_observer.spanEntered(column);
         fillColumn(column, m_rounding, m_frame, m_observer);
     }
 
+    [[no_unique_address]] Form m_form;
     ScanIntervals m_intervals;
     ColumnRange m_range;
     const Vertex &m_p0;
     const Vertex &m_p1;
     const Vertex &m_p2;
-    typename A::ColourRamp m_ramp;
+    Ramp m_ramp;
     ByteRounding m_rounding;
     View m_frame;
     Observer m_observer;

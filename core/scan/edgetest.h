@@ -138,7 +138,8 @@ template <class A, EdgeTestForm form, ScanObserver<EdgeTestNumbers<A>> Observer>
 void testSamples(const Triangle &triangle, const ScanSettings &settings, FrameView frame,
                  Observer observer)
 {
-    const EdgeTestSetUp<A> setUp = edgeTestSetUp<A, form>(triangle, {settings, frame}, frame);
+    const EdgeTestSetUp<A> setUp
+        = edgeTestSetUp<A, form>(triangle, {settings, frame}, frame, settings.variants);
     observer.primitiveBegun(setUp);
     if (setUp.zeroArea && settings.fillRule != FillRule::Closed) {
         observer.primitiveRejected(PrimitiveRejection::ZeroArea);

@@ -104,13 +104,17 @@ template <class A, EdgeTestForm form>
 template <class A, EdgeTestForm form>
 [[gnu::always_inline]] inline EdgeTestSetUp<A> edgeTestSetUp(const Triangle &triangle,
                                                              const BoundaryRule &rule,
-                                                             FrameView frame)
+                                                             FrameView frame,
+                                                             VariantSet variants = {})
 {
     EdgeTestSetUp<A> setUp;
     setUp.vertices = triangle.vertices;
     setUp.zeroArea = doubledArea(triangle) == 0;
     setUp.visited
         = form.visited == VisitedSamples::Frame ? samplesOf(frame) : boundingBoxOf(triangle);
+    // One question a triangle: who is right pays no more.
+    if (form.visited == VisitedSamples::BoundingBox && variants.contains(Variant::RoundedBox))
+        setUp.visited = roundedBoxOf(triangle, frame);
     setUp.tested = intersection(setUp.visited, samplesOf(frame));
     setLine<A, form>(setUp, 0, rule);
     setLine<A, form>(setUp, 1, rule);

@@ -24,6 +24,21 @@ inline SampleBox boundingBoxOf(const Triangle &triangle)
     return {ceilPixel(left), floorPixel(right) + 1, ceilPixel(low), floorPixel(high) + 1};
 }
 
+/// The same as the slides round it (Triangle Rasterization slides, "Triangle rasterization
+/// implementation guidelines"): left = (int)(x_min + .5), right = (int)(x_max - .5), in the
+/// coordinates of a text whose centres lie where the frame's do. (int) rounds towards 0.
+inline SampleBox roundedBoxOf(const Triangle &triangle, FrameView frame)
+{
+    const Lattice offset = frame.pixelCentre == PixelCentre::Half ? halfPixel : 0;
+    const auto whole = [](Lattice units) { return units / unitsPerPixel; };
+    const auto first = [&](Lattice least) { return whole(least + offset + halfPixel); };
+    const auto end = [&](Lattice greatest) { return whole(greatest + offset - halfPixel) + 1; };
+    const auto &v = triangle.vertices;
+    const auto [left, right] = std::minmax({v[0].position.x, v[1].position.x, v[2].position.x});
+    const auto [low, high] = std::minmax({v[0].position.y, v[1].position.y, v[2].position.y});
+    return {first(left), end(right), first(low), end(high)};
+}
+
 inline SampleBox samplesOf(FrameView frame)
 {
     return {frame.firstColumn, frame.endColumn(), frame.firstRow, frame.endRow()};

@@ -29,6 +29,8 @@ struct BresenhamSetUpOf {
     Integer stayIncrement = 0; ///< 2Δy
     Integer moveIncrement = 0; ///< 2Δy − 2Δx
     Integer firstDecision = 0; ///< p₀ = 2Δy − Δx
+    Integer leastMove = 0; ///< the least p that goes across: 0, or 1 where p ≤ 0 stays, as printed
+    std::int64_t steps = 0; ///< how often step 4 is done: Δx times, or Δx − 1 times, as printed
 };
 using BresenhamSetUp = BresenhamSetUpOf<std::int64_t>;
 
@@ -46,7 +48,8 @@ struct BresenhamStepOf {
 using BresenhamStep = BresenhamStepOf<std::int64_t>;
 
 template <class Integer = std::int64_t>
-constexpr BresenhamSetUpOf<Integer> bresenhamSetUp(const LatticePoint &from, const LatticePoint &to)
+constexpr BresenhamSetUpOf<Integer> bresenhamSetUp(const LatticePoint &from, const LatticePoint &to,
+                                                   VariantSet variants = {})
 {
     BresenhamSetUpOf<Integer> setUp;
     setUp.axis = lineAxisOf(from, to);
@@ -62,6 +65,9 @@ constexpr BresenhamSetUpOf<Integer> bresenhamSetUp(const LatticePoint &from, con
     setUp.stayIncrement = 2 * deltaY;
     setUp.moveIncrement = setUp.stayIncrement - 2 * deltaX;
     setUp.firstDecision = setUp.stayIncrement - deltaX;
+    setUp.leastMove = variants.contains(Variant::StayAtZero) ? 1 : 0;
+    const bool isShort = variants.contains(Variant::OneStepShort) && setUp.deltaX > 0;
+    setUp.steps = setUp.deltaX - (isShort ? 1 : 0);
     return setUp;
 }
 
@@ -72,7 +78,7 @@ constexpr void advance(const BresenhamSetUpOf<Integer> &setUp, BresenhamStepOf<I
     ++step.k;
     step.decision = step.nextDecision;
     step.place.along += setUp.alongStep;
-    if (step.decision < 0) {
+    if (step.decision < setUp.leastMove) {
         step.increment = setUp.stayIncrement;
     } else {
         step.place.across += setUp.acrossStep;
@@ -82,7 +88,8 @@ constexpr void advance(const BresenhamSetUpOf<Integer> &setUp, BresenhamStepOf<I
 }
 
 /// The pixel with a number from the start, 0 … Δx: where advance() comes to in as many steps, at
-/// the cost of one. After n steps the line has gone ⌊n·Δy/Δx + 1/2⌋ across.
+/// the cost of one. After n steps the line has gone ⌊n·Δy/Δx + 1/2⌋ across; where p = 0 stays, a
+/// half is not rounded up.
 template <class Integer>
 constexpr BresenhamStepOf<Integer> bresenhamStepAt(const BresenhamSetUpOf<Integer> &setUp,
                                                    std::int64_t pixel)
@@ -95,7 +102,8 @@ constexpr BresenhamStepOf<Integer> bresenhamStepAt(const BresenhamSetUpOf<Intege
         return step;
     const std::int64_t before = pixel - 1;
     const auto moves
-        = floorDivide<Wide>(2 * Wide(before) * setUp.deltaY + setUp.deltaX, 2 * Wide(setUp.deltaX));
+        = floorDivide<Wide>(2 * Wide(before) * setUp.deltaY + setUp.deltaX - Wide(setUp.leastMove),
+                            2 * Wide(setUp.deltaX));
     step.k = before - 1;
     step.place.along += setUp.alongStep * before;
     step.place.across += setUp.acrossStep * std::int64_t(moves);
@@ -111,7 +119,7 @@ template <class Integer>
 constexpr StepRange bresenhamPixelsIn(const BresenhamSetUpOf<Integer> &setUp, FrameView frame)
 {
     const StepRange shown = StepRange::along(frame, setUp.axis);
-    const StepRange whole = {0, setUp.deltaX + 1};
+    const StepRange whole = {0, setUp.steps + 1};
     return whole.clippedTo(
         setUp.alongStep > 0
             ? StepRange{shown.first - setUp.start.x, shown.end - setUp.start.x}
@@ -146,7 +154,7 @@ constexpr Vertex onPixel(Vertex vertex)
 }
 
 template <class Integer, ScanObserver<BresenhamNumbersOf<Integer>> Observer>
-void scanLineByBresenham(const Shape &line, ByteRounding rounding, FrameView frame,
+void scanLineByBresenham(const Shape &line, const ScanSettings &settings, FrameView frame,
                          Observer observer)
 {
     using Colours = ExactArithmetic<Integer>;
@@ -158,7 +166,8 @@ void scanLineByBresenham(const Shape &line, ByteRounding rounding, FrameView fra
     const auto pixelOf = [](const Vertex &vertex) {
         return LatticePoint{floorPixel(vertex.position.x), floorPixel(vertex.position.y)};
     };
-    const BresenhamSetUpOf<Integer> setUp = bresenhamSetUp<Integer>(pixelOf(a), pixelOf(b));
+    const BresenhamSetUpOf<Integer> setUp
+        = bresenhamSetUp<Integer>(pixelOf(a), pixelOf(b), settings.variants);
     observer.primitiveBegun(setUp);
     const StepRange pixels = bresenhamPixelsIn(setUp, frame);
     if (pixels.isEmpty()) {
@@ -176,7 +185,7 @@ void scanLineByBresenham(const Shape &line, ByteRounding rounding, FrameView fra
         [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
         span.step.place.findIn(frame);
         observer.spanEntered(span);
-        plot<Colours>(span.step.place, span.colour, rounding, frame, observer);
+        plot<Colours>(span.step.place, span.colour, settings.rounding, frame, observer);
         advance(setUp, span.step);
         colours.stepToNextColumn();
         span.colour = colours.colour;

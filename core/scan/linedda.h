@@ -13,6 +13,7 @@ template <class A>
 struct DdaSetUp {
     LineAxis axis = LineAxis::X;
     Vertex start, end; ///< exchanged; start.position.x <= end.position.x
+    VariantSet variants; ///< by which the slope departs from theirs
     typename A::Number slope = {}; ///< m: px across the line per step
     std::array<typename A::Number, 3> colourRate = {}; ///< levels per step
 };
@@ -32,7 +33,8 @@ struct DdaNumbers {
 };
 
 template <class A, ScanObserver<DdaNumbers<A>> Observer>
-void scanLineByDda(const Shape &line, ByteRounding rounding, FrameView frame, Observer observer)
+void scanLineByDda(const Shape &line, const ScanSettings &settings, FrameView frame,
+                   Observer observer)
 {
     DdaSetUp<A> setUp;
     setUp.axis = lineAxisOf(line.vertices[0].position, line.vertices[1].position);
@@ -42,16 +44,18 @@ void scanLineByDda(const Shape &line, ByteRounding rounding, FrameView frame, Ob
         std::swap(a, b);
     setUp.start = a;
     setUp.end = b;
+    setUp.variants = settings.variants;
     if (!A::represents(a.position) || !A::represents(b.position)) {
         observer.primitiveBegun(setUp);
         observer.primitiveRejected(PrimitiveRejection::NotRepresentable);
         return;
     }
+    const VariedScan::Edge walked = VariedScan{settings.variants}.edge(a, b);
     // The quotients that the walker starts with.
     if constexpr (readsNumbers<Observer>) {
-        setUp.slope = A::edgeSlope(a, b);
-        setUp.colourRate
-            = threeOf([&](std::size_t channel) { return A::edgeColourRate(a, b, channel); });
+        setUp.slope = A::edgeSlope(walked.a, walked.b);
+        setUp.colourRate = threeOf(
+            [&](std::size_t channel) { return A::edgeColourRate(walked.a, walked.b, channel); });
     }
     observer.primitiveBegun(setUp);
 
@@ -59,13 +63,15 @@ void scanLineByDda(const Shape &line, ByteRounding rounding, FrameView frame, Ob
         = StepRange{ceilPixel(a.position.x), floorPixel(b.position.x) + 1}.clippedTo(
             StepRange::along(frame, setUp.axis));
     const auto [lowest, highest] = std::minmax(a.position.y, b.position.y);
-    const StepRange reached = StepRange{floorPixel(lowest), ceilPixel(highest) + 1}.clippedTo(
+    StepRange reached = StepRange{floorPixel(lowest), ceilPixel(highest) + 1}.clippedTo(
         StepRange::across(frame, setUp.axis));
+    if (!settings.variants.isEmpty()) // which may lead past the ends
+        reached = StepRange::across(frame, setUp.axis);
     if (steps.isEmpty() || reached.isEmpty()) {
         observer.primitiveRejected(PrimitiveRejection::OutsideFrame);
         return;
     }
-    EdgeWalker<A> walker(a, b, steps.first);
+    EdgeWalker<A> walker(walked.a, walked.b, steps.first);
     for (std::int64_t along = steps.first; along < steps.end; ++along) {
         [[maybe_unused]] const WorkScope work(observer, WorkStage::Span);
         // ⌊v + 1/2⌋: what rounding a level to the nearest byte does.
@@ -73,7 +79,7 @@ void scanLineByDda(const Shape &line, ByteRounding rounding, FrameView frame, Ob
         DdaStep<A> step = {{setUp.axis, along, across}, walker.y, walker.colour};
         step.place.findIn(frame);
         observer.spanEntered(step);
-        plot<A>(step.place, step.colour, rounding, frame, observer);
+        plot<A>(step.place, step.colour, settings.rounding, frame, observer);
         walker.stepToNextColumn();
     }
 }

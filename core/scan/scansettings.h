@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/scan/variants.h"
+
 #include <array>
 #include <optional>
 #include <string_view>
@@ -52,6 +54,9 @@ struct ScanSettings {
     Arithmetic arithmetic = Arithmetic::Exact;
     FillRule fillRule = FillRule::Closed;
     ByteRounding rounding = ByteRounding::Nearest;
+    /// Departures from the right algorithm; a method that does not know one draws as if it were not
+    /// there, and says so by its objection.
+    VariantSet variants = {};
 
     friend bool operator==(const ScanSettings &, const ScanSettings &) = default;
 };

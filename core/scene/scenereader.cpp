@@ -81,6 +81,7 @@ private:
                                   QStringLiteral("fillRule"),
                                   QStringLiteral("offScreenPoint"),
                                   QStringLiteral("rounding"),
+                                  QStringLiteral("variants"),
                                   cameraKey(),
                                   motionKey()};
         m_json.expectObject(root, keys + appearanceKeys() + QStringList{primitivesKey()});
@@ -167,6 +168,7 @@ private:
         readChoice(m_json, root[QStringLiteral("fillRule")], allFillRules, scene.settings.fillRule);
         readChoice(m_json, root[QStringLiteral("rounding")], allByteRoundings,
                    scene.settings.rounding);
+        scene.settings.variants = readVariants(m_json, root[QStringLiteral("variants")]);
     }
 
     void readPrimitives(const JsonNode &node)

@@ -50,16 +50,30 @@ QByteArray motionText(const Motion &motion)
         + ", \"frames\": " + QByteArray::number(motion.frames) + " }";
 }
 
+/// Written where the scene departs from the right algorithm.
+QByteArray variantsText(VariantSet variants)
+{
+    if (variants.isEmpty())
+        return {};
+    QByteArray names;
+    for (const Variant variant : allVariants) {
+        if (variants.contains(variant))
+            names += (names.isEmpty() ? "" : ", ") + quoted(nameOf(variant));
+    }
+    return ",\n    \"variants\": [" + names + ']';
+}
+
 } // namespace
 
 QByteArray writeScene(const Scene &scene, const QString &folder)
 {
     QByteArray text = "{\n    \"pixelplumb\": " + QByteArray::number(sceneFormat)
         + ",\n    \"frame\": " + frameText(scene.frame)
-        + ",\n    \"method\": " + quoted(std::string_view(scene.method)) + ",\n    \"arithmetic\": "
-        + quoted(nameOf(scene.settings.arithmetic)) + ",\n    \"fillRule\": "
-        + quoted(nameOf(scene.settings.fillRule)) + offScreenText(scene.frame)
-        + ",\n    \"rounding\": " + quoted(nameOf(scene.settings.rounding));
+        + ",\n    \"method\": " + quoted(std::string_view(scene.method))
+        + ",\n    \"arithmetic\": " + quoted(nameOf(scene.settings.arithmetic))
+        + ",\n    \"fillRule\": " + quoted(nameOf(scene.settings.fillRule))
+        + offScreenText(scene.frame) + ",\n    \"rounding\": "
+        + quoted(nameOf(scene.settings.rounding)) + variantsText(scene.settings.variants);
     if (scene.camera)
         text += ",\n    \"camera\": " + cameraText(*scene.camera);
     if (scene.motion)

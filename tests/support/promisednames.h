@@ -37,7 +37,7 @@ inline const QStringList promisedWidgets{
     "motionFrames",     "motionSet",          "motionEnd",        "motionSlider",
     "motionPlay",       "motionPosition",     "motionSummary",    "motionView",
     "motionTable",      "primitives",         "primitivesDock",   "primitivesTree",
-    "rowFilterBox"};
+    "rowFilterBox",     "layersMenu"};
 
 /// Of the lab's menu of files; those of the menus have names that tests find in the menus.
 inline const QStringList promisedActions{"labOpen",        "labEarlier", "labSave",

@@ -81,11 +81,12 @@ private:
     std::mt19937_64 m_random;
 };
 
+/// Those that decide about samples, not about pixels near an outline.
 inline std::vector<const Method *> methodsOfTriangles()
 {
     std::vector<const Method *> found;
     for (const Method &method : methods()) {
-        if (method.draws(PrimitiveKind::Triangle))
+        if (method.draws(PrimitiveKind::Triangle) && method.isStableIn(Arithmetic::Exact))
             found.push_back(&method);
     }
     return found;

@@ -55,14 +55,16 @@ private:
     std::vector<QRgb> m_pixels;
 };
 
-/// The methods that draw triangles alone, in the table's order.
+/// The methods that draw triangles alone and decide about samples, not about pixels near an outline,
+/// in the table's order.
 inline std::vector<const Method *> triangleMethods()
 {
     std::vector<const Method *> found;
     for (const Method &method : methods()) {
         const bool isOfFamily = method.family == MethodFamily::Triangles
             || method.family == MethodFamily::StableForms;
-        if (isOfFamily && method.draws(PrimitiveKind::Triangle))
+        if (isOfFamily && method.draws(PrimitiveKind::Triangle)
+            && method.isStableIn(Arithmetic::Exact))
             found.push_back(&method);
     }
     return found;

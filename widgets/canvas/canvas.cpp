@@ -230,7 +230,9 @@ void Canvas::paintEvent(QPaintEvent *)
     QPainter painter(this);
     CanvasHand hand = this->hand();
     hand.readout = readout();
-    m_painter.paint(painter, canvasScene(m_sources, m_view, m_outlines, hand), m_view, palette());
+    CanvasScene scene = canvasScene(m_sources, m_view, m_outlines, hand);
+    m_layers.addTo(scene, m_sources, m_view);
+    m_painter.paint(painter, scene, m_view, palette());
     if (hasFocus()) {
         painter.setRenderHint(QPainter::Antialiasing, false);
         painter.setBrush(Qt::NoBrush);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/canvas/canvaskeys.h"
+#include "widgets/canvas/canvaslayers.h"
 #include "widgets/canvas/canvasmouse.h"
 #include "widgets/canvas/canvaspainter.h"
 #include "widgets/canvas/canvasscene.h"
@@ -124,6 +125,7 @@ private:
     CanvasMouse m_mouse;
     CanvasKeys m_keys;
     OutlineChoice m_outlines;
+    CanvasLayers m_layers;
     CanvasPainter m_painter;
     PointerReadout m_readout;
     /// Runs while the picture of a change is expected.

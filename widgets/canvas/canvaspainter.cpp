@@ -3,6 +3,7 @@
 
 #include "widgets/canvas/canvaspicture.h"
 #include "widgets/canvas/canvasview.h"
+#include "widgets/look/layersurface.h"
 
 #include <QPainter>
 
@@ -83,6 +84,8 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     paintCells(painter, scene, view, palette);
     FramePainter frame(painter, view.mapping(), palette, area);
     frame.drawFrameEdge();
+    if (!scene.layers.isEmpty())
+        m_layers.paint(painter, scene.layers, layerSurface(view.mapping(), area, palette));
     drawOutlines(frame, scene);
     if (scene.frame)
         drawValues(painter, *scene.frame, view.mapping(), area, scene.notation);

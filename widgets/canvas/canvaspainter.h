@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/layers/layerpainter.h"
 #include "widgets/canvas/canvasscene.h"
 
 namespace pixelplumb {
@@ -20,6 +21,7 @@ private:
 
     QImage m_cells; ///< those in view, in device pixels
     CanvasDifferences m_differences;
+    LayerPainter m_layers;
 };
 
 } // namespace pixelplumb

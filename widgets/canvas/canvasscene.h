@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/layers/layerdrawing.h"
 #include "widgets/canvas/canvasdifferences.h"
 #include "widgets/canvas/outlinechoice.h"
 #include "widgets/canvas/ruler.h"
@@ -75,6 +76,7 @@ struct CanvasScene {
     std::vector<Shape> shapes; ///< outlined over the triangles
     /// That clipping makes of the face whose triangle is in hand; empty: not shown.
     std::vector<LatticePoint> clippedPolygon;
+    LayerDrawing layers; ///< that are switched on
     std::vector<QPoint> breakpoints;
     std::optional<QPoint> picked;
     std::optional<SpanRecord> span; ///< in hand

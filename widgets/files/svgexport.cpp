@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/files/svgexport.h"
 
+#include "core/layers/layer.h"
 #include "core/scene/fileaccess.h"
 #include "widgets/canvas/ruler.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/framepainter.h"
+#include "widgets/look/layersurface.h"
 #include "widgets/model/playhead.h"
 
 #include <QBuffer>
@@ -20,6 +22,7 @@ namespace pixelplumb {
 namespace {
 
 constexpr int cellSize = 16; ///< room for a glyph
+constexpr int numberCellSize = 32; ///< room for the numbers of layers
 constexpr int smallestCellSize = 4;
 constexpr int largestSide = 4096; ///< of the figure; larger frames get smaller cells
 constexpr double margin = 16;
@@ -45,10 +48,10 @@ struct Layout {
     QSize size;
 };
 
-Layout layOut(const FrameSpec &frame, const QFontMetricsF &metrics)
+Layout layOut(const FrameSpec &frame, const QFontMetricsF &metrics, int largestCell)
 {
-    const int cell
-        = std::clamp(largestSide / std::max(frame.width, frame.height), smallestCellSize, cellSize);
+    const int cell = std::clamp(largestSide / std::max(frame.width, frame.height), smallestCellSize,
+                                largestCell);
     const double rulerWidth = rowRulerWidth(metrics, frame);
     const double rulerHeight = columnRulerHeight(metrics);
     const bool below = frame.origin == FrameOrigin::BottomLeft;
@@ -127,6 +130,18 @@ void drawTriangles(QPainter &painter, FramePainter &frame, const Playhead &playh
     painter.setBrush(Qt::NoBrush);
 }
 
+void drawLayers(QPainter &painter, const Playhead &playhead, const QStringList &layers,
+                const Layout &layout)
+{
+    const TracedScene &traced = *playhead.traced();
+    const LayerDrawing drawing
+        = drawingOf(layers,
+                    {&traced, playhead.position(), samplesOf(windowOf(traced.scene.frame)),
+                     cellSideOf(layout.mapping), std::nullopt});
+    LayerPainter().paint(painter, drawing,
+                         layerSurface(layout.mapping, layout.view, paperPalette()));
+}
+
 } // namespace
 
 QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
@@ -135,7 +150,8 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
     const QPalette palette = paperPalette();
     QFont font = QGuiApplication::font();
     font.setPixelSize(fontSize); // points would depend on the screen
-    const Layout layout = layOut(traced.scene.frame, QFontMetricsF(font));
+    const Layout layout = layOut(traced.scene.frame, QFontMetricsF(font),
+                                 options.layers().isEmpty() ? cellSize : numberCellSize);
 
     QByteArray svg;
     QBuffer buffer(&svg);
@@ -154,6 +170,8 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
     frame.drawFrameEdge();
     if (options.isGridShown())
         frame.drawGrid();
+    if (!options.isTruthShown())
+        drawLayers(painter, playhead, options.layers(), layout);
     drawTriangles(painter, frame, playhead, layout.mapping);
     if (options.areDifferencesShown() && !options.isTruthShown())
         drawDifferences(painter, traced, playhead.position(), layout.mapping, palette);

@@ -34,6 +34,24 @@ QString lineHtml(const PseudocodeLine &line, bool isInHand, const QColor &tint)
         .arg(sentenceHtml(line.text));
 }
 
+/// The lines in which the run departs from them, and what that does.
+QString variantsHtml(VariantSet variants)
+{
+    QString html;
+    for (const Variant variant : allVariants) {
+        if (!variants.contains(variant))
+            continue;
+        const VariantWords &words = wordsOf(variant);
+        const auto text = [](std::string_view part) {
+            return sentenceHtml(QString::fromUtf8(part.data(), qsizetype(part.size())));
+        };
+        html += QStringLiteral("<p><b>%1</b>: %2 %3 %4. %5</p>")
+                    .arg(text(words.title), text(words.printed), MethodPanel::tr("in place of"),
+                         text(words.right), text(words.fault));
+    }
+    return html;
+}
+
 } // namespace
 
 MethodPanel::MethodPanel(Playhead *playhead, QWidget *parent)
@@ -82,8 +100,9 @@ void MethodPanel::present()
     const Method &method = *traced->method;
     const int scrolled = m_text->verticalScrollBar()->value();
     m_text->setHtml(QStringLiteral("<p><b>%1</b><br>%2</p><table cellspacing=0 cellpadding=2 "
-                                   "width=\"100%\">%3</table><p><small>%4</small></p>")
+                                   "width=\"100%\">%3</table>%4<p><small>%5</small></p>")
                         .arg(method.title.toHtmlEscaped(), sentenceHtml(method.summary), rows,
+                             variantsHtml(traced->scene.settings.variants),
                              tr("From: %1.").arg(method.source).toHtmlEscaped()));
     m_text->verticalScrollBar()->setValue(scrolled);
     setAccessibleDescription(inHand.join(QStringLiteral("; ")));

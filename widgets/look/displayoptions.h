@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QStringList>
 
 namespace pixelplumb {
 
@@ -17,6 +18,7 @@ class DisplayOptions : public QObject {
     Q_PROPERTY(bool clippingShown READ isClippingShown WRITE setClippingShown NOTIFY changed)
     Q_PROPERTY(bool hexadecimal READ isHexadecimal WRITE setHexadecimal NOTIFY changed)
     Q_PROPERTY(bool truthShown READ isTruthShown WRITE setTruthShown NOTIFY changed)
+    Q_PROPERTY(QStringList layers READ layers WRITE setLayers NOTIFY changed)
 
 public:
     using QObject::QObject;
@@ -32,6 +34,8 @@ public:
     }
     /// The oracle's finished picture instead of the frame at the position.
     bool isTruthShown() const { return m_truth; }
+    /// The ids of the layers that lie over the frame.
+    const QStringList &layers() const { return m_layers; }
 
 public slots:
     void setGridShown(bool shown) { change(m_grid, shown); }
@@ -39,6 +43,20 @@ public slots:
     void setClippingShown(bool shown) { change(m_clipping, shown); }
     void setHexadecimal(bool hexadecimal) { change(m_hexadecimal, hexadecimal); }
     void setTruthShown(bool shown) { change(m_truth, shown); }
+    void setLayers(const QStringList &ids)
+    {
+        if (m_layers == ids)
+            return;
+        m_layers = ids;
+        emit changed();
+    }
+    /// Adds a layer, or takes it away.
+    void toggleLayer(const QString &id)
+    {
+        if (m_layers.removeAll(id) == 0)
+            m_layers.append(id);
+        emit changed();
+    }
 
 signals:
     void changed();
@@ -57,6 +75,7 @@ private:
     bool m_clipping = false;
     bool m_hexadecimal = false;
     bool m_truth = false;
+    QStringList m_layers;
 };
 
 } // namespace pixelplumb

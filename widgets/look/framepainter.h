@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/layers/clippedline.h"
 #include "core/runs/tracedscene.h"
 #include "widgets/look/signs.h"
 #include "widgets/look/viewmapping.h"
@@ -105,8 +106,5 @@ inline constexpr double leastGlyphCell = 9;
 /// Marks a cell: the difference's glyph where it has room, else a frame, else the colour alone.
 void paintDifference(QPainter &painter, const QRectF &cell, Difference kind,
                      const QPalette &palette);
-
-/// The part of a line that lies in a rectangle; painters lose precision far outside.
-std::optional<QLineF> clipped(const QLineF &line, const QRectF &rect);
 
 } // namespace pixelplumb

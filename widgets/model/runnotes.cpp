@@ -63,6 +63,11 @@ QString adaptationNote(const Method &method, const ScanSettings &asked)
     if (drawn.fillRule != asked.fillRule) {
         objections += method.objection(settings);
         changes += tr("the fill rule %1").arg(nameText(nameOf(drawn.fillRule)));
+        settings.fillRule = drawn.fillRule;
+    }
+    if (drawn.variants != asked.variants) {
+        objections += method.objection(settings);
+        changes += tr("what it knows of the variants");
     }
     if (changes.empty())
         return {};

@@ -26,6 +26,7 @@
 #include "widgets/window/editmenu.h"
 #include "widgets/window/filemenu.h"
 #include "widgets/window/helpmenu.h"
+#include "widgets/window/layersmenu.h"
 #include "widgets/window/methodbar.h"
 #include "widgets/window/methodmenu.h"
 #include "widgets/window/stepmenu.h"
@@ -126,6 +127,7 @@ void MainWindow::makeMenus()
     menuBar()->addMenu(m_editMenu);
     m_viewMenu = new ViewMenu(m_parts, m_docks, m_palettes, this);
     menuBar()->addMenu(m_viewMenu);
+    menuBar()->addMenu(new LayersMenu(m_parts, this));
     menuBar()->addMenu(new StepMenu(m_parts, this));
     menuBar()->addMenu(new MethodMenu(m_parts, this));
     menuBar()->addMenu(new HelpMenu(menuBar()));

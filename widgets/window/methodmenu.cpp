@@ -2,6 +2,7 @@
 #include "widgets/window/methodmenu.h"
 
 #include "core/methods/method.h"
+#include "core/scan/choicenames.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/look/menuaction.h"
 #include "widgets/model/scenedocument.h"
@@ -33,6 +34,41 @@ MethodMenu::MethodMenu(const WindowParts &parts, QWidget *window)
     addSettings("arithmeticMenu", tr("&Arithmetic"), allArithmetics, &ScanSettings::arithmetic);
     addSettings("fillRuleMenu", tr("&Fill rule"), allFillRules, &ScanSettings::fillRule);
     addSettings("roundingMenu", tr("&Rounding"), allByteRoundings, &ScanSettings::rounding);
+    addVariants();
+}
+
+void MethodMenu::addVariants()
+{
+    QMenu *menu = addMenu(tr("&Variants, as printed"));
+    menu->setObjectName(QStringLiteral("variantMenu"));
+    menu->setToolTipsVisible(true);
+    for (const Variant variant : allVariants) {
+        const VariantWords &words = wordsOf(variant);
+        QAction *action = addMenuAction(menu, "", nameText(words.title), {}, [this, variant] {
+            ScanSettings settings = m_document->scene().settings;
+            settings.variants = settings.variants.contains(variant)
+                ? settings.variants.without(variant)
+                : settings.variants.with(variant);
+            m_document->setSettings(settings);
+        });
+        action->setObjectName(QStringLiteral("variant-") + nameText(nameOf(variant)));
+        action->setCheckable(true);
+        const QString meaning = tr("%1, in place of %2. %3\n%4")
+                                    .arg(nameText(words.printed), nameText(words.right),
+                                         nameText(words.fault), nameText(words.source));
+        const auto update = [this, action, variant, meaning] {
+            const Scene &scene = m_document->scene();
+            const Method *method = methodNamed(QString::fromStdString(scene.method));
+            ScanSettings settings = scene.settings;
+            action->setChecked(settings.variants.contains(variant));
+            settings.variants = VariantSet().with(variant);
+            setObjection(action, method ? method->objection(settings) : QString());
+            if (action->isEnabled())
+                action->setToolTip(meaning);
+        };
+        connect(m_document, &SceneDocument::sceneChanged, action, update);
+        update();
+    }
 }
 
 void MethodMenu::addMethods(Canvas *canvas)

@@ -17,6 +17,8 @@ public:
 
 private:
     void addMethods(Canvas *canvas);
+    /// Departures from the right algorithm, any of them together.
+    void addVariants();
     template <class Choices, class Member>
     void addSettings(const char *name, const QString &title, const Choices &choices, Member member);
 

@@ -90,6 +90,10 @@ void StatusFields::takeTrace()
                                                                   : tr("y downward")};
         if (frame.pixelCentre == PixelCentre::Half)
             words += tr("samples at ½");
+        for (const Variant variant : allVariants) {
+            if (settings.variants.contains(variant))
+                words += text(nameOf(variant));
+        }
         if (traced->trace->isCut())
             words += tr("recording cut at its limit");
         m_settings->setText(words.join(QStringLiteral(" · ")));

@@ -63,6 +63,7 @@ void WindowSettings::restoreChoices()
         settings.value(QLatin1String("canvas/differences"), true).toBool());
     options->setClippingShown(settings.value(QLatin1String("canvas/clipping"), false).toBool());
     options->setHexadecimal(settings.value(QLatin1String("canvas/hexadecimal"), false).toBool());
+    options->setLayers(settings.value(QLatin1String("canvas/layers")).toStringList());
 }
 
 void WindowSettings::store() const
@@ -77,6 +78,7 @@ void WindowSettings::store() const
     settings.setValue(QLatin1String("canvas/differences"), m_parts.options->areDifferencesShown());
     settings.setValue(QLatin1String("canvas/clipping"), m_parts.options->isClippingShown());
     settings.setValue(QLatin1String("canvas/hexadecimal"), m_parts.options->isHexadecimal());
+    settings.setValue(QLatin1String("canvas/layers"), m_parts.options->layers());
 }
 
 } // namespace pixelplumb

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/layeroptions.h"
+
+#include "app/cli/enlargedpicture.h"
+#include "app/cli/progress.h"
+#include "app/cli/suggestion.h"
+#include "app/cli/wholenumber.h"
+#include "core/layers/layer.h"
+#include "core/layers/layerpainter.h"
+
+#include <QPainter>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+const QString layersOption = QStringLiteral("layers");
+const QString positionOption = QStringLiteral("position");
+const QString triangleOption = QStringLiteral("triangle");
+
+QStringList layerNames()
+{
+    QStringList names;
+    for (const Layer &layer : layers())
+        names.append(layer.id);
+    return names;
+}
+
+/// Why a number of the request is none of the run's.
+std::optional<InputError> objectionTo(const LayerRequest &request, const ScanTrace &trace)
+{
+    const auto beyond = [](const QString &option, std::int64_t number, std::size_t last) {
+        return InputError{QStringLiteral("--") + option, QString::number(number),
+                          QStringLiteral("an integer from 0 to %1").arg(last)};
+    };
+    if (request.position && std::size_t(*request.position) > trace.stepCount())
+        return beyond(positionOption, *request.position, trace.stepCount());
+    if (request.primitive && std::size_t(*request.primitive) >= trace.primitiveCount())
+        return beyond(triangleOption, *request.primitive, trace.primitiveCount() - 1);
+    return std::nullopt;
+}
+
+void paintLayers(QImage &picture, const LayerRequest &request, const LayerView &view)
+{
+    for (const QString &id : request.layers) {
+        if (const QString why = layerNamed(id)->objection(view.traced->scene); !why.isEmpty())
+            sayLine(QStringLiteral("--layers %1: %2").arg(id, why));
+    }
+    const LayerDrawing drawing = drawingOf(request.layers, view);
+    for (const QString &note : drawing.notes)
+        sayLine(note);
+    const FrameSpec &frame = view.traced->scene.frame;
+    const bool isDark = QColor::fromRgb(packed(frame.background)).lightness() < 128;
+    QPainter painter(&picture);
+    LayerPainter().paint(painter, drawing,
+                         {pictureTransform(frame, {}, view.cell), picture.rect(),
+                          isDark ? LayerTone::Dark : LayerTone::Light});
+}
+
+} // namespace
+
+void addLayerOptions(CommandLine &line)
+{
+    const QString number = QStringLiteral("number");
+    line.addOption({layersOption,
+                    QStringLiteral("Draw figures of the course texts over the picture, from the "
+                                   "numbers of the run; separated by commas, any of: %1.")
+                        .arg(layerNames().join(QStringLiteral(", "))),
+                    QStringLiteral("names")});
+    line.addOption({positionOption,
+                    QStringLiteral("Draw the picture as it is when this many steps of the run are "
+                                   "done; all if left out."),
+                    number});
+    line.addOption({triangleOption,
+                    QStringLiteral("Draw the layers of this primitive, counted from 0, in place of "
+                                   "that of the last step."),
+                    number});
+}
+
+Result<LayerRequest> layerRequestFrom(const CommandLine &line)
+{
+    LayerRequest request;
+    const QString place = QStringLiteral("--") + layersOption;
+    if (line.isSet(layersOption))
+        request.layers = line.value(layersOption).split(u',');
+    for (const QString &id : request.layers) {
+        if (!layerNamed(id))
+            return unknownName(place, QStringLiteral("layer"), id, layerNames());
+    }
+    const auto position = wholeNumberOf(line, positionOption, {});
+    if (!position)
+        return position.error();
+    request.position = *position;
+    const auto primitive = wholeNumberOf(line, triangleOption, {});
+    if (!primitive)
+        return primitive.error();
+    request.primitive = *primitive;
+    if (request.primitive && request.layers.isEmpty())
+        return InputError{QStringLiteral("--") + triangleOption,
+                          QStringLiteral("there are no layers to tell of it"), place};
+    return request;
+}
+
+Result<QImage> pictureWithLayers(const Scene &scene, const LayerRequest &request,
+                                 std::int64_t scale)
+{
+    Progress progress;
+    TraceOptions recording;
+    recording.progress = progress.listener();
+    const auto traced = traceScene(scene, recording);
+    if (const auto objection = objectionTo(request, *traced->trace))
+        return *objection;
+    LayerView view;
+    view.traced = traced.get();
+    view.position = request.position ? std::size_t(*request.position) : traced->trace->stepCount();
+    view.seen = samplesOf(windowOf(scene.frame));
+    view.cell = double(scale);
+    if (request.primitive)
+        view.primitive = std::size_t(*request.primitive);
+    TraceCursor cursor(*traced->trace, scene.frame);
+    cursor.seek(view.position);
+    Result<QImage> picture = enlarged(cursor.frame().copy(), scale);
+    if (picture)
+        paintLayers(*picture, request, view);
+    return picture;
+}
+
+} // namespace pixelplumb::cli

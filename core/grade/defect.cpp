@@ -1,0 +1,218 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/defect.h"
+
+#include "core/grade/picturecause.h"
+#include "core/methods/method.h"
+#include "core/runs/sceneplan.h"
+#include "core/scan/choicenames.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+QString textOf(std::string_view text)
+{
+    return QString::fromUtf8(text.data(), qsizetype(text.size()));
+}
+
+/// Adds the defect where the scene can have it.
+void append(std::vector<Defect> &defects, const Scene &scene, Defect defect)
+{
+    Scene changed = scene;
+    const bool applies
+        = defect.changeScene(changed) && changed != scene && objectionTo(changed).isEmpty();
+    if (applies)
+        defects.push_back(std::move(defect));
+}
+
+void appendVariants(std::vector<Defect> &defects, const Scene &scene)
+{
+    for (const Variant variant : allVariants) {
+        const VariantWords &words = wordsOf(variant);
+        append(defects, scene,
+               {textOf(nameOf(variant)), textOf(words.fault),
+                QStringLiteral("%1: %2 in place of %3.")
+                    .arg(textOf(words.title), textOf(words.printed), textOf(words.right)),
+                [variant](Scene &changed) {
+                    changed.settings.variants = changed.settings.variants.with(variant);
+                    return true;
+                }});
+    }
+}
+
+void appendSettings(std::vector<Defect> &defects, const Scene &scene)
+{
+    for (const FillRule rule : allFillRules)
+        append(defects, scene,
+               {QStringLiteral("rule-") + textOf(nameOf(rule)),
+                QStringLiteral("Look at pixels exactly on an edge, and at neighbours' shared "
+                               "edges."),
+                QStringLiteral("The fill rule is %1 in place of %2.")
+                    .arg(textOf(nameOf(rule)), textOf(nameOf(scene.settings.fillRule))),
+                [rule](Scene &changed) {
+                    changed.settings.fillRule = rule;
+                    return true;
+                }});
+    for (const ByteRounding rounding : allByteRoundings)
+        append(defects, scene,
+               {QStringLiteral("rounding-") + textOf(nameOf(rounding)),
+                QStringLiteral("Look at how a colour becomes a byte."),
+                QStringLiteral("Levels become bytes by %1.").arg(textOf(nameOf(rounding))),
+                [rounding](Scene &changed) {
+                    changed.settings.rounding = rounding;
+                    return true;
+                }});
+    for (const Arithmetic arithmetic : allArithmetics)
+        append(defects, scene,
+               {QStringLiteral("arithmetic-") + textOf(nameOf(arithmetic)),
+                QStringLiteral("What your numbers are kept in decides pixels: how large is the "
+                               "error after many additions?"),
+                QStringLiteral("It is computed in %1.").arg(textOf(nameOf(arithmetic))),
+                [arithmetic](Scene &changed) {
+                    changed.settings.arithmetic = arithmetic;
+                    return true;
+                }});
+}
+
+using MoveVertex = void (*)(LatticePoint &point);
+
+Lattice truncated(Lattice coordinate) { return floorPixel(coordinate) * unitsPerPixel; }
+
+Lattice nearest(Lattice coordinate) { return truncated(coordinate + unitsPerPixel / 2); }
+
+void appendPlaces(std::vector<Defect> &defects, const Scene &scene)
+{
+    const auto add
+        = [&](const char *id, const char *forStudent, const char *forAssistant, MoveVertex move) {
+              append(defects, scene,
+                     {QString::fromLatin1(id), QString::fromUtf8(forStudent),
+                      QString::fromUtf8(forAssistant), [move](Scene &changed) {
+                          for (Triangle &triangle : changed.triangles) {
+                              for (Vertex &vertex : triangle.vertices)
+                                  move(vertex.position);
+                          }
+                          return true;
+                      }});
+          };
+    constexpr const char *places = "Do vertices between pixels keep their places?";
+    add("vertices-truncated", places, "Vertices are cast to whole pixels.",
+        [](LatticePoint &point) {
+            point = {truncated(point.x), truncated(point.y)};
+        });
+    add("vertices-rounded", places, "Vertices are rounded to whole pixels.",
+        [](LatticePoint &point) {
+            point = {nearest(point.x), nearest(point.y)};
+        });
+    add("x-truncated", places, "x of the vertices is cast to whole pixels, y is not.",
+        [](LatticePoint &point) { point.x = truncated(point.x); });
+    add("y-truncated", places, "y of the vertices is cast to whole pixels, x is not.",
+        [](LatticePoint &point) { point.y = truncated(point.y); });
+    constexpr const char *centre = "Where in a pixel is its sample?";
+    add("half-pixel-down", centre, "Samples stand half a pixel to the right and above.",
+        [](LatticePoint &point) {
+            point.x -= unitsPerPixel / 2;
+            point.y -= unitsPerPixel / 2;
+        });
+    add("half-pixel-up", centre, "Samples stand half a pixel to the left and below.",
+        [](LatticePoint &point) {
+            point.x += unitsPerPixel / 2;
+            point.y += unitsPerPixel / 2;
+        });
+}
+
+void appendColours(std::vector<Defect> &defects, const Scene &scene)
+{
+    constexpr std::array<std::array<std::size_t, 3>, 5> orders
+        = {{{1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}}};
+    const auto add = [&](const QString &id, const QString &forAssistant,
+                         const std::array<std::size_t, 3> &from) {
+        append(defects, scene,
+               {id, QStringLiteral("Which vertex has which colour?"), forAssistant,
+                [from](Scene &changed) {
+                    for (Triangle &triangle : changed.triangles) {
+                        const Triangle right = triangle;
+                        for (std::size_t i = 0; i < 3; ++i)
+                            triangle.vertices[i].colour = right.vertices[from[i]].colour;
+                    }
+                    return true;
+                }});
+    };
+    for (const auto &order : orders) {
+        QString digits;
+        for (const std::size_t index : order)
+            digits += QString::number(index);
+        add(QStringLiteral("colours-") + digits,
+            QStringLiteral("The vertices 0, 1, 2 have the colours of %1, %2, %3.")
+                .arg(order[0])
+                .arg(order[1])
+                .arg(order[2]),
+            order);
+    }
+    add(QStringLiteral("flat-first"),
+        QStringLiteral("The triangle has its first vertex' colour alone."), {0, 0, 0});
+    add(QStringLiteral("flat-last"),
+        QStringLiteral("The triangle has its last vertex' colour alone."), {2, 2, 2});
+}
+
+void appendTriangles(std::vector<Defect> &defects, const Scene &scene)
+{
+    const auto cull = [&](const char *id, const char *turn, int sign) {
+        append(defects, scene,
+               {QString::fromLatin1(id),
+                QStringLiteral("Are all triangles there, whichever way "
+                               "their vertices turn?"),
+                QStringLiteral("Triangles whose vertices turn %1 are not drawn.")
+                    .arg(QString::fromLatin1(turn)),
+                [sign](Scene &changed) {
+                    const auto isCulled = [sign](const Triangle &triangle) {
+                        const auto &[a, b, c] = triangle.vertices;
+                        const Int128 area = doubledArea(a.position, b.position, c.position);
+                        return sign < 0 ? area < 0 : area > 0;
+                    };
+                    return changed.attributes.empty()
+                        && std::erase_if(changed.triangles, isCulled) > 0;
+                }});
+    };
+    cull("culls-clockwise", "clockwise", -1);
+    cull("culls-counter-clockwise", "counter-clockwise", 1);
+    append(defects, scene,
+           {QStringLiteral("reverse-order"), QStringLiteral("In which order are they painted?"),
+            QStringLiteral("The triangles are painted from the last to the first."),
+            [](Scene &changed) {
+                std::ranges::reverse(changed.triangles);
+                return changed.attributes.empty();
+            }});
+}
+
+void appendPictures(std::vector<Defect> &defects, const Scene &scene)
+{
+    const Picture right = pictureOf(scene);
+    for (const PictureChange &change : pictureChangesFor(right, scene.frame.background)) {
+        const QString id = QString(change.name).toLower().replace(u' ', u'-');
+        defects.push_back({id,
+                           QStringLiteral("Look at the whole picture: how are rows, columns "
+                                          "and channels stored?"),
+                           QStringLiteral("The picture is right, but %1.").arg(change.name),
+                           {},
+                           change.apply,
+                           change.isShift});
+    }
+}
+
+} // namespace
+
+std::vector<Defect> defectsFor(const Scene &scene)
+{
+    std::vector<Defect> defects;
+    appendVariants(defects, scene);
+    appendSettings(defects, scene);
+    appendPlaces(defects, scene);
+    appendColours(defects, scene);
+    appendTriangles(defects, scene);
+    appendPictures(defects, scene);
+    return defects;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/layers.h"
+
+#include <QRectF>
+
+#include <array>
+
+namespace pixelplumb {
+
+namespace {
+
+/// P₀, P₁, P₂ as the run names them, px.
+struct NamedCorners {
+    std::array<QPointF, 3> places;
+
+    explicit NamedCorners(const LayerMoment &moment)
+    {
+        const std::array<int, 3> order = moment.trace().setUp(moment.primitive).order;
+        for (std::size_t i = 0; i < 3; ++i)
+            places[i] = placeOf(moment.triangle().vertices[std::size_t(order[i])].position);
+    }
+
+    /// p = a + β·(b − a) + γ·(c − a).
+    QPointF at(double beta, double gamma) const
+    {
+        return places[0] + beta * (places[1] - places[0]) + gamma * (places[2] - places[0]);
+    }
+};
+
+constexpr double firstAxisValue = -1;
+constexpr double lastAxisValue = 2;
+
+class AxesDrawer {
+public:
+    AxesDrawer(const LayerMoment &moment, LayerDrawing &drawing)
+        : m_corners(moment)
+        , m_frame(moment.frame().firstColumn - 0.5, moment.frame().firstRow - 0.5,
+                  moment.frame().width, moment.frame().height)
+        , m_drawing(drawing)
+    {
+    }
+
+    /// The lines on which one coordinate is the same, and the axis of the other.
+    void appendLines()
+    {
+        using Stroke = LayerDrawing::Stroke;
+        for (double value = firstAxisValue; value <= lastAxisValue; ++value) {
+            // Where one of them is 0, the other's axis runs.
+            const bool isAxis = value == 0;
+            const Stroke stroke = isAxis ? Stroke::Arrow : Stroke::Dashed;
+            m_drawing.lines.push_back({m_corners.at(value, firstAxisValue),
+                                       m_corners.at(value, lastAxisValue),
+                                       isAxis ? LayerInk::Second : LayerInk::First, stroke});
+            m_drawing.lines.push_back({m_corners.at(firstAxisValue, value),
+                                       m_corners.at(lastAxisValue, value),
+                                       isAxis ? LayerInk::First : LayerInk::Second, stroke});
+            // Off the crossings, where both would stand.
+            appendLabel(QStringLiteral("β = %1").arg(value), m_corners.at(value, -0.25),
+                        LayerInk::First);
+            appendLabel(QStringLiteral("γ = %1").arg(value), m_corners.at(-0.25, value),
+                        LayerInk::Second);
+        }
+    }
+
+    void appendSpecialPoints()
+    {
+        appendPoint(QStringLiteral("P₀ (1, 0, 0)"), 0, 0);
+        appendPoint(QStringLiteral("P₁ (0, 1, 0)"), 1, 0);
+        appendPoint(QStringLiteral("P₂ (0, 0, 1)"), 0, 1);
+        appendPoint(QStringLiteral("(½, ½, 0)"), 0.5, 0);
+        appendPoint(QStringLiteral("(½, 0, ½)"), 0, 0.5);
+        appendPoint(QStringLiteral("(0, ½, ½)"), 0.5, 0.5);
+        appendPoint(QStringLiteral("(⅓, ⅓, ⅓)"), 1.0 / 3, 1.0 / 3);
+    }
+
+private:
+    /// Names of what lies outside the frame would crowd its border.
+    void appendLabel(QString text, const QPointF &place, LayerInk ink)
+    {
+        if (m_frame.contains(place))
+            m_drawing.labels.push_back({text.replace(u'-', QChar(0x2212)), place, ink});
+    }
+    void appendPoint(const QString &name, double beta, double gamma)
+    {
+        m_drawing.points.push_back({m_corners.at(beta, gamma), LayerInk::Third});
+        appendLabel(name, m_corners.at(beta, gamma), LayerInk::Third);
+    }
+
+    NamedCorners m_corners;
+    QRectF m_frame;
+    LayerDrawing &m_drawing;
+};
+
+void drawAxes(const LayerMoment &moment, LayerDrawing &drawing)
+{
+    if (doubledArea(moment.triangle()) == 0)
+        return; // the axes fall into one
+    AxesDrawer axes(moment, drawing);
+    axes.appendLines();
+    axes.appendSpecialPoints();
+}
+
+} // namespace
+
+Layer barycentricAxesLayer()
+{
+    return {.id = QStringLiteral("barycentric-axes"),
+            .title = QStringLiteral("Barycentric axes and points"),
+            .toolTip = QStringLiteral(
+                "The oblique axes from P₀: β towards P₁, γ towards P₂, the lines of their whole "
+                "values, and (α, β, γ) of the vertices, the middles of the edges and the centroid; "
+                "exact, from the vertices."),
+            .source = QStringLiteral("Triangles slides, “p = a + β(b − a) + γ(c − a)”; "
+                                     "Rasterization slides, “BC – Special Points”"),
+            .kinds = {PrimitiveKind::Triangle},
+            .draw = drawAxes};
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/layers.h"
+#include "core/polygons/contours.h"
+
+#include <algorithm>
+#include <array>
+
+namespace pixelplumb {
+
+namespace {
+
+ContourBox rawBoxOf(const LayerMoment &moment)
+{
+    std::vector<ContourEdge> edges;
+    if (!moment.primitives().isTriangle(moment.primitive))
+        return boxAround(contoursOf(moment.shape()).edges);
+    const auto &vertices = moment.triangle().vertices;
+    for (std::size_t i = 0; i < 3; ++i)
+        edges.push_back({vertices[i].position, vertices[(i + 1) % 3].position});
+    return boxAround(edges);
+}
+
+/// `(int)` of the slides: towards 0.
+std::int64_t printedPixel(Lattice sum) { return sum / unitsPerPixel; }
+
+/// Triangle Rasterization slides, "Triangle rasterization implementation guidelines": left = (int)
+/// (bbox + .5), right = (int) (bbox − .5), in the scene's coordinates. It is meant for pixels that
+/// are sampled in their middles.
+SampleBox printedBoxOf(const ContourBox &raw, const FrameSpec &frame)
+{
+    const Lattice first = sampleOffset(frame) + halfPixel;
+    const Lattice last = sampleOffset(frame) - halfPixel;
+    return {printedPixel(raw.first.x + first), printedPixel(raw.last.x + last) + 1,
+            printedPixel(raw.first.y + first), printedPixel(raw.last.y + last) + 1};
+}
+
+/// The first and the last number of the tested samples of each span, by the ids of edge tests.
+struct TestedIds {
+    SpanAxis axis;
+    const char *first;
+    const char *last;
+};
+constexpr std::array testedIds
+    = {TestedIds{SpanAxis::Row, "x_min", "x_max"}, TestedIds{SpanAxis::Column, "y_min", "y_max"}};
+
+/// What the method tests, which walks the same samples in each span from the first to the last;
+/// none of a method that tests no box.
+std::optional<SampleBox> testedBoxOf(const LayerMoment &moment)
+{
+    const ScanTrace &trace = moment.trace();
+    const std::size_t firstSpan = trace.firstSpanOf(moment.primitive);
+    const std::size_t endSpan = trace.endSpanOf(moment.primitive);
+    if (firstSpan == endSpan)
+        return std::nullopt;
+    const SpanRecord record = trace.span(firstSpan);
+    const NamedNumbers numbers(trace.numbers().span, record.cells);
+    const std::int64_t begin = record.place.coordinate;
+    const std::int64_t end = trace.placeOf(endSpan - 1).coordinate + 1;
+    for (const TestedIds &ids : testedIds) {
+        const Quantity first = numbers[QString::fromLatin1(ids.first)];
+        const Quantity last = numbers[QString::fromLatin1(ids.last)];
+        if (first.isNone() || last.isNone() || record.place.axis != ids.axis)
+            continue;
+        const auto from = std::int64_t(first.numerator());
+        const auto to = std::int64_t(last.numerator()) + 1;
+        return ids.axis == SpanAxis::Row ? SampleBox{from, to, begin, end}
+                                         : SampleBox{begin, end, from, to};
+    }
+    return std::nullopt;
+}
+
+/// The samples of the box that the frame has.
+SampleBox clippedBoxOf(const ContourBox &raw, const FrameSpec &frame)
+{
+    const SampleBox whole = {ceilPixel(raw.first.x), floorPixel(raw.last.x) + 1,
+                             ceilPixel(raw.first.y), floorPixel(raw.last.y) + 1};
+    return intersection(whole, samplesOf(windowOf(frame)));
+}
+
+/// How one of the boxes looks.
+struct BoxLook {
+    LayerInk ink;
+    LayerDrawing::Stroke stroke;
+};
+
+class BoxDrawer {
+public:
+    BoxDrawer(const FrameSpec &frame, LayerDrawing &drawing)
+        : m_left(frame.firstColumn - 0.5)
+        , m_low(frame.firstRow - 0.5)
+        , m_right(m_left + frame.width)
+        , m_high(m_low + frame.height)
+        , m_drawing(drawing)
+    {
+    }
+
+    void appendRectangle(const QPointF &first, const QPointF &last, const BoxLook &look)
+    {
+        const QPointF right(last.x(), first.y());
+        const QPointF above(first.x(), last.y());
+        m_drawing.lines.push_back({first, right, look.ink, look.stroke});
+        m_drawing.lines.push_back({right, last, look.ink, look.stroke});
+        m_drawing.lines.push_back({last, above, look.ink, look.stroke});
+        m_drawing.lines.push_back({above, first, look.ink, look.stroke});
+    }
+
+    /// Beside the place of the frame that is nearest to a corner, which may lie far outside.
+    void appendLabel(QString text, const QPointF &corner, LayerInk ink)
+    {
+        const QPointF place(std::clamp(corner.x(), m_left, m_right),
+                            std::clamp(corner.y(), m_low, m_high));
+        m_drawing.labels.push_back({text.replace(u'-', QChar(0x2212)), place, ink});
+    }
+
+    /// Around the cells of its samples, with their first and last pixel at a corner.
+    void appendSamples(const SampleBox &box, const QString &name, const BoxLook &look)
+    {
+        const QPointF last = {double(box.endX) - 0.5, double(box.endY) - 0.5};
+        if (box.isEmpty())
+            return appendLabel(name + QStringLiteral(": no pixel"), last, look.ink);
+        appendRectangle({double(box.firstX) - 0.5, double(box.firstY) - 0.5}, last, look);
+        appendLabel(QStringLiteral("%1: x %2 … %3, y %4 … %5")
+                        .arg(name)
+                        .arg(box.firstX)
+                        .arg(box.endX - 1)
+                        .arg(box.firstY)
+                        .arg(box.endY - 1),
+                    last, look.ink);
+    }
+
+private:
+    double m_left, m_low, m_right, m_high; ///< of the frame, px
+    LayerDrawing &m_drawing;
+};
+
+void drawBox(const LayerMoment &moment, LayerDrawing &drawing)
+{
+    using Stroke = LayerDrawing::Stroke;
+    const ContourBox raw = rawBoxOf(moment);
+    if (raw.first.x > raw.last.x)
+        return;
+    const QPointF first = placeOf(raw.first);
+    const QPointF last = placeOf(raw.last);
+    BoxDrawer drawer(moment.frame(), drawing);
+    drawer.appendRectangle(first, last, {LayerInk::Mark, Stroke::Dashed});
+    drawer.appendLabel(QStringLiteral("bbox: x %1 … %2, y %3 … %4")
+                           .arg(moment.inScene(raw.first.x), moment.inScene(raw.last.x),
+                                moment.inScene(raw.first.y), moment.inScene(raw.last.y)),
+                       {first.x(), last.y()}, LayerInk::Mark);
+    drawer.appendSamples(printedBoxOf(raw, moment.frame()), QStringLiteral("(int)(bbox ± .5)"),
+                         {LayerInk::Second, Stroke::Dotted});
+    const std::optional<SampleBox> tested = testedBoxOf(moment);
+    drawer.appendSamples(tested.value_or(clippedBoxOf(raw, moment.frame())),
+                         tested ? QStringLiteral("tested") : QStringLiteral("clipped"),
+                         {LayerInk::First, Stroke::Solid});
+}
+
+} // namespace
+
+Layer boxLayer()
+{
+    return {
+        .id = QStringLiteral("box"),
+        .title = QStringLiteral("Bounding box"),
+        .toolTip = QStringLiteral(
+            "The box around the vertices (dashed), the pixels from (int)(bbox + .5) to "
+            "(int)(bbox − .5) as the slides print it for samples in the middle of pixels "
+            "(dotted), and the pixels of the frame that the method tests (solid); where it tests "
+            "no box, those that the box covers, exact."),
+        .source = QStringLiteral("Triangle Rasterization slides, “Edge equations "
+                                 "rasterization” and “Triangle rasterization implementation "
+                                 "guidelines”; Scan Conversion slides, “Using Edge Equations”"),
+        .kinds = {PrimitiveKind::Triangle, PrimitiveKind::Polygon},
+        .draw = drawBox};
+}
+
+} // namespace pixelplumb

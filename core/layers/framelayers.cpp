@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/edgepixels.h"
+#include "core/layers/cellnumber.h"
+#include "core/layers/layers.h"
+
+#include <functional>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr double leastSampleCell = 10; ///< logical px
+
+void forEachSeen(const LayerMoment &moment,
+                 const std::function<void(std::int64_t x, std::int64_t y)> &visit)
+{
+    const SampleBox seen = moment.seen();
+    for (std::int64_t y = seen.firstY; y < seen.endY; ++y) {
+        for (std::int64_t x = seen.firstX; x < seen.endX; ++x)
+            visit(x, y);
+    }
+}
+
+void drawSamples(const LayerMoment &moment, LayerDrawing &drawing)
+{
+    if (moment.view.cell < leastSampleCell)
+        return drawing.notes.append(
+            QStringLiteral("Samples are shown in cells of %1 pixels and more: enlarge the picture")
+                .arg(leastSampleCell));
+    const auto pattern = samplePattern(moment.view.traced->scene.appearance.antialiasing);
+    forEachSeen(moment, [&](std::int64_t x, std::int64_t y) {
+        const QPointF place{double(x), double(y)};
+        drawing.points.push_back({place, LayerInk::Mark});
+        for (const LatticePoint &offset : pattern)
+            drawing.points.push_back({place + placeOf(offset), LayerInk::First});
+    });
+}
+
+/// Rasterization slides, "Point Plotting": addr = y·width + x, counted as plotPoints() does.
+void drawMemory(const LayerMoment &moment, LayerDrawing &drawing)
+{
+    if (moment.view.cell < leastNumberCell)
+        return drawing.notes.append(smallCellNote());
+    const FrameSpec &frame = moment.frame();
+    forEachSeen(moment, [&](std::int64_t x, std::int64_t y) {
+        const std::int64_t address = (y - frame.firstRow) * frame.width + (x - frame.firstColumn);
+        drawing.cells.push_back({x, y, QString::number(address), LayerInk::Mark});
+    });
+}
+
+} // namespace
+
+Layer samplesLayer()
+{
+    return {.id = QStringLiteral("samples"),
+            .title = QStringLiteral("Sampling points"),
+            .toolTip = QStringLiteral("Where each pixel is sampled, and with antialiasing the 4 or "
+                                      "16 samples around it."),
+            .source = QStringLiteral("Triangle Rasterization slides, “Rasterization of triangles”"),
+            .draw = drawSamples};
+}
+
+Layer memoryLayer()
+{
+    return {.id = QStringLiteral("memory"),
+            .title = QStringLiteral("Addresses in memory"),
+            .toolTip = QStringLiteral("The address of each pixel, y·width + x, counted in pixels "
+                                      "from the frame's first one; the same under every method."),
+            .source = QStringLiteral("Rasterization slides, “Point Plotting”"),
+            .draw = drawMemory};
+}
+
+} // namespace pixelplumb

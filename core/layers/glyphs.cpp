@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/glyphs.h"
+
+#include "core/polygons/contours.h"
+#include "core/polygons/textoutlines.h"
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr Lattice emHeight
+    = 24 * unitsPerPixel; ///< fine enough for chords, coarse enough to be few
+
+} // namespace
+
+double Glyphs::widthOf(const QString &text)
+{
+    double width = 0;
+    for (const char32_t character : text.toUcs4())
+        width += glyphOf(character).advance;
+    return width;
+}
+
+QPainterPath Glyphs::outlineOf(const QString &text)
+{
+    QPainterPath path;
+    path.setFillRule(Qt::WindingFill);
+    double origin = 0;
+    for (const char32_t character : text.toUcs4()) {
+        const Glyph &glyph = glyphOf(character);
+        path.addPath(glyph.outline.translated(origin, 0));
+        origin += glyph.advance;
+    }
+    return path;
+}
+
+const Glyphs::Glyph &Glyphs::glyphOf(char32_t character)
+{
+    const auto [place, isNew] = m_glyphs.try_emplace(character);
+    if (!isNew)
+        return place->second;
+    Shape text;
+    text.kind = PrimitiveKind::Text;
+    text.vertices = {Vertex{}};
+    text.text = QString::fromUcs4(&character, 1).toStdString();
+    text.textHeight = -emHeight;
+    Glyph &glyph = place->second;
+    glyph.advance = double(advanceOf(text)) / emHeight;
+    const auto pointOf = [](const LatticePoint &point) {
+        return QPointF(double(point.x), double(point.y)) / emHeight;
+    };
+    const LatticePoint *end = nullptr;
+    const Contours contours = contoursOf(outlinesOf(text).polygon);
+    for (const ContourEdge &edge : contours.edges) {
+        if (!end || edge.from != *end)
+            glyph.outline.moveTo(pointOf(edge.from));
+        glyph.outline.lineTo(pointOf(edge.to));
+        end = &edge.to;
+    }
+    return glyph;
+}
+
+} // namespace pixelplumb

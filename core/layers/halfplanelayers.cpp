@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/cellnumber.h"
+#include "core/layers/edgelinenumbers.h"
+#include "core/layers/layers.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr double leastNormal = 2; ///< px
+constexpr double normalOfEdge = 0.25; ///< of the edge's length
+
+/// The part of the frame where an edge function is positive (Sutherland and Hodgman 1974).
+std::vector<QPointF> positiveSide(const EdgeLineNumbers &line, const FrameSpec &frame)
+{
+    const double left = frame.firstColumn - 0.5;
+    const double low = frame.firstRow - 0.5;
+    const std::array<QPointF, 4> corners
+        = {QPointF(left, low), QPointF(left + frame.width, low),
+           QPointF(left + frame.width, low + frame.height), QPointF(left, low + frame.height)};
+    std::vector<QPointF> kept;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const QPointF &from = corners[i];
+        const QPointF &to = corners[(i + 1) % corners.size()];
+        const double fromValue = line.valueAt(from);
+        const double toValue = line.valueAt(to);
+        if (fromValue >= 0)
+            kept.push_back(from);
+        if ((fromValue < 0) != (toValue < 0))
+            kept.push_back(from + (to - from) * (fromValue / (fromValue - toValue)));
+    }
+    return kept.size() < 3 ? std::vector<QPointF>() : kept;
+}
+
+void appendHalfPlane(const EdgeLineNumbers &line, const FrameSpec &frame, LayerDrawing &drawing)
+{
+    const QPointF normal(line.a.toDouble(), line.b.toDouble());
+    const double length = std::hypot(normal.x(), normal.y());
+    if (length == 0)
+        return; // the edge is a point
+    if (std::vector<QPointF> corners = positiveSide(line, frame); !corners.empty())
+        drawing.areas.push_back({std::move(corners), LayerInk::Inside});
+    const QPointF along = line.to - line.from;
+    const double edgeLength = std::hypot(along.x(), along.y());
+    const QPointF middle = line.from + along / 2;
+    const QPointF arrow = normal / length * std::max(leastNormal, edgeLength * normalOfEdge);
+    // Far enough for the line to cross the frame.
+    const QPointF beyond = along / edgeLength
+        * (double(frame.width) + frame.height
+           + std::hypot(middle.x() - frame.firstColumn, middle.y() - frame.firstRow));
+    drawing.lines.push_back(
+        {middle - beyond, middle + beyond, LayerInk::Mark, LayerDrawing::Stroke::Dashed});
+    drawing.lines.push_back({middle, middle + arrow, LayerInk::Mark, LayerDrawing::Stroke::Arrow});
+    drawing.labels.push_back(
+        {QStringLiteral("%1 > 0  ⟨%2, %3⟩").arg(line.name, cellNumber(line.a), cellNumber(line.b)),
+         middle + arrow, LayerInk::Mark});
+    drawing.labels.push_back(
+        {QStringLiteral("%1 < 0").arg(line.name), middle - arrow / 2, LayerInk::Negative});
+}
+
+void appendHalfPlanes(const LayerMoment &moment, std::size_t first, std::size_t end,
+                      LayerDrawing &drawing)
+{
+    const EdgeLines edges = edgeLinesOf(moment);
+    for (std::size_t line = first; line < end; ++line)
+        appendHalfPlane(edges.lines[line], moment.frame(), drawing);
+    if (edges.origin == NumberOrigin::Exact)
+        drawing.notes.append(
+            QStringLiteral("Half-planes: exact, since “%1” computes no edge functions")
+                .arg(moment.view.traced->method->title));
+}
+
+template <std::size_t edge>
+Layer halfPlaneLayer()
+{
+    return {.id = QStringLiteral("half-plane-%1").arg(edge),
+            .title = QStringLiteral("Half-plane of E") + QChar(char16_t(u'₀' + edge)),
+            .toolTip = QStringLiteral("Where the edge function of the edge %1–%2 is positive "
+                                      "(tinted); of barycentric methods that of %3.")
+                           .arg(edge)
+                           .arg((edge + 1) % 3)
+                           .arg(QStringList({QStringLiteral("bc"), QStringLiteral("ca"),
+                                             QStringLiteral("ab")})[qsizetype(edge)]),
+            .source = QStringLiteral("Rasterization slides, “Edge Equations”"),
+            .kinds = {PrimitiveKind::Triangle},
+            .draw = [](const LayerMoment &moment, LayerDrawing &drawing) {
+                appendHalfPlanes(moment, edge, edge + 1, drawing);
+            }};
+}
+
+} // namespace
+
+Layer halfPlanesLayer()
+{
+    return {.id = QStringLiteral("half-planes"),
+            .title = QStringLiteral("Half-planes and normals"),
+            .toolTip = QStringLiteral(
+                "Where each edge function A·x + B·y + C is positive (tinted, the inside thrice) "
+                "and its normal ⟨A, B⟩: the numbers of the set-up; exact ones where the method "
+                "has none."),
+            .source = QStringLiteral(
+                "Triangle Rasterization slides, “Edge sidedness”; Rasterization slides, “Edge "
+                "Equations”; Scan Conversion slides, “Implicit Equation for a 2D line”"),
+            .kinds = {PrimitiveKind::Triangle},
+            .draw = [](const LayerMoment &moment, LayerDrawing &drawing) {
+                appendHalfPlanes(moment, 0, 3, drawing);
+            }};
+}
+
+Layer halfPlane0Layer() { return halfPlaneLayer<0>(); }
+Layer halfPlane1Layer() { return halfPlaneLayer<1>(); }
+Layer halfPlane2Layer() { return halfPlaneLayer<2>(); }
+
+} // namespace pixelplumb

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/layers.h"
+
+#include <array>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr int levelStep = 32;
+constexpr std::array<char16_t, 3> channelLetters = {u'R', u'G', u'B'};
+constexpr std::array channelInks = {LayerInk::Second, LayerInk::Hand, LayerInk::First};
+
+struct PlaneCorner {
+    QPointF place;
+    double level = 0;
+};
+
+/// The channel's plane at the vertices: that of the set-up where the method has one, else the one
+/// through the vertices' own levels.
+std::array<PlaneCorner, 3> planeOf(const LayerMoment &moment, std::size_t channel)
+{
+    const SetUpRecord setUp = moment.trace().setUp(moment.primitive);
+    const NamedNumbers numbers(moment.trace().numbers().setUp, setUp.cells);
+    const QChar letter = channelLetters[channel];
+    const auto coefficient
+        = [&](QChar name) { return numbers[QStringLiteral("%1_%2").arg(name).arg(letter)]; };
+    const Quantity a = coefficient(u'a'), b = coefficient(u'b'), c = coefficient(u'c');
+    const bool hasPlane = !a.isNone() && !b.isNone() && !c.isNone();
+    std::array<PlaneCorner, 3> corners;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vertex &vertex = moment.triangle().vertices[i];
+        const QPointF place = placeOf(vertex.position);
+        corners[i] = {place,
+                      hasPlane ? a.toDouble() * place.x() + b.toDouble() * place.y() + c.toDouble()
+                               : double(vertex.colour.channels[channel])};
+    }
+    return corners;
+}
+
+/// Where the border of the triangle has a level: two places, or none.
+std::vector<QPointF> crossingsOf(const std::array<PlaneCorner, 3> &corners, double level)
+{
+    std::vector<QPointF> crossings;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const PlaneCorner &from = corners[i];
+        const PlaneCorner &to = corners[(i + 1) % 3];
+        if ((from.level < level) != (to.level < level))
+            crossings.push_back(from.place
+                                + (to.place - from.place)
+                                    * ((level - from.level) / (to.level - from.level)));
+    }
+    return crossings;
+}
+
+template <std::size_t channel>
+void drawIsolines(const LayerMoment &moment, LayerDrawing &drawing)
+{
+    if (doubledArea(moment.triangle()) == 0)
+        return; // no plane
+    const std::optional<EffectPlan> &plan = moment.view.traced->plan;
+    if (plan && plan->runs(Effect::Perspective))
+        drawing.notes.append(QStringLiteral("Contour lines: of levels that change evenly over the "
+                                            "frame, while the picture takes perspective into "
+                                            "account"));
+    const std::array<PlaneCorner, 3> corners = planeOf(moment, channel);
+    for (int level = levelStep; level < 256; level += levelStep) {
+        const std::vector<QPointF> ends = crossingsOf(corners, level);
+        if (ends.size() != 2)
+            continue;
+        drawing.lines.push_back({ends[0], ends[1], channelInks[channel]});
+        drawing.labels.push_back(
+            {QStringLiteral("%1 = %2").arg(QChar(channelLetters[channel])).arg(level), ends[0],
+             channelInks[channel]});
+    }
+}
+
+template <std::size_t channel>
+Layer isolinesLayer(const QString &id, const QString &title)
+{
+    const QChar letter = channelLetters[channel];
+    return {.id = id,
+            .title = title,
+            .toolTip
+            = QStringLiteral("Lines on which %1 is the same, every %2 levels: the plane %1 = a·x + "
+                             "b·y + c of the set-up, or where the method has none the exact one "
+                             "through the vertices' levels.")
+                  .arg(letter)
+                  .arg(levelStep),
+            .source = QStringLiteral("Scan Conversion slides, “2. Plane Equation”"),
+            .kinds = {PrimitiveKind::Triangle},
+            .draw = drawIsolines<channel>};
+}
+
+} // namespace
+
+Layer redIsolinesLayer()
+{
+    return isolinesLayer<0>(QStringLiteral("isolines-red"), QStringLiteral("Contour lines of R"));
+}
+Layer greenIsolinesLayer()
+{
+    return isolinesLayer<1>(QStringLiteral("isolines-green"), QStringLiteral("Contour lines of G"));
+}
+Layer blueIsolinesLayer()
+{
+    return isolinesLayer<2>(QStringLiteral("isolines-blue"), QStringLiteral("Contour lines of B"));
+}
+
+} // namespace pixelplumb

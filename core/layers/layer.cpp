@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/layer.h"
+
+#include "core/layers/layers.h"
+
+#include <algorithm>
+#include <array>
+
+namespace pixelplumb {
+
+namespace {
+
+bool hasKind(const Scene &scene, PrimitiveKind kind)
+{
+    if (kind == PrimitiveKind::Triangle)
+        return scene.hasTriangles();
+    return std::ranges::any_of(scene.shapes,
+                               [kind](const Shape &shape) { return shape.kind == kind; });
+}
+
+QString listed(const std::vector<PrimitiveKind> &kinds)
+{
+    QStringList names;
+    for (const PrimitiveKind kind : kinds)
+        names.append(nameOf(kind));
+    return names.join(QStringLiteral(" or "));
+}
+
+QString titlesOf(const QStringList &ids)
+{
+    QStringList titles;
+    for (const QString &id : ids)
+        titles.append(QStringLiteral("“%1”").arg(methodNamed(id)->title));
+    return titles.join(QStringLiteral(", "));
+}
+
+/// The primitive in hand, or the last one before it that the layer and the method know.
+std::optional<std::size_t> subjectOf(const Layer &layer, const LayerView &view)
+{
+    if (layer.kinds.empty())
+        return 0; // it tells of none
+    const TracedScene &traced = *view.traced;
+    const auto isSubject = [&](std::size_t primitive) {
+        const PrimitiveKind kind = traced.primitives.kindOf(primitive);
+        return std::ranges::count(layer.kinds, kind) > 0
+            && (traced.primitives.isTriangle(primitive)
+                    ? traced.method->draws(kind)
+                    : traced.method->draws(traced.primitives.shape(primitive)));
+    };
+    const ScanTrace &trace = *traced.trace;
+    if (trace.stepCount() == 0)
+        return std::nullopt;
+    const std::size_t step = view.position == 0 ? 0 : view.position - 1;
+    for (std::size_t next = view.primitive.value_or(trace.stepAt(step).primitive) + 1; next > 0;
+         --next) {
+        if (isSubject(next - 1))
+            return next - 1;
+        if (view.primitive)
+            break;
+    }
+    return std::nullopt;
+}
+
+} // namespace
+
+QString Layer::objection(const Scene &scene) const
+{
+    if (kinds.empty())
+        return {};
+    const Method *method = methodNamed(QString::fromStdString(scene.method));
+    if (!method)
+        return QStringLiteral("there is no method “%1”").arg(QString::fromStdString(scene.method));
+    if (!methods.isEmpty() && !methods.contains(method->id))
+        return QStringLiteral("“%1” has no such numbers, unlike %2")
+            .arg(method->title, titlesOf(methods));
+    std::vector<PrimitiveKind> drawn;
+    for (const PrimitiveKind kind : kinds) {
+        if (method->draws(kind))
+            drawn.push_back(kind);
+    }
+    if (drawn.empty())
+        return QStringLiteral("“%1” draws no %2").arg(method->title, listed(kinds));
+    if (std::ranges::none_of(drawn, [&](PrimitiveKind kind) { return hasKind(scene, kind); }))
+        return QStringLiteral("the scene has no %1").arg(listed(drawn));
+    return {};
+}
+
+std::span<const Layer> layers()
+{
+    static const std::array table
+        = {verticesLayer(),        boxLayer(),         halfPlanesLayer(),    halfPlane0Layer(),
+           halfPlane1Layer(),      halfPlane2Layer(),  weightsLayer(),       levelsLayer(),
+           barycentricAxesLayer(), redIsolinesLayer(), greenIsolinesLayer(), blueIsolinesLayer(),
+           innerEdgesLayer(),      edgeTableLayer(),   decisionsLayer(),     samplesLayer(),
+           memoryLayer()};
+    return table;
+}
+
+const Layer *layerNamed(QStringView id)
+{
+    const auto found = std::ranges::find(layers(), id, &Layer::id);
+    return found == layers().end() ? nullptr : &*found;
+}
+
+LayerDrawing drawingOf(const QStringList &ids, const LayerView &view)
+{
+    LayerDrawing drawing;
+    for (const Layer &layer : layers()) {
+        if (!ids.contains(layer.id) || !layer.objection(view.traced->scene).isEmpty())
+            continue;
+        if (const auto primitive = subjectOf(layer, view))
+            layer.draw({view, *primitive}, drawing);
+    }
+    drawing.notes.removeDuplicates();
+    return drawing;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QPointF>
+#include <QString>
+#include <QStringList>
+
+#include <cstdint>
+#include <vector>
+
+namespace pixelplumb {
+
+/// What a mark of a layer stands for; its colour follows from it (colourOf).
+enum class LayerInk {
+    Mark, ///< edges, numbers and whatever has a name beside it
+    First, ///< the first of two or three things that belong together: α, β's axis, R
+    Second,
+    Third,
+    Inside, ///< where an edge function is positive, a parity odd
+    Negative, ///< a number below 0, beside its minus sign
+    Hand, ///< of the step in hand
+};
+
+/// What layers draw over the frame, as numbers: places are sample coordinates, px, so that pixel
+/// (x, y) is the point (x, y). One painter makes a picture of it in any scale (LayerPainter).
+struct LayerDrawing {
+    enum class Stroke { Solid, Dashed, Dotted, Arrow };
+    struct Line {
+        QPointF from, to; ///< an arrow points to the second
+        LayerInk ink = LayerInk::Mark;
+        Stroke stroke = Stroke::Solid;
+
+        friend bool operator==(const Line &, const Line &) = default;
+    };
+    /// A convex polygon, tinted.
+    struct Area {
+        std::vector<QPointF> corners;
+        LayerInk ink = LayerInk::Inside;
+
+        friend bool operator==(const Area &, const Area &) = default;
+    };
+    struct Circle {
+        QPointF centre;
+        double radius = 0;
+        LayerInk ink = LayerInk::Mark;
+
+        friend bool operator==(const Circle &, const Circle &) = default;
+    };
+    struct Point {
+        QPointF place;
+        LayerInk ink = LayerInk::Mark;
+
+        friend bool operator==(const Point &, const Point &) = default;
+    };
+    /// A name beside a place, where there is room.
+    struct Label {
+        QString text;
+        QPointF place;
+        LayerInk ink = LayerInk::Mark;
+
+        friend bool operator==(const Label &, const Label &) = default;
+    };
+    /// A number in a pixel's cell, below those that stand there already.
+    struct CellText {
+        std::int64_t x = 0, y = 0; ///< the pixel
+        QString text;
+        LayerInk ink = LayerInk::Mark;
+
+        friend bool operator==(const CellText &, const CellText &) = default;
+    };
+
+    std::vector<Area> areas; ///< below all else
+    std::vector<Line> lines;
+    std::vector<Circle> circles;
+    std::vector<Point> points;
+    std::vector<Label> labels;
+    std::vector<CellText> cells;
+    /// What is to be said beside the picture: that numbers are the exact ones, because the method
+    /// has none; that cells are too small for them.
+    QStringList notes;
+
+    bool isEmpty() const
+    {
+        return areas.empty() && lines.empty() && circles.empty() && points.empty() && labels.empty()
+            && cells.empty();
+    }
+
+    friend bool operator==(const LayerDrawing &, const LayerDrawing &) = default;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/layers/layerdrawing.h"
+
+#include <QColor>
+
+namespace pixelplumb {
+
+/// Whether layers stand on light paper or on dark.
+enum class LayerTone { Light, Dark };
+
+/// From the Okabe–Ito set, as the window's signs, so that text in it keeps 4.5:1 on the paper.
+QColor colourOf(LayerInk ink, LayerTone tone);
+/// Behind lines and texts, so that they can be read on every colour that a frame may hold.
+QColor paperOf(LayerTone tone);
+
+} // namespace pixelplumb

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/layermoment.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+std::optional<std::size_t> LayerMoment::spanInHand() const
+{
+    const std::size_t first = trace().firstSpanOf(primitive);
+    std::size_t begin = first;
+    std::size_t end = trace().endSpanOf(primitive);
+    // The spans' steps ascend: those before `begin` are done.
+    while (begin < end) {
+        const std::size_t middle = begin + (end - begin) / 2;
+        if (hasDone(trace().indexOfSpan(middle)))
+            begin = middle + 1;
+        else
+            end = middle;
+    }
+    return begin > first ? std::optional(begin - 1) : std::nullopt;
+}
+
+QString LayerMoment::inScene(Lattice sample) const
+{
+    return toText(Quantity::rational(sample + sampleOffset(frame()), unitsPerPixel));
+}
+
+QPointF placeOf(const LatticePoint &point)
+{
+    return {double(point.x) / unitsPerPixel, double(point.y) / unitsPerPixel};
+}
+
+Quantity NamedNumbers::operator[](const QString &id) const
+{
+    const auto found = std::ranges::find(m_descriptions, id, &NumberDescription::id);
+    const auto place = std::size_t(found - m_descriptions.begin());
+    return place < m_cells.size() ? m_cells[place] : Quantity();
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/frame/framespec.h"
+#include "core/layers/glyphs.h"
+#include "core/layers/layerink.h"
+
+#include <QRectF>
+#include <QTransform>
+
+class QPainter;
+
+namespace pixelplumb {
+
+/// From sample coordinates to those of a picture of the frame, whose upper left corner is at
+/// `corner` and whose pixels are squares of `cell`: y is turned where the frame's grows upward.
+QTransform pictureTransform(const FrameSpec &frame, const QPointF &corner, double cell);
+
+/// Where layers are painted.
+struct LayerSurface {
+    QTransform fromSamples; ///< pictureTransform(): a shift, a scale and at most a mirror
+    QRectF view; ///< the part of the paint device that shows the frame
+    LayerTone tone = LayerTone::Light;
+};
+
+/// Paints the drawings of layers, for the window and for the command line alike: lines have a
+/// casing, texts paper behind them. It knows the glyphs that it has painted.
+class LayerPainter {
+public:
+    void paint(QPainter &painter, const LayerDrawing &drawing, const LayerSurface &surface);
+
+private:
+    Glyphs m_glyphs;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/layers/layer.h"
+
+/// The rows of the table of layers.
+namespace pixelplumb {
+
+/// The primitive itself.
+Layer verticesLayer();
+/// The bounding box: raw, rounded as the slides print it, and clipped.
+Layer boxLayer();
+/// Where the edge functions are positive, with the normals <A, B>: all three, and one by one.
+Layer halfPlanesLayer();
+Layer halfPlane0Layer();
+Layer halfPlane1Layer();
+Layer halfPlane2Layer();
+/// What decides a sample, and what colours it, as numbers in the cells.
+Layer weightsLayer();
+Layer levelsLayer();
+/// The oblique axes of β and γ, and the points whose weights everyone should know.
+Layer barycentricAxesLayer();
+/// The plane of a channel as contour lines.
+Layer redIsolinesLayer();
+Layer greenIsolinesLayer();
+Layer blueIsolinesLayer();
+/// Of polygons: their triangles, and the rows by parity.
+Layer innerEdgesLayer();
+Layer edgeTableLayer();
+/// By which numbers a line or a circle goes on.
+Layer decisionsLayer();
+/// Of every pixel.
+Layer samplesLayer();
+Layer memoryLayer();
+
+} // namespace pixelplumb

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/outlinefillnumbers.h"
+
+#include "core/methods/channelnumbers.h"
+#include "core/methods/formulatext.h"
+#include "core/methods/lineendnumbers.h"
+#include "core/methods/placenumbers.h"
+#include "core/methods/units.h"
+
+#include <QStringList>
+
+#include <algorithm>
+#include <functional>
+
+namespace pixelplumb {
+
+namespace {
+
+using Group = NumberGroup;
+
+constexpr std::array digits = {u'₀', u'₁', u'₂'};
+
+/// "P₀P₁".
+QString edgeName(std::size_t edge)
+{
+    return QStringLiteral("P%1P%2").arg(QChar(digits[edge])).arg(QChar(digits[(edge + 1) % 3]));
+}
+
+/// Its length in steps of the midpoint algorithm: "Δ₀₁".
+QString lengthTitle(std::size_t edge)
+{
+    const auto [first, second] = std::minmax({edge, (edge + 1) % 3});
+    return QStringLiteral("Δ%1%2").arg(QChar(digits[first])).arg(QChar(digits[second]));
+}
+
+/// Which pixel of which edge bounds the column.
+void appendBound(NumberTable<OutlineSpanState> &table, const QString &bound, const QString &word,
+                 OutlinePixel OutlineFillSpan<AnyArithmetic>::*pixel)
+{
+    const auto row = [&](const QString &letter, const QString &unit, const QString &toolTip,
+                         const std::function<std::int64_t(const OutlinePixel &)> &read) {
+        const QString title = letter + u'_' + bound;
+        table.push_back({{.id = title,
+                          .title = title,
+                          .unit = unit,
+                          .toolTip = toolTip,
+                          .formula = {},
+                          .group = Group::Span},
+                         [=](const OutlineSpanState &state) {
+                             return Quantity::integer(read(state.span.*pixel));
+                         }});
+    };
+    row(QStringLiteral("y"), unit::px(),
+        QStringLiteral("The %1 pixel of the outline in the column.").arg(word),
+        [](const OutlinePixel &at) { return at.row; });
+    row(QStringLiteral("edge"), {},
+        QStringLiteral("Whose it is: 0 is P₀P₁, 1 is P₁P₂, 2 is P₂P₀ (%1).").arg(word),
+        [](const OutlinePixel &at) { return std::int64_t(at.edge); });
+    row(QStringLiteral("n"), {},
+        QStringLiteral("How many steps of the midpoint algorithm it is from the edge's left end, "
+                       "or lower end where it is steep (%1).")
+            .arg(word),
+        [](const OutlinePixel &at) { return at.number; });
+}
+
+/// The line's colour at a bounding pixel.
+void appendBoundColours(NumberTable<OutlineSpanState> &table, const QString &bound,
+                        const QString &word, OutlinePixel OutlineFillSpan<AnyArithmetic>::*pixel,
+                        std::array<Quantity, 3> ColumnState<AnyArithmetic>::*colour)
+{
+    const QString title = QStringLiteral("%_") + bound;
+    appendChannels(
+        table,
+        {.id = title,
+         .title = title,
+         .unit = unit::levels(),
+         .toolTip = QStringLiteral("Level of % at the %1 pixel of the outline, along its edge.")
+                        .replace(QStringLiteral("%1"), word),
+         .formula = title + QStringLiteral(" = %_from + n·(%_to − %_from)/Δ"),
+         .group = Group::EdgeColours},
+        [colour](const OutlineSpanState &state, std::size_t channel) {
+            return (state.span.column.*colour)[channel];
+        },
+        [=](NumberDescription &number, const OutlineSpanState &state) {
+            const OutlinePixel &at = state.span.*pixel;
+            const OutlineEdge &edge = state.setUp.edges[at.edge];
+            const QString from = u'%' + QString(QChar(digits[edge.ends[0]]));
+            const QString to = u'%' + QString(QChar(digits[edge.ends[1]]));
+            number.formula = title + QStringLiteral(" = ") + from;
+            if (at.number > 0)
+                number.formula += QStringLiteral(" + n_") + bound + QStringLiteral("·(") + to
+                    + QStringLiteral(" − ") + from + QStringLiteral(")/") + lengthTitle(at.edge);
+        });
+}
+
+QString startFormula(const QString &title, bool hasRate)
+{
+    return hasRate ? title + QStringLiteral("%_low + (y_start − y_low)·Δ%")
+                   : title + QStringLiteral("%_low");
+}
+
+void appendRamp(NumberTable<OutlineSpanState> &table)
+{
+    appendChannels(
+        table,
+        {.id = QStringLiteral("delta_%"),
+         .title = QStringLiteral("Δ%"),
+         .unit = QStringLiteral("levels/row"),
+         .toolTip = QStringLiteral("Change of % from row to row; none in a column of one pixel."),
+         .formula = QStringLiteral("Δ% = (%_high − %_low)/(y_high − y_low)"),
+         .group = Group::ColourRates},
+        [](const OutlineSpanState &state, std::size_t channel) {
+            return state.hasRate() ? state.span.column.colourRate[channel] : Quantity();
+        });
+    const QString title = QStringLiteral("first % = ");
+    appendChannels(
+        table,
+        {.id = QStringLiteral("first_%"),
+         .title = QStringLiteral("first %"),
+         .unit = unit::levels(),
+         .toolTip = QStringLiteral("Level of % at y_start, the column's first drawn pixel."),
+         .formula = startFormula(title, true),
+         .group = Group::FirstColour},
+        [](const OutlineSpanState &state, std::size_t channel) {
+            return state.drawnSamples() > 0 ? state.span.column.firstColour[channel] : Quantity();
+        },
+        [title](NumberDescription &number, const OutlineSpanState &state) {
+            number.formula = startFormula(title, state.hasRate());
+        });
+}
+
+/// "row 5, pixel 3 of P₀P₁".
+QString pixelText(const OutlinePixel &pixel)
+{
+    return QStringLiteral("row %1, pixel %2 of %3")
+        .arg(pixel.row)
+        .arg(pixel.number)
+        .arg(edgeName(pixel.edge));
+}
+
+} // namespace
+
+const NumberTable<OutlineFillSetUp> &outlineSetUpNumbers()
+{
+    using State = OutlineFillSetUp;
+    static const auto numbers = [] {
+        NumberTable<State> table;
+        for (int corner = 0; corner < 3; ++corner) {
+            const QString toolTip = QStringLiteral("of P%1, on a whole pixel.")
+                                        .arg(QChar(digits[std::size_t(corner)]));
+            table.push_back(endNumber<State>(u'x', corner, toolTip, [corner](const State &setUp) {
+                return pixels(setUp.corners[std::size_t(corner)].position.x);
+            }));
+            table.push_back(endNumber<State>(u'y', corner, toolTip, [corner](const State &setUp) {
+                return pixels(setUp.corners[std::size_t(corner)].position.y);
+            }));
+        }
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            appendChannels(
+                table,
+                {.id = QStringLiteral("%_") + QString::number(corner),
+                 .title = u'%' + QString(QChar(digits[corner])),
+                 .unit = unit::levels(),
+                 .toolTip = QStringLiteral("Level of % at P") + QChar(digits[corner]) + u'.',
+                 .formula = {}},
+                [corner](const State &setUp, std::size_t channel) {
+                    return Quantity::integer(setUp.corners[corner].colour.channels[channel]);
+                });
+        }
+        for (std::size_t edge = 0; edge < 3; ++edge) {
+            const QString axes = QStringLiteral("%1%2 − %1%3");
+            const auto along = [&](QChar axis) {
+                return axes.arg(axis).arg(QChar(digits[(edge + 1) % 3])).arg(QChar(digits[edge]));
+            };
+            const auto back = [&](QChar axis) {
+                return axes.arg(axis).arg(QChar(digits[edge])).arg(QChar(digits[(edge + 1) % 3]));
+            };
+            table.push_back(
+                {{.id = QStringLiteral("steps_%1").arg(edge),
+                  .title = lengthTitle(edge),
+                  .unit = unit::px(),
+                  .toolTip = QStringLiteral("The steps of the midpoint algorithm along %1: its "
+                                            "longer side.")
+                                 .arg(edgeName(edge)),
+                  .formula = lengthTitle(edge)
+                      + QStringLiteral(" = max(max(%1, %2), max(%3, %4))")
+                            .arg(along(u'x'), back(u'x'), along(u'y'), back(u'y'))},
+                 [edge](const State &setUp) {
+                     return Quantity::integer(setUp.edges[edge].line.deltaX);
+                 }});
+        }
+        return table;
+    }();
+    return numbers;
+}
+
+const NumberTable<OutlineSpanState> &outlineSpanNumbers()
+{
+    using State = OutlineSpanState;
+    static const auto numbers = [] {
+        using Span = OutlineFillSpan<AnyArithmetic>;
+        using Column = ColumnState<AnyArithmetic>;
+        const QString low = QStringLiteral("low");
+        const QString high = QStringLiteral("high");
+        NumberTable<State> table
+            = {{triangleNumber(),
+                [](const State &state) { return Quantity::integer(Int128(state.primitive)); }},
+               {scannedNumber(),
+                [](const State &state) { return Quantity::integer(state.span.column.x); }}};
+        appendBound(table, low, QStringLiteral("lowest"), &Span::low);
+        appendBound(table, high, QStringLiteral("highest"), &Span::high);
+        table.push_back({columnPixelsNumber(), [](const State &state) {
+                             return Quantity::integer(state.drawnSamples());
+                         }});
+        table.push_back({{.id = QStringLiteral("first_drawn_row"),
+                          .title = QStringLiteral("y_start"),
+                          .unit = unit::px(),
+                          .toolTip = QStringLiteral("The first drawn row, where the colours start: "
+                                                    "the lowest pixel's, or the frame's first."),
+                          .formula = {},
+                          .group = Group::Span},
+                         [](const State &state) {
+                             return state.drawnSamples() > 0
+                                 ? Quantity::integer(state.span.column.firstDrawnRow)
+                                 : Quantity();
+                         }});
+        appendBoundColours(table, low, QStringLiteral("lowest"), &Span::low, &Column::colourBottom);
+        appendBoundColours(table, high, QStringLiteral("highest"), &Span::high, &Column::colourTop);
+        appendRamp(table);
+        return table;
+    }();
+    return numbers;
+}
+
+const NumberTable<OutlineSampleState> &outlineSampleNumbers()
+{
+    using State = OutlineSampleState;
+    static const auto numbers = [] {
+        const QString title = QStringLiteral("% ← ");
+        NumberTable<State> table;
+        appendChannels(
+            table,
+            {.id = QStringLiteral("%"),
+             .title = QStringLiteral("%"),
+             .unit = unit::levels(),
+             .toolTip = QStringLiteral("Level of % at the pixel."),
+             .formula = QStringLiteral("% ← %′ + Δ%"),
+             .startFormula = startFormula(title, true),
+             .group = Group::FirstColour},
+            [](const State &state, std::size_t channel) { return state.colour[channel]; },
+            [title](NumberDescription &number, const State &state) {
+                if (state.isFirst)
+                    number.formula = startFormula(title, state.hasRate);
+                number.startFormula.clear();
+            });
+        return table;
+    }();
+    return numbers;
+}
+
+void tellOutline(StepWords &words, const OutlineFillSetUp &setUp)
+{
+    QStringList points;
+    for (std::size_t corner = 0; corner < 3; ++corner)
+        points.append(QStringLiteral("P%1 = %2")
+                          .arg(QChar(digits[corner]))
+                          .arg(pointText(setUp.corners[corner].position)));
+    words.sentence = QStringLiteral("On whole pixels: %1. The outline are the lines from one to "
+                                    "the next by the midpoint algorithm.")
+                         .arg(points.join(QStringLiteral(", ")));
+}
+
+void tellOutline(StepWords &words, const OutlineSpanState &state)
+{
+    words.heading = QStringLiteral("Column %1").arg(state.span.column.x);
+    words.sentence = state.hasRate()
+        ? QStringLiteral("The outline reaches from %1, to %2: all between is filled.")
+              .arg(pixelText(state.span.low), pixelText(state.span.high))
+        : QStringLiteral("The outline is one pixel high: %1.").arg(pixelText(state.span.low));
+    if (state.drawnSamples() == 0)
+        words.sentence += QStringLiteral(" The frame shows none of it.");
+}
+
+} // namespace pixelplumb

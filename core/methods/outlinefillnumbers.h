@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/anyarithmetic.h"
+#include "core/scan/outlinefill.h"
+#include "core/trace/numberrow.h"
+#include "core/trace/stepinhand.h"
+#include "core/trace/stepwords.h"
+
+/// The numbers and words of an outline by the midpoint algorithm that is filled.
+namespace pixelplumb {
+
+struct OutlineSpanState {
+    std::size_t primitive = 0;
+    OutlineFillSetUp setUp;
+    OutlineFillSpan<AnyArithmetic> span;
+
+    std::int64_t drawnSamples() const
+    {
+        return std::max<std::int64_t>(0, span.column.endDrawnRow - span.column.firstDrawnRow);
+    }
+    /// One pixel has no change to share out.
+    bool hasRate() const { return span.low.row != span.high.row; }
+};
+
+struct OutlineSampleState {
+    std::array<Quantity, 3> colour; ///< levels, before rounding
+    bool isFirst = false; ///< the column's first pixel in the frame
+    bool hasRate = false;
+};
+
+const NumberTable<OutlineFillSetUp> &outlineSetUpNumbers();
+const NumberTable<OutlineSpanState> &outlineSpanNumbers();
+const NumberTable<OutlineSampleState> &outlineSampleNumbers();
+
+void tellOutline(StepWords &words, const OutlineFillSetUp &setUp);
+void tellOutline(StepWords &words, const OutlineSpanState &state);
+
+template <class A>
+OutlineSpanState outlineStateOf(const SpanInHand<OutlineFillSetUp, OutlineFillSpan<A>> &step)
+{
+    const ColumnState<A> &column = step.span.column;
+    OutlineSpanState state{step.primitive, step.setUp, {step.span.low, step.span.high, {}}};
+    ColumnState<AnyArithmetic> &shown = state.span.column;
+    shown.x = column.x;
+    shown.firstRow = column.firstRow;
+    shown.endRow = column.endRow;
+    shown.firstDrawnRow = column.firstDrawnRow;
+    shown.endDrawnRow = column.endDrawnRow;
+    shown.colourBottom = quantitiesOf(column.colourBottom);
+    shown.colourTop = quantitiesOf(column.colourTop);
+    shown.colourRate = quantitiesOf(column.colourRate);
+    shown.firstColour = quantitiesOf(column.firstColour);
+    return state;
+}
+
+template <class A>
+OutlineSampleState outlineStateOf(
+    const SampleInHand<OutlineFillSetUp, OutlineFillSpan<A>, Fragment<A>> &step)
+{
+    return {quantitiesOf(step.sample.colour), step.y == step.span.column.firstDrawnRow,
+            step.span.low.row != step.span.high.row};
+}
+
+} // namespace pixelplumb

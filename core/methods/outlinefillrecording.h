@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/outlinefillnumbers.h"
+#include "core/trace/tracerecorder.h"
+
+namespace pixelplumb {
+
+/// How the numbers of a filled outline become records.
+template <class A>
+struct OutlineFillRecording : OutlineFillNumbers<A> {
+    using typename OutlineFillNumbers<A>::SetUp;
+    using typename OutlineFillNumbers<A>::Span;
+    using typename OutlineFillNumbers<A>::Sample;
+
+    static const auto &setUpNumbers() { return outlineSetUpNumbers(); }
+    static const auto &spanNumbers() { return outlineSpanNumbers(); }
+    static const auto &sampleNumbers() { return outlineSampleNumbers(); }
+
+    static const SetUp &stateOf(const SetUpInHand<SetUp> &step) { return step.setUp; }
+    static OutlineSpanState stateOf(const SpanInHand<SetUp, Span> &step)
+    {
+        return outlineStateOf<A>(step);
+    }
+    static OutlineSampleState stateOf(const SampleInHand<SetUp, Span, Sample> &step)
+    {
+        return outlineStateOf<A>(step);
+    }
+    template <class State>
+    static auto tell(StepWords &words, const State &state) -> decltype(tellOutline(words, state))
+    {
+        tellOutline(words, state);
+    }
+
+    static SpanPlace placeOf(const Span &span) { return {SpanAxis::Column, span.column.x, 0}; }
+    static bool isClamped(const Sample &fragment) { return fragment.isClamped(); }
+
+    static void record(const SetUp &, SetUpRecord &) { }
+    static void record(const Span &span, SpanRecord &record)
+    {
+        record.firstSample = span.column.firstRow;
+        record.endSample = span.column.endRow;
+        record.firstDrawn = span.column.firstDrawnRow;
+        record.endDrawn = span.column.endDrawnRow;
+    }
+    static void record(const Sample &fragment, SampleRecord &record)
+    {
+        record.colour = quantitiesOf(fragment.colour);
+        record.level = fragment.level;
+    }
+
+    /// Fills a frame of this one column once more with the same numbers.
+    template <class Observer>
+    static void walk(const SetUp &, const Span &span, const ScanSettings &settings,
+                     Observer observer)
+    {
+        const ColumnState<A> &column = span.column;
+        const auto length = std::int32_t(column.endDrawnRow - column.firstDrawnRow);
+        if (length <= 0)
+            return;
+        std::vector<QRgb> pixels(std::size_t(length), QRgb(0));
+        const FrameView rows{
+            pixels.data(), 1, std::int32_t(column.x), std::int32_t(column.firstDrawnRow), 1,
+            length};
+        fillColumn(column, settings.rounding, rows, observer);
+    }
+};
+
+} // namespace pixelplumb

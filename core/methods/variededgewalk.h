@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/edgewalkmethod.h"
+
+#include <type_traits>
+
+/// How an edge walk becomes a method that can be given variants.
+namespace pixelplumb {
+
+/// The same walk with the departures of the settings; exact in 128 bits always, which hold the
+/// products that departures have.
+template <EdgeWalkForm form>
+struct VariedEdgeWalkKernel : EdgeWalkKernel<form> {
+    template <class Function>
+    static decltype(auto) withNumbers(const ScanSettings &settings, IntegerWidth,
+                                      const Function &function)
+    {
+        return InAnyArithmetic::withNumbers(settings, IntegerWidth::Bits128, [&]<class A>() {
+            using Exact = ExactArithmetic<std::int64_t>;
+            return function.template
+            operator()<std::conditional_t<std::is_same_v<A, Exact>, ExactArithmetic<Int128>, A>>();
+        });
+    }
+    template <class A, class Observer>
+    static void scan(const Triangle &triangle, const ScanSettings &settings, FrameView frame,
+                     Observer observer)
+    {
+        walkVariedEdges<A, form.axis>(triangle, settings, frame, observer);
+    }
+};
+
+/// What an edge walk can be given.
+inline std::vector<Variant> edgeWalkVariants()
+{
+    return {Variant::NoColourPreStep, Variant::NoEdgePreStep, Variant::DivisorMinusOne,
+            Variant::DivisorPlusOne, Variant::UnsortedColours};
+}
+
+/// How a method whose kernel has another type for departures draws and traces: by that only where
+/// the settings ask for some.
+template <auto right, auto varied>
+void drawVaried(const Primitives &primitives, const ScanSettings &settings, FrameView frame)
+{
+    (settings.variants.isEmpty() ? right : varied)(primitives, settings, frame);
+}
+template <auto right, auto varied>
+std::unique_ptr<ScanTrace> traceVaried(const Primitives &primitives, const ScanSettings &settings,
+                                       FrameView frame, const TraceOptions &options)
+{
+    return (settings.variants.isEmpty() ? right : varied)(primitives, settings, frame, options);
+}
+
+} // namespace pixelplumb

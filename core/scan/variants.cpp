@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scan/variants.h"
+
+namespace pixelplumb {
+
+std::string_view nameOf(Variant variant)
+{
+    switch (variant) {
+    case Variant::RoundedBox:
+        return "rounded-box";
+    case Variant::StayAtZero:
+        return "stay-at-zero";
+    case Variant::OneStepShort:
+        return "one-step-short";
+    case Variant::NoColourPreStep:
+        return "no-colour-pre-step";
+    case Variant::NoEdgePreStep:
+        return "no-edge-pre-step";
+    case Variant::DivisorMinusOne:
+        return "divisor-minus-one";
+    case Variant::DivisorPlusOne:
+        return "divisor-plus-one";
+    case Variant::UnsortedColours:
+        return "unsorted-colours";
+    case Variant::TwiceT:
+        return "twice-t";
+    case Variant::FiveT:
+        return "five-t";
+    }
+    return {};
+}
+
+std::optional<Variant> variantNamed(std::string_view name)
+{
+    for (const Variant variant : allVariants) {
+        if (nameOf(variant) == name)
+            return variant;
+    }
+    return std::nullopt;
+}
+
+namespace {
+
+constexpr VariantWords roundedBox = {
+    "Rounded box",
+    "left = (int) (bbox[0][0] + .5), right = (int) (bbox[0][1] - .5)",
+    "⌈x_min − ½⌉ … ⌊x_max − ½⌋ of pixel centres at halves",
+    "Triangle Rasterization slides, “Triangle rasterization implementation guidelines”",
+    "Columns and rows of samples between the true and the rounded box are never tested: those on "
+    "the box' left and lower sides exactly, and with centres on whole numbers up to half a pixel "
+    "on every side.",
+};
+constexpr VariantWords stayAtZero = {
+    "p ≤ 0 stays",
+    "if p_k <= 0 then draw (x_k + 1, y_k)",
+    "p_k < 0",
+    "Rasterization slides, “Bresenham's Line Algorithm (4/4)”",
+    "Where p_k = 0 the pixel is the other one of the two: of a line a tie stays below, one step "
+    "later than in the slides' table; of a circle, whose p = 0 is ¼ outside, the pixel is the "
+    "farther one.",
+};
+constexpr VariantWords oneStepShort = {
+    "Δx − 1 steps",
+    "perform step 4 (Δx − 1) times",
+    "Δx times",
+    "Rasterization slides, “Bresenham's Line Algorithm (4/4)”",
+    "The line's last pixel is missing: lines that follow one another are open at their joints.",
+};
+constexpr VariantWords noColourPreStep = {
+    "No pre-step of colour",
+    "R = R_B",
+    "R = R_B + (⌈y_B⌉ − y_B)·ΔR",
+    "Assignment (Borst), “Smoothly shading the triangle”, which warns of it",
+    "Each span's colours lag by the distance from its bound to its first sample, which jumps from "
+    "span to span: stripes across the gradient.",
+};
+constexpr VariantWords noEdgePreStep = {
+    "No pre-step of edges",
+    "y = y₀ at the first column",
+    "y = y₀ + (⌈x₀⌉ − x₀)·m",
+    "Assignment (Borst), “The Triangle Awakens”: “y₀ is the initial value”",
+    "An edge whose vertex lies between two columns is late by that distance: it misses its other "
+    "end, and triangles jitter as they move. Vertices on whole pixels do not show it.",
+};
+constexpr VariantWords divisorMinusOne = {
+    "Increments by Δ − 1",
+    "m = Δy/(Δx − 1)",
+    "m = Δy/Δx",
+    "own; a count of pixels taken for one of steps, as in the Rasterization slides' “(Δx − 1) "
+    "times”",
+    "Increments are too large: an edge reaches its other end a pixel early and runs past it, and "
+    "its colour leaves the vertices' range.",
+};
+constexpr VariantWords divisorPlusOne = {
+    "Increments by Δ + 1",
+    "m = Δy/(Δx + 1)",
+    "m = Δy/Δx",
+    "own; “n + 1 pixels” taken for the number of steps, seen as gaps between neighbours in "
+    "students' renderers",
+    "Increments are too small: an edge does not reach its other end, nor its colour; gaps between "
+    "neighbours, and a step where the other edge takes over.",
+};
+constexpr VariantWords unsortedColours = {
+    "Colours not sorted",
+    "sort (x₀, y₀), (x₁, y₁), (x₂, y₂) by x; R₀, R₁, R₂ as given",
+    "colours sorted with their vertices",
+    "own; the Assignment (Borst) asks for “corrected order” of the vertices",
+    "The shape is right and colours stand at the wrong vertices wherever the vertices were not "
+    "given in order.",
+};
+
+constexpr VariantWords twiceT = {
+    "P(2t)",
+    "P(t) = P₀ + 2t(P₁ − P₀), t from 0 to ½",
+    "P(t) = P₀ + t(P₁ − P₀), t from 0 to 1",
+    "Scan Conversion slides, “Lines and Curves: Parametric”: “not unique!”",
+    "It is the same line, in half the steps: with the step of t left as it is, points stand two "
+    "pixels apart, and every second pixel is missing.",
+};
+constexpr VariantWords fiveT = {
+    "P(5t)",
+    "P(t) = P₀ + 5t(P₁ − P₀), t from 0 to ⅕",
+    "P(t) = P₀ + t(P₁ − P₀), t from 0 to 1",
+    "Scan Conversion slides, “Lines and Curves: Parametric”: “could replace t by 5t”",
+    "It is the same line, in a fifth of the steps: with the step of t left as it is, points stand "
+    "five pixels apart, and the four between them are missing.",
+};
+
+} // namespace
+
+const VariantWords &wordsOf(Variant variant)
+{
+    switch (variant) {
+    case Variant::RoundedBox:
+        return roundedBox;
+    case Variant::StayAtZero:
+        return stayAtZero;
+    case Variant::OneStepShort:
+        return oneStepShort;
+    case Variant::NoColourPreStep:
+        return noColourPreStep;
+    case Variant::NoEdgePreStep:
+        return noEdgePreStep;
+    case Variant::DivisorMinusOne:
+        return divisorMinusOne;
+    case Variant::DivisorPlusOne:
+        return divisorPlusOne;
+    case Variant::UnsortedColours:
+        return unsortedColours;
+    case Variant::TwiceT:
+        return twiceT;
+    case Variant::FiveT:
+        return fiveT;
+    }
+    return roundedBox;
+}
+
+} // namespace pixelplumb

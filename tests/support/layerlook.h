@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/layers/layer.h"
+
+#include <memory>
+
+/// What the tests of layers share: a run that is looked at, and the texts of a drawing.
+namespace pixelplumb {
+
+/// The whole frame of a run, at a zoom at which numbers stand in cells.
+struct Look {
+    explicit Look(const Scene &scene)
+        : traced(traceScene(scene))
+    {
+        view.traced = traced.get();
+        view.position = traced->trace->stepCount();
+        view.seen = samplesOf(windowOf(scene.frame));
+        view.cell = 32;
+    }
+
+    LayerDrawing drawing(const char *layer) const
+    {
+        return drawingOf({QString::fromLatin1(layer)}, view);
+    }
+
+    std::shared_ptr<const TracedScene> traced;
+    LayerView view;
+};
+
+inline QStringList textsOf(const std::vector<LayerDrawing::Label> &labels)
+{
+    QStringList texts;
+    for (const LayerDrawing::Label &label : labels)
+        texts.append(label.text);
+    return texts;
+}
+
+/// The numbers in the cell of a pixel, from the top.
+inline QStringList textsIn(const LayerDrawing &drawing, std::int64_t x, std::int64_t y)
+{
+    QStringList texts;
+    for (const LayerDrawing::CellText &text : drawing.cells) {
+        if (text.x == x && text.y == y)
+            texts.append(text.text);
+    }
+    return texts;
+}
+
+} // namespace pixelplumb

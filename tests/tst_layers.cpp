@@ -1,0 +1,372 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/layerlook.h"
+#include "tests/support/scanning.h"
+
+#include <QPolygonF>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace pixelplumb;
+
+namespace {
+
+Scene sceneBy(const char *method, const Triangle &triangle)
+{
+    Scene scene;
+    scene.method = method;
+    scene.triangles = {triangle};
+    return scene;
+}
+
+/// (4, 5) (58, 12) (26 1/2, 44), counter-clockwise.
+Triangle firstTriangle()
+{
+    return triangleAtUnits(latticePixel(4, 5), latticePixel(58, 12),
+                           {26 * unitsPerPixel + halfPixel, 44 * unitsPerPixel});
+}
+
+bool contains(const LayerDrawing::Area &area, const QPointF &point)
+{
+    return QPolygonF(QList<QPointF>(area.corners.begin(), area.corners.end()))
+        .containsPoint(point, Qt::OddEvenFill);
+}
+
+std::ptrdiff_t areasAround(const LayerDrawing &drawing, const QPointF &point)
+{
+    return std::ranges::count_if(
+        drawing.areas, [&point](const LayerDrawing::Area &area) { return contains(area, point); });
+}
+
+} // namespace
+
+/// The figures of the course texts over a scene: their numbers are those of the run.
+class TestLayers : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theBoxIsRawAndAsPrintedAndAsTested_data()
+    {
+        QTest::addColumn<QByteArray>("method");
+        QTest::addColumn<PixelCentre>("centre");
+        QTest::addColumn<QStringList>("labels");
+        // (int)(44 − .5) = 43: the rounding that the slides print is for samples in the middle of
+        // pixels. The last column, 70, lies outside a frame of 64.
+        const QStringList integer
+            = {"bbox: x 4 1/4 … 70, y 5 … 44", "(int)(bbox ± .5): x 4 … 69, y 5 … 43",
+               "tested: x 5 … 63, y 5 … 44"};
+        const QStringList half
+            = {"bbox: x 4 1/4 … 70, y 5 … 44", "(int)(bbox ± .5): x 4 … 69, y 5 … 43",
+               "tested: x 4 … 63, y 5 … 43"};
+        QTest::newRow("rows of tests")
+            << QByteArray("edge-equations") << PixelCentre::Integer << integer;
+        QTest::newRow("columns of tests")
+            << QByteArray("barycentric-rectangle") << PixelCentre::Integer << integer;
+        QTest::newRow("no tests") << QByteArray("column-scan") << PixelCentre::Integer
+                                  << QStringList{integer[0], integer[1],
+                                                 "clipped: x 5 … 63, y 5 … 44"};
+        QTest::newRow("in the middle of pixels")
+            << QByteArray("edge-equations") << PixelCentre::Half << half;
+        QTest::newRow("the whole frame is tested")
+            << QByteArray("barycentric-all") << PixelCentre::Integer
+            << QStringList{integer[0], integer[1], "tested: x 0 … 63, y 0 … 47"};
+    }
+    void theBoxIsRawAndAsPrintedAndAsTested()
+    {
+        QFETCH(QByteArray, method);
+        QFETCH(PixelCentre, centre);
+        QFETCH(QStringList, labels);
+        Scene scene = sceneBy(method.constData(),
+                              triangleAtUnits({4 * unitsPerPixel + 64, 5 * unitsPerPixel},
+                                              latticePixel(70, 12), latticePixel(26, 44)));
+        scene.frame.pixelCentre = centre;
+
+        QCOMPARE(textsOf(Look(scene).drawing("box").labels), labels);
+    }
+
+    void verticesHaveTheNamesThatTheMethodGivesThem_data()
+    {
+        QTest::addColumn<QByteArray>("method");
+        QTest::addColumn<QStringList>("names");
+        QTest::newRow("in the order of columns")
+            << QByteArray("column-scan")
+            << QStringList{"P0 (−2, 0)", "P1 (3, 9)", "P2 (12, 3 1/2)"};
+        QTest::newRow("as given") << QByteArray("edge-equations")
+                                  << QStringList{"P0 (12, 3 1/2)", "P1 (−2, 0)", "P2 (3, 9)"};
+    }
+    void verticesHaveTheNamesThatTheMethodGivesThem()
+    {
+        QFETCH(QByteArray, method);
+        QFETCH(QStringList, names);
+        const LayerDrawing drawing
+            = Look(sceneBy(method.constData(),
+                           triangleAtUnits({12 * unitsPerPixel, 3 * unitsPerPixel + halfPixel},
+                                           latticePixel(-2, 0), latticePixel(3, 9))))
+                  .drawing("vertices");
+
+        QCOMPARE(textsOf(drawing.labels), names);
+        QCOMPARE(drawing.lines.size(), std::size_t(3));
+    }
+
+    void theNormalsAreTheNumbersOfTheSetUp()
+    {
+        const Look look(sceneBy("edge-equations", firstTriangle()));
+        const LayerDrawing drawing = look.drawing("half-planes");
+        const SetUpRecord setUp = look.traced->trace->setUp(0);
+        const NamedNumbers numbers(look.traced->trace->numbers().setUp, setUp.cells);
+
+        std::size_t edge = 0;
+        for (const LayerDrawing::Line &line : drawing.lines) {
+            if (line.stroke != LayerDrawing::Stroke::Arrow)
+                continue;
+            const QPointF normal(numbers[QStringLiteral("a_%1").arg(edge)].toDouble(),
+                                 numbers[QStringLiteral("b_%1").arg(edge)].toDouble());
+            const QPointF arrow = line.to - line.from;
+            QVERIFY(QPointF::dotProduct(arrow, normal) > 0);
+            QVERIFY(std::abs(arrow.x() * normal.y() - arrow.y() * normal.x()) < 1e-9);
+            ++edge;
+        }
+        QCOMPARE(edge, std::size_t(3));
+        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("E₀ > 0  ⟨−7, 54⟩")));
+        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("E₂ > 0  ⟨39, −22.5⟩")));
+        QVERIFY(drawing.notes.isEmpty());
+    }
+
+    void halfPlanesAreTintedWhereTheKernelsFunctionsArePositive_data()
+    {
+        QTest::addColumn<QByteArray>("method");
+        QTest::addColumn<bool>("turned");
+        QTest::addColumn<int>("inside");
+        QTest::newRow("flipped to be positive inside") << QByteArray("edge-equations") << true << 3;
+        QTest::newRow("f_bc of a counter-clockwise triangle")
+            << QByteArray("barycentric-rectangle") << false << 0;
+        QTest::newRow("f_bc of a clockwise triangle")
+            << QByteArray("barycentric-rectangle") << true << 3;
+        QTest::newRow("the oracle's") << QByteArray("column-scan") << true << 3;
+    }
+    void halfPlanesAreTintedWhereTheKernelsFunctionsArePositive()
+    {
+        QFETCH(QByteArray, method);
+        QFETCH(bool, turned);
+        QFETCH(int, inside);
+        Triangle triangle = firstTriangle();
+        if (turned)
+            std::swap(triangle.vertices[1], triangle.vertices[2]);
+
+        const LayerDrawing drawing
+            = Look(sceneBy(method.constData(), triangle)).drawing("half-planes");
+
+        QCOMPARE(drawing.areas.size(), std::size_t(3));
+        QCOMPARE(areasAround(drawing, {28, 20}), std::ptrdiff_t(inside));
+    }
+
+    void oneHalfPlaneIsOneOfThem()
+    {
+        const Look look(sceneBy("edge-equations", firstTriangle()));
+        const LayerDrawing all = look.drawing("half-planes");
+
+        for (std::size_t edge = 0; edge < 3; ++edge) {
+            const LayerDrawing one = look.drawing(("half-plane-" + std::to_string(edge)).c_str());
+            QCOMPARE(one.areas.size(), std::size_t(1));
+            QVERIFY(one.areas.front() == all.areas[edge]);
+        }
+    }
+
+    void whatAMethodDoesNotComputeIsExactAndSaidToBe()
+    {
+        const LayerDrawing byColumns
+            = Look(sceneBy("column-scan", firstTriangle())).drawing("half-planes");
+        const LayerDrawing byEdges
+            = Look(sceneBy("edge-equations", firstTriangle())).drawing("half-planes");
+
+        QVERIFY(byColumns.labels == byEdges.labels);
+        QCOMPARE(byColumns.notes,
+                 QStringList("Half-planes: exact, since “Column scan” computes no edge functions"));
+    }
+
+    void theCellsHoldWhatDecidedTheSamplesUpToTheStep_data()
+    {
+        QTest::addColumn<QByteArray>("method");
+        QTest::addColumn<QStringList>("ids");
+        QTest::newRow("edge functions")
+            << QByteArray("edge-equations") << QStringList{"E_0", "E_1", "E_2"};
+        QTest::newRow("weights") << QByteArray("barycentric-rectangle")
+                                 << QStringList{"alpha", "beta", "gamma"};
+        QTest::newRow("Cramer's rule")
+            << QByteArray("barycentric-cramer") << QStringList{"u", "v", "w"};
+    }
+    void theCellsHoldWhatDecidedTheSamplesUpToTheStep()
+    {
+        QFETCH(QByteArray, method);
+        QFETCH(QStringList, ids);
+        // (0, 0) (8, 0) (0, 4): at (2, 1) each weight is a multiple of 1/4.
+        Look look(sceneBy(method.constData(), triangleAt(0, 0, 8, 0, 0, 4)));
+        const ScanTrace &trace = *look.traced->trace;
+        const std::size_t middle = trace.spanCount() / 2;
+        look.view.position = trace.indexOfSample(trace.firstSampleOf(middle)) + 1;
+        const LayerDrawing drawing = look.drawing("weights");
+
+        QCOMPARE(drawing.cells.size(), 3 * (trace.firstSampleOf(middle) + 1));
+        QVERIFY(drawing.notes.front().startsWith("In the cells, from the top: "));
+        const SampleRecord sample = trace.samples(middle).front();
+        const NamedNumbers numbers(trace.numbers().sample, sample.cells);
+        QStringList expected;
+        for (const QString &id : ids) {
+            const Quantity number = numbers[id];
+            expected.append(number.isInteger() ? toText(number) : toDecimal(number, 2));
+        }
+        QCOMPARE(textsIn(drawing, sample.x, sample.y).replaceInStrings("−", "-"), expected);
+        QVERIFY(textsIn(drawing, 8, 4).isEmpty());
+    }
+
+    void weightsThatAMethodDoesNotComputeAreThoseOfBarycentricOnes()
+    {
+        const LayerDrawing exact
+            = Look(sceneBy("column-scan", triangleAt(0, 0, 8, 0, 0, 4))).drawing("weights");
+
+        QCOMPARE(textsIn(exact, 2, 1), QStringList({"0.50", "0.25", "0.25"}));
+        QCOMPARE(textsIn(exact, 8, 4), QStringList({"−1", "1", "1"}));
+        QCOMPARE(exact.notes,
+                 QStringList("In the cells, from the top: α, β, γ of the vertices 0, 1, 2: exact, "
+                             "since “Column scan” computes none"));
+    }
+
+    void levelsAreThoseOfTheSamples()
+    {
+        const LayerDrawing drawing
+            = Look(sceneBy("column-scan", triangleAt(0, 0, 8, 0, 0, 4))).drawing("levels");
+
+        // 255/2 red, 255/4 green, 255/4 blue.
+        QCOMPARE(textsIn(drawing, 2, 1), QStringList({"128", "63.8", "63.8"}));
+    }
+
+    void specialPointsHaveTheirWeights()
+    {
+        // P₀ is the first in the order of columns, as the column scan sorts them: (0, 0).
+        const Look look(sceneBy("column-scan", triangleAt(12, 3, 0, 0, 3, 9)));
+        const LayerDrawing drawing = look.drawing("barycentric-axes");
+        const auto placeOfLabel = [&](const char *text) {
+            const auto found = std::ranges::find(drawing.labels, QString::fromUtf8(text),
+                                                 &LayerDrawing::Label::text);
+            return found == drawing.labels.end() ? QPointF(-99, -99) : found->place;
+        };
+
+        QCOMPARE(placeOfLabel("P₀ (1, 0, 0)"), QPointF(0, 0));
+        QCOMPARE(placeOfLabel("P₁ (0, 1, 0)"), QPointF(3, 9));
+        QCOMPARE(placeOfLabel("P₂ (0, 0, 1)"), QPointF(12, 3));
+        QCOMPARE(placeOfLabel("(½, ½, 0)"), QPointF(1.5, 4.5));
+        QCOMPARE(placeOfLabel("(0, ½, ½)"), QPointF(7.5, 6));
+        QCOMPARE(placeOfLabel("(⅓, ⅓, ⅓)"), QPointF(5, 4));
+        // β = 1 goes through P₁ along γ's axis, from γ = −1 to 2.
+        const LayerDrawing::Line line
+            = {{-9, 6}, {27, 15}, LayerInk::First, LayerDrawing::Stroke::Dashed};
+        QVERIFY(std::ranges::count(drawing.lines, line) == 1);
+    }
+
+    void contourLinesAreThoseOfTheChannelsPlane_data()
+    {
+        QTest::addColumn<QByteArray>("method");
+        QTest::newRow("the vertices' plane") << QByteArray("column-scan");
+        QTest::newRow("the set-up's plane") << QByteArray("interpolate-plane");
+    }
+    void contourLinesAreThoseOfTheChannelsPlane()
+    {
+        QFETCH(QByteArray, method);
+        const LayerDrawing drawing
+            = Look(sceneBy(method.constData(), triangleAt(0, 0, 32, 0, 0, 16)))
+                  .drawing("isolines-red");
+
+        QCOMPARE(drawing.lines.size(), std::size_t(7)); // 32, 64, … 224
+        for (std::size_t i = 0; i < drawing.lines.size(); ++i) {
+            // R = 255·(1 − x/32 − y/16)
+            for (const QPointF &end : {drawing.lines[i].from, drawing.lines[i].to})
+                QVERIFY(std::abs(255 * (1 - end.x() / 32 - end.y() / 16) - 32.0 * double(i + 1))
+                        < 1e-9);
+        }
+        QCOMPARE(drawing.labels.front().text, QStringLiteral("R = 32"));
+    }
+
+    void everySampleOfAPixelIsAPoint()
+    {
+        Scene scene = sceneBy("column-scan", firstTriangle());
+        scene.frame.width = 3;
+        scene.frame.height = 2;
+        QCOMPARE(Look(scene).drawing("samples").points.size(), std::size_t(6));
+
+        scene.appearance.antialiasing = Antialiasing::Samples4;
+        const LayerDrawing drawing = Look(scene).drawing("samples");
+
+        QCOMPARE(drawing.points.size(), std::size_t(30));
+        for (const LayerDrawing::Point &point : drawing.points) {
+            const QPointF away = point.place - QPointF(point.place.toPoint());
+            QVERIFY(std::abs(away.x()) < 0.5 && std::abs(away.y()) < 0.5);
+        }
+    }
+
+    void smallCellsHoldNoNumbersAndSaySo()
+    {
+        Look look(sceneBy("edge-equations", firstTriangle()));
+        look.view.cell = 8;
+        const LayerDrawing drawing = look.drawing("weights");
+
+        QVERIFY(drawing.cells.empty());
+        QVERIFY(drawing.notes.front().contains("cells of 24 pixels"));
+    }
+
+    void thePrimitiveInHandIsTheOneThatIsDrawn()
+    {
+        Scene scene = sceneBy("edge-equations", triangleAt(0, 0, 8, 0, 0, 4));
+        scene.triangles.push_back(triangleAt(10, 10, 20, 10, 10, 20));
+        Look look(scene);
+
+        QCOMPARE(textsOf(look.drawing("box").labels).first(), "bbox: x 10 … 20, y 10 … 20");
+        look.view.position = 1;
+        QCOMPARE(textsOf(look.drawing("box").labels).first(), "bbox: x 0 … 8, y 0 … 4");
+        look.view.primitive = 1;
+        QCOMPARE(textsOf(look.drawing("box").labels).first(), "bbox: x 10 … 20, y 10 … 20");
+    }
+
+    void aLayerWithNothingToShowSaysWhy_data()
+    {
+        QTest::addColumn<QByteArray>("method");
+        QTest::addColumn<QString>("layer");
+        QTest::addColumn<QString>("objection");
+        QTest::newRow("another kind") << QByteArray("line-bresenham") << "weights"
+                                      << "“Line: Bresenham” draws no triangle";
+        QTest::newRow("not in the scene") << QByteArray("polygon-parity") << "box"
+                                          << "the scene has no polygon";
+        QTest::newRow("something to show") << QByteArray("row-walk") << "weights"
+                                           << "";
+    }
+    void aLayerWithNothingToShowSaysWhy()
+    {
+        QFETCH(QByteArray, method);
+        QFETCH(QString, layer);
+        QFETCH(QString, objection);
+
+        QCOMPARE(layerNamed(layer)->objection(sceneBy(method.constData(), firstTriangle())),
+                 objection);
+    }
+
+    void everyLayerDrawsAnEmptySceneAndASceneOfNoArea()
+    {
+        QStringList ids;
+        for (const Layer &layer : layers()) {
+            QVERIFY2(!layer.toolTip.isEmpty(), qPrintable(layer.id));
+            ids.append(layer.id);
+        }
+        for (const Method &method : methods()) {
+            Scene scene;
+            scene.method = method.id.toStdString();
+            const LayerDrawing ofPixels = drawingOf(ids, Look(scene).view);
+            QVERIFY(ofPixels.labels.empty() && ofPixels.lines.empty());
+            QCOMPARE(ofPixels.cells.size(), std::size_t(64 * 48)); // addresses
+            scene.triangles = {triangleAt(2, 2, 2, 2, 2, 2), triangleAt(-9, 1, -9, 7, -9, 3)};
+            drawingOf(ids, Look(scene).view);
+        }
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLayers)
+#include "tst_layers.moc"

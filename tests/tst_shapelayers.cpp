@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/layerpainter.h"
+#include "core/polygons/textoutlines.h"
+#include "tests/support/layerlook.h"
+#include "tests/support/numbernamed.h"
+#include "tests/support/shapes.h"
+
+#include <QImage>
+#include <QPainter>
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+using namespace pixelplumb;
+
+namespace {
+
+Shape polygonAt(const std::vector<QPoint> &corners)
+{
+    Shape polygon;
+    polygon.kind = PrimitiveKind::Polygon;
+    polygon.fill = ShapeFill::EvenOdd;
+    for (const QPoint &corner : corners)
+        polygon.vertices.push_back({latticePixel(corner.x(), corner.y()), Colour()});
+    return polygon;
+}
+
+std::vector<LayerDrawing::Line> solidLinesOf(const LayerDrawing &drawing)
+{
+    std::vector<LayerDrawing::Line> solid;
+    std::ranges::copy_if(
+        drawing.lines, std::back_inserter(solid),
+        [](const LayerDrawing::Line &line) { return line.stroke == LayerDrawing::Stroke::Solid; });
+    return solid;
+}
+
+} // namespace
+
+/// The layers of polygons, lines, circles and pixels, and how layers are painted.
+class TestShapeLayers : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theBoxOfAPolygonIsThatOfItsVertices()
+    {
+        const Scene scene = sceneOf(polygonAt({{3, 2}, {9, 2}, {5, 11}}), "polygon-parity", {});
+
+        const LayerDrawing drawing = Look(scene).drawing("box");
+
+        QCOMPARE(textsOf(drawing.labels).first(), "bbox: x 3 … 9, y 2 … 11");
+        QCOMPARE(drawing.lines.front().from, QPointF(3, 2));
+    }
+
+    void innerEdgesAreThoseThatTwoTrianglesShare()
+    {
+        const LayerDrawing fan
+            = Look(sceneOf(polygonAt({{0, 0}, {8, 0}, {8, 6}, {2, 6}}), "polygon-fan", {}))
+                  .drawing("inner-edges");
+
+        const std::vector<LayerDrawing::Line> inner = solidLinesOf(fan);
+        QCOMPARE(fan.lines.size(), std::size_t(5));
+        QCOMPARE(inner.size(), std::size_t(1));
+        QCOMPARE(inner.front().from, QPointF(0, 0));
+        QCOMPARE(inner.front().to, QPointF(8, 6));
+        QCOMPARE(fan.areas.size(), std::size_t(1)); // the triangle in hand
+        QVERIFY(fan.circles.empty());
+    }
+
+    void circlesAroundDelaunayTrianglesHoldNoVertex()
+    {
+        const std::vector<QPoint> corners = {{0, 0}, {20, 2}, {30, 20}, {14, 28}, {1, 17}};
+        const LayerDrawing drawing
+            = Look(sceneOf(polygonAt(corners), "polygon-delaunay", {})).drawing("inner-edges");
+
+        QCOMPARE(solidLinesOf(drawing).size(), std::size_t(2));
+        QCOMPARE(drawing.circles.size(), std::size_t(3));
+        for (const LayerDrawing::Circle &circle : drawing.circles) {
+            int onCircle = 0;
+            for (const QPoint &corner : corners) {
+                const QPointF away = QPointF(corner) - circle.centre;
+                const double beyond = std::hypot(away.x(), away.y()) - circle.radius;
+                QVERIFY(beyond > -1e-9);
+                onCircle += beyond < 1e-9 ? 1 : 0;
+            }
+            QCOMPARE(onCircle, 3);
+        }
+    }
+
+    void theRowInHandHasItsCrossingsAndIntervals()
+    {
+        // Two towers on a common foot: a row through both has four crossings.
+        Look look(sceneOf(polygonAt({{0, 0}, {20, 0}, {20, 10}, {10, 2}, {0, 10}}),
+                          "polygon-parity", {}));
+        const ScanTrace &trace = *look.traced->trace;
+        const std::size_t span = *trace.spanOn(0, SpanAxis::Row, 6);
+        look.view.position = trace.indexOfSpan(span) + 1;
+        const LayerDrawing drawing = look.drawing("edge-table");
+
+        std::vector<QPointF> crossings;
+        std::vector<LayerDrawing::Line> intervals;
+        for (const LayerDrawing::Point &point : drawing.points) {
+            if (point.ink == LayerInk::Hand)
+                crossings.push_back(point.place);
+        }
+        for (const LayerDrawing::Line &line : drawing.lines) {
+            if (line.ink == LayerInk::Hand)
+                intervals.push_back(line);
+        }
+        // The slopes are ±5/4 px a row from (10, 2).
+        QVERIFY(crossings == std::vector<QPointF>({{0, 6}, {5, 6}, {15, 6}, {20, 6}}));
+        QCOMPARE(intervals.size(), std::size_t(2));
+        QCOMPARE(intervals[0].from, QPointF(0, 6));
+        QCOMPARE(intervals[0].to, QPointF(5, 6));
+        QCOMPARE(intervals[1].from, QPointF(15, 6));
+        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("e2, from row 2")));
+    }
+
+    void byWindingTheOverlapOfTwoContoursLiesInside()
+    {
+        Shape squares
+            = polygonAt({{0, 0}, {8, 0}, {8, 8}, {0, 8}, {4, 0}, {12, 0}, {12, 8}, {4, 8}});
+        squares.laterContours = {4};
+        const auto intervalsOf = [&squares](ShapeFill fill) {
+            squares.fill = fill;
+            const Look look(sceneOf(squares, "polygon-parity", {}));
+            const LayerDrawing drawing = look.drawing("edge-table");
+            return std::ranges::count(drawing.lines, LayerInk::Hand, &LayerDrawing::Line::ink);
+        };
+
+        // Between 0, 4, 8 and 12.
+        QCOMPARE(intervalsOf(ShapeFill::EvenOdd), std::ptrdiff_t(2));
+        QCOMPARE(intervalsOf(ShapeFill::NonZero), std::ptrdiff_t(3));
+    }
+
+    void theLineStandsBetweenThePixelsOfADecision_data()
+    {
+        QTest::addColumn<Shape>("line");
+        QTest::newRow("the slides' example") << lineAt(20, 41, 30, 44);
+        QTest::newRow("falling") << lineAt(20, 41, 30, 38);
+        QTest::newRow("steep") << lineAt(20, 10, 23, 20);
+        QTest::newRow("steep and falling") << lineAt(20, 20, 17, 30);
+        QTest::newRow("level") << lineAt(20, 20, 30, 20);
+    }
+    void theLineStandsBetweenThePixelsOfADecision()
+    {
+        QFETCH(Shape, line);
+        Look look(sceneOf(line, "line-bresenham", {}));
+        const ScanTrace &trace = *look.traced->trace;
+        const QPointF start = placeOf(line.vertices[0].position);
+        const QPointF run = placeOf(line.vertices[1].position) - start;
+
+        look.view.position = trace.indexOfSpan(0) + 1;
+        QVERIFY(look.drawing("decisions").isEmpty()); // no decision led to the first pixel
+        for (std::size_t span = 1; span < trace.spanCount(); ++span) {
+            look.view.position = trace.indexOfSpan(span) + 1;
+            const LayerDrawing drawing = look.drawing("decisions");
+            QCOMPARE(drawing.points.size(), std::size_t(3));
+            const QPointF stays = drawing.points[0].place;
+            const QPointF across = drawing.points[1].place;
+            const QPointF onLine = drawing.points[2].place;
+            const QPointF fromStart = onLine - start;
+            QVERIFY(std::abs(fromStart.x() * run.y() - fromStart.y() * run.x()) < 1e-9);
+            QCOMPARE((across - stays).manhattanLength(), 1.0);
+            const PixelChange &pixel = trace.changes()[trace.firstSampleOf(span)];
+            const QPointF drawn{double(pixel.x), double(pixel.y)};
+            QVERIFY(drawn == stays || drawn == across);
+            QVERIFY((drawn - onLine).manhattanLength() <= 0.5);
+        }
+    }
+
+    void theMidpointOfACircleHasItsF()
+    {
+        Look look(sceneOf(circleAt(32, 24, 10), "circle-midpoint", {}));
+        const ScanTrace &trace = *look.traced->trace;
+        for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+            look.view.position = trace.indexOfSpan(span) + 1;
+            const LayerDrawing drawing = look.drawing("decisions");
+            const QPointF midpoint = drawing.points.back().place - QPointF(32, 24);
+            const double f = QPointF::dotProduct(midpoint, midpoint) - 100;
+            QCOMPARE(drawing.labels.front().text,
+                     QStringLiteral("F = p_k₊₁ = %1")
+                         .arg(toDecimal(Quantity::of(f), std::abs(f) < 10 ? 2 : 1))
+                         .replace(u'-', QChar(0x2212)));
+        }
+    }
+
+    void addressesAreThoseThatPointsAreWrittenBy()
+    {
+        FrameSpec frame;
+        frame.width = 7;
+        frame.height = 5;
+        frame.firstColumn = -2;
+        frame.firstRow = 3;
+        Shape points;
+        points.kind = PrimitiveKind::Point;
+        points.vertices = {{latticePixel(1, 5), Colour()}};
+        const Look look(sceneOf(points, "point-address", frame));
+
+        const Quantity address = spanNumber(*look.traced, 0, QStringLiteral("addr"));
+
+        QCOMPARE(textsIn(look.drawing("memory"), 1, 5), QStringList(toText(address)));
+    }
+
+    void samplesArePaintedInTheMiddleOfTheirCells_data()
+    {
+        QTest::addColumn<FrameOrigin>("origin");
+        QTest::addColumn<QPoint>("place");
+        QTest::newRow("y upward") << FrameOrigin::BottomLeft << QPoint(70, 90);
+        QTest::newRow("y downward") << FrameOrigin::TopLeft << QPoint(70, 10);
+    }
+    void samplesArePaintedInTheMiddleOfTheirCells()
+    {
+        QFETCH(FrameOrigin, origin);
+        QFETCH(QPoint, place);
+        FrameSpec frame;
+        frame.width = 8;
+        frame.height = 5;
+        frame.firstColumn = -2;
+        frame.firstRow = 7;
+        frame.origin = origin;
+        QImage picture(8 * 20, 5 * 20, QImage::Format_RGB32);
+        picture.fill(Qt::white);
+        LayerDrawing drawing;
+        drawing.points = {{{1, 7}, LayerInk::First}};
+
+        QPainter painter(&picture);
+        LayerPainter().paint(painter, drawing,
+                             {pictureTransform(frame, {}, 20), picture.rect(), LayerTone::Light});
+        painter.end();
+
+        QCOMPARE(picture.pixelColor(place), colourOf(LayerInk::First, LayerTone::Light));
+        QCOMPARE(picture.pixelColor(place - QPoint(20, 0)), QColor(Qt::white));
+    }
+
+    void namesOfWhatIsFarOutOfViewAreNotWritten()
+    {
+        const QRectF view(0, 0, 200, 100);
+        const auto isWritten = [&view](const QPointF &place) {
+            QImage picture(200, 100, QImage::Format_RGB32);
+            picture.fill(Qt::black);
+            const QImage before = picture;
+            LayerDrawing drawing;
+            drawing.labels = {{QStringLiteral("E₀ > 0"), place, LayerInk::Mark}};
+            QPainter painter(&picture);
+            LayerPainter().paint(painter, drawing, {QTransform(), view, LayerTone::Light});
+            painter.end();
+            return picture != before;
+        };
+
+        QVERIFY(isWritten({100, 50}));
+        QVERIFY(isWritten({205, 50})); // moved into view
+        QVERIFY(!isWritten({300, 50}));
+        QVERIFY(!isWritten({100, -90}));
+    }
+
+    void numbersAreWrittenInTheirCellsAndInNoOthers()
+    {
+        if (textFontFile().isEmpty())
+            QSKIP("DejaVu Sans is not installed (fonts-dejavu-core)");
+        FrameSpec frame;
+        frame.width = 3;
+        frame.height = 1;
+        QImage picture(3 * 40, 40, QImage::Format_RGB32);
+        picture.fill(Qt::black);
+        LayerDrawing drawing;
+        drawing.cells = {{1, 0, QStringLiteral("0.25")}, {1, 0, QStringLiteral("−123")}};
+
+        QPainter painter(&picture);
+        LayerPainter().paint(painter, drawing,
+                             {pictureTransform(frame, {}, 40), picture.rect(), LayerTone::Light});
+        painter.end();
+
+        const auto isBlack = [&](int left) {
+            const QImage cell = picture.copy(left, 0, 40, 40);
+            QImage black = cell;
+            black.fill(Qt::black);
+            return cell == black;
+        };
+        QVERIFY(isBlack(0));
+        QVERIFY(!isBlack(40));
+        QVERIFY(isBlack(80));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestShapeLayers)
+#include "tst_shapelayers.moc"

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/window/windowparts.h"
+
+#include <QMenu>
+
+namespace pixelplumb {
+
+struct Layer;
+
+/// The figures of the course texts that can be laid over the frame. What has nothing to show of the
+/// scene and the method in hand is grey and says why.
+class LayersMenu : public QMenu {
+    Q_OBJECT
+
+public:
+    LayersMenu(const WindowParts &parts, QWidget *window);
+
+private:
+    void addLayer(const Layer &layer, const WindowParts &parts);
+};
+
+} // namespace pixelplumb
