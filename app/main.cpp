@@ -194,5 +194,6 @@ int main(int argc, char *argv[])
         window.palettes()->setForThisRun(*palette);
     open(window, parser, options);
     window.show();
+    window.offerRecovery();
     return QApplication::exec();
 }

@@ -57,7 +57,7 @@ cleanup() {
 }
 trap cleanup EXIT
 
-XDG_CONFIG_HOME=$settings XDG_RUNTIME_DIR=$settings LC_ALL=C.UTF-8 QT_QPA_PLATFORM=xcb \
+XDG_CONFIG_HOME=$settings XDG_DATA_HOME=$settings XDG_RUNTIME_DIR=$settings LC_ALL=C.UTF-8 QT_QPA_PLATFORM=xcb \
     "$program" "$@" &
 window_process=$!
 

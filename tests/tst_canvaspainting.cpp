@@ -18,6 +18,7 @@ class TestCanvasPainting : public QObject {
 private slots:
     void showsTheFramesOwnColours();
     void cellsHaveWholeDevicePixelsInsideAWindow();
+    void largeCellsHoldTheirValuesInEitherNotation();
     void differencesAppearOnlyWhenDecided();
     void theClippedPolygonIsDrawnWhereItIsWanted();
     void figureHoldsCellsNamesAndColumn();
@@ -64,6 +65,39 @@ void TestCanvasPainting::cellsHaveWholeDevicePixelsInsideAWindow()
         QCOMPARE(shown, expected);
     }
     bench.canvas.setParent(nullptr);
+}
+
+void TestCanvasPainting::largeCellsHoldTheirValuesInEitherNotation()
+{
+    CanvasBench bench(firstScene());
+    bench.playhead.seek(bench.playhead.end());
+    bench.options.setGridShown(false);
+    // Whether a cell in the view's middle has anything but its colour, left and right of the
+    // sample.
+    const auto inked = [&bench] {
+        const QPoint pixel = *bench.canvas.pixelAt(bench.canvas.view().center());
+        const QImage grabbed = bench.canvas.grab().toImage();
+        const QRect cell = bench.canvas.mapping().deviceCellOf(pixel);
+        const QRgb colour = *bench.playhead.frame()->view().at(pixel.x(), pixel.y());
+        int ink = 0;
+        for (int y = cell.top(); y <= cell.bottom(); ++y) {
+            for (int x = cell.left(); x < cell.center().x(); ++x)
+                ink += grabbed.pixel(x, y) != colour ? 1 : 0;
+        }
+        return ink;
+    };
+    bench.canvas.setZoom(16);
+    QCOMPARE(inked(), 0);
+    bench.canvas.setZoom(64);
+    const int decimal = inked();
+    if (bench.canvas.devicePixelRatioF() >= 2) {
+        QCOMPARE(decimal, 0); // the largest cells have no room there
+        return;
+    }
+    QVERIFY(decimal > 20);
+    bench.options.setHexadecimal(true);
+    QVERIFY(inked() > 20);
+    QVERIFY(inked() != decimal);
 }
 
 void TestCanvasPainting::differencesAppearOnlyWhenDecided()

@@ -113,8 +113,10 @@ void TestCanvasPlacing::escapeDiscardsPendingVertices()
 
     QTest::keyClick(&bench.canvas, Qt::Key_Escape);
     QVERIFY(bench.document.pendingVertices().empty());
+    QVERIFY(!bench.document.isModified());
     bench.document.undoStack()->undo();
     QCOMPARE(bench.document.pendingVertices().size(), 2U);
+    QVERIFY(bench.document.isModified());
 }
 
 void TestCanvasPlacing::clicksSnapToSixteenths()

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/scenefile.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/promisednames.h"
 #include "widgets/canvas/canvas.h"
+#include "widgets/files/autosave.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/lab/labfiles.h"
 #include "widgets/model/scenedocument.h"
@@ -10,6 +12,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QDialog>
+#include <QDir>
 #include <QMap>
 #include <QTemporaryDir>
 #include <QTest>
@@ -78,7 +81,16 @@ QMap<QString, Way> ways()
              window.parts().files->newScene();
          }},
         {"saveDialog", byAction("saveSceneAs")},
+        {"examplesDialog", byAction("showExamples")},
         {"exportDialog", byAction("exportPicture")},
+        {"recoveryDialog",
+         [](MainWindow &window) {
+             const QString path = Autosave::defaultFolder() + QStringLiteral("/dialogname.json");
+             QDir().mkpath(Autosave::defaultFolder());
+             QVERIFY(!writeSceneFile(path, Scene()));
+             window.offerRecovery();
+             QFile::remove(path);
+         }},
         {"labOpenDialog", byAction("labOpen")},
         {"labSaveDialog",
          [](MainWindow &window) {

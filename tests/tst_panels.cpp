@@ -1,23 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/export/tracerows.h"
 #include "core/runs/formulaexplanation.h"
 #include "tests/support/defaultscene.h"
 #include "tests/support/spacescenes.h"
-#include "tests/support/tablecolumns.h"
-#include "widgets/inspect/columntable.h"
-#include "widgets/inspect/columntablepanel.h"
 #include "widgets/inspect/formulapanel.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/model/playhead.h"
 
-#include <QAction>
-#include <QApplication>
-#include <QClipboard>
 #include <QLabel>
 #include <QScrollBar>
 #include <QTest>
 #include <QTextBrowser>
-#include <QToolButton>
 
 using namespace pixelplumb;
 
@@ -25,147 +17,12 @@ class TestPanels : public QObject {
     Q_OBJECT
 
 private slots:
-    void choosingARowGoesToItsColumn();
-    void steppingMovesTheCurrentRow();
-    void gettingTheFocusDoesNotMoveThePosition();
-    void copiedRowsAgreeWithTheExportedTrace_data();
-    void copiedRowsAgreeWithTheExportedTrace();
-    void switchesShowAndHideGroupsOfColumns();
-    void widthsStayWhileStepping();
     void formulasNameTheNumbersOfTheStep();
     void theWayFromSpaceStandsWhereASolidsTriangleBegins();
     void theChangeOfHalfIsAnEvent();
     void anEmptySceneSaysWhatToDo();
     void formulasKeepTheirPlaceWhileStepping();
 };
-
-void TestPanels::choosingARowGoesToItsColumn()
-{
-    Playhead playhead;
-    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
-    ColumnTable table(&playhead);
-
-    table.selectRow(rowOf(27));
-
-    QCOMPARE(playhead.columnXInHand(), std::int64_t(27));
-    QVERIFY(!playhead.pixelInHand());
-}
-
-void TestPanels::steppingMovesTheCurrentRow()
-{
-    Playhead playhead;
-    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
-    ColumnTable table(&playhead);
-    playhead.seekToSpan(std::size_t(rowOf(30)));
-
-    playhead.step(StepUnit::Sample, StepDirection::Forward);
-    QCOMPARE(table.currentIndex().row(), rowOf(30));
-    QVERIFY(playhead.pixelInHand()); // the table did not pull the position back
-
-    playhead.step(StepUnit::Span, StepDirection::Forward);
-    QCOMPARE(table.currentIndex().row(), rowOf(31));
-    QCOMPARE(table.selectionModel()->selectedRows().size(), 1);
-
-    playhead.seek(0);
-    QVERIFY(!table.selectionModel()->hasSelection());
-}
-
-void TestPanels::gettingTheFocusDoesNotMoveThePosition()
-{
-    Playhead playhead;
-    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
-    ColumnTable table(&playhead);
-    table.show();
-
-    table.setFocus();
-    QApplication::setActiveWindow(&table);
-
-    QTRY_VERIFY(table.hasFocus());
-    QCOMPARE(playhead.position(), std::size_t(0));
-}
-
-void TestPanels::copiedRowsAgreeWithTheExportedTrace_data()
-{
-    QTest::addColumn<Arithmetic>("arithmetic");
-    for (const Arithmetic arithmetic : allArithmetics)
-        QTest::newRow(nameOf(arithmetic).data()) << arithmetic;
-}
-
-void TestPanels::copiedRowsAgreeWithTheExportedTrace()
-{
-    QFETCH(const Arithmetic, arithmetic);
-    Playhead playhead;
-    playhead.setTraced(traceScene(defaultSceneIn(arithmetic)));
-    ColumnTable table(&playhead);
-    for (QAction *action : table.columnActions())
-        action->setChecked(true);
-    table.selectRow(rowOf(33));
-
-    QTest::keySequence(&table, QKeySequence::Copy);
-
-    const QStringList lines = QApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
-    QCOMPARE(lines.size(), 2);
-    const QStringList names = lines[0].split(u'\t');
-    const QStringList copied = lines[1].split(u'\t');
-    QCOMPARE(copied.size(), names.size());
-    const TraceTable<SpanRow> exported = spanTable(playhead.traced()->method->numbers.span);
-    const std::vector<Field> &fields = exported.fields();
-    const std::vector<Cell> cells
-        = exported.cells(spanRow(*playhead.traced(), std::size_t(rowOf(33))));
-    int compared = 0;
-    for (std::size_t i = 0; i < fields.size(); ++i) {
-        const qsizetype place = names.indexOf(fields[i].name);
-        if (place < 0)
-            continue;
-        QCOMPARE(copied[place], fileText(fields[i], cells[i]));
-        ++compared;
-    }
-    QCOMPARE(compared, names.size());
-}
-
-void TestPanels::switchesShowAndHideGroupsOfColumns()
-{
-    Playhead playhead;
-    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Float32)));
-    ColumnTablePanel panel(&playhead);
-    const ColumnTable &table = *panel.table();
-    const auto &model = *qobject_cast<ColumnTableModel *>(table.model());
-    const auto isShown
-        = [&](const char *name) { return !table.isColumnHidden(columnNamed(model, name)); };
-    const auto press
-        = [&](const char *name) { panel.findChild<QToolButton *>(QLatin1String(name))->click(); };
-
-    QVERIFY(isShown("R_B") && !isShown("R_B_exact") && !isShown("primitive"));
-    press("showExactButton");
-    QVERIFY(isShown("R_B_exact") && !isShown("R_B_error"));
-    press("showEdgeColoursButton");
-    QVERIFY(!isShown("R_B") && !isShown("R_B_exact") && isShown("y_B"));
-
-    // What was chosen outlasts a new run.
-    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Float64)));
-    QVERIFY(!isShown("R_B") && isShown("y_B_exact"));
-}
-
-void TestPanels::widthsStayWhileStepping()
-{
-    Playhead playhead;
-    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
-    ColumnTable table(&playhead);
-    table.resize(1200, 220);
-    table.show();
-    const auto widths = [&table] {
-        QList<int> all;
-        for (int column = 0; column < table.model()->columnCount(); ++column)
-            all.append(table.columnWidth(column));
-        return all;
-    };
-    const QList<int> before = widths();
-
-    for (int step = 0; step < 55; ++step)
-        playhead.step(StepUnit::Span, StepDirection::Forward);
-
-    QCOMPARE(widths(), before);
-}
 
 void TestPanels::formulasNameTheNumbersOfTheStep()
 {

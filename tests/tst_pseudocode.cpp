@@ -186,7 +186,7 @@ private slots:
         std::map<Moment, int> seen;
         Scene lines;
         lines.frame.width = lines.frame.height = 40;
-        lines.shapes = {lineAt(1, 1, 30, 12), lineAt(2, 30, 35, 8), lineAt(5, 2, 12, 38),
+        lines.shapes = {lineAt(1, 1, 30, 12),  lineAt(2, 30, 35, 8), lineAt(5, 2, 12, 38),
                         lineAt(38, 39, 20, 1), circleAt(20, 20, 17), circleAt(20, 20, 11)};
         const auto traced = tracedBy(*methodNamed(id), Arithmetic::Exact, lines);
         const ScanTrace &trace = *traced->trace;

@@ -39,6 +39,8 @@ private slots:
     void drivesNoCommandWhenNothingChanges();
     void resetForgetsHistoryAndIsUnmodified();
     void tellsWhenItBecomesModified();
+    void waitingVerticesThatGoLeaveItClean();
+    void aDragThatComesBackLeavesItClean();
 };
 
 void TestUndo::undoOfTheThirdVertexGivesBackTwoPendingOnes()
@@ -209,6 +211,44 @@ void TestUndo::tellsWhenItBecomesModified()
     QCOMPARE(modifiedChanged.takeLast(), QVariantList{false});
     document.undoStack()->undo();
     QCOMPARE(modifiedChanged.takeLast(), QVariantList{true});
+}
+
+void TestUndo::waitingVerticesThatGoLeaveItClean()
+{
+    SceneDocument document;
+    document.addTriangle(triangle(0));
+    document.markSaved();
+    document.placeVertex(latticePixel(1, 1));
+    QVERIFY(document.isModified());
+    document.undoStack()->undo();
+    QVERIFY(!document.isModified());
+
+    document.placeVertex(latticePixel(1, 1));
+    document.discardPending();
+    QVERIFY(!document.isModified());
+    document.undoStack()->undo();
+    QVERIFY(document.isModified());
+    document.discardPending();
+    document.moveVertex({0, 0}, latticePixel(2, 2), document.newDrag());
+    QVERIFY(document.isModified());
+    document.undoStack()->undo();
+    QVERIFY(!document.isModified());
+}
+
+void TestUndo::aDragThatComesBackLeavesItClean()
+{
+    SceneDocument document;
+    document.addTriangle(triangle(0));
+    document.markSaved();
+    document.selectVertex(VertexRef{0, 0});
+    document.placeVertex(latticePixel(1, 1));
+    document.discardPending();
+    const int drag = document.newDrag();
+    document.moveVertex({0, 0}, latticePixel(5, 5), drag);
+    QVERIFY(document.isModified());
+    document.moveVertex({0, 0}, latticePixel(0, 0), drag);
+
+    QVERIFY(!document.isModified());
 }
 
 QTEST_GUILESS_MAIN(TestUndo)

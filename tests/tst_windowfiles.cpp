@@ -4,22 +4,19 @@
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
-#include "widgets/files/sceneexports.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/files/examplefolder.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
+#include "widgets/window/examplesdialog.h"
 
-#include <QAbstractButton>
-#include <QBuffer>
 #include <QFileDialog>
-#include <QSignalSpy>
-#include <QTemporaryDir>
+#include <QListWidget>
 #include <QTest>
-#include <QThreadPool>
 #include <QTimer>
-
-#include <unistd.h>
+#include <QTreeWidget>
 
 using namespace pixelplumb;
 
@@ -119,84 +116,6 @@ private slots:
         QVERIFY2(bar->text().contains("1.1"), qPrintable(bar->text()));
     }
 
-    void noExportReplacesTheOpenedScene_data()
-    {
-        QTest::addColumn<QString>("target");
-        for (const char *target : {"own.json", "symlink", "hardlink"})
-            QTest::newRow(target) << QString::fromLatin1(target);
-    }
-    void noExportReplacesTheOpenedScene()
-    {
-        QFETCH(QString, target);
-        const QTemporaryDir folder;
-        const QString scene = folder.filePath(QStringLiteral("own.json"));
-        QVERIFY(QFile::copy(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/sliver.json"), scene));
-        QVERIFY(QFile::link(scene, folder.filePath(QStringLiteral("symlink"))));
-        QVERIFY(::link(QFile::encodeName(scene).constData(),
-                       QFile::encodeName(folder.filePath(QStringLiteral("hardlink"))).constData())
-                == 0);
-        const QByteArray before = *readFile(scene);
-        const auto window = openedWindow();
-        QVERIFY(window->openScene(scene));
-        SceneExports *exports = window->parts().exports;
-        QSignalSpy complaints(exports, &SceneExports::complaint);
-        const QString path = folder.filePath(target);
-
-        QVERIFY(!exports->writePicture(path));
-        QVERIFY(!exports->writeAnnotatedGrid(path));
-        QVERIFY(!exports->writeTrace(path, TraceLevel::Column, TableFormat::Csv));
-        QVERIFY(!exports->writeTrace(path, TraceLevel::Pixel, TableFormat::Json));
-        QVERIFY(!exports->writeRaster(path));
-
-        QCOMPARE(complaints.size(), 5);
-        QVERIFY(complaints[0][0].toString().contains(QStringLiteral("it is the scene itself")));
-        QCOMPARE(*readFile(scene), before);
-        QVERIFY(exports->writeRaster(folder.filePath(QStringLiteral("raster.txt"))));
-    }
-
-    void aTraceIsWrittenBesideTheWindow()
-    {
-        const QTemporaryDir folder;
-        const QString path = folder.filePath(QStringLiteral("pixels.csv"));
-        const auto window = openedWindow();
-        SceneExports *exports = window->parts().exports;
-        QSignalSpy notices(exports, &SceneExports::notice);
-
-        QVERIFY(exports->writeTrace(path, TraceLevel::Pixel, TableFormat::Csv));
-
-        // The call is over, the file is not there yet, and a second one would cancel the first.
-        QVERIFY(exports->writing().isRunning());
-        QVERIFY(!QFile::exists(path));
-        QVERIFY(!exports->writeTrace(folder.filePath(QStringLiteral("other.csv")),
-                                     TraceLevel::Pixel, TableFormat::Csv));
-        QTRY_COMPARE(notices.size(), 1);
-        QCOMPARE(notices[0][0].toString(), QStringLiteral("pixels.csv is written."));
-        QBuffer direct;
-        direct.open(QIODevice::WriteOnly);
-        QVERIFY(exportTrace(*window->parts().playhead->traced(),
-                            {TraceLevel::Pixel, TableFormat::Csv}, direct));
-        QCOMPARE(*readFile(path), direct.data());
-    }
-
-    void aCancelledTraceLeavesNoFile()
-    {
-        const QTemporaryDir folder;
-        const auto window = openedWindow();
-        SceneExports *exports = window->parts().exports;
-        QSignalSpy notices(exports, &SceneExports::notice);
-        QVERIFY(exports->writeTrace(folder.filePath(QStringLiteral("pixels.json")),
-                                    TraceLevel::Pixel, TableFormat::Json));
-
-        named<QAbstractButton>(*window, "cancelExport")->click();
-
-        QVERIFY(!exports->writing().isRunning());
-        QCOMPARE(notices[0][0].toString(), QStringLiteral("pixels.json was not written."));
-        QVERIFY(QThreadPool::globalInstance()->waitForDone());
-        QCoreApplication::processEvents();
-        QVERIFY(QDir(folder.path()).isEmpty());
-        QCOMPARE(notices.size(), 1);
-    }
-
     void anotherSceneForgetsTheMomentAndThePixelOfTheOneBefore()
     {
         const auto window = openedWindow();
@@ -211,6 +130,63 @@ private slots:
         QVERIFY(playhead.position() > 0 && playhead.position() < playhead.end());
         QCOMPARE(playhead.pickedPixel(),
                  TraceNavigation(*playhead.traced()->trace).pixelOf(playhead.position() - 1));
+    }
+
+    void whatOthersMadeIsInspectedAndANewSceneDrawn()
+    {
+        const auto window = openedWindow();
+        const Canvas &canvas = *window->parts().canvas;
+        QVERIFY(canvas.tool() == CanvasTool::Draw);
+        const QString example = QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/sliver.json");
+        window->parts().files->openFile(example);
+        QVERIFY(canvas.tool() == CanvasTool::Inspect);
+        clickPixel(*window, {5, 5});
+        QVERIFY(!window->isWindowModified());
+        action(*window, "newScene")->trigger();
+        QVERIFY(canvas.tool() == CanvasTool::Draw);
+
+        Scene scene;
+        scene.triangles = {triangleAt(1, 1, 9, 2, 5, 12)};
+        QVERIFY(window->parts().files->showScene(scene)); // a case
+        QVERIFY(canvas.tool() == CanvasTool::Inspect);
+        action(*window, "openDefaultScene")->trigger();
+        QVERIFY(canvas.tool() == CanvasTool::Draw);
+    }
+
+    void everyExampleHasALineAndAPictureAndOpens()
+    {
+        const auto window = openedWindow();
+        action(*window, "showExamples")->trigger();
+        auto *dialog = named<ExamplesDialog>(*window, "examplesDialog");
+        auto *list = named<QListWidget>(*dialog, "examplesList");
+        const std::vector<Example> all = examples();
+        QVERIFY(all.size() > 20);
+        for (const Example &example : all)
+            QVERIFY2(!example.line.isEmpty(), qPrintable(example.path));
+        QVERIFY(list->count() > int(all.size()) + 10); // the families of hard cases
+        QTRY_COMPARE_WITH_TIMEOUT(dialog->picturesLeft(), 0, 60'000);
+        for (int row = 0; row < list->count(); ++row) {
+            const QPixmap picture = list->item(row)->icon().pixmap(list->iconSize());
+            QVERIFY2(picture.toImage().pixelColor(picture.rect().center()).alpha() > 0,
+                     qPrintable(list->item(row)->text()));
+        }
+        list->setCurrentRow(1);
+        QTest::keyClick(list, Qt::Key_Return);
+        QTRY_COMPARE(window->parts().files->path(), all[1].path);
+    }
+
+    void aFamilyOfHardCasesOpensItsDock()
+    {
+        const auto window = openedWindow();
+        action(*window, "showExamples")->trigger();
+        auto *list = named<QListWidget>(*window, "examplesList");
+        const QString text = list->item(list->count() - 1)->text();
+        list->setCurrentRow(list->count() - 1);
+        QTest::keyClick(list, Qt::Key_Return);
+
+        QTRY_VERIFY(named<QWidget>(*window, "hardCasesDock")->isVisible());
+        const auto *tree = named<QTreeWidget>(*window, "hardCasesTree");
+        QVERIFY2(text.contains(tree->currentItem()->parent()->text(0)), qPrintable(text));
     }
 
     void savingAnExampleAsksForAnotherPlace()

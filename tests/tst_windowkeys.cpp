@@ -5,6 +5,9 @@
 #include "widgets/look/displayoptions.h"
 #include "widgets/model/playhead.h"
 
+#include <QAbstractButton>
+#include <QAbstractSpinBox>
+#include <QDockWidget>
 #include <QTest>
 
 using namespace pixelplumb;
@@ -57,6 +60,64 @@ private slots:
         table->setFocus();
         QTest::keyClick(table, Qt::Key_G);
         QCOMPARE(options.isGridShown(), !shown);
+    }
+
+    void spacePlaysFromEverywhereButWhereItMeansSomethingElse()
+    {
+        const auto window = openedWindow();
+        Playhead &playhead = *window->parts().playhead;
+        for (const char *name : {"canvas", "columnTable", "pixelGrid", "scrubber"}) {
+            auto *part = named<QWidget>(*window, name);
+            part->setFocus();
+            QTest::keyClick(part, Qt::Key_Space);
+            QVERIFY2(playhead.isPlaying(), name);
+            QTest::keyClick(part, Qt::Key_Space);
+            QVERIFY2(!playhead.isPlaying(), name);
+        }
+        auto *next = named<QAbstractButton>(*window, "nextColumnButton");
+        next->setFocus(Qt::TabFocusReason);
+        const std::size_t position = playhead.position();
+        QTest::keyClick(next, Qt::Key_Space);
+        QVERIFY(!playhead.isPlaying());
+        QVERIFY(playhead.position() > position);
+
+        auto *speed = named<QAbstractSpinBox>(*window, "speedBox");
+        speed->setFocus();
+        QTest::keyClick(speed, Qt::Key_Space);
+        QVERIFY(!playhead.isPlaying());
+    }
+
+    void thePanelsOfAFloatingDockKeepSpaceForTheirButtons()
+    {
+        const auto window = openedWindow();
+        auto *dock = named<QDockWidget>(*window, "columnsDock");
+        dock->setFloating(true);
+        auto *toggle = named<QAbstractButton>(*window, "showExactButton");
+        toggle->setFocus();
+        QKeyEvent press(QEvent::ShortcutOverride, Qt::Key_Space, Qt::NoModifier, " ");
+        press.ignore();
+        QApplication::sendEvent(dock, &press);
+        QCOMPARE(press.isAccepted(), QApplication::focusWidget() == toggle);
+    }
+
+    void pAndVChooseTheToolInTheCanvas()
+    {
+        const auto window = openedWindow();
+        Canvas *canvas = window->parts().canvas;
+        QVERIFY(action(*window, "drawTool")->isChecked());
+        QTest::keyClick(canvas, Qt::Key_V);
+        QVERIFY(canvas->tool() == CanvasTool::Inspect);
+        QVERIFY(action(*window, "inspectTool")->isChecked());
+        QVERIFY(!action(*window, "drawTool")->isChecked());
+        clickPixel(*window, {12, 40});
+        QCOMPARE(window->parts().playhead->pickedPixel(), std::optional(QPoint(12, 40)));
+        QVERIFY(!window->isWindowModified());
+
+        QTest::keyClick(canvas, Qt::Key_P);
+        clickPixel(*window, {12, 40});
+        QVERIFY(window->isWindowModified());
+        QTest::keyClick(canvas, Qt::Key_Escape);
+        QVERIFY(!window->isWindowModified());
     }
 
 private:

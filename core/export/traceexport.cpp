@@ -151,7 +151,8 @@ bool writeTable(const TraceTable<Row> &table, std::size_t count, const RowsAt &r
                     {JobPhase::Writing, std::int64_t(index), std::int64_t(count)}))
             return false;
         for (const Row &row : rowsAt(index)) {
-            if (isChosen(options.rows, row))
+            const bool isDone = !options.rows.position || row.step < *options.rows.position;
+            if (isDone && isChosen(options.rows, row))
                 writer.writeRow(chosen.cells(row));
         }
         if (!writer.isOk())

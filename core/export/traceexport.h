@@ -25,6 +25,7 @@ struct RowChoice {
     /// Of the pixel; in a table of spans, of the column or the row that the span is. Set-ups and
     /// stages have neither.
     std::optional<std::int64_t> x, y;
+    std::optional<std::size_t> position = {}; ///< of the run: the rows of the steps done there
 };
 
 struct TraceExportOptions {

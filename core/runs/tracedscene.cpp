@@ -7,6 +7,7 @@
 #include "core/runs/contender.h"
 #include "core/runs/sceneplan.h"
 #include "core/runs/tracemarks.h"
+#include "core/scene/asciiraster.h"
 
 #include <algorithm>
 
@@ -43,16 +44,6 @@ bool drawByBands(FrameView frame, const ProgressListener &listener, const DrawBa
                         std::min(rowsBetweenProgress, frame.height - done)));
     }
     return true;
-}
-
-CoverageMask coverageOf(const ScanTrace &trace, const FrameSpec &spec)
-{
-    CoverageMask coverage(spec);
-    for (std::size_t i = 0; i < trace.sampleCount(); ++i) {
-        if (trace.changes()[i].isWritten())
-            coverage.cover(trace.changes()[i].x, trace.changes()[i].y);
-    }
-    return coverage;
 }
 
 /// The truth's alpha tells what it covers (pixelrows.h).
@@ -159,7 +150,8 @@ std::shared_ptr<const TracedScene> traceScene(const Scene &scene, const TraceOpt
 
     traced->differences = trace.isCut()
         ? DifferenceMap(scene.frame) // an unfinished picture has not gone wrong yet
-        : differencesBetween(drawn, coverageOf(trace, scene.frame), traced->truth);
+        : differencesBetween(drawn, coverageAt(trace, scene.frame, trace.stepCount()),
+                             traced->truth);
     for (std::int64_t y = truth.firstRow; y < truth.endRow(); ++y)
         makeOpaque(truth.at(truth.firstColumn, y), truth.width);
     traced->decided = {trace, traced->differences, scene.frame};

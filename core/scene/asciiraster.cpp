@@ -62,6 +62,17 @@ CoverageMask coverageOf(const Scene &scene)
     return frame.coverage();
 }
 
+CoverageMask coverageAt(const ScanTrace &trace, const FrameSpec &spec, std::size_t position)
+{
+    CoverageMask coverage(spec);
+    const std::size_t done = trace.samplesDoneAt(position);
+    for (std::size_t i = 0; i < done; ++i) {
+        if (trace.changes()[i].isWritten())
+            coverage.cover(trace.changes()[i].x, trace.changes()[i].y);
+    }
+    return coverage;
+}
+
 Result<CoverageMask> parseAsciiRaster(QStringView text)
 {
     const QList<QStringView> lines = linesOf(text);

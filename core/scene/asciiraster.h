@@ -4,6 +4,7 @@
 #include "core/frame/coveragemask.h"
 #include "core/scene/result.h"
 #include "core/scene/scene.h"
+#include "core/trace/scantrace.h"
 
 #include <QStringView>
 
@@ -15,6 +16,8 @@ QString asciiRaster(const CoverageMask &coverage);
 
 /// The pixels that the scene's method writes, whatever their colours.
 CoverageMask coverageOf(const Scene &scene);
+/// Those that a recorded run has written at a position.
+CoverageMask coverageAt(const ScanTrace &trace, const FrameSpec &spec, std::size_t position);
 
 /// Reads a raster; its frame begins at (0, 0) in the lower left. The last line feed may be missing
 /// and lines may end as on Windows. Ragged lines and other characters are errors.

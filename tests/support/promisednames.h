@@ -36,16 +36,17 @@ inline const QStringList promisedWidgets{
     "motion",           "motionDock",         "motionX",          "motionY",
     "motionFrames",     "motionSet",          "motionEnd",        "motionSlider",
     "motionPlay",       "motionPosition",     "motionSummary",    "motionView",
-    "motionTable",      "layersMenu"};
+    "motionTable",      "primitives",         "primitivesDock",   "primitivesTree",
+    "rowFilterBox",     "layersMenu"};
 
 /// Of the lab's menu of files; those of the menus have names that tests find in the menus.
-inline const QStringList promisedActions{"labOpen",       "labEarlier", "labSave",
-                                         "labSaveTable",  "labCompare", "labSaveChart",
-                                         "labCopyCommand"};
+inline const QStringList promisedActions{"labOpen",        "labEarlier", "labSave",
+                                         "labSaveTable",   "labCompare", "labSaveChart",
+                                         "labCopyCommand", "copyTable"};
 
-inline const QStringList promisedDialogs{"frameDialog",    "triangleDialog", "vertexDialog",
-                                         "goToDialog",     "rasterDialog",   "keySheet",
-                                         "unsavedChanges", "savingDialog",   "saveDialog",
-                                         "exportDialog",   "labOpenDialog",  "labSaveDialog"};
+inline const QStringList promisedDialogs{
+    "frameDialog",   "triangleDialog", "vertexDialog",   "goToDialog",    "rasterDialog",
+    "keySheet",      "unsavedChanges", "savingDialog",   "saveDialog",    "exportDialog",
+    "labOpenDialog", "labSaveDialog",  "examplesDialog", "recoveryDialog"};
 
 } // namespace pixelplumb

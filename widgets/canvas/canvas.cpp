@@ -37,7 +37,8 @@ Canvas::Canvas(SceneDocument *document, Playhead *playhead, DisplayOptions *opti
     setObjectName(QStringLiteral("canvas"));
     setAccessibleName(tr("Canvas"));
     setAccessibleDescription(tr(
-        "The frame with its triangles. Arrows move the picked pixel, Enter places a vertex there, "
+        "The frame with its triangles. A click places a vertex or, with the tool Inspect, picks a "
+        "pixel. Arrows move the picked pixel, Enter places a vertex there, "
         "brackets choose a vertex, Control with arrows moves it, C changes its colour."));
     setFocusPolicy(Qt::StrongFocus);
     setMouseTracking(true);
@@ -147,6 +148,23 @@ void Canvas::editCoordinates(const VertexRef &ref)
     dialog->open();
 }
 
+void Canvas::setTool(CanvasTool tool)
+{
+    if (tool == m_mouse.tool())
+        return;
+    m_mouse.setTool(tool);
+    followPointer();
+    emit toolChanged(tool);
+}
+
+QString Canvas::readout()
+{
+    const std::optional<QPointF> &pointer = m_mouse.hover();
+    const std::optional<QPoint> pixel = pointer ? pixelAt(*pointer) : std::nullopt;
+    const bool isDrawing = m_mouse.isPressed() && tool() == CanvasTool::Draw;
+    return pixel && !isDrawing ? m_readout.text(*pixel, m_sources, hand()) : QString();
+}
+
 void Canvas::updateVertices()
 {
     m_mouse.forgetHovered();
@@ -191,8 +209,10 @@ QPointF Canvas::keyboardAnchor() const
 CanvasHand Canvas::hand() const
 {
     const std::optional<LatticePoint> pointed = m_mouse.candidate();
-    return {m_mouse.hoveredVertex(), pointed ? pointed : m_keys.candidate(), m_mouse.isPressed(),
-            m_mouse.isMovingVertex() || m_keys.isMovingVertex(), m_keys.isPeeking()};
+    return {m_mouse.hoveredVertex(), pointed ? pointed : m_keys.candidate(),
+            m_mouse.isPressed(),     m_mouse.isMovingVertex() || m_keys.isMovingVertex(),
+            m_keys.isPeeking(),      tool() == CanvasTool::Draw,
+            m_mouse.hover(),         {}};
 }
 
 bool Canvas::event(QEvent *event)
@@ -208,7 +228,9 @@ void Canvas::paintEvent(QPaintEvent *)
     m_repaintTimer.stop();
     m_outlines.lookUp(*m_sources.document, mapping(), view());
     QPainter painter(this);
-    CanvasScene scene = canvasScene(m_sources, m_view, m_outlines, hand());
+    CanvasHand hand = this->hand();
+    hand.readout = readout();
+    CanvasScene scene = canvasScene(m_sources, m_view, m_outlines, hand);
     m_layers.addTo(scene, m_sources, m_view);
     m_painter.paint(painter, scene, m_view, palette());
     if (hasFocus()) {

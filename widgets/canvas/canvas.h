@@ -7,6 +7,7 @@
 #include "widgets/canvas/canvaspainter.h"
 #include "widgets/canvas/canvasscene.h"
 #include "widgets/canvas/canvasview.h"
+#include "widgets/canvas/pointerreadout.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -61,6 +62,12 @@ public:
     /// The vertex whose handle is under a position.
     std::optional<VertexRef> vertexAt(const QPointF &position) const;
 
+    CanvasTool tool() const { return m_mouse.tool(); }
+    /// What stands beside the pointer: "(27, 19) #a06f30" and who painted the pixel, a line each;
+    /// before them the place of the vertex that a click would place, where that is no pixel. Empty
+    /// where the pointer is not over the frame, and while a button draws.
+    QString readout();
+
     bool isTruthVisible() const { return pixelplumb::isTruthVisible(m_sources, hand()); }
     /// What a screen reader says of the pixel or vertex in hand.
     QString spokenState() const;
@@ -71,6 +78,7 @@ public:
     QSize minimumSizeHint() const override;
 
 public slots:
+    void setTool(pixelplumb::CanvasTool tool);
     void setZoom(int zoom);
     void zoomIn();
     void zoomOut();
@@ -79,6 +87,7 @@ public slots:
     void editCoordinates(const pixelplumb::VertexRef &ref);
 
 signals:
+    void toolChanged(pixelplumb::CanvasTool tool);
     void zoomChanged(int zoom);
     void viewChanged(); ///< another zoom, another place of the frame
     /// The point that a click would place, in the scene's coordinates; none when the pointer
@@ -118,6 +127,7 @@ private:
     OutlineChoice m_outlines;
     CanvasLayers m_layers;
     CanvasPainter m_painter;
+    PointerReadout m_readout;
     /// Runs while the picture of a change is expected.
     QTimer m_repaintTimer;
 };

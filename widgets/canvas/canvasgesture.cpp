@@ -97,6 +97,12 @@ void MoveOffScreenPointGesture::cancel()
         m_document.moveOffScreenPoint(m_start, m_drag);
 }
 
+void PickPixelGesture::moveTo(const QPointF &position)
+{
+    if (const std::optional<QPoint> pixel = m_view.pixelAt(position))
+        m_playhead.pick(*pixel);
+}
+
 MoveViewGesture::MoveViewGesture(CanvasView &view, const QPointF &press)
     : m_view(view)
     , m_device(view.mapping().deviceAt(press))

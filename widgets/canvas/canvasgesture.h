@@ -76,6 +76,22 @@ private:
     bool m_moving = false;
 };
 
+/// Picks the pixel under the pointer, as long as the button is held.
+class PickPixelGesture final : public CanvasGesture {
+public:
+    PickPixelGesture(const CanvasView &view, Playhead &playhead)
+        : m_view(view)
+        , m_playhead(playhead)
+    {
+    }
+    void moveTo(const QPointF &position) override;
+    Qt::CursorShape cursor() const override { return Qt::ArrowCursor; }
+
+private:
+    const CanvasView &m_view;
+    Playhead &m_playhead;
+};
+
 class MoveViewGesture final : public CanvasGesture {
 public:
     MoveViewGesture(CanvasView &view, const QPointF &press);

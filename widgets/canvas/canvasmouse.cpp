@@ -53,19 +53,29 @@ void CanvasMouse::begin(QMouseEvent *event)
     } else if (left && m_view.columnRuler().contains(position)) {
         m_gesture = std::make_unique<SeekColumnGesture>(m_view, m_playhead);
         m_gesture->moveTo(position);
-    } else if (left && m_pressedVertex == VertexRef{VertexRef::pending, 0}
-               && m_document.canClosePending()) {
-        m_document.closePending();
-    } else if (left && m_pressedVertex) {
-        m_gesture
-            = std::make_unique<MoveVertexGesture>(m_view, m_document, *m_pressedVertex, position);
-    } else if (left && isOffScreenPointAt(position, m_document, m_view)) {
-        m_gesture = std::make_unique<MoveOffScreenPointGesture>(m_view, m_document, position);
+    } else if (left && m_tool == CanvasTool::Draw) {
+        m_gesture = drawingGesture(position);
     } else if (left && m_view.area().contains(position)) {
-        m_document.selectVertex(std::nullopt);
-        m_gesture = std::make_unique<PlaceVertexGesture>(m_view, m_document);
+        m_gesture = std::make_unique<PickPixelGesture>(m_view, m_playhead);
+        m_gesture->moveTo(position);
     }
     m_canvas.setCursor(cursor());
+}
+
+std::unique_ptr<CanvasGesture> CanvasMouse::drawingGesture(const QPointF &position)
+{
+    if (m_pressedVertex == VertexRef{VertexRef::pending, 0} && m_document.canClosePending()) {
+        m_document.closePending();
+        return nullptr;
+    }
+    if (m_pressedVertex)
+        return std::make_unique<MoveVertexGesture>(m_view, m_document, *m_pressedVertex, position);
+    if (isOffScreenPointAt(position, m_document, m_view))
+        return std::make_unique<MoveOffScreenPointGesture>(m_view, m_document, position);
+    if (!m_view.area().contains(position))
+        return nullptr;
+    m_document.selectVertex(std::nullopt);
+    return std::make_unique<PlaceVertexGesture>(m_view, m_document);
 }
 
 void CanvasMouse::move(const QPointF &position)
@@ -104,7 +114,7 @@ void CanvasMouse::doubleClick(QMouseEvent *event)
     const std::optional<VertexRef> ref = m_canvas.vertexAt(position);
     if (event->button() == Qt::LeftButton && m_view.columnRuler().contains(position)) {
         toggleBreakpointAt(position);
-    } else if (event->button() == Qt::LeftButton && ref) {
+    } else if (event->button() == Qt::LeftButton && ref && m_tool == CanvasTool::Draw) {
         if (ref == m_pressedVertex) // else the first click placed it
             emit m_canvas.colourRequested(*ref);
     } else {
@@ -172,7 +182,8 @@ std::optional<LatticePoint> CanvasMouse::candidate() const
     const bool placing = !m_gesture || dynamic_cast<const PlaceVertexGesture *>(m_gesture.get());
     const bool isFree = m_gesture
         || !(hoveredVertex() || (m_hover && isOffScreenPointAt(*m_hover, m_document, m_view)));
-    if (!m_hover || !placing || !m_view.area().contains(*m_hover) || !isFree)
+    if (m_tool == CanvasTool::Inspect || !m_hover || !placing || !m_view.area().contains(*m_hover)
+        || !isFree)
         return std::nullopt;
     return m_view.placeAt(*m_hover);
 }
@@ -188,6 +199,8 @@ Qt::CursorShape CanvasMouse::cursor() const
         return m_gesture->cursor();
     if (m_hover && m_view.columnRuler().contains(*m_hover))
         return Qt::PointingHandCursor;
+    if (m_tool == CanvasTool::Inspect)
+        return Qt::ArrowCursor;
     if (hoveredVertex() || (m_hover && isOffScreenPointAt(*m_hover, m_document, m_view)))
         return Qt::SizeAllCursor;
     return m_hover && m_view.area().contains(*m_hover) ? Qt::CrossCursor : Qt::ArrowCursor;

@@ -13,6 +13,10 @@ namespace pixelplumb {
 class CanvasView;
 class Playhead;
 
+/// What a left click is for: it places and moves vertices, or it picks pixels and leaves the scene
+/// alone. All else that the mouse does is the same with both.
+enum class CanvasTool { Draw, Inspect };
+
 /// What the mouse does on the canvas: it hovers, and a press begins a gesture that a release ends.
 class CanvasMouse {
 public:
@@ -25,6 +29,10 @@ public:
     void turn(QWheelEvent *event);
     /// None: the pointer has left.
     void hoverAt(const std::optional<QPointF> &position);
+
+    CanvasTool tool() const { return m_tool; }
+    /// A gesture under way goes on.
+    void setTool(CanvasTool tool) { m_tool = tool; }
 
     const std::optional<QPointF> &hover() const { return m_hover; }
     /// Looked for once for each place of the pointer: a large scene has millions of vertices.
@@ -45,6 +53,7 @@ public:
 private:
     void begin(QMouseEvent *event);
     void end();
+    std::unique_ptr<CanvasGesture> drawingGesture(const QPointF &position);
     void pressRight(const QPointF &position);
     void toggleBreakpointAt(const QPointF &position);
 
@@ -52,6 +61,7 @@ private:
     CanvasView &m_view;
     SceneDocument &m_document;
     Playhead &m_playhead;
+    CanvasTool m_tool = CanvasTool::Draw;
     std::unique_ptr<CanvasGesture> m_gesture;
     std::optional<QPointF> m_hover;
     /// The vertex under the pointer, if any; unknown until it is looked for.

@@ -87,6 +87,8 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     if (!scene.layers.isEmpty())
         m_layers.paint(painter, scene.layers, layerSurface(view.mapping(), area, palette));
     drawOutlines(frame, scene);
+    if (scene.frame && scene.layers.cells.empty()) // else a layer's numbers stand there
+        drawValues(painter, *scene.frame, view.mapping(), area, scene.notation);
     if (scene.marked)
         m_differences.drawGlyphs(painter, scene.position, palette);
     drawSigns(frame, scene);

@@ -1,12 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/canvas/canvaspicture.h"
 
+#include "widgets/look/cellvalues.h"
+
 #include <QPainter>
 
 #include <cstring>
 #include <vector>
 
 namespace pixelplumb {
+
+namespace {
+
+constexpr int mostValues = 2'500; ///< cells; drawing more takes longer than a pointer should wait
+
+} // namespace
 
 void enlargePicture(const QImage &picture, const ViewMapping &mapping, const QRect &device,
                     QImage &shown)
@@ -38,6 +46,27 @@ void enlargePicture(const QImage &picture, const ViewMapping &mapping, const QRe
             pixels[x] = source[columns[std::size_t(x)]];
         previousLine = line;
     }
+}
+
+void drawValues(QPainter &painter, const FrameBuffer &frame, const ViewMapping &mapping,
+                const QRectF &area, ByteNotation notation)
+{
+    const CellValueStyle style{painter.font(), 1, notation};
+    if (mapping.zoom().factor() / mapping.devicePixelRatio() < leastReadableCell(style))
+        return;
+    const QRect part = mapping.pictureIn(mapping.deviceRect(area) & mapping.devicePicture());
+    if (part.width() * part.height() > mostValues)
+        return;
+    painter.save();
+    for (int line = part.top(); line <= part.bottom(); ++line) {
+        const auto y = int(rowOfPictureLine(frame.spec(), line));
+        for (int column = part.left(); column <= part.right(); ++column) {
+            const QPoint pixel(frame.spec().firstColumn + column, y);
+            const QRgb colour = *frame.view().at(pixel.x(), pixel.y());
+            drawCellValues(painter, mapping.cellOf(pixel), colour, textColourOn(colour), style);
+        }
+    }
+    painter.restore();
 }
 
 void blendGrid(QImage &shown, const ViewMapping &mapping, const QRect &device, const QColor &colour)

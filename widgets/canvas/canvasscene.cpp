@@ -17,12 +17,8 @@ namespace pixelplumb {
 
 namespace {
 
-QString coordinateNote(const LatticePoint &point)
-{
-    return QStringLiteral("(%1, %2)")
-        .arg(displayText(Quantity::rational(point.x, unitsPerPixel)),
-             displayText(Quantity::rational(point.y, unitsPerPixel)));
-}
+/// From the pointer's tip to where nothing of the pointer is, logical pixels.
+constexpr QPointF belowPointer(6, 10);
 
 /// Collects what is shown, piece by piece.
 class Collector {
@@ -58,6 +54,7 @@ public:
             m_scene.frame = traced ? m_playhead.frame() : nullptr;
         if (m_options.isGridShown())
             m_scene.grid = CanvasScene::Grid::Shown;
+        m_scene.notation = m_options.notation();
         if (!m_options.areDifferencesShown() || m_isTruth)
             return;
         m_scene.marked = preview ? CanvasDifferences::Source{nullptr, m_previewer->picture()}
@@ -111,7 +108,8 @@ public:
             vertices.push_back({tip, colour});
             addRubber(vertices);
         }
-        if (!m_document.pendingVertices().empty() || m_hand.isPressed)
+        // The read-out, where there is one, has the coordinates.
+        if (m_hand.readout.isEmpty() && (!m_document.pendingVertices().empty() || m_hand.isPressed))
             m_scene.notes.push_back({coordinateNote(*m_hand.candidate),
                                      m_view.mapping().positionOf(tip), NoteSide::BelowRight});
     }
@@ -124,6 +122,9 @@ public:
             m_scene.notes.push_back(
                 {coordinateNote(point), m_view.positionOf(point), NoteSide::BelowRight});
         }
+        if (m_hand.pointer && !m_hand.readout.isEmpty())
+            m_scene.notes.push_back(
+                {m_hand.readout, *m_hand.pointer + belowPointer, NoteSide::BelowRight});
         const QRectF area = m_view.area();
         if (const QString text = hint(); !text.isEmpty())
             m_scene.notes.push_back({text, {area.center().x(), area.top()}, NoteSide::Below});
@@ -169,8 +170,12 @@ private:
         const QString foreign = m_document.pendingVertices().empty()
             ? foreignSceneHint(m_document.scene())
             : QString();
+        if (!foreign.isEmpty() && !m_hand.isDrawing)
+            return foreign;
         if (!foreign.isEmpty())
             return foreign + u'\n' + placingHint(m_document.placedKind(), 0, FrameContent::Empty);
+        if (!m_hand.isDrawing)
+            return {};
         return placingHint(m_document.placedKind(), m_document.pendingVertices().size(),
                            m_document.scene().isEmpty() ? FrameContent::Empty
                                                         : FrameContent::Drawn);
@@ -200,6 +205,13 @@ private:
 };
 
 } // namespace
+
+QString coordinateNote(const LatticePoint &point)
+{
+    return QStringLiteral("(%1, %2)")
+        .arg(displayText(Quantity::rational(point.x, unitsPerPixel)),
+             displayText(Quantity::rational(point.y, unitsPerPixel)));
+}
 
 bool isTruthVisible(const CanvasSources &sources, const CanvasHand &hand)
 {

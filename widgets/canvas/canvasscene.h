@@ -5,12 +5,12 @@
 #include "widgets/canvas/canvasdifferences.h"
 #include "widgets/canvas/outlinechoice.h"
 #include "widgets/canvas/ruler.h"
+#include "widgets/look/displayoptions.h"
 #include "widgets/look/framepainter.h"
 
 namespace pixelplumb {
 
 class CanvasView;
-class DisplayOptions;
 class EffectSwitches;
 class Playhead;
 class ScenePreviewer;
@@ -32,6 +32,10 @@ struct CanvasHand {
     bool isPressed = false; ///< a press of the mouse does something
     bool isMoving = false; ///< a vertex
     bool isPeeking = false; ///< at the truth
+    bool isDrawing = true; ///< a left click places vertices
+    /// Where the pointer is, in view and with no button held; what stands beside it there.
+    std::optional<QPointF> pointer;
+    QString readout;
 };
 
 /// What the canvas shows, taken from the document, the run and the hand once, so that painting only
@@ -64,6 +68,7 @@ struct CanvasScene {
 
     const FrameBuffer *frame = nullptr; ///< whose cells are shown; null: the background
     Grid grid = Grid::Hidden;
+    ByteNotation notation = ByteNotation::Decimal; ///< of the values in cells that have room
     std::optional<CanvasDifferences::Source> marked; ///< none: differences are not shown
     std::size_t position = 0; ///< of the playhead
 
@@ -92,6 +97,9 @@ struct CanvasScene {
 /// `choice` knows which outlines are in view.
 CanvasScene canvasScene(const CanvasSources &sources, const CanvasView &view,
                         const OutlineChoice &choice, const CanvasHand &hand);
+
+/// "(27 1/2, 19)"
+QString coordinateNote(const LatticePoint &point);
 
 /// Whether the truth stands in the frame's place.
 bool isTruthVisible(const CanvasSources &sources, const CanvasHand &hand);

@@ -19,6 +19,18 @@ QString plainText(QString text)
     return text.toHtmlEscaped();
 }
 
+QString row(const QString &keys, const QString &meaning, const QString &where = {})
+{
+    return QStringLiteral("<tr><td width=\"190\"><b>%1</b></td><td>%2</td>"
+                          "<td>&nbsp;&nbsp;%3</td></tr>")
+        .arg(keys, meaning, where);
+}
+
+QString section(const QString &title, const QString &rows)
+{
+    return QStringLiteral("<h3>%1</h3><table cellspacing=\"2\">%2</table>").arg(title, rows);
+}
+
 QString rowsOf(const QMenu *menu)
 {
     QString rows;
@@ -36,12 +48,30 @@ QString rowsOf(const QMenu *menu)
             continue;
         const bool isCanvasKey = action->shortcutContext() != Qt::WindowShortcut
             && action->shortcutContext() != Qt::ApplicationShortcut;
-        rows += QStringLiteral("<tr><td width=\"150\"><b>%1</b></td><td>%2</td>"
-                               "<td>&nbsp;&nbsp;%3</td></tr>")
-                    .arg(keys.join(QLatin1String(", ")), plainText(action->text()),
-                         isCanvasKey ? KeySheet::tr("in the canvas") : QString());
+        rows += row(keys.join(QLatin1String(", ")), plainText(action->text()),
+                    isCanvasKey ? KeySheet::tr("in the canvas") : QString());
     }
     return rows;
+}
+
+/// What the mouse does on the canvas, which no menu shows.
+QString mouseRows()
+{
+    using Sheet = KeySheet;
+    return row(Sheet::tr("Point"), Sheet::tr("Read the pixel, its painter and the nearest edge"))
+        + row(Sheet::tr("Click"), Sheet::tr("Place a vertex"), Sheet::tr("Draw"))
+        + row(Sheet::tr("Drag a vertex"), Sheet::tr("Move it"), Sheet::tr("Draw"))
+        + row(Sheet::tr("Double click on a vertex"), Sheet::tr("Choose its colour"),
+              Sheet::tr("Draw"))
+        + row(Sheet::tr("Click, drag"), Sheet::tr("Pick the pixel"), Sheet::tr("Inspect"))
+        + row(Sheet::tr("Right click"), Sheet::tr("Pick the pixel; on a vertex, its menu"))
+        + row(Sheet::tr("Wheel"), Sheet::tr("Zoom"))
+        + row(Sheet::tr("Middle drag, Ctrl+drag"), Sheet::tr("Move the view"))
+        + row(Sheet::tr("Click, drag on the ruler"), Sheet::tr("Go to the column"))
+        + row(Sheet::tr("Right or double click on the ruler"),
+              Sheet::tr("Breakpoint on the column"))
+        + row(Sheet::tr("Hold Shift"), Sheet::tr("See the truth"))
+        + row(Sheet::tr("Esc"), Sheet::tr("Give up the drag, or the vertices that wait"));
 }
 
 } // namespace
@@ -50,10 +80,10 @@ KeySheet::KeySheet(const QList<QMenu *> &menus, QWidget *parent)
     : QDialog(parent)
 {
     setObjectName(QStringLiteral("keySheet"));
-    setWindowTitle(tr("Keys"));
+    setWindowTitle(tr("Keys and mouse"));
     auto *sheet = new QTextBrowser(this);
     sheet->setObjectName(QStringLiteral("keySheetText"));
-    sheet->setAccessibleName(tr("Keys"));
+    sheet->setAccessibleName(tr("Keys and mouse"));
     sheet->setHtml(keySheetHtml(menus));
     auto *buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -62,17 +92,16 @@ KeySheet::KeySheet(const QList<QMenu *> &menus, QWidget *parent)
     layout->setSpacing(8);
     layout->addWidget(sheet);
     layout->addWidget(buttons);
-    resize(560, 640);
+    resize(640, 640);
 }
 
 QString keySheetHtml(const QList<QMenu *> &menus)
 {
-    QString html;
+    QString html = section(KeySheet::tr("Mouse, in the canvas"), mouseRows());
     for (const QMenu *menu : menus) {
         const QString rows = rowsOf(menu);
         if (!rows.isEmpty())
-            html += QStringLiteral("<h3>%1</h3><table cellspacing=\"2\">%2</table>")
-                        .arg(plainText(menu->title()), rows);
+            html += section(plainText(menu->title()), rows);
     }
     return html;
 }

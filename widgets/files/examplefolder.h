@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QStringList>
+#include <QString>
+
+#include <vector>
 
 namespace pixelplumb {
 
@@ -10,7 +12,13 @@ namespace pixelplumb {
 /// is not saved there unasked.
 bool isExample(const QString &path);
 
+struct Example {
+    QString path;
+    QString title; ///< "Shared edge"
+    QString line; ///< what there is to see; empty where nobody has said it
+};
+
 /// The example scenes, by name; none where the program has lost its folder.
-QStringList examplePaths();
+std::vector<Example> examples();
 
 } // namespace pixelplumb

@@ -48,22 +48,35 @@ SceneExports::SceneExports(Playhead *playhead, const DisplayOptions *options, QW
 {
 }
 
-bool SceneExports::writePicture(const QString &path)
+bool SceneExports::writePicture(const QString &path, ExportMoment moment)
 {
     if (!mayWriteTo(path))
         return false;
+    const Scene &scene = m_playhead->traced()->scene;
+    FrameBuffer finished(scene.frame);
+    if (moment == ExportMoment::Finished)
+        drawScene(scene, finished); // a recording may have ended early
+    const FrameBuffer &shown = moment == ExportMoment::Finished ? finished : *m_playhead->frame();
     QSaveFile file(path);
-    const bool written = file.open(QIODevice::WriteOnly)
-        && m_playhead->frame()->image().save(&file, "PNG") && file.commit();
+    const bool written
+        = file.open(QIODevice::WriteOnly) && shown.image().save(&file, "PNG") && file.commit();
     return tellOutcome(path, written ? QString() : file.errorString());
 }
 
-bool SceneExports::writeAnnotatedGrid(const QString &path)
+bool SceneExports::writeAnnotatedGrid(const QString &path, ExportMoment moment)
 {
-    return mayWriteTo(path) && tellOutcome(path, exportSvg(path, *m_playhead, *m_options));
+    if (!mayWriteTo(path))
+        return false;
+    if (moment == ExportMoment::AsDrawn)
+        return tellOutcome(path, exportSvg(path, *m_playhead, *m_options));
+    Playhead atEnd;
+    atEnd.setTraced(m_playhead->sharedTraced());
+    atEnd.seek(atEnd.end());
+    return tellOutcome(path, exportSvg(path, atEnd, *m_options));
 }
 
-bool SceneExports::writeTrace(const QString &path, TraceLevel level, TableFormat format)
+bool SceneExports::writeTrace(const QString &path, TraceLevel level, TableFormat format,
+                              ExportMoment moment)
 {
     if (!mayWriteTo(path))
         return false;
@@ -72,10 +85,14 @@ bool SceneExports::writeTrace(const QString &path, TraceLevel level, TableFormat
         return tellOutcome(path, tr("another trace is still being written."));
     m_writtenPath = path;
     m_writing.setTitle(tr("Writing %1").arg(name));
+    TraceExportOptions options{level, format};
+    if (moment == ExportMoment::AsDrawn)
+        options.rows.position = m_playhead->position();
     m_writing.start(
-        [path, level, format,
-         traced = m_playhead->sharedTraced()](const ProgressListener &listener) {
-            return writtenTrace(*traced, {level, format, listener}, path);
+        [path, options, traced = m_playhead->sharedTraced()](const ProgressListener &listener) {
+            TraceExportOptions told = options;
+            told.progress = listener;
+            return writtenTrace(*traced, told, path);
         },
         [this, path](const WrittenTrace &written) { tellOutcome(path, written.error); });
     return true;
@@ -89,29 +106,31 @@ void SceneExports::cancelWriting()
     emit notice(tr("%1 was not written.").arg(QFileInfo(m_writtenPath).fileName()));
 }
 
-bool SceneExports::writeRaster(const QString &path)
+bool SceneExports::writeRaster(const QString &path, ExportMoment moment)
 {
     if (!mayWriteTo(path))
         return false;
-    const QString raster = asciiRaster(coverageOf(m_playhead->traced()->scene));
+    const TracedScene &traced = *m_playhead->traced();
+    const QString raster
+        = asciiRaster(moment == ExportMoment::Finished
+                          ? coverageOf(traced.scene)
+                          : coverageAt(*traced.trace, traced.scene.frame, m_playhead->position()));
     const std::optional<InputError> error = writeFile(path, raster.toLatin1());
     return tellOutcome(path, error ? error->message() : QString());
 }
 
 void SceneExports::exportPicture()
 {
-    const QString path
-        = askForPath(tr("Export the Picture"), tr("PNG pictures (*.png)"), QStringLiteral("png"));
-    if (!path.isEmpty())
-        writePicture(path);
+    if (const auto target
+        = askForTarget(tr("Export the Picture"), tr("PNG picture"), QStringLiteral("png")))
+        writePicture(target->path, target->moment);
 }
 
 void SceneExports::exportAnnotatedGrid()
 {
-    const QString path = askForPath(tr("Export the Annotated Grid"), tr("SVG drawings (*.svg)"),
-                                    QStringLiteral("svg"));
-    if (!path.isEmpty())
-        writeAnnotatedGrid(path);
+    if (const auto target
+        = askForTarget(tr("Export the Annotated Grid"), tr("SVG drawing"), QStringLiteral("svg")))
+        writeAnnotatedGrid(target->path, target->moment);
 }
 
 void SceneExports::exportTrace(TraceLevel level, TableFormat format)
@@ -119,18 +138,17 @@ void SceneExports::exportTrace(TraceLevel level, TableFormat format)
     const QString title
         = level == TraceLevel::Column ? tr("Export the Columns") : tr("Export the Pixels");
     const bool isCsv = format == TableFormat::Csv;
-    const QString path = askForPath(title, isCsv ? tr("CSV tables (*.csv)") : tr("JSON (*.json)"),
-                                    isCsv ? QStringLiteral("csv") : QStringLiteral("json"));
-    if (!path.isEmpty())
-        writeTrace(path, level, format);
+    const auto target = askForTarget(title, isCsv ? tr("CSV table") : tr("JSON"),
+                                     isCsv ? QStringLiteral("csv") : QStringLiteral("json"));
+    if (target)
+        writeTrace(target->path, level, format, target->moment);
 }
 
 void SceneExports::exportRaster()
 {
-    const QString path
-        = askForPath(tr("Export the Raster"), tr("Text (*.txt)"), QStringLiteral("txt"));
-    if (!path.isEmpty())
-        writeRaster(path);
+    if (const auto target
+        = askForTarget(tr("Export the Raster"), tr("Text"), QStringLiteral("txt")))
+        writeRaster(target->path, target->moment);
 }
 
 void SceneExports::copyRaster()
@@ -186,15 +204,29 @@ void SceneExports::copyPickedPixel()
     emit notice(tr("Pixel (%1, %2) is on the clipboard.").arg(pixel->x()).arg(pixel->y()));
 }
 
-QString SceneExports::askForPath(const QString &title, const QString &filter,
-                                 const QString &suffix) const
+/// The moments are kinds of files to the dialog: every desktop's own shows these as a choice.
+std::optional<SceneExports::Target> SceneExports::askForTarget(const QString &title,
+                                                               const QString &kind,
+                                                               const QString &suffix) const
 {
-    QFileDialog dialog(m_window, title, {}, filter);
+    QStringList filters{tr("%1, finished (*.%2)").arg(kind, suffix)};
+    if (m_playhead->position() < m_playhead->end())
+        filters += tr("%1, as drawn so far: step %2 of %3 (*.%4)")
+                       .arg(kind)
+                       .arg(m_playhead->position())
+                       .arg(m_playhead->end())
+                       .arg(suffix);
+    QFileDialog dialog(m_window, title);
+    dialog.setNameFilters(filters);
     dialog.setObjectName(QStringLiteral("exportDialog"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(suffix);
     dialog.selectFile(m_baseName + QLatin1Char('.') + suffix);
-    return dialog.exec() == QDialog::Accepted ? dialog.selectedFiles().constFirst() : QString();
+    if (dialog.exec() != QDialog::Accepted)
+        return std::nullopt;
+    return Target{dialog.selectedFiles().constFirst(),
+                  dialog.selectedNameFilter() == filters.front() ? ExportMoment::Finished
+                                                                 : ExportMoment::AsDrawn};
 }
 
 bool SceneExports::mayWriteTo(const QString &path)

@@ -6,6 +6,8 @@
 
 #include <QObject>
 
+#include <optional>
+
 class QWidget;
 
 namespace pixelplumb {
@@ -13,8 +15,15 @@ namespace pixelplumb {
 class DisplayOptions;
 class Playhead;
 
+/// The moment of the run that an export tells of.
+enum class ExportMoment {
+    Finished,
+    AsDrawn, ///< what is done at the playhead's position
+};
+
 /// What leaves the window: the picture, the annotated grid, the trace as a table, the raster as
-/// text; and the raster that comes back by the clipboard.
+/// text; and the raster that comes back by the clipboard. All of them finished, but for what a
+/// person wants as it is drawn so far.
 class SceneExports : public QObject {
     Q_OBJECT
 
@@ -27,12 +36,13 @@ public:
     void setScenePath(const QString &path) { m_scenePath = path; }
 
     /// Each is false after a complaint.
-    bool writePicture(const QString &path);
-    bool writeAnnotatedGrid(const QString &path);
-    bool writeRaster(const QString &path);
+    bool writePicture(const QString &path, ExportMoment moment = ExportMoment::Finished);
+    bool writeAnnotatedGrid(const QString &path, ExportMoment moment = ExportMoment::Finished);
+    bool writeRaster(const QString &path, ExportMoment moment = ExportMoment::Finished);
     /// Begins to write the run in hand beside the GUI thread, whatever becomes of it there; one
     /// trace at a time. Only a whole file ever stands at the path.
-    bool writeTrace(const QString &path, TraceLevel level, TableFormat format);
+    bool writeTrace(const QString &path, TraceLevel level, TableFormat format,
+                    ExportMoment moment = ExportMoment::Finished);
 
     const Job &writing() const { return m_writing; }
     void cancelWriting();
@@ -54,7 +64,13 @@ signals:
     void notice(const QString &text);
 
 private:
-    QString askForPath(const QString &title, const QString &filter, const QString &suffix) const;
+    /// Where the person wants a file, and of which moment; none where they do not.
+    struct Target {
+        QString path;
+        ExportMoment moment = ExportMoment::Finished;
+    };
+    std::optional<Target> askForTarget(const QString &title, const QString &kind,
+                                       const QString &suffix) const;
     /// False after a complaint: nothing is drawn, or the path is the scene's own.
     bool mayWriteTo(const QString &path);
     bool hasTrace();

@@ -198,10 +198,13 @@ void SceneFiles::loadDefault()
 {
     QFile file(defaultScenePath());
     if (file.open(QIODevice::ReadOnly)) {
-        if (Result<SceneReading> reading = readScene(file.readAll()))
-            replaceBy(std::move(reading->scene), {});
-        else
+        Result<SceneReading> reading = readScene(file.readAll());
+        if (!reading) {
             emit complaint(reading.error().message());
+            return;
+        }
+        replaceBy(std::move(reading->scene), {});
+        emit begun();
     }
 }
 
@@ -222,6 +225,7 @@ void SceneFiles::newScene()
     scene.settings = m_document->scene().settings;
     scene.method = m_document->scene().method;
     replaceBy(std::move(scene), {});
+    emit begun();
 }
 
 void SceneFiles::open()

@@ -71,6 +71,7 @@ signals:
     void replacing();
     void pathChanged();
     void loaded();
+    void begun(); ///< after loaded(): at the first scene or an empty one, a person begins to draw
     void loadingFailed(); ///< after a complaint, or cancelled: the document is as it was
     void complaint(const QString &text);
     void notice(const QString &text);

@@ -19,6 +19,7 @@
 #include <QScrollBar>
 
 #include <algorithm>
+#include <numeric>
 
 namespace pixelplumb {
 
@@ -95,13 +96,13 @@ void ColumnTable::takeColumns()
 void ColumnTable::followPlayhead()
 {
     const QScopedValueRollback following(m_following, true);
-    const std::optional<std::size_t> column = m_playhead->spanInHand();
-    if (!column || int(*column) >= m_model->rowCount()) {
+    const std::optional<std::size_t> span = m_playhead->spanInHand();
+    const int row = span ? m_model->rowAt(*span) : firstRowAhead();
+    if (!span || row >= m_model->rowCount() || m_model->spanAt(row) != *span) {
         selectionModel()->clear();
-        bringIntoView(firstRowAhead());
+        bringIntoView(row);
         return;
     }
-    const int row = int(*column);
     if (currentIndex().row() != row) {
         setAutoScroll(false); // it would scroll sideways too
         const int section = std::max(0, m_header->logicalIndexAt(0));
@@ -110,14 +111,15 @@ void ColumnTable::followPlayhead()
                                               | QItemSelectionModel::Rows);
         setAutoScroll(true);
     }
-    bringIntoView(row);
+    if (!m_isPressed)
+        bringIntoView(row);
 }
 
 /// The first column of the triangle that is being set up, or of all.
 int ColumnTable::firstRowAhead() const
 {
     const std::optional<TraceStep> step = m_playhead->stepInHand();
-    return step ? int(m_playhead->traced()->trace->firstSpanOf(step->primitive)) : 0;
+    return step ? m_model->rowAt(m_playhead->traced()->trace->firstSpanOf(step->primitive)) : 0;
 }
 
 void ColumnTable::bringIntoView(int row)
@@ -140,18 +142,27 @@ void ColumnTable::bringIntoView(int row)
 void ColumnTable::resizeEvent(QResizeEvent *event)
 {
     QTableView::resizeEvent(event);
-    if (const std::optional<std::size_t> column = m_playhead->spanInHand())
-        bringIntoView(int(*column));
+    if (const std::optional<std::size_t> span = m_playhead->spanInHand())
+        bringIntoView(m_model->rowAt(*span));
 }
 
 void ColumnTable::currentChanged(const QModelIndex &current, const QModelIndex &previous)
 {
     QTableView::currentChanged(current, previous);
     if (!m_following && current.isValid() && current.row() != previous.row())
-        m_playhead->seekToSpan(std::size_t(current.row()));
+        m_playhead->seekToSpan(m_model->spanAt(current.row()));
 }
 
 QString ColumnTable::selectionAsTsv() const
+{
+    QList<int> rows;
+    for (const QModelIndex &index : selectionModel()->selectedRows())
+        rows.append(index.row());
+    std::ranges::sort(rows);
+    return asTsv(rows);
+}
+
+QString ColumnTable::asTsv(const QList<int> &rows) const
 {
     QList<int> columns;
     for (int column = 0; column < m_model->columnCount(); ++column) {
@@ -162,13 +173,11 @@ QString ColumnTable::selectionAsTsv() const
     for (const int column : std::as_const(columns))
         names.append(m_model->fileName(column));
     QStringList lines(names.join(u'\t'));
-    QModelIndexList rows = selectionModel()->selectedRows();
-    std::ranges::sort(rows, {}, &QModelIndex::row);
-    for (const QModelIndex &row : std::as_const(rows)) {
+    for (const int row : rows) {
         QStringList cells;
         for (const int column : std::as_const(columns))
             cells.append(
-                row.siblingAtColumn(column).data(ColumnTableModel::CanonicalTextRole).toString());
+                m_model->index(row, column).data(ColumnTableModel::CanonicalTextRole).toString());
         lines.append(cells.join(u'\t'));
     }
     return lines.join(u'\n') + u'\n';
@@ -180,6 +189,19 @@ void ColumnTable::copySelection() const
         QGuiApplication::clipboard()->setText(selectionAsTsv());
 }
 
+void ColumnTable::copyAll() const
+{
+    QList<int> rows(m_model->rowCount());
+    std::iota(rows.begin(), rows.end(), 0);
+    QGuiApplication::clipboard()->setText(asTsv(rows));
+}
+
+void ColumnTable::setFilter(RowFilter filter)
+{
+    if (filter != m_model->filter())
+        m_model->setFilter(filter);
+}
+
 bool ColumnTable::event(QEvent *event)
 {
     // The window has another use for the copy key; in the table it copies the table's rows.
@@ -189,6 +211,18 @@ bool ColumnTable::event(QEvent *event)
         return true;
     }
     return QTableView::event(event);
+}
+
+void ColumnTable::mousePressEvent(QMouseEvent *event)
+{
+    m_isPressed = true;
+    QTableView::mousePressEvent(event);
+}
+
+void ColumnTable::mouseReleaseEvent(QMouseEvent *event)
+{
+    QTableView::mouseReleaseEvent(event);
+    m_isPressed = false;
 }
 
 void ColumnTable::keyPressEvent(QKeyEvent *event)
@@ -221,8 +255,11 @@ void ColumnTable::paintEvent(QPaintEvent *event)
         return;
     QPainter painter(viewport());
     painter.setPen(palette().color(QPalette::PlaceholderText));
+    const bool isFiltered = m_model->filter() != RowFilter::All && m_playhead->traced()
+        && m_playhead->traced()->trace->spanCount() > 0;
     painter.drawText(viewport()->rect(), Qt::AlignCenter | Qt::TextWordWrap,
-                     emptyRunText(m_playhead->traced()));
+                     isFiltered ? tr("No row is of the chosen kind.")
+                                : emptyRunText(m_playhead->traced()));
 }
 
 } // namespace pixelplumb

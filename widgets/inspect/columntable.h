@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/trace/numberdescription.h"
+#include "widgets/model/rowfilter.h"
 
 #include <QTableView>
 
@@ -30,12 +31,18 @@ public:
     /// canonical text.
     QString selectionAsTsv() const;
 
+    int shownRows() const { return model()->rowCount(); }
+
 public slots:
     void copySelection() const;
+    void copyAll() const; ///< every row that is shown, in the same form
+    void setFilter(pixelplumb::RowFilter filter);
 
 protected:
     void currentChanged(const QModelIndex &current, const QModelIndex &previous) override;
     bool event(QEvent *event) override;
+    void mousePressEvent(QMouseEvent *event) override;
+    void mouseReleaseEvent(QMouseEvent *event) override;
     void keyPressEvent(QKeyEvent *event) override;
     void focusInEvent(QFocusEvent *event) override;
     void changeEvent(QEvent *event) override;
@@ -43,6 +50,7 @@ protected:
     void resizeEvent(QResizeEvent *event) override;
 
 private:
+    QString asTsv(const QList<int> &rows) const;
     void createActions();
     void takeColumns();
     void showChosenColumns();
@@ -62,7 +70,9 @@ private:
     QAction *m_exactAction = nullptr;
     QAction *m_errorAction = nullptr;
     QAction *m_copyAction = nullptr;
+    QAction *m_copyAllAction = nullptr;
     bool m_following = false; ///< the table moves after the playhead, not the other way
+    bool m_isPressed = false; ///< rows stay where they are under the mouse
 };
 
 } // namespace pixelplumb

@@ -36,6 +36,11 @@ void ColumnTable::createActions()
     m_copyAction = new QAction(tr("Copy rows"), this);
     m_copyAction->setObjectName(QStringLiteral("copyRows"));
     connect(m_copyAction, &QAction::triggered, this, &ColumnTable::copySelection);
+    m_copyAllAction = new QAction(tr("Copy all rows shown"), this);
+    m_copyAllAction->setObjectName(QStringLiteral("copyTable"));
+    connect(m_copyAllAction, &QAction::triggered, this, &ColumnTable::copyAll);
+    addActions({m_copyAction, m_copyAllAction});
+    setContextMenuPolicy(Qt::ActionsContextMenu);
 }
 
 bool ColumnTable::isChosen(int column) const
@@ -80,7 +85,7 @@ void ColumnTable::showColumnMenu(const QPoint &position)
     menu.addAction(m_exactAction);
     menu.addAction(m_errorAction);
     menu.addSeparator();
-    menu.addAction(m_copyAction);
+    menu.addActions({m_copyAction, m_copyAllAction});
     menu.exec(position);
 }
 

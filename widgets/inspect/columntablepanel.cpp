@@ -2,20 +2,27 @@
 #include "widgets/inspect/columntablepanel.h"
 
 #include "widgets/inspect/columntable.h"
+#include "widgets/look/elidedlabel.h"
+#include "widgets/look/elidingbox.h"
 #include "widgets/model/playhead.h"
 
 #include <QAction>
 #include <QHBoxLayout>
-#include <QLabel>
 #include <QToolButton>
 
 namespace pixelplumb {
+
+namespace {
+
+constexpr int leastFilterWidth = 56; // logical pixels
+
+} // namespace
 
 ColumnTablePanel::ColumnTablePanel(Playhead *playhead, QWidget *parent)
     : QWidget(parent)
     , m_playhead(playhead)
     , m_table(new ColumnTable(playhead, this))
-    , m_summary(new QLabel(this))
+    , m_summary(new ElidedLabel(this))
 {
     setObjectName(QStringLiteral("columnTablePanel"));
     auto *switches = new QHBoxLayout;
@@ -31,12 +38,14 @@ ColumnTablePanel::ColumnTablePanel(Playhead *playhead, QWidget *parent)
         connect(action, &QAction::visibleChanged, button, // a group that the method has not
                 [button, action] { button->setVisible(action->isVisible()); });
         if (action->objectName() == QLatin1String("showExact"))
-            switches->addSpacing(16);
+            switches->addSpacing(8);
         switches->addWidget(button);
     }
-    switches->addStretch();
+    switches->addSpacing(8);
+    addFilter(switches);
     m_summary->setObjectName(QStringLiteral("columnTableSummary"));
-    switches->addWidget(m_summary);
+    m_summary->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    switches->addWidget(m_summary, 1);
 
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
@@ -47,6 +56,24 @@ ColumnTablePanel::ColumnTablePanel(Playhead *playhead, QWidget *parent)
 
     connect(playhead, &Playhead::tracedChanged, this, &ColumnTablePanel::describe);
     describe();
+}
+
+void ColumnTablePanel::addFilter(QHBoxLayout *row)
+{
+    auto *box = new ElidingBox(this);
+    m_filter = box;
+    box->setObjectName(QStringLiteral("rowFilterBox"));
+    box->setAccessibleName(tr("Rows of the table"));
+    box->setToolTip(
+        tr("Show all rows, or those in which a sample lies on an edge (=), a level left "
+           "0 … 255 (^), or a pixel differs from the truth (?, !, c)"));
+    box->addItems({tr("all rows"), tr("ties ="), tr("clamps ^"), tr("errors ? ! c")}); // RowFilter
+    box->setMinimumWidth(leastFilterWidth); // narrower than its text: the canvas needs the room
+    connect(box, &QComboBox::currentIndexChanged, this, [this](int index) {
+        m_table->setFilter(RowFilter(index));
+        describe();
+    });
+    row->addWidget(box);
 }
 
 namespace {
@@ -82,6 +109,7 @@ QString severalSpans(SpanAxis axis)
 void ColumnTablePanel::describe()
 {
     const TracedScene *traced = m_playhead->traced();
+    m_filter->setVisible(traced); // nor does it take room from the panels that are laid out before
     if (!traced) {
         m_summary->clear();
         return;
@@ -89,11 +117,13 @@ void ColumnTablePanel::describe()
     const ScanTrace &trace = *traced->trace;
     QString text = trace.spanCount() == 1 ? oneSpan(m_playhead->axis())
                                           : severalSpans(m_playhead->axis()).arg(trace.spanCount());
+    if (m_table->shownRows() != int(trace.spanCount()))
+        text = tr("%1 of %2").arg(m_table->shownRows()).arg(text);
     if (trace.primitiveCount() > 1)
         text += QStringLiteral(" · ") + tr("%1 primitives").arg(trace.primitiveCount());
     if (trace.isCut())
         text += QStringLiteral(" · ") + tr("recording ended at its limit");
-    m_summary->setText(text);
+    m_summary->setWholeText(text);
 }
 
 } // namespace pixelplumb

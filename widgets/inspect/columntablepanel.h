@@ -3,14 +3,15 @@
 
 #include <QWidget>
 
-class QLabel;
+class QHBoxLayout;
 
 namespace pixelplumb {
 
 class ColumnTable;
+class ElidedLabel;
 class Playhead;
 
-/// The column table below a row of switches for its groups of columns.
+/// The column table below a row of switches for its groups of columns, and the choice of its rows.
 class ColumnTablePanel : public QWidget {
     Q_OBJECT
 
@@ -20,11 +21,13 @@ public:
     ColumnTable *table() const { return m_table; }
 
 private:
+    void addFilter(QHBoxLayout *row);
     void describe();
 
     Playhead *m_playhead;
     ColumnTable *m_table;
-    QLabel *m_summary;
+    ElidedLabel *m_summary;
+    QWidget *m_filter = nullptr;
 };
 
 } // namespace pixelplumb

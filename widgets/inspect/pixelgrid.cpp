@@ -33,6 +33,7 @@ PixelGridStyle styleOf(const QWidget &widget, const DisplayOptions &options)
     style.font = tabularFont(widget.font());
     style.font.setPixelSize(qRound(QFontInfo(widget.font()).pixelSize() * style.scale));
     style.lines = options.isGridShown() ? GridLines::Shown : GridLines::Hidden;
+    style.notation = options.notation();
     return style;
 }
 
@@ -60,7 +61,7 @@ QSize PixelGrid::minimumSizeHint() const
 {
     const PixelGridStyle style = styleOf(*this, *m_options);
     const QMargins margins = pixelGridMargins(style, {}, largestRowDigits());
-    const double cells = fewestCells * std::ceil(leastReadableCell(style));
+    const double cells = fewestCells * std::ceil(leastReadableCell(style.values()));
     return {200, int(std::ceil((cells + margins.top() + margins.bottom()) / style.scale))};
 }
 
@@ -93,7 +94,7 @@ PixelGridMapping PixelGrid::mapping() const
     const PixelGridStyle style = styleOf(*this, *m_options);
     const QMargins margins = pixelGridMargins(style, area, largestRowDigits());
     const auto readable = [&](int length) {
-        const int fitting = (int(length / leastReadableCell(style)) - 1) | 1;
+        const int fitting = (int(length / leastReadableCell(style.values())) - 1) | 1;
         return std::clamp(fitting, fewestCells, m_cellCount);
     };
     const QSize inside = area.shrunkBy(margins);

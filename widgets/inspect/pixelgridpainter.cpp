@@ -7,34 +7,15 @@
 #include <QPainter>
 
 #include <algorithm>
-#include <cmath>
 
 namespace pixelplumb {
 
 namespace {
 
 // Logical pixels.
-// A value stands between the cell's left side and what goes through its sample.
-constexpr double leastValueSize = 7; // of its font
-constexpr double largestValueSize = 12;
-constexpr double valueGap = 1.5; // from the side
-constexpr double sampleGap = 2.5; // from the middle
 constexpr double dotCell = 12; // a dot would hide smaller cells
 
 constexpr float backgroundValueFade = 0.55F;
-
-/// Black or white, whichever is read better: relative luminance of sRGB against its middle
-/// (WCAG 2.1).
-QColor textColourOn(QRgb colour)
-{
-    const auto linear = [](int byte) {
-        const double share = byte / 255.0;
-        return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
-    };
-    const double luminance = 0.2126 * linear(qRed(colour)) + 0.7152 * linear(qGreen(colour))
-        + 0.0722 * linear(qBlue(colour));
-    return luminance > 0.179 ? Qt::black : Qt::white;
-}
 
 QFont withSize(QFont font, double devicePixels)
 {
@@ -42,18 +23,7 @@ QFont withSize(QFont font, double devicePixels)
     return font;
 }
 
-double widestValue(const QFont &font)
-{
-    return QFontMetricsF(font).horizontalAdvance(QStringLiteral("000"));
-}
-
 } // namespace
-
-double leastReadableCell(const PixelGridStyle &style)
-{
-    const double value = widestValue(withSize(style.font, leastValueSize * style.scale));
-    return 2 * (value + (valueGap + sampleGap) * style.scale);
-}
 
 PixelGridPainter::PixelGridPainter(QPainter &painter, const PixelGridStyle &style,
                                    const PixelGridMapping &mapping, const PixelGridScene &scene)
@@ -131,32 +101,26 @@ void PixelGridPainter::paintCell(const GridCell &cell)
 
 void PixelGridPainter::paintValue(const GridCell &cell)
 {
-    const double size = m_mapping.cellSize();
-    if (!cell.isInFrame || size < leastReadableCell(m_style))
+    if (!cell.isInFrame)
         return;
-    const double room = size / 2 - px(valueGap + sampleGap);
-    double fontSize = largestValueSize;
-    while (fontSize > leastValueSize
-           && (widestValue(fontOfSize(fontSize)) > room || 3 * px(fontSize) > size - px(2)))
-        --fontSize;
-    const QFont font = fontOfSize(fontSize);
-    const QFontMetricsF metrics(font);
-    QColor colour = textColourOn(cell.colour);
+    QColor ink = textColourOn(cell.colour);
     if (cell.isBackground)
-        colour = blended(colour, QColor::fromRgb(cell.colour), backgroundValueFade);
-    m_painter.setPen(colour);
-    m_painter.setFont(font);
-    const QRectF rect = m_mapping.cell(cell.pixel);
-    const double right = rect.left() + px(valueGap) + widestValue(font);
-    const double lineHeight = (size - px(2)) / 3;
-    const std::array<int, 3> bytes = {qRed(cell.colour), qGreen(cell.colour), qBlue(cell.colour)};
-    for (std::size_t i = 0; i < bytes.size(); ++i) {
-        const QString text = QString::number(bytes[i]);
-        const double middle = rect.top() + px(1) + lineHeight * (double(i) + 0.5);
-        m_painter.drawText(
-            QPointF(right - metrics.horizontalAdvance(text), middle + metrics.capHeight() / 2),
-            text);
-    }
+        ink = blended(ink, QColor::fromRgb(cell.colour), backgroundValueFade);
+    const QBrush paper = isFramed(cell.pixel) ? QBrush(QColor::fromRgb(cell.colour)) : QBrush();
+    drawCellValues(m_painter, m_mapping.cell(cell.pixel), cell.colour, ink, m_style.values(),
+                   paper);
+}
+
+/// Whether frames stand inside the cell.
+bool PixelGridPainter::isFramed(const QPoint &pixel) const
+{
+    if (pixel == m_scene.picked || pixel == m_scene.pixelInHand)
+        return true;
+    if (!m_scene.hasLine())
+        return false;
+    const std::int64_t along = m_scene.span->place.axis == SpanAxis::Row ? pixel.x() : pixel.y();
+    return along >= m_scene.firstCandidate && along < m_scene.endCandidate
+        && m_scene.onSpan(along) == pixel;
 }
 
 void PixelGridPainter::paintSamples()

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "widgets/inspect/pixelgridscene.h"
+#include "widgets/look/cellvalues.h"
 
 #include <QFont>
 #include <QPalette>
@@ -18,10 +19,10 @@ struct PixelGridStyle {
     QFont font; ///< its size in device pixels
     double scale = 1; ///< device pixels per logical pixel
     GridLines lines = GridLines::Shown;
-};
+    ByteNotation notation = ByteNotation::Decimal;
 
-/// The smallest cell that has room for three decimal numbers beside its sample, device pixels.
-double leastReadableCell(const PixelGridStyle &style);
+    CellValueStyle values() const { return {font, scale, notation}; }
+};
 
 /// The room that axis labels and the names of y_B and y_T need around the cells.
 QMargins pixelGridMargins(const PixelGridStyle &style, const QSize &area, int largestRowDigits);
@@ -38,6 +39,7 @@ public:
 private:
     void paintCell(const GridCell &cell);
     void paintValue(const GridCell &cell);
+    bool isFramed(const QPoint &pixel) const;
     void paintSigns(const GridCell &cell);
     void paintSamples();
     void paintCandidates();

@@ -6,6 +6,9 @@
 
 namespace pixelplumb {
 
+/// How the bytes in cells are written: 0 … 255 or 00 … ff.
+enum class ByteNotation { Decimal, Hexadecimal };
+
 /// What the views draw over the frame. Shared by the canvas, the pixel grid and the menus.
 class DisplayOptions : public QObject {
     Q_OBJECT
@@ -13,6 +16,7 @@ class DisplayOptions : public QObject {
     Q_PROPERTY(
         bool differencesShown READ areDifferencesShown WRITE setDifferencesShown NOTIFY changed)
     Q_PROPERTY(bool clippingShown READ isClippingShown WRITE setClippingShown NOTIFY changed)
+    Q_PROPERTY(bool hexadecimal READ isHexadecimal WRITE setHexadecimal NOTIFY changed)
     Q_PROPERTY(bool truthShown READ isTruthShown WRITE setTruthShown NOTIFY changed)
     Q_PROPERTY(QStringList layers READ layers WRITE setLayers NOTIFY changed)
 
@@ -23,6 +27,11 @@ public:
     bool areDifferencesShown() const { return m_differences; }
     /// The polygon that clipping makes of the face whose triangle is in hand.
     bool isClippingShown() const { return m_clipping; }
+    bool isHexadecimal() const { return m_hexadecimal; }
+    ByteNotation notation() const
+    {
+        return m_hexadecimal ? ByteNotation::Hexadecimal : ByteNotation::Decimal;
+    }
     /// The oracle's finished picture instead of the frame at the position.
     bool isTruthShown() const { return m_truth; }
     /// The ids of the layers that lie over the frame.
@@ -32,6 +41,7 @@ public slots:
     void setGridShown(bool shown) { change(m_grid, shown); }
     void setDifferencesShown(bool shown) { change(m_differences, shown); }
     void setClippingShown(bool shown) { change(m_clipping, shown); }
+    void setHexadecimal(bool hexadecimal) { change(m_hexadecimal, hexadecimal); }
     void setTruthShown(bool shown) { change(m_truth, shown); }
     void setLayers(const QStringList &ids)
     {
@@ -63,6 +73,7 @@ private:
     bool m_grid = true;
     bool m_differences = true;
     bool m_clipping = false;
+    bool m_hexadecimal = false;
     bool m_truth = false;
     QStringList m_layers;
 };

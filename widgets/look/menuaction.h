@@ -19,8 +19,8 @@ QAction *addMenuAction(QMenu *menu, const char *name, const QString &text, const
     return action;
 }
 
-/// Lets the action's key act only while the widget has the focus: for keys that are letters, digits
-/// or Space, which belong to whatever is typed elsewhere.
+/// Lets the action's key act only while the widget has the focus: for keys that are letters or
+/// digits, which belong to whatever is typed elsewhere.
 void confineKeyTo(QWidget *widget, QAction *action);
 
 } // namespace pixelplumb

@@ -5,6 +5,7 @@
 
 #include <QPainter>
 #include <QStyleOption>
+#include <QToolButton>
 
 namespace pixelplumb {
 
@@ -12,12 +13,42 @@ namespace {
 
 constexpr float tintShare = 0.7F; // of the window in a tint of the highlight: texts stay readable
 constexpr double cornerRadius = 3;
+constexpr float offShare = 0.5F; // of the window in the frame of a toggle that is off: 3:1 and more
+
+bool isToggle(const QWidget *widget)
+{
+    const auto *button = qobject_cast<const QToolButton *>(widget);
+    return button && button->isCheckable();
+}
+
+void drawFrame(const QStyleOption &option, QPainter &painter, const QBrush &inside,
+               const QColor &frame)
+{
+    painter.save();
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(frame);
+    painter.setBrush(inside);
+    painter.drawRoundedRect(QRectF(option.rect).adjusted(0.5, 0.5, -0.5, -0.5), cornerRadius,
+                            cornerRadius);
+    painter.restore();
+}
 
 } // namespace
 
 ToggleStyle::ToggleStyle()
     : QProxyStyle(QStringLiteral("Fusion"))
 {
+}
+
+void ToggleStyle::drawComplexControl(ComplexControl control, const QStyleOptionComplex *option,
+                                     QPainter *painter, const QWidget *widget) const
+{
+    QProxyStyle::drawComplexControl(control, option, painter, widget);
+    // An off button in a tool bar has no panel of its own until it is pointed at.
+    if (control == CC_ToolButton && isToggle(widget) && !option->state.testFlag(State_On))
+        drawFrame(*option, *painter, Qt::NoBrush,
+                  blended(option->palette.color(QPalette::WindowText),
+                          option->palette.color(QPalette::Window), offShare));
 }
 
 void ToggleStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *option,
@@ -28,14 +59,10 @@ void ToggleStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *op
         return;
     }
     const QPalette &palette = option->palette;
-    painter->save();
-    painter->setRenderHint(QPainter::Antialiasing);
-    painter->setPen(palette.color(QPalette::Link));
-    painter->setBrush(
-        blended(palette.color(QPalette::Highlight), palette.color(QPalette::Window), tintShare));
-    painter->drawRoundedRect(QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5), cornerRadius,
-                             cornerRadius);
-    painter->restore();
+    drawFrame(
+        *option, *painter,
+        blended(palette.color(QPalette::Highlight), palette.color(QPalette::Window), tintShare),
+        palette.color(QPalette::Link));
 }
 
 } // namespace pixelplumb

@@ -2,36 +2,18 @@
 #include "widgets/model/columntablemodel.h"
 
 #include "core/export/numbertext.h"
-#include "core/export/tracetable.h"
 #include "core/runs/spanheadings.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/look/numbertooltip.h"
 #include "widgets/model/playhead.h"
+
+#include <algorithm>
 
 namespace pixelplumb {
 
 namespace {
 
 constexpr int cachedRows = 256; // several screens
-
-/// "△ 2", "line 0": where a primitive's rows begin.
-QString markText(const TracedScene &traced, std::size_t span)
-{
-    const std::size_t primitive = traced.trace->primitiveOf(span);
-    const QString kind = traced.primitives.isTriangle(primitive)
-        ? QStringLiteral("△")
-        : nameOf(traced.primitives.kindOf(primitive));
-    return QStringLiteral("%1 %2").arg(kind).arg(primitive);
-}
-
-/// The edge that is switched in where a sorted triangle's second part begins, else the part's
-/// number.
-QString partText(const TracedScene &traced, std::size_t span)
-{
-    if (traced.primitives.isTriangle(traced.trace->primitiveOf(span)))
-        return QStringLiteral("L₁₂");
-    return ColumnTableModel::tr("part %1").arg(traced.trace->placeOf(span).part + 1);
-}
 
 } // namespace
 
@@ -55,6 +37,9 @@ void ColumnTableModel::takeTrace()
     m_position = m_playhead->position();
     m_cache.clear();
     m_entries.clear();
+    m_spans.clear();
+    if (m_traced && m_filter != RowFilter::All)
+        m_spans = spansOf(*m_traced, m_filter);
     if (m_traced) {
         m_numbers = spanHeadings(*m_traced);
         for (std::size_t i = 0; i < m_numbers.size(); ++i) {
@@ -66,6 +51,24 @@ void ColumnTableModel::takeTrace()
         }
     }
     endResetModel();
+}
+
+void ColumnTableModel::setFilter(RowFilter filter)
+{
+    m_filter = filter;
+    takeTrace();
+}
+
+std::size_t ColumnTableModel::spanAt(int row) const
+{
+    return m_filter == RowFilter::All ? std::size_t(row) : m_spans[std::size_t(row)];
+}
+
+int ColumnTableModel::rowAt(std::size_t span) const
+{
+    return m_filter == RowFilter::All
+        ? int(span)
+        : int(std::ranges::lower_bound(m_spans, span) - m_spans.begin());
 }
 
 void ColumnTableModel::followPosition()
@@ -90,7 +93,9 @@ bool ColumnTableModel::hasSeveralPrimitives() const
 
 int ColumnTableModel::rowCount(const QModelIndex &parent) const
 {
-    return parent.isValid() || !m_traced ? 0 : int(m_traced->trace->spanCount());
+    if (parent.isValid() || !m_traced)
+        return 0;
+    return int(m_filter == RowFilter::All ? m_traced->trace->spanCount() : m_spans.size());
 }
 
 int ColumnTableModel::columnCount(const QModelIndex &parent) const
@@ -103,31 +108,18 @@ const NumberDescription &ColumnTableModel::number(int column) const
     return m_numbers[m_entries[std::size_t(column)].number];
 }
 
-QString ColumnTableModel::fileName(int column) const
+const ColumnTableModel::RowNumbers &ColumnTableModel::numbersOf(std::size_t span) const
 {
-    switch (face(column)) {
-    case NumberFace::Used:
-        break;
-    case NumberFace::Exact:
-        return exactName(number(column).id);
-    case NumberFace::Error:
-        return errorName(number(column).id);
-    }
-    return number(column).id;
-}
-
-const ColumnTableModel::RowNumbers &ColumnTableModel::numbersOf(int row) const
-{
-    if (const RowNumbers *known = m_cache.object(row))
+    if (const RowNumbers *known = m_cache.object(span))
         return *known;
     const ScanTrace &trace = *m_traced->trace;
-    auto *numbers = new RowNumbers{trace.span(std::size_t(row)), {}, std::nullopt};
-    const std::size_t primitive = trace.primitiveOf(std::size_t(row));
+    auto *numbers = new RowNumbers{trace.span(span), {}, std::nullopt};
+    const std::size_t primitive = trace.primitiveOf(span);
     if (isRounding())
-        numbers->exact = exactSpanCells(*m_traced, std::size_t(row));
-    if (std::size_t(row) > trace.firstSpanOf(primitive))
-        numbers->previous = trace.span(std::size_t(row) - 1);
-    m_cache.insert(row, numbers); // the cache owns it
+        numbers->exact = exactSpanCells(*m_traced, span);
+    if (span > trace.firstSpanOf(primitive))
+        numbers->previous = trace.span(span - 1);
+    m_cache.insert(span, numbers); // the cache owns it
     return *numbers;
 }
 
@@ -174,10 +166,10 @@ QString ColumnTableModel::canonicalText(const Quantity &used, const Quantity &ex
     return decimalText(used);
 }
 
-QString ColumnTableModel::toolTip(int row, const Entry &entry) const
+QString ColumnTableModel::toolTip(std::size_t span, const Entry &entry) const
 {
-    const StepWords words = m_traced->trace->spanWords(std::size_t(row));
-    const RowNumbers &numbers = numbersOf(row);
+    const StepWords words = m_traced->trace->spanWords(span);
+    const RowNumbers &numbers = numbersOf(span);
     return numberToolTip(words.numbers[entry.number], usedNumber(numbers, entry),
                          exactNumber(numbers, entry), m_traced->scene.settings.arithmetic);
 }
@@ -210,9 +202,9 @@ QVariant ColumnTableModel::numberData(const RowNumbers &numbers, const Entry &en
     }
 }
 
-RowMark ColumnTableModel::markOf(int row) const
+RowMark ColumnTableModel::markOf(std::size_t span) const
 {
-    const RowNumbers &numbers = numbersOf(row);
+    const RowNumbers &numbers = numbersOf(span);
     if (!numbers.previous)
         return RowMark::PrimitiveBegins;
     return numbers.previous->place.part != numbers.used.place.part ? RowMark::PartBegins
@@ -238,8 +230,8 @@ QVariant ColumnTableModel::data(const QModelIndex &index, int role) const
 {
     if (!checkIndex(index, CheckIndexOption::IndexIsValid))
         return {};
-    const auto row = std::size_t(index.row());
-    const bool isAhead = m_traced->trace->indexOfSpan(row) >= m_position;
+    const std::size_t span = spanAt(index.row());
+    const bool isAhead = m_traced->trace->indexOfSpan(span) >= m_position;
     if (isAhead && m_playhead->isAheadHidden() && !isToldAhead(index.column(), role))
         return role == Qt::DisplayRole ? QVariant(QStringLiteral("?"))
             : role == MarkedDigitRole  ? QVariant(-1)
@@ -250,52 +242,16 @@ QVariant ColumnTableModel::data(const QModelIndex &index, int role) const
     case IsAheadRole:
         return isAhead;
     case IsInHandRole:
-        return m_playhead->spanInHand() == row;
+        return m_playhead->spanInHand() == span;
     case PrimitiveRole:
-        return int(m_traced->trace->primitiveOf(row));
+        return int(m_traced->trace->primitiveOf(span));
     case RowMarkRole:
-        return int(markOf(index.row()));
+        return int(markOf(span));
     case Qt::ToolTipRole:
-        return toolTip(index.row(), m_entries[std::size_t(index.column())]);
+        return toolTip(span, m_entries[std::size_t(index.column())]);
     default:
-        return numberData(numbersOf(index.row()), m_entries[std::size_t(index.column())], role);
+        return numberData(numbersOf(span), m_entries[std::size_t(index.column())], role);
     }
-}
-
-QVariant ColumnTableModel::headerData(int section, Qt::Orientation orientation, int role) const
-{
-    if (orientation == Qt::Vertical) {
-        if (role != Qt::DisplayRole || section >= rowCount())
-            return {};
-        switch (markOf(section)) {
-        case RowMark::None:
-            break;
-        case RowMark::PrimitiveBegins:
-            return markText(*m_traced, std::size_t(section));
-        case RowMark::PartBegins:
-            return partText(*m_traced, std::size_t(section));
-        }
-        return QString();
-    }
-    if (section >= columnCount())
-        return {};
-    const NumberDescription &shown = number(section);
-    if (role == Qt::DisplayRole) {
-        switch (face(section)) {
-        case NumberFace::Used:
-            break;
-        case NumberFace::Exact:
-            return tr("%1 exact").arg(shown.title);
-        case NumberFace::Error:
-            return tr("%1 error").arg(shown.title);
-        }
-        return shown.title;
-    }
-    if (role == Qt::ToolTipRole)
-        return numberToolTip(shown);
-    if (role == Qt::AccessibleTextRole)
-        return withoutMarkup(headerData(section, orientation, Qt::DisplayRole).toString());
-    return {};
 }
 
 } // namespace pixelplumb

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/runs/tracedscene.h"
+#include "widgets/model/rowfilter.h"
 
 #include <QAbstractTableModel>
 #include <QCache>
@@ -20,7 +21,8 @@ enum class NumberFace { Used, Exact, Error };
 /// Where a row begins something.
 enum class RowMark { None, PrimitiveBegins, PartBegins };
 
-/// The trace's spans as rows, in drawing order over all primitives. Nothing is computed at a
+/// The trace's spans as rows, in drawing order over all primitives: all of them, or those that a
+/// filter lets through. Nothing is computed at a
 /// reset: the numbers of a row are taken from the trace when a view asks for them, and kept for the
 /// last few rows.
 class ColumnTableModel : public QAbstractTableModel {
@@ -50,6 +52,13 @@ public:
     QVariant headerData(int section, Qt::Orientation orientation,
                         int role = Qt::DisplayRole) const override;
 
+    RowFilter filter() const { return m_filter; }
+    void setFilter(RowFilter filter);
+    /// The span of a row.
+    std::size_t spanAt(int row) const;
+    /// The row of a span, or of the next one that is there; rowCount() where none is.
+    int rowAt(std::size_t span) const;
+
     /// What a column of the table shows, as it is true of all rows.
     const NumberDescription &number(int column) const;
     NumberFace face(int column) const { return m_entries[std::size_t(column)].face; }
@@ -73,15 +82,15 @@ private:
 
     void takeTrace();
     void followPosition();
-    const RowNumbers &numbersOf(int row) const;
+    const RowNumbers &numbersOf(std::size_t span) const;
     Quantity usedNumber(const RowNumbers &numbers, const Entry &entry) const;
     Quantity exactNumber(const RowNumbers &numbers, const Entry &entry) const;
     QString usedText(const Quantity &used) const;
     QString faceText(const Quantity &used, const Quantity &exact, NumberFace face) const;
     QString canonicalText(const Quantity &used, const Quantity &exact, NumberFace face) const;
-    QString toolTip(int row, const Entry &entry) const;
+    QString toolTip(std::size_t span, const Entry &entry) const;
     QVariant numberData(const RowNumbers &numbers, const Entry &entry, int role) const;
-    RowMark markOf(int row) const;
+    RowMark markOf(std::size_t span) const;
     bool isToldAhead(int column, int role) const;
 
     Playhead *m_playhead;
@@ -89,7 +98,9 @@ private:
     std::vector<NumberDescription> m_numbers; ///< the method's, with the titles of this run
     std::vector<Entry> m_entries;
     std::size_t m_position = 0;
-    mutable QCache<int, RowNumbers> m_cache;
+    RowFilter m_filter = RowFilter::All;
+    std::vector<std::size_t> m_spans; ///< by row; empty where all are shown
+    mutable QCache<std::size_t, RowNumbers> m_cache;
 };
 
 } // namespace pixelplumb

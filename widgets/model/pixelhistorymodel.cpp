@@ -76,8 +76,8 @@ void PixelHistoryModel::setPosition(std::size_t position)
     for (int row = 0; row < int(m_attempts.size()); ++row) {
         const QModelIndex attempt = index(row, 0);
         if (m_attempts[std::size_t(row)].written)
-            emit dataChanged(index(0, 0, attempt),
-                             index(channelRows - 1, columnTotal - 1, attempt), {IsAheadRole});
+            emit dataChanged(index(0, 0, attempt), index(channelRows - 1, columnTotal - 1, attempt),
+                             {IsAheadRole});
     }
 }
 

@@ -43,8 +43,10 @@ Lattice stepOf(Snap snap)
 SceneDocument::SceneDocument(QObject *parent)
     : QObject(parent)
 {
-    connect(&m_undoStack, &QUndoStack::cleanChanged, this,
-            [this](bool clean) { emit modifiedChanged(!clean); });
+    connect(&m_undoStack, &QUndoStack::cleanChanged, this, [this](bool clean) {
+        if (clean)
+            markSaved();
+    });
 }
 
 SceneDocument::~SceneDocument()
@@ -97,6 +99,16 @@ std::vector<Vertex> SceneDocument::verticesOf(int primitive) const
         return m_scene.shapes[index - m_scene.triangles.size()].vertices;
     const std::array<Vertex, 3> &vertices = m_scene.triangles[index].vertices;
     return {vertices.begin(), vertices.end()};
+}
+
+bool SceneDocument::canMovePrimitive(int primitive, int places) const
+{
+    const auto triangles = int(m_scene.triangles.size());
+    const bool isTriangle = primitive < triangles;
+    const int first = isTriangle ? 0 : triangles;
+    const int end = isTriangle ? triangles : primitiveCount();
+    const int target = primitive + places;
+    return primitive >= first && primitive < end && target >= first && target < end;
 }
 
 bool SceneDocument::canClosePending() const
@@ -154,6 +166,7 @@ void SceneDocument::reset(Scene scene)
     m_chosenColour.reset();
     m_selected.reset();
     m_undoStack.clear();
+    markSaved();
     emit opened();
     emit selectionChanged();
     emit pendingChanged();
@@ -168,19 +181,6 @@ void SceneDocument::tellAdaptation(const ScanSettings &asked)
     const QString note = method ? adaptationNote(*method, asked) : QString();
     if (!note.isEmpty())
         emit notice(note);
-}
-
-std::shared_ptr<const Scene> SceneDocument::snapshot() const
-{
-    if (!m_snapshot)
-        m_snapshot = std::make_shared<const Scene>(m_scene);
-    return m_snapshot;
-}
-
-void SceneDocument::tellSceneChanged()
-{
-    m_snapshot.reset();
-    emit sceneChanged();
 }
 
 void SceneDocument::setSnap(Snap snap)
@@ -216,8 +216,33 @@ bool SceneDocument::accepts(const LatticePoint &position)
     return false;
 }
 
-void SceneDocument::exchange(const ScenePiece &before, const ScenePiece &after)
+ScenePiece SceneDocument::withPending(ScenePiece piece) const
 {
+    piece.pending = m_pending;
+    piece.chosenColour = m_chosenColour;
+    return piece;
+}
+
+ScenePiece SceneDocument::pieceAtEnd() const
+{
+    return withPending(pixelplumb::pieceAtEnd(m_scene));
+}
+
+ScenePiece SceneDocument::pieceWith(int primitive) const
+{
+    if (primitive == VertexRef::pending)
+        return pieceAtEnd();
+    return withPending(pixelplumb::pieceWith(m_scene, std::size_t(primitive)));
+}
+
+ScenePiece SceneDocument::wholePiece() const
+{
+    return withPending(pixelplumb::wholePiece(m_scene));
+}
+
+void SceneDocument::exchange(const ScenePiece &before, const ScenePiece &after, int state)
+{
+    m_state = state;
     const std::optional<VertexRef> selected = m_selected;
     if (m_selected)
         m_selected = renamed(*m_selected, m_scene.triangles.size(), before, after);
@@ -236,6 +261,7 @@ void SceneDocument::exchange(const ScenePiece &before, const ScenePiece &after)
     }
     if (!before.hasSceneOf(after))
         tellSceneChanged();
+    tellModified();
 }
 
 } // namespace pixelplumb

@@ -33,7 +33,9 @@ public:
     std::shared_ptr<const Scene> snapshot() const;
     const std::vector<Vertex> &pendingVertices() const { return m_pending; }
     QUndoStack *undoStack() { return &m_undoStack; }
-    bool isModified() const { return !m_undoStack.isClean(); }
+    /// Whether closing would lose something: the primitives, settings or waiting vertices are not
+    /// those that were saved. Vertices that were discarded or undone leave nothing behind.
+    bool isModified() const { return m_state != m_savedState || m_pending != m_savedPending; }
 
     Snap snap() const { return m_snap; }
     /// What placed vertices make: the kind that the scene's method draws.
@@ -43,6 +45,9 @@ public:
     int primitiveCount() const { return int(m_scene.triangles.size() + m_scene.shapes.size()); }
     /// The vertices of a primitive, by number.
     std::vector<Vertex> verticesOf(int primitive) const;
+    /// Whether a primitive can be drawn that many places later (earlier: negative): triangles are
+    /// drawn before all shapes.
+    bool canMovePrimitive(int primitive, int places) const;
     /// Whether the pending vertices could be closed to a polygon.
     bool canClosePending() const;
     /// The colour that the next placed vertex gets: the one that the person chose for it, else red,
@@ -60,7 +65,8 @@ public:
 
     /// Replaces everything and forgets the undo history; the document is unmodified after it.
     void reset(Scene scene);
-    void markSaved() { m_undoStack.setClean(); }
+    void markSaved();
+    void markUnsaved(); ///< no state of it is in a file
 
     /// A number for the moves of one drag, or of one run of a key, that no other drag has.
     int newDrag() { return ++m_lastDrag; }
@@ -73,6 +79,9 @@ public slots:
     void moveVertex(const pixelplumb::VertexRef &ref, const pixelplumb::LatticePoint &position,
                     int drag);
     void setVertexColour(const pixelplumb::VertexRef &ref, const pixelplumb::Colour &colour);
+    void setPrimitiveColour(int primitive, const pixelplumb::Colour &colour); ///< of all vertices
+    /// In the drawing order: where canMovePrimitive().
+    void movePrimitive(int primitive, int places);
     /// The attributes' own index says nothing here.
     void addTriangle(const pixelplumb::Triangle &triangle,
                      const pixelplumb::TriangleAttributes &attributes = {});
@@ -122,7 +131,9 @@ private:
     ScenePiece wholePiece() const;
     ScenePiece withPending(ScenePiece piece) const;
     void edit(const QString &text, const ScenePiece &before, const ScenePiece &after);
-    void exchange(const ScenePiece &before, const ScenePiece &after);
+    /// `state`: what the scene's state is called after it.
+    void exchange(const ScenePiece &before, const ScenePiece &after, int state);
+    void tellModified();
     bool accepts(const LatticePoint &position);
     void tellSceneChanged();
     void tellAdaptation(const ScanSettings &asked);
@@ -131,6 +142,12 @@ private:
     mutable std::shared_ptr<const Scene> m_snapshot; ///< null until asked for after a change
     std::vector<Vertex> m_pending;
     QUndoStack m_undoStack;
+    /// Numbers of the scene's states, waiting vertices apart: an edit of these alone keeps it.
+    int m_state = 0;
+    int m_lastState = 0;
+    int m_savedState = 0;
+    std::vector<Vertex> m_savedPending;
+    bool m_toldModified = false;
     Snap m_snap = Snap::Pixel;
     std::optional<Colour> m_chosenColour; ///< for the next vertex alone
     std::optional<VertexRef> m_selected;

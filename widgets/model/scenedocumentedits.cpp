@@ -19,30 +19,6 @@ bool isWithinRange(const FrameSpec &frame)
 
 } // namespace
 
-ScenePiece SceneDocument::withPending(ScenePiece piece) const
-{
-    piece.pending = m_pending;
-    piece.chosenColour = m_chosenColour;
-    return piece;
-}
-
-ScenePiece SceneDocument::pieceAtEnd() const
-{
-    return withPending(pixelplumb::pieceAtEnd(m_scene));
-}
-
-ScenePiece SceneDocument::pieceWith(int primitive) const
-{
-    if (primitive == VertexRef::pending)
-        return pieceAtEnd();
-    return withPending(pixelplumb::pieceWith(m_scene, std::size_t(primitive)));
-}
-
-ScenePiece SceneDocument::wholePiece() const
-{
-    return withPending(pixelplumb::wholePiece(m_scene));
-}
-
 void SceneDocument::edit(const QString &text, const ScenePiece &before, const ScenePiece &after)
 {
     m_undoStack.push(new SceneEdit(*this, text, before, after));
@@ -85,6 +61,30 @@ void SceneDocument::setVertexColour(const VertexRef &ref, const Colour &colour)
     ScenePiece after = before;
     after.vertex(ref).colour = colour;
     edit(tr("change colour"), before, after);
+}
+
+void SceneDocument::setPrimitiveColour(int primitive, const Colour &colour)
+{
+    if (primitive < 0 || primitive >= primitiveCount())
+        return;
+    const ScenePiece before = pieceWith(primitive);
+    ScenePiece after = before;
+    for (int vertex = 0; vertex < int(verticesOf(primitive).size()); ++vertex)
+        after.vertex({primitive, vertex}).colour = colour;
+    if (after != before)
+        edit(tr("change colour"), before, after);
+}
+
+void SceneDocument::movePrimitive(int primitive, int places)
+{
+    if (places == 0 || !canMovePrimitive(primitive, places))
+        return;
+    const auto first = std::size_t(std::min(primitive, primitive + places));
+    const ScenePiece before
+        = withPending(pieceWithRun(m_scene, first, std::size_t(std::abs(places)) + 1));
+    ScenePiece after = before;
+    after.rotate(places > 0 ? 1 : -1);
+    edit(tr("change drawing order"), before, after);
 }
 
 void SceneDocument::addTriangle(const Triangle &triangle, const TriangleAttributes &attributes)

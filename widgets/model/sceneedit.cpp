@@ -11,6 +11,8 @@ SceneEdit::SceneEdit(SceneDocument &document, const QString &text, ScenePiece be
     , m_document(&document)
     , m_before(std::move(before))
     , m_after(std::move(after))
+    , m_stateBefore(document.m_state)
+    , m_stateAfter(m_before.hasSceneOf(m_after) ? m_stateBefore : ++document.m_lastState)
     , m_drag(drag)
 {
 }
@@ -21,7 +23,12 @@ bool SceneEdit::mergeWith(const QUndoCommand *other)
     if (edit.m_drag != m_drag)
         return false;
     m_after = edit.m_after;
-    setObsolete(m_after == m_before); // a drag that came back changed nothing
+    m_stateAfter = edit.m_stateAfter;
+    if (m_after == m_before) { // a drag that came back changed nothing
+        setObsolete(true);
+        m_document->m_state = m_stateBefore;
+        m_document->tellModified();
+    }
     return true;
 }
 

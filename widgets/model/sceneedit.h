@@ -22,8 +22,8 @@ public:
     SceneEdit(SceneDocument &document, const QString &text, ScenePiece before, ScenePiece after,
               const std::optional<Drag> &drag = std::nullopt);
 
-    void redo() override { m_document->exchange(m_before, m_after); }
-    void undo() override { m_document->exchange(m_after, m_before); }
+    void redo() override { m_document->exchange(m_before, m_after, m_stateAfter); }
+    void undo() override { m_document->exchange(m_after, m_before, m_stateBefore); }
     int id() const override { return m_drag ? 1 : -1; }
     bool mergeWith(const QUndoCommand *other) override;
 
@@ -31,6 +31,8 @@ private:
     SceneDocument *m_document;
     ScenePiece m_before;
     ScenePiece m_after;
+    int m_stateBefore;
+    int m_stateAfter;
     std::optional<Drag> m_drag;
 };
 

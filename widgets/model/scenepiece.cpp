@@ -58,6 +58,22 @@ void ScenePiece::completePending(PrimitiveKind kind)
     pending.clear();
 }
 
+void ScenePiece::rotate(int by)
+{
+    const auto rotated = [by](auto &all) {
+        if (!all.empty())
+            std::ranges::rotate(all, by > 0 ? all.begin() + 1 : all.end() - 1);
+    };
+    rotated(run.triangles);
+    rotated(run.shapes);
+    const std::size_t count = run.triangles.size();
+    for (TriangleAttributes &each : run.attributes) {
+        const std::size_t place = each.triangle - firstTriangle;
+        each.triangle = firstTriangle + (by > 0 ? place + count - 1 : place + 1) % count;
+    }
+    std::ranges::sort(run.attributes, {}, &TriangleAttributes::triangle);
+}
+
 void ScenePiece::setTriangle(const Triangle &triangle, TriangleAttributes attributes)
 {
     run.triangles = {triangle};
@@ -102,15 +118,22 @@ ScenePiece pieceAtEnd(const Scene &scene)
 
 ScenePiece pieceWith(const Scene &scene, std::size_t primitive)
 {
+    return pieceWithRun(scene, primitive, 1);
+}
+
+ScenePiece pieceWithRun(const Scene &scene, std::size_t first, std::size_t count)
+{
     ScenePiece piece = pieceAtEnd(scene);
-    if (primitive >= scene.triangles.size()) {
-        piece.firstShape = primitive - scene.triangles.size();
-        piece.run.shapes = {scene.shapes[piece.firstShape]};
+    if (first >= scene.triangles.size()) {
+        piece.firstShape = first - scene.triangles.size();
+        const auto begin = scene.shapes.begin() + std::ptrdiff_t(piece.firstShape);
+        piece.run.shapes.assign(begin, begin + std::ptrdiff_t(count));
         return piece;
     }
-    piece.firstTriangle = primitive;
-    piece.run.triangles = {scene.triangles[primitive]};
-    const auto [begin, end] = placesOfAttributes(scene.attributes, primitive, primitive + 1);
+    piece.firstTriangle = first;
+    const auto triangles = scene.triangles.begin() + std::ptrdiff_t(first);
+    piece.run.triangles.assign(triangles, triangles + std::ptrdiff_t(count));
+    const auto [begin, end] = placesOfAttributes(scene.attributes, first, first + count);
     piece.run.attributes.assign(begin, end);
     return piece;
 }

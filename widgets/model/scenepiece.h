@@ -36,6 +36,8 @@ struct ScenePiece {
 
     /// The pending vertices become the run's last primitive.
     void completePending(PrimitiveKind kind);
+    /// The run's first primitive becomes its last, or, by −1, its last its first.
+    void rotate(int by);
     /// The run's only triangle becomes this one; what all triangles have is not kept of it.
     void setTriangle(const Triangle &triangle, TriangleAttributes attributes);
     /// A vertex of the run's only primitive, or one that waits.
@@ -50,6 +52,8 @@ struct ScenePiece {
 ScenePiece pieceAtEnd(const Scene &scene);
 /// With one primitive, by its index through the triangles and the shapes.
 ScenePiece pieceWith(const Scene &scene, std::size_t primitive);
+/// With some, triangles or shapes.
+ScenePiece pieceWithRun(const Scene &scene, std::size_t first, std::size_t count);
 ScenePiece pieceWithSolid(const Scene &scene, std::size_t solid);
 /// With all primitives.
 ScenePiece wholePiece(const Scene &scene);

@@ -111,7 +111,6 @@ void StepActions::addSteps()
                   [](Playhead *playhead) { playhead->runToPickedPixel(backward); });
 
     m_play = add(QStringLiteral("play"), tr("Pla&y"), tr("play"), Qt::Key_Space, {});
-    m_play->setShortcutContext(Qt::WidgetWithChildrenShortcut);
     connect(m_play, &QAction::triggered, this,
             [this] { m_playhead->setPlaying(!m_playhead->isPlaying()); });
 }

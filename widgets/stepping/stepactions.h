@@ -10,7 +10,7 @@
 namespace pixelplumb {
 
 /// Every way to move the playhead, as actions: the menu, the stepper bar and the keys are the same
-/// objects. Space acts only in the widget to which the play action is added.
+/// objects.
 class StepActions : public QObject {
     Q_OBJECT
 

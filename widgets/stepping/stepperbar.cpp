@@ -97,7 +97,7 @@ void StepperBar::addSpeed()
     m_speedSlider->setAccessibleName(tr("Speed of playing"));
     m_speedSlider->setToolTip(tr("Speed of playing, steps per second"));
     m_speedSlider->setRange(notchOf(Playhead::slowest), notchOf(Playhead::fastest));
-    m_speedSlider->setFixedWidth(72);
+    m_speedSlider->setFixedWidth(56);
     connect(m_speedSlider, &QSlider::valueChanged, m_playhead,
             [playhead = m_playhead](int notch) { playhead->setStepsPerSecond(speedOf(notch)); });
     m_layout->addWidget(m_speedSlider);

@@ -74,9 +74,14 @@ HardCasesPanel::~HardCasesPanel() = default;
 void HardCasesPanel::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
+    load();
+    followMethod();
+}
+
+void HardCasesPanel::load()
+{
     if (m_cases.empty())
         readCases();
-    followMethod();
 }
 
 void HardCasesPanel::readCases()

@@ -30,6 +30,8 @@ public:
     ~HardCasesPanel() override;
 
     const std::vector<GalleryCase> &cases() const { return m_cases; }
+    /// Reads them, which is done at first sight else.
+    void load();
     /// Pictures of the method in hand that are still to be drawn.
     int picturesLeft() const;
     /// Chooses a case; false when there is none of that name.

@@ -20,6 +20,8 @@ EditMenu::EditMenu(const WindowParts &parts, QWidget *window)
     setObjectName(QStringLiteral("editMenu"));
     addUndo();
     addSeparator();
+    addTools();
+    addSeparator();
     addClipboard();
     addSeparator();
     addVertices(window);
@@ -38,6 +40,31 @@ void EditMenu::addUndo()
     redo->setObjectName(QStringLiteral("redo"));
     redo->setShortcuts({Qt::CTRL | Qt::SHIFT | Qt::Key_Z, Qt::CTRL | Qt::Key_Y});
     addAction(redo);
+}
+
+void EditMenu::addTools()
+{
+    auto *group = new QActionGroup(this);
+    Canvas *canvas = m_parts.canvas;
+    const auto addTool = [&](const char *name, const QString &text, const QString &iconText,
+                             const QString &tip, Qt::Key key, CanvasTool tool) {
+        QAction *action
+            = addMenuAction(this, name, text, key, [canvas, tool] { canvas->setTool(tool); });
+        action->setCheckable(true);
+        action->setIconText(iconText);
+        action->setToolTip(tip);
+        group->addAction(action);
+        confineKeyTo(canvas, action);
+        const auto update = [canvas, action, tool] { action->setChecked(canvas->tool() == tool); };
+        connect(canvas, &Canvas::toolChanged, action, update);
+        update();
+        m_tools += action;
+    };
+    addTool("drawTool", tr("Dra&w"), tr("draw"),
+            tr("A click places a vertex, a drag moves one (P)"), Qt::Key_P, CanvasTool::Draw);
+    addTool("inspectTool", tr("&Inspect"), tr("inspect"),
+            tr("A click picks the pixel and leaves the scene alone (V)"), Qt::Key_V,
+            CanvasTool::Inspect);
 }
 
 void EditMenu::addClipboard()

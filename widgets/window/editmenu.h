@@ -16,7 +16,11 @@ class EditMenu : public QMenu {
 public:
     EditMenu(const WindowParts &parts, QWidget *window);
 
+    /// What a left click on the canvas is for: one of them is checked.
+    const QList<QAction *> &tools() const { return m_tools; }
+
 private:
+    void addTools();
     void addUndo();
     void addClipboard();
     void addVertices(QWidget *window);
@@ -29,6 +33,7 @@ private:
     void editSelected(QWidget *window);
 
     WindowParts m_parts;
+    QList<QAction *> m_tools;
 };
 
 } // namespace pixelplumb

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/filemenu.h"
 
-#include "widgets/files/examplefolder.h"
 #include "widgets/files/recentfiles.h"
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/look/menuaction.h"
 #include "widgets/model/scenedocument.h"
-
-#include <QFileInfo>
 
 namespace pixelplumb {
 
@@ -21,7 +18,8 @@ FileMenu::FileMenu(const WindowParts &parts, QWidget *window)
     addMenuAction(this, "openScene", tr("&Open…"), QKeySequence::Open, [files] { files->open(); });
     addMenu(parts.recent->createMenu(this));
     connect(parts.recent, &RecentFiles::chosen, files, &SceneFiles::openFile);
-    addExamples(files);
+    addMenuAction(this, "showExamples", tr("Exa&mples…"), Qt::CTRL | Qt::SHIFT | Qt::Key_O,
+                  [this] { emit examplesRequested(); });
     addMenuAction(this, "openDefaultScene", tr("Open the &first scene"), {}, [files] {
         if (files->mayReplace())
             files->loadDefault();
@@ -39,21 +37,6 @@ FileMenu::FileMenu(const WindowParts &parts, QWidget *window)
     addExports(parts.exports);
     addSeparator();
     addMenuAction(this, "quit", tr("&Quit"), Qt::CTRL | Qt::Key_Q, [window] { window->close(); });
-}
-
-/// The program's own scenes, by their files' names.
-void FileMenu::addExamples(SceneFiles *files)
-{
-    QMenu *menu = addMenu(tr("Exa&mples"));
-    menu->setObjectName(QStringLiteral("examplesMenu"));
-    for (const QString &path : examplePaths()) {
-        const QString name = QFileInfo(path).completeBaseName();
-        QString title = QString(name).replace(u'-', u' ');
-        title[0] = title[0].toUpper();
-        addMenuAction(menu, qPrintable(QStringLiteral("example-") + name), title, {},
-                      [files, path] { files->openFile(path); });
-    }
-    menu->menuAction()->setVisible(!menu->isEmpty());
 }
 
 void FileMenu::addExports(SceneExports *exports)

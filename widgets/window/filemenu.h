@@ -14,8 +14,10 @@ class FileMenu : public QMenu {
 public:
     FileMenu(const WindowParts &parts, QWidget *window);
 
+signals:
+    void examplesRequested();
+
 private:
-    void addExamples(SceneFiles *files);
     void addExports(SceneExports *exports);
 };
 

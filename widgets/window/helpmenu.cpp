@@ -14,8 +14,8 @@ HelpMenu::HelpMenu(QMenuBar *bar)
     : QMenu(tr("&Help"), bar)
 {
     setObjectName(QStringLiteral("helpMenu"));
-    QAction *keys
-        = addMenuAction(this, "showKeys", tr("&Keys"), {}, [this, bar] { showKeys(bar); });
+    QAction *keys = addMenuAction(this, "showKeys", tr("&Keys and mouse"), {},
+                                  [this, bar] { showKeys(bar); });
     keys->setShortcuts({QKeySequence(Qt::Key_Question), QKeySequence(Qt::Key_F1)});
     addMenuAction(this, "showAbout", tr("&About Pixelplumb"), {}, [this] { showAbout(); });
 }

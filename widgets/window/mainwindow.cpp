@@ -4,6 +4,7 @@
 #include "core/runs/clampeddepths.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/canvas/overdrawoverlay.h"
+#include "widgets/files/autosave.h"
 #include "widgets/files/recentfiles.h"
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
@@ -18,6 +19,7 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/model/scenepreviewer.h"
 #include "widgets/model/scenetracer.h"
+#include "widgets/stepping/playkey.h"
 #include "widgets/stepping/scrubber.h"
 #include "widgets/stepping/stepactions.h"
 #include "widgets/stepping/stepperbar.h"
@@ -35,23 +37,14 @@
 #include "widgets/window/windowstatusbar.h"
 
 #include <QBoxLayout>
-#include <QCloseEvent>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
-#include <QMimeData>
 #include <QToolBar>
 
 namespace pixelplumb {
 
 namespace {
-
-/// The one local file of what is dragged over the window; empty for anything else.
-QString draggedFile(const QMimeData *data)
-{
-    const QList<QUrl> urls = data->urls();
-    return urls.size() == 1 ? urls.constFirst().toLocalFile() : QString();
-}
 
 ColumnPlaces columnPlacesOf(const Canvas &canvas)
 {
@@ -76,6 +69,10 @@ MainWindow::MainWindow(QWidget *parent)
     setStatusBar(new WindowStatusBar(m_parts, this));
     connectParts();
     connectStudies(m_parts, *m_docks, this);
+    auto *playKey = new PlayKey(this);
+    playKey->watch(this);
+    for (QDockWidget *dock : m_docks->all())
+        playKey->watch(dock);
     m_settings = std::make_unique<WindowSettings>(m_parts, this);
     if (!m_settings->restore())
         m_docks->reset();
@@ -84,21 +81,6 @@ MainWindow::MainWindow(QWidget *parent)
 }
 
 MainWindow::~MainWindow() = default;
-
-void MainWindow::openDefaultScene()
-{
-    m_openingPlace = OpeningMoment::HalfDrawn;
-    m_parts.files->loadDefault();
-}
-
-bool MainWindow::openScene(const QString &path) { return m_parts.files->load(path); }
-
-void MainWindow::setOpeningPlace(const OpeningPlace &place)
-{
-    m_openingPlace = place;
-    if (!m_parts.tracer->isRunning() && m_parts.playhead->traced())
-        goToOpeningPlace();
-}
 
 void MainWindow::makeParts()
 {
@@ -110,6 +92,7 @@ void MainWindow::makeParts()
     m_parts.previewer = new ScenePreviewer(this);
     m_parts.recent = new RecentFiles(this);
     m_parts.files = new SceneFiles(m_parts.document, m_parts.recent, this);
+    m_autosave = new Autosave(m_parts.document, Autosave::defaultFolder(), this);
     m_parts.exports = new SceneExports(m_parts.playhead, m_parts.options, this);
     m_parts.steps = new StepActions(m_parts.playhead, this);
 }
@@ -136,8 +119,12 @@ void MainWindow::makeCentre()
 
 void MainWindow::makeMenus()
 {
-    menuBar()->addMenu(new FileMenu(m_parts, this));
-    menuBar()->addMenu(new EditMenu(m_parts, this));
+    auto *files = new FileMenu(m_parts, this);
+    connect(files, &FileMenu::examplesRequested, this,
+            [this] { showExamples(m_parts, *m_docks, this); });
+    menuBar()->addMenu(files);
+    m_editMenu = new EditMenu(m_parts, this);
+    menuBar()->addMenu(m_editMenu);
     m_viewMenu = new ViewMenu(m_parts, m_docks, m_palettes, this);
     menuBar()->addMenu(m_viewMenu);
     menuBar()->addMenu(new LayersMenu(m_parts, this));
@@ -174,7 +161,8 @@ void MainWindow::makeToolBars()
     view->addWidget(m_nextColour);
 
     addToolBarBreak();
-    QToolBar *steps = addBar("stepperToolBar", tr("Stepper"));
+    QToolBar *steps = addBar("stepperToolBar", tr("Tools and stepper"));
+    steps->addActions(m_editMenu->tools());
     steps->addWidget(new StepperBar(m_parts.playhead, *m_parts.steps));
 }
 
@@ -199,7 +187,10 @@ void MainWindow::connectParts()
     connect(m_parts.files, &SceneFiles::replacing, m_parts.playhead,
             [this] { m_parts.playhead->setTraced(nullptr); });
     connect(m_parts.files, &SceneFiles::replacing, m_parts.effects, &EffectSwitches::reset);
+    connect(m_parts.files, &SceneFiles::begun, m_parts.canvas,
+            [canvas = m_parts.canvas] { canvas->setTool(CanvasTool::Draw); });
     connect(m_parts.files, &SceneFiles::loaded, this, [this] {
+        m_parts.canvas->setTool(CanvasTool::Inspect); // a person looks at what others made
         if (!m_parts.files->path().isEmpty())
             setOpeningPlace(OpeningMoment::HalfDrawn);
     });
@@ -242,17 +233,10 @@ void MainWindow::takeTrace(const std::shared_ptr<const TracedScene> &traced)
         m_parts.messageBar->tell(clamped + u'.');
 }
 
-void MainWindow::goToOpeningPlace()
-{
-    if (!m_openingPlace)
-        return;
-    m_parts.playhead->seek(positionOf(*m_openingPlace, *m_parts.playhead->traced()->trace));
-    m_openingPlace.reset();
-}
-
 void MainWindow::updateTitle()
 {
     m_parts.exports->setScenePath(m_parts.files->path());
+    m_autosave->setSceneFile(m_parts.files->path());
     m_docks->panel<AccuracyLab>()->setScenePath(m_parts.files->path());
     m_parts.exports->setBaseName(
         QString(m_parts.files->displayName()).remove(QStringLiteral(".json")));
@@ -268,29 +252,6 @@ QMenu *MainWindow::createPopupMenu()
     for (const QToolBar *bar : findChildren<QToolBar *>())
         menu->addAction(bar->toggleViewAction());
     return menu;
-}
-
-void MainWindow::closeEvent(QCloseEvent *event)
-{
-    if (!m_parts.files->mayReplace()) {
-        event->ignore();
-        return;
-    }
-    m_settings->store();
-    event->accept();
-}
-
-void MainWindow::dragEnterEvent(QDragEnterEvent *event)
-{
-    if (!draggedFile(event->mimeData()).isEmpty())
-        event->acceptProposedAction();
-}
-
-void MainWindow::dropEvent(QDropEvent *event)
-{
-    const QString path = draggedFile(event->mimeData());
-    if (!path.isEmpty())
-        m_parts.files->openFile(path);
 }
 
 } // namespace pixelplumb

@@ -11,11 +11,14 @@
 
 namespace pixelplumb {
 
+class Autosave;
 class ColourButton;
+class EditMenu;
 class PaletteSwitch;
 class ViewMenu;
 class WindowDocks;
 class WindowSettings;
+struct UnsavedScene;
 
 /// The window: it makes the parts, gives each its place and connects them; it knows nothing else.
 class MainWindow : public QMainWindow {
@@ -32,6 +35,8 @@ public:
     void openDefaultScene();
     /// Opens a file; false, after a complaint in the message bar, when it cannot be read.
     bool openScene(const QString &path);
+    /// Asks about what a run before this one left unsaved when it did not end cleanly.
+    void offerRecovery();
     /// Where to stand when the scene that is being opened has been traced.
     void setOpeningPlace(const OpeningPlace &place);
 
@@ -52,14 +57,17 @@ private:
     void traceDocument();
     void takeTrace(const std::shared_ptr<const TracedScene> &traced);
     void goToOpeningPlace();
+    void recover(const UnsavedScene &left);
     void updateTitle();
 
     WindowParts m_parts;
     PaletteSwitch *m_palettes = nullptr;
     WindowDocks *m_docks = nullptr;
+    EditMenu *m_editMenu = nullptr;
     ViewMenu *m_viewMenu = nullptr;
     ColourButton *m_nextColour = nullptr;
     std::unique_ptr<WindowSettings> m_settings;
+    Autosave *m_autosave = nullptr;
     std::optional<OpeningPlace> m_openingPlace;
 };
 

@@ -7,6 +7,7 @@
 #include "widgets/inspect/pixelgrid.h"
 #include "widgets/inspect/pixelhistorypanel.h"
 #include "widgets/inspect/predictpanel.h"
+#include "widgets/inspect/primitivespanel.h"
 #include "widgets/lab/accuracylab.h"
 #include "widgets/space/projectionpanel.h"
 #include "widgets/studies/comparepanel.h"
@@ -51,6 +52,8 @@ QWidget *predict(const WindowParts &parts)
     return new PredictPanel(parts.document, parts.playhead);
 }
 
+QWidget *primitives(const WindowParts &parts) { return new PrimitivesPanel(parts.document); }
+
 constexpr Qt::DockWidgetArea leftArea = Qt::LeftDockWidgetArea;
 constexpr Qt::DockWidgetArea rightArea = Qt::RightDockWidgetArea;
 constexpr Qt::DockWidgetArea bottomArea = Qt::BottomDockWidgetArea;
@@ -88,6 +91,8 @@ constexpr Panel table[] = {
      hiddenAtFirst},
     {"motionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Motion"), motion, bottomArea,
      hiddenAtFirst},
+    {"primitivesDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Primitives"), primitives,
+     leftArea, hiddenAtFirst},
 };
 
 } // namespace

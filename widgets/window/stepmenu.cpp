@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/stepmenu.h"
 
-#include "widgets/canvas/canvas.h"
 #include "widgets/dialogs/gotodialog.h"
 #include "widgets/look/menuaction.h"
 #include "widgets/stepping/scrubber.h"
@@ -20,7 +19,6 @@ StepMenu::StepMenu(const WindowParts &parts, QWidget *window)
     }
     addSeparator();
     addAction(steps.play());
-    confineKeyTo(parts.canvas, steps.play());
     QMenu *units = addMenu(tr("Play &by"));
     units->setObjectName(QStringLiteral("unitMenu"));
     units->addActions(steps.units());

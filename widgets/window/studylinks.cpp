@@ -2,6 +2,7 @@
 #include "widgets/window/studylinks.h"
 
 #include "widgets/canvas/canvas.h"
+#include "widgets/files/scenefiles.h"
 #include "widgets/lab/accuracylab.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/model/playhead.h"
@@ -10,6 +11,7 @@
 #include "widgets/studies/differenceopening.h"
 #include "widgets/studies/hardcasespanel.h"
 #include "widgets/studies/precisionpanel.h"
+#include "widgets/window/examplesdialog.h"
 #include "widgets/window/windowdocks.h"
 
 namespace pixelplumb {
@@ -63,6 +65,22 @@ void connectStudies(const WindowParts &parts, WindowDocks &docks, QObject *windo
                      &AccuracyLab::setSceneModified);
     QObject::connect(lab, &AccuracyLab::complaint, parts.messageBar, &MessageBar::complain);
     QObject::connect(lab, &AccuracyLab::notice, parts.playhead, &Playhead::message);
+}
+
+void showExamples(const WindowParts &parts, WindowDocks &docks, QWidget *window)
+{
+    auto *panel = docks.panel<HardCasesPanel>();
+    panel->load();
+    auto *dialog = new ExamplesDialog(examples(), panel->cases(), window);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    QObject::connect(dialog, &ExamplesDialog::sceneChosen, parts.files, &SceneFiles::openFile,
+                     Qt::QueuedConnection); // which may ask, when the dialog is gone
+    QObject::connect(dialog, &ExamplesDialog::caseChosen, panel,
+                     [&docks, panel](const QString &id) {
+                         docks.raise(panel);
+                         panel->choose(id);
+                     });
+    dialog->open();
 }
 
 } // namespace pixelplumb

@@ -61,6 +61,10 @@ void ViewMenu::addOptions(const WindowParts &parts)
               tr("What the near plane leaves of the face whose triangle is in hand, and the "
                  "triangles that it is drawn as (N)"),
               Qt::Key_N, &DisplayOptions::isClippingShown, &DisplayOptions::setClippingShown);
+    addOption(
+        "showHexadecimal", tr("Values in &hexadecimal"), tr("hexadecimal"),
+        tr("The bytes in large cells and in the pixel grid as 00 … ff instead of 0 … 255 (X)"),
+        Qt::Key_X, &DisplayOptions::isHexadecimal, &DisplayOptions::setHexadecimal);
     OverdrawOverlay *overdraw = parts.overdraw;
     QAction *counts = addMenuAction(this, "showOverdraw", tr("&Overdraw and gaps"), Qt::Key_O,
                                     [overdraw](bool shown) { overdraw->setVisible(shown); });

@@ -62,6 +62,7 @@ void WindowSettings::restoreChoices()
     options->setDifferencesShown(
         settings.value(QLatin1String("canvas/differences"), true).toBool());
     options->setClippingShown(settings.value(QLatin1String("canvas/clipping"), false).toBool());
+    options->setHexadecimal(settings.value(QLatin1String("canvas/hexadecimal"), false).toBool());
     options->setLayers(settings.value(QLatin1String("canvas/layers")).toStringList());
 }
 
@@ -76,6 +77,7 @@ void WindowSettings::store() const
     settings.setValue(QLatin1String("canvas/grid"), m_parts.options->isGridShown());
     settings.setValue(QLatin1String("canvas/differences"), m_parts.options->areDifferencesShown());
     settings.setValue(QLatin1String("canvas/clipping"), m_parts.options->isClippingShown());
+    settings.setValue(QLatin1String("canvas/hexadecimal"), m_parts.options->isHexadecimal());
     settings.setValue(QLatin1String("canvas/layers"), m_parts.options->layers());
 }
 

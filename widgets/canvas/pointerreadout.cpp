@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/canvas/pointerreadout.h"
+
+#include "core/oracle/oracle.h"
+#include "core/runs/edgename.h"
+#include "core/scene/colourtext.h"
+#include "widgets/canvas/canvasoutlines.h"
+#include "widgets/canvas/canvasscene.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenepreviewer.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Beyond these nobody looks for the triangle that a pixel lies beside: a pointer must not wait.
+constexpr std::size_t mostJudged = 256;
+
+struct NearestEdge {
+    std::size_t triangle = 0;
+    oracle::EdgeVerdict edge;
+};
+
+QString distanceText(double pixels) { return QString::number(std::abs(pixels), 'f', 2); }
+
+/// The primitive that wrote the pixel last, of those that are done.
+std::optional<std::size_t> painterOf(const QPoint &pixel, const Playhead &playhead)
+{
+    const ScanTrace &trace = *playhead.traced()->trace;
+    const std::optional<std::size_t> written
+        = TraceNavigation(trace).writeOf(pixel, playhead.position() + 1, StepDirection::Backward);
+    return written ? std::optional(trace.stepAt(*written - 1).primitive) : std::nullopt;
+}
+
+/// None of a triangle without area.
+std::optional<NearestEdge> edgeNearest(const QPoint &pixel, const TracedScene &traced,
+                                       std::size_t triangle)
+{
+    const oracle::SampleVerdict verdict = oracle::judge(
+        traced.primitives.triangles[triangle], boundaryRuleOf(traced.scene), pixel.x(), pixel.y());
+    if (verdict.zeroArea)
+        return std::nullopt;
+    // Distances are positive inside: outside, it is the edge that keeps the pixel out by most.
+    return NearestEdge{
+        triangle, *std::ranges::min_element(verdict.edges, {}, &oracle::EdgeVerdict::distance)};
+}
+
+QString nameOfEdge(const NearestEdge &nearest, const ScanTrace &trace)
+{
+    const SetUpRecord setUp
+        = nearest.triangle < trace.primitiveCount() ? trace.setUp(nearest.triangle) : SetUpRecord();
+    return edgeName(setUp, nearest.edge.from, nearest.edge.to);
+}
+
+QString paintedText(const QPoint &pixel, const TracedScene &traced, std::size_t primitive)
+{
+    const QString name
+        = QStringLiteral("%1 %2").arg(nameOf(traced.primitives.kindOf(primitive))).arg(primitive);
+    if (!traced.primitives.isTriangle(primitive))
+        return name;
+    const std::optional<NearestEdge> nearest = edgeNearest(pixel, traced, primitive);
+    if (!nearest)
+        return name;
+    return QCoreApplication::translate("pixelplumb::PointerReadout", "%1 · %2 px from %3")
+        .arg(name, distanceText(nearest->edge.distance), nameOfEdge(*nearest, *traced.trace));
+}
+
+QString unpaintedText(const QPoint &pixel, const TracedScene &traced)
+{
+    std::optional<NearestEdge> nearest;
+    const std::size_t count = traced.primitives.triangles.size();
+    for (std::size_t i = 0; i < count && count <= mostJudged; ++i) {
+        const std::optional<NearestEdge> edge = edgeNearest(pixel, traced, i);
+        if (edge && (!nearest || edge->edge.distance > nearest->edge.distance))
+            nearest = edge;
+    }
+    const auto tr = [](const char *text) {
+        return QCoreApplication::translate("pixelplumb::PointerReadout", text);
+    };
+    if (!nearest || !traced.method->draws(PrimitiveKind::Triangle))
+        return tr("not painted");
+    const QString side = nearest->edge.distance >= 0 ? tr("not painted · %1 px inside %2 of %3")
+                                                     : tr("not painted · %1 px outside %2 of %3");
+    return side.arg(
+        distanceText(nearest->edge.distance), nameOfEdge(*nearest, *traced.trace),
+        QStringLiteral("%1 %2").arg(nameOf(PrimitiveKind::Triangle)).arg(nearest->triangle));
+}
+
+} // namespace
+
+QString PointerReadout::text(const QPoint &pixel, const CanvasSources &sources,
+                             const CanvasHand &hand)
+{
+    const Playhead &playhead = *sources.playhead;
+    const TracedScene *traced = tracedOfFrame(*sources.document, playhead);
+    // Pictures that stand for a run, or go on where its recording ended, do not say who painted.
+    const bool isPreview = sources.previewer && sources.previewer->isAheadOfTrace();
+    const bool isBeyond = traced && traced->trace->isCut() && playhead.position() == playhead.end();
+
+    const QString place = QStringLiteral("(%1, %2)").arg(pixel.x()).arg(pixel.y());
+    QStringList lines;
+    if (hand.candidate && coordinateNote(*hand.candidate) != place)
+        lines += QCoreApplication::translate("pixelplumb::PointerReadout", "vertex %1")
+                     .arg(coordinateNote(*hand.candidate));
+    if (!traced || isPreview || isBeyond)
+        return (lines << place).join(u'\n');
+    const bool isTruth = isTruthVisible(sources, hand);
+    const FrameBuffer &shown = isTruth ? traced->truth : *playhead.frame();
+    lines += place + u' ' + colourText(unpacked(*shown.view().at(pixel.x(), pixel.y())));
+    if (!isTruth
+        && !playhead.isAheadHidden()) // which side of an edge it lies on is asked for there
+        lines += owner(pixel, playhead);
+    return lines.join(u'\n');
+}
+
+QString PointerReadout::owner(const QPoint &pixel, const Playhead &playhead)
+{
+    const TracedScene *traced = playhead.traced();
+    if (m_traced.lock().get() == traced && m_pixel == pixel && m_position == playhead.position())
+        return m_text;
+    m_traced = playhead.sharedTraced();
+    m_pixel = pixel;
+    m_position = playhead.position();
+    const std::optional<std::size_t> painter = painterOf(pixel, playhead);
+    m_text = painter ? paintedText(pixel, *traced, *painter) : unpaintedText(pixel, *traced);
+    return m_text;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/inspect/primitivespanel.h"
+
+#include "core/scene/coordinatetext.h"
+#include "widgets/look/colourbutton.h"
+#include "widgets/model/primitivelistmodel.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScopedValueRollback>
+#include <QStyledItemDelegate>
+#include <QToolButton>
+#include <QTreeView>
+#include <QValidator>
+
+namespace pixelplumb {
+
+namespace {
+
+/// What is no coordinate yet may become one, and is not taken.
+class CoordinateValidator final : public QValidator {
+public:
+    using QValidator::QValidator;
+    State validate(QString &text, int &) const override
+    {
+        return parseCoordinate(text) ? Acceptable : Intermediate;
+    }
+};
+
+class CoordinateDelegate final : public QStyledItemDelegate {
+public:
+    using QStyledItemDelegate::QStyledItemDelegate;
+    QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &,
+                          const QModelIndex &index) const override
+    {
+        auto *field = new QLineEdit(parent);
+        field->setObjectName(QStringLiteral("coordinateField"));
+        field->setAccessibleName(
+            index.model()->headerData(index.column(), Qt::Horizontal).toString());
+        field->setValidator(new CoordinateValidator(field));
+        field->setFrame(false);
+        return field;
+    }
+};
+
+} // namespace
+
+PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
+    : QWidget(parent)
+    , m_document(document)
+    , m_model(new PrimitiveListModel(document, this))
+    , m_tree(new QTreeView(this))
+    , m_summary(new QLabel(this))
+{
+    setObjectName(QStringLiteral("primitives"));
+    m_tree->setObjectName(QStringLiteral("primitivesTree"));
+    m_tree->setAccessibleName(tr("Primitives in drawing order"));
+    m_tree->setModel(m_model);
+    m_tree->setItemDelegate(new CoordinateDelegate(m_tree));
+    m_tree->setUniformRowHeights(true);
+    m_tree->setAllColumnsShowFocus(false);
+    m_tree->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
+                            | QAbstractItemView::AnyKeyPressed);
+    m_tree->header()->resizeSection(PrimitiveListModel::Name, 112);
+    m_tree->header()->resizeSection(PrimitiveListModel::X, 60);
+    m_tree->header()->resizeSection(PrimitiveListModel::Y, 60);
+    m_summary->setObjectName(QStringLiteral("primitivesSummary"));
+    m_summary->setWordWrap(true);
+
+    auto *row = new QHBoxLayout;
+    row->setSpacing(4);
+    m_up = addButton(row, QStringLiteral("primitivesUp"), tr("Earlier"),
+                     tr("Draw it before the one above"));
+    m_down = addButton(row, QStringLiteral("primitivesDown"), tr("Later"),
+                       tr("Draw it after the one below"));
+    m_colour = addButton(row, QStringLiteral("primitivesColour"), tr("Colour…"),
+                         tr("The colour of the vertex, or of all vertices of the primitive"));
+    m_remove = addButton(row, QStringLiteral("primitivesDelete"), tr("Delete"),
+                         tr("Delete the primitive"));
+    row->addStretch();
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(4);
+    layout->addWidget(m_tree);
+    layout->addLayout(row);
+    layout->addWidget(m_summary);
+    setFocusProxy(m_tree);
+
+    connect(m_up, &QAbstractButton::clicked, this, [this] { moveBy(-1); });
+    connect(m_down, &QAbstractButton::clicked, this, [this] { moveBy(1); });
+    connect(m_colour, &QAbstractButton::clicked, this, &PrimitivesPanel::chooseColour);
+    connect(m_remove, &QAbstractButton::clicked, this, [this] {
+        if (const std::optional<VertexRef> ref = refInHand())
+            m_document->deletePrimitive(ref->primitive);
+    });
+    connect(m_tree->selectionModel(), &QItemSelectionModel::currentChanged, this,
+            &PrimitivesPanel::chooseRow);
+    connect(document, &SceneDocument::selectionChanged, this, &PrimitivesPanel::followSelection);
+    connect(m_model, &QAbstractItemModel::modelReset, this, &PrimitivesPanel::followSelection);
+    connect(document, &SceneDocument::sceneChanged, this, &PrimitivesPanel::update);
+    followSelection();
+}
+
+QAbstractButton *PrimitivesPanel::addButton(QHBoxLayout *row, const QString &name,
+                                            const QString &text, const QString &tip)
+{
+    auto *button = new QToolButton(this);
+    button->setObjectName(name);
+    button->setText(text);
+    button->setToolTip(tip);
+    button->setAccessibleName(text);
+    button->setFocusPolicy(Qt::TabFocus); // the row in hand keeps the focus
+    row->addWidget(button);
+    return button;
+}
+
+std::optional<VertexRef> PrimitivesPanel::refInHand() const
+{
+    const QModelIndex index = m_tree->currentIndex();
+    return index.isValid() ? std::optional(m_model->refAt(index)) : std::nullopt;
+}
+
+void PrimitivesPanel::chooseRow(const QModelIndex &index)
+{
+    if (!m_following && index.isValid()) {
+        const QScopedValueRollback following(m_following, true);
+        m_document->selectVertex(m_model->refAt(index));
+    }
+    update();
+}
+
+void PrimitivesPanel::followSelection()
+{
+    const std::optional<VertexRef> ref = m_document->selectedVertex();
+    if (!m_following && ref && ref->primitive != VertexRef::pending) {
+        const QScopedValueRollback following(m_following, true);
+        const std::optional<VertexRef> shown = refInHand();
+        if (shown != ref)
+            m_tree->setCurrentIndex(m_model->indexOf(*ref));
+    }
+    update();
+}
+
+void PrimitivesPanel::update()
+{
+    const int count = m_document->primitiveCount();
+    const std::size_t solids = m_document->scene().solids.size();
+    QString text = count == 1 ? tr("1 primitive") : tr("%1 primitives").arg(count);
+    if (solids > 0)
+        text += tr(" and %1 solids, which the Projection panel shows").arg(solids);
+    m_summary->setText(text);
+    const std::optional<VertexRef> ref = refInHand();
+    m_up->setEnabled(ref && m_document->canMovePrimitive(ref->primitive, -1));
+    m_down->setEnabled(ref && m_document->canMovePrimitive(ref->primitive, 1));
+    m_colour->setEnabled(ref.has_value());
+    m_remove->setEnabled(ref.has_value());
+}
+
+void PrimitivesPanel::moveBy(int places)
+{
+    const std::optional<VertexRef> ref = refInHand();
+    if (!ref || !m_document->canMovePrimitive(ref->primitive, places))
+        return;
+    const bool isWhole = m_model->isPrimitive(m_tree->currentIndex());
+    m_document->movePrimitive(ref->primitive, places);
+    const VertexRef moved{ref->primitive + places, ref->vertex};
+    m_tree->setCurrentIndex(isWhole ? m_model->indexOfPrimitive(moved.primitive)
+                                    : m_model->indexOf(moved));
+}
+
+void PrimitivesPanel::chooseColour()
+{
+    const std::optional<VertexRef> ref = refInHand();
+    if (!ref)
+        return;
+    const bool isWhole = m_model->isPrimitive(m_tree->currentIndex());
+    const std::optional<Colour> colour
+        = askForColour(m_document->vertexAt(*ref)->colour,
+                       isWhole ? tr("Colour of the Primitive") : tr("Colour of the Vertex"), this);
+    if (!colour)
+        return;
+    if (isWhole)
+        m_document->setPrimitiveColour(ref->primitive, *colour);
+    else
+        m_document->setVertexColour(*ref, *colour);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/model/scenedocument.h"
+
+#include <QWidget>
+
+class QAbstractButton;
+class QHBoxLayout;
+class QLabel;
+class QTreeView;
+
+namespace pixelplumb {
+
+class PrimitiveListModel;
+
+/// The scene's primitives as a list (objectName "primitives"): chosen here they are chosen on the
+/// canvas, and the other way round; they change places in the drawing order, take another colour,
+/// go, and their coordinates are typed in place. Everything is an edit that can be undone.
+class PrimitivesPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit PrimitivesPanel(SceneDocument *document, QWidget *parent = nullptr);
+
+    QSize sizeHint() const override { return {360, 480}; }
+
+private:
+    QAbstractButton *addButton(QHBoxLayout *row, const QString &name, const QString &text,
+                               const QString &tip);
+    void chooseRow(const QModelIndex &index);
+    void followSelection();
+    void update();
+    void moveBy(int places);
+    void chooseColour();
+    /// What the row in hand stands for; none without one.
+    std::optional<VertexRef> refInHand() const;
+
+    SceneDocument *m_document;
+    PrimitiveListModel *m_model;
+    QTreeView *m_tree;
+    QLabel *m_summary;
+    QAbstractButton *m_up = nullptr;
+    QAbstractButton *m_down = nullptr;
+    QAbstractButton *m_colour = nullptr;
+    QAbstractButton *m_remove = nullptr;
+    bool m_following = false; ///< the list moves after the document, not the other way
+};
+
+} // namespace pixelplumb

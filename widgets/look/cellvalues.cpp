@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/cellvalues.h"
+
+#include <QFontMetricsF>
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+// Logical pixels.
+// A value stands between the cell's left side and what goes through its sample.
+constexpr double leastValueSize = 7; // of its font
+constexpr double largestValueSize = 12;
+constexpr double valueGap = 1.5; // from the side
+constexpr double sampleGap = 2.5; // from the middle
+
+QFont withSize(QFont font, double size)
+{
+    font.setPixelSize(std::max(1, int(size)));
+    return font;
+}
+
+/// The same in both notations: nothing moves when the other one is chosen.
+double widestValue(const QFont &font)
+{
+    return QFontMetricsF(font).horizontalAdvance(QStringLiteral("000"));
+}
+
+QString byteText(int byte, ByteNotation notation)
+{
+    return notation == ByteNotation::Decimal
+        ? QString::number(byte)
+        : QStringLiteral("%1").arg(byte, 2, 16, QLatin1Char('0'));
+}
+
+} // namespace
+
+QColor textColourOn(QRgb colour)
+{
+    const auto linear = [](int byte) {
+        const double share = byte / 255.0;
+        return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
+    };
+    const double luminance = 0.2126 * linear(qRed(colour)) + 0.7152 * linear(qGreen(colour))
+        + 0.0722 * linear(qBlue(colour));
+    return luminance > 0.179 ? Qt::black : Qt::white;
+}
+
+double leastReadableCell(const CellValueStyle &style)
+{
+    const double value = widestValue(withSize(style.font, leastValueSize * style.scale));
+    return 2 * (value + (valueGap + sampleGap) * style.scale);
+}
+
+void drawCellValues(QPainter &painter, const QRectF &cell, QRgb colour, const QColor &ink,
+                    const CellValueStyle &style, const QBrush &paper)
+{
+    const auto px = [&style](double logical) { return logical * style.scale; };
+    const double size = cell.height();
+    if (size < leastReadableCell(style))
+        return;
+    const double room = size / 2 - px(valueGap + sampleGap);
+    const double lineHeight = (size - px(2)) / 3;
+    double fontSize = largestValueSize;
+    while (fontSize > leastValueSize
+           && (widestValue(withSize(style.font, px(fontSize))) > room || px(fontSize) > lineHeight))
+        --fontSize;
+    const QFont font = withSize(style.font, px(fontSize));
+    const QFontMetricsF metrics(font);
+    painter.setPen(ink);
+    painter.setFont(font);
+    const double right = cell.left() + px(valueGap) + widestValue(font);
+    const std::array<int, 3> bytes = {qRed(colour), qGreen(colour), qBlue(colour)};
+    for (std::size_t i = 0; i < bytes.size(); ++i) {
+        const QString text = byteText(bytes[i], style.notation);
+        const double middle = cell.top() + px(1) + lineHeight * (double(i) + 0.5);
+        const double left = right - metrics.horizontalAdvance(text);
+        const double height = metrics.capHeight();
+        painter.fillRect(QRectF(left, middle - height / 2, right - left, height)
+                             .adjusted(-px(1), -px(1), px(1), px(1)),
+                         paper);
+        painter.drawText(QPointF(left, middle + height / 2), text);
+    }
+}
+
+} // namespace pixelplumb

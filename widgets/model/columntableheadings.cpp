@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/tracetable.h"
+#include "widgets/look/numbertooltip.h"
+#include "widgets/model/columntablemodel.h"
+
+/// What the rows and columns of the table are called.
+namespace pixelplumb {
+
+namespace {
+
+/// "△ 2", "line 0": where a primitive's rows begin.
+QString markText(const TracedScene &traced, std::size_t span)
+{
+    const std::size_t primitive = traced.trace->primitiveOf(span);
+    const QString kind = traced.primitives.isTriangle(primitive)
+        ? QStringLiteral("△")
+        : nameOf(traced.primitives.kindOf(primitive));
+    return QStringLiteral("%1 %2").arg(kind).arg(primitive);
+}
+
+/// The edge that is switched in where a sorted triangle's second part begins, else the part's
+/// number.
+QString partText(const TracedScene &traced, std::size_t span)
+{
+    if (traced.primitives.isTriangle(traced.trace->primitiveOf(span)))
+        return QStringLiteral("L₁₂");
+    return ColumnTableModel::tr("part %1").arg(traced.trace->placeOf(span).part + 1);
+}
+
+} // namespace
+
+QString ColumnTableModel::fileName(int column) const
+{
+    switch (face(column)) {
+    case NumberFace::Used:
+        break;
+    case NumberFace::Exact:
+        return exactName(number(column).id);
+    case NumberFace::Error:
+        return errorName(number(column).id);
+    }
+    return number(column).id;
+}
+
+QVariant ColumnTableModel::headerData(int section, Qt::Orientation orientation, int role) const
+{
+    if (orientation == Qt::Vertical) {
+        if (role != Qt::DisplayRole || section >= rowCount())
+            return {};
+        const std::size_t span = spanAt(section);
+        switch (markOf(span)) {
+        case RowMark::None:
+            break;
+        case RowMark::PrimitiveBegins:
+            return markText(*m_traced, span);
+        case RowMark::PartBegins:
+            return partText(*m_traced, span);
+        }
+        return QString();
+    }
+    if (section >= columnCount())
+        return {};
+    const NumberDescription &shown = number(section);
+    if (role == Qt::DisplayRole) {
+        switch (face(section)) {
+        case NumberFace::Used:
+            break;
+        case NumberFace::Exact:
+            return tr("%1 exact").arg(shown.title);
+        case NumberFace::Error:
+            return tr("%1 error").arg(shown.title);
+        }
+        return shown.title;
+    }
+    if (role == Qt::ToolTipRole)
+        return numberToolTip(shown);
+    if (role == Qt::AccessibleTextRole)
+        return withoutMarkup(headerData(section, orientation, Qt::DisplayRole).toString());
+    return {};
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/model/scenedocument.h"
+
+#include <QAbstractItemModel>
+
+namespace pixelplumb {
+
+/// The document's triangles and shapes in drawing order, and below each its vertices in the file's
+/// order with their coordinates, which can be edited, and their colours. A solid's triangles are
+/// none of the document's.
+class PrimitiveListModel : public QAbstractItemModel {
+    Q_OBJECT
+
+public:
+    enum Column { Name, X, Y, ColourText, columnEnd };
+
+    explicit PrimitiveListModel(SceneDocument *document, QObject *parent = nullptr);
+
+    /// The vertex of a row; of a primitive's row its first. Any column.
+    VertexRef refAt(const QModelIndex &index) const;
+    bool isPrimitive(const QModelIndex &index) const;
+    QModelIndex indexOf(const VertexRef &ref) const;
+    QModelIndex indexOfPrimitive(int primitive) const;
+
+    QModelIndex index(int row, int column, const QModelIndex &parent = {}) const override;
+    QModelIndex parent(const QModelIndex &index) const override;
+    int rowCount(const QModelIndex &parent = {}) const override;
+    int columnCount(const QModelIndex &parent = {}) const override;
+    Qt::ItemFlags flags(const QModelIndex &index) const override;
+    QVariant data(const QModelIndex &index, int role) const override;
+    /// A coordinate as text: "26", "26.5" or "53/2".
+    bool setData(const QModelIndex &index, const QVariant &value, int role) override;
+    QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+private:
+    void followScene();
+    std::vector<int> rowsOfScene() const;
+
+    SceneDocument *m_document;
+    std::vector<int> m_rows; ///< vertices of each primitive
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/window/examplesdialog.h"
+
+#include "core/runs/tracedscene.h"
+#include "core/scene/scenefile.h"
+#include "widgets/studies/hardcasespicture.h"
+
+#include <QBoxLayout>
+#include <QDialogButtonBox>
+#include <QListWidget>
+#include <QMap>
+#include <QPainter>
+#include <QPushButton>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr QSize pictureSize(96, 72); // logical pixels
+
+enum Role { ScenePath = Qt::UserRole, CaseId };
+
+QImage pictureOfScene(const QString &path)
+{
+    const Result<SceneReading> reading = readSceneFile(path);
+    if (!reading)
+        return {};
+    FrameBuffer frame(reading->scene.frame);
+    drawScene(reading->scene, frame);
+    return frame.copy();
+}
+
+/// In the middle of the room that all pictures have, as large as it fits, by a whole number where
+/// it is smaller: pixels stay pixels. The room alone of no picture.
+QPixmap fitted(const QImage &picture, double devicePixelRatio)
+{
+    const QSize room = pictureSize * devicePixelRatio;
+    QPixmap pixmap(room);
+    pixmap.fill(Qt::transparent);
+    if (!picture.isNull()) {
+        const int times
+            = std::min(room.width() / picture.width(), room.height() / picture.height());
+        const QImage shown = times > 0
+            ? picture.scaled(picture.size() * times)
+            : picture.scaled(room, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+        const QSize rest = room - shown.size();
+        QPainter(&pixmap).drawImage(rest.width() / 2, rest.height() / 2, shown);
+    }
+    pixmap.setDevicePixelRatio(devicePixelRatio);
+    return pixmap;
+}
+
+} // namespace
+
+ExamplesDialog::ExamplesDialog(const std::vector<Example> &examples,
+                               const std::vector<GalleryCase> &cases, QWidget *parent)
+    : QDialog(parent)
+    , m_list(new QListWidget(this))
+{
+    setObjectName(QStringLiteral("examplesDialog"));
+    setWindowTitle(tr("Examples"));
+    m_list->setObjectName(QStringLiteral("examplesList"));
+    m_list->setAccessibleName(tr("Examples"));
+    m_list->setIconSize(pictureSize);
+    m_list->setWordWrap(true);
+    m_list->setSpacing(2);
+    addScenes(examples);
+    addFamilies(cases);
+    m_list->setCurrentRow(0);
+    connect(m_list, &QListWidget::itemActivated, this, &ExamplesDialog::choose);
+
+    auto *buttons = new QDialogButtonBox(QDialogButtonBox::Open | QDialogButtonBox::Close, this);
+    connect(buttons, &QDialogButtonBox::accepted, this, [this] { choose(m_list->currentItem()); });
+    connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 16, 16, 16);
+    layout->setSpacing(8);
+    layout->addWidget(m_list);
+    layout->addWidget(buttons);
+    resize(600, 600);
+    drawNext();
+}
+
+void ExamplesDialog::addScenes(const std::vector<Example> &examples)
+{
+    for (const Example &example : examples)
+        add(example.title, example.line, [path = example.path] {
+            return pictureOfScene(path);
+        })->setData(ScenePath, example.path);
+}
+
+void ExamplesDialog::addFamilies(const std::vector<GalleryCase> &cases)
+{
+    QMap<QString, std::vector<const GalleryCase *>> families;
+    for (const GalleryCase &each : cases)
+        families[each.family].push_back(&each);
+    for (auto family = families.begin(); family != families.end(); ++family) {
+        const GalleryCase &first = *family->front();
+        const QString title = family->size() == 1
+            ? tr("Hard case: %1").arg(family.key())
+            : tr("Hard cases: %1 (%2)").arg(family.key()).arg(family->size());
+        add(title, first.why, [hardCase = first.hardCase] {
+            return pictureOf(hardCase, methods().front(), ScanSettings()).drawn;
+        })->setData(CaseId, first.hardCase.id);
+    }
+}
+
+QListWidgetItem *ExamplesDialog::add(const QString &title, const QString &line,
+                                     const Picture &picture)
+{
+    auto *item = new QListWidgetItem(title + u'\n' + line, m_list);
+    item->setIcon(fitted({}, devicePixelRatioF())); // texts do not move when pictures come
+    m_pictures.push_back(picture);
+    return item;
+}
+
+void ExamplesDialog::drawNext()
+{
+    if (picturesLeft() == 0)
+        return;
+    m_drawing.start([draw = m_pictures[std::size_t(m_nextPicture)]](
+                        const ProgressListener &) { return draw(); },
+                    [this](const QImage &picture) {
+                        m_list->item(m_nextPicture)->setIcon(fitted(picture, devicePixelRatioF()));
+                        ++m_nextPicture;
+                        drawNext();
+                    });
+}
+
+void ExamplesDialog::choose(const QListWidgetItem *item)
+{
+    if (!item)
+        return;
+    accept();
+    if (const QString path = item->data(ScenePath).toString(); !path.isEmpty())
+        emit sceneChosen(path);
+    else
+        emit caseChosen(item->data(CaseId).toString());
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/scenefile.h"
+#include "widgets/files/autosave.h"
+#include "widgets/files/scenefiles.h"
+#include "widgets/look/messagebar.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenetracer.h"
+#include "widgets/window/mainwindow.h"
+#include "widgets/window/windowsettings.h"
+
+#include <QCloseEvent>
+#include <QFileInfo>
+#include <QLocale>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+
+/// How scenes come into the window, and what happens to them when it goes.
+namespace pixelplumb {
+
+namespace {
+
+/// The one local file of what is dragged over the window; empty for anything else.
+QString draggedFile(const QMimeData *data)
+{
+    const QList<QUrl> urls = data->urls();
+    return urls.size() == 1 ? urls.constFirst().toLocalFile() : QString();
+}
+
+QString textOf(const UnsavedScene &left)
+{
+    const QString time = QLocale().toString(left.time, QLocale::ShortFormat);
+    return left.sceneFile.isEmpty()
+        ? MainWindow::tr("The program ended without saving a scene, last changed %1.").arg(time)
+        : MainWindow::tr("The program ended without saving “%1”, last changed %2.")
+              .arg(QFileInfo(left.sceneFile).fileName(), time);
+}
+
+} // namespace
+
+void MainWindow::openDefaultScene()
+{
+    m_openingPlace = OpeningMoment::HalfDrawn;
+    m_parts.files->loadDefault();
+}
+
+bool MainWindow::openScene(const QString &path) { return m_parts.files->load(path); }
+
+void MainWindow::setOpeningPlace(const OpeningPlace &place)
+{
+    m_openingPlace = place;
+    if (!m_parts.tracer->isRunning() && m_parts.playhead->traced())
+        goToOpeningPlace();
+}
+
+void MainWindow::goToOpeningPlace()
+{
+    if (!m_openingPlace)
+        return;
+    m_parts.playhead->seek(positionOf(*m_openingPlace, *m_parts.playhead->traced()->trace));
+    m_openingPlace.reset();
+}
+
+void MainWindow::offerRecovery()
+{
+    const std::optional<UnsavedScene> left = m_autosave->leftBehind();
+    if (!left)
+        return;
+    auto *box = new QMessageBox(QMessageBox::Question, tr("Unsaved Scene"), textOf(*left),
+                                QMessageBox::NoButton, this);
+    box->setObjectName(QStringLiteral("recoveryDialog"));
+    box->setInformativeText(tr("Recovered, it is a scene without a file until it is saved."));
+    const QPushButton *yes = box->addButton(tr("&Recover"), QMessageBox::AcceptRole);
+    const QPushButton *no = box->addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+    box->setEscapeButton(box->addButton(tr("&Later"), QMessageBox::RejectRole));
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    connect(box, &QMessageBox::finished, this, [this, box, yes, no, left = *left] {
+        if (box->clickedButton() == yes) {
+            recover(left);
+        } else if (box->clickedButton() == no) {
+            Autosave::discard(left);
+            offerRecovery(); // there may be more
+        }
+    });
+    box->open();
+}
+
+void MainWindow::recover(const UnsavedScene &left)
+{
+    const Result<SceneReading> reading = readSceneFile(left.path);
+    if (!reading)
+        m_parts.messageBar->complain(reading.error().message());
+    else if (m_parts.files->showScene(reading->scene))
+        m_autosave->adopt(left);
+}
+
+void MainWindow::closeEvent(QCloseEvent *event)
+{
+    if (!m_parts.files->mayReplace()) {
+        event->ignore();
+        return;
+    }
+    m_settings->store();
+    event->accept();
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent *event)
+{
+    if (!draggedFile(event->mimeData()).isEmpty())
+        event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent *event)
+{
+    const QString path = draggedFile(event->mimeData());
+    if (!path.isEmpty())
+        m_parts.files->openFile(path);
+}
+
+} // namespace pixelplumb
