@@ -55,8 +55,8 @@ private:
     std::vector<QRgb> m_pixels;
 };
 
-/// The methods that draw triangles alone and decide about samples, not about pixels near an outline,
-/// in the table's order.
+/// The methods that draw triangles alone and decide about samples, not about pixels near an
+/// outline, in the table's order.
 inline std::vector<const Method *> triangleMethods()
 {
     std::vector<const Method *> found;
