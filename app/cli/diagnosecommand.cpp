@@ -26,7 +26,7 @@ std::optional<PartingStep> partingStepOf(const std::vector<Submission> &submissi
     return std::nullopt;
 }
 
-QStringList textOf(const Diagnosis &diagnosis, const std::vector<Submission> &submissions)
+QStringList diagnosisLines(const Diagnosis &diagnosis, const std::vector<Submission> &submissions)
 {
     if (diagnosis.verdict == DiagnosisVerdict::Right)
         return {QStringLiteral("right: no pixel differs")};
@@ -144,7 +144,7 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(jsonOf(*diagnosis, submissions)));
     else
-        printLines(textOf(*diagnosis, submissions));
+        printLines(diagnosisLines(*diagnosis, submissions));
     return diagnosis->verdict == DiagnosisVerdict::Right ? ExitCode::Done : ExitCode::FallsShort;
 }
 

@@ -12,7 +12,7 @@ namespace pixelplumb::cli {
 
 namespace {
 
-QStringList textOf(const MotionStudy &study)
+QStringList motionLines(const MotionStudy &study)
 {
     std::vector<QStringList> rows
         = {{QStringLiteral("frame"), QStringLiteral("pixels"), QStringLiteral("truth"),
@@ -64,7 +64,7 @@ ExitCode motion(const Command &command, const QStringList &arguments)
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(jsonOf(*study)));
     else
-        printLines(textOf(*study));
+        printLines(motionLines(*study));
     return study->toggled() != study->truthToggled() ? ExitCode::FallsShort : ExitCode::Done;
 }
 
