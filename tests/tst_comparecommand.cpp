@@ -193,7 +193,7 @@ private slots:
         row("method", {"--methods", "truth,colum-scan"},
             "unknown method “colum-scan”; did you mean column-scan?; expected one of truth, ");
         row("arithmetic", {"--methods", "truth,column-scan:float"},
-            "unknown arithmetic or fill rule “float”; did you mean float32?");
+            "unknown arithmetic, fill rule or variant “float”; did you mean float32?");
         row("arithmetic of the truth", {"--methods", "truth:float32,column-scan"},
             "unknown fill rule of the truth “float32”");
         row("rule that the method does not keep", {"--methods", "truth,column-scan:exact:top-left"},

@@ -92,8 +92,8 @@ private slots:
                   QTest::newRow(name) << words << offered;
               };
         row("commands", {""},
-            {"render", "trace", "pixel", "methods", "plan", "check", "compare", "diff", "motion",
-             "lab", "help"});
+            {"render", "trace", "pixel", "methods", "plan", "check", "compare", "diff", "diagnose",
+             "motion", "lab", "help"});
         row("the beginning of a command", {"pl"}, {"plan"});
         row("commands to be helped with", {"help", "ren"}, {"render"});
         row("options", {"render", "scene.json", "--a"}, {"--ascii", "--accuracy", "--arithmetic"});

@@ -42,7 +42,11 @@ std::vector<Scene> probes(const char *method = "column-scan")
             sceneWith({coloured({at(8, 60), at(58, 66), at(50, 16)}),
                        coloured({at(58, 66), at(50, 16), at(75, 20)})},
                       method),
-            sceneWith({coloured({at(58, 72), at(24, 66), at(58, 40)})}, method)};
+            // A square of two: edges along rows, columns and the diagonal pass through samples.
+            sceneWith({coloured({at(58, 72), at(24, 66), at(58, 40)}),
+                       coloured({at(10, 10), at(40, 10), at(10, 40)}),
+                       coloured({at(40, 40), at(40, 10), at(10, 40)})},
+                      method)};
 }
 
 std::vector<Submission> submissionsOf(const std::vector<Scene> &scenes,
@@ -166,6 +170,35 @@ private slots:
         const Diagnosis diagnosis = *diagnose(std::vector{submission});
         QCOMPARE(diagnosis.verdict, DiagnosisVerdict::Undecidable);
         QCOMPARE(diagnosis.differing, std::int64_t(1));
+    }
+
+    void theOrderOfTheScenesDoesNotMatter()
+    {
+        Scene whole = sceneWith({triangleAt(2, 2, 19, 4, 7, 13)});
+        Scene between = sceneWith({coloured({LatticePoint{640, 704}, {4928, 1152}, {2112, 3456}})});
+        const std::vector<Defect> pair
+            = {defectNamed(between, QStringLiteral("vertices-truncated")),
+               defectNamed(between, QStringLiteral("upside-down"))};
+        std::vector<Submission> submissions = submissionsOf({whole, between}, pair);
+        for (int order = 0; order < 2; ++order) {
+            const Diagnosis diagnosis = *diagnose(submissions);
+            QVERIFY(diagnosis.isExplained());
+            QCOMPARE(diagnosis.candidates.front().defects.size(), 2U);
+            QCOMPARE(diagnosis.candidates.front().defects[0].id, pair[0].id);
+            std::ranges::reverse(submissions);
+        }
+    }
+
+    void aPairIsNoNearerForWhatItDoesNotNeed()
+    {
+        const std::vector<Scene> scenes = probes();
+        std::vector<Submission> submissions
+            = submissionsOf(scenes, {defectNamed(scenes.front(), QStringLiteral("upside-down"))});
+        submissions.front().picture.colours[5] = {{1, 2, 3}};
+        const Diagnosis diagnosis = *diagnose(submissions);
+        QVERIFY(!diagnosis.isExplained());
+        for (const DiagnosisCandidate &candidate : diagnosis.candidates)
+            QVERIFY(candidate.defects.size() == 1 || candidate.distance < 1);
     }
 
     void theStepWhereTheRunsPartIsTold()

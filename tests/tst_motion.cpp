@@ -178,8 +178,9 @@ private slots:
         auto *slider = named<QSlider>(*window, "motionSlider");
         for (const int frame : {5, 9}) {
             slider->setValue(frame);
-            QTRY_COMPARE(named<MotionView>(*window, "motionView")->toggledPixels(),
-                         int(study.frames[std::size_t(frame)].toggled));
+            QTRY_COMPARE(
+                std::int64_t(named<MotionView>(*window, "motionView")->picture().toggled.size()),
+                study.frames[std::size_t(frame)].toggled);
         }
         QVERIFY(named<QLabel>(*window, "motionSummary")
                     ->text()

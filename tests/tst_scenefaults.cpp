@@ -47,7 +47,8 @@ private slots:
         row("unknown key", sceneWith("  \"fillrule\": \"closed\", \"primitives\": []"),
             "line 4, column 15, fillrule: unknown key “fillrule”; expected one of pixelplumb, "
             "frame, method, "
-            "arithmetic, fillRule, offScreenPoint, rounding, camera, materials, lights, ambient, "
+            "arithmetic, fillRule, offScreenPoint, rounding, variants, camera, motion, materials, "
+            "lights, ambient, "
             "shading, depth, depthBits, antialiasing, primitives");
         row("key twice", sceneWith("  \"primitives\": [],\n  \"primitives\": []"),
             "line 5, column 17, primitives: the key is there twice; expected every key once");

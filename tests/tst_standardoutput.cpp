@@ -31,6 +31,7 @@ const std::vector<QStringList> &commandLines()
            {"render", "%1", "-o", "-"},
            {"lab", "%1", "--family", "own-scene", "--contender", "column-scan:float32"},
            {"plan", "%1"},
+           {"motion", "%1"},
            {"check", "%1"},
            {"check", "%1", "--json"}};
     return lines;

@@ -26,13 +26,19 @@ std::optional<PartingStep> partingStepOf(const std::vector<Submission> &submissi
     return std::nullopt;
 }
 
+/// "3 pixels differ"; one differs.
+QString countText(std::int64_t pixels, const QString &verb)
+{
+    return pixels == 1 ? QStringLiteral("1 pixel %1s").arg(verb)
+                       : QStringLiteral("%1 pixels %2").arg(pixels).arg(verb);
+}
+
 QStringList diagnosisLines(const Diagnosis &diagnosis, const std::vector<Submission> &submissions)
 {
     if (diagnosis.verdict == DiagnosisVerdict::Right)
         return {QStringLiteral("right: no pixel differs")};
-    QStringList lines = {QStringLiteral("%1: %2 pixels differ")
-                             .arg(nameOf(diagnosis.verdict))
-                             .arg(diagnosis.differing)};
+    QStringList lines = {QStringLiteral("%1: %2").arg(
+        nameOf(diagnosis.verdict), countText(diagnosis.differing, QStringLiteral("differ")))};
     if (diagnosis.candidates.empty())
         lines += QStringLiteral("no known defect comes nearer");
     else if (!diagnosis.isExplained())
@@ -85,7 +91,7 @@ QJsonObject jsonOf(const Diagnosis &diagnosis, const std::vector<Submission> &su
             {QStringLiteral("candidates"), candidates}};
 }
 
-/// The picture of a file, of the scene's size.
+/// The picture of a file.
 Result<Submission> readSubmission(const CommandLine &line, const QString &scenePath,
                                   const QString &picturePath)
 {
@@ -98,13 +104,8 @@ Result<Submission> readSubmission(const CommandLine &line, const QString &sceneP
     Result<Picture> picture = parsePicture(*content, picturePath);
     if (!picture)
         return picture.error();
-    if (picture->width != scene->frame.width || picture->height != scene->frame.height)
-        return InputError{picturePath,
-                          QStringLiteral("%1 × %2 pixels").arg(picture->width).arg(picture->height),
-                          QStringLiteral("%1 × %2, the size of %3")
-                              .arg(scene->frame.width)
-                              .arg(scene->frame.height)
-                              .arg(scenePath)};
+    if (picture->hasColours)
+        coverAllBut(scene->frame.background, *picture);
     return Submission{std::move(*scene), std::move(*picture)};
 }
 
@@ -137,6 +138,18 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
         Result<Submission> submission = readSubmission(line, scenes[i], pictures[i]);
         if (!submission)
             return line.refuse(submission.error());
+        const FrameSpec &frame = submission->scene.frame;
+        const Picture &picture = submission->picture;
+        if (picture.width != frame.width || picture.height != frame.height) {
+            sayLine(QStringLiteral("%1 has %2 × %3 pixels, %4 has %5 × %6")
+                        .arg(pictures[i])
+                        .arg(picture.width)
+                        .arg(picture.height)
+                        .arg(scenes[i])
+                        .arg(frame.width)
+                        .arg(frame.height));
+            return ExitCode::SizesDiffer;
+        }
         submissions.push_back(std::move(*submission));
     }
     Progress progress;

@@ -9,6 +9,7 @@ namespace pixelplumb {
 namespace {
 
 constexpr Colour paint = {{255, 255, 255}};
+constexpr std::size_t mostNamed = 1'000'000;
 
 /// The same places, all of one colour on black and without effects: what is painted is what is not
 /// black.
@@ -65,6 +66,23 @@ std::int64_t MotionStudy::truthToggled() const
     for (const MotionFrame &frame : frames)
         sum += frame.truthToggled;
     return sum;
+}
+
+std::vector<QPoint> toggledPixels(const Scene &scene, int frame)
+{
+    std::vector<QPoint> pixels;
+    if (frame < 1)
+        return pixels;
+    const Scene silhouette = silhouetteOf(scene);
+    const FrameBuffer now(silhouette.frame);
+    const FrameBuffer before(silhouette.frame);
+    drawScene(sceneAtFrame(silhouette, frame), now);
+    drawScene(sceneAtFrame(silhouette, frame - 1), before);
+    countIn(now.view(), before.view(), [&](std::int64_t x, std::int64_t y) {
+        if (pixels.size() < mostNamed)
+            pixels.emplace_back(int(x - scene.frame.firstColumn), pictureLine(scene.frame, y));
+    });
+    return pixels;
 }
 
 std::optional<MotionStudy> studyMotion(const Scene &scene, const ProgressListener &listener)

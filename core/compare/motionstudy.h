@@ -5,6 +5,8 @@
 #include "core/number/jobprogress.h"
 #include "core/scene/scene.h"
 
+#include <QPoint>
+
 #include <optional>
 #include <vector>
 
@@ -36,6 +38,10 @@ struct MotionStudy {
     std::int64_t toggled() const;
     std::int64_t truthToggled() const;
 };
+
+/// The pixels of a picture, from its top left corner, that came or went between a frame and the one
+/// before, as the study counts them; none of the first frame. At most a million are named.
+std::vector<QPoint> toggledPixels(const Scene &scene, int frame);
 
 /// Of a scene that moves and that its method can draw; none where the listener, who hears how many
 /// frames are drawn, ended it.

@@ -17,9 +17,10 @@ QString textOf(std::string_view text)
     return QString::fromUtf8(text.data(), qsizetype(text.size()));
 }
 
-/// Adds the defect where the scene can have it.
-void append(std::vector<Defect> &defects, const Scene &scene, Defect defect)
+/// Adds the defect, one of a choice, where the scene can have it.
+void append(std::vector<Defect> &defects, const Scene &scene, const QString &choice, Defect defect)
 {
+    defect.choice = choice;
     Scene changed = scene;
     const bool applies
         = defect.changeScene(changed) && changed != scene && objectionTo(changed).isEmpty();
@@ -31,7 +32,7 @@ void appendVariants(std::vector<Defect> &defects, const Scene &scene)
 {
     for (const Variant variant : allVariants) {
         const VariantWords &words = wordsOf(variant);
-        append(defects, scene,
+        append(defects, scene, {},
                {textOf(nameOf(variant)), textOf(words.fault),
                 QStringLiteral("%1: %2 in place of %3.")
                     .arg(textOf(words.title), textOf(words.printed), textOf(words.right)),
@@ -45,7 +46,7 @@ void appendVariants(std::vector<Defect> &defects, const Scene &scene)
 void appendSettings(std::vector<Defect> &defects, const Scene &scene)
 {
     for (const FillRule rule : allFillRules)
-        append(defects, scene,
+        append(defects, scene, QStringLiteral("rule"),
                {QStringLiteral("rule-") + textOf(nameOf(rule)),
                 QStringLiteral("Look at pixels exactly on an edge, and at neighbours' shared "
                                "edges."),
@@ -56,7 +57,7 @@ void appendSettings(std::vector<Defect> &defects, const Scene &scene)
                     return true;
                 }});
     for (const ByteRounding rounding : allByteRoundings)
-        append(defects, scene,
+        append(defects, scene, QStringLiteral("rounding"),
                {QStringLiteral("rounding-") + textOf(nameOf(rounding)),
                 QStringLiteral("Look at how a colour becomes a byte."),
                 QStringLiteral("Levels become bytes by %1.").arg(textOf(nameOf(rounding))),
@@ -65,7 +66,7 @@ void appendSettings(std::vector<Defect> &defects, const Scene &scene)
                     return true;
                 }});
     for (const Arithmetic arithmetic : allArithmetics)
-        append(defects, scene,
+        append(defects, scene, QStringLiteral("arithmetic"),
                {QStringLiteral("arithmetic-") + textOf(nameOf(arithmetic)),
                 QStringLiteral("What your numbers are kept in decides pixels: how large is the "
                                "error after many additions?"),
@@ -86,7 +87,7 @@ void appendPlaces(std::vector<Defect> &defects, const Scene &scene)
 {
     const auto add
         = [&](const char *id, const char *forStudent, const char *forAssistant, MoveVertex move) {
-              append(defects, scene,
+              append(defects, scene, QString::fromUtf8(forStudent),
                      {QString::fromLatin1(id), QString::fromUtf8(forStudent),
                       QString::fromUtf8(forAssistant), [move](Scene &changed) {
                           for (Triangle &triangle : changed.triangles) {
@@ -110,12 +111,12 @@ void appendPlaces(std::vector<Defect> &defects, const Scene &scene)
     add("y-truncated", places, "y of the vertices is cast to whole pixels, x is not.",
         [](LatticePoint &point) { point.y = truncated(point.y); });
     constexpr const char *centre = "Where in a pixel is its sample?";
-    add("half-pixel-down", centre, "Samples stand half a pixel to the right and above.",
+    add("half-pixel-down", centre, "Samples stand half a pixel towards larger x and y.",
         [](LatticePoint &point) {
             point.x -= unitsPerPixel / 2;
             point.y -= unitsPerPixel / 2;
         });
-    add("half-pixel-up", centre, "Samples stand half a pixel to the left and below.",
+    add("half-pixel-up", centre, "Samples stand half a pixel towards smaller x and y.",
         [](LatticePoint &point) {
             point.x += unitsPerPixel / 2;
             point.y += unitsPerPixel / 2;
@@ -128,7 +129,7 @@ void appendColours(std::vector<Defect> &defects, const Scene &scene)
         = {{{1, 2, 0}, {2, 0, 1}, {1, 0, 2}, {0, 2, 1}, {2, 1, 0}}};
     const auto add = [&](const QString &id, const QString &forAssistant,
                          const std::array<std::size_t, 3> &from) {
-        append(defects, scene,
+        append(defects, scene, QStringLiteral("colours"),
                {id, QStringLiteral("Which vertex has which colour?"), forAssistant,
                 [from](Scene &changed) {
                     for (Triangle &triangle : changed.triangles) {
@@ -159,11 +160,11 @@ void appendColours(std::vector<Defect> &defects, const Scene &scene)
 void appendTriangles(std::vector<Defect> &defects, const Scene &scene)
 {
     const auto cull = [&](const char *id, const char *turn, int sign) {
-        append(defects, scene,
+        append(defects, scene, QStringLiteral("triangles"),
                {QString::fromLatin1(id),
                 QStringLiteral("Are all triangles there, whichever way "
                                "their vertices turn?"),
-                QStringLiteral("Triangles whose vertices turn %1 are not drawn.")
+                QStringLiteral("Triangles whose vertices turn %1, taking y upward, are not drawn.")
                     .arg(QString::fromLatin1(turn)),
                 [sign](Scene &changed) {
                     const auto isCulled = [sign](const Triangle &triangle) {
@@ -177,7 +178,7 @@ void appendTriangles(std::vector<Defect> &defects, const Scene &scene)
     };
     cull("culls-clockwise", "clockwise", -1);
     cull("culls-counter-clockwise", "counter-clockwise", 1);
-    append(defects, scene,
+    append(defects, scene, QStringLiteral("triangles"),
            {QStringLiteral("reverse-order"), QStringLiteral("In which order are they painted?"),
             QStringLiteral("The triangles are painted from the last to the first."),
             [](Scene &changed) {
@@ -197,7 +198,7 @@ void appendPictures(std::vector<Defect> &defects, const Scene &scene)
                            QStringLiteral("The picture is right, but %1.").arg(change.name),
                            {},
                            change.apply,
-                           change.isShift});
+                           change.isFar});
     }
 }
 

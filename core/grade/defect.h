@@ -20,6 +20,7 @@ struct Defect {
     std::function<bool(Scene &scene)> changeScene = {};
     std::function<Picture(const Picture &right)> changePicture = {}; ///< where it is no scene's
     bool standsAlone = false; ///< is not looked for beside another
+    QString choice = {}; ///< of defects of one choice only one can be there; empty: of none
 
     bool isOfPicture() const { return bool(changePicture); }
 };

@@ -61,6 +61,8 @@ std::vector<Defect> defectsOf(std::span<const Submission> submissions)
                 all.push_back(std::move(defect));
         }
     }
+    // What is done to a picture is done after the scene is drawn: it comes second in a pair.
+    std::ranges::stable_partition(all, [](const Defect &each) { return !each.isOfPicture(); });
     return all;
 }
 
@@ -158,22 +160,28 @@ std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
     std::int64_t tried = 0;
     CandidateList candidates;
     candidates.forgetFartherThan(diagnosis.differing); // what explains nothing is none
-    const auto attempt = [&](std::vector<Defect> set) {
-        const std::int64_t distance = distanceOf(submissions, set, candidates.limit());
-        candidates.add(std::move(set), distance);
-        return goesOn(listener, {JobPhase::Judging, ++tried, sets});
-    };
+    std::vector<std::int64_t> alone;
+    const auto goesOnTrying = [&] { return goesOn(listener, {JobPhase::Judging, ++tried, sets}); };
     for (const Defect &defect : defects) {
-        if (!attempt({defect}))
+        alone.push_back(distanceOf(submissions, std::span(&defect, 1), diagnosis.differing));
+        candidates.add({defect}, alone.back());
+        if (!goesOnTrying())
             return std::nullopt;
     }
     for (std::size_t i = 0; i < defects.size(); ++i) {
         for (std::size_t j = i + 1; j < defects.size(); ++j) {
-            // Of two changes of the whole picture the one would hide the other.
-            if (defects[i].isOfPicture() || defects[j].standsAlone
+            const bool isOneChoice
+                = !defects[i].choice.isEmpty() && defects[i].choice == defects[j].choice;
+            if (isOneChoice || defects[i].standsAlone || defects[j].standsAlone
                 || hasPart(candidates.exact(), defects[i], defects[j]))
                 continue;
-            if (!attempt({defects[i], defects[j]}))
+            // A pair is one where each of the two is needed.
+            const std::vector<Defect> pair = {defects[i], defects[j]};
+            const std::int64_t distance
+                = distanceOf(submissions, pair, std::min(alone[i], alone[j]));
+            if (distance < std::min(alone[i], alone[j]))
+                candidates.add(pair, distance);
+            if (!goesOnTrying())
                 return std::nullopt;
         }
     }

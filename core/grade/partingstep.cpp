@@ -4,29 +4,47 @@
 #include "core/runs/formulaexplanation.h"
 #include "core/runs/tracedscene.h"
 
+#include <cmath>
+
 namespace pixelplumb {
 
 namespace {
+
+constexpr double leastPlain = 1e-3; // a smaller error is not seen in the two numbers
 
 struct StepNumbers {
     std::vector<NumberDescription> descriptions;
     std::vector<Quantity> cells;
 };
 
-StepNumbers numbersOf(const ScanTrace &trace, const TraceStep &step)
-{
-    switch (step.kind) {
-    case StepKind::SetUp:
-        return {trace.setUpWords(step.primitive).numbers, trace.setUp(step.primitive).cells};
-    case StepKind::Span:
-        return {trace.spanWords(step.span).numbers, trace.span(step.span).cells};
-    case StepKind::Sample:
-        break;
+/// Reads a trace forward; the samples of a span are kept while they are asked for.
+class StepReader {
+public:
+    explicit StepReader(const ScanTrace &trace)
+        : m_trace(trace)
+    {
     }
-    const std::size_t place = step.sample - trace.firstSampleOf(step.span);
-    const std::vector<SampleRecord> samples = trace.samples(step.span);
-    return {trace.sampleWords(step.span, place).numbers, samples[place].cells};
-}
+
+    StepNumbers numbersOf(const TraceStep &step)
+    {
+        if (step.kind == StepKind::SetUp)
+            return {m_trace.setUpWords(step.primitive).numbers,
+                    m_trace.setUp(step.primitive).cells};
+        if (step.kind == StepKind::Span)
+            return {m_trace.spanWords(step.span).numbers, m_trace.span(step.span).cells};
+        if (m_span != step.span) {
+            m_span = step.span;
+            m_samples = m_trace.samples(step.span);
+        }
+        const std::size_t place = step.sample - m_trace.firstSampleOf(step.span);
+        return {m_trace.sampleWords(step.span, place).numbers, m_samples[place].cells};
+    }
+
+private:
+    const ScanTrace &m_trace;
+    std::optional<std::size_t> m_span;
+    std::vector<SampleRecord> m_samples;
+};
 
 QString partingText(const StepNumbers &right, const StepNumbers &defective)
 {
@@ -38,8 +56,11 @@ QString partingText(const StepNumbers &right, const StepNumbers &defective)
         const auto text = [](const Quantity &quantity) {
             return quantity.isNone() ? QStringLiteral("not there") : term(quantity);
         };
-        return QStringLiteral("%1 is %2, should be %3")
-            .arg(right.descriptions[i].title, text(is), text(should));
+        const QString parts = QStringLiteral("%1 is %2, should be %3")
+                                  .arg(right.descriptions[i].title, text(is), text(should));
+        if (is.isNone() || should.isNone() || std::abs(errorOf(is, should)) >= leastPlain)
+            return parts;
+        return parts + QStringLiteral(", off by %1").arg(errorOf(is, should), 0, 'g', 3);
     }
     return {};
 }
@@ -54,17 +75,18 @@ std::optional<PartingStep> partingStepOf(const Scene &right, const Scene &defect
         return std::nullopt;
     const ScanTrace &expected = *rightRun->trace;
     const ScanTrace &found = *defectiveRun->trace;
+    StepReader ofRight(expected);
+    StepReader ofDefective(found);
     const std::size_t common = std::min(expected.stepCount(), found.stepCount());
     for (std::size_t index = 0; index < common; ++index) {
         const TraceStep step = found.stepAt(index);
-        const QString heading = explainStep(*defectiveRun, index).heading;
         if (expected.stepAt(index) != step)
-            return PartingStep{index, heading,
+            return PartingStep{index, explainStep(*defectiveRun, index).heading,
                                QStringLiteral("the right run is at “%1” here")
                                    .arg(explainStep(*rightRun, index).heading)};
-        const QString text = partingText(numbersOf(expected, step), numbersOf(found, step));
+        const QString text = partingText(ofRight.numbersOf(step), ofDefective.numbersOf(step));
         if (!text.isEmpty())
-            return PartingStep{index, heading, text};
+            return PartingStep{index, explainStep(*defectiveRun, index).heading, text};
     }
     if (expected.stepCount() == found.stepCount())
         return std::nullopt;

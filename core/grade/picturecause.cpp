@@ -46,16 +46,31 @@ PictureChange recolour(const QString &name, const std::function<Colour(const Col
             }};
 }
 
+QString shiftName(int right, int down)
+{
+    QStringList ways;
+    if (right != 0)
+        ways += QStringLiteral("%1 to the %2")
+                    .arg(std::abs(right))
+                    .arg(right > 0 ? QStringLiteral("right") : QStringLiteral("left"));
+    if (down != 0)
+        ways += QStringLiteral("%1 %2")
+                    .arg(std::abs(down))
+                    .arg(down > 0 ? QStringLiteral("down") : QStringLiteral("up"));
+    return QStringLiteral("shifted by ") + ways.join(QStringLiteral(" and "));
+}
+
 void appendShifts(const Colour &background, std::vector<PictureChange> &changes)
 {
     for (int dy = -farthestShift; dy <= farthestShift; ++dy) {
         for (int dx = -farthestShift; dx <= farthestShift; ++dx) {
             if (dx == 0 && dy == 0)
                 continue;
-            changes.push_back(move(
-                QStringLiteral("shifted by %1 to the right and %2 up").arg(dx).arg(-dy), background,
-                [=](const Picture &, int x, int line) { return std::pair(x - dx, line - dy); }));
-            changes.back().isShift = true;
+            changes.push_back(
+                move(shiftName(dx, dy), background, [=](const Picture &, int x, int line) {
+                    return std::pair(x - dx, line - dy);
+                }));
+            changes.back().isFar = std::max(std::abs(dx), std::abs(dy)) > 1;
         }
     }
 }

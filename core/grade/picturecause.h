@@ -11,7 +11,7 @@ namespace pixelplumb {
 struct PictureChange {
     QString name;
     std::function<Picture(const Picture &expected)> apply;
-    bool isShift = false;
+    bool isFar = false; ///< a shift by more than 1 px
 };
 
 /// Of pictures of any size: shifts by up to 4 px each way, flips, the two coordinates exchanged

@@ -108,7 +108,9 @@ Method lineBresenhamMethod()
          {Moment::SetUp}},
         {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
         {0, QStringLiteral("(x, y) ← (x₀, y₀), p ← 2Δy − Δx"), {Moment::Begin}},
-        {0, QStringLiteral("for each k:"), {Moment::Stay, Moment::Cross}},
+        {0,
+         QStringLiteral("Δx + 1 pixels, with a step before each but the first:"),
+         {Moment::Begin, Moment::Stay, Moment::Cross}},
         {1, QStringLiteral("if p < 0: x ← x + 1, p ← p + 2Δy"), {Moment::Stay}},
         {1, QStringLiteral("else: x ← x + 1, y a step across, p ← p + 2Δy − 2Δx"), {Moment::Cross}},
         {1, QStringLiteral("pixel (x, y) ← colour"), {Moment::First}}};
@@ -137,7 +139,9 @@ Method lineSymmetricMethod()
          QStringLiteral("(x, y) ← the pixel of the first column, by a division; p ← the decision "
                         "about the next"),
          {Moment::Begin}},
-        {0, QStringLiteral("for each k:"), {Moment::Stay, Moment::Cross}},
+        {0,
+         QStringLiteral("for each column, with a step before each but the first:"),
+         {Moment::Begin, Moment::Stay, Moment::Cross}},
         {1,
          QStringLiteral("if p < 0, or p = 0 on a falling line: x ← x + 1, p ← p + 2Δy"),
          {Moment::Stay}},

@@ -46,17 +46,18 @@ constexpr VariantWords roundedBox = {
     "left = (int) (bbox[0][0] + .5), right = (int) (bbox[0][1] - .5)",
     "⌈x_min − ½⌉ … ⌊x_max − ½⌋ of pixel centres at halves",
     "Triangle Rasterization slides, “Triangle rasterization implementation guidelines”",
-    "Columns and rows of samples between the true and the rounded box are never tested: those on "
-    "the box' left and lower sides exactly, and with centres on whole numbers up to half a pixel "
-    "on every side.",
+    "With centres at halves, samples exactly on the box's left and lower sides are never tested; "
+    "with centres on whole numbers the last column and row are not, where the box ends less than "
+    "half a pixel behind them.",
 };
 constexpr VariantWords stayAtZero = {
     "p ≤ 0 stays",
     "if p_k <= 0 then draw (x_k + 1, y_k)",
     "p_k < 0",
     "Rasterization slides, “Bresenham's Line Algorithm (4/4)”",
-    "Where p_k = 0 the pixel is the other one of the two: of a line a tie stays below, one step "
-    "later than in the slides' table; of a circle, whose p = 0 is ¼ outside, the pixel is the "
+    "Where p_k = 0 the pixel is the other one of the two: a line does not step across at a tie, "
+    "but one step later than in the slides' table; of a circle, whose p = 0 is ¼ outside, the "
+    "pixel is the "
     "farther one.",
 };
 constexpr VariantWords oneStepShort = {

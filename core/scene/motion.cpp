@@ -23,6 +23,7 @@ Scene sceneAtFrame(const Scene &scene, int frame)
     Scene moved = scene;
     if (!scene.motion)
         return moved;
+    moved.motion.reset();
     const int last = scene.motion->frames - 1;
     const LatticePoint by
         = {partOf(scene.motion->by.x, frame, last), partOf(scene.motion->by.y, frame, last)};

@@ -19,8 +19,9 @@ struct Motion {
 };
 
 /// The scene at a frame, 0 … frames − 1: its triangles and shapes moved by by·frame/(frames − 1),
-/// each part to the nearest lattice unit, the off-screen point left where it is. The scene itself
-/// where nothing moves; a vertex that would leave ±2^30 px stays at that border.
+/// each part to the nearest lattice unit, the off-screen point left where it is, and standing
+/// there. The scene itself where nothing moves; a vertex that would leave ±2^30 px stays at that
+/// border.
 Scene sceneAtFrame(const Scene &scene, int frame);
 
 } // namespace pixelplumb

@@ -208,8 +208,17 @@ private:
         if (fillRule.isMissing() && !method->supports(scene.settings.fillRule))
             scene.settings.fillRule = method->fillRules.front();
         if (const QString refusal = method->refusal(scene.settings); !refusal.isEmpty())
-            m_json.fail(method->supports(scene.settings.arithmetic) ? fillRule : arithmetic,
-                        refusal, {});
+            m_json.fail(refusedNode(*method, root), refusal, {});
+    }
+
+    /// Which of the settings the method does not keep.
+    JsonNode refusedNode(const Method &method, const JsonNode &root) const
+    {
+        const ScanSettings &settings = m_inHand.reading.scene.settings;
+        if (!method.supports(settings.arithmetic))
+            return root[QStringLiteral("arithmetic")];
+        return root[method.supports(settings.fillRule) ? QStringLiteral("variants")
+                                                       : QStringLiteral("fillRule")];
     }
 
     static const Method &firstMethodFor(const Scene &scene)

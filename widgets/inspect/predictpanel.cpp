@@ -43,7 +43,6 @@ QPushButton *button(QWidget *parent, const char *name, const QString &text)
 
 PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget *parent)
     : QWidget(parent)
-    , m_document(document)
     , m_playhead(playhead)
     , m_choice(new QComboBox(this))
     , m_question(wordsIn(this, "predictQuestion", tr("The question")))
@@ -89,10 +88,13 @@ PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget 
     connect(m_answer, &QLineEdit::returnPressed, this,
             [this] { m_state == State::Open ? check() : goOn(); });
     connect(m_check, &QPushButton::clicked, this, &PredictPanel::check);
-    connect(m_show, &QPushButton::clicked, this, &PredictPanel::show);
+    connect(m_show, &QPushButton::clicked, this, &PredictPanel::reveal);
     connect(m_next, &QPushButton::clicked, this, &PredictPanel::goOn);
     connect(playhead, &Playhead::positionChanged, this, &PredictPanel::listQuestions);
-    connect(playhead, &Playhead::tracedChanged, this, &PredictPanel::listQuestions);
+    connect(playhead, &Playhead::tracedChanged, this, [this] {
+        ++m_run;
+        listQuestions();
+    });
     connect(playhead, &Playhead::pixelChosen, this, &PredictPanel::checkPick);
     connect(document, &SceneDocument::opened, this, &PredictPanel::forgetScore);
     forgetScore();
@@ -164,20 +166,26 @@ void PredictPanel::ask()
     if (asked)
         m_question->setText(sentenceHtml(tr("%1: what is %2?").arg(asked->place, asked->title)));
     else if (asksForPixel())
-        m_question->setText(tr("Which pixel is written next? Pick it on the canvas."));
+        m_question->setText(
+            tr("Which pixel is written next? Pick it on the canvas, or go there with the "
+               "arrow keys and press Check."));
     else
         m_question->setText(
             tr("Nothing lies ahead: step back, or run to the start with Shift+F5."));
     m_answer->setEnabled(asked);
-    m_check->setEnabled(asked);
+    m_check->setEnabled(asked || asksForPixel());
     m_show->setEnabled(asked || asksForPixel());
     m_next->setEnabled(false);
 }
 
 void PredictPanel::check()
 {
+    if (m_state != State::Open)
+        return;
+    if (asksForPixel() && m_playhead->pickedPixel())
+        checkPick(*m_playhead->pickedPixel());
     const Prediction *asked = prediction();
-    if (!asked || m_state != State::Open)
+    if (!asked)
         return;
     const Guess guess = judge(*asked, m_answer->text());
     const QString verdict = verdictText(*asked, guess);
@@ -199,7 +207,7 @@ void PredictPanel::checkPick(const QPoint &pixel)
         tell(tr("Not %1. Try again, or have it shown.").arg(name));
 }
 
-void PredictPanel::show()
+void PredictPanel::reveal()
 {
     count(false);
     if (const Prediction *asked = prediction())
@@ -228,8 +236,10 @@ void PredictPanel::settle(const QString &verdict)
 
 void PredictPanel::count(bool isRight)
 {
-    const QString question
-        = QStringLiteral("%1 %2").arg(m_playhead->position()).arg(m_choice->currentText());
+    const QString question = QStringLiteral("%1 %2 %3")
+                                 .arg(m_run)
+                                 .arg(m_playhead->position())
+                                 .arg(m_choice->currentText());
     if (m_asked.contains(question))
         return;
     m_asked.insert(question);

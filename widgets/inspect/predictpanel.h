@@ -40,7 +40,7 @@ private:
     void ask();
     void check();
     void checkPick(const QPoint &pixel);
-    void show();
+    void reveal();
     void goOn();
     void settle(const QString &verdict);
     void count(bool isRight);
@@ -48,7 +48,6 @@ private:
     bool asksForPixel() const;
     const Prediction *prediction() const; ///< null where a pixel is asked for, or nothing
 
-    SceneDocument *m_document;
     Playhead *m_playhead;
     QComboBox *m_choice;
     QLabel *m_question;
@@ -58,6 +57,7 @@ private:
     std::vector<Prediction> m_predictions;
     std::optional<NextPixel> m_nextPixel;
     State m_state = State::Open;
+    std::size_t m_run = 0; ///< grows with every run: the same place asks another question
     QSet<QString> m_asked; ///< the questions that have counted
     int m_right = 0;
 };

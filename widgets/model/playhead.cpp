@@ -193,7 +193,8 @@ void Playhead::nudgePick(int dx, int dy)
         return;
     const FrameSpec &frame = m_traced->scene.frame;
     const QPoint from = m_picked.value_or(QPoint(frame.firstColumn, frame.firstRow));
-    pick(m_picked ? from + QPoint(dx, dy) : from);
+    if (setPicked(m_picked ? from + QPoint(dx, dy) : from))
+        emit pickedPixelChanged();
 }
 
 void Playhead::toggleSpanBreakpoint(const SpanPlace &place)

@@ -98,7 +98,8 @@ signals:
     void positionChanged(std::size_t position);
     void unitChanged(pixelplumb::StepUnit unit);
     void pickedPixelChanged();
-    void pixelChosen(const QPoint &pixel); ///< by pick(); maybe the same one again
+    /// By pick(); maybe the same one again. A nudge only moves towards it.
+    void pixelChosen(const QPoint &pixel);
     void aheadHiddenChanged(bool hidden);
     void breakpointsChanged();
     void playingChanged(bool playing);

@@ -7,7 +7,6 @@
 #include "core/scene/coordinatetext.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/model/scenedocument.h"
-#include "widgets/studies/motionview.h"
 
 #include <QHBoxLayout>
 #include <QHeaderView>
@@ -34,20 +33,13 @@ Part *namedPart(Part *part, const char *name, const QString &accessible)
     return part;
 }
 
-/// A frame and the one before, as pictures.
-struct FramePair {
-    QImage now, before;
-};
-
-QImage pictureAt(const Scene &scene, int frame)
+/// The scene's picture at a frame, and where it differs from the frame before in what is painted.
+MotionPicture pictureAt(const Scene &scene, int frame)
 {
-    if (frame < 0)
-        return {};
-    Scene moved = sceneAtFrame(scene, frame);
-    moved.frame.background = Colour{};
+    const Scene moved = sceneAtFrame(scene, frame);
     const FrameBuffer buffer(moved.frame);
     drawScene(moved, buffer);
-    return buffer.copy();
+    return {buffer.copy(), toggledPixels(scene, frame)};
 }
 
 } // namespace
@@ -195,12 +187,22 @@ void MotionPanel::showEvent(QShowEvent *event)
     count();
 }
 
+void MotionPanel::hideEvent(QHideEvent *event)
+{
+    QWidget::hideEvent(event);
+    m_play->setChecked(false);
+    m_drawing.cancel();
+}
+
 void MotionPanel::count()
 {
     if (!isVisible() || !m_isStale)
         return;
     m_isStale = false;
-    m_table->setRowCount(0);
+    {
+        const QSignalBlocker blocker(m_table); // the frame in hand stays
+        m_table->setRowCount(0);
+    }
     showFrame();
     tell();
     const auto scene = m_document->snapshot();
@@ -214,6 +216,7 @@ void MotionPanel::count()
 void MotionPanel::take(std::optional<MotionStudy> study)
 {
     m_study = std::move(study);
+    const QSignalBlocker blocker(m_table);
     const std::size_t rows = m_study ? m_study->frames.size() : 0;
     m_table->setRowCount(int(rows));
     for (std::size_t row = 0; row < rows; ++row) {
@@ -227,6 +230,7 @@ void MotionPanel::take(std::optional<MotionStudy> study)
             m_table->setItem(int(row), column++, item);
         }
     }
+    m_table->setCurrentCell(m_slider->value(), 0);
     tell();
     emit studied();
 }
@@ -253,19 +257,18 @@ void MotionPanel::tell()
 
 void MotionPanel::showFrame()
 {
+    if (!isVisible())
+        return;
     const auto scene = m_document->snapshot();
     const int frame = m_slider->value();
     if (!scene->motion || !objectionTo(*scene).isEmpty()) {
         m_position->clear();
-        m_view->setPictures({}, {});
+        m_view->setPicture({});
         return;
     }
     m_position->setText(tr("frame %1 of %2").arg(frame).arg(scene->motion->frames - 1));
-    m_drawing.start(
-        [scene, frame](const ProgressListener &) {
-            return FramePair{pictureAt(*scene, frame), pictureAt(*scene, frame - 1)};
-        },
-        [this](const FramePair &pair) { m_view->setPictures(pair.now, pair.before); });
+    m_drawing.start([scene, frame](const ProgressListener &) { return pictureAt(*scene, frame); },
+                    [this](const MotionPicture &picture) { m_view->setPicture(picture); });
     const QSignalBlocker blocker(m_table);
     m_table->setCurrentCell(frame, 0);
 }

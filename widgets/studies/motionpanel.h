@@ -3,6 +3,7 @@
 
 #include "core/compare/motionstudy.h"
 #include "widgets/model/job.h"
+#include "widgets/studies/motionview.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -18,7 +19,6 @@ class QToolButton;
 
 namespace pixelplumb {
 
-class MotionView;
 class SceneDocument;
 
 /// Moving slivers: lets the document's scene move, plays it, and counts what flickers: the pixels
@@ -41,6 +41,7 @@ signals:
 
 protected:
     void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
 
 private:
     QBoxLayout *motionRow();

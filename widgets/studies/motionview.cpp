@@ -10,6 +10,12 @@
 
 namespace pixelplumb {
 
+namespace {
+
+constexpr double leastMarkedCell = 3; // logical pixels: in a smaller one a frame would hide it
+
+} // namespace
+
 MotionView::MotionView(QWidget *parent)
     : QWidget(parent)
 {
@@ -17,49 +23,27 @@ MotionView::MotionView(QWidget *parent)
     setAccessibleName(tr("The frame in hand"));
 }
 
-void MotionView::setPictures(const QImage &now, const QImage &before)
+void MotionView::setPicture(const MotionPicture &picture)
 {
-    m_now = now;
-    m_before = before;
-    setAccessibleDescription(tr("%1 pixels came or went").arg(toggledPixels()));
+    m_picture = picture;
+    setAccessibleDescription(tr("%1 pixels came or went").arg(picture.toggled.size()));
     update();
-}
-
-bool MotionView::isToggled(int x, int line) const
-{
-    const QRgb background = qRgb(0, 0, 0);
-    return !m_before.isNull()
-        && (m_now.pixel(x, line) == background) != (m_before.pixel(x, line) == background);
-}
-
-int MotionView::toggledPixels() const
-{
-    int count = 0;
-    for (int line = 0; line < m_now.height(); ++line) {
-        for (int x = 0; x < m_now.width(); ++x)
-            count += int(isToggled(x, line));
-    }
-    return count;
 }
 
 void MotionView::paintEvent(QPaintEvent *)
 {
-    if (m_now.isNull())
+    const QImage &image = m_picture.image;
+    if (image.isNull())
         return;
     QPainter painter(this);
-    const double fit = std::min(double(width()) / m_now.width(), double(height()) / m_now.height());
+    const double fit = std::min(double(width()) / image.width(), double(height()) / image.height());
     const double cell = fit >= 1 ? std::floor(fit) : fit;
-    const QRectF target(0, 0, cell * m_now.width(), cell * m_now.height());
-    painter.drawImage(target, m_now);
-    if (cell < 3)
-        return; // a frame around a cell would hide it
+    painter.drawImage(QRectF(0, 0, cell * image.width(), cell * image.height()), image);
+    if (cell < leastMarkedCell)
+        return;
     painter.setPen(QPen(signColour(Sign::Changed, palette()), 1.5));
-    for (int line = 0; line < m_now.height(); ++line) {
-        for (int x = 0; x < m_now.width(); ++x) {
-            if (isToggled(x, line))
-                painter.drawRect(QRectF(x * cell + 1, line * cell + 1, cell - 2, cell - 2));
-        }
-    }
+    for (const QPoint &pixel : m_picture.toggled)
+        painter.drawRect(QRectF(pixel.x() * cell + 1, pixel.y() * cell + 1, cell - 2, cell - 2));
 }
 
 } // namespace pixelplumb

@@ -4,7 +4,16 @@
 #include <QImage>
 #include <QWidget>
 
+#include <vector>
+
 namespace pixelplumb {
+
+/// A frame's picture, and the pixels that came or went since the frame before: places in the
+/// picture, from its top left corner.
+struct MotionPicture {
+    QImage image;
+    std::vector<QPoint> toggled;
+};
 
 /// One frame of a motion, as large as it fits in whole cells, with the pixels that came or went
 /// since the frame before in a frame of their own (objectName "motionView").
@@ -14,9 +23,8 @@ class MotionView : public QWidget {
 public:
     explicit MotionView(QWidget *parent = nullptr);
 
-    /// Both as pictures show them, top line first; of the first frame, nothing before.
-    void setPictures(const QImage &now, const QImage &before);
-    int toggledPixels() const; ///< as they are shown
+    void setPicture(const MotionPicture &picture);
+    const MotionPicture &picture() const { return m_picture; }
 
     QSize sizeHint() const override { return {280, 220}; }
     QSize minimumSizeHint() const override { return {120, 90}; }
@@ -25,9 +33,7 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
-    bool isToggled(int x, int line) const;
-
-    QImage m_now, m_before;
+    MotionPicture m_picture;
 };
 
 } // namespace pixelplumb
