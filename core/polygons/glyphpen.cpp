@@ -9,7 +9,7 @@ namespace pixelplumb {
 namespace {
 
 /// The farthest that a chord may leave its curve, lattice units.
-constexpr double tolerance = double(unitsPerPixel) / 32;
+constexpr double farthestFromCurve = double(unitsPerPixel) / 32;
 constexpr std::int64_t mostChords = 256;
 
 /// A curve leaves n equal steps of its chords by |second difference| · d(d − 1)/(8 n²) at most,
@@ -25,7 +25,7 @@ std::int64_t chordsFor(const std::array<FontPoint, Count> &points, double unitsP
     }
     constexpr auto degree = double(Count - 1);
     const double chords
-        = std::sqrt(largest * unitsPerFontUnit * degree * (degree - 1) / (8 * tolerance));
+        = std::sqrt(largest * unitsPerFontUnit * degree * (degree - 1) / (8 * farthestFromCurve));
     return std::clamp(std::int64_t(std::ceil(std::min(chords, double(mostChords)))),
                       std::int64_t(1), mostChords);
 }
