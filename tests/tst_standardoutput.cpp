@@ -182,6 +182,8 @@ private:
     /// A scene, or a file of cases.
     static QByteArray contentFor(const QStringList &arguments)
     {
+        if (arguments.front() == QStringLiteral("motion"))
+            return *readFile(sceneFile(QStringLiteral("moving-sliver.json")));
         if (arguments.front() != QStringLiteral("check"))
             return *readFile(defaultScene());
         return "{\"version\": 1, \"cases\": [{\"id\": \"small\", \"kind\": \"triangle\", "

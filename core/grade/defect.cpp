@@ -198,7 +198,8 @@ void appendPictures(std::vector<Defect> &defects, const Scene &scene)
                            QStringLiteral("The picture is right, but %1.").arg(change.name),
                            {},
                            change.apply,
-                           change.isFar});
+                           change.isFar,
+                           change.kind});
     }
 }
 

@@ -32,18 +32,21 @@ Picture moved(const Picture &expected, const PlaceMap &source, const Colour &bac
 
 PictureChange move(const QString &name, const Colour &background, const PlaceMap &source)
 {
-    return {name, [=](const Picture &expected) { return moved(expected, source, background); }};
+    return {name, [=](const Picture &expected) { return moved(expected, source, background); },
+            QStringLiteral("flip")};
 }
 
 PictureChange recolour(const QString &name, const std::function<Colour(const Colour &)> &change)
 {
-    return {name, [=](const Picture &expected) {
+    return {name,
+            [=](const Picture &expected) {
                 Picture picture = expected;
                 for (std::size_t i = 0; i < picture.size(); ++i) {
                     picture.colours[i] = change(picture.colours[i]);
                 }
                 return picture;
-            }};
+            },
+            QStringLiteral("channels")};
 }
 
 QString shiftName(int right, int down)
@@ -70,6 +73,7 @@ void appendShifts(const Colour &background, std::vector<PictureChange> &changes)
                 move(shiftName(dx, dy), background, [=](const Picture &, int x, int line) {
                     return std::pair(x - dx, line - dy);
                 }));
+            changes.back().kind = QStringLiteral("shift");
             changes.back().isFar = std::max(std::abs(dx), std::abs(dy)) > 1;
         }
     }
@@ -151,6 +155,8 @@ std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colo
                                [](const Colour &colour) { return mapped(colour, toEncoded); }));
     changes.push_back(recolour(QStringLiteral("decoded from sRGB once too often"),
                                [](const Colour &colour) { return mapped(colour, toLinear); }));
+    for (auto curve = changes.end() - 2; curve != changes.end(); ++curve)
+        curve->kind = QStringLiteral("levels");
     return changes;
 }
 

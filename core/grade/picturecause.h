@@ -11,6 +11,7 @@ namespace pixelplumb {
 struct PictureChange {
     QString name;
     std::function<Picture(const Picture &expected)> apply;
+    QString kind; ///< two of one kind are a third one: "shift", "flip", "channels", "levels"
     bool isFar = false; ///< a shift by more than 1 px
 };
 
