@@ -62,7 +62,8 @@ std::vector<Defect> defectsOf(std::span<const Submission> submissions)
         }
     }
     // What is done to a picture is done after the scene is drawn: it comes second in a pair.
-    std::ranges::stable_partition(all, [](const Defect &each) { return !each.isOfPicture(); });
+    std::stable_partition(all.begin(), all.end(),
+                          [](const Defect &each) { return !each.isOfPicture(); });
     return all;
 }
 
