@@ -62,7 +62,7 @@ void ScenePiece::rotate(int by)
 {
     const auto rotated = [by](auto &all) {
         if (!all.empty())
-            std::ranges::rotate(all, by > 0 ? all.begin() + 1 : all.end() - 1);
+            std::rotate(all.begin(), by > 0 ? all.begin() + 1 : all.end() - 1, all.end());
     };
     rotated(run.triangles);
     rotated(run.shapes);
