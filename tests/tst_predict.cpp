@@ -21,7 +21,11 @@ namespace {
 
 Prediction predictionOf(const Quantity &value, const Quantity &earlier = {})
 {
-    return {QStringLiteral("Column 3"), QStringLiteral("y_B"), value, earlier,
+    return {QStringLiteral("Column 3"),
+            QStringLiteral("y_B"),
+            value,
+            earlier,
+            QStringLiteral("y_B ← y_B′ + m"),
             QStringLiteral("y_B ← y_B′ + m = 8 + 1/2")};
 }
 

@@ -102,10 +102,10 @@ Method lineBresenhamMethod()
                                    "“(4/4)” and “Bresenham: Example”");
     method.pseudocode = {
         {0, QStringLiteral("round both ends to whole pixels"), {Moment::SetUp}},
-        {0, QStringLiteral("(x₀, y₀) ← the left end"), {Moment::SetUp}},
         {0,
          QStringLiteral("if |Δy| ≥ |Δx|: exchange x and y, here and where a pixel is written"),
          {Moment::SetUp}},
+        {0, QStringLiteral("(x₀, y₀) ← the end with the smaller x"), {Moment::SetUp}},
         {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
         {0, QStringLiteral("(x, y) ← (x₀, y₀), p ← 2Δy − Δx"), {Moment::Begin}},
         {0,
@@ -114,9 +114,10 @@ Method lineBresenhamMethod()
         {1, QStringLiteral("if p < 0: x ← x + 1, p ← p + 2Δy"), {Moment::Stay}},
         {1, QStringLiteral("else: x ← x + 1, y a step across, p ← p + 2Δy − 2Δx"), {Moment::Cross}},
         {1, QStringLiteral("pixel (x, y) ← colour"), {Moment::First}}};
-    method.summary = QStringLiteral("Steps from the left end to the right by the sign of an "
-                                    "integer; p_k < 0 stays, so that ties go up on a rising line "
-                                    "and down on a falling one.");
+    method.summary = QStringLiteral(
+        "Steps from the left end (of a steep line, the lower one) by the sign of an "
+        "integer; p_k < 0 stays, so that ties go up on a rising line "
+        "and down on a falling one.");
     method.remarks += QStringLiteral("whole-pixel end points");
     method.variants = {Variant::StayAtZero, Variant::OneStepShort};
     return method;
@@ -130,10 +131,10 @@ Method lineSymmetricMethod()
     method.source = QStringLiteral("stable form of the Rasterization slides, “Bresenham's Line "
                                    "Algorithm”");
     method.pseudocode = {
-        {0, QStringLiteral("(x₀, y₀) ← the left end, to 1/256 px"), {Moment::SetUp}},
         {0,
          QStringLiteral("if |Δy| ≥ |Δx|: exchange x and y, here and where a pixel is written"),
          {Moment::SetUp}},
+        {0, QStringLiteral("(x₀, y₀) ← the end with the smaller x, to 1/256 px"), {Moment::SetUp}},
         {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
         {0,
          QStringLiteral("(x, y) ← the pixel of the first column, by a division; p ← the decision "

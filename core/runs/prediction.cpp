@@ -71,7 +71,7 @@ std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t 
     for (const FormulaLine &line : next.lines) {
         const FormulaLine *earlier = before ? lineOf(*before, line) : nullptr;
         predictions.push_back({next.heading, assignedIn(line.symbols), line.used,
-                               earlier ? earlier->used : Quantity(),
+                               earlier ? earlier->used : Quantity(), line.symbols,
                                line.symbols + QStringLiteral(" = ") + line.substituted});
     }
     return predictions;
@@ -126,7 +126,8 @@ QString verdictText(const Prediction &prediction, Guess guess)
     case Guess::Wrong:
         break;
     }
-    return QStringLiteral("Not %1 yet. Try again, or have it shown.").arg(prediction.title);
+    return QStringLiteral("Not yet: %1. Put the numbers in, or have it shown.")
+        .arg(prediction.rule);
 }
 
 } // namespace pixelplumb

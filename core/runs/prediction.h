@@ -20,6 +20,7 @@ struct Prediction {
     Quantity value; ///< what the kernel computes
     /// The same number one span earlier; none where the primitive's part begins.
     Quantity earlier;
+    QString rule; ///< the formula: "y_B ← y_B′ + m₀₂"
     QString reason; ///< the formula with its numbers: "y_B ← y_B′ + m₀₂ = (8 10/27) + (7/54)"
 };
 

@@ -167,8 +167,8 @@ void PredictPanel::ask()
         m_question->setText(sentenceHtml(tr("%1: what is %2?").arg(asked->place, asked->title)));
     else if (asksForPixel())
         m_question->setText(
-            tr("Which pixel is written next? Pick it on the canvas, or go there with the "
-               "arrow keys and press Check."));
+            tr("Which pixel is written next? Right-click it, or go there with the arrow keys "
+               "and press Check."));
     else
         m_question->setText(
             tr("Nothing lies ahead: step back, or run to the start with Shift+F5."));
