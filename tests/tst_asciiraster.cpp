@@ -151,39 +151,6 @@ private slots:
         QVERIFY(!read.isOk());
         QCOMPARE(read.error().message(), message);
     }
-
-    void marksMatchedExtraAndMissingPixels()
-    {
-        const Result<RasterComparison> comparison
-            = compareRasters(parsed("##..\n.##.\n"), parsed("#.#.\n.##.\n"));
-
-        QVERIFY(comparison.isOk());
-        QCOMPARE(comparison->raster, QStringLiteral("#!?.\n.##.\n"));
-        QCOMPARE(comparison->matched, std::int64_t(3));
-        QCOMPARE(comparison->extra, std::int64_t(1));
-        QCOMPARE(comparison->missing, std::int64_t(1));
-        QVERIFY(!comparison->isSame());
-    }
-
-    void findsAPictureTheSameAsItself()
-    {
-        const Result<RasterComparison> comparison
-            = compareRasters(parsed("##..\n.##.\n"), parsed("##..\n.##.\n"));
-
-        QVERIFY(comparison.isOk());
-        QVERIFY(comparison->isSame());
-        QCOMPARE(comparison->raster, QStringLiteral("##..\n.##.\n"));
-    }
-
-    void doesNotComparePicturesOfDifferentSizes()
-    {
-        const Result<RasterComparison> comparison
-            = compareRasters(parsed("##\n"), parsed("#\n#\n"));
-
-        QVERIFY(!comparison.isOk());
-        QCOMPARE(comparison.error().message(),
-                 QStringLiteral("a picture of 2 × 1; expected 1 × 2"));
-    }
 };
 
 QTEST_GUILESS_MAIN(TestAsciiRaster)

@@ -244,7 +244,7 @@ void TestCanvasPlacing::whatATriangleCarriesCanBeTyped()
 
     type("vertex0w", QStringLiteral("0"));
     QVERIFY(!dialog.triangle());
-    QCOMPARE(dialog.triangle().error().place, QStringLiteral("P0, w"));
+    QCOMPARE(dialog.triangle().error().place, QStringLiteral("vertex 0, w"));
     type("vertex0w", {});
     type("vertex0N_z", QStringLiteral("1"));
     QVERIFY(!dialog.triangle()); // one normal of three

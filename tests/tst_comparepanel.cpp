@@ -5,6 +5,7 @@
 #include "widgets/canvas/overdrawoverlay.h"
 #include "widgets/model/playhead.h"
 #include "widgets/studies/agreementview.h"
+#include "widgets/studies/comparelink.h"
 #include "widgets/studies/comparepane.h"
 #include "widgets/studies/comparepanel.h"
 #include "widgets/studies/compareview.h"
@@ -89,6 +90,21 @@ private slots:
         const LatticePoint there = map->mapping().latticeAt(QRectF(map->rect()).center());
         QVERIFY(std::abs(here.x - there.x) < unitsPerPixel);
         QVERIFY(std::abs(here.y - there.y) < unitsPerPixel);
+    }
+
+    void aFrameThatHasRoomIsSeenWholeWhereAPixelIsLookedAt()
+    {
+        CompareLink link;
+        FrameSpec frame;
+        frame.width = 12;
+        frame.height = 9;
+        link.setFrame(frame);
+        link.lookAt(QPoint(4, 8));
+        const auto sees = [&link](const QSizeF &size, const QPoint &pixel) {
+            return QRectF(QPointF(), size).contains(link.mappingFor(size, 1, {}).cellOf(pixel));
+        };
+        QVERIFY(sees({250, 200}, QPoint(0, 0)) && sees({250, 200}, QPoint(11, 8)));
+        QVERIFY(sees({100, 80}, QPoint(4, 8)) && !sees({100, 80}, QPoint(11, 0)));
     }
 
     void aClickOnTheMapPicksThePixelAndTellsTheReason()

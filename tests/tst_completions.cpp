@@ -93,10 +93,11 @@ private slots:
               };
         row("commands", {""},
             {"render", "trace", "pixel", "methods", "plan", "check", "compare", "diff", "diagnose",
-             "motion", "lab", "help"});
+             "try", "grade", "probes", "counterexample", "invariants", "motion", "lab", "help"});
         row("the beginning of a command", {"pl"}, {"plan"});
         row("commands to be helped with", {"help", "ren"}, {"render"});
-        row("options", {"render", "scene.json", "--a"}, {"--ascii", "--accuracy", "--arithmetic"});
+        row("options", {"render", "scene.json", "--a"},
+            {"--ascii", "--affine-image", "--accuracy", "--arithmetic"});
         row("options with a short form", {"trace", "--ou"}, {"--output"});
         row("methods", {"render", "--method", ""}, methodNames());
         row("a method to be told", {"methods", "barycentric-of"}, {"barycentric-off-screen"});
@@ -108,6 +109,9 @@ private slots:
         row("layers", {"render", "--layers", ""}, layerNames());
         row("a switch", {"plan", "--force", "smooth-colour"},
             {"smooth-colour=on", "smooth-colour=off"});
+        row("what a program reads", {"try", "--input", ""}, {"json", "lines"});
+        row("what another program reads", {"counterexample", "--inp"}, {"--input"});
+        row("tolerances", {"try", "--tolerance", ""}, {"float32", "float64", "exact"});
         row("contenders", {"compare", "--methods", "line-b"},
             {"line-bresenham", "line-bresenham-symmetric"});
         row("nothing of that beginning", {"render", "--zz"}, {});
@@ -124,8 +128,9 @@ private slots:
     void theManualTellsEveryOption_data()
     {
         QTest::addColumn<QString>("command");
-        for (const char *command : {"render", "trace", "pixel", "methods", "plan", "check",
-                                    "compare", "diff", "diagnose", "motion", "lab"})
+        for (const char *command :
+             {"render", "trace", "pixel", "methods", "plan", "check", "compare", "diff", "diagnose",
+              "try", "grade", "probes", "counterexample", "invariants", "motion", "lab"})
             QTest::newRow(command) << QString::fromLatin1(command);
     }
     void theManualTellsEveryOption()

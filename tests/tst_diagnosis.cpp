@@ -1,13 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/counterexample.h"
 #include "core/grade/diagnosis.h"
+#include "core/grade/invariants.h"
+#include "core/grade/probesheet.h"
+#include "core/scene/fileaccess.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/programrun.h"
 #include "tests/support/scanning.h"
 
+#include <QDir>
 #include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -126,6 +132,71 @@ private slots:
         QVERIFY(unique * 10 >= seen * 8);
     }
 
+    void theProbeSheetTellsAllDefectsApart_data()
+    {
+        QTest::addColumn<int>("fewest");
+        QTest::newRow("column-scan") << 64;
+        QTest::newRow("row-walk") << 64;
+        QTest::newRow("edge-equations") << 48;
+        QTest::newRow("barycentric-rectangle") << 48;
+        QTest::newRow("line-bresenham") << 30;
+    }
+    void theProbeSheetTellsAllDefectsApart()
+    {
+        QFETCH(int, fewest);
+        const QString method = QString::fromLatin1(QTest::currentDataTag());
+        const QDir folder(QStringLiteral(PIXELPLUMB_RESOURCES "/probes"));
+        std::vector<Scene> scenes;
+        for (const QString &name : folder.entryList({method + QStringLiteral("-*.json")})) {
+            const auto reading = readSceneFile(folder.filePath(name));
+            QVERIFY2(bool(reading), qPrintable(name));
+            QCOMPARE(reading->scene.method, method.toStdString());
+            scenes.push_back(reading->scene);
+        }
+        QVERIFY(scenes.size() >= 1 && scenes.size() <= 3);
+        const ProbeResult result = probe(scenes);
+        QStringList alike;
+        for (const AlikeDefects &group : result.alike) {
+            for (const Defect &defect : group.defects)
+                alike += defect.id;
+        }
+        QVERIFY2(alike.isEmpty(), qPrintable(alike.join(u' ')));
+        QCOMPARE(result.distinct(), result.defects + 1);
+        // Far shifts are many, and no kinds of their own.
+        const std::vector<Defect> defects = defectsFor(scenes.front());
+        QVERIFY(std::ranges::count(defects, false, &Defect::standsAlone) >= fewest);
+    }
+
+    void theSearchFindsTheSheetAgain()
+    {
+        const QTemporaryDir folder;
+        const QString name = QStringLiteral("/row-walk-1.json");
+        const ProgramRun result
+            = run({QStringLiteral("probes"), QStringLiteral("--method"), QStringLiteral("row-walk"),
+                   QStringLiteral("-o"), folder.path(), QStringLiteral("--json")});
+        QCOMPARE(result.exitCode, 0);
+        const QJsonDocument json = QJsonDocument::fromJson(result.output);
+        QVERIFY(json[QStringLiteral("alike")].toArray().isEmpty());
+        QCOMPARE(json[QStringLiteral("distinct")].toInt(),
+                 json[QStringLiteral("defects")].toInt() + 1);
+        QCOMPARE(*readFile(folder.path() + name),
+                 *readFile(QStringLiteral(PIXELPLUMB_RESOURCES "/probes") + name));
+    }
+
+    void oneTriangleLeavesDefectsAlike()
+    {
+        const std::vector<Scene> scenes = {sceneWith({triangleAt(5, 5, 30, 5, 5, 30)})};
+        const ProbeResult result = probe(scenes);
+        QVERIFY(!result.alike.empty());
+        QVERIFY(result.alike.front().equalRight);
+        // Of one triangle alone nothing is toggled: what is gone through again is the same.
+        QVERIFY(std::ranges::any_of(result.alike.front().defects, [](const Defect &defect) {
+            return defect.id == QStringLiteral("parity");
+        }));
+        QVERIFY(result.distinct() < result.defects + 1);
+        QVERIFY(result.distinct() > 20);
+    }
+
     void twoDefectsTogetherAreFound()
     {
         const std::vector<Scene> scenes = probes();
@@ -223,6 +294,211 @@ private slots:
         QVERIFY2(place->text.startsWith(QStringLiteral("x₀ is 13, should be 13")),
                  qPrintable(place->text));
         QVERIFY(!partingStepOf(scene, scene).has_value());
+    }
+
+    void aCounterExampleIsFoundAndShrunk_data()
+    {
+        QTest::addColumn<QString>("one");
+        QTest::addColumn<QString>("other");
+        QTest::addColumn<int>("largest"); // px
+        const auto row = [](const char *one, const char *other, int largest) {
+            QTest::addRow("%s, %s", one, other)
+                << QString::fromLatin1(one) << QString::fromLatin1(other) << largest;
+        };
+        row("column-scan:float32", "truth", 64);
+        row("column-scan:exact:open", "column-scan:exact:closed", 4);
+        row("no-colour-pre-step", "column-scan", 9);
+        row("truth", "divisor-plus-one", 9);
+        row("parity", "column-scan", 9);
+        row("line-bresenham", "one-step-short", 4);
+        row("line-bresenham", "line-dda", 9);
+    }
+    void aCounterExampleIsFoundAndShrunk()
+    {
+        QFETCH(QString, one);
+        QFETCH(QString, other);
+        QFETCH(int, largest);
+        const QTemporaryDir folder;
+        const QStringList arguments = {QStringLiteral("counterexample"),
+                                       one,
+                                       other,
+                                       QStringLiteral("-o"),
+                                       folder.filePath(QStringLiteral("c.json")),
+                                       QStringLiteral("--json")};
+
+        const ProgramRun result = run(arguments);
+
+        QCOMPARE(result.exitCode, 1);
+        const QJsonDocument json = QJsonDocument::fromJson(result.output);
+        QVERIFY(!json[QStringLiteral("pixels")].toArray().isEmpty());
+        const auto reading = readSceneFile(folder.filePath(QStringLiteral("c.json")));
+        QVERIFY(bool(reading));
+        QVERIFY(reading->scene.frame.width * reading->scene.frame.height <= largest);
+        QCOMPARE(run(arguments).output, result.output);
+    }
+
+    void nothingShrinksAnyMore()
+    {
+        Scene conventions;
+        const Method &method = *methodNamed(QStringLiteral("column-scan"));
+        const PictureSource right = sourceOf(Contender{&method, conventions.settings});
+        const PictureSource wrong
+            = sourceOf(QStringLiteral("divisor-plus-one"), {&method, conventions.settings});
+        const CounterSearch search = findCounterExample(right, wrong, conventions, 3);
+        QVERIFY(search.found.has_value());
+        QVERIFY(tryScene(right, wrong, search.found->scene).example.has_value());
+        QCOMPARE(shrunk(*search.found, right, wrong).scene, search.found->scene);
+        QCOMPARE(tryScene(right, right, search.found->scene).outcome, SceneOutcome::Same);
+    }
+
+    void invariantsFindMostDefectsAndNothingElse_data()
+    {
+        QTest::addColumn<int>("missed"); // at most
+        QTest::newRow("column-scan") << 2;
+        QTest::newRow("row-walk") << 2;
+        QTest::newRow("edge-equations") << 2;
+        QTest::newRow("barycentric-rectangle") << 2;
+    }
+    void invariantsFindMostDefectsAndNothingElse()
+    {
+        QFETCH(int, missed);
+        const QByteArray name = QTest::currentDataTag();
+        Scene conventions;
+        conventions.method = name.toStdString();
+        const Contender method{methodNamed(QString::fromLatin1(name)), {}};
+        constexpr int pairs = 60;
+        QVERIFY(checkInvariants(sourceOf(method), conventions, 1, pairs).broken.empty());
+        QStringList unseen;
+        for (const Defect &defect : defectsFor(probes(name.constData()).back())) {
+            if (!defect.standsAlone
+                && checkInvariants(sourceOf(defect.id, method), conventions, 1, pairs)
+                       .broken.empty())
+                unseen += defect.id;
+        }
+        QVERIFY2(unseen.size() <= missed, qPrintable(unseen.join(u' ')));
+    }
+
+    void whoDrawsNothingIsNotCalledRight()
+    {
+        const PictureSource nobody{QStringLiteral("nobody"),
+                                   [](const Scene &) { return std::optional<Picture>(); }};
+        const Contender right{methodNamed(QStringLiteral("column-scan")), {}};
+        const Scene conventions;
+
+        const CounterSearch search = findCounterExample(nobody, sourceOf(right), conventions, 1);
+        const InvariantReport report = checkInvariants(nobody, conventions, 1, 60);
+
+        QVERIFY(!search.found);
+        QCOMPARE(search.compared, 0);
+        QCOMPARE(search.undrawn, 100); // and then it is enough
+        QCOMPARE(report.checked, 0);
+        QVERIFY(report.undrawn > 10);
+    }
+
+    void aProgramHasItsCounterExample()
+    {
+        if (QStandardPaths::findExecutable(QStringLiteral("python3")).isEmpty())
+            QSKIP("python3 is not there");
+        // A raster of nothing: each triangle that covers a sample is one.
+        const QString program
+            = QStringLiteral("program:python3 -c \"import json, sys; f = json.load(sys.stdin)"
+                             "['frame']; print(('.' * f['width'] + chr(10)) * f['height'], "
+                             "end='')\"");
+        const ProgramRun result = run({QStringLiteral("counterexample"), program,
+                                       QStringLiteral("column-scan"), QStringLiteral("--json")});
+        QVERIFY2(result.exitCode == 1, result.messages.constData());
+        const QJsonDocument json = QJsonDocument::fromJson(result.output);
+        QVERIFY(json[QStringLiteral("pixels")].toArray().size() >= 1);
+        QCOMPARE(
+            json[QStringLiteral("scene")][QStringLiteral("frame")][QStringLiteral("width")].toInt(),
+            2);
+        // Plain lines are no JSON: it draws nothing then, and nothing can be compared.
+        for (const QString &command :
+             {QStringLiteral("counterexample"), QStringLiteral("invariants")}) {
+            QStringList words
+                = {command, program, QStringLiteral("--input"), QStringLiteral("lines")};
+            if (command == QStringLiteral("counterexample"))
+                words.insert(2, QStringLiteral("column-scan"));
+            const ProgramRun undrawn = run(words);
+            QCOMPARE(undrawn.exitCode, 1);
+            QVERIFY2(undrawn.messages.contains("no picture"), undrawn.messages.constData());
+            QCOMPARE(
+                run(words + QStringList{QStringLiteral("--time"), QStringLiteral("0")}).exitCode,
+                2);
+        }
+    }
+
+    void defectsAreThoseOfAProgramThatIsNotOurs_data()
+    {
+        QTest::addColumn<QString>("mode");
+        QTest::newRow("") << QString();
+        QTest::newRow("ends-truncated") << QStringLiteral("floor");
+        QTest::newRow("ends-upward") << QStringLiteral("ceil");
+        QTest::newRow("colour-divisor-plus-one") << QStringLiteral("plus");
+        QTest::newRow("colours-without-edge-pre-step") << QStringLiteral("late");
+    }
+    void defectsAreThoseOfAProgramThatIsNotOurs()
+    {
+        QFETCH(QString, mode);
+        if (QStandardPaths::findExecutable(QStringLiteral("python3")).isEmpty())
+            QSKIP("python3 is not there");
+        QStringList words = {QStringLiteral("try"), QStringLiteral("--json")};
+        for (const char *number : {"1", "2"})
+            words += {QStringLiteral("--scene"),
+                      QStringLiteral(PIXELPLUMB_RESOURCES "/probes/column-scan-%1.json")
+                          .arg(QLatin1String(number))};
+        const QString id = QString::fromLatin1(QTest::currentDataTag());
+
+        const ProgramRun tried = run(
+            words
+            + QStringList{
+                QStringLiteral("--"), QStringLiteral("python3"),
+                QStringLiteral(PIXELPLUMB_RESOURCES "/../tests/data/student/columnscan.py"), mode});
+
+        const QJsonDocument json = QJsonDocument::fromJson(tried.output);
+        QCOMPARE(json[QStringLiteral("right")].toBool(), id.isEmpty());
+        const QJsonArray candidates
+            = json[QStringLiteral("diagnosis")][QStringLiteral("candidates")].toArray();
+        QCOMPARE(candidates.isEmpty(), id.isEmpty());
+        if (id.isEmpty())
+            return;
+        const QJsonObject first = candidates.first().toObject();
+        QCOMPARE(first[QStringLiteral("distance")].toInt(-1), 0);
+        QCOMPARE(first[QStringLiteral("defects")].toArray(), QJsonArray({id}));
+    }
+
+    void whereNoneIsFoundItSaysHowManyWereTried()
+    {
+        const ProgramRun result = run({QStringLiteral("counterexample"),
+                                       QStringLiteral("column-scan"), QStringLiteral("truth")});
+        QCOMPARE(result.exitCode, 0);
+        QVERIFY2(result.output.contains("draw the same in 10081 scenes"),
+                 result.output.constData());
+        const ProgramRun unknown
+            = run({QStringLiteral("counterexample"), QStringLiteral("no-color-pre-step"),
+                   QStringLiteral("truth")});
+        QCOMPARE(unknown.exitCode, 2);
+        QVERIFY2(unknown.messages.contains("did you mean no-colour-pre-step"),
+                 unknown.messages.constData());
+        QVERIFY2(unknown.messages.contains("probes --list --method column-scan"),
+                 unknown.messages.constData());
+        QVERIFY2(unknown.messages.size() < 400, unknown.messages.constData());
+    }
+
+    void theDefectsOfAMethodAreListed()
+    {
+        const ProgramRun listed = run({QStringLiteral("probes"), QStringLiteral("--list"),
+                                       QStringLiteral("--method"), QStringLiteral("row-walk")});
+        QCOMPARE(listed.exitCode, 0);
+        for (const Scene &scene : probes()) {
+            if (scene.method != "row-walk")
+                continue;
+            for (const Defect &defect : defectsFor(scene))
+                QVERIFY2(listed.output.contains('\n' + defect.id.toUtf8() + ' ')
+                             || listed.output.startsWith(defect.id.toUtf8() + ' '),
+                         qPrintable(defect.id));
+        }
+        QVERIFY(listed.output.contains("\nunsorted-colours "));
     }
 
     void aDiagnosisCanBeEnded()

@@ -9,6 +9,7 @@
 #include "widgets/lab/labfiles.h"
 #include "widgets/model/scenedocument.h"
 
+#include <QAbstractButton>
 #include <QApplication>
 #include <QClipboard>
 #include <QDialog>
@@ -59,15 +60,18 @@ QMap<QString, Way> ways()
              window.parts().canvas->editCoordinates(window.parts().document->vertices().front());
          }},
         {"goToDialog", byAction("goTo")},
-        {"rasterDialog",
+        {"studentPictureDialog", byAction("openStudentPicture")},
+        {"gradeDialog",
          [](MainWindow &window) {
-             action(window, "copyRaster")->trigger();
-             QString raster = QApplication::clipboard()->text();
-             raster[0] = u'#';
-             QApplication::clipboard()->setText(raster);
-             action(window, "compareRaster")->trigger();
+             window.findChild<QAbstractButton *>(QStringLiteral("gradingGrade"))->click();
+         }},
+        {"gradingOpenDialog",
+         [](MainWindow &window) {
+             window.findChild<QAbstractButton *>(QStringLiteral("gradingOpen"))->click();
          }},
         {"keySheet", byAction("showKeys")},
+        {"keysDialog", byAction("changeKeys")},
+        {"about", byAction("showAbout")},
         {"unsavedChanges",
          [](MainWindow &window) {
              modify(window);

@@ -232,7 +232,7 @@ private slots:
 
         QVERIFY2(bench.summary().contains(QStringLiteral("cannot do depth")),
                  qPrintable(bench.summary()));
-        QVERIFY(bench.summary().contains(QStringLiteral("interpolate-plane")));
+        QVERIFY(bench.summary().contains(QStringLiteral("“Plane equation”")));
         QVERIFY(!named<QPushButton>(bench.panel, "effectsMeasure")->isEnabled());
     }
 

@@ -120,7 +120,10 @@ std::vector<NamedScene> formulaScenes()
                   ellipseAtUnits({2304, 1792}, 1700, 300),
                   ellipseAtUnits({2304, 1792}, 300, 1700),
                   polygonOf({pixels({{1, 1}, {15, 3}, {13, 12}, {4, 10}})}),
-                  pentagram(ShapeFill::NonZero)};
+                  pentagram(ShapeFill::NonZero),
+                  pentagram(ShapeFill::Outline),
+                  bezierAt({{900, 600}, {4000, 3000}, {2100, 100}})};
+    cut.shapes.back().fill = ShapeFill::EvenOdd;
     Shape points;
     points.kind = PrimitiveKind::Point;
     for (std::int64_t i = 0; i < 12; ++i)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scan/choicenames.h"
 #include "tests/support/hardcasescenes.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/tablefolder.h"
 
 #include <QtTest>
@@ -41,7 +42,7 @@ private slots:
                 QString fault;
                 if (arithmetic == kept)
                     fault = m_folder.faultOfKept(*traced, name);
-                else if (!PIXELPLUMB_SANITIZED) // which take ten times as long to write
+                else if (!isSanitized) // which take ten times as long to write
                     fault = m_folder.faultOf(*traced);
                 QVERIFY2(fault.isEmpty(), qPrintable(name + QStringLiteral(": ") + fault));
             }

@@ -52,6 +52,16 @@ Shape polygonAt(const std::vector<LatticePoint> &corners)
     return shape;
 }
 
+/// A filled path of quadratic pieces.
+Shape pathAt(const std::vector<LatticePoint> &controls)
+{
+    Shape path = bezierAt(controls);
+    path.fill = ShapeFill::EvenOdd;
+    for (std::size_t next = 3; next < controls.size(); next += 3)
+        path.laterContours.push_back(next);
+    return path;
+}
+
 } // namespace
 
 /// What is drawn over the frame: outlines and names.
@@ -80,6 +90,12 @@ private slots:
             << bezierAt({at(5, 9), at(20, 9), at(35, 9)}) << QPointF(12, 9);
         QTest::newRow("upright curve")
             << bezierAt({at(9, 5), at(9, 12), at(9, 18), at(9, 25)}) << QPointF(9, 10);
+        QTest::newRow("second piece of a path")
+            << pathAt({at(5, 5), at(10, 5), at(15, 5), at(15, 5), at(25, 25), at(35, 5)})
+            << QPointF(25, 15);
+        QTest::newRow("gap between the pieces of a path")
+            << pathAt({at(5, 5), at(8, 5), at(10, 5), at(30, 20), at(33, 20), at(35, 20)})
+            << QPointF(15, 8.75);
         QTest::newRow("polygon") << polygonAt({at(5, 5), at(35, 5), at(20, 25)}) << QPointF(20, 5);
         QTest::newRow("level polygon")
             << polygonAt({at(5, 9), at(35, 9), at(25, 9)}) << QPointF(15, 9);
@@ -112,6 +128,47 @@ private slots:
             points[i] = latticePixel(corners[qsizetype(i)].x(), corners[qsizetype(i)].y());
         sheet.frame.drawOutline(points, {});
         QVERIFY(sheet.hasInkAt(place.x(), place.y()));
+    }
+
+    void aNameKeepsClearOfItsHandleAtTheViewsBorder_data()
+    {
+        QTest::addColumn<QPointF>("position");
+        QTest::newRow("left") << QPointF(4, 260);
+        QTest::newRow("right") << QPointF(696, 260);
+        QTest::newRow("top") << QPointF(350, 4);
+        QTest::newRow("bottom left") << QPointF(3, 517);
+    }
+    void aNameKeepsClearOfItsHandleAtTheViewsBorder()
+    {
+        QFETCH(QPointF, position);
+        Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
+        const LatticePoint point = sheet.mapping.latticeAt(position);
+        sheet.frame.drawHandle(point, {{255, 0, 0}}, HandleState::Idle);
+        QCOMPARE(sheet.frame.plates().size(), std::size_t(1));
+        sheet.frame.drawVertexName(QStringLiteral("P0 (vertex 2)"), point, view.center());
+
+        QCOMPARE(sheet.frame.plates().size(), std::size_t(2));
+        QVERIFY(!sheet.frame.plates()[0].intersects(sheet.frame.plates()[1]));
+        QVERIFY(view.contains(sheet.frame.plates()[1]));
+    }
+
+    void aLongNoteIsBrokenIntoLinesAndTakesAFreeCorner()
+    {
+        Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
+        QString words = QStringLiteral("a note of many words");
+        while (words.size() < 400)
+            words += QStringLiteral(" and more");
+        sheet.frame.drawCornerNote(words);
+        const QRectF first = sheet.frame.plates().back();
+        QVERIFY(view.contains(first));
+        QVERIFY(first.height() > 2 * QFontMetricsF(sheet.painter.font()).height());
+        QVERIFY(first.center().y() > view.center().y());
+
+        Sheet taken(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
+        for (const QPointF &handle : {first.bottomLeft(), first.bottomRight()})
+            taken.frame.drawHandle(taken.mapping.latticeAt(handle), {}, HandleState::Idle);
+        taken.frame.drawCornerNote(words);
+        QVERIFY(taken.frame.plates().back().center().y() < view.center().y());
     }
 
     void noNameCoversAnother_data()

@@ -18,6 +18,7 @@ for file in \
     bin/pixelplumb \
     bin/pixelplumb-cli \
     share/applications/org.pixelplumb.Pixelplumb.desktop \
+    share/mime/packages/org.pixelplumb.Pixelplumb.xml \
     share/metainfo/org.pixelplumb.Pixelplumb.metainfo.xml \
     share/icons/hicolor/scalable/apps/org.pixelplumb.Pixelplumb.svg \
     share/man/man1/pixelplumb.1 \

@@ -227,6 +227,39 @@ private slots:
         QVERIFY(valuesOf(*tracedBy(scene, forms[1], FillRule::Closed)) == expected);
     }
 
+    /// What the columns' form makes of the triangle in a mirror at the diagonal: of the channels,
+    /// nothing else is known of the plane.
+    void rowsAreTheColumnsOfTheMirroredTriangle()
+    {
+        const char *const rows = "interpolate-bilinear-rows";
+        std::size_t samples = 0;
+        for (std::uint32_t seed = 0; seed < 300; ++seed) {
+            const Scene scene = anyScene(seed);
+            Scene mirrored = scene;
+            for (Vertex &vertex : mirrored.triangles[0].vertices)
+                std::swap(vertex.position.x, vertex.position.y);
+            auto byRows = valuesOf(*tracedBy(scene, rows, FillRule::Closed));
+            auto byColumns = valuesOf(*tracedBy(mirrored, forms[0], FillRule::Closed));
+            for (ChannelValues &sample : byColumns)
+                std::swap(sample.x, sample.y);
+            const auto isBefore = [](const ChannelValues &a, const ChannelValues &b) {
+                return std::pair(a.y, a.x) < std::pair(b.y, b.x);
+            };
+            std::ranges::sort(byRows, isBefore);
+            std::ranges::sort(byColumns, isBefore);
+            QVERIFY2(byRows == byColumns, qPrintable(QString::number(seed)));
+            samples += byRows.size();
+            for (const FillRule rule : {FillRule::Closed, FillRule::TopLeft, FillRule::Open})
+                QCOMPARE(tracedBy(scene, rows, rule)->differences.total(), 0);
+            for (const Arithmetic arithmetic : {Arithmetic::Float32, Arithmetic::Float64}) {
+                const auto rounded = tracedBy(scene, rows, FillRule::Closed, arithmetic);
+                QCOMPARE(rounded->differences.count(Difference::Missing), 0);
+                QCOMPARE(rounded->differences.count(Difference::Extra), 0);
+            }
+        }
+        QVERIFY(samples > 10000);
+    }
+
     void attributesAreTheVerticesOwnAtTheVertices()
     {
         Dice dice(3);

@@ -365,6 +365,8 @@ private slots:
         QCOMPARE(figures->pixels, std::int64_t(8));
         QCOMPARE(figures->text(), QStringLiteral("truth not known"));
         QVERIFY(!figures->perPixel);
+        const auto ofRun = liveFiguresOf(traceScene(scene));
+        QCOMPARE(ofRun->text(), QStringLiteral("0 wrong of 8 px"));
     }
 
     void theSceneInHandIsTimedAsTheStudyTimesIt()

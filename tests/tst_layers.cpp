@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/layerpainter.h"
 #include "tests/support/layerlook.h"
 #include "tests/support/scanning.h"
 
+#include <QImage>
+#include <QPainter>
 #include <QPolygonF>
 #include <QTest>
 
@@ -31,6 +34,12 @@ bool contains(const LayerDrawing::Area &area, const QPointF &point)
 {
     return QPolygonF(QList<QPointF>(area.corners.begin(), area.corners.end()))
         .containsPoint(point, Qt::OddEvenFill);
+}
+
+LayerSurface surfaceOf(const Look &look, const QImage &picture)
+{
+    return {pictureTransform(look.traced->scene.frame, {}, look.view.cell), picture.rect(),
+            LayerTone::Light};
 }
 
 std::ptrdiff_t areasAround(const LayerDrawing &drawing, const QPointF &point)
@@ -312,6 +321,48 @@ private slots:
 
         QVERIFY(drawing.cells.empty());
         QVERIFY(drawing.notes.front().contains("cells of 24 pixels"));
+    }
+
+    void aNameOfTwoLayersStandsThereOnce()
+    {
+        const Look look(sceneBy("edge-equations", firstTriangle()));
+        const LayerDrawing both
+            = drawingOf({QStringLiteral("half-planes"), QStringLiteral("half-plane-1")}, look.view);
+        QCOMPARE(textsOf(both.labels), textsOf(look.drawing("half-planes").labels));
+    }
+
+    void numbersThatAreTooLongForACellSayHowLargeItMustBe()
+    {
+        Look look(sceneBy("edge-equations", firstTriangle()));
+        look.view.cell = 24;
+        QImage picture(64 * 24, 48 * 24, QImage::Format_RGB32);
+        QPainter painter(&picture);
+        LayerDrawing drawing;
+        drawing.cells = {{1, 1, QStringLiteral("−1234567.5")}};
+
+        QCOMPARE(LayerPainter().paint(painter, drawing, surfaceOf(look, picture)),
+                 QStringList("The numbers need cells of 41 pixels: enlarge the picture"));
+        drawing.cells = {{1, 1, QStringLiteral("−123")}};
+        QVERIFY(LayerPainter().paint(painter, drawing, surfaceOf(look, picture)).isEmpty());
+    }
+
+    void namesKeepClearOfEachOtherAndOfWhatStandsThere()
+    {
+        Look look(sceneBy("edge-equations", firstTriangle()));
+        look.view.cell = 12;
+        QImage picture(64 * 12, 48 * 12, QImage::Format_RGB32);
+        QPainter painter(&picture);
+        const LayerSurface surface = surfaceOf(look, picture);
+        LayerDrawing drawing = look.drawing("vertices");
+        const std::array everywhere = {QRectF(picture.rect())};
+
+        QVERIFY(LayerPainter().paintLabels(painter, drawing, surface, {}).isEmpty());
+        QCOMPARE(
+            LayerPainter().paintLabels(painter, drawing, surface, everywhere),
+            QStringList("No room for 3 of 3 names: enlarge the picture, or show fewer layers"));
+        // More at one place than there are sides and distances.
+        drawing.labels.assign(50, drawing.labels.back());
+        QCOMPARE(LayerPainter().paintLabels(painter, drawing, surface, {}).size(), qsizetype(1));
     }
 
     void thePrimitiveInHandIsTheOneThatIsDrawn()

@@ -216,22 +216,22 @@ private slots:
         QVERIFY(action(*window, "layer-weights")->isEnabled());
     }
 
-    void aPastedRasterIsLaidOverThePicture()
+    void theFirstAffineMapComesBackFromTheMenuAndWithAnotherScene()
     {
         const auto window = openedWindow();
-        action(*window, "copyRaster")->trigger();
-        QString raster = QApplication::clipboard()->text();
-        QVERIFY(raster.count('#') > 900);
-        raster[int(raster.indexOf('#'))] = '.';
-        raster[0] = '#';
-        QApplication::clipboard()->setText(raster);
+        DisplayOptions &options = *window->parts().options;
+        QAction *first = action(*window, "firstAffineMap");
+        const AffineImage other{0, {latticePixel(1, 1), latticePixel(9, 1), latticePixel(1, 9)}};
 
-        action(*window, "compareRaster")->trigger();
+        QVERIFY(!first->isEnabled());
+        options.setAffineImage(other);
+        first->trigger();
+        QVERIFY(!options.affineImage());
 
-        const auto *dialog = named<QDialog>(*window, "rasterDialog");
-        QVERIFY(dialog);
-        const QString summary = dialog->findChild<QLabel *>("rasterSummary")->text();
-        QVERIFY2(summary.contains("1 extra") && summary.contains("1 missing"), qPrintable(summary));
+        options.setAffineImage(other);
+        window->parts().document->reset(Scene());
+        QVERIFY(!options.affineImage());
+        QVERIFY(!first->isEnabled());
     }
 
     void theLayoutLastsAndCanBeReset()

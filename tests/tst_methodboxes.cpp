@@ -5,10 +5,13 @@
 #include "widgets/look/elidingbox.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
+#include <QAbstractItemView>
 #include <QAction>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QTest>
 
@@ -108,20 +111,83 @@ private slots:
         }
     }
 
-    void aTitleThatIsCutEndsInAnEllipsisAndIsWholeInTheToolTip()
+    void aTitleThatIsCutIsToldFromAllOthersAndIsWholeInTheToolTip()
     {
         const auto window = openedWindow(Scene());
         const auto *box = static_cast<const ElidingBox *>(named<QComboBox>(*window, "methodBox"));
         int cut = 0;
+        QStringList seen;
         for (const Method &method : methods()) {
             window->parts().document->setMethod(method.id.toStdString());
             const QString shown = box->shownText();
-            QVERIFY2(shown == method.title || shown.endsWith(QChar(0x2026)), qPrintable(shown));
+            QVERIFY2(shown == method.title || shown.contains(QChar(0x2026)), qPrintable(shown));
+            QVERIFY2(!seen.contains(shown), qPrintable(shown));
+            seen += shown;
             QVERIFY2(box->toolTip().contains(method.title), qPrintable(box->toolTip()));
             QVERIFY(box->fontMetrics().horizontalAdvance(shown) < box->width());
             cut += int(shown != method.title);
         }
         QVERIFY(cut > 0 && cut < int(methods().size()));
+    }
+
+    void aPartHasOneNameInStatusFormulaAndTable_data()
+    {
+        QTest::addColumn<QString>("scene");
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<QString>("name");
+        QTest::addColumn<QString>("title");
+        QTest::newRow("outline") << "polygon-outline.json"
+                                 << "polygon-outline"
+                                 << "edge 1"
+                                 << "Steps";
+        QTest::newRow("triangles") << "polygon-star.json"
+                                   << "polygon-tessellation"
+                                   << "triangle 1"
+                                   << "Rows";
+    }
+    void aPartHasOneNameInStatusFormulaAndTable()
+    {
+        QFETCH(QString, scene);
+        QFETCH(QString, method);
+        QFETCH(QString, name);
+        QFETCH(QString, title);
+        const auto window = openedWindow(scene);
+        window->parts().document->setMethod(method.toStdString());
+        Playhead &playhead = *window->parts().playhead;
+        const ScanTrace &trace = *playhead.traced()->trace;
+        std::size_t span = 0;
+        while (trace.placeOf(span).part != 1)
+            ++span;
+        playhead.seekToSpan(span);
+
+        QVERIFY2(named<QLabel>(*window, "statusColumn")->text().endsWith(name),
+                 qPrintable(named<QLabel>(*window, "statusColumn")->text()));
+        QVERIFY(named<QLabel>(*window, "formulaHeading")->text().contains(name));
+        const auto *table = named<QAbstractItemView>(*window, "columnTable");
+        QCOMPARE(table->model()->headerData(int(span), Qt::Vertical).toString(), name);
+        QCOMPARE(named<QDockWidget>(*window, "columnsDock")->windowTitle(), title);
+    }
+
+    void theInvitationNamesWhatTheMethodStepsBy()
+    {
+        const auto window = openedWindow();
+        window->parts().document->setMethod("row-walk");
+        window->parts().playhead->seek(0);
+        QVERIFY(
+            named<QLabel>(*window, "formulaSentence")->text().contains("by a row or by a pixel"));
+    }
+
+    void whatAMethodRefusesIsToldByTitles()
+    {
+        QCOMPARE(withTitles("cannot do depth; column-scan, midpoint-outline-fill can"),
+                 "cannot do depth; “Column scan”, “Midpoint outline, filled” can");
+        QCOMPARE(withTitles("cannot keep the fill rule “half-open-column”"),
+                 "cannot keep the fill rule “half-open-column”");
+        const auto window = openedWindow(QStringLiteral("sliver-fan.json"));
+        const Method *shapes = methodNamed(u"midpoint-outline-fill");
+        window->parts().document->setMethod(shapes->id.toStdString());
+        const QString told = named<QLabel>(*window, "messageText")->text();
+        QVERIFY2(told.contains("“Column scan”") && !told.contains("column-scan"), qPrintable(told));
     }
 
     void aNoteNamesEachSettingThatWasChanged()
@@ -152,7 +218,7 @@ private slots:
         const auto *const box = named<QAction>(*window, "variant-rounded-box");
         QVERIFY(late->isEnabled() && late->isCheckable() && !late->isChecked());
         QVERIFY(!box->isEnabled());
-        QVERIFY2(box->toolTip().contains(QStringLiteral("edge-equations")),
+        QVERIFY2(box->toolTip().contains(QStringLiteral("“Edge equations”")),
                  qPrintable(box->toolTip()));
 
         late->trigger();

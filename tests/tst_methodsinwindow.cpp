@@ -13,8 +13,10 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
+#include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDockWidget>
 #include <QLabel>
 #include <QTest>
 
@@ -67,6 +69,28 @@ private slots:
         const auto *box = named<QComboBox>(*window, "methodBox");
         for (const Method &method : methods())
             QVERIFY2(box->findData(method.id) >= 0, qPrintable(method.id));
+    }
+
+    void theTableIsCalledAfterWhatTheMethodWalks()
+    {
+        const auto window = openedWindow();
+        const auto *dock = named<QDockWidget>(*window, "columnsDock");
+        QCOMPARE(dock->windowTitle(), QStringLiteral("Columns"));
+        choose(*window, QStringLiteral("row-walk"));
+        QCOMPARE(dock->windowTitle(), QStringLiteral("Rows"));
+        QCOMPARE(named<QAction>(*window, "columnsDockToggle")->text(), QStringLiteral("Rows"));
+        choose(*window, QStringLiteral("column-scan"));
+        QCOMPARE(dock->windowTitle(), QStringLiteral("Columns"));
+    }
+
+    void aTriangleIsChangedThoughNoneOfItsVerticesIsSelected()
+    {
+        const auto window = openedWindow();
+        const QAction *change = named<QAction>(*window, "editTriangle");
+        QVERIFY(!window->parts().document->selectedVertex());
+        QVERIFY(change->isEnabled());
+        window->parts().document->clear();
+        QVERIFY(!change->isEnabled());
     }
 
     void twoClicksDrawALineByBresenham()

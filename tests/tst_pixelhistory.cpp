@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/oracle/planeweights.h"
 #include "tests/support/defaultscene.h"
 #include "widgets/inspect/pixelhistorypanel.h"
 #include "widgets/look/numberformat.h"
@@ -11,6 +12,8 @@
 #include <QToolButton>
 #include <QTreeView>
 
+#include <cmath>
+
 using namespace pixelplumb;
 
 class TestPixelHistory : public QObject {
@@ -19,6 +22,7 @@ class TestPixelHistory : public QObject {
 private slots:
     void historyKeepsTheModelContract();
     void historyOfAWrittenPixelListsChannels();
+    void whatVerticesCarryIsListedWhereTheSceneCallsForIt();
     void theChannelsOfAWriteChangeWithIt();
     void historyOfARefusedPixelListsEdges();
     void historyCountsTheRefusalsThatItDoesNotList();
@@ -75,6 +79,42 @@ void TestPixelHistory::historyOfAWrittenPixelListsChannels()
     QCOMPARE(model.decisiveRow().data().toString(), QStringLiteral("△ 0 will write it"));
 }
 
+void TestPixelHistory::whatVerticesCarryIsListedWhereTheSceneCallsForIt()
+{
+    Scene scene = defaultSceneIn(Arithmetic::Float32, 2);
+    scene.attributes.resize(2); // crossing each other: depths 0, 1, 2 and 2, 1, 0
+    scene.attributes[1].triangle = 1;
+    for (std::size_t i = 0; i < 3; ++i) {
+        scene.attributes[0].vertices[i].z = Attribute(i) * attributeOne;
+        scene.attributes[1].vertices[2 - i].z = Attribute(i) * attributeOne;
+    }
+    const std::shared_ptr<const TracedScene> traced = traceScene(scene);
+    const PixelAttempt attempt = pixelHistory(*traced, 27, 19).front();
+    QCOMPARE(attempt.carried.size(), std::size_t(1));
+    QCOMPARE(attempt.carried[0].title, QStringLiteral("z"));
+    // Of the plane through the vertices' depths 0, 1 and 2.
+    const auto weights = oracle::barycentricWeights(traced->primitives.triangles[0], 27, 19);
+    const double depth
+        = (weights.parts[1].convert_to<double>() + 2 * weights.parts[2].convert_to<double>())
+        / weights.whole.convert_to<double>();
+    QVERIFY(std::abs(attempt.carried[0].used.toDouble() - depth) < 1e-4);
+    QVERIFY(std::abs(attempt.carried[0].exact.toDouble() - depth) < 1e-12);
+
+    PixelHistoryModel model;
+    model.setPixel(traced, QPoint(27, 19));
+    model.setPosition(traced->trace->stepCount());
+    const QModelIndex written = model.index(0, 0);
+    QCOMPARE(model.rowCount(written), 7); // three channels, z, three edges
+    QCOMPARE(model.index(3, PixelHistoryModel::WhatColumn, written).data().toString(), "z");
+    QVERIFY(model.index(3, PixelHistoryModel::ExactColumn, written)
+                .data()
+                .toString()
+                .startsWith(QStringLiteral("exact ")));
+
+    scene.attributes.clear();
+    QVERIFY(pixelHistory(*traceScene(scene), 27, 19).front().carried.empty());
+}
+
 void TestPixelHistory::theChannelsOfAWriteChangeWithIt()
 {
     PixelHistoryModel model;
@@ -111,6 +151,17 @@ void TestPixelHistory::historyOfARefusedPixelListsEdges()
     QCOMPARE(model.rowCount(refused), 3);
     QCOMPARE(model.index(0, PixelHistoryModel::UsedColumn, refused).data().toString(),
              QStringLiteral("−1 px along column"));
+
+    Scene byRows = traced->scene;
+    byRows.method = "row-walk";
+    model.setPixel(traceScene(byRows), QPoint(4, 4));
+    const QModelIndex again = model.decisiveRow();
+    QVERIFY(model.index(0, PixelHistoryModel::UsedColumn, again)
+                .data()
+                .toString()
+                .endsWith(QStringLiteral("px along row")));
+    QVERIFY(
+        again.data(PixelHistoryModel::ReasonRole).toString().contains(QStringLiteral("the row")));
 }
 
 void TestPixelHistory::historyCountsTheRefusalsThatItDoesNotList()

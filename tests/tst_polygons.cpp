@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/polygons/contours.h"
 #include "tests/support/polygons.h"
 
 #include <QTest>
@@ -16,6 +17,25 @@ Shape anyPolygon(Dice &dice, std::int64_t side, Lattice grid)
     for (std::int64_t i = 0; i < count; ++i)
         contours.push_back(anyContour(dice, side, grid));
     return polygonOf(contours, fills[std::size_t(dice.in(0, 1))]);
+}
+
+/// Whether the line between two points has a pixel, tested by inequalities alone: it is the one for
+/// its column (its row, where the line is steep), that is at most ½ px above the line and less than
+/// ½ px below it.
+bool lineHas(LatticePoint a, LatticePoint b, std::int64_t column, std::int64_t row)
+{
+    LatticePoint pixel = latticePixel(column, row);
+    if (std::abs(b.y - a.y) >= std::abs(b.x - a.x)) {
+        std::swap(a.x, a.y);
+        std::swap(b.x, b.y);
+        std::swap(pixel.x, pixel.y);
+    }
+    if (b.x < a.x)
+        std::swap(a, b);
+    const Lattice width = b.x - a.x;
+    const Lattice above = 2 * ((pixel.y - a.y) * width - (pixel.x - a.x) * (b.y - a.y));
+    return width > 0 && pixel.x >= a.x && pixel.x <= b.x && above <= 256 * width
+        && above > -256 * width;
 }
 
 } // namespace
@@ -197,6 +217,69 @@ private slots:
             QVERIFY(std::abs(x - (base + rise * slope)) < 1e-9);
         }
         QVERIFY(trace.spanCount() == 15);
+    }
+
+    void anOutlineIsTheLinesOfItsEdges()
+    {
+        for (std::uint32_t seed = 0; seed < 400; ++seed) {
+            Dice dice(seed);
+            const Lattice grid = seed % 2 == 0 ? 256 : 1;
+            Shape shape = anyPolygon(dice, 24 * 256 / grid, grid);
+            shape.fill = ShapeFill::Outline;
+            const std::vector<ContourEdge> edges = contoursOf(shape).edges;
+            QString expected;
+            for (std::int64_t y = 23; y >= 0; --y, expected += u'\n') {
+                for (std::int64_t x = 0; x < 24; ++x) {
+                    const bool isOutline = std::ranges::any_of(edges, [&](const ContourEdge &edge) {
+                        return lineHas(edge.from, edge.to, x, y);
+                    });
+                    // An edge without length on a pixel has that pixel.
+                    const bool isPoint = std::ranges::any_of(edges, [&](const ContourEdge &edge) {
+                        return edge.from == edge.to && edge.from == latticePixel(x, y);
+                    });
+                    expected += isOutline || isPoint ? u'#' : u'.';
+                }
+            }
+            const Scene scene = sceneOf({shape}, frameOf(24, 24), "polygon-outline");
+            QVERIFY2(drawn(scene) == expected, qPrintable(contoursText(shape)));
+            QVERIFY2(truthOf(scene) == expected, qPrintable(contoursText(shape)));
+        }
+    }
+
+    void eachStepOfAnOutlineHasTheNumbersOfItsEdge()
+    {
+        const Shape shape = pentagram(ShapeFill::Outline);
+        const auto traced = traceScene(sceneOf({shape}, frameOf(17, 16), "polygon-outline"));
+        const ScanTrace &trace = *traced->trace;
+        const std::vector<ContourEdge> edges = contoursOf(shape).edges;
+        const auto column = [&](const char *id) {
+            return std::ranges::find(trace.numbers().span, QString::fromLatin1(id),
+                                     &NumberDescription::id)
+                - trace.numbers().span.begin();
+        };
+        std::size_t parts = 0;
+        for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+            const SpanRecord step = trace.span(span);
+            const ContourEdge &edge = edges[std::size_t(step.place.part)];
+            const Lattice across
+                = std::min(std::abs(edge.to.x - edge.from.x), std::abs(edge.to.y - edge.from.y));
+            QCOMPARE(step.cells[std::size_t(column("edge"))].toDouble(), step.place.part);
+            QCOMPARE(step.cells[std::size_t(column("delta_y"))].toDouble(), double(across) / 256);
+            parts += trace.beginsPart(span) ? 1 : 0;
+        }
+        QCOMPARE(parts, edges.size());
+    }
+
+    void anOutlineIsNoFilledPolygonAndNoneIsAnOutline()
+    {
+        for (const char *method : {"polygon-parity", "polygon-fan", "polygon-delaunay"})
+            QCOMPARE(rejectionOf(pentagram(ShapeFill::Outline), method),
+                     PrimitiveRejection::NotOfThisMethod);
+        QCOMPARE(rejectionOf(pentagram(ShapeFill::NonZero), "polygon-outline"),
+                 PrimitiveRejection::NotOfThisMethod);
+        QCOMPARE(rejectionOf(moved(pentagram(ShapeFill::Outline), latticePixel(40, 40)),
+                             "polygon-outline"),
+                 PrimitiveRejection::OutsideFrame);
     }
 
     void nothingIsDrawnOfWhatHasNoAreaOrLiesElsewhere()

@@ -2,10 +2,12 @@
 #include "core/runs/tracedscene.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
+#include "widgets/canvas/canvas.h"
 #include "widgets/inspect/methodpanel.h"
 #include "widgets/inspect/pixelhistorypanel.h"
 #include "widgets/inspect/predictpanel.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
 
 #include <QComboBox>
 #include <QLabel>
@@ -164,10 +166,44 @@ private slots:
 
         m_playhead->pick(next.pixel + QPoint(1, 1));
         QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Not")));
+        QVERIFY(label("predictVerdict").contains(QStringLiteral("comes later: Column")));
+        m_playhead->pick(next.pixel + QPoint(0, 1));
+        QVERIFY(label("predictVerdict").contains(QStringLiteral("later in the same span")));
+        m_playhead->pick(next.pixel - QPoint(1, 0));
+        QVERIFY(label("predictVerdict").contains(QStringLiteral("drawn already, in step")));
+        m_playhead->pick(QPoint(0, 0));
+        QVERIFY(label("predictVerdict").contains(QStringLiteral("Refused by")));
         m_playhead->pick(next.pixel);
         QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Right")));
         QTest::mouseClick(named<QPushButton>(*m_window, "predictNext"), Qt::LeftButton);
         QCOMPARE(m_playhead->pixelInHand(), std::optional(next.pixel));
+    }
+
+    void whatIsTypedOverAFieldThatIsNotAskedIsNoKeyOfTheCanvas()
+    {
+        openPanel();
+        const std::string method = m_window->parts().document->scene().method;
+        m_playhead->seek(m_playhead->end());
+        QVERIFY(!line()->isEnabled());
+        m_window->parts().canvas->setFocus();
+
+        QTest::mouseClick(m_window->windowHandle(), Qt::LeftButton, Qt::NoModifier,
+                          line()->mapTo(m_window.get(), line()->rect().center()));
+        QVERIFY(!m_window->parts().canvas->hasFocus());
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_2);
+        QCOMPARE(m_window->parts().document->scene().method, method);
+    }
+
+    void theFocusStaysInThePanelAsItsPartsAreUsedUp()
+    {
+        openPanel();
+        auto *panel = named<PredictPanel>(*m_window, "predict");
+        auto *show = named<QPushButton>(*m_window, "predictShow");
+        show->setFocus();
+        show->click();
+        QVERIFY(line()->hasFocus()); // Enter goes on
+        m_playhead->seek(m_playhead->end());
+        QVERIFY(panel->hasFocus());
     }
 
     void theScoreEndsWithTheScene()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/scenefile.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
@@ -9,9 +10,13 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemModelTester>
+#include <QLabel>
 #include <QLineEdit>
+#include <QRandomGenerator>
 #include <QTest>
 #include <QTreeView>
+
+#include <algorithm>
 
 using namespace pixelplumb;
 
@@ -59,7 +64,7 @@ private slots:
         QVERIFY(m_window->parts().canvas->spokenState().startsWith("vertex 0 of triangle 1"));
 
         clickPixel(*m_window, {58, 12}); // a handle
-        QCOMPARE(m_model->refAt(m_tree->currentIndex()), (VertexRef{0, 1}));
+        QCOMPARE(m_model->refAt(m_tree->currentIndex()), std::optional(VertexRef{0, 1}));
         QVERIFY(!document().isModified());
     }
 
@@ -95,7 +100,7 @@ private slots:
         QCOMPARE(scene.triangles[1], fourPrimitives().triangles[0]);
         QCOMPARE(scene.attributes.size(), std::size_t(1));
         QCOMPARE(scene.attributes[0].triangle, std::size_t(0)); // its z goes with it
-        QCOMPARE(m_model->refAt(m_tree->currentIndex()), (VertexRef{0, 0}));
+        QCOMPARE(m_model->refAt(m_tree->currentIndex()), std::optional(VertexRef{0, 0}));
         QVERIFY(!button("primitivesUp")->isEnabled());
         press("primitivesDown");
         QCOMPARE(document().scene(), fourPrimitives());
@@ -133,12 +138,182 @@ private slots:
         QCOMPARE(document().scene(), fourPrimitives());
     }
 
+    void aPrimitiveIsHiddenByItsBoxAndShownAgain()
+    {
+        const QModelIndex row = m_model->indexOfPrimitive(0);
+        QCOMPARE(row.data(Qt::CheckStateRole).toInt(), int(Qt::Checked));
+        QVERIFY(m_model->setData(row, Qt::Checked, Qt::CheckStateRole)); // as it is
+        QVERIFY(!document().isModified());
+        QVERIFY(m_model->setData(row, Qt::Unchecked, Qt::CheckStateRole));
+
+        const Scene &scene = document().scene();
+        QCOMPARE(scene.triangles.size(), std::size_t(1));
+        QCOMPARE(scene.attributes[0].triangle, std::size_t(0)); // its z goes with it
+        QCOMPARE(m_model->rowCount(), 4);
+        QCOMPARE(m_model->index(0, 0).data().toString(), QStringLiteral("triangle, hidden"));
+        QCOMPARE(m_model->index(1, 0).data().toString(), QStringLiteral("triangle 0"));
+        QCOMPARE(m_model->index(2, 0).data().toString(), QStringLiteral("line 1"));
+        QCOMPARE(named<QLabel>(*m_window, "primitivesSummary")->text(),
+                 QStringLiteral("3 primitives, and 1 hidden that the numbers leave out"));
+        QTRY_COMPARE(m_window->parts().playhead->traced()->trace->primitiveCount(), std::size_t(3));
+        QVERIFY(document().isModified());
+
+        QVERIFY(m_model->setData(m_model->index(0, 0), Qt::Checked, Qt::CheckStateRole));
+        QCOMPARE(document().scene(), fourPrimitives());
+        document().undoStack()->undo();
+        QCOMPARE(document().hiddenCount(), 1);
+        document().undoStack()->undo();
+        QCOMPARE(document().scene(), fourPrimitives());
+        QVERIFY(!document().isModified());
+    }
+
+    void theButtonHidesTheRowInHandAndKeepsIt()
+    {
+        click(m_model->indexOfPrimitive(2));
+        QCOMPARE(button("primitivesHide")->text(), QStringLiteral("Hide"));
+        press("primitivesHide");
+        QCOMPARE(document().scene().shapes.size(), std::size_t(1));
+        QCOMPARE(m_tree->currentIndex().row(), 2);
+        QVERIFY(!document().selectedVertex());
+        QCOMPARE(button("primitivesHide")->text(), QStringLiteral("Show"));
+        QVERIFY(!button("primitivesColour")->isEnabled());
+        press("primitivesHide");
+        QCOMPARE(document().scene(), fourPrimitives());
+        QCOMPARE(m_tree->currentIndex().row(), 2);
+
+        press("primitivesHide");
+        press("primitivesDelete"); // for good
+        QCOMPARE(document().hiddenCount(), 0);
+        QCOMPARE(m_model->rowCount(), 3);
+        document().undoStack()->undo();
+        QCOMPARE(document().hiddenCount(), 1);
+    }
+
+    void hidingAndItsUndoKeepTheStepInHand()
+    {
+        Playhead &playhead = *m_window->parts().playhead;
+        playhead.seek(40);
+        const auto column = playhead.columnXInHand();
+        QVERIFY(column);
+        document().hidePrimitive(3);
+        QTRY_COMPARE(playhead.traced()->scene.hidden.size(), std::size_t(1));
+        QCOMPARE(playhead.columnXInHand(), column);
+        document().undoStack()->undo();
+        QTRY_COMPARE(playhead.traced()->scene.hidden.size(), std::size_t(0));
+        QCOMPARE(playhead.position(), std::size_t(40));
+    }
+
+    void whatIsAllHiddenIsSaid()
+    {
+        while (document().primitiveCount() > 0)
+            document().hidePrimitive(0);
+        QTRY_COMPARE(named<QLabel>(*m_window, "formulaSentence")->text(),
+                     QStringLiteral("All primitives are hidden: Edit ▸ Show all hidden "
+                                    "primitives."));
+    }
+
+    void theMenuHidesTheSelectedOneAndShowsAll()
+    {
+        QVERIFY(!action(*m_window, "showAllHidden")->isEnabled());
+        QVERIFY(!action(*m_window, "hideSelected")->isEnabled());
+        for (const int primitive : {1, 2, 0}) {
+            document().selectVertex(VertexRef{primitive, 0});
+            action(*m_window, "hideSelected")->trigger();
+        }
+        QCOMPARE(document().primitiveCount(), 1);
+        action(*m_window, "showAllHidden")->trigger();
+        QCOMPARE(document().scene(), fourPrimitives());
+        document().undoStack()->undo();
+        QCOMPARE(document().hiddenCount(), 3);
+        document().clear();
+        QCOMPARE(m_model->rowCount(), 0);
+    }
+
+    void hiddenOnesKeepTheirPlacesWhateverIsDone_data()
+    {
+        QTest::addColumn<quint32>("seed");
+        for (quint32 seed = 1; seed <= 40; ++seed)
+            QTest::addRow("seed %u", seed) << seed;
+    }
+    /// Against a list of colours, by which the primitives are known, in the file's order.
+    void hiddenOnesKeepTheirPlacesWhateverIsDone()
+    {
+        QFETCH(quint32, seed);
+        QRandomGenerator random(seed);
+        struct Known {
+            std::uint8_t red;
+            bool isTriangle;
+            bool isHidden;
+        };
+        std::vector<Known> known;
+        Scene scene;
+        for (std::uint8_t i = 0; i < 8; ++i) {
+            const bool isTriangle = i < 4;
+            known.push_back({i, isTriangle, false});
+            const Vertex vertex{latticePixel(i, i), {{i, 0, 0}}};
+            if (isTriangle)
+                scene.triangles.push_back({{vertex, vertex, vertex}});
+            else
+                scene.shapes.emplace_back().vertices = {vertex, vertex};
+        }
+        scene.attributes = {{2, {}, noMaterial}};
+        scene.attributes[0].vertices[0].z = attributeOne;
+        SceneDocument edited;
+        edited.reset(scene);
+        const auto nth = [&known](int index, bool isHidden) {
+            return std::ranges::find_if(known, [&, seen = 0](const Known &each) mutable {
+                return each.isHidden == isHidden && seen++ == index;
+            });
+        };
+        for (int step = 0; step < 30; ++step) {
+            const int drawn = edited.primitiveCount();
+            const int hidden = edited.hiddenCount();
+            const bool takesHidden = hidden > 0 && random.bounded(2) == 0;
+            if (!takesHidden && drawn == 0)
+                continue;
+            const int index = int(random.bounded(takesHidden ? hidden : drawn));
+            const auto place = nth(index, takesHidden);
+            if (random.bounded(8) == 0) {
+                takesHidden ? edited.deleteHidden(index) : edited.deletePrimitive(index);
+                known.erase(place);
+            } else {
+                takesHidden ? edited.showHidden(index) : edited.hidePrimitive(index);
+                place->isHidden = !takesHidden;
+            }
+            if (random.bounded(4) == 0) {
+                edited.undoStack()->undo();
+                edited.undoStack()->redo();
+            }
+            const QList<QByteArray> lines = writeScene(edited.scene()).split('\n');
+            std::size_t at = 0;
+            for (const QByteArray &line : lines) {
+                if (!line.startsWith("        { "))
+                    continue;
+                QVERIFY(at < known.size());
+                const Known &expected = known[at++];
+                const QByteArray colour = "\"#0" + QByteArray::number(int(expected.red)) + "0000\"";
+                QVERIFY2(line.contains(colour), line.constData());
+                QCOMPARE(line.contains("\"hidden\": true"), expected.isHidden);
+                QCOMPARE(line.contains("\"z\""), expected.red == 2);
+            }
+            QCOMPARE(at, known.size());
+        }
+        edited.showAllHidden();
+        QCOMPARE(edited.hiddenCount(), 0);
+        QCOMPARE(std::size_t(edited.primitiveCount()), known.size());
+        while (edited.undoStack()->canUndo())
+            edited.undoStack()->undo();
+        QCOMPARE(edited.scene(), scene);
+    }
+
     void theModelKeepsQtsRules()
     {
         const QAbstractItemModelTester tester(
             m_model, QAbstractItemModelTester::FailureReportingMode::QtTest);
         document().moveVertex({0, 0}, latticePixel(7, 7), document().newDrag());
         document().addTriangle(triangleAt(1, 1, 9, 2, 5, 20));
+        document().hidePrimitive(1);
+        document().showHidden(0);
         document().clear();
         QCOMPARE(m_model->rowCount(), 0);
         document().undoStack()->undo();

@@ -244,6 +244,20 @@ private slots:
                                 "more: enlarge the picture\n"));
     }
 
+    void theAffineMapIsTheOneThatIsAskedFor()
+    {
+        const QString path = m_folder.filePath(QStringLiteral("affine.png"));
+
+        // The default scene's triangle, moved by (1, 2).
+        const ProgramRun result = run({"render", defaultScene(), "-o", path, "--layers",
+                                       "affine-map", "--affine-image", "5,7 59,14 27.5,46"});
+
+        QCOMPARE(result.exitCode, 0);
+        QVERIFY2(QString::fromUtf8(result.messages)
+                     .contains(QStringLiteral("x′ = 1·x + 0·y + 1\nand y′ = 0·x + 1·y + 2\n")),
+                 result.messages.constData());
+    }
+
     void refusesLayersAndPositionsThatAreNotThere_data()
     {
         QTest::addColumn<QStringList>("options");
@@ -258,6 +272,12 @@ private slots:
             << "--triangle: 1; expected an integer from 0 to 0";
         QTest::newRow("a primitive of no layer")
             << QStringList{"-o", "never.png", "--triangle", "0"} << "expected --layers";
+        QTest::newRow("an image of no layer")
+            << QStringList{"-o", "never.png", "--layers", "box", "--affine-image", "0,0 1,0 0,1"}
+            << "expected --layers affine-map";
+        QTest::newRow("two corners of three")
+            << QStringList{"-o", "never.png", "--layers", "affine-map", "--affine-image", "0,0 1,0"}
+            << "--affine-image: 0,0 1,0; expected three points such as “40,12 10,8 30,40”";
         QTest::newRow("no picture") << QStringList{"--ascii", "--layers", "box"}
                                     << "--layers and --position need a picture";
     }

@@ -36,6 +36,7 @@ private slots:
     void editsOfTheFrameKeepWhatStandsInSpace();
     void changesInSpaceAreEdits();
     void clearTakesTheSolidsAndUndoBringsThemBack();
+    void theJointOfTwoPiecesMovesAsOne();
 };
 
 /// A triangle, a sphere and a point, with a light.
@@ -75,6 +76,35 @@ void TestSceneDocument::editsOfTheFrameKeepWhatStandsInSpace()
 
     document.undoStack()->setIndex(0);
     QCOMPARE(document.scene(), scene);
+}
+
+void TestSceneDocument::theJointOfTwoPiecesMovesAsOne()
+{
+    Scene scene;
+    scene.method = "bezier-fill";
+    Shape path;
+    path.kind = PrimitiveKind::Bezier;
+    path.fill = ShapeFill::EvenOdd;
+    // They meet in (4, 0), where the first one ends, and leave a gap at the other end.
+    for (const LatticePoint &control : {latticePixel(0, 0), latticePixel(2, 4), latticePixel(4, 0),
+                                        latticePixel(4, 0), latticePixel(8, 8), latticePixel(0, 9)})
+        path.vertices.push_back({control, red});
+    path.laterContours = {3};
+    scene.shapes = {path};
+    SceneDocument document;
+    document.reset(scene);
+    const Scene opened = document.scene();
+
+    for (const int vertex : {2, 3}) {
+        document.moveVertex({0, vertex}, latticePixel(5, vertex), document.newDrag());
+        Shape expected = path;
+        expected.vertices[2].position = expected.vertices[3].position = latticePixel(5, vertex);
+        QCOMPARE(document.scene().shapes.front(), expected);
+    }
+    document.moveVertex({0, 5}, latticePixel(1, 9), document.newDrag());
+    QCOMPARE(document.scene().shapes.front().vertices[0].position, latticePixel(0, 0));
+    document.undoStack()->setIndex(0);
+    QCOMPARE(document.scene(), opened);
 }
 
 void TestSceneDocument::changesInSpaceAreEdits()

@@ -9,6 +9,18 @@
 
 using namespace pixelplumb;
 
+namespace {
+
+QByteArray shapeScene(const QByteArray &primitives)
+{
+    const QByteArray text = "{ 'pixelplumb': 1, 'frame': { 'width': 16, 'height': 16 }, "
+                            "'primitives': ["
+        + primitives + "] }";
+    return QByteArray(text).replace('\'', '"');
+}
+
+} // namespace
+
 /// Scenes written and read back, and the files that hold them.
 class TestSceneFile : public QObject {
     Q_OBJECT
@@ -50,6 +62,59 @@ private slots:
         QCOMPARE(reading->scene, scene);
         QVERIFY(reading->snaps.empty());
         QCOMPARE(writeScene(reading->scene), text);
+    }
+
+    void hiddenPrimitivesKeepTheirPlacesAndAreNotDrawn()
+    {
+        const QByteArray text = shapeScene(
+            "{ 'triangle': [[0, 0], [9, 0], [0, 9]], 'colors': ['#ff0000', '#ff0000', '#ff0000'], "
+            "'z': [1, 2, 3], 'hidden': true }, "
+            "{ 'triangle': [[1, 1], [9, 0], [0, 9]], 'colors': ['#00ff00', '#00ff00', '#00ff00'], "
+            "'hidden': false }, "
+            "{ 'line': [[0, 0], [9, 0]], 'colors': ['#ff0000', '#ff0000'] }, "
+            "{ 'circle': { 'centre': [4, 4], 'radius': 3 }, 'color': '#ff0000', 'hidden': true }");
+
+        const Result<SceneReading> reading = readScene(text);
+
+        QVERIFY2(reading.isOk(), reading ? "" : qPrintable(reading.error().message()));
+        const Scene &scene = reading->scene;
+        QCOMPARE(scene.triangles.size(), std::size_t(1));
+        QVERIFY(scene.attributes.empty());
+        QCOMPARE(scene.shapes.size(), std::size_t(1));
+        QCOMPARE(scene.hidden.size(), std::size_t(2));
+        QCOMPARE(scene.hidden[0].place, std::size_t(0));
+        QCOMPARE(scene.hidden[1].kind(), PrimitiveKind::Circle);
+        QCOMPARE(scene.hidden[1].place, std::size_t(1));
+        QCOMPARE(primitivesOnSamples(scene).size(), std::size_t(2));
+        const QByteArray written = writeScene(scene);
+        QCOMPARE(written.count("\"hidden\": true"), 2);
+        QVERIFY(written.contains("\"z\": [1, 2, 3], \"hidden\": true }"));
+        QCOMPARE(readScene(written)->scene, scene);
+    }
+
+    void whatIsNoHidingIsAnError_data()
+    {
+        QTest::addColumn<QByteArray>("primitives");
+        QTest::addColumn<QString>("found");
+        QTest::newRow("a number") << QByteArray(
+            "{ 'line': [[0, 0], [9, 0]], 'colors': ['#ff0000', '#ff0000'], 'hidden': 1 }")
+                                  << QStringLiteral(
+                                         "primitives[0].hidden: 1; expected true or false");
+        QTest::newRow("a triangle after a hidden shape") << QByteArray(
+            "{ 'line': [[0, 0], [9, 0]], 'colors': ['#ff0000', '#ff0000'], 'hidden': true }, { "
+            "'triangle': [[0, 0], [9, 0], [0, 9]], 'colors': ['#ff0000', '#ff0000', '#ff0000'] }")
+                                                         << QStringLiteral("a triangle after "
+                                                                           "another primitive");
+    }
+    void whatIsNoHidingIsAnError()
+    {
+        QFETCH(QByteArray, primitives);
+        QFETCH(QString, found);
+
+        const Result<SceneReading> reading = readScene(shapeScene(primitives));
+
+        QVERIFY(!reading.isOk());
+        QVERIFY2(reading.error().message().contains(found), qPrintable(reading.error().message()));
     }
 
     void writesOnePrimitiveALine()

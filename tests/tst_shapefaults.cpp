@@ -23,20 +23,20 @@ private slots:
         row("misspelt kind", json("{ 'lines': [[0, 0], [1, 1]], 'colors': [] }"),
             "line 3, column 12, primitives[0].lines: unknown key “lines”; expected one of "
             "triangle, points, line, circle, ellipse, bezier, polygon, text, triangle3, polygon3, "
-            "plane, sphere, patch, mesh, color, colors, fill");
+            "plane, sphere, patch, mesh, color, colors, fill, hidden");
         row("no kind", json("{ 'colors': [] }"),
             "line 3, column 1, primitives[0]: no primitive is named; expected one of triangle, "
             "points, line, circle, ellipse, bezier, polygon, text, triangle3, polygon3, plane, "
             "sphere, patch, mesh");
         row("two kinds", json("{ 'line': [[0, 0], [1, 1]], 'text': 'a', 'colors': [] }"),
             "line 3, column 37, primitives[0].text: unknown key “text”; expected one of line, "
-            "colors");
+            "colors, hidden");
         row("a number", "7", "line 3, column 1, primitives[0]: 7; expected an object");
         row("a fill for a line",
             json("{ 'line': [[0, 0], [1, 1]], 'colors': ['#000000', '#000000'], 'fill': 'outline' "
                  "}"),
             "line 3, column 71, primitives[0].fill: unknown key “fill”; expected one of line, "
-            "colors");
+            "colors, hidden");
         row("a line of three points", json("{ 'line': [[0, 0], [1, 1], [2, 2]], 'colors': [] }"),
             "line 3, column 11, primitives[0].line: an array of 3; expected an array of 2 points");
         row("no points", json("{ 'points': [], 'colors': [] }"),
@@ -70,6 +70,16 @@ private slots:
         row("two control points", json("{ 'bezier': [[0, 0], [1, 1]], 'color': '#000000' }"),
             "line 3, column 13, primitives[0].bezier: an array of 2; expected an array of 3 points "
             "or 4");
+        row("a path that is not filled",
+            json("{ 'bezier': { 'path': [[[0, 0], [1, 1], [2, 0]]] }, 'color': '#000000' }"),
+            "line 3, column 13, primitives[0].bezier: a path that is not filled; expected "
+            "\"fill\": \"even-odd\" or \"non-zero\"; without it, one curve of three or four "
+            "points");
+        row("no piece",
+            json("{ 'bezier': { 'path': [] }, 'color': '#000000', 'fill': 'even-odd' }"),
+            "line 3, column 23, primitives[0].bezier.path: no piece; expected one or more arrays "
+            "of "
+            "points");
         row("a polygon of two", json("{ 'polygon': [[0, 0], [1, 1]], 'color': '#000000' }"),
             "line 3, column 14, primitives[0].polygon: an array of 2; expected an array of 3 "
             "points or more");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/cellnumber.h"
 #include "core/layers/layerpainter.h"
 #include "core/polygons/textoutlines.h"
 #include "tests/support/layerlook.h"
@@ -167,6 +168,80 @@ private slots:
             const QPointF drawn{double(pixel.x), double(pixel.y)};
             QVERIFY(drawn == stays || drawn == across);
             QVERIFY((drawn - onLine).manhattanLength() <= 0.5);
+        }
+    }
+
+    void theLettersMarkTheirDistancesInEveryOctant_data()
+    {
+        QTest::addColumn<QPoint>("run");
+        QTest::addColumn<FrameOrigin>("origin");
+        QTest::addColumn<QString>("stays"); ///< which of the two pixels, on the screen
+        QTest::addColumn<QString>("across");
+        const auto upward = FrameOrigin::BottomLeft;
+        const auto downward = FrameOrigin::TopLeft;
+        QTest::newRow("flat, rising") << QPoint(11, 4) << upward << "lower"
+                                      << "upper";
+        QTest::newRow("steep, rising") << QPoint(4, 11) << upward << "left"
+                                       << "right";
+        QTest::newRow("steep, to the left") << QPoint(-4, 11) << upward << "right"
+                                            << "left";
+        QTest::newRow("flat, falling, given from the right") << QPoint(-11, 4) << upward << "upper"
+                                                             << "lower";
+        QTest::newRow("flat, rising, given from the right") << QPoint(-11, -4) << upward << "lower"
+                                                            << "upper";
+        QTest::newRow("steep, rising, given from above") << QPoint(-4, -11) << upward << "left"
+                                                         << "right";
+        QTest::newRow("steep, to the left, given from above") << QPoint(4, -11) << upward << "right"
+                                                              << "left";
+        QTest::newRow("flat, falling") << QPoint(11, -4) << upward << "upper"
+                                       << "lower";
+        QTest::newRow("flat, y downward") << QPoint(11, 4) << downward << "upper"
+                                          << "lower";
+        QTest::newRow("flat, rising as seen, y downward") << QPoint(11, -4) << downward << "lower"
+                                                          << "upper";
+        QTest::newRow("steep, y downward") << QPoint(4, 11) << downward << "left"
+                                           << "right";
+    }
+    void theLettersMarkTheirDistancesInEveryOctant()
+    {
+        QFETCH(QPoint, run);
+        QFETCH(FrameOrigin, origin);
+        QFETCH(QString, stays);
+        QFETCH(QString, across);
+        FrameSpec frame;
+        frame.origin = origin;
+        Look look(sceneOf(lineAt(30, 20, 30 + run.x(), 20 + run.y()), "line-bresenham", frame));
+        const ScanTrace &trace = *look.traced->trace;
+        const QString note = QStringLiteral("d_lower is the distance to the pixel that stays, here "
+                                            "the %1 one, and d_upper that to the %2 one")
+                                 .arg(stays, across);
+        for (std::size_t span = 1; span < trace.spanCount(); ++span) {
+            look.view.position = trace.indexOfSpan(span) + 1;
+            const LayerDrawing drawing = look.drawing("decisions");
+            const QPointF onLine = drawing.points[2].place;
+            const PixelChange before = trace.changes()[trace.firstSampleOf(span - 1)];
+            const PixelChange after = trace.changes()[trace.firstSampleOf(span)];
+            // The pixel that stays is across the line where the one before is.
+            const bool isSteep = std::abs(run.y()) > std::abs(run.x());
+            const QPointF staying
+                = isSteep ? QPointF(before.x, after.y) : QPointF(after.x, before.y);
+            QCOMPARE(drawing.points[0].place, staying);
+
+            // From the pixel that stays to the line, and from there to the pixel across: below 0
+            // where the line is not between them.
+            const QPointF onward = drawing.points[1].place - staying;
+            QCOMPARE(onward.manhattanLength(), 1.0);
+            const std::array ways = {onLine - staying, drawing.points[1].place - onLine};
+            const std::array names = {QStringLiteral("d_lower"), QStringLiteral("d_upper")};
+            for (std::size_t i = 0; i < 2; ++i) {
+                const Quantity number = spanNumber(*look.traced, span, names[i]);
+                QVERIFY(std::abs(QPointF::dotProduct(ways[i], onward) - number.toDouble()) < 1e-9);
+                QCOMPARE(drawing.labels[i].place, (drawing.points[i].place + onLine) / 2);
+                QCOMPARE(drawing.labels[i].text,
+                         QStringLiteral("%1 = %2").arg(names[i], cellNumber(number)));
+            }
+            QCOMPARE(drawing.notes,
+                     stays == QStringLiteral("lower") ? QStringList() : QStringList(note));
         }
     }
 

@@ -74,6 +74,10 @@ private slots:
         QTest::newRow("outlined circle") << shapeExamples()[2].text << "circle-midpoint";
         QTest::newRow("filled circle") << shapeExamples()[3].text << "circle-fill";
         QTest::newRow("curve") << shapeExamples()[5].text << "bezier-subdivision";
+        QTest::newRow("filled polygon") << shapeExamples()[7].text << "polygon-parity";
+        QTest::newRow("outlined polygon") << shapeExamples()[10].text << "polygon-outline";
+        QTest::newRow("filled curve") << shapeExamples()[11].text << "bezier-fill";
+        QTest::newRow("filled path") << shapeExamples()[12].text << "bezier-fill";
         QTest::newRow("nothing") << QByteArray() << "column-scan";
     }
     void choosesTheMethodOfTheFirstPrimitive()

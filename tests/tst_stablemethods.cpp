@@ -40,6 +40,7 @@ public:
             scene.shapes.push_back(
                 ellipseAtUnits(point(), 1 + Lattice(below(3000)), 1 + Lattice(below(3000)), fill));
         }
+        scene.shapes.push_back(shape(PrimitiveKind::Polygon, 3 + below(4))); // its outline
         Shape text = shape(PrimitiveKind::Text, 1);
         text.text = "g8";
         text.textHeight = Lattice(1000 + below(4000));

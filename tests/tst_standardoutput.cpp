@@ -32,6 +32,7 @@ const std::vector<QStringList> &commandLines()
            {"lab", "%1", "--family", "own-scene", "--contender", "column-scan:float32"},
            {"plan", "%1"},
            {"motion", "%1"},
+           {"probes", "%1", "--candidates", "1"},
            {"check", "%1"},
            {"check", "%1", "--json"}};
     return lines;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/effects/strokestrip.h"
-#include "core/lab/seededrandom.h"
+#include "core/geometry/seededrandom.h"
 #include "core/oracle/truepicture.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tracereplay.h"

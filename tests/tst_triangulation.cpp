@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/polygons/contours.h"
+#include "core/polygons/triangulation.h"
+#include "core/runs/pixelhistory.h"
 #include "tests/support/polygons.h"
 
 #include <QTest>
@@ -46,6 +47,29 @@ bool namesACrossing(const Shape &shape, const Rejection &rejection)
     };
     return std::ranges::count(edges, edge(0)) > 0 && std::ranges::count(edges, edge(2)) > 0
         && cross(edge(0), edge(2));
+}
+
+/// How near a sample is to the polygon's edges, px.
+double distanceToEdges(const Shape &shape, std::int64_t x, std::int64_t y)
+{
+    double nearest = 1e9;
+    for (const ContourEdge &edge : contoursOf(shape).edges) {
+        const double dx = double(edge.to.x - edge.from.x) / 256;
+        const double dy = double(edge.to.y - edge.from.y) / 256;
+        const double px = double(x) - double(edge.from.x) / 256;
+        const double py = double(y) - double(edge.from.y) / 256;
+        const double length = dx * dx + dy * dy;
+        const double t = length > 0 ? std::clamp((px * dx + py * dy) / length, 0.0, 1.0) : 0.0;
+        nearest = std::min(nearest, std::hypot(px - t * dx, py - t * dy));
+    }
+    return nearest;
+}
+
+Quantity setUpNumber(const TracedScene &traced, const char *id)
+{
+    const auto &numbers = traced.trace->numbers().setUp;
+    const auto found = std::ranges::find(numbers, QString::fromLatin1(id), &NumberDescription::id);
+    return traced.trace->setUp(0).cells[std::size_t(found - numbers.begin())];
 }
 
 } // namespace
@@ -179,6 +203,67 @@ private slots:
         QVERIFY(!traced->trace->setUp(0).rejection);
         QCOMPARE(drawn(scene), truthOf(scene));
         QCOMPARE(traced->differences.total(), 0);
+    }
+
+    void aTessellationIsWrongAtMostBesideAnEdgeAndSaysSo()
+    {
+        constexpr double farthest = 0.0028; // √2/512
+        int crossings = 0, wrong = 0;
+        for (std::uint32_t seed = 0; seed < 400; ++seed) {
+            Dice dice(seed);
+            const Shape shape = polygonOf(
+                {anyContour(dice, 20 * 256, 1), anyContour(dice, 20 * 256, 1)}, fills[seed % 2]);
+            const auto traced
+                = traceScene(sceneOf({shape}, frameOf(22, 22), "polygon-tessellation"));
+            const QString where = QStringLiteral("seed %1, ").arg(seed) + contoursText(shape);
+            QVERIFY2(!traced->trace->setUp(0).rejection, qPrintable(where));
+            crossings += int(setUpNumber(*traced, "crossing_points").toDouble());
+            QVERIFY(setUpNumber(*traced, "moved").toDouble() <= farthest);
+            for (std::int64_t y = 0; y < 22; ++y) {
+                for (std::int64_t x = 0; x < 22; ++x) {
+                    if (traced->differences.at(x, y) == Difference::None)
+                        continue;
+                    ++wrong;
+                    QVERIFY2(distanceToEdges(shape, x, y) <= farthest, qPrintable(where));
+                    const QString reason = pixelHistory(*traced, x, y).front().reason;
+                    QVERIFY2(reason.contains(QStringLiteral("crossings were moved")),
+                             qPrintable(reason));
+                }
+            }
+        }
+        QVERIFY(crossings > 4000);
+        QVERIFY2(wrong > 0, "else the moves are not seen anywhere");
+    }
+
+    void whatCrossesOnTheLatticeIsTessellatedExactly()
+    {
+        // A bow tie that crosses in (8, 8), and the plus sign of two bars, four times.
+        const Shape bowTie = polygonOf({pixels({{1, 1}, {15, 15}, {15, 1}, {1, 15}})});
+        const Shape bars = polygonOf({pixels({{2, 6}, {15, 6}, {15, 9}, {2, 9}}),
+                                      pixels({{6, 2}, {9, 2}, {9, 15}, {6, 15}})});
+        for (const auto &[shape, points] : {std::pair(bowTie, 1), std::pair(bars, 4)}) {
+            for (const ShapeFill fill : fills) {
+                Shape filled = shape;
+                filled.fill = fill;
+                const Scene scene = sceneOf({filled}, frameOf(17, 17), "polygon-tessellation");
+                const auto traced = traceScene(scene);
+                QCOMPARE(setUpNumber(*traced, "crossing_points").toDouble(), points);
+                QCOMPARE(setUpNumber(*traced, "moved").toDouble(), 0.0);
+                QCOMPARE(drawn(scene), truthOf(scene));
+            }
+        }
+    }
+
+    void withoutCrossingsATessellationIsTheDelaunayTriangulation()
+    {
+        for (std::uint32_t seed = 0; seed < 200; ++seed) {
+            Dice dice(seed);
+            const Shape shape = polygonOf({starContour(dice, 20 * 256, dice.in(3, 9))});
+            if (rejectionOf(shape, "polygon-delaunay"))
+                continue;
+            QCOMPARE(tessellationOf(contoursOf(shape)).triangles,
+                     delaunayOf(contoursOf(shape)).triangles);
+        }
     }
 
     void trianglesOfOnePolygonWriteEachPixelOnce()

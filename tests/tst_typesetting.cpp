@@ -87,7 +87,7 @@ private slots:
         QVERIFY(contrastRatio(inside, button.palette().color(QPalette::ButtonText)) >= 4.5);
     }
 
-    void aTextThatIsCutEndsInAnEllipsis()
+    void aTextThatIsCutLosesItsMiddle()
     {
         ElidingBox box;
         box.addItem(QStringLiteral("Edge equations, relative to a vertex"));
@@ -96,8 +96,10 @@ private slots:
 
         box.resize(box.width() / 2, box.height());
 
-        QVERIFY2(box.shownText().endsWith(u'…'), qPrintable(box.shownText()));
-        QVERIFY(box.currentText().startsWith(box.shownText().chopped(1).trimmed()));
+        const QStringList ends = box.shownText().split(u'…');
+        QVERIFY2(ends.size() == 2, qPrintable(box.shownText()));
+        QVERIFY(!ends[0].isEmpty() && box.currentText().startsWith(ends[0].trimmed()));
+        QVERIFY(!ends[1].isEmpty() && box.currentText().endsWith(ends[1].trimmed()));
     }
 };
 

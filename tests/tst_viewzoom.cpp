@@ -35,7 +35,7 @@ void TestViewZoom::fitsTheFrameIntoTheView_data()
     QTest::newRow("limited by height") << 64 << 48 << 1.0 << 8; // 400 / 48 = 8.3
     QTest::newRow("limited by width") << 100 << 10 << 1.0 << 6; // 600 / 100
     QTest::newRow("device pixels count") << 100 << 10 << 2.0 << 12;
-    QTest::newRow("tiny frame") << 2 << 2 << 1.0 << 64;
+    QTest::newRow("tiny frame") << 2 << 2 << 1.0 << 128;
     QTest::newRow("just fits") << 600 << 400 << 1.0 << 1;
     QTest::newRow("one column too many") << 601 << 400 << 1.0 << -2;
     QTest::newRow("large") << 4096 << 4096 << 1.0 << -11; // 4096 / 400 = 10.24
@@ -106,8 +106,8 @@ void TestViewZoom::zoomStepsVisitEveryRung()
     down.insert(down.begin(), zoom.number());
 
     QCOMPARE(up, down);
-    const std::vector<int> expected{-4, -3, -2, 1,  2,  3,  4,  5,  6, 8,
-                                    10, 12, 16, 20, 24, 32, 40, 48, 64};
+    const std::vector<int> expected{-4, -3, -2, 1,  2,  3,  4,  5,  6,  8,  10,
+                                    12, 16, 20, 24, 32, 40, 48, 64, 96, 128};
     QCOMPARE(up, expected);
 }
 

@@ -84,6 +84,30 @@ private slots:
         QVERIFY(action(*other, "revertScene")->isEnabled());
     }
 
+    void aFileThatAnotherProgramWritesIsTold()
+    {
+        const auto window = openedWindow();
+        const QString path = m_settings.folder() + "/watched.json";
+        QVERIFY(window->parts().files->saveTo(path));
+        window->parts().document->addTriangle(triangleAt(1, 1, 9, 2, 5, 20));
+        QVERIFY(window->parts().files->saveTo(path));
+        QTest::qWait(50);
+        const auto *bar = named<MessageBar>(*window, "messageBar");
+        QVERIFY(!bar->isVisible()); // its own writing is no news
+
+        const Scene theirs;
+        QVERIFY(!writeSceneFile(path, theirs));
+        QFile file(path);
+        QVERIFY(file.open(QIODevice::ReadWrite));
+        QVERIFY(file.setFileTime(QDateTime::currentDateTime().addSecs(9),
+                                 QFileDevice::FileModificationTime));
+        file.close();
+        QTRY_VERIFY(bar->isVisible());
+        QVERIFY2(bar->text().contains("watched.json"), qPrintable(bar->text()));
+        action(*window, "revertScene")->trigger();
+        QCOMPARE(window->parts().document->scene(), theirs);
+    }
+
     void aFileThatCannotBeReadIsToldInTheMessageBar()
     {
         const auto window = openedWindow();

@@ -2,13 +2,22 @@
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "widgets/canvas/canvas.h"
+#include "widgets/dialogs/keysdialog.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/model/playhead.h"
+#include "widgets/window/helpmenu.h"
 
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
+#include <QComboBox>
 #include <QDockWidget>
+#include <QKeySequenceEdit>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSettings>
+#include <QSignalSpy>
 #include <QTest>
+#include <QTreeWidget>
 
 using namespace pixelplumb;
 
@@ -34,6 +43,88 @@ private slots:
         QCOMPARE(playhead.position(), playhead.end());
         QTest::keyClick(window.get(), Qt::Key_F5, Qt::ShiftModifier);
         QCOMPARE(playhead.position(), std::size_t(0));
+    }
+
+    void aKeyThatIsChangedCountsAtOnceAndInTheNextSession()
+    {
+        {
+            const auto window = openedWindow();
+            KeysDialog dialog(named<HelpMenu>(*window, "helpMenu")->menus(), window.get());
+            press(dialog, "Next column", Qt::Key_F6);
+
+            QAction *next = action(*window, "nextColumn");
+            QCOMPARE(next->shortcuts(), QList{QKeySequence(Qt::Key_F6)});
+            QCOMPARE(next->toolTip(), QStringLiteral("Go on to the next column (F6)"));
+            QCOMPARE(named<QLabel>(dialog, "keysMessage")->text(),
+                     QStringLiteral("“Next column” has the key F6."));
+            press(dialog, "Play", Qt::Key_F7);
+            QCOMPARE(action(*window, "play")->toolTip(),
+                     QStringLiteral("Play by the chosen unit (F7)"));
+        }
+        const auto window = openedWindow();
+        const Playhead &playhead = *window->parts().playhead;
+        const std::size_t start = playhead.position();
+        QTest::keyClick(window.get(), Qt::Key_F10);
+        QCOMPARE(playhead.position(), start);
+        QTest::keyClick(window.get(), Qt::Key_F6);
+        QVERIFY(playhead.position() > start);
+
+        KeysDialog dialog(named<HelpMenu>(*window, "helpMenu")->menus(), window.get());
+        named<QAbstractButton>(dialog, "keysAllDefaults")->click();
+        QCOMPARE(action(*window, "nextColumn")->shortcut(), QKeySequence(Qt::Key_F10));
+        QCOMPARE(action(*window, "play")->toolTip(),
+                 QStringLiteral("Play by the chosen unit (Space)"));
+        QVERIFY(QSettings().allKeys().filter(QStringLiteral("keys/")).isEmpty());
+    }
+
+    void theRowInHandIsOneThatIsSeen()
+    {
+        const auto window = openedWindow();
+        KeysDialog dialog(named<HelpMenu>(*window, "helpMenu")->menus(), window.get());
+        auto *rows = named<QTreeWidget>(dialog, "keysRows");
+        named<QLineEdit>(dialog, "keysFilter")->setText(QStringLiteral("hide"));
+        QVERIFY(rows->currentItem()->text(0).contains(QStringLiteral("Hide")));
+        named<QLineEdit>(dialog, "keysFilter")->setText(QStringLiteral("no such words"));
+        QVERIFY(!rows->currentItem());
+        QVERIFY(!named<QWidget>(dialog, "keysField")->isEnabled());
+        named<QLineEdit>(dialog, "keysFilter")->clear();
+        QVERIFY(rows->currentItem());
+
+        named<QAbstractButton>(dialog, "keysAllDefaults")->click();
+        QCOMPARE(named<QLabel>(dialog, "keysMessage")->text(),
+                 QStringLiteral("Every action has the key that it had first."));
+        rows->setCurrentItem(rowOf(dialog, "Annotated grid (SVG)"));
+        named<QAbstractButton>(dialog, "keysDefault")->click(); // which is none
+        QCOMPARE(named<QLabel>(dialog, "keysMessage")->text(),
+                 QStringLiteral("“Annotated grid (SVG)” has no key."));
+    }
+
+    void aKeyThatAnotherActionHasIsNotTaken()
+    {
+        const auto window = openedWindow();
+        KeysDialog dialog(named<HelpMenu>(*window, "helpMenu")->menus(), window.get());
+        press(dialog, "Next column", Qt::Key_F11);
+
+        QCOMPARE(action(*window, "nextColumn")->shortcut(), QKeySequence(Qt::Key_F10));
+        QCOMPARE(named<QLabel>(dialog, "keysMessage")->text(),
+                 QStringLiteral("F11 is the key of “Next pixel”: take another, or take that one's "
+                                "key away first."));
+        press(dialog, "Next pixel", Qt::Key_F6);
+        press(dialog, "Next column", Qt::Key_F11);
+        QCOMPARE(action(*window, "nextColumn")->shortcut(), QKeySequence(Qt::Key_F11));
+        named<QTreeWidget>(dialog, "keysRows")->setCurrentItem(rowOf(dialog, "Next pixel"));
+        named<QAbstractButton>(dialog, "keysDefault")->click();
+        QCOMPARE(action(*window, "nextPixel")->shortcut(), QKeySequence(Qt::Key_F6));
+        press(dialog, "Next column", Qt::Key_Left); // which the canvas has
+        QCOMPARE(action(*window, "nextColumn")->shortcut(), QKeySequence(Qt::Key_F11));
+        QVERIFY(named<QLabel>(dialog, "keysMessage")->text().startsWith("Left is a key of the"));
+        press(dialog, "Next pixel", Qt::Key_F6);
+        named<QAbstractButton>(dialog, "keysNone")->click();
+        QVERIFY(action(*window, "nextPixel")->shortcuts().isEmpty());
+        QCOMPARE(action(*window, "nextPixel")->toolTip(), QStringLiteral("Write the next pixel"));
+        press(dialog, "Next pixel", Qt::Key_F7);
+        QCOMPARE(action(*window, "nextPixel")->toolTip(),
+                 QStringLiteral("Write the next pixel (F7)"));
     }
 
     void f9StopsTheRunAtTheColumnInHand()
@@ -100,6 +191,29 @@ private slots:
         QCOMPARE(press.isAccepted(), QApplication::focusWidget() == toggle);
     }
 
+    void theWheelChangesNoBoxThatHasNotTheFocus()
+    {
+        const auto window = openedWindow();
+        auto *methods = named<QComboBox>(*window, "methodBox");
+        auto *speed = named<QAbstractSpinBox>(*window, "speedBox");
+        const auto turn = [](QWidget *box) {
+            const QPointF middle = box->rect().center();
+            QWheelEvent wheel(middle, box->mapToGlobal(middle), {}, {0, -120}, Qt::NoButton,
+                              Qt::NoModifier, Qt::NoScrollPhase, false);
+            QApplication::sendEvent(box, &wheel);
+        };
+        const QString before = methods->currentText() + speed->text();
+        turn(methods);
+        turn(speed);
+        QCOMPARE(methods->currentText() + speed->text(), before);
+        // Nor does the wheel give them the focus.
+        QCOMPARE(methods->focusPolicy() & Qt::WheelFocus, Qt::StrongFocus);
+
+        speed->setFocus();
+        turn(speed);
+        QVERIFY(methods->currentText() + speed->text() != before);
+    }
+
     void pAndVChooseTheToolInTheCanvas()
     {
         const auto window = openedWindow();
@@ -121,6 +235,23 @@ private slots:
     }
 
 private:
+    static QTreeWidgetItem *rowOf(const KeysDialog &dialog, const char *text)
+    {
+        return named<QTreeWidget>(dialog, "keysRows")
+            ->findItems(QStringLiteral("▸ ") + QLatin1String(text), Qt::MatchEndsWith)
+            .value(0);
+    }
+    static void press(const KeysDialog &dialog, const char *text, Qt::Key key)
+    {
+        QTreeWidgetItem *row = rowOf(dialog, text);
+        QVERIFY(row);
+        named<QTreeWidget>(dialog, "keysRows")->setCurrentItem(row);
+        auto *field = named<QKeySequenceEdit>(dialog, "keysField");
+        QSignalSpy finished(field, &QKeySequenceEdit::editingFinished);
+        QTest::keyClick(field, key);
+        QVERIFY(finished.wait()); // it waits for more keys
+    }
+
     IsolatedSettings m_settings;
 };
 

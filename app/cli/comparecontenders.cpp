@@ -23,7 +23,7 @@ QStringList contenderNames()
 }
 
 /// Puts one word after the method's name into the settings.
-std::optional<InputError> apply(const QString &word, Contender &contender)
+std::optional<InputError> apply(const QString &place, const QString &word, Contender &contender)
 {
     const std::string name = word.toStdString();
     if (const auto rule = fillRuleNamed(name)) {
@@ -31,7 +31,7 @@ std::optional<InputError> apply(const QString &word, Contender &contender)
         return std::nullopt;
     }
     if (contender.isTruth())
-        return unknownName(methodsOption, QStringLiteral("fill rule of the truth"), word,
+        return unknownName(place, QStringLiteral("fill rule of the truth"), word,
                            namesOf(allFillRules));
     if (const auto arithmetic = arithmeticNamed(name)) {
         contender.settings.arithmetic = *arithmetic;
@@ -41,34 +41,34 @@ std::optional<InputError> apply(const QString &word, Contender &contender)
         contender.settings.variants = contender.settings.variants.with(*variant);
         return std::nullopt;
     }
-    return unknownName(methodsOption, QStringLiteral("arithmetic, fill rule or variant"), word,
+    return unknownName(place, QStringLiteral("arithmetic, fill rule or variant"), word,
                        namesOf(allArithmetics) + namesOf(allFillRules) + namesOf(allVariants));
 }
 
-Result<Contender> contenderNamed(const QString &entry, const ScanSettings &ofScene)
+} // namespace
+
+Result<Contender> contenderNamed(const QString &place, const QString &entry,
+                                 const ScanSettings &ofScene)
 {
     const QStringList words = entry.trimmed().split(u':');
     Contender contender{nullptr, ofScene};
     if (words.front() != truthWord) {
         const Method *method = methodNamed(words.front());
         if (!method)
-            return unknownName(methodsOption, QStringLiteral("method"), words.front(),
-                               contenderNames());
+            return unknownName(place, QStringLiteral("method"), words.front(), contenderNames());
         contender = contenderFor(*method, ofScene);
     }
     for (const QString &word : words.sliced(1)) {
-        if (const auto error = apply(word, contender))
+        if (const auto error = apply(place, word, contender))
             return *error;
     }
     if (!contender.isTruth()) {
         const QString refusal = contender.method->refusal(contender.settings);
         if (!refusal.isEmpty())
-            return InputError{methodsOption, refusal, {}};
+            return InputError{place, refusal, {}};
     }
     return contender;
 }
-
-} // namespace
 
 Result<std::vector<Contender>> contendersNamed(const QString &list, const ScanSettings &ofScene)
 {
@@ -83,7 +83,7 @@ Result<std::vector<Contender>> contendersNamed(const QString &list, const ScanSe
                               .arg(mostContenders)};
     std::vector<Contender> contenders;
     for (const QString &entry : entries) {
-        const Result<Contender> contender = contenderNamed(entry, ofScene);
+        const Result<Contender> contender = contenderNamed(methodsOption, entry, ofScene);
         if (!contender)
             return contender.error();
         contenders.push_back(*contender);

@@ -4,6 +4,9 @@
 #include "app/cli/input.h"
 #include "app/cli/picturefile.h"
 #include "app/cli/sceneoptions.h"
+#include "app/cli/toleranceoption.h"
+#include "core/grade/drawntwice.h"
+#include "core/grade/undecidable.h"
 #include "core/scene/colourtext.h"
 
 namespace pixelplumb::cli {
@@ -34,6 +37,25 @@ Result<Side> readSide(const QString &path)
     if (const auto refusal = refusalOf(*scene, path))
         return *refusal;
     return Side{pictureOf(*scene), *scene};
+}
+
+/// What a scene on either side leaves open at the other side's pixels.
+std::vector<std::uint8_t> undecidableOf(const Side &expected, const Side &found,
+                                        Arithmetic tolerance)
+{
+    if (expected.scene)
+        return undecidablePixels(*expected.scene, found.picture, tolerance);
+    if (found.scene)
+        return undecidablePixels(*found.scene, expected.picture, tolerance);
+    return {};
+}
+
+/// The same of pixels that are drawn twice; 0 where neither side is a scene.
+std::int64_t drawnTwiceIn(const Side &expected, const Side &found)
+{
+    if (expected.scene)
+        return drawnTwice(*expected.scene, found.picture);
+    return found.scene ? drawnTwice(*found.scene, expected.picture) : 0;
 }
 
 /// A scene knows its background, a raster needs none.
@@ -76,12 +98,16 @@ ExitCode diff(const Command &command, const QStringList &arguments)
                     QStringLiteral("What is not drawn has this colour; if left out, the scene's, "
                                    "else that of most corners of the picture."),
                     QStringLiteral("#rrggbb")});
+    addToleranceOption(line);
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     if (const auto ended = line.parse(arguments))
         return *ended;
     const auto format = pictureFormatOf(line.value(markedOption), QStringLiteral("-o"));
     if (!format)
         return line.refuse(format.error());
+    const Result<Arithmetic> tolerance = chosenTolerance(line);
+    if (!tolerance)
+        return line.refuse(tolerance.error());
     if (line.argument(0) == QStringLiteral("-") && line.argument(1) == QStringLiteral("-"))
         return line.refuse(QStringLiteral("standard input can be only one of the two"));
     Result<Side> expected = readSide(line.argument(0));
@@ -90,17 +116,10 @@ ExitCode diff(const Command &command, const QStringList &arguments)
     Result<Side> found = readSide(line.argument(1));
     if (!found)
         return line.refuse(found.error());
-    if (expected->picture.width != found->picture.width
-        || expected->picture.height != found->picture.height) {
-        sayLine(QStringLiteral("%1 has %2 × %3 pixels, %4 has %5 × %6")
-                    .arg(line.argument(0))
-                    .arg(expected->picture.width)
-                    .arg(expected->picture.height)
-                    .arg(line.argument(1))
-                    .arg(found->picture.width)
-                    .arg(found->picture.height));
-        return ExitCode::SizesDiffer;
-    }
+    const auto sizeOf = [](const Picture &picture) { return QSize(picture.width, picture.height); };
+    if (const auto refusal = refusalOfSizes({line.argument(0), sizeOf(expected->picture)},
+                                            {line.argument(1), sizeOf(found->picture)}))
+        return *refusal;
     const Result<Colour> background = backgroundFor(line, *expected, *found);
     if (!background)
         return line.refuse(background.error());
@@ -108,13 +127,19 @@ ExitCode diff(const Command &command, const QStringList &arguments)
         if (!side->scene && side->picture.hasColours)
             coverAllBut(*background, side->picture);
     }
-    const std::optional<Scene> &scene = expected->scene ? expected->scene : found->scene;
-    const PictureDiff difference = differenceOf(
-        expected->picture, found->picture, scene ? tiesOf(*scene) : std::vector<std::uint8_t>());
+    const PictureDiff difference = differenceOf(expected->picture, found->picture,
+                                                undecidableOf(*expected, *found, *tolerance));
+    const std::int64_t twice = drawnTwiceIn(*expected, *found);
     if (line.isSet(jsonOption)) {
-        printJson(QJsonDocument(jsonOf(difference)));
+        QJsonObject object = jsonOf(difference);
+        object.insert(QStringLiteral("drawnTwice"), qint64(twice));
+        printJson(QJsonDocument(object));
     } else {
         printLines(textOf(difference));
+        if (twice > 0)
+            printLine(QStringLiteral("drawn twice: %1 pixels are blended once more than the fill "
+                                     "rule says, as on edges that two triangles share")
+                          .arg(twice));
         if (line.isSet(asciiOption))
             printLine(rasterOf(difference, expected->picture).chopped(1));
     }

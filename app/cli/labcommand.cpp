@@ -6,12 +6,14 @@
 #include "app/cli/output.h"
 #include "app/cli/progress.h"
 #include "app/cli/sceneoptions.h"
+#include "app/cli/seedoption.h"
 #include "app/cli/suggestion.h"
 #include "core/lab/budget.h"
 #include "core/lab/labcomparison.h"
 #include "core/lab/labfile.h"
 #include "core/measure/timeleft.h"
 #include "core/scan/choicenames.h"
+#include "core/scene/fileaccess.h"
 
 #include <algorithm>
 
@@ -21,7 +23,6 @@ namespace {
 
 const QString quickOption = QStringLiteral("quick");
 const QString fullOption = QStringLiteral("full");
-const QString seedOption = QStringLiteral("seed");
 const QString familyOption = QStringLiteral("family");
 const QString contenderOption = QStringLiteral("contender");
 const QString accuracyOnlyOption = QStringLiteral("accuracy-only");
@@ -94,17 +95,6 @@ Result<std::optional<Budget>> chosenBudget(const CommandLine &line)
     return budget;
 }
 
-Result<std::uint64_t> chosenSeed(const CommandLine &line)
-{
-    bool isNumber = false;
-    const qulonglong seed = line.value(seedOption).toULongLong(&isNumber);
-    if (!isNumber)
-        return InputError{QStringLiteral("--seed"),
-                          QStringLiteral("“%1” is no whole number").arg(line.value(seedOption)),
-                          QStringLiteral("0 or more")};
-    return std::uint64_t(seed);
-}
-
 Result<StudySettings> settingsFrom(const CommandLine &line)
 {
     StudySettings settings;
@@ -161,16 +151,14 @@ Result<Study> readStudyAt(const QString &path)
     Result<Study> study = readStudy(*text);
     if (study)
         return study;
-    InputError error = study.error();
-    error.place.prepend(error.place.isEmpty() ? path : path + QStringLiteral(", "));
-    return error;
+    return errorIn(path, study.error());
 }
 
 ExitCode compareFiles(const CommandLine &line)
 {
     for (const QString &option :
-         {quickOption, fullOption, seedOption, familyOption, contenderOption, accuracyOnlyOption,
-          budgetOption, formatOption, outputOption}) {
+         {quickOption, fullOption, QStringLiteral("seed"), familyOption, contenderOption,
+          accuracyOnlyOption, budgetOption, formatOption, outputOption}) {
         if (line.isSet(option))
             return line.refuse(QStringLiteral("--compare measures and writes nothing; expected "
                                               "it without --%1")
@@ -227,8 +215,7 @@ void addOptions(CommandLine &line)
     line.addOption({fullOption,
                     QStringLiteral("Every method in every arithmetic, within five "
                                    "minutes.")});
-    line.addOption({seedOption, QStringLiteral("Of the random triangles; 1 if left out."),
-                    QStringLiteral("number"), QStringLiteral("1")});
+    addSeedOption(line, QStringLiteral("triangles"));
     line.addOption(
         {familyOption, QStringLiteral("These families alone: a,b."), QStringLiteral("names")});
     line.addOption({contenderOption,

@@ -7,6 +7,7 @@
 #include "app/cli/wholenumber.h"
 #include "core/layers/layer.h"
 #include "core/layers/layerpainter.h"
+#include "core/scene/coordinatetext.h"
 
 #include <QPainter>
 
@@ -17,6 +18,8 @@ namespace {
 const QString layersOption = QStringLiteral("layers");
 const QString positionOption = QStringLiteral("position");
 const QString triangleOption = QStringLiteral("triangle");
+const QString imageOption = QStringLiteral("affine-image");
+const QString affineLayer = QStringLiteral("affine-map");
 
 QStringList layerNames()
 {
@@ -24,6 +27,36 @@ QStringList layerNames()
     for (const Layer &layer : layers())
         names.append(layer.id);
     return names;
+}
+
+/// "40,12 10,8 30,40"
+Result<Corners> cornersFrom(const QString &text)
+{
+    const InputError refused{QStringLiteral("--") + imageOption, text,
+                             QStringLiteral("three points such as “40,12 10,8 30,40”")};
+    const QStringList points = text.split(u' ', Qt::SkipEmptyParts);
+    Corners corners;
+    if (points.size() != qsizetype(corners.size()))
+        return refused;
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const QStringList coordinates = points[qsizetype(i)].split(u',');
+        if (coordinates.size() != 2)
+            return refused;
+        const auto x = parseCoordinate(coordinates[0]);
+        const auto y = parseCoordinate(coordinates[1]);
+        if (!x || !y)
+            return refused;
+        corners[i] = {x->units, y->units};
+    }
+    return corners;
+}
+
+/// Where the layer of the affine map takes its triangle.
+std::optional<AffineImage> imageOf(const LayerRequest &request, const LayerView &view)
+{
+    const std::optional<std::size_t> triangle
+        = request.affineImage ? subjectOf(*layerNamed(affineLayer), view) : std::nullopt;
+    return triangle ? std::optional(AffineImage{*triangle, *request.affineImage}) : std::nullopt;
 }
 
 /// Why a number of the request is none of the run's.
@@ -52,9 +85,12 @@ void paintLayers(QImage &picture, const LayerRequest &request, const LayerView &
     const FrameSpec &frame = view.traced->scene.frame;
     const bool isDark = QColor::fromRgb(packed(frame.background)).lightness() < 128;
     QPainter painter(&picture);
-    LayerPainter().paint(painter, drawing,
-                         {pictureTransform(frame, {}, view.cell), picture.rect(),
-                          isDark ? LayerTone::Dark : LayerTone::Light});
+    const QStringList omissions
+        = LayerPainter().paint(painter, drawing,
+                               {pictureTransform(frame, {}, view.cell), picture.rect(),
+                                isDark ? LayerTone::Dark : LayerTone::Light});
+    for (const QString &omission : omissions)
+        sayLine(omission);
 }
 
 } // namespace
@@ -75,6 +111,10 @@ void addLayerOptions(CommandLine &line)
                     QStringLiteral("Draw the layers of this primitive, counted from 0, in place of "
                                    "that of the last step."),
                     number});
+    line.addOption({imageOption,
+                    QStringLiteral("Where the layer affine-map takes the triangle's corners, in "
+                                   "the order of the file: three points of x,y px."),
+                    QStringLiteral("points")});
 }
 
 Result<LayerRequest> layerRequestFrom(const CommandLine &line)
@@ -98,6 +138,16 @@ Result<LayerRequest> layerRequestFrom(const CommandLine &line)
     if (request.primitive && request.layers.isEmpty())
         return InputError{QStringLiteral("--") + triangleOption,
                           QStringLiteral("there are no layers to tell of it"), place};
+    if (!line.isSet(imageOption))
+        return request;
+    if (!request.layers.contains(affineLayer))
+        return InputError{QStringLiteral("--") + imageOption,
+                          QStringLiteral("there is no layer to draw it"),
+                          QStringLiteral("--layers affine-map")};
+    const auto corners = cornersFrom(line.value(imageOption));
+    if (!corners)
+        return corners.error();
+    request.affineImage = *corners;
     return request;
 }
 
@@ -117,6 +167,7 @@ Result<QImage> pictureWithLayers(const Scene &scene, const LayerRequest &request
     view.cell = double(scale);
     if (request.primitive)
         view.primitive = std::size_t(*request.primitive);
+    view.image = imageOf(request, view);
     TraceCursor cursor(*traced->trace, scene.frame);
     cursor.seek(view.position);
     Result<QImage> picture = enlarged(cursor.frame().copy(), scale);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/commandline.h"
+#include "core/layers/affineimage.h"
 #include "core/scene/scene.h"
 
 #include <QImage>
@@ -13,12 +14,13 @@ struct LayerRequest {
     QStringList layers; ///< ids
     std::optional<std::int64_t> position; ///< so many steps are done; none: all
     std::optional<std::int64_t> primitive; ///< of which the layers tell; none: that in hand
+    std::optional<Corners> affineImage; ///< of the layer affine-map; none: its first map
 
     /// Whether the finished picture alone will not do.
     bool asksForRun() const { return position || !layers.isEmpty(); }
 };
 
-/// --layers, --position and --triangle.
+/// --layers, --position, --triangle and --affine-image.
 void addLayerOptions(CommandLine &line);
 Result<LayerRequest> layerRequestFrom(const CommandLine &line);
 

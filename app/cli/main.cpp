@@ -29,6 +29,16 @@ const std::vector<Command> &commands()
          diff},
         {QStringLiteral("diagnose"),
          QStringLiteral("Name the defects whose pictures equal a student's."), diagnose},
+        {QStringLiteral("try"),
+         QStringLiteral("Run a student's program, and tell where it goes wrong."), tryProgram},
+        {QStringLiteral("grade"), QStringLiteral("Grade a folder of submissions."), grade},
+        {QStringLiteral("probes"),
+         QStringLiteral("Find the few scenes that tell the known defects apart."), probes},
+        {QStringLiteral("counterexample"),
+         QStringLiteral("Find the smallest scene of which two draw different pictures."),
+         counterExample},
+        {QStringLiteral("invariants"),
+         QStringLiteral("Tell what holds of every right picture, and of these not."), invariants},
         {QStringLiteral("motion"), QStringLiteral("Count what flickers while a scene moves."),
          motion},
         {QStringLiteral("lab"), QStringLiteral("Measure what accuracy costs in time."), lab},
@@ -62,7 +72,7 @@ QString helpText()
                                   "Commands:\n")
                        .arg(program);
     for (const Command &command : commands())
-        text += QStringLiteral("  %1  %2\n").arg(command.name, -8).arg(command.summary);
+        text += QStringLiteral("  %1  %2\n").arg(command.name, -14).arg(command.summary);
     text += QStringLiteral(
         "\nOptions:\n"
         "  -h, --help     Show this help; after a command, the command's.\n"

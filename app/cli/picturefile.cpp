@@ -1,10 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/picturefile.h"
 
+#include "app/cli/input.h"
+
 #include <QFileInfo>
 #include <QImageWriter>
 
 namespace pixelplumb::cli {
+
+Result<Picture> readPicture(const QString &path)
+{
+    const Result<QByteArray> content = readInput(path);
+    if (!content)
+        return content.error();
+    return parsePicture(*content, path);
+}
+
+std::optional<ExitCode> refusalOfSizes(const SizedInput &one, const SizedInput &other)
+{
+    if (one.size == other.size)
+        return std::nullopt;
+    sayLine(QStringLiteral("%1 has %2 × %3 pixels, %4 has %5 × %6")
+                .arg(one.path)
+                .arg(one.size.width())
+                .arg(one.size.height())
+                .arg(other.path)
+                .arg(other.size.width())
+                .arg(other.size.height()));
+    return ExitCode::SizesDiffer;
+}
 
 const QStringList &pictureFormats()
 {

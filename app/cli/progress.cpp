@@ -13,7 +13,7 @@ constexpr qint64 betweenShows = 100; // ms
 constexpr const char *eraseLine = "\r\033[K";
 
 /// "recording: 512", "writing: 40 of 512".
-QString textOf(const JobProgress &progress)
+QString stateText(const JobProgress &progress)
 {
     const std::string_view name = nameOf(progress.phase);
     QString text = QLatin1String(name.data(), qsizetype(name.size()));
@@ -52,7 +52,7 @@ ProgressListener Progress::listener()
 {
     return [this](const JobProgress &progress) {
         if (isDue())
-            show(textOf(progress));
+            show(stateText(progress));
         return true;
     };
 }

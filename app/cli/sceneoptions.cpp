@@ -8,6 +8,7 @@
 #include "core/runs/clampeddepths.h"
 #include "core/runs/sceneplan.h"
 #include "core/scan/choicenames.h"
+#include "core/scene/fileaccess.h"
 #include "core/scene/scenefile.h"
 
 #include <QFileInfo>
@@ -180,11 +181,8 @@ Result<Scene> sceneIn(const QByteArray &text, const QString &path)
     const bool isFile = path != QStringLiteral("-");
     const Result<SceneReading> reading
         = pixelplumb::readScene(text, {}, isFile ? QFileInfo(path).absolutePath() : QString());
-    if (!reading) {
-        InputError error = reading.error();
-        error.place.prepend(error.place.isEmpty() ? path : path + QStringLiteral(", "));
-        return error;
-    }
+    if (!reading)
+        return errorIn(path, reading.error());
     reportSnaps(path, reading->snaps);
     return reading->scene;
 }
@@ -197,12 +195,8 @@ Result<Scene> readSceneAt(const QString &path)
     return sceneIn(*text, path);
 }
 
-Result<Scene> readSceneForAnyMethod(const CommandLine &line, const QString &path)
+Result<Scene> underOptions(const CommandLine &line, Scene scene, const QString &path)
 {
-    const Result<Scene> asWritten = readSceneAt(path);
-    if (!asWritten)
-        return asWritten.error();
-    Scene scene = *asWritten;
     const auto method = chosenMethod(line, QString::fromStdString(scene.method));
     const auto arithmetic = chosenArithmetic(line, scene.settings.arithmetic);
     const auto fillRule = chosenFillRule(line, scene.settings.fillRule);
@@ -227,6 +221,12 @@ Result<Scene> readSceneForAnyMethod(const CommandLine &line, const QString &path
     scene.settings = {*arithmetic, *fillRule, *rounding, *variants};
     scene.appearance.forced = *forced;
     return scene;
+}
+
+Result<Scene> readSceneForAnyMethod(const CommandLine &line, const QString &path)
+{
+    Result<Scene> asWritten = readSceneAt(path);
+    return asWritten ? underOptions(line, std::move(*asWritten), path) : asWritten;
 }
 
 Result<Scene> readScene(const CommandLine &line, const QString &path)

@@ -26,6 +26,10 @@ Result<Scene> sceneIn(const QByteArray &text, const QString &path);
 /// stderr.
 Result<Scene> readSceneAt(const QString &path);
 
+/// A scene under the options' settings, whether or not its method can draw it so; errors name the
+/// path.
+Result<Scene> underOptions(const CommandLine &line, Scene scene, const QString &path);
+
 /// The scene of a file ("-" is stdin), under the options' settings. Vertices that had to be snapped
 /// are reported on stderr.
 Result<Scene> readScene(const CommandLine &line, const QString &path);

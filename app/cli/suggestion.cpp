@@ -31,24 +31,33 @@ int editDistance(const QString &a, const QString &b)
     return distance.back().back();
 }
 
-} // namespace
-
-QString closestTo(const QString &word, const QStringList &candidates)
+/// The candidates that are near, the nearest first.
+QStringList nearestTo(const QString &word, const QStringList &candidates)
 {
     constexpr qsizetype longestWord = 60;
     if (word.size() > longestWord)
         return {};
-    QString closest;
-    int smallest = 1 + std::max(1, int(word.size()) / 3);
+    const int largest = std::max(1, int(word.size()) / 3);
+    std::vector<std::pair<int, QString>> near;
     for (const QString &candidate : candidates) {
         const bool isBeginning = word.size() >= 3 && candidate.startsWith(word);
         const int distance = isBeginning ? 1 : editDistance(word.toLower(), candidate.toLower());
-        if (distance < smallest) {
-            smallest = distance;
-            closest = candidate;
-        }
+        if (distance <= largest)
+            near.emplace_back(distance, candidate);
     }
-    return closest;
+    std::stable_sort(near.begin(), near.end(),
+                     [](const auto &a, const auto &b) { return a.first < b.first; });
+    QStringList nearest;
+    for (const auto &[distance, candidate] : near)
+        nearest += candidate;
+    return nearest;
+}
+
+} // namespace
+
+QString closestTo(const QString &word, const QStringList &candidates)
+{
+    return nearestTo(word, candidates).value(0);
 }
 
 QString suggestion(const QString &word, const QStringList &candidates)
@@ -62,6 +71,17 @@ InputError unknownName(const QString &place, const QString &what, const QString 
 {
     return {place, QStringLiteral("unknown %1 “%2”").arg(what, word) + suggestion(word, names),
             QStringLiteral("one of ") + names.join(QStringLiteral(", "))};
+}
+
+InputError unknownAmongMany(const QString &place, const QString &what, const QString &word,
+                            const QStringList &names, const QString &expected)
+{
+    constexpr qsizetype mostNamed = 3;
+    const QStringList nearest = nearestTo(word, names).mid(0, mostNamed);
+    const QString meant = nearest.isEmpty()
+        ? QString()
+        : QStringLiteral("; did you mean %1?").arg(nearest.join(QStringLiteral(" or ")));
+    return {place, QStringLiteral("unknown %1 “%2”").arg(what, word) + meant, expected};
 }
 
 } // namespace pixelplumb::cli

@@ -18,4 +18,9 @@ QString suggestion(const QString &word, const QStringList &candidates);
 InputError unknownName(const QString &place, const QString &what, const QString &word,
                        const QStringList &names);
 
+/// The same where there are so many names that the nearest alone are named; `expected` says what
+/// else there is.
+InputError unknownAmongMany(const QString &place, const QString &what, const QString &word,
+                            const QStringList &names, const QString &expected);
+
 } // namespace pixelplumb::cli

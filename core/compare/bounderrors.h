@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/runs/tracedscene.h"
+#include "core/scan/errorlimit.h"
 
 namespace pixelplumb {
 
@@ -29,11 +30,5 @@ struct BoundErrors {
 /// ended the job.
 std::optional<std::vector<BoundErrors>> boundErrorsOf(const Scene &scene, std::size_t triangle,
                                                       const ProgressListener &listener = {});
-
-/// What an edge walked by its rounded slope may err by, px (resources/numerics.md, 2.2).
-/// `additions`: those of the slope and the one of the start; `largest`: the magnitude that no
-/// vertex exceeds along the edge's values; `extent`: the largest distance of two vertices along
-/// them.
-double errorLimit(Arithmetic arithmetic, double additions, double largest, double extent);
 
 } // namespace pixelplumb

@@ -4,6 +4,7 @@
 #include "core/compare/exactbounds.h"
 #include "core/oracle/oracle.h"
 #include "core/oracle/strokeoracle.h"
+#include "core/runs/undrawn.h"
 #include "core/scan/interval.h"
 
 #include <algorithm>
@@ -29,7 +30,7 @@ int byteDistance(const Colour &a, const Colour &b)
 bool isTrulyCovered(const JudgedRun &run, std::size_t primitive, std::int64_t x, std::int64_t y)
 {
     const Primitives &primitives = *run.primitives;
-    if (!run.traced->method->draws(primitives.kindOf(primitive)))
+    if (!isDrawn(primitives, primitive, *run.traced->method))
         return false;
     if (!primitives.isTriangle(primitive))
         return oracle::covers(primitives.shape(primitive), primitives.appearance,

@@ -50,23 +50,19 @@ std::pair<std::int64_t, std::int64_t> countIn(FrameView now, FrameView before,
     return {painted, toggled};
 }
 
+std::int64_t sumOf(const std::vector<MotionFrame> &frames, std::int64_t MotionFrame::*toggled)
+{
+    std::int64_t sum = 0;
+    for (const MotionFrame &frame : frames)
+        sum += frame.*toggled;
+    return sum;
+}
+
 } // namespace
 
-std::int64_t MotionStudy::toggled() const
-{
-    std::int64_t sum = 0;
-    for (const MotionFrame &frame : frames)
-        sum += frame.toggled;
-    return sum;
-}
+std::int64_t MotionStudy::toggled() const { return sumOf(frames, &MotionFrame::toggled); }
 
-std::int64_t MotionStudy::truthToggled() const
-{
-    std::int64_t sum = 0;
-    for (const MotionFrame &frame : frames)
-        sum += frame.truthToggled;
-    return sum;
-}
+std::int64_t MotionStudy::truthToggled() const { return sumOf(frames, &MotionFrame::truthToggled); }
 
 std::vector<QPoint> toggledPixels(const Scene &scene, int frame)
 {

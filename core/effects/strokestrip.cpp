@@ -253,8 +253,8 @@ bool isStroke(const Shape &shape)
 {
     switch (shape.kind) {
     case PrimitiveKind::Line:
-    case PrimitiveKind::Bezier:
         return true;
+    case PrimitiveKind::Bezier:
     case PrimitiveKind::Circle:
     case PrimitiveKind::Ellipse:
         return shape.fill == ShapeFill::Outline;

@@ -60,10 +60,8 @@ bool isWritten(const NumberDescription &number, const QStringList &columns)
 QByteArray variantsJson(VariantSet variants)
 {
     QByteArray names;
-    for (const Variant variant : allVariants) {
-        if (variants.contains(variant))
-            names += (names.isEmpty() ? "" : ", ") + jsonName(nameOf(variant));
-    }
+    for (const Variant variant : variantsIn(variants))
+        names += (names.isEmpty() ? "" : ", ") + jsonName(nameOf(variant));
     return '[' + names + ']';
 }
 

@@ -40,9 +40,11 @@ struct Shape {
     PrimitiveKind kind = PrimitiveKind::Line;
     /// Point: one or more. Line: two. Circle, ellipse: the centre and a corner of the bounding box,
     /// so that the radii are the differences of x and of y. Bézier: three or four control points.
-    /// Polygon: the contours one after another. Text: the start of the baseline.
+    /// Polygon: the contours one after another; Bézier path: the pieces. Text: the baseline's
+    /// start.
     std::vector<Vertex> vertices;
-    /// Of a polygon: the index of each contour's first vertex but the first's, which is 0.
+    /// Of these: the index of each contour's, each piece's first vertex but the first's, which is
+    /// 0.
     std::vector<std::size_t> laterContours;
     ShapeFill fill = ShapeFill::Outline;
     std::string text; ///< UTF-8, of a text

@@ -25,6 +25,27 @@ LatticePoint cornerOf(PrimitiveKind kind, const LatticePoint &centre, const Latt
     return {centre.x + right, centre.y + up};
 }
 
+/// Of a Bézier path: the vertex at the joint where a piece ends or begins, in the piece beside it;
+/// none where they do not meet.
+std::optional<std::size_t> besideJoint(const Shape &path, std::size_t vertex)
+{
+    if (path.kind != PrimitiveKind::Bezier || path.laterContours.empty())
+        return std::nullopt;
+    const std::size_t count = path.vertices.size();
+    const auto begins = [&](std::size_t index) {
+        return index == 0 || std::ranges::count(path.laterContours, index) > 0;
+    };
+    const std::size_t before = (vertex + count - 1) % count;
+    const std::size_t after = (vertex + 1) % count;
+    std::optional<std::size_t> beside;
+    if (begins(vertex))
+        beside = before;
+    else if (begins(after))
+        beside = after;
+    const bool meets = beside && path.vertices[*beside].position == path.vertices[vertex].position;
+    return meets ? beside : std::nullopt;
+}
+
 } // namespace
 
 std::optional<std::size_t> placedVertexCount(PrimitiveKind kind)
@@ -47,7 +68,8 @@ std::optional<std::size_t> placedVertexCount(PrimitiveKind kind)
     return std::nullopt;
 }
 
-Shape shapeFrom(PrimitiveKind kind, std::span<const Vertex> vertices)
+Shape shapeFrom(PrimitiveKind kind, std::span<const Vertex> vertices,
+                std::span<const ShapeFill> fills)
 {
     Shape shape;
     shape.kind = kind;
@@ -55,8 +77,8 @@ Shape shapeFrom(PrimitiveKind kind, std::span<const Vertex> vertices)
     if (isRound(kind))
         shape.vertices[1].position
             = cornerOf(kind, shape.vertices[0].position, shape.vertices[1].position);
-    if (kind == PrimitiveKind::Polygon)
-        shape.fill = ShapeFill::EvenOdd;
+    if (!fills.empty())
+        shape.fill = fills.front();
     if (kind == PrimitiveKind::Text) {
         shape.text = "Ag";
         shape.textHeight = placedTextHeight;
@@ -68,6 +90,8 @@ Shape shapeFrom(PrimitiveKind kind, std::span<const Vertex> vertices)
 void moveVertex(Shape &shape, std::size_t vertex, const LatticePoint &position)
 {
     LatticePoint &moved = shape.vertices[vertex].position;
+    if (const std::optional<std::size_t> beside = besideJoint(shape, vertex))
+        shape.vertices[*beside].position = position;
     if (!isRound(shape.kind)) {
         moved = position;
         return;

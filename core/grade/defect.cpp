@@ -2,6 +2,7 @@
 #include "core/grade/defect.h"
 
 #include "core/grade/picturecause.h"
+#include "core/grade/spandefect.h"
 #include "core/methods/method.h"
 #include "core/runs/sceneplan.h"
 #include "core/scan/choicenames.h"
@@ -11,11 +12,6 @@
 namespace pixelplumb {
 
 namespace {
-
-QString textOf(std::string_view text)
-{
-    return QString::fromUtf8(text.data(), qsizetype(text.size()));
-}
 
 /// Adds the defect, one of a choice, where the scene can have it.
 void append(std::vector<Defect> &defects, const Scene &scene, const QString &choice, Defect defect)
@@ -33,9 +29,9 @@ void appendVariants(std::vector<Defect> &defects, const Scene &scene)
     for (const Variant variant : allVariants) {
         const VariantWords &words = wordsOf(variant);
         append(defects, scene, {},
-               {textOf(nameOf(variant)), textOf(words.fault),
+               {nameText(nameOf(variant)), nameText(words.fault),
                 QStringLiteral("%1: %2 in place of %3.")
-                    .arg(textOf(words.title), textOf(words.printed), textOf(words.right)),
+                    .arg(nameText(words.title), nameText(words.printed), nameText(words.right)),
                 [variant](Scene &changed) {
                     changed.settings.variants = changed.settings.variants.with(variant);
                     return true;
@@ -47,30 +43,30 @@ void appendSettings(std::vector<Defect> &defects, const Scene &scene)
 {
     for (const FillRule rule : allFillRules)
         append(defects, scene, QStringLiteral("rule"),
-               {QStringLiteral("rule-") + textOf(nameOf(rule)),
+               {QStringLiteral("rule-") + nameText(nameOf(rule)),
                 QStringLiteral("Look at pixels exactly on an edge, and at neighbours' shared "
                                "edges."),
                 QStringLiteral("The fill rule is %1 in place of %2.")
-                    .arg(textOf(nameOf(rule)), textOf(nameOf(scene.settings.fillRule))),
+                    .arg(nameText(nameOf(rule)), nameText(nameOf(scene.settings.fillRule))),
                 [rule](Scene &changed) {
                     changed.settings.fillRule = rule;
                     return true;
                 }});
     for (const ByteRounding rounding : allByteRoundings)
         append(defects, scene, QStringLiteral("rounding"),
-               {QStringLiteral("rounding-") + textOf(nameOf(rounding)),
+               {QStringLiteral("rounding-") + nameText(nameOf(rounding)),
                 QStringLiteral("Look at how a colour becomes a byte."),
-                QStringLiteral("Levels become bytes by %1.").arg(textOf(nameOf(rounding))),
+                QStringLiteral("Levels become bytes by %1.").arg(nameText(nameOf(rounding))),
                 [rounding](Scene &changed) {
                     changed.settings.rounding = rounding;
                     return true;
                 }});
     for (const Arithmetic arithmetic : allArithmetics)
         append(defects, scene, QStringLiteral("arithmetic"),
-               {QStringLiteral("arithmetic-") + textOf(nameOf(arithmetic)),
+               {QStringLiteral("arithmetic-") + nameText(nameOf(arithmetic)),
                 QStringLiteral("What your numbers are kept in decides pixels: how large is the "
                                "error after many additions?"),
-                QStringLiteral("It is computed in %1.").arg(textOf(nameOf(arithmetic))),
+                QStringLiteral("It is computed in %1.").arg(nameText(nameOf(arithmetic))),
                 [arithmetic](Scene &changed) {
                     changed.settings.arithmetic = arithmetic;
                     return true;
@@ -189,17 +185,18 @@ void appendTriangles(std::vector<Defect> &defects, const Scene &scene)
 
 void appendPictures(std::vector<Defect> &defects, const Scene &scene)
 {
-    const Picture right = pictureOf(scene);
-    for (const PictureChange &change : pictureChangesFor(right, scene.frame.background)) {
+    const Picture ofItsSize{scene.frame.width, scene.frame.height, {}, {}};
+    for (const PictureChange &change : pictureChangesFor(ofItsSize, scene.frame.background)) {
         const QString id = QString(change.name).toLower().replace(u' ', u'-');
-        defects.push_back({id,
-                           QStringLiteral("Look at the whole picture: how are rows, columns "
-                                          "and channels stored?"),
-                           QStringLiteral("The picture is right, but %1.").arg(change.name),
-                           {},
-                           change.apply,
-                           change.isFar,
-                           change.kind});
+        defects.push_back(
+            {id,
+             QStringLiteral("Look at the whole picture: how are rows, columns "
+                            "and channels stored?"),
+             QStringLiteral("The picture is right, but %1.").arg(change.name),
+             {},
+             [apply = change.apply](const Picture &right, const Scene &) { return apply(right); },
+             change.isFar,
+             change.kind});
     }
 }
 
@@ -213,6 +210,8 @@ std::vector<Defect> defectsFor(const Scene &scene)
     appendPlaces(defects, scene);
     appendColours(defects, scene);
     appendTriangles(defects, scene);
+    std::ranges::move(lineDefectsFor(scene), std::back_inserter(defects));
+    std::ranges::move(spanDefectsFor(scene), std::back_inserter(defects));
     appendPictures(defects, scene);
     return defects;
 }

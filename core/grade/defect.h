@@ -18,7 +18,8 @@ struct Defect {
     QString forAssistant; ///< what was done
     /// False where it does not apply: the method cannot be drawn so, or nothing is changed.
     std::function<bool(Scene &scene)> changeScene = {};
-    std::function<Picture(const Picture &right)> changePicture = {}; ///< where it is no scene's
+    /// Where it is no scene's: of the picture that is right but for what is done to the scene.
+    std::function<Picture(const Picture &right, const Scene &scene)> changePicture = {};
     bool standsAlone = false; ///< is not looked for beside another
     QString choice = {}; ///< of defects of one choice only one can be there; empty: of none
 

@@ -2,7 +2,7 @@
 #include "core/grade/diagnosis.h"
 
 #include "core/grade/picturediff.h"
-#include "core/runs/sceneplan.h"
+#include "core/grade/undecidable.h"
 
 #include <algorithm>
 #include <limits>
@@ -14,28 +14,34 @@ namespace {
 constexpr std::size_t nearestListed = 5;
 constexpr std::int64_t unknown = std::numeric_limits<std::int64_t>::max();
 
-/// Pixels that differ, up to a limit at which nobody cares.
-std::int64_t distanceOf(const Picture &a, const Picture &b, std::int64_t limit)
+/// The picture with the defects that are a picture's.
+Picture changedBy(Picture picture, const Scene &scene, std::span<const Defect> defects)
 {
-    const bool byColour = a.hasColours && b.hasColours;
-    std::int64_t distance = 0;
-    for (std::size_t i = 0; i < a.size() && distance < limit; ++i)
-        distance += int(byColour ? a.colours[i] != b.colours[i] : a.covered[i] != b.covered[i]);
-    return distance;
+    for (const Defect &defect : defects) {
+        if (defect.isOfPicture())
+            picture = defect.changePicture(picture, scene);
+    }
+    return picture;
 }
 
-/// The sum over all submissions; unknown where a scene cannot be drawn so.
-std::int64_t distanceOf(std::span<const Submission> submissions, std::span<const Defect> defects,
-                        std::int64_t limit)
+/// Pixels of all found pictures that differ, up to a limit; unknown where a scene cannot be drawn
+/// so. Of those at a limit of 1 nobody asks but whether they are the same.
+std::int64_t distanceOf(DefectPictures &pictures, std::span<const FoundPicture> found,
+                        const DefectSet &set, std::int64_t limit)
 {
+    const bool isKnown = limit == 1 && std::ranges::any_of(found, [&](const FoundPicture &each) {
+                             return pictures.isKnownToDiffer(each.scene, set, each.picture);
+                         });
+    if (isKnown)
+        return limit;
     std::int64_t distance = 0;
-    for (const Submission &submission : submissions) {
-        if (!objectionTo(withDefects(submission.scene, defects)).isEmpty())
-            return unknown;
-        distance += distanceOf(pictureWith(submission.scene, defects), submission.picture,
-                               limit - distance);
+    for (const FoundPicture &each : found) {
         if (distance >= limit)
-            return distance;
+            break;
+        const auto picture = pictures.picture(each.scene, set);
+        if (!picture)
+            return unknown;
+        distance += differingPixels(*picture, each.picture, limit - distance);
     }
     return distance;
 }
@@ -48,23 +54,6 @@ bool hasPart(const std::vector<DiagnosisCandidate> &exact, const Defect &first,
             && (candidate.defects.front().id == first.id
                 || candidate.defects.front().id == second.id);
     });
-}
-
-/// Those that some scene can have: a defect that leaves one scene as it is may change another.
-std::vector<Defect> defectsOf(std::span<const Submission> submissions)
-{
-    std::vector<Defect> all;
-    for (const Submission &submission : submissions) {
-        for (Defect &defect : defectsFor(submission.scene)) {
-            const bool isKnown = std::ranges::find(all, defect.id, &Defect::id) != all.end();
-            if (!isKnown)
-                all.push_back(std::move(defect));
-        }
-    }
-    // What is done to a picture is done after the scene is drawn: it comes second in a pair.
-    std::stable_partition(all.begin(), all.end(),
-                          [](const Defect &each) { return !each.isOfPicture(); });
-    return all;
 }
 
 /// Keeps what equals the pictures, and beside that what comes nearest.
@@ -99,12 +88,13 @@ private:
     std::int64_t m_farthest = unknown - 1;
 };
 
-/// Whether what differs lies on ties alone.
-bool isUndecidable(std::span<const Submission> submissions)
+/// Whether what differs lies on ties and within the bound of float32 alone.
+bool isUndecidable(DefectPictures &pictures, std::span<const FoundPicture> found)
 {
-    return std::ranges::all_of(submissions, [](const Submission &submission) {
-        return differenceOf(pictureOf(submission.scene), submission.picture,
-                            tiesOf(submission.scene))
+    return std::ranges::all_of(found, [&](const FoundPicture &each) {
+        return differenceOf(*pictures.picture(each.scene, {}), each.picture,
+                            undecidablePixels(pictures.scenes()[each.scene], each.picture,
+                                              Arithmetic::Float32))
                    .differing()
             == 0;
     });
@@ -127,12 +117,8 @@ QString nameOf(DiagnosisVerdict verdict)
 
 Picture pictureWith(const Scene &scene, std::span<const Defect> defects)
 {
-    Picture picture = pictureOf(withDefects(scene, defects));
-    for (const Defect &defect : defects) {
-        if (defect.isOfPicture())
-            picture = defect.changePicture(picture);
-    }
-    return picture;
+    const Scene drawn = withDefects(scene, defects);
+    return changedBy(pictureOf(drawn), drawn, defects);
 }
 
 Scene withDefects(Scene scene, std::span<const Defect> defects)
@@ -147,15 +133,28 @@ Scene withDefects(Scene scene, std::span<const Defect> defects)
 std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
                                   const ProgressListener &listener)
 {
+    std::vector<Scene> scenes;
+    std::vector<FoundPicture> found;
+    for (const Submission &submission : submissions) {
+        found.push_back({scenes.size(), submission.picture});
+        scenes.push_back(submission.scene);
+    }
+    DefectPictures pictures(std::move(scenes));
+    return diagnose(pictures, found, listener);
+}
+
+std::optional<Diagnosis> diagnose(DefectPictures &pictures, std::span<const FoundPicture> found,
+                                  const ProgressListener &listener)
+{
     Diagnosis diagnosis;
-    diagnosis.differing = distanceOf(submissions, {}, unknown);
+    diagnosis.differing = distanceOf(pictures, found, {}, unknown);
     if (diagnosis.differing == 0) {
         diagnosis.verdict = DiagnosisVerdict::Right;
         return diagnosis;
     }
-    if (isUndecidable(submissions))
+    if (isUndecidable(pictures, found))
         diagnosis.verdict = DiagnosisVerdict::Undecidable;
-    const std::vector<Defect> defects = defectsOf(submissions);
+    const std::vector<Defect> &defects = pictures.defects();
     const auto count = std::int64_t(defects.size());
     const std::int64_t sets = count * (count + 1) / 2; // at most
     std::int64_t tried = 0;
@@ -163,9 +162,13 @@ std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
     candidates.forgetFartherThan(diagnosis.differing); // what explains nothing is none
     std::vector<std::int64_t> alone;
     const auto goesOnTrying = [&] { return goesOn(listener, {JobPhase::Judging, ++tried, sets}); };
-    for (const Defect &defect : defects) {
-        alone.push_back(distanceOf(submissions, std::span(&defect, 1), diagnosis.differing));
-        candidates.add({defect}, alone.back());
+    // Once there is one that equals the pictures, only others that do are of interest.
+    const auto distanceUpTo = [&](const DefectSet &set, std::int64_t limit) {
+        return distanceOf(pictures, found, set, candidates.exact().empty() ? limit : 1);
+    };
+    for (std::size_t i = 0; i < defects.size(); ++i) {
+        alone.push_back(distanceUpTo({i, {}}, diagnosis.differing));
+        candidates.add({defects[i]}, alone.back());
         if (!goesOnTrying())
             return std::nullopt;
     }
@@ -177,11 +180,10 @@ std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
                 || hasPart(candidates.exact(), defects[i], defects[j]))
                 continue;
             // A pair is one where each of the two is needed.
-            const std::vector<Defect> pair = {defects[i], defects[j]};
-            const std::int64_t distance
-                = distanceOf(submissions, pair, std::min(alone[i], alone[j]));
-            if (distance < std::min(alone[i], alone[j]))
-                candidates.add(pair, distance);
+            const std::int64_t least = std::min(alone[i], alone[j]);
+            const std::int64_t distance = distanceUpTo({i, j}, least);
+            if (distance < least)
+                candidates.add({defects[i], defects[j]}, distance);
             if (!goesOnTrying())
                 return std::nullopt;
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/defect.h"
+#include "core/grade/defectpictures.h"
 #include "core/number/jobprogress.h"
 
 #include <optional>
@@ -42,9 +42,20 @@ struct Diagnosis {
     bool isExplained() const { return !candidates.empty() && candidates.front().distance == 0; }
 };
 
-/// Judges all pictures together: one cause for all. Undecidable: what differs lies on edges, where
-/// rules differ. None where the listener, who hears how many sets of defects are tried, ended it.
+/// Judges all pictures together: one cause for all. Undecidable: what differs is what a right
+/// program in float32 may have, too (undecidablePixels). None where the listener, who hears how
+/// many sets of defects are tried, ended it.
 std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
+                                  const ProgressListener &listener = {});
+
+/// A picture of one of several scenes.
+struct FoundPicture {
+    std::size_t scene = 0; ///< its place among them
+    Picture picture;
+};
+
+/// The same for those who judge many programs' pictures of the same scenes.
+std::optional<Diagnosis> diagnose(DefectPictures &pictures, std::span<const FoundPicture> found,
                                   const ProgressListener &listener = {});
 
 /// What a program with these defects draws.

@@ -53,6 +53,8 @@ QString partingText(const StepNumbers &right, const StepNumbers &defective)
         const Quantity &is = defective.cells[i];
         if (is == should || right.descriptions[i].id != defective.descriptions[i].id)
             continue;
+        if (!is.isNone() && !should.isNone() && errorOf(is, should) == 0)
+            continue; // one number in two arithmetics
         const auto text = [](const Quantity &quantity) {
             return quantity.isNone() ? QStringLiteral("not there") : term(quantity);
         };

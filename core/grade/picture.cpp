@@ -93,6 +93,23 @@ Picture pictureOf(const Scene &scene)
     return picture;
 }
 
+Picture pictureIn(const QImage &image)
+{
+    Picture picture = blankPicture(image.width(), image.height());
+    takeColours(image, picture);
+    return picture;
+}
+
+Picture truePictureOf(const Scene &scene)
+{
+    const FrameBuffer frame(scene.frame);
+    drawTruth(scene, frame);
+    Picture picture = blankPicture(scene.frame.width, scene.frame.height);
+    takeColours(frame.image(), picture);
+    coverAllBut(scene.frame.background, picture);
+    return picture;
+}
+
 Result<Picture> parsePicture(const QByteArray &content, const QString &name)
 {
     if (looksLikeRaster(content)) {
@@ -116,9 +133,7 @@ Result<Picture> parsePicture(const QByteArray &content, const QString &name)
                           QStringLiteral("PNG, PPM, BMP, a raster of # and ., or a scene")};
     if (isTooLarge(image.size()))
         return tooLarge(name, image.size());
-    Picture picture = blankPicture(image.width(), image.height());
-    takeColours(image, picture);
-    return picture;
+    return pictureIn(image);
 }
 
 } // namespace pixelplumb

@@ -9,6 +9,8 @@
 #include <optional>
 #include <vector>
 
+class QImage;
+
 namespace pixelplumb {
 
 /// A picture to be judged, whoever drew it: line by line, the top line first, as files have it.
@@ -39,6 +41,11 @@ void coverAllBut(const Colour &background, Picture &picture);
 
 /// What the scene's method draws; covered is what it writes.
 Picture pictureOf(const Scene &scene);
+
+/// Nothing is covered yet. The image has the format RGB32.
+Picture pictureIn(const QImage &image);
+/// The oracle's; covered is what has another colour than the background.
+Picture truePictureOf(const Scene &scene);
 
 /// A picture file of at most 2^28 pixels, or a raster of `#` and `.` (asciiRaster). Nothing is
 /// covered yet of a file with colours.

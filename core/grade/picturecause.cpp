@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/picturecause.h"
 
+#include <QStringList>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -13,6 +15,8 @@ constexpr int farthestShift = 4; // px
 
 /// The pixel of the expected picture that is found at (x, line).
 using PlaceMap = std::function<std::pair<int, int>(const Picture &expected, int x, int line)>;
+
+using Change = std::function<Picture(const Picture &expected)>;
 
 Picture moved(const Picture &expected, const PlaceMap &source, const Colour &background)
 {
@@ -30,23 +34,18 @@ Picture moved(const Picture &expected, const PlaceMap &source, const Colour &bac
     return picture;
 }
 
-PictureChange move(const QString &name, const Colour &background, const PlaceMap &source)
+Change move(const Colour &background, const PlaceMap &source)
 {
-    return {name, [=](const Picture &expected) { return moved(expected, source, background); },
-            QStringLiteral("flip")};
+    return [=](const Picture &expected) { return moved(expected, source, background); };
 }
 
-PictureChange recolour(const QString &name, const std::function<Colour(const Colour &)> &change)
+Change recolour(const std::function<Colour(const Colour &)> &change)
 {
-    return {name,
-            [=](const Picture &expected) {
-                Picture picture = expected;
-                for (std::size_t i = 0; i < picture.size(); ++i) {
-                    picture.colours[i] = change(picture.colours[i]);
-                }
-                return picture;
-            },
-            QStringLiteral("channels")};
+    return [=](const Picture &expected) {
+        Picture picture = expected;
+        std::ranges::transform(picture.colours, picture.colours.begin(), change);
+        return picture;
+    };
 }
 
 QString shiftName(int right, int down)
@@ -69,12 +68,12 @@ void appendShifts(const Colour &background, std::vector<PictureChange> &changes)
         for (int dx = -farthestShift; dx <= farthestShift; ++dx) {
             if (dx == 0 && dy == 0)
                 continue;
-            changes.push_back(
-                move(shiftName(dx, dy), background, [=](const Picture &, int x, int line) {
-                    return std::pair(x - dx, line - dy);
-                }));
-            changes.back().kind = QStringLiteral("shift");
-            changes.back().isFar = std::max(std::abs(dx), std::abs(dy)) > 1;
+            changes.push_back({shiftName(dx, dy),
+                               move(background,
+                                    [=](const Picture &, int x, int line) {
+                                        return std::pair(x - dx, line - dy);
+                                    }),
+                               QStringLiteral("shift"), std::max(std::abs(dx), std::abs(dy)) > 1});
         }
     }
 }
@@ -84,42 +83,60 @@ void appendFlips(const Picture &expected, const Colour &background,
 {
     const auto right = [](const Picture &picture) { return picture.width - 1; };
     const auto bottom = [](const Picture &picture) { return picture.height - 1; };
-    changes.push_back(
-        move(QStringLiteral("upside down"), background,
-             [=](const Picture &of, int x, int line) { return std::pair(x, bottom(of) - line); }));
-    changes.push_back(
-        move(QStringLiteral("left and right exchanged"), background,
-             [=](const Picture &of, int x, int line) { return std::pair(right(of) - x, line); }));
-    changes.push_back(move(QStringLiteral("turned by half a turn"), background,
-                           [=](const Picture &of, int x, int line) {
-                               return std::pair(right(of) - x, bottom(of) - line);
-                           }));
+    const auto add = [&](const QString &name, const PlaceMap &source) {
+        changes.push_back({name, move(background, source), QStringLiteral("flip")});
+    };
+    add(QStringLiteral("upside down"),
+        [=](const Picture &of, int x, int line) { return std::pair(x, bottom(of) - line); });
+    add(QStringLiteral("left and right exchanged"),
+        [=](const Picture &of, int x, int line) { return std::pair(right(of) - x, line); });
+    add(QStringLiteral("turned by half a turn"), [=](const Picture &of, int x, int line) {
+        return std::pair(right(of) - x, bottom(of) - line);
+    });
     if (expected.width != expected.height)
         return;
     // Rows are counted from the bottom: x and y exchanged are lines and columns, mirrored.
-    changes.push_back(move(QStringLiteral("x and y exchanged"), background,
-                           [=](const Picture &of, int x, int line) {
-                               return std::pair(bottom(of) - line, right(of) - x);
-                           }));
-    changes.push_back(move(QStringLiteral("lines and columns exchanged"), background,
-                           [=](const Picture &, int x, int line) { return std::pair(line, x); }));
+    add(QStringLiteral("x and y exchanged"), [=](const Picture &of, int x, int line) {
+        return std::pair(bottom(of) - line, right(of) - x);
+    });
+    add(QStringLiteral("lines and columns exchanged"),
+        [](const Picture &, int x, int line) { return std::pair(line, x); });
+}
+
+/// Rows that are stored more or fewer pixels apart than they are read: the picture leans.
+void appendStrides(const Colour &background, std::vector<PictureChange> &changes)
+{
+    const auto add = [&](const QString &name, int more, bool fromBottom) {
+        const auto source = [=](const Picture &of, int x, int line) {
+            const int row = fromBottom ? of.height - 1 - line : line;
+            const std::int64_t address = std::int64_t(row) * of.width + x;
+            const std::int64_t stride = std::max(1, of.width + more);
+            const int from = int(address / stride);
+            return std::pair(int(address % stride), fromBottom ? of.height - 1 - from : from);
+        };
+        changes.push_back({name, move(background, source), QStringLiteral("stride")});
+    };
+    add(QStringLiteral("rows stored a pixel too far apart from the top on"), 1, false);
+    add(QStringLiteral("rows stored a pixel too far apart from the bottom on"), 1, true);
+    add(QStringLiteral("rows stored a pixel too near from the top on"), -1, false);
+    add(QStringLiteral("rows stored a pixel too near from the bottom on"), -1, true);
 }
 
 void appendChannels(std::vector<PictureChange> &changes)
 {
-    constexpr std::array letters = {'R', 'G', 'B'};
     std::array<std::size_t, 3> order = {0, 1, 2};
     while (std::ranges::next_permutation(order).found) {
         QString name;
         for (const std::size_t channel : order)
-            name += QLatin1Char(letters[channel]);
-        changes.push_back(recolour(QStringLiteral("channels %1 in place of RGB").arg(name),
-                                   [order](const Colour &colour) {
-                                       Colour exchanged;
-                                       for (std::size_t i = 0; i < 3; ++i)
-                                           exchanged.channels[i] = colour.channels[order[i]];
-                                       return exchanged;
-                                   }));
+            name += channelLetters[channel];
+        const auto exchanged = [order](const Colour &colour) {
+            Colour result;
+            for (std::size_t i = 0; i < 3; ++i)
+                result.channels[i] = colour.channels[order[i]];
+            return result;
+        };
+        changes.push_back({QStringLiteral("channels %1 in place of RGB").arg(name),
+                           recolour(exchanged), QStringLiteral("channels")});
     }
 }
 
@@ -133,12 +150,25 @@ double toEncoded(double linear)
     return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
 }
 
-Colour mapped(const Colour &colour, double (*curve)(double))
+using Curve = double (*)(double);
+
+Colour mapped(const Colour &colour, Curve curve)
 {
     Colour result;
     for (std::size_t i = 0; i < 3; ++i)
         result.channels[i] = std::uint8_t(std::lround(255 * curve(colour.channels[i] / 255.0)));
     return result;
+}
+
+void appendLevels(std::vector<PictureChange> &changes)
+{
+    const auto add = [&](const QString &name, Curve curve) {
+        changes.push_back(
+            {name, recolour([curve](const Colour &colour) { return mapped(colour, curve); }),
+             QStringLiteral("levels")});
+    };
+    add(QStringLiteral("encoded as sRGB once too often"), toEncoded);
+    add(QStringLiteral("decoded from sRGB once too often"), toLinear);
 }
 
 } // namespace
@@ -147,16 +177,12 @@ std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colo
 {
     std::vector<PictureChange> changes;
     appendFlips(expected, background, changes);
+    appendStrides(background, changes);
     appendShifts(background, changes);
     if (!expected.hasColours)
         return changes;
     appendChannels(changes);
-    changes.push_back(recolour(QStringLiteral("encoded as sRGB once too often"),
-                               [](const Colour &colour) { return mapped(colour, toEncoded); }));
-    changes.push_back(recolour(QStringLiteral("decoded from sRGB once too often"),
-                               [](const Colour &colour) { return mapped(colour, toLinear); }));
-    for (auto curve = changes.end() - 2; curve != changes.end(); ++curve)
-        curve->kind = QStringLiteral("levels");
+    appendLevels(changes);
     return changes;
 }
 

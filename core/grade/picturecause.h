@@ -11,11 +11,12 @@ namespace pixelplumb {
 struct PictureChange {
     QString name;
     std::function<Picture(const Picture &expected)> apply;
-    QString kind; ///< two of one kind are a third one: "shift", "flip", "channels", "levels"
+    QString kind; ///< two of one kind are a third one: "shift", "flip", "stride", …
     bool isFar = false; ///< a shift by more than 1 px
 };
 
-/// Of pictures of any size: shifts by up to 4 px each way, flips, the two coordinates exchanged
+/// Of pictures like the expected one in size and in whether they have colours: shifts by up to 4 px
+/// each way, flips, rows stored a pixel too far apart or too near, the two coordinates exchanged
 /// (where the frame is square), channels exchanged, and the two ways between linear and sRGB
 /// levels.
 std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colour &background);

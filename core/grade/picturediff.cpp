@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/picturediff.h"
 
+#include "core/frame/framebuffer.h"
 #include "core/grade/picturecause.h"
 #include "core/oracle/oracle.h"
 #include "core/scan/edgeteststate.h"
@@ -26,19 +27,6 @@ PixelVerdict verdictAt(const Picture &expected, const Picture &found, std::size_
     const bool haveColours = expected.hasColours && found.hasColours;
     return haveColours && expected.colours[place] != found.colours[place] ? PixelVerdict::Colour
                                                                           : PixelVerdict::Same;
-}
-
-/// By colours alone where both have them: what is done to a background makes it no drawing.
-std::int64_t differingPixels(const Picture &expected, const Picture &found)
-{
-    const bool haveColours = expected.hasColours && found.hasColours;
-    std::int64_t differing = 0;
-    for (std::size_t i = 0; i < expected.size(); ++i) {
-        const bool isOther = haveColours ? expected.colours[i] != found.colours[i]
-                                         : expected.covered[i] != found.covered[i];
-        differing += isOther ? 1 : 0;
-    }
-    return differing;
 }
 
 void findCauses(const Picture &expected, const Picture &found, PictureDiff &diff)
@@ -71,6 +59,16 @@ QString nameOf(PixelVerdict verdict)
     return QStringLiteral("undecidable");
 }
 
+std::int64_t differingPixels(const Picture &expected, const Picture &found, std::int64_t limit)
+{
+    const bool haveColours = expected.hasColours && found.hasColours;
+    std::int64_t differing = 0;
+    for (std::size_t i = 0; i < expected.size() && differing < limit; ++i)
+        differing += int(haveColours ? expected.colours[i] != found.colours[i]
+                                     : expected.covered[i] != found.covered[i]);
+    return differing;
+}
+
 PictureDiff differenceOf(const Picture &expected, const Picture &found,
                          std::span<const std::uint8_t> undecidable)
 {
@@ -99,17 +97,15 @@ std::vector<std::uint8_t> tiesOf(const Scene &scene)
     const FrameSpec &frame = scene.frame;
     const FrameView window = windowOf(frame);
     std::vector<std::uint8_t> ties(std::size_t(frame.width) * std::size_t(frame.height), 0);
-    const auto lineOf = [&](std::int64_t y) {
-        const std::int64_t fromFirst = y - frame.firstRow;
-        return frame.origin == FrameOrigin::TopLeft ? fromFirst : frame.height - 1 - fromFirst;
-    };
     for (const Triangle &triangle : primitivesOnSamples(scene).triangles) {
         const SampleBox box = intersection(boundingBoxOf(triangle), samplesOf(window));
         for (std::int64_t y = box.firstY; y < box.endY; ++y) {
             for (std::int64_t x = box.firstX; x < box.endX; ++x) {
                 if (oracle::covers(triangle, FillRule::Closed, x, y)
                     != oracle::covers(triangle, FillRule::Open, x, y))
-                    ties[std::size_t(lineOf(y) * frame.width + x - frame.firstColumn)] = 1;
+                    ties[std::size_t(std::int64_t(pictureLine(frame, y)) * frame.width + x
+                                     - frame.firstColumn)]
+                        = 1;
             }
         }
     }

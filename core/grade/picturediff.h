@@ -6,6 +6,7 @@
 #include <QString>
 
 #include <array>
+#include <limits>
 #include <span>
 
 namespace pixelplumb {
@@ -50,6 +51,11 @@ struct PictureDiff {
             + count(PixelVerdict::Colour);
     }
 };
+
+/// Pixels that differ, up to a limit at which nobody cares: by colours alone where both have them,
+/// for what is done to a background makes it no drawing. Both have one size.
+std::int64_t differingPixels(const Picture &expected, const Picture &found,
+                             std::int64_t limit = std::numeric_limits<std::int64_t>::max());
 
 /// Both have one size. `undecidable` holds a 1 for each pixel that the scene leaves open; empty:
 /// none. Colours are compared where both pictures have them.

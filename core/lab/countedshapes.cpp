@@ -18,9 +18,12 @@ std::span<const CountedMethod> countedShapeMethods()
         {"circle-explicit", countWith<ExplicitKernel>},
         {"circle-parametric", countWith<ParametricKernel>},
         {"circle-fill", countWith<FillKernel>},
+        {"bezier-fill", countWith<BezierFillKernel>},
         {"polygon-parity", countWith<ParityKernel>},
         {"polygon-fan", countWith<TriangulationKernel<fanOf>>},
         {"polygon-delaunay", countWith<TriangulationKernel<delaunayOf>>},
+        {"polygon-tessellation", countWith<TessellationKernel>},
+        {"polygon-outline", countWith<PolygonOutlineKernel>},
         {"point-address", countWith<PointKernel>},
         {"text-outlines", countWith<TextKernel>},
     };

@@ -28,6 +28,7 @@ std::span<const CountedMethod> countedTriangleMethods()
         {"barycentric-relative", countWith<EdgeTestKernel<relativeBarycentricForm>>},
         {"midpoint-outline-fill", countWith<OutlineFillKernel>},
         {"interpolate-bilinear", countWith<InterpolationKernel<Bilinear>>},
+        {"interpolate-bilinear-rows", countWith<InterpolationKernel<BilinearRows>>},
         {"interpolate-plane", countWith<InterpolationKernel<Plane>>},
         {"interpolate-barycentric", countWith<InterpolationKernel<Barycentric>>},
     };

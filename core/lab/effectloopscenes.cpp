@@ -2,8 +2,8 @@
 #include "core/lab/effectloopscenes.h"
 
 #include "core/frame/framebuffer.h"
+#include "core/geometry/seededrandom.h"
 #include "core/lab/effectloop.h"
-#include "core/lab/seededrandom.h"
 
 namespace pixelplumb::effectscenes {
 

@@ -2,7 +2,7 @@
 #include "core/lab/effectscenes.h"
 
 #include "core/frame/framebuffer.h"
-#include "core/lab/seededrandom.h"
+#include "core/geometry/seededrandom.h"
 #include "core/runs/tracedscene.h"
 #include "core/space/surfaces.h"
 

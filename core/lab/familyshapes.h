@@ -2,7 +2,7 @@
 #pragma once
 
 #include "core/frame/framespec.h"
-#include "core/lab/seededrandom.h"
+#include "core/geometry/seededrandom.h"
 
 #include <vector>
 

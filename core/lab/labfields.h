@@ -2,16 +2,10 @@
 #pragma once
 
 #include "core/lab/study.h"
+#include "core/scene/jsonfields.h"
 
-#include <concepts>
-#include <type_traits>
-
-/// What the parts of a study are called in files: one list, by which they are written, read and
-/// laid out in columns.
+/// What the parts of a study are called in files, by which they are laid out in columns too.
 namespace pixelplumb {
-
-template <class Self, class T>
-concept PartOf = std::same_as<std::remove_const_t<Self>, T>;
 
 template <PartOf<Spread> Self, class Visit>
 void eachField(Self &self, const Visit &visit)
@@ -234,16 +228,6 @@ void eachField(Self &self, const Visit &visit)
     visit("complete", self.isComplete);
 }
 
-/// A part that has fields.
-template <class T>
-concept HasFields = requires(T &part)
-{
-    eachField(part, [](const char *, const auto &) {});
-};
-
-/// The names of an enumeration's values in files.
-template <class Enum>
-struct FileWords;
 template <>
 struct FileWords<StudyExtent> {
     static constexpr std::array all = {StudyExtent::Quick, StudyExtent::Full};
@@ -262,23 +246,5 @@ template <>
 struct FileWords<LabKernel> {
     static constexpr const auto &all = allLabKernels;
 };
-template <>
-struct FileWords<Arithmetic> {
-    static constexpr const auto &all = allArithmetics;
-};
-template <>
-struct FileWords<FillRule> {
-    static constexpr const auto &all = allFillRules;
-};
-template <>
-struct FileWords<ByteRounding> {
-    static constexpr const auto &all = allByteRoundings;
-};
-
-inline QString fileWord(const QString &name) { return name; }
-inline QString fileWord(std::string_view name)
-{
-    return QString::fromUtf8(name.data(), qsizetype(name.size()));
-}
 
 } // namespace pixelplumb

@@ -140,4 +140,13 @@ std::optional<LiveFigures> liveFiguresOf(const std::shared_ptr<const Scene> &sce
     return figures;
 }
 
+std::optional<LiveFigures> liveFiguresOf(const std::shared_ptr<const TracedScene> &traced,
+                                         const ProgressListener &listener)
+{
+    auto figures = liveFiguresOf(std::shared_ptr<const Scene>(traced, &traced->scene), listener);
+    if (figures && !figures->wrongPixels)
+        figures->wrongPixels = traced->differences.total();
+    return figures;
+}
+
 } // namespace pixelplumb

@@ -3,7 +3,7 @@
 
 #include "core/measure/spread.h"
 #include "core/number/jobprogress.h"
-#include "core/scene/scene.h"
+#include "core/runs/tracedscene.h"
 
 #include <memory>
 #include <optional>
@@ -13,7 +13,7 @@ namespace pixelplumb {
 /// What the scene in hand costs and gets wrong by its own method and arithmetic.
 struct LiveFigures {
     std::int64_t pixels = 0; ///< of the true picture
-    std::optional<std::int64_t> wrongPixels; ///< of the finished picture
+    std::optional<std::int64_t> wrongPixels; ///< of the finished picture; none: not known
     bool isProved = false; ///< that there are none
     /// That the timed triangles write, each as often as it is written; 0 where none is timed.
     std::int64_t timedPixels = 0;
@@ -35,6 +35,9 @@ struct LiveFigures {
 /// None where the listener ended it. Takes about a fifth of a second of small scenes; of large
 /// ones the truth is their exact twin (see ScenePicture).
 std::optional<LiveFigures> liveFiguresOf(const std::shared_ptr<const Scene> &scene,
+                                         const ProgressListener &listener = {});
+/// The same of a run that is whole. Where the scene has no exact twin, the run knows the truth.
+std::optional<LiveFigures> liveFiguresOf(const std::shared_ptr<const TracedScene> &traced,
                                          const ProgressListener &listener = {});
 
 } // namespace pixelplumb

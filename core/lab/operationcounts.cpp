@@ -82,8 +82,11 @@ QString countingGap(const Method &method, Arithmetic arithmetic)
         return QStringLiteral(
             "Annotated step by step, not counted by its numbers; what integers compute "
             "outside the proved domain is not counted.");
-    if (method.id == QLatin1String("polygon-fan") || method.id == QLatin1String("polygon-delaunay"))
+    if (method.id == QLatin1String("polygon-fan") || method.id == QLatin1String("polygon-delaunay")
+        || method.id == QLatin1String("polygon-tessellation"))
         return QStringLiteral("Finding the triangles is not counted, filling them is.");
+    if (method.id == QLatin1String("bezier-fill"))
+        return QStringLiteral("Finding the chords is not counted, filling them is.");
     if (method.id == QLatin1String("text-outlines"))
         return QStringLiteral(
             "Getting the outlines from the font is not counted, filling them is.");

@@ -9,6 +9,7 @@ std::span<const ProbedMethod> probedInterpolations()
     using enum InterpolationForm;
     static constexpr ProbedMethod table[] = {
         {"interpolate-bilinear", probeWith<InterpolationKernel<Bilinear>>},
+        {"interpolate-bilinear-rows", probeWith<InterpolationKernel<BilinearRows>>},
         {"interpolate-plane", probeWith<InterpolationKernel<Plane>>},
         {"interpolate-barycentric", probeWith<InterpolationKernel<Barycentric>>},
     };

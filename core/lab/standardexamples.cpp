@@ -43,7 +43,6 @@ Shape exampleShape(const Method &method)
         add(58, 12);
         break;
     case PrimitiveKind::Polygon:
-        shape.fill = ShapeFill::EvenOdd;
         add(20, 4);
         add(44, 4);
         add(58, 16);

@@ -3,6 +3,7 @@
 
 #include <QRectF>
 
+#include <algorithm>
 #include <array>
 
 namespace pixelplumb {
@@ -15,9 +16,7 @@ struct NamedCorners {
 
     explicit NamedCorners(const LayerMoment &moment)
     {
-        const std::array<int, 3> order = moment.trace().setUp(moment.primitive).order;
-        for (std::size_t i = 0; i < 3; ++i)
-            places[i] = placeOf(moment.triangle().vertices[std::size_t(order[i])].position);
+        std::ranges::transform(moment.corners(), places.begin(), placeOf);
     }
 
     /// p = a + β·(b − a) + γ·(c − a).

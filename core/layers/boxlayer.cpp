@@ -20,20 +20,6 @@ ContourBox rawBoxOf(const LayerMoment &moment)
     return boxAround(edges);
 }
 
-/// `(int)` of the slides: towards 0.
-std::int64_t printedPixel(Lattice sum) { return sum / unitsPerPixel; }
-
-/// Triangle Rasterization slides, "Triangle rasterization implementation guidelines": left = (int)
-/// (bbox + .5), right = (int) (bbox − .5), in the scene's coordinates. It is meant for pixels that
-/// are sampled in their middles.
-SampleBox printedBoxOf(const ContourBox &raw, const FrameSpec &frame)
-{
-    const Lattice first = sampleOffset(frame) + halfPixel;
-    const Lattice last = sampleOffset(frame) - halfPixel;
-    return {printedPixel(raw.first.x + first), printedPixel(raw.last.x + last) + 1,
-            printedPixel(raw.first.y + first), printedPixel(raw.last.y + last) + 1};
-}
-
 /// The first and the last number of the tested samples of each span, by the ids of edge tests.
 struct TestedIds {
     SpanAxis axis;
@@ -67,14 +53,6 @@ std::optional<SampleBox> testedBoxOf(const LayerMoment &moment)
                                          : SampleBox{begin, end, from, to};
     }
     return std::nullopt;
-}
-
-/// The samples of the box that the frame has.
-SampleBox clippedBoxOf(const ContourBox &raw, const FrameSpec &frame)
-{
-    const SampleBox whole = {ceilPixel(raw.first.x), floorPixel(raw.last.x) + 1,
-                             ceilPixel(raw.first.y), floorPixel(raw.last.y) + 1};
-    return intersection(whole, samplesOf(windowOf(frame)));
 }
 
 /// How one of the boxes looks.
@@ -147,10 +125,12 @@ void drawBox(const LayerMoment &moment, LayerDrawing &drawing)
                            .arg(moment.inScene(raw.first.x), moment.inScene(raw.last.x),
                                 moment.inScene(raw.first.y), moment.inScene(raw.last.y)),
                        {first.x(), last.y()}, LayerInk::Mark);
-    drawer.appendSamples(printedBoxOf(raw, moment.frame()), QStringLiteral("(int)(bbox ± .5)"),
-                         {LayerInk::Second, Stroke::Dotted});
+    drawer.appendSamples(roundedSamplesIn(raw.first, raw.last, moment.frame().pixelCentre),
+                         QStringLiteral("(int)(bbox ± .5)"), {LayerInk::Second, Stroke::Dotted});
     const std::optional<SampleBox> tested = testedBoxOf(moment);
-    drawer.appendSamples(tested.value_or(clippedBoxOf(raw, moment.frame())),
+    const SampleBox clipped
+        = intersection(samplesIn(raw.first, raw.last), samplesOf(windowOf(moment.frame())));
+    drawer.appendSamples(tested.value_or(clipped),
                          tested ? QStringLiteral("tested") : QStringLiteral("clipped"),
                          {LayerInk::First, Stroke::Solid});
 }

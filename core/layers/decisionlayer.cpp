@@ -1,80 +1,73 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/cellnumber.h"
 #include "core/layers/layers.h"
-#include "core/scan/linebresenham.h"
 
 namespace pixelplumb {
 
 namespace {
-
-const QString wholeLineMethod = QStringLiteral("line-bresenham");
 
 QString named(const QString &name, const Quantity &number)
 {
     return QStringLiteral("%1 = %2").arg(name, cellNumber(number));
 }
 
-/// From where to where the kernel goes: it may take whole-pixel ends.
-struct LineRun {
-    LatticePoint from, to;
+/// Of two pixels that stand across the line: the one with the lesser coordinate, or the other.
+enum class Neighbour { Lesser, Greater };
 
-    explicit LineRun(const LayerMoment &moment)
-    {
-        const bool takesPixels = moment.view.traced->method->id == wholeLineMethod;
-        const auto endOf = [&](std::size_t vertex) {
-            const Vertex &end = moment.shape().vertices[vertex];
-            return (takesPixels ? onPixel(end) : end).position;
-        };
-        from = endOf(0);
-        to = endOf(1);
-    }
-
-    bool isSteep() const { return lineAxisOf(from, to) == LineAxis::Y; }
-    /// Whether it goes down across while it goes up along.
-    bool falls() const
-    {
-        return (to.x < from.x && to.y > from.y) || (to.x > from.x && to.y < from.y);
-    }
-};
+/// Where it is on the screen.
+QString sideOf(Neighbour which, SpanAxis axis, FrameOrigin origin)
+{
+    const bool isFirst = which == Neighbour::Lesser;
+    if (axis == SpanAxis::Row)
+        return isFirst ? QStringLiteral("left") : QStringLiteral("right");
+    return isFirst == (origin == FrameOrigin::BottomLeft) ? QStringLiteral("lower")
+                                                          : QStringLiteral("upper");
+}
 
 /// Rasterization slides, "Bresenham's Line Algorithm (1/4)": the line between the pixel that stays
-/// and the one across, d_lower and d_upper away.
-void drawLineDecision(const LayerMoment &moment, const NamedNumbers &step, LayerDrawing &drawing)
+/// and the one across, d_lower and d_upper away. The slide's line rises by less than 45°; in the
+/// other octants d_lower is the distance to the pixel that stays all the same, and that is said.
+void drawLineDecision(const NamedNumbers &setUp, SpanAxis axis, const NamedNumbers &step,
+                      FrameOrigin origin, LayerDrawing &drawing)
 {
     const Quantity stays = step[QStringLiteral("y_k")];
     const Quantity line = step[QStringLiteral("y_line")];
-    const Quantity lower = step[QStringLiteral("d_lower")];
-    const Quantity upper = step[QStringLiteral("d_upper")];
     if (stays.isNone() || line.isNone())
         return; // no decision led to the first pixel
-    const LineRun run(moment);
-    const bool steep = run.isSteep();
-    const double along = step[steep ? QStringLiteral("y") : QStringLiteral("x")].toDouble();
+    const bool isSteep = axis == SpanAxis::Row;
+    const double along = step[isSteep ? QStringLiteral("y") : QStringLiteral("x")].toDouble();
     // d_lower and d_upper are 1 together, towards the pixel across.
-    const double across = stays.toDouble() + (run.falls() ? -1 : 1);
+    const bool falls
+        = setUp[QStringLiteral("y_1")].toDouble() < setUp[QStringLiteral("y_0")].toDouble();
     const auto at = [&](double distance) {
-        return steep ? QPointF(distance, along) : QPointF(along, distance);
+        return isSteep ? QPointF(distance, along) : QPointF(along, distance);
     };
-    drawing.lines.push_back({at(stays.toDouble()), at(line.toDouble()), LayerInk::First});
-    drawing.lines.push_back({at(across), at(line.toDouble()), LayerInk::Second});
-    drawing.points.push_back({at(stays.toDouble()), LayerInk::First});
-    drawing.points.push_back({at(across), LayerInk::Second});
-    drawing.points.push_back({at(line.toDouble()), LayerInk::Hand});
+    const QPointF onLine = at(line.toDouble());
+    const auto append = [&](const QString &name, const QPointF &pixel, LayerInk ink) {
+        drawing.lines.push_back({pixel, onLine, ink});
+        drawing.points.push_back({pixel, ink});
+        // Beside the distance, not beside the pixel.
+        drawing.labels.push_back({named(name, step[name]), (pixel + onLine) / 2, ink});
+    };
+    append(QStringLiteral("d_lower"), at(stays.toDouble()), LayerInk::First);
+    append(QStringLiteral("d_upper"), at(stays.toDouble() + (falls ? -1 : 1)), LayerInk::Second);
+    drawing.points.push_back({onLine, LayerInk::Hand});
     drawing.labels.push_back(
-        {named(QStringLiteral("d_lower"), lower), at(stays.toDouble()), LayerInk::First});
-    drawing.labels.push_back(
-        {named(QStringLiteral("d_upper"), upper), at(across), LayerInk::Second});
-    drawing.labels.push_back({named(QStringLiteral("p_k"), step[QStringLiteral("p_k")]),
-                              at(line.toDouble()), LayerInk::Hand});
+        {named(QStringLiteral("p_k"), step[QStringLiteral("p_k")]), onLine, LayerInk::Hand});
+    const Neighbour stayer = falls ? Neighbour::Greater : Neighbour::Lesser;
+    const Neighbour across = falls ? Neighbour::Lesser : Neighbour::Greater;
+    const QString side = sideOf(stayer, axis, origin);
+    if (side != QStringLiteral("lower"))
+        drawing.notes.append(QStringLiteral("d_lower is the distance to the pixel that stays, here "
+                                            "the %1 one, and d_upper that to the %2 one")
+                                 .arg(side, sideOf(across, axis, origin)));
 }
 
 /// The midpoint whose F decides which of two rows the next pixel is in.
-void drawCircleDecision(const LayerMoment &moment, const NamedNumbers &step, LayerDrawing &drawing)
+void drawCircleDecision(const NamedNumbers &setUp, const NamedNumbers &step, LayerDrawing &drawing)
 {
-    const SetUpRecord setUp = moment.trace().setUp(moment.primitive);
-    const NamedNumbers whole(moment.trace().numbers().setUp, setUp.cells);
-    const QPointF centre(whole[QStringLiteral("x_c")].toDouble(),
-                         whole[QStringLiteral("y_c")].toDouble());
+    const QPointF centre(setUp[QStringLiteral("x_c")].toDouble(),
+                         setUp[QStringLiteral("y_c")].toDouble());
     const double x = step[QStringLiteral("x_k")].toDouble();
     const double y = step[QStringLiteral("y_k")].toDouble();
     const bool isSecondArc = step[QStringLiteral("arc")] == Quantity::integer(2);
@@ -97,10 +90,15 @@ void drawDecision(const LayerMoment &moment, LayerDrawing &drawing)
         return;
     const SpanRecord record = moment.trace().span(*span);
     const NamedNumbers step(moment.trace().numbers().span, record.cells);
-    if (moment.primitives().kindOf(moment.primitive) == PrimitiveKind::Line)
-        drawLineDecision(moment, step, drawing);
+    const SetUpRecord begin = moment.trace().setUp(moment.primitive);
+    const NamedNumbers setUp(moment.trace().numbers().setUp, begin.cells);
+    const PrimitiveKind kind = moment.primitives().kindOf(moment.primitive);
+    if (kind == PrimitiveKind::Line)
+        drawLineDecision(setUp, record.place.axis, step, moment.frame().origin, drawing);
+    else if (kind == PrimitiveKind::Polygon) // each step has the set-up of its edge
+        drawLineDecision(step, record.place.axis, step, moment.frame().origin, drawing);
     else
-        drawCircleDecision(moment, step, drawing);
+        drawCircleDecision(setUp, step, drawing);
 }
 
 } // namespace
@@ -110,14 +108,17 @@ Layer decisionsLayer()
     return {.id = QStringLiteral("decisions"),
             .title = QStringLiteral("Decision of the step"),
             .toolTip = QStringLiteral(
-                "Of a line by Bresenham, d_lower from the pixel that stays and d_upper to the one "
-                "across, at the step in hand; of a circle, the midpoint between two pixels and its "
+                "Of a line or an edge by Bresenham, d_lower to the pixel that stays and d_upper to "
+                "the one across, at the step in hand; of a circle, the midpoint between two pixels "
+                "and its "
                 "F, which decides the next step."),
             .source = QStringLiteral("Rasterization slides, “Bresenham's Line Algorithm (1/4)”; "
                                      "Scan Conversion slides, “Lines and Curves: Implicit”"),
-            .kinds = {PrimitiveKind::Line, PrimitiveKind::Circle, PrimitiveKind::Ellipse},
-            .methods = {wholeLineMethod, QStringLiteral("line-bresenham-symmetric"),
-                        QStringLiteral("circle-midpoint")},
+            .kinds = {PrimitiveKind::Line, PrimitiveKind::Circle, PrimitiveKind::Ellipse,
+                      PrimitiveKind::Polygon},
+            .methods
+            = {QStringLiteral("line-bresenham"), QStringLiteral("line-bresenham-symmetric"),
+               QStringLiteral("circle-midpoint"), QStringLiteral("polygon-outline")},
             .draw = drawDecision};
 }
 

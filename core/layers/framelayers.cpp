@@ -2,6 +2,7 @@
 #include "core/effects/edgepixels.h"
 #include "core/layers/cellnumber.h"
 #include "core/layers/layers.h"
+#include "core/scan/pointaddress.h"
 
 #include <functional>
 
@@ -36,15 +37,15 @@ void drawSamples(const LayerMoment &moment, LayerDrawing &drawing)
     });
 }
 
-/// Rasterization slides, "Point Plotting": addr = y·width + x, counted as plotPoints() does.
+/// The addresses that plotPoints() writes to.
 void drawMemory(const LayerMoment &moment, LayerDrawing &drawing)
 {
     if (moment.view.cell < leastNumberCell)
         return drawing.notes.append(smallCellNote());
-    const FrameSpec &frame = moment.frame();
+    const FrameView frame = windowOf(moment.frame());
     forEachSeen(moment, [&](std::int64_t x, std::int64_t y) {
-        const std::int64_t address = (y - frame.firstRow) * frame.width + (x - frame.firstColumn);
-        drawing.cells.push_back({x, y, QString::number(address), LayerInk::Mark});
+        drawing.cells.push_back(
+            {x, y, QString::number(addressOf<std::int64_t>(x, y, frame)), LayerInk::Mark});
     });
 }
 

@@ -9,7 +9,6 @@ namespace pixelplumb {
 namespace {
 
 constexpr int levelStep = 32;
-constexpr std::array<char16_t, 3> channelLetters = {u'R', u'G', u'B'};
 constexpr std::array channelInks = {LayerInk::Second, LayerInk::Hand, LayerInk::First};
 
 struct PlaneCorner {
@@ -70,9 +69,8 @@ void drawIsolines(const LayerMoment &moment, LayerDrawing &drawing)
         if (ends.size() != 2)
             continue;
         drawing.lines.push_back({ends[0], ends[1], channelInks[channel]});
-        drawing.labels.push_back(
-            {QStringLiteral("%1 = %2").arg(QChar(channelLetters[channel])).arg(level), ends[0],
-             channelInks[channel]});
+        drawing.labels.push_back({QStringLiteral("%1 = %2").arg(channelLetters[channel]).arg(level),
+                                  ends[0], channelInks[channel]});
     }
 }
 

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -34,31 +35,17 @@ QString titlesOf(const QStringList &ids)
     return titles.join(QStringLiteral(", "));
 }
 
-/// The primitive in hand, or the last one before it that the layer and the method know.
-std::optional<std::size_t> subjectOf(const Layer &layer, const LayerView &view)
+void removeDuplicates(std::vector<LayerDrawing::Label> &labels)
 {
-    if (layer.kinds.empty())
-        return 0; // it tells of none
-    const TracedScene &traced = *view.traced;
-    const auto isSubject = [&](std::size_t primitive) {
-        const PrimitiveKind kind = traced.primitives.kindOf(primitive);
-        return std::ranges::count(layer.kinds, kind) > 0
-            && (traced.primitives.isTriangle(primitive)
-                    ? traced.method->draws(kind)
-                    : traced.method->draws(traced.primitives.shape(primitive)));
-    };
-    const ScanTrace &trace = *traced.trace;
-    if (trace.stepCount() == 0)
-        return std::nullopt;
-    const std::size_t step = view.position == 0 ? 0 : view.position - 1;
-    for (std::size_t next = view.primitive.value_or(trace.stepAt(step).primitive) + 1; next > 0;
-         --next) {
-        if (isSubject(next - 1))
-            return next - 1;
-        if (view.primitive)
-            break;
+    auto end = labels.begin();
+    for (auto label = labels.begin(); label != labels.end(); ++label) {
+        if (std::find(labels.begin(), end, *label) != end)
+            continue;
+        if (end != label)
+            *end = std::move(*label);
+        ++end;
     }
-    return std::nullopt;
+    labels.erase(end, labels.end());
 }
 
 } // namespace
@@ -88,11 +75,11 @@ QString Layer::objection(const Scene &scene) const
 std::span<const Layer> layers()
 {
     static const std::array table
-        = {verticesLayer(),        boxLayer(),         halfPlanesLayer(),    halfPlane0Layer(),
-           halfPlane1Layer(),      halfPlane2Layer(),  weightsLayer(),       levelsLayer(),
-           barycentricAxesLayer(), redIsolinesLayer(), greenIsolinesLayer(), blueIsolinesLayer(),
-           innerEdgesLayer(),      edgeTableLayer(),   decisionsLayer(),     samplesLayer(),
-           memoryLayer()};
+        = {verticesLayer(),        boxLayer(),        halfPlanesLayer(),  halfPlane0Layer(),
+           halfPlane1Layer(),      halfPlane2Layer(), weightsLayer(),     levelsLayer(),
+           barycentricAxesLayer(), affineMapLayer(),  redIsolinesLayer(), greenIsolinesLayer(),
+           blueIsolinesLayer(),    innerEdgesLayer(), edgeTableLayer(),   decisionsLayer(),
+           samplesLayer(),         memoryLayer()};
     return table;
 }
 
@@ -100,6 +87,32 @@ const Layer *layerNamed(QStringView id)
 {
     const auto found = std::ranges::find(layers(), id, &Layer::id);
     return found == layers().end() ? nullptr : &*found;
+}
+
+std::optional<std::size_t> subjectOf(const Layer &layer, const LayerView &view)
+{
+    if (layer.kinds.empty())
+        return 0; // it tells of none
+    const TracedScene &traced = *view.traced;
+    const auto isSubject = [&](std::size_t primitive) {
+        const PrimitiveKind kind = traced.primitives.kindOf(primitive);
+        return std::ranges::count(layer.kinds, kind) > 0
+            && (traced.primitives.isTriangle(primitive)
+                    ? traced.method->draws(kind)
+                    : traced.method->draws(traced.primitives.shape(primitive)));
+    };
+    const ScanTrace &trace = *traced.trace;
+    if (trace.stepCount() == 0)
+        return std::nullopt;
+    const std::size_t step = view.position == 0 ? 0 : view.position - 1;
+    for (std::size_t next = view.primitive.value_or(trace.stepAt(step).primitive) + 1; next > 0;
+         --next) {
+        if (isSubject(next - 1))
+            return next - 1;
+        if (view.primitive)
+            break;
+    }
+    return std::nullopt;
 }
 
 LayerDrawing drawingOf(const QStringList &ids, const LayerView &view)
@@ -112,6 +125,7 @@ LayerDrawing drawingOf(const QStringList &ids, const LayerView &view)
             layer.draw({view, *primitive}, drawing);
     }
     drawing.notes.removeDuplicates();
+    removeDuplicates(drawing.labels); // of one half-plane beside all three
     return drawing;
 }
 

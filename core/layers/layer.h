@@ -31,9 +31,12 @@ std::span<const Layer> layers();
 /// Null when there is no such layer.
 const Layer *layerNamed(QStringView id);
 
-/// What the layers with these ids draw of a moment, each of the primitive in hand or the last one
-/// before it of which it has something to say. Unknown ids, and layers with an objection, draw
-/// nothing.
+/// The primitive in hand, or the last one before it of which a layer has something to say; none
+/// where there is no such one.
+std::optional<std::size_t> subjectOf(const Layer &layer, const LayerView &view);
+
+/// What the layers with these ids draw of a moment, each of its subject. Unknown ids, and layers
+/// with an objection, draw nothing.
 LayerDrawing drawingOf(const QStringList &ids, const LayerView &view);
 
 } // namespace pixelplumb

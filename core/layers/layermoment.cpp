@@ -5,6 +5,15 @@
 
 namespace pixelplumb {
 
+std::array<LatticePoint, 3> LayerMoment::corners() const
+{
+    const std::array<int, 3> order = trace().setUp(primitive).order;
+    std::array<LatticePoint, 3> places;
+    for (std::size_t i = 0; i < 3; ++i)
+        places[i] = triangle().vertices[std::size_t(order[i])].position;
+    return places;
+}
+
 std::optional<std::size_t> LayerMoment::spanInHand() const
 {
     const std::size_t first = trace().firstSpanOf(primitive);

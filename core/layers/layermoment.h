@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/layers/affineimage.h"
 #include "core/runs/tracedscene.h"
 #include "core/scan/edgeteststate.h"
 
+#include <QPoint>
 #include <QPointF>
+
+#include <array>
 
 namespace pixelplumb {
 
@@ -15,6 +19,8 @@ struct LayerView {
     SampleBox seen; ///< the pixels in view
     double cell = 1; ///< a pixel's side as it is painted, logical px
     std::optional<std::size_t> primitive; ///< none: the one in hand
+    std::optional<QPoint> picked; ///< the pixel of which layers tell; none: that of the step
+    std::optional<AffineImage> image; ///< none: one that is worth a look
 };
 
 /// The same for one layer: its primitive is one of which the layer has something to say.
@@ -29,6 +35,8 @@ struct LayerMoment {
     const FrameSpec &frame() const { return view.traced->scene.frame; }
     /// The pixels in view that the frame has.
     SampleBox seen() const { return intersection(view.seen, samplesOf(windowOf(frame()))); }
+    /// P₀, P₁, P₂ of the triangle, as the run names them.
+    std::array<LatticePoint, 3> corners() const;
     /// The span of the primitive that is in hand, or its last one; none where none is entered yet.
     std::optional<std::size_t> spanInHand() const;
     bool hasDone(std::size_t step) const { return step < view.position; }

@@ -6,6 +6,8 @@
 
 #include <QPainter>
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 QTransform pictureTransform(const FrameSpec &frame, const QPointF &corner, double cell)
@@ -20,8 +22,16 @@ QTransform pictureTransform(const FrameSpec &frame, const QPointF &corner, doubl
             corner.y() + down * cell};
 }
 
-void LayerPainter::paint(QPainter &painter, const LayerDrawing &drawing,
-                         const LayerSurface &surface)
+QStringList LayerPainter::paint(QPainter &painter, const LayerDrawing &drawing,
+                                const LayerSurface &surface)
+{
+    QStringList omissions = paintMarks(painter, drawing, surface);
+    omissions += paintLabels(painter, drawing, surface, {});
+    return omissions;
+}
+
+QStringList LayerPainter::paintMarks(QPainter &painter, const LayerDrawing &drawing,
+                                     const LayerSurface &surface)
 {
     painter.save();
     painter.setClipRect(surface.view, Qt::IntersectClip);
@@ -33,13 +43,30 @@ void LayerPainter::paint(QPainter &painter, const LayerDrawing &drawing,
         marks.paint(line);
     for (const LayerDrawing::Circle &circle : drawing.circles)
         marks.paint(circle);
-    LayerTexts texts(painter, surface, m_glyphs);
-    texts.paintCells(drawing.cells);
+    const QString objection = LayerTexts(painter, surface, m_glyphs).paintCells(drawing.cells);
     for (const LayerDrawing::Point &point : drawing.points)
         marks.paint(point);
-    for (const LayerDrawing::Label &label : drawing.labels)
-        texts.paint(label);
     painter.restore();
+    return objection.isEmpty() ? QStringList() : QStringList(objection);
+}
+
+QStringList LayerPainter::paintLabels(QPainter &painter, const LayerDrawing &drawing,
+                                      const LayerSurface &surface, std::span<const QRectF> taken)
+{
+    painter.save();
+    painter.setClipRect(surface.view, Qt::IntersectClip);
+    painter.setRenderHint(QPainter::Antialiasing);
+    LayerTexts texts(painter, surface, m_glyphs, taken);
+    const auto omitted
+        = std::ranges::count_if(drawing.labels, [&texts](const LayerDrawing::Label &label) {
+              return texts.paint(label) == LayerTexts::Room::None;
+          });
+    painter.restore();
+    if (omitted == 0)
+        return {};
+    return {QStringLiteral("No room for %1 of %2 names: enlarge the picture, or show fewer layers")
+                .arg(omitted)
+                .arg(drawing.labels.size())};
 }
 
 } // namespace pixelplumb

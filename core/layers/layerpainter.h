@@ -6,7 +6,10 @@
 #include "core/layers/layerink.h"
 
 #include <QRectF>
+#include <QStringList>
 #include <QTransform>
+
+#include <span>
 
 class QPainter;
 
@@ -24,10 +27,18 @@ struct LayerSurface {
 };
 
 /// Paints the drawings of layers, for the window and for the command line alike: lines have a
-/// casing, texts paper behind them. It knows the glyphs that it has painted.
+/// casing, texts paper behind them. What it returns is to be said beside the picture: what of the
+/// drawing had no room. It knows the glyphs that it has painted.
 class LayerPainter {
 public:
-    void paint(QPainter &painter, const LayerDrawing &drawing, const LayerSurface &surface);
+    /// All of a drawing.
+    QStringList paint(QPainter &painter, const LayerDrawing &drawing, const LayerSurface &surface);
+    /// All but its labels.
+    QStringList paintMarks(QPainter &painter, const LayerDrawing &drawing,
+                           const LayerSurface &surface);
+    /// Its labels, clear of each other and of what is taken in the paint device.
+    QStringList paintLabels(QPainter &painter, const LayerDrawing &drawing,
+                            const LayerSurface &surface, std::span<const QRectF> taken);
 
 private:
     Glyphs m_glyphs;

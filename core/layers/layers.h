@@ -20,6 +20,8 @@ Layer weightsLayer();
 Layer levelsLayer();
 /// The oblique axes of β and γ, and the points whose weights everyone should know.
 Layer barycentricAxesLayer();
+/// Where an affine map takes the triangle, and the weights that it leaves.
+Layer affineMapLayer();
 /// The plane of a channel as contour lines.
 Layer redIsolinesLayer();
 Layer greenIsolinesLayer();

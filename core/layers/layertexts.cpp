@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -16,7 +17,8 @@ namespace {
 constexpr double labelEm = 12;
 constexpr double largestEm = 14;
 constexpr double leastEm = 6;
-constexpr double labelGap = 6;
+constexpr std::array labelGaps = {6.0, 20.0, 36.0, 54.0, 76.0}; ///< from the anchor, to each side
+constexpr double leaderGap = 8; ///< a label that is farther from its anchor has a line to it
 constexpr double paperPadding = 3;
 constexpr double nearView = 20; ///< names of what is farther would crowd the border
 
@@ -38,15 +40,37 @@ TextsByPixel byPixel(std::span<const LayerDrawing::CellText> texts)
     return sorted;
 }
 
-/// Right above the anchor first, then the other quarters.
-std::array<QPointF, 4> placesAround(const QPointF &anchor, const QSizeF &size)
+/// Where a label may stand beside its anchor, the nearest first: right above it, in the other
+/// quarters, then farther and farther aside.
+std::vector<QPointF> placesAround(const QPointF &anchor, const QSizeF &size)
 {
-    const double right = anchor.x() + labelGap;
-    const double left = anchor.x() - labelGap - size.width();
-    const double above = anchor.y() - labelGap - size.height();
-    const double below = anchor.y() + labelGap;
-    return {QPointF(right, above), QPointF(right, below), QPointF(left, above),
-            QPointF(left, below)};
+    std::vector<QPointF> places;
+    const double middle = anchor.x() - size.width() / 2;
+    const double level = anchor.y() - size.height() / 2;
+    for (const double gap : labelGaps) {
+        const double right = anchor.x() + gap;
+        const double left = anchor.x() - gap - size.width();
+        const double above = anchor.y() - gap - size.height();
+        const double below = anchor.y() + gap;
+        places.insert(places.end(), {{right, above}, {right, below}, {left, above}, {left, below}});
+        if (gap > leaderGap)
+            places.insert(places.end(),
+                          {{middle, above}, {middle, below}, {right, level}, {left, level}});
+    }
+    return places;
+}
+
+QPointF nearestIn(const QRectF &rect, const QPointF &point)
+{
+    return {std::clamp(point.x(), rect.left(), rect.right()),
+            std::clamp(point.y(), rect.top(), rect.bottom())};
+}
+
+/// What is to be said of numbers that cells have no room for.
+QString cellsTooSmall(double side)
+{
+    return QStringLiteral("The numbers need cells of %1 pixels: enlarge the picture")
+        .arg(std::ceil(side));
 }
 
 /// Kept in view, so that a name near the border can be read.
@@ -59,10 +83,10 @@ QRectF movedInto(QRectF rect, const QRectF &view)
 
 } // namespace
 
-void LayerTexts::paintCells(std::span<const LayerDrawing::CellText> texts)
+QString LayerTexts::paintCells(std::span<const LayerDrawing::CellText> texts)
 {
     if (texts.empty())
-        return;
+        return {};
     double widest = 0;
     for (const LayerDrawing::CellText &text : texts)
         widest = std::max(widest, m_glyphs.widthOf(text.text));
@@ -70,10 +94,13 @@ void LayerTexts::paintCells(std::span<const LayerDrawing::CellText> texts)
     const TextsByPixel sorted = byPixel(texts);
     for (const auto &[pixel, lines] : sorted)
         most = std::max(most, lines.size());
+    if (widest == 0)
+        return {}; // there is no font
     const double side = m_surface.fromSamples.m11() * usedCell;
-    const double em = std::min({largestEm, side / widest, side / (lineHeight * double(most))});
-    if (em < leastEm || widest == 0) // without a font there is no width
-        return;
+    const double ems = std::max(widest, lineHeight * double(most)); // that a cell has to hold
+    const double em = std::min(largestEm, side / ems);
+    if (em < leastEm)
+        return cellsTooSmall(leastEm * ems / usedCell);
     for (const auto &[pixel, lines] : sorted) {
         const QPointF centre
             = m_surface.fromSamples.map(QPointF(double(pixel.second), double(pixel.first)));
@@ -88,29 +115,39 @@ void LayerTexts::paintCells(std::span<const LayerDrawing::CellText> texts)
             top += lineHeight * em;
         }
     }
+    return {};
 }
 
-void LayerTexts::paint(const LayerDrawing::Label &label)
+LayerTexts::Room LayerTexts::paint(const LayerDrawing::Label &label)
 {
     const QPointF anchor = m_surface.fromSamples.map(label.place);
     if (!m_surface.view.adjusted(-nearView, -nearView, nearView, nearView).contains(anchor))
-        return;
+        return Room::Found;
     const QSizeF size(m_glyphs.widthOf(label.text) * labelEm + 2 * paperPadding,
                       lineHeight * labelEm + 2);
-    const auto places = placesAround(anchor, size);
-    const auto rectAt = [&](const QPointF &place) {
-        return movedInto({place, size}, m_surface.view);
-    };
-    const auto free = std::ranges::find_if(places, [&](const QPointF &place) {
-        const QRectF rect = rectAt(place);
-        return std::ranges::none_of(
-            m_labels, [&rect](const QRectF &other) { return other.intersects(rect); });
-    });
-    const QRectF rect = rectAt(free != places.end() ? *free : places.front());
-    m_labels.push_back(rect);
-    paintPaper(rect);
-    paintText(label.text, rect.topLeft() + QPointF(paperPadding, 1 + ascent * labelEm), labelEm,
-              label.ink);
+    for (const QPointF &place : placesAround(anchor, size)) {
+        const QRectF rect = movedInto({place, size}, m_surface.view);
+        if (std::ranges::any_of(m_taken,
+                                [&rect](const QRectF &other) { return other.intersects(rect); }))
+            continue;
+        m_taken.push_back(rect);
+        paintLeader({anchor, nearestIn(rect, anchor)}, label.ink);
+        paintPaper(rect);
+        paintText(label.text, rect.topLeft() + QPointF(paperPadding, 1 + ascent * labelEm), labelEm,
+                  label.ink);
+        return Room::Found;
+    }
+    return Room::None;
+}
+
+void LayerTexts::paintLeader(const QLineF &leader, LayerInk ink)
+{
+    if (leader.length() <= leaderGap * std::sqrt(2.0))
+        return;
+    m_painter.setPen(QPen(paperOf(m_surface.tone), 3, Qt::SolidLine, Qt::FlatCap));
+    m_painter.drawLine(leader);
+    m_painter.setPen(QPen(colourOf(ink, m_surface.tone), 1, Qt::SolidLine, Qt::FlatCap));
+    m_painter.drawLine(leader);
 }
 
 void LayerTexts::paintText(const QString &text, const QPointF &baseline, double em, LayerInk ink)

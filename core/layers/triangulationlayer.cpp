@@ -13,6 +13,7 @@ namespace {
 
 const QString fanMethod = QStringLiteral("polygon-fan");
 const QString delaunayMethod = QStringLiteral("polygon-delaunay");
+const QString tessellationMethod = QStringLiteral("polygon-tessellation");
 
 using Piece = std::array<LatticePoint, 3>;
 
@@ -62,9 +63,10 @@ void appendPieceInHand(const LayerMoment &moment, const std::vector<Piece> &piec
 
 void drawInnerEdges(const LayerMoment &moment, LayerDrawing &drawing)
 {
-    const bool isFan = moment.view.traced->method->id == fanMethod;
-    const Contours contours = contoursOf(moment.shape());
-    const std::vector<Piece> pieces = (isFan ? fanOf(contours) : delaunayOf(contours)).triangles;
+    const QString &method = moment.view.traced->method->id;
+    const bool isFan = method == fanMethod;
+    const auto triangulate = isFan ? fanOf : method == delaunayMethod ? delaunayOf : tessellationOf;
+    const std::vector<Piece> pieces = triangulate(contoursOf(moment.shape())).triangles;
     appendEdges(pieces, drawing);
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         if (!isFan && doubledArea(pieces[i][0], pieces[i][1], pieces[i][2]) != 0)
@@ -89,7 +91,7 @@ Layer innerEdgesLayer()
             .source = QStringLiteral("Rasterization slides, “Triangulation”; Scan Conversion "
                                      "slides, “From Polygons to Triangles”"),
             .kinds = {PrimitiveKind::Polygon},
-            .methods = {fanMethod, delaunayMethod},
+            .methods = {fanMethod, delaunayMethod, tessellationMethod},
             .draw = drawInnerEdges};
 }
 

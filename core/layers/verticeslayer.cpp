@@ -16,16 +16,12 @@ void appendVertex(const LayerMoment &moment, std::size_t number, const LatticePo
     drawing.labels.push_back({name.replace(u'-', QChar(0x2212)), placeOf(vertex), LayerInk::Mark});
 }
 
-/// P₀, P₁, P₂ as the run names them.
 void appendTriangle(const LayerMoment &moment, LayerDrawing &drawing)
 {
-    const std::array<int, 3> order = moment.trace().setUp(moment.primitive).order;
+    const std::array<LatticePoint, 3> corners = moment.corners();
     for (std::size_t i = 0; i < 3; ++i) {
-        const auto vertexAt = [&](std::size_t place) {
-            return moment.triangle().vertices[std::size_t(order[place % 3])].position;
-        };
-        drawing.lines.push_back({placeOf(vertexAt(i)), placeOf(vertexAt(i + 1))});
-        appendVertex(moment, i, vertexAt(i), drawing);
+        drawing.lines.push_back({placeOf(corners[i]), placeOf(corners[(i + 1) % 3])});
+        appendVertex(moment, i, corners[i], drawing);
     }
 }
 

@@ -12,6 +12,11 @@ struct BezierKernel : ShapeKernel<PrimitiveKind::Bezier>, InIntegers {
     template <class>
     using Recording = BezierRecording;
 
+    static bool draws(const Primitives &primitives, std::size_t index)
+    {
+        return ShapeKernel::draws(primitives, index)
+            && primitives.shape(index).fill == ShapeFill::Outline;
+    }
     template <class, class Observer>
     static void scan(const Shape &shape, const ScanSettings &, FrameView frame, Observer observer)
     {
@@ -166,6 +171,7 @@ Method bezierSubdivisionMethod()
                                     "has no pixels but those of its two ends, and writes these: "
                                     "thin as a line, the pixels nearer than ½ px by |Δx| + |Δy|.");
     method.kinds = {PrimitiveKind::Bezier};
+    method.fills = {ShapeFill::Outline};
     method.stableArithmetics = {Arithmetic::Exact};
     return method;
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/edgewalknames.h"
 
+#include "core/methods/formulatext.h"
+
 #include <algorithm>
 
 namespace pixelplumb {
@@ -62,12 +64,7 @@ QString EdgeWalkNames::way(std::size_t from, std::size_t to) const
 QString EdgeWalkNames::divisor(SortedEdge edge, VariantSet variants) const
 {
     const auto &ends = sortedEdgeEnds[std::size_t(edge)];
-    QString text = way(ends[0], ends[1]).chopped(1);
-    if (variants.contains(Variant::DivisorMinusOne))
-        text += QStringLiteral(" − 1");
-    if (variants.contains(Variant::DivisorPlusOne))
-        text += QStringLiteral(" + 1");
-    return text + u')';
+    return way(ends[0], ends[1]).chopped(1) + divisorChange(variants) + u')';
 }
 
 bool EdgeWalkNames::isTooShort(const std::array<Vertex, 3> &corners, SortedEdge edge,

@@ -54,6 +54,16 @@ QString operand(const Quantity &quantity)
 
 Quantity pixels(Lattice units) { return Quantity::rational(units, unitsPerPixel); }
 
+QString divisorChange(VariantSet variants)
+{
+    QString change;
+    if (variants.contains(Variant::DivisorMinusOne))
+        change += QStringLiteral(" − 1");
+    if (variants.contains(Variant::DivisorPlusOne))
+        change += QStringLiteral(" + 1");
+    return change;
+}
+
 QString pointText(const LatticePoint &point)
 {
     return QStringLiteral("(%1, %2)").arg(term(pixels(point.x)), term(pixels(point.y)));

@@ -3,6 +3,7 @@
 
 #include "core/geometry/lattice.h"
 #include "core/number/quantity.h"
+#include "core/scan/variants.h"
 
 namespace pixelplumb {
 
@@ -15,6 +16,9 @@ QString operand(const Quantity &quantity);
 
 /// Lattice units as pixels.
 Quantity pixels(Lattice units);
+
+/// What a variant adds to the count of steps that increments are divided by: " − 1", " + 1".
+QString divisorChange(VariantSet variants);
 
 /// "(26 1/2, 44)", px.
 QString pointText(const LatticePoint &point);

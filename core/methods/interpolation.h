@@ -9,6 +9,7 @@ namespace pixelplumb {
 /// Scan Conversion slides, "Interpolation During Scan Conversion". The picture shows the colour; a
 /// trace carries what else the scene's triangles are given.
 Method bilinearInterpolationMethod();
+Method bilinearRowsInterpolationMethod();
 Method planeInterpolationMethod();
 Method barycentricInterpolationMethod();
 

@@ -33,16 +33,26 @@ struct InterpolationKernel : TriangleKernel,
     static void scan(const Triangle &triangle, const ScanSettings &settings, FrameView frame,
                      Observer observer)
     {
+        const auto listener = listenerFor<Form>(observer);
         const auto scanIn = [&]<class InNumber, class Integer>() {
-            InterpolationScan<Form, InNumber, Integer, colourChannelCount, Observer>(
-                triangle, nullptr, CarriedChannels{}, settings, frame, observer)
-                .run();
+            using Listener = std::remove_const_t<decltype(listener)>;
+            const auto scan = [&](const Triangle &scanned) {
+                InterpolationScan<Form, InNumber, Integer, colourChannelCount, Listener>(
+                    scanned, nullptr, CarriedChannels{}, settings, frame, listener)
+                    .run();
+            };
+            if constexpr (axisOf(Form) == SpanAxis::Row)
+                scan(FormTriangle<Form>(triangle, nullptr).triangle);
+            else
+                scan(triangle);
         };
         // The picture is the same in all; who reads the numbers has one type of them.
         if constexpr (!readsNumbers<Observer>) {
             if constexpr (std::is_same_v<Number, CommonFraction>) {
                 if (hasNarrowFractions(triangle)) {
-                    scanIn.template operator()<FractionOf<std::int64_t>, std::int64_t>();
+                    inOneFunction([&] {
+                        scanIn.template operator()<FractionOf<std::int64_t>, std::int64_t>();
+                    });
                     return;
                 }
             }

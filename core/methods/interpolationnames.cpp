@@ -36,6 +36,11 @@ QString weightId(std::size_t vertex)
     return QString::fromLatin1(ids[vertex]);
 }
 
+EdgeWalkNames walkNames(InterpolationForm form)
+{
+    return EdgeWalkNames(EdgeWalkForm{axisOf(form), WalkForm::Accumulated, ColourRate::Bilinear});
+}
+
 NumberDescription comparedNumber(const QString &id, const QString &title, const QString &unit,
                                  const QString &toolTip, const QString &formula, NumberGroup group)
 {

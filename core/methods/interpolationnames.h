@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/methods/edgewalknames.h"
 #include "core/scan/interpolationnumbers.h"
 #include "core/trace/numberdescription.h"
 
@@ -17,6 +18,10 @@ QString coefficientOf(const QString &coefficient, QString name);
 /// "α"; in files "alpha".
 QString weightTitle(std::size_t vertex);
 QString weightId(std::size_t vertex);
+
+/// The letters of a form's walk along the edges, told as the edge walks tell
+/// theirs.
+EdgeWalkNames walkNames(InterpolationForm form);
 
 /// A number that stands beside the exact one.
 NumberDescription comparedNumber(const QString &id, const QString &title, const QString &unit,

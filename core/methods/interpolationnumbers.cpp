@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/interpolationnumbers.h"
 
-#include "core/methods/edgewalknames.h"
 #include "core/methods/interpolationnames.h"
 #include "core/methods/placenumbers.h"
 #include "core/methods/units.h"
@@ -12,109 +11,117 @@ namespace {
 
 using Group = NumberGroup;
 
-/// Where the column lies and what it covers.
-void appendPlace(NumberTable<InterpolationSpanState> &table)
+/// Where the column or row lies and what it covers.
+void appendPlace(NumberTable<InterpolationSpanState> &table, const EdgeWalkNames &names)
 {
     using State = InterpolationSpanState;
     table.push_back({triangleNumber(), [](const State &state) {
                          return Quantity::integer(Int128(state.walk.primitive));
                      }});
-    table.push_back(
-        {scannedNumber(), [](const State &state) { return Quantity::integer(state.column.x); }});
-    table.push_back({halfNumber(), [](const State &state) {
+    table.push_back({names.filled({.id = QStringLiteral("{c}"),
+                                   .title = QStringLiteral("{c}"),
+                                   .unit = unit::px(),
+                                   .toolTip = QStringLiteral("The {span}."),
+                                   .formula = {}}),
+                     [isRow = names.isRow()](const State &state) {
+                         return Quantity::integer(isRow ? -state.column.x : state.column.x);
+                     }});
+    NumberDescription half = halfNumber();
+    half.id = half.title = QStringLiteral("{half}");
+    table.push_back({names.filled(half), [](const State &state) {
                          return Quantity::integer(state.column.half == ColumnHalf::First ? 1 : 2);
                      }});
-    table.push_back(
-        {{.id = QStringLiteral("first_row"),
-          .title = QStringLiteral("y_first"),
-          .unit = unit::px(),
-          .toolTip = QStringLiteral("The first covered row; exact in every arithmetic."),
-          .formula = {},
-          .group = Group::Span},
-         [](const State &state) { return Quantity::integer(state.column.firstRow); }});
-    table.push_back(
-        {{.id = QStringLiteral("last_row"),
-          .title = QStringLiteral("y_last"),
-          .unit = unit::px(),
-          .toolTip = QStringLiteral("The last covered row; exact in every arithmetic."),
-          .formula = {},
-          .group = Group::Span},
-         [](const State &state) { return Quantity::integer(state.column.endRow - 1); }});
-    table.push_back({columnPixelsNumber(),
+    const auto covered = [&](const QString &which, const auto &read) {
+        table.push_back(
+            {names.filled({.id = which + QStringLiteral("_{across}"),
+                           .title = QStringLiteral("{a}_") + which,
+                           .unit = unit::px(),
+                           .toolTip = QStringLiteral("The %1 covered {across}; exact in every "
+                                                     "arithmetic.")
+                                          .arg(which),
+                           .formula = {},
+                           .group = Group::Span}),
+             read});
+    };
+    covered(QStringLiteral("first"),
+            [](const State &state) { return Quantity::integer(state.column.firstRow); });
+    covered(QStringLiteral("last"),
+            [](const State &state) { return Quantity::integer(state.column.endRow - 1); });
+    NumberDescription pixels = columnPixelsNumber();
+    pixels.toolTip.replace(QStringLiteral("column"), QStringLiteral("{span}"));
+    table.push_back({names.filled(pixels),
                      [](const State &state) { return Quantity::integer(state.drawnSamples()); }});
 }
 
-/// The walk along the edges is told as the column scan's.
-const EdgeWalkNames &columnNames()
+void appendBounds(NumberTable<InterpolationSpanState> &table, const EdgeWalkNames &names)
 {
-    static const EdgeWalkNames names(
-        EdgeWalkForm{SpanAxis::Column, WalkForm::Accumulated, ColourRate::Bilinear});
-    return names;
-}
-
-void appendBounds(NumberTable<InterpolationSpanState> &table)
-{
-    const auto row = [&table](SpanBound bound, const QString &title, const QString &edge,
-                              Quantity InterpolationColumn<Quantity>::*value) {
+    const auto row = [&](SpanBound bound, const QString &pattern, const QString &edge,
+                         Quantity InterpolationColumn<Quantity>::*value) {
+        const QString title = names.filled(pattern);
         table.push_back(
-            {comparedNumber(title, title, unit::px(),
-                            QStringLiteral("Where the %1 edge meets the column, as the channels "
-                                           "use it.")
-                                .arg(edge),
-                            QStringLiteral("%1 ← %1′ + m").arg(title), Group::Span),
+            {names.filled(comparedNumber(
+                 title, title, unit::px(),
+                 QStringLiteral("Where the %1 edge meets the {span}, as the channels use it.")
+                     .arg(edge),
+                 QStringLiteral("%1 ← %1′ + m").arg(title), Group::Span)),
              [value](const InterpolationSpanState &state) { return state.column.*value; },
              [=](NumberDescription &number, const InterpolationSpanState &state) {
-                 number.formula = columnNames().boundFormula(
-                     state.walk, bound, title, QStringLiteral("y"), QStringLiteral("m"));
+                 number.formula
+                     = names.boundFormula(state.walk, bound, title,
+                                          names.filled(QStringLiteral("{a}")), QStringLiteral("m"));
              }});
     };
-    row(SpanBound::Lower, QStringLiteral("y_B"), QStringLiteral("lower"),
+    row(SpanBound::Lower, QStringLiteral("{a}_{lo}"), QStringLiteral("{lower}"),
         &InterpolationColumn<Quantity>::yBottom);
-    row(SpanBound::Upper, QStringLiteral("y_T"), QStringLiteral("upper"),
+    row(SpanBound::Upper, QStringLiteral("{a}_{hi}"), QStringLiteral("{upper}"),
         &InterpolationColumn<Quantity>::yTop);
 }
 
-/// The channels where an edge meets the column.
-void appendBoundValues(NumberTable<InterpolationSpanState> &table, const CarriedChannels &carried,
-                       SpanBound bound,
+/// The channels where an edge meets the column or row.
+void appendBoundValues(NumberTable<InterpolationSpanState> &table, const EdgeWalkNames &names,
+                       const CarriedChannels &carried, SpanBound bound,
                        std::array<Quantity, channelCount> InterpolationColumn<Quantity>::*values)
 {
     const bool isLower = bound == SpanBound::Lower;
     for (std::size_t place = 0; place < carried.count(); ++place) {
         const QString &name = channelName(carried.at(place));
-        const QString title
-            = withSubscript(name, isLower ? QStringLiteral("B") : QStringLiteral("T"));
+        const QString title = names.filled(
+            withSubscript(name, isLower ? QStringLiteral("{lo}") : QStringLiteral("{hi}")));
         table.push_back(
-            {comparedNumber(
+            {names.filled(comparedNumber(
                  title, title, channelUnit(place),
-                 QStringLiteral("%1 where the %2 edge meets the column; its rate is "
-                                "added from column to column.")
-                     .arg(name, isLower ? QStringLiteral("lower") : QStringLiteral("upper")),
-                 QStringLiteral("%1 ← %1′ + δ%2").arg(title, name), Group::EdgeColours),
+                 QStringLiteral("%1 where the %2 edge meets the {span}; its rate is "
+                                "added from {span} to {span}.")
+                     .arg(name, isLower ? QStringLiteral("{lower}") : QStringLiteral("{upper}")),
+                 QStringLiteral("%1 ← %1′ + δ%2").arg(title, name), Group::EdgeColours)),
              [=](const InterpolationSpanState &state) { return (state.column.*values)[place]; },
              [=](NumberDescription &number, const InterpolationSpanState &state) {
-                 number.formula = columnNames().boundFormula(state.walk, bound, title, name,
-                                                             QStringLiteral("δ") + name);
+                 number.formula = names.boundFormula(state.walk, bound, title, name,
+                                                     QStringLiteral("δ") + name);
              }});
     }
 }
 
-void appendRates(NumberTable<InterpolationSpanState> &table, const CarriedChannels &carried)
+void appendRates(NumberTable<InterpolationSpanState> &table, const EdgeWalkNames &names,
+                 const CarriedChannels &carried)
 {
+    const QString move
+        = names.isRow() ? QStringLiteral("move to the right") : QStringLiteral("upward move");
     for (std::size_t place = 0; place < carried.count(); ++place) {
         const QString &name = channelName(carried.at(place));
-        table.push_back(
-            {comparedNumber(QStringLiteral("delta_") + name, u'Δ' + name, channelUnit(place),
-                            QStringLiteral("Change of %1 for each upward move; none where y_B = "
-                                           "y_T, with nothing to share out.")
-                                .arg(name),
-                            QStringLiteral("Δ%1 = (%2 − %3)/(y_T − y_B)")
-                                .arg(name, withSubscript(name, QStringLiteral("T")),
-                                     withSubscript(name, QStringLiteral("B"))),
-                            Group::ColourRates),
-             [=](const InterpolationSpanState &state) {
-                 return state.hasRate() ? state.column.rate[place] : Quantity();
-             }});
+        table.push_back({names.filled(comparedNumber(
+                             QStringLiteral("delta_") + name, u'Δ' + name, channelUnit(place),
+                             QStringLiteral("Change of %1 for each %2; none where {a}_{lo} = "
+                                            "{a}_{hi}, with "
+                                            "nothing to share out.")
+                                 .arg(name, move),
+                             QStringLiteral("Δ%1 = (%2 − %3)/({a}_{hi} − {a}_{lo})")
+                                 .arg(name, withSubscript(name, QStringLiteral("{hi}")),
+                                      withSubscript(name, QStringLiteral("{lo}"))),
+                             Group::ColourRates)),
+                         [=](const InterpolationSpanState &state) {
+                             return state.hasRate() ? state.column.rate[place] : Quantity();
+                         }});
     }
 }
 
@@ -137,6 +144,7 @@ QString valueFormula(InterpolationForm form, const QString &name)
 {
     switch (form) {
     case InterpolationForm::Bilinear:
+    case InterpolationForm::BilinearRows:
         return QStringLiteral("%1 ← %1′ + Δ%1").arg(name);
     case InterpolationForm::Plane:
         return QStringLiteral("%1 = %2·x + %3·y + %4")
@@ -155,28 +163,33 @@ QString valueFormula(InterpolationForm form, const QString &name)
 QString segmentFormula(InterpolationForm form, const QString &name,
                        const InterpolationSampleState &state)
 {
-    const bool isSorted = form == InterpolationForm::Bilinear;
+    const bool isSorted = isBilinear(form);
     const QChar first = vertexDigits[isSorted ? 0 : std::size_t(state.order[0])];
     const QChar last = vertexDigits[isSorted ? 2 : std::size_t(state.order[2])];
+    const bool isRow = axisOf(form) == SpanAxis::Row;
+    // Rows go down, along growing −y.
     const QString value = state.isPoint ? QStringLiteral("% = %#")
-                                        : QStringLiteral("% = %# + (@ − @#)·((%& − %#)/(@& − @#))");
+        : isRow && !state.start.isVertical
+        ? QStringLiteral("% = %# + (@# − @)·((%& − %#)/(@# − @&))")
+        : QStringLiteral("% = %# + (@ − @#)·((%& − %#)/(@& − @#))");
     return QString(value)
-        .replace(u'@', state.start.isVertical ? u'y' : u'x')
+        .replace(u'@', state.start.isVertical != isRow ? u'y' : u'x')
         .replace(u'#', first)
         .replace(u'&', last)
         .replace(u'%', name);
 }
 
-/// Without a change along the column its one sample has what its bound has.
+/// Without a change along the column its samples have what its bound has.
 void specifyValue(NumberDescription &number, InterpolationForm form, const QString &name,
                   const InterpolationSampleState &state)
 {
     if (!state.start.hasPlane) {
         number.formula = segmentFormula(form, name, state);
         number.startFormula.clear();
-    } else if (form == InterpolationForm::Bilinear && state.start.isPoint) {
-        number.startFormula
-            = name + QStringLiteral(" ← ") + withSubscript(name, QStringLiteral("B"));
+    } else if (isBilinear(form) && state.start.isPoint) {
+        number.formula = QStringLiteral("%1 ← %1′").arg(name);
+        number.startFormula = walkNames(form).filled(name + QStringLiteral(" ← ")
+                                                     + withSubscript(name, QStringLiteral("{lo}")));
     }
 }
 
@@ -187,13 +200,14 @@ NumberTable<InterpolationSpanState> interpolationSpanNumbers(InterpolationForm f
 {
     using Column = InterpolationColumn<Quantity>;
     NumberTable<InterpolationSpanState> table;
-    appendPlace(table);
-    if (form != InterpolationForm::Bilinear)
+    const EdgeWalkNames names = walkNames(form);
+    appendPlace(table, names);
+    if (!isBilinear(form))
         return table;
-    appendBounds(table);
-    appendBoundValues(table, carried, SpanBound::Lower, &Column::bottom);
-    appendBoundValues(table, carried, SpanBound::Upper, &Column::top);
-    appendRates(table, carried);
+    appendBounds(table, names);
+    appendBoundValues(table, names, carried, SpanBound::Lower, &Column::bottom);
+    appendBoundValues(table, names, carried, SpanBound::Upper, &Column::top);
+    appendRates(table, names, carried);
     return table;
 }
 
@@ -208,9 +222,10 @@ NumberTable<InterpolationSampleState> interpolationSampleNumbers(InterpolationFo
         NumberDescription number = comparedNumber(name, name, channelUnit(place),
                                                   QStringLiteral("%1 at the sample.").arg(name),
                                                   valueFormula(form, name), Group::FirstColour);
-        if (form == InterpolationForm::Bilinear)
-            number.startFormula = QStringLiteral("%1 ← %2 + (y − y_B)·Δ%1")
-                                      .arg(name, withSubscript(name, QStringLiteral("B")));
+        if (isBilinear(form))
+            number.startFormula = walkNames(form).filled(
+                QStringLiteral("%1 ← %2 + ({a} − {a}_{lo})·Δ%1")
+                    .arg(name, withSubscript(name, QStringLiteral("{lo}"))));
         table.push_back(
             {number, [place](const InterpolationSampleState &state) { return state.value[place]; },
              [=](NumberDescription &description, const InterpolationSampleState &state) {

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/interpolationnames.h"
 #include "core/methods/pseudocode.h"
 
 namespace pixelplumb {
@@ -12,7 +13,8 @@ QString coefficientsText(InterpolationForm form)
 {
     switch (form) {
     case InterpolationForm::Bilinear:
-        return QStringLiteral("δ ← what each column adds to it along L₀₁, L₁₂ and L₀₂");
+    case InterpolationForm::BilinearRows:
+        return QStringLiteral("δ ← what each {span} adds to it along L₀₁, L₁₂ and L₀₂");
     case InterpolationForm::Plane:
         return QStringLiteral("a, b, c ← of the plane through its values at the three vertices");
     case InterpolationForm::Barycentric:
@@ -24,10 +26,11 @@ QString coefficientsText(InterpolationForm form)
 /// How each sample gets its values.
 Pseudocode valueLines(InterpolationForm form)
 {
-    if (form == InterpolationForm::Bilinear)
-        return {
-            {2, QStringLiteral("the first: each value v ← v_B, moved on to this sample"), {First}},
-            {2, QStringLiteral("else: v ← v + Δv"), {Next}}};
+    if (isBilinear(form))
+        return {{2,
+                 QStringLiteral("the first: each value v ← v_{lo}, moved on to this sample"),
+                 {First}},
+                {2, QStringLiteral("else: v ← v + Δv"), {Next}}};
     if (form == InterpolationForm::Plane)
         return {{2, QStringLiteral("each value v ← a·x + b·y + c"), {First, Next}}};
     return {{2, QStringLiteral("α, β, γ ← a·x + b·y + c, of each its own"), {First, Next}},
@@ -36,25 +39,45 @@ Pseudocode valueLines(InterpolationForm form)
 
 Pseudocode columnLines(InterpolationForm form)
 {
-    Pseudocode code = {
-        {0, QStringLiteral("sort the vertices by x: P₀, P₁, P₂"), {SetUp}},
-        {0, QStringLiteral("m ← the slopes of L₀₁, L₁₂ and L₀₂"), {SetUp}},
-        {0, QStringLiteral("of each value that is carried: ") + coefficientsText(form), {SetUp}},
-        {0, QStringLiteral("if no sample is to be drawn: done"), {Rejected}},
-        {0,
-         QStringLiteral("for each column that the fill rule takes, with L₀₁ up to P₁, with L₁₂ "
-                        "from there, and L₀₂:"),
-         {Begin, Span}},
-        {1, QStringLiteral("where an edge begins: its y in this column, from its vertex"), {Begin}},
-        {1, QStringLiteral("else: y_B ← y_B + m_B, y_T ← y_T + m_T, exactly"), {Span}}};
-    if (form == InterpolationForm::Bilinear)
+    Pseudocode code
+        = {{0,
+            axisOf(form) == SpanAxis::Row
+                ? QStringLiteral("sort the vertices by y, the highest first: P₀, P₁, P₂")
+                : QStringLiteral("sort the vertices by x: P₀, P₁, P₂"),
+            {SetUp}},
+           {0, QStringLiteral("m ← the slopes of L₀₁, L₁₂ and L₀₂"), {SetUp}},
+           {0, QStringLiteral("of each value that is carried: ") + coefficientsText(form), {SetUp}},
+           {0, QStringLiteral("if no sample is to be drawn: done"), {Rejected}},
+           {0,
+            QStringLiteral("for each {span} that the fill rule takes, with L₀₁ up "
+                           "to P₁, with L₁₂ "
+                           "from there, and L₀₂:"),
+            {Begin, Span}},
+           {1,
+            QStringLiteral("where an edge begins: its {a} in this {span}, from its vertex"),
+            {Begin}},
+           {1,
+            QStringLiteral("else: {a}_{lo} ← {a}_{lo} + m_{lo}, {a}_{hi} ← {a}_{hi} "
+                           "+ m_{hi}, exactly"),
+            {Span}}};
+    if (isBilinear(form))
         code.push_back({1,
-                        QStringLiteral("of each value: v_B and v_T likewise, Δv ← (v_T − v_B)/(y_T "
-                                       "− y_B)"),
+                        QStringLiteral("of each value: v_{lo} and v_{hi} likewise, Δv ← (v_{hi} − "
+                                       "v_{lo})/({a}_{hi} − {a}_{lo})"),
                         {Begin, Span}});
     code.push_back({1,
-                    QStringLiteral("for each row from y_B to y_T that the fill rule takes:"),
+                    QStringLiteral("for each {across} from {a}_{lo} to {a}_{hi} "
+                                   "that the fill rule takes:"),
                     {First, Next}});
+    return code;
+}
+
+/// In the letters of the form's axis.
+Pseudocode inLettersOf(InterpolationForm form, Pseudocode code)
+{
+    const EdgeWalkNames names = walkNames(form);
+    for (PseudocodeLine &line : code)
+        line.text = names.filled(line.text);
     return code;
 }
 
@@ -66,7 +89,7 @@ Pseudocode interpolationPseudocode(InterpolationForm form)
     for (const PseudocodeLine &line : valueLines(form))
         code.push_back(line);
     code.push_back({2, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {First, Next}});
-    return code;
+    return inLettersOf(form, std::move(code));
 }
 
 Pseudocode shadedPseudocode(InterpolationForm form)
@@ -99,7 +122,7 @@ Pseudocode shadedPseudocode(InterpolationForm form)
            Effect::Light);
     append(QStringLiteral("colour ← ⌊(colour·α + pixel·(255 − α))/255 + ½⌋"), Effect::Blending);
     code.push_back({2, QStringLiteral("pixel (x, y) ← colour"), {First, Next}});
-    return code;
+    return inLettersOf(form, std::move(code));
 }
 
 } // namespace pixelplumb

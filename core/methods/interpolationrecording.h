@@ -34,11 +34,11 @@ struct InterpolationRecording : InterpolationNumbers<Number, channelsInAll> {
     }
     static InterpolationSpanState stateOf(const SpanInHand<SetUp, Span> &step)
     {
-        return interpolationStateOf<Number, channelsInAll>(step);
+        return interpolationStateOf<Form, Number, channelsInAll>(step);
     }
     static InterpolationSampleState stateOf(const SampleInHand<SetUp, Span, Sample> &step)
     {
-        return interpolationStateOf<Number, channelsInAll>(step);
+        return interpolationStateOf<Form, Number, channelsInAll>(step);
     }
     template <class State>
     static auto tell(StepWords &words, const State &state)
@@ -49,7 +49,8 @@ struct InterpolationRecording : InterpolationNumbers<Number, channelsInAll> {
 
     static SpanPlace placeOf(const Span &column)
     {
-        return {SpanAxis::Column, column.x, int(column.half)};
+        constexpr SpanAxis axis = axisOf(Form);
+        return {axis, axis == SpanAxis::Row ? -column.x : column.x, int(column.half)};
     }
     static bool isClamped(const Sample &sample) { return sample.isClamped(); }
 
@@ -75,19 +76,22 @@ struct InterpolationRecording : InterpolationNumbers<Number, channelsInAll> {
         record.level = sample.level;
     }
 
-    /// Fills a frame of this one column once more with the same numbers.
+    /// Fills a frame of this one column or row once more with the same numbers.
     template <class Observer>
     static void walk(const SetUp &setUp, const Span &column, const ScanSettings &settings,
                      Observer observer)
     {
-        const std::int64_t height = column.endDrawn - column.firstDrawn;
-        if (height <= 0)
+        const auto length = std::int32_t(column.endDrawn - column.firstDrawn);
+        if (length <= 0)
             return;
-        std::vector<QRgb> pixels(std::size_t(height), QRgb(0));
-        const FrameView frame{
-            pixels.data(),       1, std::int32_t(column.x), std::int32_t(column.firstDrawn), 1,
-            std::int32_t(height)};
-        fillAgain<Form>(setUp, column, settings.rounding, frame, observer);
+        std::vector<QRgb> pixels(std::size_t(length), QRgb(0));
+        const auto place = std::int32_t(placeOf(column).coordinate);
+        const auto first = std::int32_t(column.firstDrawn);
+        const FrameView frame = axisOf(Form) == SpanAxis::Row
+            ? FrameView{pixels.data(), length, first, place, length, 1}
+            : FrameView{pixels.data(), 1, place, first, 1, length};
+        fillAgain<Form>(setUp, column, settings.rounding, ViewOfForm<Form>(frame),
+                        listenerFor<Form>(observer));
     }
 };
 

@@ -12,16 +12,16 @@ namespace {
 
 using Group = NumberGroup;
 
-/// The vertex that a digit names: of the bilinear form they are sorted by x.
+/// The vertex that a digit names: of the bilinear forms they are sorted.
 std::size_t vertexIn(const InterpolationSetUpState &state, InterpolationForm form,
                      std::size_t digit)
 {
-    return form == InterpolationForm::Bilinear ? std::size_t(state.order[digit]) : digit;
+    return isBilinear(form) ? std::size_t(state.order[digit]) : digit;
 }
 
 void appendPositions(NumberTable<InterpolationSetUpState> &table, InterpolationForm form)
 {
-    const QString owner = form == InterpolationForm::Bilinear
+    const QString owner = isBilinear(form)
         ? QStringLiteral("%1 of the sorted vertex P%2, from the centre of pixel (0, 0).")
         : QStringLiteral("%1 of vertex %2, as it is given, from the centre of pixel (0, 0).");
     for (std::size_t digit = 0; digit < 3; ++digit) {
@@ -172,38 +172,41 @@ void appendWeightLine(NumberTable<InterpolationSetUpState> &table, std::size_t v
     }
 }
 
-/// What each column adds to y along an edge.
-void appendSlope(NumberTable<InterpolationSetUpState> &table, SortedEdge edge)
+/// What each column adds to y along an edge, each row to x.
+void appendSlope(NumberTable<InterpolationSetUpState> &table, const EdgeWalkNames &names,
+                 SortedEdge edge)
 {
     const auto &ends = sortedEdgeEnds[std::size_t(edge)];
+    const QString title = u'm' + subscriptOf(edge);
     table.push_back(
-        {comparedNumber(QStringLiteral("m_%1%2").arg(ends[0]).arg(ends[1]),
-                        u'm' + subscriptOf(edge), QStringLiteral("px/column"),
-                        QStringLiteral("Slope of %1: what each column adds to its y; none where it "
-                                       "is vertical.")
-                            .arg(nameOf(edge)),
-                        QString(QStringLiteral("m#& = (y& − y#)/(x& − x#)"))
-                            .replace(u'#', vertexDigits[ends[0]])
-                            .replace(u'&', vertexDigits[ends[1]]),
-                        Group::Position),
+        {names.filled(comparedNumber(
+             QStringLiteral("m_%1%2").arg(ends[0]).arg(ends[1]), title, QStringLiteral("px/{span}"),
+             QStringLiteral("Slope of %1: what each {span} adds to "
+                            "its {a}; none where it lies "
+                            "along the {span}s.")
+                 .arg(nameOf(edge)),
+             QStringLiteral("%1 = ({a}%3 − {a}%2)/%4")
+                 .arg(title, QString(vertexDigits[ends[0]]), QString(vertexDigits[ends[1]]),
+                      names.way(ends[0], ends[1])),
+             Group::Position)),
          [edge](const InterpolationSetUpState &state) { return state.slope[std::size_t(edge)]; }});
 }
 
-void appendRate(NumberTable<InterpolationSetUpState> &table, SortedEdge edge,
-                const PlacedChannel &channel)
+void appendRate(NumberTable<InterpolationSetUpState> &table, const EdgeWalkNames &names,
+                SortedEdge edge, const PlacedChannel &channel)
 {
     const auto &ends = sortedEdgeEnds[std::size_t(edge)];
     const auto &[place, name] = channel;
+    const QString title = u'δ' + name + subscriptOf(edge);
     table.push_back(
-        {comparedNumber(
-             QStringLiteral("rate_%1_%2%3").arg(name).arg(ends[0]).arg(ends[1]),
-             u'δ' + name + subscriptOf(edge), QStringLiteral("levels/column"),
-             QStringLiteral("What each column adds to %1 along %2.").arg(name, nameOf(edge)),
-             QString(QStringLiteral("δ%#& = (%& − %#)/(x& − x#)"))
-                 .replace(u'#', vertexDigits[ends[0]])
-                 .replace(u'&', vertexDigits[ends[1]])
-                 .replace(u'%', name),
-             Group::ColourRates),
+        {names.filled(comparedNumber(
+             QStringLiteral("rate_%1_%2%3").arg(name).arg(ends[0]).arg(ends[1]), title,
+             QStringLiteral("levels/{span}"),
+             QStringLiteral("What each {span} adds to %1 along %2.").arg(name, nameOf(edge)),
+             title + QStringLiteral(" = (") + name + vertexDigits[ends[1]] + QStringLiteral(" − ")
+                 + name + vertexDigits[ends[0]] + QStringLiteral(")/")
+                 + names.way(ends[0], ends[1]),
+             Group::ColourRates)),
          [edge, at = place](const InterpolationSetUpState &state) {
              return state.rate[std::size_t(edge)][at];
          },
@@ -224,11 +227,12 @@ NumberTable<InterpolationSetUpState> interpolationSetUpNumbers(InterpolationForm
         appendValues(table, form, channel);
     switch (form) {
     case InterpolationForm::Bilinear:
+    case InterpolationForm::BilinearRows:
         for (const SortedEdge edge : sortedEdges)
-            appendSlope(table, edge);
+            appendSlope(table, walkNames(form), edge);
         for (const PlacedChannel &channel : channels) {
             for (const SortedEdge edge : sortedEdges)
-                appendRate(table, edge, channel);
+                appendRate(table, walkNames(form), edge, channel);
         }
         break;
     case InterpolationForm::Plane:

@@ -31,6 +31,9 @@ ChannelVertex roomyVertex(const VertexOfChannels<channelsInAll> &vertex)
     return roomy;
 }
 
+/// The point of the frame that a row scan has turned (rowwalk.h).
+constexpr LatticePoint turnedBack(const LatticePoint &point) { return {point.y, -point.x}; }
+
 /// Without an area there is no plane and there are no weights: these are none.
 struct InterpolationSetUpState : InterpolationSetUp<Quantity> {
     std::array<std::array<Quantity, 4>, channelCount> normal; ///< A B C D, [channel]
@@ -74,11 +77,15 @@ InterpolationSetUpState interpolationStateOf(const InterpolationSetUp<Number, ch
         {setUp.order, setUp.longEdge, setUp.zeroArea, {}, {}, {}}, {}, {}, {}, {}};
     for (std::size_t i = 0; i < 3; ++i)
         state.vertices[i] = roomyVertex(setUp.vertices[i]);
+    if (axisOf(Form) == SpanAxis::Row) {
+        for (ChannelVertex &vertex : state.vertices)
+            vertex.position = turnedBack(vertex.position);
+    }
     using Corner = VertexOfChannels<channelsInAll>;
     const auto corner = [&](std::size_t number) -> const Corner & {
         return setUp.vertices[std::size_t(setUp.order[number])];
     };
-    for (std::size_t edge = 0; edge < 3 && Form == InterpolationForm::Bilinear; ++edge) {
+    for (std::size_t edge = 0; edge < 3 && isBilinear(Form); ++edge) {
         const auto &ends = sortedEdgeEnds[edge];
         const Corner &a = corner(ends[0]);
         const Corner &b = corner(ends[1]);
@@ -105,8 +112,9 @@ InterpolationSetUpState interpolationStateOf(const InterpolationSetUp<Number, ch
     return state;
 }
 
-/// How a column's walk along the edges is told, as the edge walks tell theirs.
-template <class Number, std::size_t channelsInAll>
+/// How a column's, or a row's, walk along the edges is told, as the edge walks
+/// tell theirs.
+template <InterpolationForm Form, class Number, std::size_t channelsInAll>
 EdgeWalkSpanState interpolationWalkOf(
     const SpanInHand<InterpolationSetUp<Number, channelsInAll>,
                      InterpolationColumn<Number, channelsInAll>> &step)
@@ -116,8 +124,12 @@ EdgeWalkSpanState interpolationWalkOf(
     walk.primitive = step.primitive;
     for (std::size_t corner = 0; corner < 3; ++corner)
         walk.corners[corner].position = setUp.vertices[std::size_t(setUp.order[corner])].position;
-    const LatticePoint &p0 = walk.corners[0].position;
-    const LatticePoint &p2 = walk.corners[2].position;
+    const LatticePoint p0 = walk.corners[0].position;
+    const LatticePoint p2 = walk.corners[2].position;
+    if (axisOf(Form) == SpanAxis::Row) {
+        for (Vertex &corner : walk.corners)
+            corner.position = turnedBack(corner.position);
+    }
     walk.start = {!setUp.zeroArea, setUp.zeroArea && p0.x == p2.x && p0.y != p2.y,
                   step.span.firstDrawn != step.span.firstRow,
                   Quantity::of(step.span.yBottom) == Quantity::of(step.span.yTop),
@@ -133,13 +145,13 @@ EdgeWalkSpanState interpolationWalkOf(
     return walk;
 }
 
-template <class Number, std::size_t channelsInAll>
+template <InterpolationForm Form, class Number, std::size_t channelsInAll>
 InterpolationSpanState interpolationStateOf(
     const SpanInHand<InterpolationSetUp<Number, channelsInAll>,
                      InterpolationColumn<Number, channelsInAll>> &step)
 {
     const InterpolationColumn<Number, channelsInAll> &column = step.span;
-    return {interpolationWalkOf<Number, channelsInAll>(step),
+    return {interpolationWalkOf<Form, Number, channelsInAll>(step),
             {column.x, column.half, column.lower, column.upper, column.firstRow, column.endRow,
              column.firstDrawn, column.endDrawn, Quantity::of(column.yBottom),
              Quantity::of(column.yTop), channelQuantities(column.bottom),
@@ -147,7 +159,7 @@ InterpolationSpanState interpolationStateOf(
              channelQuantities(column.first)}};
 }
 
-template <class Number, std::size_t channelsInAll>
+template <InterpolationForm Form, class Number, std::size_t channelsInAll>
 InterpolationSampleState interpolationStateOf(
     const SampleInHand<InterpolationSetUp<Number, channelsInAll>,
                        InterpolationColumn<Number, channelsInAll>,
@@ -156,7 +168,7 @@ InterpolationSampleState interpolationStateOf(
     const InterpolationSample<Number, channelsInAll> &sample = step.sample;
     InterpolationSampleState state{{channelQuantities(sample.value), {}, sample.level},
                                    step.setUp.order,
-                                   interpolationWalkOf<Number, channelsInAll>(step).start,
+                                   interpolationWalkOf<Form, Number, channelsInAll>(step).start,
                                    false};
     const auto corner = [&](std::size_t number) {
         return step.setUp.vertices[std::size_t(step.setUp.order[number])].position;

@@ -4,6 +4,7 @@
 #include "core/frame/frameview.h"
 #include "core/geometry/shape.h"
 #include "core/methods/method.h"
+#include "core/methods/onefunction.h"
 #include "core/scan/kernelnumbers.h"
 #include "core/scan/scanobserver.h"
 #include "core/trace/tracerecorder.h"
@@ -47,24 +48,17 @@ struct ShapeKernel {
     }
 };
 
-/// A triangle's kernel with nothing listening is compiled into one function, whatever else is
-/// compiled beside it: a call would keep its innermost numbers in memory.
-template <class Kernel, class A, class Geometry>
-[[gnu::flatten, gnu::noinline]] void drawTriangle(const Geometry &triangle,
-                                                  const ScanSettings &settings, FrameView frame)
-{
-    Kernel::template scan<A>(triangle, settings, frame, NullObserver{});
-}
-
 /// Draws one primitive, in the narrowest integers that hold it.
 template <class Kernel, class Geometry>
 void drawGeometry(const Geometry &geometry, const ScanSettings &settings, FrameView frame)
 {
     Kernel::withNumbers(settings, Kernel::widthFor(geometry, frame), [&]<class A>() {
-        if constexpr (std::derived_from<Kernel, TriangleKernel>)
-            drawTriangle<Kernel, A>(geometry, settings, frame);
+        const auto scan
+            = [&] { Kernel::template scan<A>(geometry, settings, frame, NullObserver{}); };
+        if constexpr (std::derived_from<Kernel, TriangleKernel> && !isWide<A>)
+            inOneFunction(scan);
         else
-            Kernel::template scan<A>(geometry, settings, frame, NullObserver{});
+            scan();
     });
 }
 

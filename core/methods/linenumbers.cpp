@@ -20,12 +20,8 @@ void specifyDivisor(NumberDescription &number, const DdaSetUpState &setUp)
         number.formula.clear();
         return;
     }
-    QString divisor = QStringLiteral("(u₁ − u₀");
-    if (setUp.variants.contains(Variant::DivisorMinusOne))
-        divisor += QStringLiteral(" − 1");
-    if (setUp.variants.contains(Variant::DivisorPlusOne))
-        divisor += QStringLiteral(" + 1");
-    number.formula.replace(QStringLiteral("(u₁ − u₀"), divisor);
+    const QString steps = QStringLiteral("(u₁ − u₀");
+    number.formula.replace(steps, steps + divisorChange(setUp.variants));
 }
 
 /// Without a pre-step a line is at its end where it meets its first pixel.

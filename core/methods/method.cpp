@@ -4,6 +4,7 @@
 #include "core/effects/edgepixels.h"
 #include "core/effects/requirements.h"
 #include "core/methods/barycentric.h"
+#include "core/methods/bezierfill.h"
 #include "core/methods/columnscan.h"
 #include "core/methods/constantraterowwalk.h"
 #include "core/methods/curves.h"
@@ -140,6 +141,7 @@ std::span<const Method> methods()
         canonicalEdgeEquationsMethod(),
         relativeBarycentricMethod(),
         bilinearInterpolationMethod(),
+        bilinearRowsInterpolationMethod(),
         planeInterpolationMethod(),
         barycentricInterpolationMethod(),
         lineDdaMethod(),
@@ -152,10 +154,13 @@ std::span<const Method> methods()
         circleParametricMethod(),
         circleFillMethod(),
         bezierSubdivisionMethod(),
+        bezierFillMethod(),
         strokeCoverageMethod(),
         polygonParityMethod(),
         polygonFanMethod(),
         polygonDelaunayMethod(),
+        polygonTessellationMethod(),
+        polygonOutlineMethod(),
         pointAddressMethod(),
         textOutlinesMethod(),
     };

@@ -33,7 +33,7 @@ struct Method {
     std::vector<Arithmetic> shadingArithmetics = {};
     QStringList remarks = {}; ///< what else it does, and what it leaves out: "holes"
     std::vector<PrimitiveKind> kinds = {PrimitiveKind::Triangle}; ///< what it draws
-    /// Of circles and ellipses: which of them, by their fill; empty when it draws all.
+    /// Of closed shapes: which of them, by their fill, its own first; empty when it draws all.
     std::vector<ShapeFill> fills = {};
     std::vector<Arithmetic> arithmetics;
     /// Those of its arithmetics in which every picture is the truth, by proof.

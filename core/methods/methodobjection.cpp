@@ -96,8 +96,8 @@ QString Method::objection(const ScanSettings &settings) const
         return QStringLiteral("cannot keep the fill rule %1: %2; it keeps %3")
             .arg(quoted(nameOf(settings.fillRule)), fillRuleReason,
                  namesOf(fillRules).join(QStringLiteral(", ")));
-    for (const Variant variant : allVariants) {
-        if (settings.variants.contains(variant) && !supports(variant))
+    for (const Variant variant : variantsIn(settings.variants)) {
+        if (!supports(variant))
             return unknownVariantText(*this, variant);
     }
     return {};
@@ -152,7 +152,7 @@ ScanSettings Method::adapted(const ScanSettings &settings) const
         drawn.arithmetic = arithmetics.front();
     if (!supports(drawn.fillRule) && !fillRules.empty())
         drawn.fillRule = fillRules.front();
-    for (const Variant variant : allVariants) {
+    for (const Variant variant : variantsIn(settings.variants)) {
         if (!supports(variant))
             drawn.variants = drawn.variants.without(variant);
     }

@@ -2,6 +2,7 @@
 #include "core/methods/outlinefillnumbers.h"
 
 #include "core/methods/channelnumbers.h"
+#include "core/methods/edgewalknames.h"
 #include "core/methods/formulatext.h"
 #include "core/methods/lineendnumbers.h"
 #include "core/methods/placenumbers.h"
@@ -18,19 +19,17 @@ namespace {
 
 using Group = NumberGroup;
 
-constexpr std::array digits = {u'₀', u'₁', u'₂'};
-
 /// "P₀P₁".
 QString edgeName(std::size_t edge)
 {
-    return QStringLiteral("P%1P%2").arg(QChar(digits[edge])).arg(QChar(digits[(edge + 1) % 3]));
+    return QStringLiteral("P%1P%2").arg(vertexDigits[edge]).arg(vertexDigits[(edge + 1) % 3]);
 }
 
 /// Its length in steps of the midpoint algorithm: "Δ₀₁".
 QString lengthTitle(std::size_t edge)
 {
     const auto [first, second] = std::minmax({edge, (edge + 1) % 3});
-    return QStringLiteral("Δ%1%2").arg(QChar(digits[first])).arg(QChar(digits[second]));
+    return QStringLiteral("Δ%1%2").arg(vertexDigits[first]).arg(vertexDigits[second]);
 }
 
 /// Which pixel of which edge bounds the column.
@@ -84,8 +83,8 @@ void appendBoundColours(NumberTable<OutlineSpanState> &table, const QString &bou
         [=](NumberDescription &number, const OutlineSpanState &state) {
             const OutlinePixel &at = state.span.*pixel;
             const OutlineEdge &edge = state.setUp.edges[at.edge];
-            const QString from = u'%' + QString(QChar(digits[edge.ends[0]]));
-            const QString to = u'%' + QString(QChar(digits[edge.ends[1]]));
+            const QString from = QString(u'%') + vertexDigits[edge.ends[0]];
+            const QString to = QString(u'%') + vertexDigits[edge.ends[1]];
             number.formula = title + QStringLiteral(" = ") + from;
             if (at.number > 0)
                 number.formula += QStringLiteral(" + n_") + bound + QStringLiteral("·(") + to
@@ -147,7 +146,7 @@ const NumberTable<OutlineFillSetUp> &outlineSetUpNumbers()
         NumberTable<State> table;
         for (int corner = 0; corner < 3; ++corner) {
             const QString toolTip = QStringLiteral("of P%1, on a whole pixel.")
-                                        .arg(QChar(digits[std::size_t(corner)]));
+                                        .arg(vertexDigits[std::size_t(corner)]);
             table.push_back(endNumber<State>(u'x', corner, toolTip, [corner](const State &setUp) {
                 return pixels(setUp.corners[std::size_t(corner)].position.x);
             }));
@@ -159,9 +158,9 @@ const NumberTable<OutlineFillSetUp> &outlineSetUpNumbers()
             appendChannels(
                 table,
                 {.id = QStringLiteral("%_") + QString::number(corner),
-                 .title = u'%' + QString(QChar(digits[corner])),
+                 .title = QString(u'%') + vertexDigits[corner],
                  .unit = unit::levels(),
-                 .toolTip = QStringLiteral("Level of % at P") + QChar(digits[corner]) + u'.',
+                 .toolTip = QStringLiteral("Level of % at P") + vertexDigits[corner] + u'.',
                  .formula = {}},
                 [corner](const State &setUp, std::size_t channel) {
                     return Quantity::integer(setUp.corners[corner].colour.channels[channel]);
@@ -170,10 +169,10 @@ const NumberTable<OutlineFillSetUp> &outlineSetUpNumbers()
         for (std::size_t edge = 0; edge < 3; ++edge) {
             const QString axes = QStringLiteral("%1%2 − %1%3");
             const auto along = [&](QChar axis) {
-                return axes.arg(axis).arg(QChar(digits[(edge + 1) % 3])).arg(QChar(digits[edge]));
+                return axes.arg(axis).arg(vertexDigits[(edge + 1) % 3]).arg(vertexDigits[edge]);
             };
             const auto back = [&](QChar axis) {
-                return axes.arg(axis).arg(QChar(digits[edge])).arg(QChar(digits[(edge + 1) % 3]));
+                return axes.arg(axis).arg(vertexDigits[edge]).arg(vertexDigits[(edge + 1) % 3]);
             };
             table.push_back(
                 {{.id = QStringLiteral("steps_%1").arg(edge),
@@ -263,7 +262,7 @@ void tellOutline(StepWords &words, const OutlineFillSetUp &setUp)
     QStringList points;
     for (std::size_t corner = 0; corner < 3; ++corner)
         points.append(QStringLiteral("P%1 = %2")
-                          .arg(QChar(digits[corner]))
+                          .arg(vertexDigits[corner])
                           .arg(pointText(setUp.corners[corner].position)));
     words.sentence = QStringLiteral("On whole pixels: %1. The outline are the lines from one to "
                                     "the next by the midpoint algorithm.")

@@ -2,20 +2,81 @@
 #pragma once
 
 #include "core/methods/kernelmethod.h"
+#include "core/methods/polygonoutlinerecording.h"
 #include "core/methods/polygonrecording.h"
+#include "core/polygons/curvechords.h"
 #include "core/polygons/textoutlines.h"
 #include "core/scan/polygonpieces.h"
 
 /// The kernels of polygons and texts as kernelmethod.h wants them.
 namespace pixelplumb {
 
-struct ParityKernel : ShapeKernel<PrimitiveKind::Polygon>, InAnyArithmetic {
-    template <class A>
-    using Recording = PolygonRecording<A, PolygonForm::Whole>;
-
+struct FilledPolygonKernel : ShapeKernel<PrimitiveKind::Polygon> {
+    static bool draws(const Primitives &primitives, std::size_t index)
+    {
+        return ShapeKernel::draws(primitives, index)
+            && primitives.shape(index).fill != ShapeFill::Outline;
+    }
     static Contours geometryOf(const Primitives &primitives, std::size_t index)
     {
         return contoursOf(primitives.shape(index));
+    }
+};
+
+struct PolygonOutlineKernel : ShapeKernel<PrimitiveKind::Polygon>, InIntegers {
+    template <class>
+    using Recording = PolygonOutlineRecording;
+
+    static bool draws(const Primitives &primitives, std::size_t index)
+    {
+        return ShapeKernel::draws(primitives, index)
+            && primitives.shape(index).fill == ShapeFill::Outline;
+    }
+    static Contours geometryOf(const Primitives &primitives, std::size_t index)
+    {
+        return contoursOf(primitives.shape(index));
+    }
+    template <class A, class Observer>
+    static void scan(const Contours &contours, const ScanSettings &settings, FrameView frame,
+                     Observer observer)
+    {
+        scanPolygonOutline<WideBeside<typename A::Number>>(contours, settings.rounding, frame,
+                                                           observer);
+    }
+};
+
+struct ParityKernel : FilledPolygonKernel, InAnyArithmetic {
+    template <class A>
+    using Recording = PolygonRecording<A, PolygonForm::Whole>;
+
+    static IntegerWidth widthFor(const Contours &contours, const FrameView &)
+    {
+        return integerWidthFor(contours.edges);
+    }
+    template <class A, class Observer>
+    static void scan(const Contours &contours, const ScanSettings &, FrameView frame,
+                     Observer observer)
+    {
+        scanPolygon<A>(contours, frame, observer);
+    }
+};
+
+/// The chords of a closed path of curves.
+struct BezierFillKernel : ShapeKernel<PrimitiveKind::Bezier>, InAnyArithmetic {
+    template <class A>
+    using Recording = PolygonRecording<A, PolygonForm::Chords>;
+
+    static bool draws(const Primitives &primitives, std::size_t index)
+    {
+        return ShapeKernel::draws(primitives, index)
+            && primitives.shape(index).fill != ShapeFill::Outline;
+    }
+    static Contours geometryOf(const Primitives &primitives, std::size_t index)
+    {
+        const Shape &path = primitives.shape(index);
+        Contours contours = contoursOf(chordsOf(path));
+        contours.curveCount = pieceCount(path);
+        return contours;
     }
     static IntegerWidth widthFor(const Contours &contours, const FrameView &)
     {
@@ -33,15 +94,11 @@ using Triangulate = Triangulation (*)(const Contours &);
 
 /// The triangles of a triangulation are as many as the polygon's vertices; 128 bits for all of them
 /// cost less than a second code path.
-template <Triangulate triangulate>
-struct TriangulationKernel : ShapeKernel<PrimitiveKind::Polygon>, InIntegers {
+template <Triangulate triangulate, PolygonForm form = PolygonForm::Triangles>
+struct TriangulationKernel : FilledPolygonKernel, InIntegers {
     template <class A>
-    using Recording = PolygonRecording<A, PolygonForm::Triangles>;
+    using Recording = PolygonRecording<A, form>;
 
-    static Contours geometryOf(const Primitives &primitives, std::size_t index)
-    {
-        return contoursOf(primitives.shape(index));
-    }
     template <class A, class Observer>
     static void scan(const Contours &contours, const ScanSettings &, FrameView frame,
                      Observer observer)
@@ -49,6 +106,8 @@ struct TriangulationKernel : ShapeKernel<PrimitiveKind::Polygon>, InIntegers {
         scanTriangles<A>(contours, triangulate(contours), frame, observer);
     }
 };
+
+using TessellationKernel = TriangulationKernel<tessellationOf, PolygonForm::CrossingTriangles>;
 
 /// What is scanned of a text.
 struct TextContours {

@@ -75,6 +75,24 @@ NumberDescription count(const QString &id, const QString &title, const QString &
     return {.id = id, .title = title, .unit = {}, .toolTip = toolTip, .formula = {}};
 }
 
+/// Where edges cross, and what bringing these corners onto the lattice does.
+void appendCrossingPoints(NumberTable<PolygonSetUp> &numbers)
+{
+    numbers.push_back(
+        {count(QStringLiteral("crossing_points"), QStringLiteral("crossings"),
+               QStringLiteral("Corners of triangles where edges of the polygon cross, "
+                              "beside its own vertices.")),
+         [](const PolygonSetUp &setUp) { return Quantity::integer(Int128(setUp.crossingCount)); }});
+    numbers.push_back({{.id = QStringLiteral("moved"),
+                        .title = QStringLiteral("moved"),
+                        .unit = QStringLiteral("px"),
+                        .toolTip = QStringLiteral("The farthest that a crossing was moved to the "
+                                                  "nearest multiple of 1/256 px: a sample so near "
+                                                  "to an edge may be wrong."),
+                        .formula = {}},
+                       [](const PolygonSetUp &setUp) { return Quantity::of(setUp.largestMove); }});
+}
+
 } // namespace
 
 NumberTable<PolygonSetUp> polygonSetUpNumbers(PolygonForm form)
@@ -94,12 +112,20 @@ NumberTable<PolygonSetUp> polygonSetUpNumbers(PolygonForm form)
              return Quantity::integer(Int128(setUp.horizontalEdges));
          }},
     };
-    if (form == PolygonForm::Triangles)
+    if (form == PolygonForm::Chords)
+        numbers.push_back({count(QStringLiteral("curves"), QStringLiteral("curves"),
+                                 QStringLiteral("Bézier pieces, whose chords the edges are.")),
+                           [](const PolygonSetUp &setUp) {
+                               return Quantity::integer(Int128(setUp.curveCount));
+                           }});
+    if (isInTriangles(form))
         numbers.push_back({count(QStringLiteral("triangles"), QStringLiteral("triangles"),
                                  QStringLiteral("Triangles that the polygon is broken into.")),
                            [](const PolygonSetUp &setUp) {
                                return Quantity::integer(Int128(setUp.pieceCount));
                            }});
+    if (form == PolygonForm::CrossingTriangles)
+        appendCrossingPoints(numbers);
     numbers.push_back(
         {{.id = QStringLiteral("first_row"),
           .title = QStringLiteral("y_first"),
@@ -130,7 +156,7 @@ NumberTable<PolygonRowState> polygonRowNumbers(PolygonForm form)
           .formula = {}},
          [](const PolygonRowState &row) { return Quantity::integer(row.y); }},
     };
-    if (form == PolygonForm::Triangles) {
+    if (isInTriangles(form)) {
         numbers.push_back(
             {count(QStringLiteral("triangle"), QStringLiteral("tri"),
                    QStringLiteral("Which of the polygon's triangles the row belongs to, from 0.")),
@@ -165,7 +191,7 @@ NumberTable<PolygonRowState> polygonRowNumbers(PolygonForm form)
 
 NumberTable<PolygonSampleState> polygonSampleNumbers(PolygonForm form)
 {
-    if (form == PolygonForm::Triangles)
+    if (isInTriangles(form))
         return {};
     return {
         {{.id = QStringLiteral("crossings"),

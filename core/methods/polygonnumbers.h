@@ -8,14 +8,14 @@
 
 namespace pixelplumb {
 
-/// Whether a polygon is scanned as it is or broken into triangles first.
-enum class PolygonForm { Whole, Triangles };
+/// Whether a polygon is scanned as it is or broken into triangles first. Crossings may become
+/// corners of these; the edges of a whole one may be the chords of curves.
+enum class PolygonForm { Whole, Chords, Triangles, CrossingTriangles };
+
+constexpr bool isInTriangles(PolygonForm form) { return form >= PolygonForm::Triangles; }
 
 /// How many of a row's crossings are shown. A whole polygon's row may have more.
-constexpr std::size_t shownCrossings(PolygonForm form)
-{
-    return form == PolygonForm::Triangles ? 2 : 6;
-}
+constexpr std::size_t shownCrossings(PolygonForm form) { return isInTriangles(form) ? 2 : 6; }
 
 NumberTable<PolygonSetUp> polygonSetUpNumbers(PolygonForm form);
 NumberTable<PolygonRowState> polygonRowNumbers(PolygonForm form);

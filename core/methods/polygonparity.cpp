@@ -8,6 +8,7 @@ Method polygonMethod(Method method)
 {
     method.family = MethodFamily::Polygons;
     method.kinds = {PrimitiveKind::Polygon};
+    method.fills = {ShapeFill::EvenOdd, ShapeFill::NonZero};
     method.effects = {Effect::Clipping};
     method.stableArithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::TopLeft};
@@ -18,6 +19,32 @@ Method polygonMethod(Method method)
     return method;
 }
 
+Pseudocode parityPseudocode()
+{
+    return {
+        {0,
+         QStringLiteral("edge table ← all edges that are not horizontal, by their first row"),
+         {Moment::SetUp}},
+        {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+        {0, QStringLiteral("for each row y that edges cross:"), {Moment::Begin, Moment::Span}},
+        {1,
+         QStringLiteral("active edges ← those that begin here, without those that have ended"),
+         {Moment::Begin, Moment::Span}},
+        {1,
+         QStringLiteral("x of each ← from its lower end where it begins, else x + m; sort by x"),
+         {Moment::Begin, Moment::Span}},
+        {1,
+         QStringLiteral("for each sample from the first crossing to the last:"),
+         {Moment::First, Moment::Next, Moment::Refused}},
+        {2,
+         QStringLiteral("c ← the crossings at or to the left of it; p ← c mod 2, w ← upward "
+                        "minus downward ones"),
+         {Moment::First, Moment::Next, Moment::Refused}},
+        {2,
+         QStringLiteral("if p = 1 by even-odd, or w ≠ 0 by non-zero: pixel (x, y) ← colour"),
+         {Moment::First, Moment::Next}}};
+}
+
 Method polygonParityMethod()
 {
     Method method = polygonMethod(methodOf<ParityKernel>());
@@ -25,28 +52,7 @@ Method polygonParityMethod()
     method.title = QStringLiteral("Polygon by parity");
     method.source = QStringLiteral("Scan Conversion slides, “Scan Conversion: A General "
                                    "Algorithm”");
-    method.pseudocode
-        = {{0,
-            QStringLiteral("edge table ← all edges that are not horizontal, by their first row"),
-            {Moment::SetUp}},
-           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-           {0, QStringLiteral("for each row y that edges cross:"), {Moment::Begin, Moment::Span}},
-           {1,
-            QStringLiteral("active edges ← those that begin here, without those that have ended"),
-            {Moment::Begin, Moment::Span}},
-           {1,
-            QStringLiteral("x of each ← from its lower end where it begins, else x + m; sort by x"),
-            {Moment::Begin, Moment::Span}},
-           {1,
-            QStringLiteral("for each sample from the first crossing to the last:"),
-            {Moment::First, Moment::Next, Moment::Refused}},
-           {2,
-            QStringLiteral("c ← the crossings at or to the left of it; p ← c mod 2, w ← upward "
-                           "minus downward ones"),
-            {Moment::First, Moment::Next, Moment::Refused}},
-           {2,
-            QStringLiteral("if p = 1 by even-odd, or w ≠ 0 by non-zero: pixel (x, y) ← colour"),
-            {Moment::First, Moment::Next}}};
+    method.pseudocode = parityPseudocode();
     method.summary = QStringLiteral("Intersects each row with the active edges, sorts the "
                                     "crossings in x, and fills by their parity or winding number.");
     method.remarks

@@ -48,7 +48,8 @@ struct PolygonRecording : PolygonNumbers<A> {
     template <class State>
     static auto tell(StepWords &words, const State &state) -> decltype(tellPolygon(words, state))
     {
-        if constexpr (Form == PolygonForm::Whole)
+        if constexpr (!isInTriangles(Form)
+                      || (Form == PolygonForm::CrossingTriangles && std::same_as<State, SetUp>))
             tellPolygon(words, state);
     }
 
@@ -59,7 +60,7 @@ struct PolygonRecording : PolygonNumbers<A> {
         record.endSample = row.endSample;
         record.firstDrawn = row.firstDrawn;
         record.endDrawn = row.endDrawn;
-        if constexpr (Form == PolygonForm::Triangles) {
+        if constexpr (isInTriangles(Form)) {
             record.lower = Quantity::of(row.crossings.front().x);
             record.upper = Quantity::of(row.crossings.back().x);
         }

@@ -7,6 +7,10 @@ namespace pixelplumb {
 
 /// General scan conversion by parity, with an edge table and active edges.
 Method polygonParityMethod();
+/// Any polygon, broken into triangles with vertices where its edges cross.
+Method polygonTessellationMethod();
+/// The edges of a polygon as lines.
+Method polygonOutlineMethod();
 /// A convex polygon as a fan of triangles.
 Method polygonFanMethod();
 /// Any polygon that does not cross itself, broken into triangles by a constrained Delaunay
@@ -16,5 +20,7 @@ Method polygonDelaunayMethod();
 /// Adds to a kernel's method what the methods of polygons have in common: one rule for samples on
 /// the boundary, and why.
 Method polygonMethod(Method method);
+/// What scan conversion by parity does, line by line, whatever the edges come from.
+Pseudocode parityPseudocode();
 
 } // namespace pixelplumb

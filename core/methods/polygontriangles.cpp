@@ -6,26 +6,14 @@ namespace pixelplumb {
 
 namespace {
 
-template <Triangulate triangulate>
-Method triangulatingMethod()
+/// The method of a triangulation; its first line tells which triangles it gives.
+template <class Kernel>
+Method triangulatingMethod(const QString &triangles)
 {
-    Method method = polygonMethod(methodOf<TriangulationKernel<triangulate>>());
+    Method method = polygonMethod(methodOf<Kernel>());
     method.arithmetics = {Arithmetic::Exact};
-    return method;
-}
-
-} // namespace
-
-Method polygonFanMethod()
-{
-    Method method = triangulatingMethod<fanOf>();
-    method.id = QStringLiteral("polygon-fan");
-    method.title = QStringLiteral("Convex polygon as a fan");
-    method.source = QStringLiteral("Scan Conversion slides, “From Polygons to Triangles”");
     method.pseudocode
-        = {{0,
-            QStringLiteral("triangles ← the first vertex with each edge that it is not on"),
-            {Moment::SetUp}},
+        = {{0, triangles, {Moment::SetUp}},
            {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
            {0,
             QStringLiteral("for each triangle, for each row y that its edges cross:"),
@@ -38,6 +26,18 @@ Method polygonFanMethod()
             QStringLiteral("for each sample from x_L to x_R that the fill rule takes:"),
             {Moment::First, Moment::Next}},
            {2, QStringLiteral("pixel (x, y) ← colour"), {Moment::First, Moment::Next}}};
+    return method;
+}
+
+} // namespace
+
+Method polygonFanMethod()
+{
+    Method method = triangulatingMethod<TriangulationKernel<fanOf>>(
+        QStringLiteral("triangles ← the first vertex with each edge that it is not on"));
+    method.id = QStringLiteral("polygon-fan");
+    method.title = QStringLiteral("Convex polygon as a fan");
+    method.source = QStringLiteral("Scan Conversion slides, “From Polygons to Triangles”");
     method.summary = QStringLiteral("Breaks a convex polygon into the triangles that its first "
                                     "vertex makes with its edges, and fills each row by row.");
     method.remarks = {QStringLiteral("convex"), QStringLiteral("shared edges")};
@@ -46,33 +46,37 @@ Method polygonFanMethod()
 
 Method polygonDelaunayMethod()
 {
-    Method method = triangulatingMethod<delaunayOf>();
+    Method method = triangulatingMethod<TriangulationKernel<delaunayOf>>(
+        QStringLiteral("triangles ← of the constrained Delaunay triangulation that are inside"));
     method.id = QStringLiteral("polygon-delaunay");
     method.title = QStringLiteral("Polygon by Delaunay triangulation");
     method.source = QStringLiteral("Rasterization slides, “Triangulation”; Scan Conversion "
                                    "slides, “From Polygons to Triangles”");
-    method.pseudocode
-        = {{0,
-            QStringLiteral("triangles ← of the constrained Delaunay triangulation that are inside"),
-            {Moment::SetUp}},
-           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-           {0,
-            QStringLiteral("for each triangle, for each row y that its edges cross:"),
-            {Moment::Begin, Moment::Span}},
-           {1,
-            QStringLiteral("x_L, x_R ← where the row meets its edges: by adding m, from the vertex "
-                           "where one begins"),
-            {Moment::Begin, Moment::Span}},
-           {1,
-            QStringLiteral("for each sample from x_L to x_R that the fill rule takes:"),
-            {Moment::First, Moment::Next}},
-           {2, QStringLiteral("pixel (x, y) ← colour"), {Moment::First, Moment::Next}}};
     method.summary = QStringLiteral("Breaks a polygon that does not cross itself into the "
                                     "triangles of its constrained Delaunay triangulation, and "
                                     "fills each row by row.");
     method.remarks
         = {QStringLiteral("concave"), QStringLiteral("holes"), QStringLiteral("even-odd"),
            QStringLiteral("non-zero"), QStringLiteral("shared edges")};
+    return method;
+}
+
+Method polygonTessellationMethod()
+{
+    Method method = triangulatingMethod<TessellationKernel>(
+        QStringLiteral("triangles ← of the constrained Delaunay triangulation that are inside, "
+                       "with a vertex, to 1/256 px, where edges cross"));
+    method.id = QStringLiteral("polygon-tessellation");
+    method.title = QStringLiteral("Polygon by tessellation");
+    method.source = QStringLiteral("Scan Conversion slides, “From Polygons to Triangles”");
+    method.summary = QStringLiteral("Breaks any polygon into triangles, also one that crosses "
+                                    "itself: crossings become vertices, moved to the nearest "
+                                    "multiple of 1/256 px, by which a sample beside an edge may "
+                                    "change its side.");
+    method.remarks = {QStringLiteral("concave"),  QStringLiteral("self-crossing"),
+                      QStringLiteral("holes"),    QStringLiteral("even-odd"),
+                      QStringLiteral("non-zero"), QStringLiteral("shared edges")};
+    method.stableArithmetics = {};
     return method;
 }
 

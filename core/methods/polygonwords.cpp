@@ -52,11 +52,27 @@ QString verdictText(const PolygonSampleState &sample)
 
 void tellPolygon(StepWords &words, const PolygonSetUp &setUp)
 {
+    if (setUp.pieceCount > 0) {
+        if (setUp.crossingCount > 0)
+            words.sentence
+                = QStringLiteral("Edges cross at %1 points that became corners of triangles, each "
+                                 "moved to the nearest multiple of 1/256 px, by %2 px at most: a "
+                                 "sample so near to an edge may be wrong.")
+                      .arg(setUp.crossingCount)
+                      .arg(setUp.largestMove, 0, 'g', 3);
+        return;
+    }
     words.sentence = setUp.fill == ShapeFill::NonZero
         ? QStringLiteral("Non-zero decides: a sample is inside where its winding number w, the "
                          "upward crossings to its left minus the downward ones, is not 0.")
         : QStringLiteral("Even-odd decides: a sample is inside where the parity p of the crossings "
                          "to its left is 1.");
+    if (setUp.curveCount > 0)
+        words.sentence.prepend(
+            QStringLiteral("The %1 Bézier pieces became %2 edges: chords that leave their curve by "
+                           "1/32 px at most. ")
+                .arg(setUp.curveCount)
+                .arg(setUp.edgeCount));
 }
 
 void tellPolygon(StepWords &words, const PolygonRowState &row)

@@ -32,6 +32,7 @@ void appendLinear(Table &table, const ShadedScope &scope, std::size_t channel)
     QString formula;
     switch (scope.form) {
     case InterpolationForm::Bilinear:
+    case InterpolationForm::BilinearRows: // draws no effects
         formula = QStringLiteral("%1 ← %1′ + Δ%1").arg(name);
         break;
     case InterpolationForm::Plane:

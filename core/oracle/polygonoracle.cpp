@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/oracle/polygonoracle.h"
 
+#include "core/oracle/lineoracle.h"
+
 #include <algorithm>
 
 namespace pixelplumb::oracle {
@@ -28,9 +30,10 @@ struct UpwardEdge {
     }
 };
 
-std::vector<UpwardEdge> upwardEdgesOf(const Shape &polygon)
+/// Calls a function with the two ends of each edge, contour after contour.
+template <class Function>
+void forEachEdge(const Shape &polygon, const Function &function)
 {
-    std::vector<UpwardEdge> edges;
     const auto &vertices = polygon.vertices;
     const auto &starts = polygon.laterContours;
     std::size_t contourFirst = 0;
@@ -40,17 +43,35 @@ std::vector<UpwardEdge> upwardEdgesOf(const Shape &polygon)
             = i + 1 == vertices.size() || (nextStart != starts.end() && i + 1 == *nextStart);
         const LatticePoint &from = vertices[i].position;
         const LatticePoint &to = vertices[endsContour ? contourFirst : i + 1].position;
-        if (from.y < to.y)
-            edges.push_back({from, to, 1});
-        else if (from.y > to.y)
-            edges.push_back({to, from, -1});
+        function(from, to);
         if (endsContour) {
             contourFirst = i + 1;
             if (nextStart != starts.end())
                 ++nextStart;
         }
     }
+}
+
+std::vector<UpwardEdge> upwardEdgesOf(const Shape &polygon)
+{
+    std::vector<UpwardEdge> edges;
+    forEachEdge(polygon, [&edges](const LatticePoint &from, const LatticePoint &to) {
+        if (from.y < to.y)
+            edges.push_back({from, to, 1});
+        else if (from.y > to.y)
+            edges.push_back({to, from, -1});
+    });
     return edges;
+}
+
+std::vector<Shape> edgeLinesOf(const Shape &polygon)
+{
+    std::vector<Shape> lines;
+    forEachEdge(polygon, [&](const LatticePoint &from, const LatticePoint &to) {
+        const Colour &colour = polygon.vertices.front().colour;
+        lines.emplace_back().vertices = {{from, colour}, {to, colour}};
+    });
+    return lines;
 }
 
 bool isInside(const std::vector<UpwardEdge> &edges, ShapeFill fill, FrameOrigin origin,
@@ -71,6 +92,9 @@ bool isInside(const std::vector<UpwardEdge> &edges, ShapeFill fill, FrameOrigin 
 
 bool polygonCovers(const Shape &polygon, FrameOrigin origin, std::int64_t x, std::int64_t y)
 {
+    if (polygon.fill == ShapeFill::Outline)
+        return std::ranges::any_of(edgeLinesOf(polygon),
+                                   [&](const Shape &line) { return lineCovers(line, x, y); });
     return isInside(upwardEdgesOf(polygon), polygon.fill, origin, latticePixel(x, y));
 }
 
@@ -78,6 +102,11 @@ void drawPolygon(const Shape &polygon, FrameView frame)
 {
     if (polygon.vertices.empty())
         return;
+    if (polygon.fill == ShapeFill::Outline) {
+        for (const Shape &line : edgeLinesOf(polygon))
+            drawLine(line, ByteRounding::Nearest, frame);
+        return;
+    }
     const auto byX = [](const Vertex &a, const Vertex &b) { return a.position.x < b.position.x; };
     const auto [left, right] = std::ranges::minmax_element(polygon.vertices, byX);
     const std::int64_t firstX

@@ -4,7 +4,8 @@
 #include "core/frame/frameview.h"
 #include "core/geometry/shape.h"
 
-/// The truth of filled polygons, for every sample by itself. From the sample a ray runs to the
+/// The truth of polygons. Of an outline it is that of its edges as lines (lineoracle.h). Of a
+/// filled one it is found for every sample by itself. From the sample a ray runs to the
 /// left; what counts is how often the contours cross it (even-odd) or how often more upward than
 /// downward (non-zero). A crossing is the sign of a product of differences in 128 bits: no slope,
 /// no quotient, nothing that goes from one row to the next.

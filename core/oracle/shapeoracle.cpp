@@ -3,6 +3,7 @@
 
 #include "core/oracle/circleoracle.h"
 #include "core/oracle/curveoracle.h"
+#include "core/oracle/filledcurveoracle.h"
 #include "core/oracle/lineoracle.h"
 #include "core/oracle/polygonoracle.h"
 #include "core/polygons/textoutlines.h"
@@ -20,7 +21,8 @@ bool covers(const Shape &shape, FrameOrigin origin, std::int64_t x, std::int64_t
     case PrimitiveKind::Ellipse:
         return ellipseCovers(shape, x, y);
     case PrimitiveKind::Bezier:
-        return curveCovers(shape, x, y);
+        return shape.fill == ShapeFill::Outline ? curveCovers(shape, x, y)
+                                                : filledCurveCovers(shape, origin, x, y);
     case PrimitiveKind::Polygon:
         return polygonCovers(shape, origin, x, y);
     case PrimitiveKind::Text:
@@ -45,7 +47,10 @@ void draw(const Shape &shape, ByteRounding rounding, FrameView frame)
         drawEllipse(shape, frame);
         break;
     case PrimitiveKind::Bezier:
-        drawCurve(shape, frame);
+        if (shape.fill == ShapeFill::Outline)
+            drawCurve(shape, frame);
+        else
+            drawFilledCurve(shape, frame);
         break;
     case PrimitiveKind::Polygon:
         drawPolygon(shape, frame);

@@ -132,10 +132,9 @@ private:
 
 bool isStroke(const Shape &shape)
 {
-    const bool isRound
-        = shape.kind == PrimitiveKind::Circle || shape.kind == PrimitiveKind::Ellipse;
-    return shape.kind == PrimitiveKind::Line || shape.kind == PrimitiveKind::Bezier
-        || (isRound && shape.fill == ShapeFill::Outline);
+    const bool isCurve = shape.kind == PrimitiveKind::Circle || shape.kind == PrimitiveKind::Ellipse
+        || shape.kind == PrimitiveKind::Bezier;
+    return shape.kind == PrimitiveKind::Line || (isCurve && shape.fill == ShapeFill::Outline);
 }
 
 void drawStrokes(const Primitives &primitives, const ScanSettings &settings,

@@ -11,8 +11,9 @@
 /// widths by bisection, circles as fractions, Bézier points by de Casteljau's algorithm.
 namespace pixelplumb::oracle {
 
-/// A pixel in the unit of outlines, 2^-16 px, and the unit of the lattice.
+/// A pixel in the unit of outlines, 2^-16 px, half of its side, and the unit of the lattice.
 inline constexpr std::int64_t outlinePixel = 1 << 16;
+inline constexpr std::int64_t halfSquare = outlinePixel / 2;
 inline constexpr std::int64_t outlineLattice = outlinePixel / unitsPerPixel;
 
 /// In units of outlines.

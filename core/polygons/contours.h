@@ -21,6 +21,7 @@ struct ContourEdge {
 struct Contours {
     std::vector<ContourEdge> edges;
     std::size_t count = 0; ///< of the contours
+    std::size_t curveCount = 0; ///< Bézier pieces, where the edges are their chords
     ShapeFill fill = ShapeFill::EvenOdd;
     Colour colour; ///< of every sample: that of the polygon's first vertex
 };

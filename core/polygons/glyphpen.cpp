@@ -10,7 +10,7 @@ namespace {
 
 /// The farthest that a chord may leave its curve, lattice units.
 constexpr double farthestFromCurve = double(unitsPerPixel) / 32;
-constexpr std::int64_t mostChords = 256;
+constexpr std::int64_t mostChords = 4096;
 
 /// A curve leaves n equal steps of its chords by |second difference| · d(d − 1)/(8 n²) at most,
 /// where d is its degree.

@@ -9,13 +9,9 @@ QString Contender::name() const
 {
     if (isTruth())
         return QStringLiteral("truth ") + nameText(nameOf(settings.fillRule));
-    QStringList words
+    const QStringList words
         = {method->id, nameText(nameOf(settings.arithmetic)), nameText(nameOf(settings.fillRule))};
-    for (const Variant variant : allVariants) {
-        if (settings.variants.contains(variant))
-            words.append(nameText(nameOf(variant)));
-    }
-    return words.join(u' ');
+    return (words + namesOf(variantsIn(settings.variants))).join(u' ');
 }
 
 Contender contenderFor(const Method &method, const ScanSettings &wanted)

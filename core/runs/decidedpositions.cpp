@@ -1,25 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/decidedpositions.h"
 
+#include "core/runs/spanheadings.h"
+
 #include <algorithm>
 #include <tuple>
 
 namespace pixelplumb {
 
 namespace {
-
-/// What all spans are; Free where they differ, and where there are none.
-SpanAxis commonAxisOf(const ScanTrace &trace)
-{
-    if (trace.spanCount() == 0)
-        return SpanAxis::Free;
-    const SpanAxis axis = trace.placeOf(0).axis;
-    for (std::size_t span = 1; span < trace.spanCount(); ++span) {
-        if (trace.placeOf(span).axis != axis)
-            return SpanAxis::Free;
-    }
-    return axis;
-}
 
 /// The position just after a span was entered.
 std::size_t enteredAt(const ScanTrace &trace, std::size_t span)
@@ -32,7 +21,7 @@ std::size_t enteredAt(const ScanTrace &trace, std::size_t span)
 DecidedPositions::DecidedPositions(const ScanTrace &trace, const DifferenceMap &differences,
                                    const FrameSpec &frame)
     : m_end(trace.stepCount())
-    , m_axis(commonAxisOf(trace))
+    , m_axis(commonAxis(trace))
 {
     decidePlaces(trace, frame);
     if (differences.total() > 0)

@@ -3,11 +3,12 @@
 
 #include "core/methods/formulatext.h"
 #include "core/methods/rejectiontext.h"
-#include "core/oracle/oracle.h"
+#include "core/runs/byteexplanation.h"
 #include "core/runs/formulanames.h"
 #include "core/runs/projectionstages.h"
 #include "core/runs/refusaltext.h"
 #include "core/runs/setupsentence.h"
+#include "core/runs/spanheadings.h"
 #include "core/runs/tracedscene.h"
 
 #include <algorithm>
@@ -15,9 +16,6 @@
 namespace pixelplumb {
 
 namespace {
-
-constexpr std::array channelSubjects
-    = {NumberSubject::Red, NumberSubject::Green, NumberSubject::Blue};
 
 /// Whether there is an earlier step from which a formula goes on.
 enum class FormulaStart { Fresh, Continued };
@@ -70,25 +68,18 @@ Explanation explainBeginning(const TracedScene &traced, std::size_t primitive)
     return explanation;
 }
 
-QString placeText(const SpanPlace &place)
-{
-    switch (place.axis) {
-    case SpanAxis::Column:
-        return QStringLiteral("Column %1").arg(place.coordinate);
-    case SpanAxis::Row:
-        return QStringLiteral("Row %1").arg(place.coordinate);
-    case SpanAxis::Free:
-        break;
-    }
-    return QStringLiteral("Step %1").arg(place.coordinate);
-}
-
-QString spanSentence(const SpanRecord &span)
+/// `visited`: its samples that the kernel came to.
+QString spanSentence(const SpanRecord &span, std::size_t visited)
 {
     const QString others
         = span.place.axis == SpanAxis::Column ? QStringLiteral("rows") : QStringLiteral("columns");
+    // Antialiasing has samples beside the pixels' centres, between which the bounds may lie.
     if (span.drawnSamples() == 0)
-        return QStringLiteral("No sample of the frame lies here.");
+        return visited == 0
+            ? QStringLiteral("No sample of the frame lies here.")
+            : QStringLiteral("No pixel's centre lies here, but other samples of %1 may.")
+                  .arg(visited == 1 ? QStringLiteral("1 pixel")
+                                    : QStringLiteral("%1 pixels").arg(visited));
     const QString range = span.drawnSamples() == 1
         ? QStringLiteral("%1 %2").arg(others.chopped(1)).arg(span.firstDrawn)
         : QStringLiteral("%1 %2 to %3").arg(others).arg(span.firstDrawn).arg(span.endDrawn - 1);
@@ -110,17 +101,16 @@ struct SpanPair {
             previous = trace.span(index - 1);
     }
 
-    /// Formulas start afresh in each part of a primitive.
-    FormulaStart start() const
-    {
-        return previous && previous->place.part == current.place.part ? FormulaStart::Continued
-                                                                      : FormulaStart::Fresh;
-    }
-
     SpanRecord current;
     StepWords words;
     std::optional<SpanRecord> previous;
 };
+
+/// Formulas start afresh in each part of a primitive.
+FormulaStart startOf(const ScanTrace &trace, std::size_t span)
+{
+    return trace.beginsPart(span) ? FormulaStart::Fresh : FormulaStart::Continued;
+}
 
 FormulaNames spanNames(const TracedScene &traced, const SpanPair &spans)
 {
@@ -138,10 +128,13 @@ Explanation explainSpan(const TracedScene &traced, const TraceStep &step)
     Explanation explanation;
     explanation.heading = spanHeading(*traced.trace, step.span);
     explanation.event = spans.words.event;
-    explanation.sentence
-        = spans.words.sentence.isEmpty() ? spanSentence(spans.current) : spans.words.sentence;
+    const std::size_t visited
+        = traced.trace->endSampleOf(step.span) - traced.trace->firstSampleOf(step.span);
+    explanation.sentence = spans.words.sentence.isEmpty() ? spanSentence(spans.current, visited)
+                                                          : spans.words.sentence;
     appendLines(explanation, spans.words.numbers, spans.current.cells,
-                exactSpanCells(traced, step.span), spanNames(traced, spans), spans.start());
+                exactSpanCells(traced, step.span), spanNames(traced, spans),
+                startOf(*traced.trace, step.span));
     return explanation;
 }
 
@@ -156,24 +149,6 @@ std::vector<SampleDecision> decisionsOf(const std::vector<NumberDescription> &co
     return decisions;
 }
 
-/// "⌊R + ½⌋", with the clamp where it was needed; % stands for the level.
-QString byteFormula(ByteRounding rounding, std::int64_t level)
-{
-    const QString rounded
-        = rounding == ByteRounding::Nearest ? QStringLiteral("⌊% + ½⌋") : QStringLiteral("⌊%⌋");
-    if (level < 0)
-        return QStringLiteral("max(0, ") + rounded + u')';
-    return level > 255 ? QStringLiteral("min(255, ") + rounded + u')' : rounded;
-}
-
-/// The byte of an exact level.
-Quantity byteOf(const Quantity &level, ByteRounding rounding)
-{
-    const CommonFraction exact{level.numerator(), level.denominator()};
-    const Int128 byte = rounding == ByteRounding::Nearest ? exact.nearest() : exact.floor();
-    return Quantity::integer(std::clamp<Int128>(byte, 0, 255));
-}
-
 /// What a sample has on which effects were done and no formula tells or names: u as it would be
 /// without perspective, how many of the pixel's samples were written.
 void appendGiven(Explanation &explanation, const std::vector<NumberDescription> &columns,
@@ -186,58 +161,6 @@ void appendGiven(Explanation &explanation, const std::vector<NumberDescription> 
         });
         if (!used[i].isNone() && columns[i].formula.isEmpty() && !isTold)
             explanation.lines.push_back({columns[i].subject, title, {}, used[i], {}});
-    }
-}
-
-/// What the last stage of a sample's effects made of the colour: "r", "s", "mod"; empty where none
-/// did anything to it.
-QString lastStage(const std::vector<NumberDescription> &columns, const std::vector<Quantity> &used)
-{
-    for (const QString &stage : {QStringLiteral("mean"), QStringLiteral("r"), QStringLiteral("s"),
-                                 QStringLiteral("mod")}) {
-        const auto column
-            = std::ranges::find(columns, stage + QStringLiteral("_R"), &NumberDescription::title);
-        const auto place = std::size_t(column - columns.begin());
-        if (place < used.size() && !used[place].isNone())
-            return stage;
-    }
-    return {};
-}
-
-/// The bytes that stand in the pixel: those of the last stage.
-void appendBytesOf(Explanation &explanation, const QString &stage, QRgb pixel)
-{
-    const Colour colour = unpacked(pixel);
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        const Quantity byte = Quantity::integer(colour.channels[channel]);
-        explanation.lines.push_back(
-            {channelSubjects[channel],
-             QStringLiteral("byte = %1_%2").arg(stage).arg(channelLetters[channel]),
-             term(byte),
-             byte,
-             {}});
-    }
-}
-
-/// The bytes of a written sample, and its levels where no column describes them.
-void appendBytes(Explanation &explanation, const TracedScene &traced, const SampleRecord &sample,
-                 const ExactSample &exact)
-{
-    const ByteRounding rounding = traced.scene.settings.rounding;
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        if (sample.colour[channel].isNone())
-            continue;
-        const auto filled = [&](const QString &level) {
-            return byteFormula(rounding, sample.level[channel]).replace(u'%', level);
-        };
-        FormulaLine byte;
-        byte.subject = channelSubjects[channel];
-        byte.symbols = QStringLiteral("byte = ") + filled(QString(channelLetters[channel]));
-        byte.substituted = filled(term(sample.colour[channel]));
-        byte.used = Quantity::integer(std::clamp<std::int64_t>(sample.level[channel], 0, 255));
-        if (exact.colour[channel].isRational())
-            byte.exact = byteOf(exact.colour[channel], rounding);
-        explanation.lines.push_back(byte);
     }
 }
 
@@ -277,31 +200,19 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
         explanation.sentence += QStringLiteral(" A level left 0 … 255 and is clamped.");
     if (isStep)
         appendLines(explanation, spans.words.numbers, spans.current.cells,
-                    exactSpanCells(traced, step.span), ofSpan, spans.start());
+                    exactSpanCells(traced, step.span), ofSpan, startOf(trace, step.span));
     const ExactSample exact = exactSamplesOf(traced, step.span, {&sample, 1}).front();
     appendLines(explanation, words.numbers, sample.cells, exact.cells, names,
                 place == 0 ? FormulaStart::Fresh : FormulaStart::Continued);
     if (traced.plan)
         appendGiven(explanation, words.numbers, sample.cells);
-    const QString stage = lastStage(words.numbers, sample.cells);
-    if (isWritten && stage.isEmpty())
-        appendBytes(explanation, traced, sample, exact);
-    else if (isWritten)
-        appendBytesOf(explanation, stage, trace.changes()[step.sample].after);
+    if (isWritten)
+        appendBytes(explanation, traced,
+                    {words.numbers, sample, exact, trace.changes()[step.sample].after});
     return explanation;
 }
 
 } // namespace
-
-QString spanHeading(const ScanTrace &trace, std::size_t span)
-{
-    const StepWords words = trace.spanWords(span);
-    if (!words.heading.isEmpty())
-        return words.heading;
-    const SpanPlace &place = trace.placeOf(span);
-    return place.part == 0 ? placeText(place)
-                           : placeText(place) + QStringLiteral(", part %1").arg(place.part + 1);
-}
 
 Explanation explainStep(const TracedScene &traced, std::size_t stepIndex)
 {

@@ -7,13 +7,9 @@
 
 namespace pixelplumb {
 
-class ScanTrace;
 struct TracedScene;
 
 /// A step of any method, explained by the formulas of its numbers with the trace's values put in.
 Explanation explainStep(const TracedScene &traced, std::size_t stepIndex);
-
-/// What a span is called: "Column 27, second half", "Row 3".
-QString spanHeading(const ScanTrace &trace, std::size_t span);
 
 } // namespace pixelplumb

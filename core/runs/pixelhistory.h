@@ -21,6 +21,15 @@ struct PixelAttempt {
     /// The last visit, where the kernel came to this pixel at all; the numbers that it used.
     std::optional<SampleRecord> sample;
 
+    /// What of z, w, u, v and N the kernel computed at the sample, whether it was written or not;
+    /// empty where the scene calls for none of them.
+    struct Carried {
+        QString title; ///< "z", "N_x"
+        Quantity used;
+        Quantity exact; ///< none where there is nothing to compare
+    };
+    std::vector<Carried> carried;
+
     bool written = false;
     std::size_t step = 0; ///< index of the step that visited it; meaningful with a sample
     PixelChange change; ///< what it wrote
@@ -43,5 +52,10 @@ struct BriefPixelHistory {
 };
 BriefPixelHistory briefPixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y,
                                     std::size_t listedRefusals);
+
+/// Whether something wrote the pixel, and every write of it is done at a position; quicker to find
+/// than the history.
+bool isWrittenBefore(const TracedScene &traced, std::int64_t x, std::int64_t y,
+                     std::size_t position);
 
 } // namespace pixelplumb

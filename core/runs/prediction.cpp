@@ -3,7 +3,8 @@
 
 #include "core/methods/formulatext.h"
 #include "core/runs/formulaexplanation.h"
-#include "core/runs/tracedscene.h"
+#include "core/runs/pixelhistory.h"
+#include "core/runs/spanheadings.h"
 #include "core/scene/coordinatetext.h"
 
 #include <algorithm>
@@ -44,6 +45,16 @@ bool isSame(double typed, double value)
     return std::abs(typed - value) <= readingError * std::max(1.0, std::abs(value));
 }
 
+std::optional<TraceStep> nextWriteAfter(const ScanTrace &trace, std::size_t position)
+{
+    for (std::size_t index = position; index < trace.stepCount(); ++index) {
+        const TraceStep step = trace.stepAt(index);
+        if (step.kind == StepKind::Sample && trace.changes()[step.sample].isWritten())
+            return step;
+    }
+    return std::nullopt;
+}
+
 bool isRounded(double typed, double value, int places)
 {
     const double half = 0.5 * std::pow(10.0, -places);
@@ -64,8 +75,7 @@ std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t 
     const std::size_t span = trace.stepAt(index).span;
     const Explanation next = explainStep(traced, index);
     std::optional<Explanation> before;
-    if (span > trace.firstSpanOf(trace.primitiveOf(span))
-        && trace.placeOf(span - 1).part == trace.placeOf(span).part)
+    if (!trace.beginsPart(span))
         before = explainStep(traced, trace.indexOfSpan(span - 1));
     std::vector<Prediction> predictions;
     for (const FormulaLine &line : next.lines) {
@@ -80,15 +90,36 @@ std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t 
 std::optional<NextPixel> nextPixelAfter(const TracedScene &traced, std::size_t position)
 {
     const ScanTrace &trace = *traced.trace;
-    for (std::size_t index = position; index < trace.stepCount(); ++index) {
-        const TraceStep step = trace.stepAt(index);
-        if (step.kind != StepKind::Sample || !trace.changes()[step.sample].isWritten())
-            continue;
-        const PixelChange &change = trace.changes()[step.sample];
-        return NextPixel{{change.x, change.y},
-                         explainStep(traced, trace.indexOfSpan(step.span)).sentence};
+    const std::optional<TraceStep> step = nextWriteAfter(trace, position);
+    if (!step)
+        return std::nullopt;
+    const PixelChange &change = trace.changes()[step->sample];
+    return NextPixel{{change.x, change.y},
+                     explainStep(traced, trace.indexOfSpan(step->span)).sentence};
+}
+
+QString wrongPixelText(const TracedScene &traced, std::size_t position, const QPoint &pixel)
+{
+    const ScanTrace &trace = *traced.trace;
+    const std::optional<TraceStep> next = nextWriteAfter(trace, position);
+    if (!next)
+        return {};
+    const auto visit = trace.visitOf(next->primitive, pixel.x(), pixel.y());
+    if (!visit || !trace.changes()[*visit].isWritten()) {
+        for (const PixelAttempt &attempt :
+             briefPixelHistory(traced, pixel.x(), pixel.y(), next->primitive + 1).attempts) {
+            if (attempt.primitive == next->primitive)
+                return attempt.reason;
+        }
+        return {};
     }
-    return std::nullopt;
+    if (trace.indexOfSample(*visit) < position)
+        return QStringLiteral("It has been drawn already, in step %1.")
+            .arg(trace.indexOfSample(*visit) + 1);
+    const std::size_t span = trace.spanOf(*visit);
+    return span == next->span
+        ? QStringLiteral("Its turn comes later in the same span: where does the method begin?")
+        : QStringLiteral("Its turn comes later: %1.").arg(spanHeading(trace, span));
 }
 
 Guess judge(const Prediction &prediction, const QString &typed)

@@ -34,6 +34,9 @@ struct NextPixel {
     QString reason;
 };
 std::optional<NextPixel> nextPixelAfter(const TracedScene &traced, std::size_t position);
+/// Why another pixel than that is not the next one: it has been drawn, comes later, or the
+/// primitive does not own it. Empty where no pixel follows.
+QString wrongPixelText(const TracedScene &traced, std::size_t position, const QPoint &pixel);
 
 enum class Guess {
     Right,

@@ -69,10 +69,8 @@ QString setUpSentence(const TracedScene &traced, std::size_t primitive, const QS
     QString sentence = words;
     if (words.isEmpty() || !traced.primitives.isTriangle(primitive))
         sentence = (placeOfPrimitive(traced, primitive) + u' ' + words).trimmed();
-    for (const Variant variant : allVariants) {
-        if (traced.scene.settings.variants.contains(variant))
-            sentence += variantText(variant);
-    }
+    for (const Variant variant : variantsIn(traced.scene.settings.variants))
+        sentence += variantText(variant);
     if (traced.scene.frame.pixelCentre == PixelCentre::Half)
         sentence += QStringLiteral(" All coordinates are counted from the centre of pixel (0, 0): "
                                    "½ px less than the scene's.");

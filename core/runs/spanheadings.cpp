@@ -1,7 +1,37 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/spanheadings.h"
 
+#include <algorithm>
+
 namespace pixelplumb {
+
+namespace {
+
+QString placeText(const SpanPlace &place)
+{
+    switch (place.axis) {
+    case SpanAxis::Column:
+        return QStringLiteral("Column %1").arg(place.coordinate);
+    case SpanAxis::Row:
+        return QStringLiteral("Row %1").arg(place.coordinate);
+    case SpanAxis::Free:
+        break;
+    }
+    return QStringLiteral("Step %1").arg(place.coordinate);
+}
+
+/// The noun by which a span's numbers count the parts of a primitive; empty where none does.
+QString countedPart(const ScanTrace &trace)
+{
+    const auto has = [&trace](const QString &id) {
+        return std::ranges::count(trace.numbers().span, id, &NumberDescription::id) > 0;
+    };
+    if (has(QStringLiteral("polygon")) && has(QStringLiteral("triangle")))
+        return QStringLiteral("triangle");
+    return has(QStringLiteral("edge")) ? QStringLiteral("edge") : QString();
+}
+
+} // namespace
 
 std::vector<NumberDescription> spanHeadings(const TracedScene &traced)
 {
@@ -15,6 +45,37 @@ std::vector<NumberDescription> spanHeadings(const TracedScene &traced)
             headings[i] = inForce[i];
     }
     return headings;
+}
+
+QString partName(const ScanTrace &trace, std::size_t span)
+{
+    const int part = trace.placeOf(span).part;
+    const QString counted = countedPart(trace);
+    return counted.isEmpty() ? QStringLiteral("part %1").arg(part + 1)
+                             : QStringLiteral("%1 %2").arg(counted).arg(part);
+}
+
+QString spanHeading(const ScanTrace &trace, std::size_t span)
+{
+    const StepWords words = trace.spanWords(span);
+    if (!words.heading.isEmpty())
+        return words.heading;
+    const SpanPlace &place = trace.placeOf(span);
+    const bool isNamed = place.part > 0 || !countedPart(trace).isEmpty();
+    return isNamed ? placeText(place) + QStringLiteral(", ") + partName(trace, span)
+                   : placeText(place);
+}
+
+SpanAxis commonAxis(const ScanTrace &trace)
+{
+    if (trace.spanCount() == 0)
+        return SpanAxis::Free;
+    const SpanAxis axis = trace.placeOf(0).axis;
+    for (std::size_t span = 1; span < trace.spanCount(); ++span) {
+        if (trace.placeOf(span).axis != axis)
+            return SpanAxis::Free;
+    }
+    return axis;
 }
 
 } // namespace pixelplumb

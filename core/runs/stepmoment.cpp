@@ -13,10 +13,7 @@ Moment momentOfSpan(const ScanTrace &trace, const TraceStep &step)
 {
     if (const auto told = trace.spanWords(step.span).moment)
         return *told;
-    const bool isFirst = step.span == trace.firstSpanOf(step.primitive);
-    return isFirst || trace.placeOf(step.span - 1).part != trace.placeOf(step.span).part
-        ? Moment::Begin
-        : Moment::Span;
+    return trace.beginsPart(step.span) ? Moment::Begin : Moment::Span;
 }
 
 Moment momentOfSample(const ScanTrace &trace, const TraceStep &step)

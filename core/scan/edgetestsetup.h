@@ -113,8 +113,10 @@ template <class A, EdgeTestForm form>
     setUp.visited
         = form.visited == VisitedSamples::Frame ? samplesOf(frame) : boundingBoxOf(triangle);
     // One question a triangle: who is right pays no more.
-    if (form.visited == VisitedSamples::BoundingBox && variants.contains(Variant::RoundedBox))
-        setUp.visited = roundedBoxOf(triangle, frame);
+    if (form.visited == VisitedSamples::BoundingBox && variants.contains(Variant::RoundedBox)) {
+        const auto [least, greatest] = boundingCornersOf(triangle);
+        setUp.visited = roundedSamplesIn(least, greatest, frame.pixelCentre);
+    }
     setUp.tested = intersection(setUp.visited, samplesOf(frame));
     setLine<A, form>(setUp, 0, rule);
     setLine<A, form>(setUp, 1, rule);

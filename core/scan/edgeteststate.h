@@ -5,6 +5,7 @@
 #include "core/scan/edgetestform.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -15,29 +16,41 @@ struct SampleBox {
     bool isEmpty() const { return firstX >= endX || firstY >= endY; }
 };
 
-/// The samples in the bounding box of the vertices, its boundary included.
-inline SampleBox boundingBoxOf(const Triangle &triangle)
+/// The samples in a box between two corners, lattice units, its boundary included.
+inline SampleBox samplesIn(const LatticePoint &least, const LatticePoint &greatest)
 {
-    const auto &v = triangle.vertices;
-    const auto [left, right] = std::minmax({v[0].position.x, v[1].position.x, v[2].position.x});
-    const auto [low, high] = std::minmax({v[0].position.y, v[1].position.y, v[2].position.y});
-    return {ceilPixel(left), floorPixel(right) + 1, ceilPixel(low), floorPixel(high) + 1};
+    return {ceilPixel(least.x), floorPixel(greatest.x) + 1, ceilPixel(least.y),
+            floorPixel(greatest.y) + 1};
 }
 
 /// The same as the slides round it (Triangle Rasterization slides, "Triangle rasterization
 /// implementation guidelines"): left = (int)(x_min + .5), right = (int)(x_max - .5), in the scene's
 /// coordinates. With pixel centres at halves it loses those on x_min and y_min alone; with centres
 /// on whole numbers up to half a pixel. (int) rounds towards 0.
-inline SampleBox roundedBoxOf(const Triangle &triangle, FrameView frame)
+inline SampleBox roundedSamplesIn(const LatticePoint &least, const LatticePoint &greatest,
+                                  PixelCentre pixelCentre)
 {
-    const Lattice offset = frame.pixelCentre == PixelCentre::Half ? halfPixel : 0;
+    const Lattice offset = pixelCentre == PixelCentre::Half ? halfPixel : 0;
     const auto whole = [](Lattice units) { return units / unitsPerPixel; };
-    const auto first = [&](Lattice least) { return whole(least + offset + halfPixel); };
-    const auto end = [&](Lattice greatest) { return whole(greatest + offset - halfPixel) + 1; };
+    const auto first = [&](Lattice from) { return whole(from + offset + halfPixel); };
+    const auto end = [&](Lattice to) { return whole(to + offset - halfPixel) + 1; };
+    return {first(least.x), end(greatest.x), first(least.y), end(greatest.y)};
+}
+
+/// The corners of the bounding box of the vertices, lattice units: the least and the greatest.
+inline std::pair<LatticePoint, LatticePoint> boundingCornersOf(const Triangle &triangle)
+{
     const auto &v = triangle.vertices;
     const auto [left, right] = std::minmax({v[0].position.x, v[1].position.x, v[2].position.x});
     const auto [low, high] = std::minmax({v[0].position.y, v[1].position.y, v[2].position.y});
-    return {first(left), end(right), first(low), end(high)};
+    return {{left, low}, {right, high}};
+}
+
+/// The samples in the bounding box of the vertices, its boundary included.
+inline SampleBox boundingBoxOf(const Triangle &triangle)
+{
+    const auto [least, greatest] = boundingCornersOf(triangle);
+    return samplesIn(least, greatest);
 }
 
 inline SampleBox samplesOf(FrameView frame)

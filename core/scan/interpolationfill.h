@@ -47,10 +47,10 @@ void evaluate(const InterpolationSetUp<Number, channelsInAll> &setUp, std::int64
 
 /// Colours the rows of one column, bottom to top, with what `setSample(y, sample)` makes of each.
 /// Inlined by order, as what calls it is: a call would keep the column's numbers in memory.
-template <class Number, std::size_t channelsInAll, class Observer, class SetSample>
+template <class Number, std::size_t channelsInAll, class View, class Observer, class SetSample>
 [[gnu::always_inline]] inline void colourColumn(
-    const InterpolationColumn<Number, channelsInAll> &column, ByteRounding rounding,
-    FrameView frame, Observer observer, SetSample setSample)
+    const InterpolationColumn<Number, channelsInAll> &column, ByteRounding rounding, View frame,
+    Observer observer, SetSample setSample)
 {
     if (column.firstDrawn >= column.endDrawn)
         return;
@@ -69,14 +69,15 @@ template <class Number, std::size_t channelsInAll, class Observer, class SetSamp
 }
 
 /// The same in a triangle that has area, by the form.
-template <InterpolationForm Form, class Number, std::size_t channelsInAll, class Observer>
+template <InterpolationForm Form, class Number, std::size_t channelsInAll, class View,
+          class Observer>
 [[gnu::always_inline]] inline void fillInterpolated(
     const InterpolationSetUp<Number, channelsInAll> &setUp,
-    const InterpolationColumn<Number, channelsInAll> &column, ByteRounding rounding,
-    FrameView frame, Observer observer)
+    const InterpolationColumn<Number, channelsInAll> &column, ByteRounding rounding, View frame,
+    Observer observer)
 {
     using Sample = InterpolationSample<Number, channelsInAll>;
-    if constexpr (Form == InterpolationForm::Bilinear) {
+    if constexpr (isBilinear(Form)) {
         std::array<Number, channelsInAll> value = column.first;
         colourColumn(column, rounding, frame, observer, [&](std::int64_t, Sample &sample) {
             sample.value = value;
@@ -91,10 +92,10 @@ template <InterpolationForm Form, class Number, std::size_t channelsInAll, class
 }
 
 /// The same in one that has none.
-template <class Number, std::size_t channelsInAll, class Observer>
+template <class Number, std::size_t channelsInAll, class View, class Observer>
 void fillSegment(const InterpolationSetUp<Number, channelsInAll> &setUp,
                  const InterpolationColumn<Number, channelsInAll> &column, ByteRounding rounding,
-                 FrameView frame, Observer observer)
+                 View frame, Observer observer)
 {
     using Sample = InterpolationSample<Number, channelsInAll>;
     colourColumn(column, rounding, frame, observer, [&](std::int64_t y, Sample &sample) {
@@ -105,10 +106,11 @@ void fillSegment(const InterpolationSetUp<Number, channelsInAll> &setUp,
 
 /// Fills a column once more, alone, with the same numbers: the set-up and the column are all that
 /// it reads.
-template <InterpolationForm Form, class Number, std::size_t channelsInAll, class Observer>
+template <InterpolationForm Form, class Number, std::size_t channelsInAll, class View,
+          class Observer>
 void fillAgain(const InterpolationSetUp<Number, channelsInAll> &setUp,
                const InterpolationColumn<Number, channelsInAll> &column, ByteRounding rounding,
-               FrameView frame, Observer observer)
+               View frame, Observer observer)
 {
     if (setUp.zeroArea)
         fillSegment(setUp, column, rounding, frame, observer);

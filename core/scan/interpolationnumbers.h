@@ -7,10 +7,11 @@
 #include "core/number/mixednumber.h"
 #include "core/scan/columnstate.h"
 #include "core/scan/roundedarithmetic.h"
+#include "core/scan/spanaxis.h"
 
 #include <algorithm>
 
-/// What the three forms of interpolation over a triangle compute with: R G B, z, u v, N_x N_y N_z,
+/// What the forms of interpolation over a triangle compute with: R G B, z, u v, N_x N_y N_z,
 /// all alike, as far as they are carried.
 namespace pixelplumb {
 
@@ -18,7 +19,17 @@ enum class InterpolationForm {
     Bilinear, ///< along both edges, then along the column, by adding rates
     Plane, ///< v = a·x + b·y + c at each sample
     Barycentric, ///< α·v0 + β·v1 + γ·v2 at each sample
+    BilinearRows, ///< as Bilinear, but along rows: in the plane turned to (−y, x)
 };
+
+constexpr bool isBilinear(InterpolationForm form)
+{
+    return form == InterpolationForm::Bilinear || form == InterpolationForm::BilinearRows;
+}
+constexpr SpanAxis axisOf(InterpolationForm form)
+{
+    return form == InterpolationForm::BilinearRows ? SpanAxis::Row : SpanAxis::Column;
+}
 
 inline constexpr std::size_t channelCount = 9;
 /// R G B, the first ones: all that a picture needs.

@@ -4,6 +4,7 @@
 #include "core/frame/frameview.h"
 #include "core/scan/exactarithmetic.h"
 #include "core/scan/interpolationfill.h"
+#include "core/scan/interpolationturn.h"
 #include "core/scan/interval.h"
 #include "core/scan/scanobserver.h"
 #include "core/scan/workstage.h"
@@ -11,23 +12,26 @@
 #include <type_traits>
 
 /// Interpolation during scan conversion (Scan Conversion slides, "Interpolation During Scan
-/// Conversion"): three forms that are the same in exact numbers. What is covered is decided
+/// Conversion"): forms that are the same in exact numbers. What is covered is decided
 /// exactly, column by column, whatever the channels are computed in, so that forms and arithmetics
 /// differ in their values alone.
 namespace pixelplumb {
 
-/// The scan of one triangle into one frame. What is covered is decided in `Integer`: std::int64_t
-/// up to 2^15 px, Int128 beyond.
+/// The scan of one triangle, turned where the form goes by rows, into one frame. What is covered is
+/// decided in `Integer`: std::int64_t up to 2^15 px, Int128 beyond.
 template <InterpolationForm Form, class Number, class Integer, std::size_t channelsInAll,
           ScanObserver<InterpolationNumbers<Number, channelsInAll>> Observer>
 class InterpolationScan {
+    using View = ViewOfForm<Form>;
+
 public:
     InterpolationScan(const Triangle &triangle, const TriangleAttributes *attributes,
                       const CarriedChannels &carried, const ScanSettings &settings, FrameView frame,
                       Observer observer)
         : m_triangle(triangle)
         , m_settings(settings)
-        , m_intervals(columnIntervals(settings.fillRule))
+        , m_intervals(axisOf(Form) == SpanAxis::Row ? rowIntervals({settings, frame})
+                                                    : columnIntervals(settings.fillRule))
         , m_frame(frame)
         , m_observer(observer)
     {
@@ -118,8 +122,7 @@ private:
     /// An edge's exact y, which decides what is covered, and its channels.
     struct Walker {
         MixedNumber<Integer> y, slope;
-        std::conditional_t<Form == InterpolationForm::Bilinear, ChannelEdge<Number, channelsInAll>,
-                           NoChannels>
+        std::conditional_t<isBilinear(Form), ChannelEdge<Number, channelsInAll>, NoChannels>
             channels;
 
         void stepToNextColumn()
@@ -186,7 +189,7 @@ private:
         column.endRow = ownsLast(m_intervals.rows) ? top.y.floor() + 1 : top.y.ceil();
         column.firstDrawn = std::max<std::int64_t>(column.firstRow, m_frame.firstRow);
         column.endDrawn = std::min(column.endRow, m_frame.endRow());
-        if constexpr (Form == InterpolationForm::Bilinear) {
+        if constexpr (isBilinear(Form)) {
             if (!m_setUp.zeroArea)
                 interpolateColumn(bottom.channels, top.channels, m_area, column);
         }
@@ -202,7 +205,7 @@ private:
     {
         column.lower = bottom.y;
         column.upper = top.y;
-        if constexpr (Form == InterpolationForm::Bilinear) {
+        if constexpr (isBilinear(Form)) {
             column.yBottom = bottom.channels.y;
             column.yTop = top.channels.y;
             column.bottom = bottom.channels.channel;
@@ -213,7 +216,7 @@ private:
     const Triangle &m_triangle;
     ScanSettings m_settings;
     ScanIntervals m_intervals;
-    FrameView m_frame;
+    View m_frame;
     Observer m_observer;
     InterpolationSetUp<Number, channelsInAll> m_setUp;
     Int128 m_area = 0; ///< doubled, without sign, in square lattice units

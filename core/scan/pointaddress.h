@@ -31,6 +31,14 @@ struct PointNumbers {
     using Sample = FlatSample;
 };
 
+/// Of a pixel in the frame.
+template <class Integer>
+std::int64_t addressOf(std::int64_t x, std::int64_t y, FrameView frame)
+{
+    return std::int64_t((Integer(y) - frame.firstRow) * frame.width
+                        + (Integer(x) - frame.firstColumn));
+}
+
 template <class Integer, ScanObserver<PointNumbers> Observer>
 void plotPoints(const Shape &points, FrameView frame, Observer observer)
 {
@@ -41,10 +49,7 @@ void plotPoints(const Shape &points, FrameView frame, Observer observer)
         step.x = floorPixel(vertex.position.x + unitsPerPixel / 2);
         step.y = floorPixel(vertex.position.y + unitsPerPixel / 2);
         step.isInFrame = frame.contains(step.x, step.y);
-        step.address = step.isInFrame
-            ? std::int64_t((Integer(step.y) - frame.firstRow) * frame.width
-                           + (Integer(step.x) - frame.firstColumn))
-            : 0;
+        step.address = step.isInFrame ? addressOf<Integer>(step.x, step.y, frame) : 0;
         observer.spanEntered(step);
         // The memory's own layout may pad its rows: the pixel is found from the address alone.
         if (step.isInFrame)

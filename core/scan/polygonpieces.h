@@ -16,6 +16,8 @@ void scanTriangles(const Contours &contours, const Triangulation &triangulation,
 {
     PolygonSetUp setUp = polygonSetUpFor(contours, frame.origin);
     setUp.pieceCount = triangulation.triangles.size();
+    setUp.crossingCount = triangulation.crossingCount;
+    setUp.largestMove = triangulation.largestMove;
     setUp.fill = ShapeFill::NonZero;
     observer.primitiveBegun(setUp);
     std::optional<Rejection> rejection = polygonRejection<A>(contours, frame);

@@ -26,6 +26,9 @@ struct PolygonSetUp {
     std::size_t edgeCount = 0;
     std::size_t horizontalEdges = 0; ///< no row crosses them
     std::size_t pieceCount = 0; ///< triangles, where the polygon is broken into them
+    std::size_t crossingCount = 0; ///< corners of triangles where edges cross
+    double largestMove = 0; ///< the farthest that one of these was moved onto the lattice, px
+    std::size_t curveCount = 0; ///< Bézier pieces, where the edges are their chords
     std::int64_t firstRow = 0, endRow = 0; ///< that the polygon's edges cross, unclipped
     ShapeFill fill = ShapeFill::EvenOdd;
     Colour colour;

@@ -16,6 +16,7 @@ inline PolygonSetUp polygonSetUpFor(const Contours &contours, FrameOrigin origin
     PolygonSetUp setUp;
     setUp.contourCount = contours.count;
     setUp.edgeCount = contours.edges.size();
+    setUp.curveCount = contours.curveCount;
     setUp.fill = contours.fill;
     setUp.colour = contours.colour;
     for (const ContourEdge &edge : contours.edges)

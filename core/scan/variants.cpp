@@ -39,6 +39,16 @@ std::optional<Variant> variantNamed(std::string_view name)
     return std::nullopt;
 }
 
+std::vector<Variant> variantsIn(VariantSet set)
+{
+    std::vector<Variant> variants;
+    for (const Variant variant : allVariants) {
+        if (set.contains(variant))
+            variants.push_back(variant);
+    }
+    return variants;
+}
+
 namespace {
 
 constexpr VariantWords roundedBox = {

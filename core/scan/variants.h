@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <string_view>
+#include <vector>
 
 namespace pixelplumb {
 
@@ -47,6 +48,9 @@ struct VariantSet {
 
     friend constexpr bool operator==(const VariantSet &, const VariantSet &) = default;
 };
+
+/// The members of a set, in the order of allVariants.
+std::vector<Variant> variantsIn(VariantSet set);
 
 /// What a person reads of a variant.
 struct VariantWords {

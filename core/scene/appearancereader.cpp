@@ -3,7 +3,7 @@
 
 #include "core/scene/appearancenames.h"
 #include "core/scene/choicereader.h"
-#include "core/scene/primitivereader.h"
+#include "core/scene/colourreader.h"
 
 #include <QJsonObject>
 

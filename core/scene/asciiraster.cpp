@@ -108,30 +108,4 @@ Result<CoverageMask> parseAsciiRaster(QStringView text)
     return coverage;
 }
 
-Result<RasterComparison> compareRasters(const CoverageMask &drawn, const CoverageMask &expected)
-{
-    const FrameSpec &drawnSpec = drawn.spec();
-    const FrameSpec &expectedSpec = expected.spec();
-    if (drawnSpec.width != expectedSpec.width || drawnSpec.height != expectedSpec.height) {
-        return InputError{
-            {},
-            QStringLiteral("a picture of %1 × %2").arg(drawnSpec.width).arg(drawnSpec.height),
-            QStringLiteral("%1 × %2").arg(expectedSpec.width).arg(expectedSpec.height)};
-    }
-    RasterComparison comparison;
-    for (int line = 0; line < drawnSpec.height; ++line) {
-        for (int column = 0; column < drawnSpec.width; ++column) {
-            const bool isDrawn = isCovered(drawn, column, line);
-            const bool isExpected = isCovered(expected, column, line);
-            comparison.matched += isDrawn && isExpected ? 1 : 0;
-            comparison.extra += isDrawn && !isExpected ? 1 : 0;
-            comparison.missing += !isDrawn && isExpected ? 1 : 0;
-            comparison.raster += isDrawn ? (isExpected ? covered : QChar(u'!'))
-                                         : (isExpected ? QChar(u'?') : uncovered);
-        }
-        comparison.raster += u'\n';
-    }
-    return comparison;
-}
-
 } // namespace pixelplumb

@@ -23,18 +23,4 @@ CoverageMask coverageAt(const ScanTrace &trace, const FrameSpec &spec, std::size
 /// and lines may end as on Windows. Ragged lines and other characters are errors.
 Result<CoverageMask> parseAsciiRaster(QStringView text);
 
-/// Two pictures of the same size, laid over each other.
-struct RasterComparison {
-    QString
-        raster; ///< `#` in both, `!` in the drawn alone, `?` in the expected alone, `.` in neither
-    std::int64_t matched = 0;
-    std::int64_t extra = 0; ///< `!`
-    std::int64_t missing = 0; ///< `?`
-
-    bool isSame() const { return extra == 0 && missing == 0; }
-};
-
-/// An error when the sizes differ.
-Result<RasterComparison> compareRasters(const CoverageMask &drawn, const CoverageMask &expected);
-
 } // namespace pixelplumb

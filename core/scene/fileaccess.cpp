@@ -50,6 +50,12 @@ Result<QByteArray> readRegularFile(const QString &path)
     return readFile(path);
 }
 
+InputError errorIn(const QString &path, InputError error)
+{
+    error.place = error.place.isEmpty() ? path : path + QStringLiteral(", ") + error.place;
+    return error;
+}
+
 InputError readingCancelled(const QString &place)
 {
     return {place, QStringLiteral("the reading was cancelled"), {}};

@@ -14,6 +14,9 @@ Result<QByteArray> readFile(const QString &path);
 /// The same of what a scene refers to: a pipe or a device, which may never end, is refused.
 Result<QByteArray> readRegularFile(const QString &path);
 
+/// An error in what a file holds, with the file's path before its place.
+InputError errorIn(const QString &path, InputError error);
+
 /// What is said where a listener ended the reading.
 InputError readingCancelled(const QString &place);
 

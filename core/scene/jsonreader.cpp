@@ -107,6 +107,13 @@ QString JsonReader::string(const JsonNode &node)
     return node.value.toString();
 }
 
+bool JsonReader::boolean(const JsonNode &node)
+{
+    if (!node.value.isBool())
+        fail(node, describe(node), QStringLiteral("true or false"));
+    return node.value.toBool();
+}
+
 qint64 JsonReader::integer(const JsonNode &node, qint64 first, qint64 last)
 {
     constexpr qint64 none = std::numeric_limits<qint64>::min();

@@ -61,6 +61,7 @@ public:
     /// An object with no keys but these.
     void expectObject(const JsonNode &node, const QStringList &keys);
     QString string(const JsonNode &node);
+    bool boolean(const JsonNode &node);
     /// A number without fraction in [first, last].
     qint64 integer(const JsonNode &node, qint64 first, qint64 last);
     std::vector<JsonNode> array(const JsonNode &node);

@@ -4,6 +4,7 @@
 #include "core/scene/appearancenames.h"
 #include "core/scene/attributereader.h"
 #include "core/scene/choicereader.h"
+#include "core/scene/colourreader.h"
 #include "core/scene/shapenames.h"
 #include "core/scene/solidlimits.h"
 #include "core/scene/solidreader.h"
@@ -19,6 +20,7 @@ constexpr std::array allKinds = {
 const QString colourKey = QStringLiteral("color");
 const QString coloursKey = QStringLiteral("colors");
 const QString fillKey = QStringLiteral("fill");
+const QString hiddenKey = QStringLiteral("hidden");
 
 } // namespace
 
@@ -28,26 +30,6 @@ QStringList primitiveKeys()
     for (const PrimitiveKind kind : allKinds)
         keys.append(keyOf(kind));
     return keys + namesOf(allSolidKinds);
-}
-
-BlendedColour readBlendedColour(JsonReader &json, const JsonNode &node)
-{
-    const Result<BlendedColour> result = parseColour(json.string(node));
-    if (result)
-        return *result;
-    json.fail(node, result.error().found, result.error().expected);
-    return {};
-}
-
-Colour readColour(JsonReader &json, const JsonNode &node)
-{
-    const BlendedColour colour = readBlendedColour(json, node);
-    if (colour.alpha != 255)
-        json.fail(node,
-                  QStringLiteral("“%1” is not opaque, and only triangles are blended")
-                      .arg(node.value.toString()),
-                  QStringLiteral("alpha ff, or #rrggbb without alpha"));
-    return colour.colour;
 }
 
 void PrimitiveReader::read(const JsonNode &primitive)
@@ -67,10 +49,10 @@ void PrimitiveReader::read(const JsonNode &primitive)
         readTriangle(primitive);
         return;
     case PrimitiveKind::Point:
-        readPoints(primitive, shape);
+        readPoints(primitive, {1, PointCount::any}, shape);
         break;
     case PrimitiveKind::Line:
-        readLine(primitive, shape);
+        readPoints(primitive, {2, 2}, shape);
         break;
     case PrimitiveKind::Circle:
     case PrimitiveKind::Ellipse:
@@ -86,7 +68,27 @@ void PrimitiveReader::read(const JsonNode &primitive)
         readText(primitive, shape);
         break;
     }
-    m_scene.shapes.push_back(std::move(shape));
+    if (isHidden(primitive))
+        m_scene.hidden.push_back({m_scene.shapes.size(), std::move(shape)});
+    else
+        m_scene.shapes.push_back(std::move(shape));
+}
+
+void PrimitiveReader::expectKeys(const JsonNode &primitive, const QStringList &keys)
+{
+    m_json.expectObject(primitive, keys + QStringList{hiddenKey});
+}
+
+bool PrimitiveReader::isHidden(const JsonNode &primitive)
+{
+    const JsonNode hidden = primitive[hiddenKey];
+    return !hidden.isMissing() && m_json.boolean(hidden);
+}
+
+bool PrimitiveReader::hasShapes() const
+{
+    return !m_scene.shapes.empty()
+        || (!m_scene.hidden.empty() && !m_scene.hidden.back().isTriangle());
 }
 
 PrimitiveKind PrimitiveReader::kindOf(const JsonNode &primitive)
@@ -96,7 +98,7 @@ PrimitiveKind PrimitiveReader::kindOf(const JsonNode &primitive)
             return kind;
     }
     // A misspelt key is named before the one that it stands for is missed.
-    m_json.expectObject(primitive, primitiveKeys() + QStringList{colourKey, coloursKey, fillKey});
+    expectKeys(primitive, primitiveKeys() + QStringList{colourKey, coloursKey, fillKey});
     m_json.fail(primitive, QStringLiteral("no primitive is named"),
                 QStringLiteral("one of ") + primitiveKeys().join(QStringLiteral(", ")));
     return PrimitiveKind::Triangle;
@@ -105,8 +107,8 @@ PrimitiveKind PrimitiveReader::kindOf(const JsonNode &primitive)
 void PrimitiveReader::readTriangle(const JsonNode &primitive)
 {
     const QString key = keyOf(PrimitiveKind::Triangle);
-    m_json.expectObject(primitive, QStringList{key, coloursKey} + attributeKeys());
-    if (!m_scene.shapes.empty() || !m_scene.solids.empty())
+    expectKeys(primitive, QStringList{key, coloursKey} + attributeKeys());
+    if (hasShapes() || !m_scene.solids.empty())
         m_json.fail(primitive[key], QStringLiteral("a triangle after another primitive"),
                     QStringLiteral("all triangles first: they are drawn before the others"));
     Triangle triangle;
@@ -120,6 +122,10 @@ void PrimitiveReader::readTriangle(const JsonNode &primitive)
         triangle.vertices[index].colour = colour.colour;
         attributes.vertices[index].alpha = colour.alpha;
     }
+    if (isHidden(primitive)) {
+        m_scene.hidden.push_back({m_scene.triangles.size(), HiddenTriangle{triangle, attributes}});
+        return;
+    }
     if (attributes != TriangleAttributes()) {
         attributes.triangle = m_scene.triangles.size();
         m_scene.attributes.push_back(attributes);
@@ -131,7 +137,7 @@ void PrimitiveReader::readSolid(const JsonNode &primitive, SolidKind kind)
 {
     const QString key = nameText(nameOf(kind));
     const JsonNode node = primitive[key];
-    if (!m_scene.shapes.empty())
+    if (hasShapes())
         m_json.fail(node, QStringLiteral("a %1 after a shape of the frame").arg(key),
                     QStringLiteral("triangles, then what is seen through the camera, then shapes"));
     if (!m_scene.camera)
@@ -147,19 +153,11 @@ void PrimitiveReader::readSolid(const JsonNode &primitive, SolidKind kind)
     m_scene.solids.push_back(std::move(solid));
 }
 
-void PrimitiveReader::readPoints(const JsonNode &primitive, Shape &shape)
+void PrimitiveReader::readPoints(const JsonNode &primitive, PointCount count, Shape &shape)
 {
     const QString key = keyOf(shape.kind);
-    m_json.expectObject(primitive, {key, coloursKey});
-    appendPositions(primitive[key], {1, PointCount::any}, shape);
-    readColours(primitive, shape);
-}
-
-void PrimitiveReader::readLine(const JsonNode &primitive, Shape &shape)
-{
-    const QString key = keyOf(shape.kind);
-    m_json.expectObject(primitive, {key, coloursKey});
-    appendPositions(primitive[key], {2, 2}, shape);
+    expectKeys(primitive, {key, coloursKey});
+    appendPositions(primitive[key], count, shape);
     readColours(primitive, shape);
 }
 
@@ -169,7 +167,7 @@ void PrimitiveReader::readRound(const JsonNode &primitive, Shape &shape)
     const bool isCircle = shape.kind == PrimitiveKind::Circle;
     const QString centreKey = QStringLiteral("centre");
     const QString radiusKey = isCircle ? QStringLiteral("radius") : QStringLiteral("radii");
-    m_json.expectObject(primitive, {key, colourKey, fillKey});
+    expectKeys(primitive, {key, colourKey, fillKey});
     const JsonNode node = primitive[key];
     m_json.expectObject(node, {centreKey, radiusKey});
     const LatticePoint centre = m_numbers.position(node[centreKey]);
@@ -193,8 +191,21 @@ void PrimitiveReader::readRound(const JsonNode &primitive, Shape &shape)
 void PrimitiveReader::readBezier(const JsonNode &primitive, Shape &shape)
 {
     const QString key = keyOf(shape.kind);
-    m_json.expectObject(primitive, {key, colourKey});
-    appendPositions(primitive[key], {3, 4}, shape);
+    const QString pathKey = QStringLiteral("path");
+    expectKeys(primitive, {key, colourKey, fillKey});
+    const JsonNode node = primitive[key];
+    const bool isPath = node.value.isObject();
+    if (!isPath) {
+        appendPositions(node, {3, 4}, shape);
+    } else {
+        m_json.expectObject(node, {pathKey});
+        appendParts(node[pathKey], QStringLiteral("no piece"), {3, 4}, shape);
+    }
+    shape.fill = fill(primitive[fillKey], shape.kind);
+    if (isPath && shape.fill == ShapeFill::Outline)
+        m_json.fail(node, QStringLiteral("a path that is not filled"),
+                    QStringLiteral("\"fill\": \"even-odd\" or \"non-zero\"; without it, one "
+                                   "curve of three or four points"));
     readColourOfAll(primitive, shape);
 }
 
@@ -202,23 +213,13 @@ void PrimitiveReader::readPolygon(const JsonNode &primitive, Shape &shape)
 {
     const QString key = keyOf(shape.kind);
     const QString contoursKey = QStringLiteral("contours");
-    m_json.expectObject(primitive, {key, colourKey, fillKey});
+    expectKeys(primitive, {key, colourKey, fillKey});
     const JsonNode node = primitive[key];
     if (!node.value.isObject()) {
         appendPositions(node, {3, PointCount::any}, shape);
     } else {
         m_json.expectObject(node, {contoursKey});
-        const std::vector<JsonNode> contours = m_json.array(node[contoursKey]);
-        if (contours.empty())
-            m_json.fail(node[contoursKey], QStringLiteral("no contour"),
-                        QStringLiteral("one or more arrays of points"));
-        for (const JsonNode &contour : contours) {
-            if (!shape.vertices.empty())
-                shape.laterContours.push_back(shape.vertices.size());
-            appendPositions(contour, {3, PointCount::any}, shape);
-            if (m_json.hasFailed())
-                return;
-        }
+        appendParts(node[contoursKey], QStringLiteral("no contour"), {3, PointCount::any}, shape);
     }
     shape.fill = fill(primitive[fillKey], shape.kind);
     readColourOfAll(primitive, shape);
@@ -229,7 +230,7 @@ void PrimitiveReader::readText(const JsonNode &primitive, Shape &shape)
     const QString key = keyOf(shape.kind);
     const QString atKey = QStringLiteral("at");
     const QString heightKey = QStringLiteral("height");
-    m_json.expectObject(primitive, {key, atKey, heightKey, colourKey});
+    expectKeys(primitive, {key, atKey, heightKey, colourKey});
     shape.text = m_json.string(primitive[key]).toStdString();
     shape.vertices = {{m_numbers.position(primitive[atKey]), {}}};
     shape.textHeight = m_numbers.length(primitive[heightKey], QStringLiteral("a height"));
@@ -242,6 +243,21 @@ void PrimitiveReader::appendPositions(const JsonNode &node, PointCount count, Sh
 {
     for (const LatticePoint &position : m_numbers.positions(node, count))
         shape.vertices.push_back({position, {}});
+}
+
+void PrimitiveReader::appendParts(const JsonNode &node, const QString &none, PointCount count,
+                                  Shape &shape)
+{
+    const std::vector<JsonNode> parts = m_json.array(node);
+    if (parts.empty())
+        m_json.fail(node, none, QStringLiteral("one or more arrays of points"));
+    for (const JsonNode &part : parts) {
+        if (m_json.hasFailed())
+            return;
+        if (!shape.vertices.empty())
+            shape.laterContours.push_back(shape.vertices.size());
+        appendPositions(part, count, shape);
+    }
 }
 
 void PrimitiveReader::readColours(const JsonNode &primitive, Shape &shape)

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/scene/colourtext.h"
 #include "core/scene/numberreader.h"
 #include "core/scene/referredfiles.h"
 
@@ -9,11 +8,6 @@ namespace pixelplumb {
 
 /// The keys that name a primitive, in the order in which messages list them.
 QStringList primitiveKeys();
-
-/// A colour "#rrggbb"; an error stays with the JsonReader.
-Colour readColour(JsonReader &json, const JsonNode &node);
-/// A colour "#rrggbb" or "#rrggbbaa".
-BlendedColour readBlendedColour(JsonReader &json, const JsonNode &node);
 
 /// A scene while it is read.
 struct SceneInHand {
@@ -33,21 +27,26 @@ public:
     {
     }
 
-    /// Appends the primitive to the scene's triangles, solids or shapes.
+    /// Appends the primitive to the scene's triangles, solids, shapes or hidden ones.
     void read(const JsonNode &primitive);
 
 private:
     PrimitiveKind kindOf(const JsonNode &primitive);
+    /// These and what every primitive of the frame may have.
+    void expectKeys(const JsonNode &primitive, const QStringList &keys);
+    bool isHidden(const JsonNode &primitive);
+    bool hasShapes() const; ///< hidden ones too
     void readSolid(const JsonNode &primitive, SolidKind kind);
     void readTriangle(const JsonNode &primitive);
-    void readPoints(const JsonNode &primitive, Shape &shape);
-    void readLine(const JsonNode &primitive, Shape &shape);
+    void readPoints(const JsonNode &primitive, PointCount count, Shape &shape);
     void readRound(const JsonNode &primitive, Shape &shape);
     void readBezier(const JsonNode &primitive, Shape &shape);
     void readPolygon(const JsonNode &primitive, Shape &shape);
     void readText(const JsonNode &primitive, Shape &shape);
 
     void appendPositions(const JsonNode &node, PointCount count, Shape &shape);
+    /// The arrays of points of a shape that has several; `none` is what is said where it has none.
+    void appendParts(const JsonNode &node, const QString &none, PointCount count, Shape &shape);
     void readColours(const JsonNode &primitive, Shape &shape);
     void readColourOfAll(const JsonNode &primitive, Shape &shape);
     ShapeFill fill(const JsonNode &node, PrimitiveKind kind);

@@ -72,11 +72,12 @@ QByteArray roundText(const Shape &shape)
     return "{ \"centre\": " + jsonPointText(centre) + radius + " }";
 }
 
-QByteArray polygonText(const Shape &shape)
+/// The vertices, or the arrays of a shape of several parts under a key.
+QByteArray partsText(const Shape &shape, const char *key)
 {
     if (shape.laterContours.empty())
         return points(shape.vertices);
-    QByteArray text = "{ \"contours\": [";
+    QByteArray text = QByteArray("{ \"") + key + "\": [";
     std::size_t first = 0;
     for (std::size_t contour = 0; contour <= shape.laterContours.size(); ++contour) {
         const std::size_t end = contour < shape.laterContours.size() ? shape.laterContours[contour]
@@ -99,12 +100,14 @@ QByteArray valueText(const Shape &shape)
     case PrimitiveKind::Ellipse:
         return roundText(shape) + colourOfAll(shape) + fillText(shape);
     case PrimitiveKind::Polygon:
-        return polygonText(shape) + colourOfAll(shape) + fillText(shape);
+        return partsText(shape, "contours") + colourOfAll(shape) + fillText(shape);
     case PrimitiveKind::Text:
         return quotedText(QByteArray::fromStdString(shape.text))
             + ", \"at\": " + jsonPointText(shape.vertices.front().position)
             + ", \"height\": " + coordinate(shape.textHeight) + colourOfAll(shape);
     case PrimitiveKind::Bezier:
+        return partsText(shape, "path") + colourOfAll(shape)
+            + (shape.fill == ShapeFill::Outline ? QByteArray() : fillText(shape));
     case PrimitiveKind::Triangle: // never a shape
         break;
     }
@@ -138,6 +141,19 @@ QByteArray primitiveText(const Triangle &triangle, const TriangleAttributes *att
 QByteArray primitiveText(const Shape &shape)
 {
     return "{ \"" + keyOf(shape.kind).toUtf8() + "\": " + valueText(shape) + " }";
+}
+
+QByteArray primitiveText(const HiddenPrimitive &hidden, const std::vector<Material> &materials)
+{
+    QByteArray text;
+    if (const auto *shape = std::get_if<Shape>(&hidden.primitive)) {
+        text = primitiveText(*shape);
+    } else {
+        const auto &[triangle, attributes] = std::get<HiddenTriangle>(hidden.primitive);
+        text = primitiveText(triangle, &attributes, materials);
+    }
+    text.chop(2); // " }"
+    return text + ", \"hidden\": true }";
 }
 
 QByteArray quotedText(const QByteArray &utf8)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/geometry/shape.h"
+#include "core/scene/hiddenprimitive.h"
 
 #include <QByteArray>
 
@@ -14,6 +14,8 @@ namespace pixelplumb {
 QByteArray primitiveText(const Triangle &triangle, const TriangleAttributes *attributes,
                          const std::vector<Material> &materials);
 QByteArray primitiveText(const Shape &shape);
+/// With its key "hidden".
+QByteArray primitiveText(const HiddenPrimitive &hidden, const std::vector<Material> &materials);
 
 /// "[26, "53/2"]".
 QByteArray jsonPointText(const LatticePoint &position);

@@ -5,6 +5,7 @@
 #include "core/geometry/shape.h"
 #include "core/number/jobprogress.h"
 #include "core/scan/boundaryrule.h"
+#include "core/scene/hiddenprimitive.h"
 #include "core/scene/motion.h"
 #include "core/space/solid.h"
 
@@ -29,6 +30,7 @@ struct Scene {
     std::optional<Camera> camera; ///< through which the solids are seen; there where there are any
     std::vector<Solid> solids; ///< drawn after the triangles
     Appearance appearance;
+    HiddenPrimitives hidden; ///< kept, and not drawn
     std::optional<Motion> motion; ///< of the triangles and shapes, which stand as at frame 0
 
     /// Of its own, or of solids.

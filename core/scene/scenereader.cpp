@@ -3,6 +3,7 @@
 #include "core/scene/appearancereader.h"
 #include "core/scene/camerareader.h"
 #include "core/scene/choicereader.h"
+#include "core/scene/colourreader.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/framenames.h"
 #include "core/scene/jsonplaces.h"
@@ -296,9 +297,7 @@ Result<SceneReading> readSceneFile(const QString &path, const ProgressListener &
     Result<SceneReading> reading = readScene(*text, listener, QFileInfo(path).absolutePath());
     if (reading)
         return reading;
-    InputError error = reading.error();
-    error.place = error.place.isEmpty() ? path : path + QStringLiteral(", ") + error.place;
-    return error;
+    return errorIn(path, reading.error());
 }
 
 } // namespace pixelplumb

@@ -2,6 +2,7 @@
 #include "core/scene/appearancewriter.h"
 #include "core/scene/colourtext.h"
 #include "core/scene/fileaccess.h"
+#include "core/scene/fileorder.h"
 #include "core/scene/framenames.h"
 #include "core/scene/primitivewriter.h"
 #include "core/scene/scenefile.h"
@@ -56,10 +57,8 @@ QByteArray variantsText(VariantSet variants)
     if (variants.isEmpty())
         return {};
     QByteArray names;
-    for (const Variant variant : allVariants) {
-        if (variants.contains(variant))
-            names += (names.isEmpty() ? "" : ", ") + quoted(nameOf(variant));
-    }
+    for (const Variant variant : variantsIn(variants))
+        names += (names.isEmpty() ? "" : ", ") + quoted(nameOf(variant));
     return ",\n    \"variants\": [" + names + ']';
 }
 
@@ -84,19 +83,19 @@ QByteArray writeScene(const Scene &scene, const QString &folder)
         text += separator + primitive;
         separator = ",\n        ";
     };
-    auto attributes = scene.attributes.begin();
-    for (std::size_t index = 0; index < scene.triangles.size(); ++index) {
-        const bool hasAttributes
-            = attributes != scene.attributes.end() && attributes->triangle == index;
-        append(primitiveText(scene.triangles[index], hasAttributes ? &*attributes : nullptr,
-                             scene.appearance.materials));
-        attributes += hasAttributes ? 1 : 0;
-    }
+    const auto appendHidden = [&](std::size_t index) {
+        append(primitiveText(scene.hidden[index], scene.appearance.materials));
+    };
+    const auto appendTriangle = [&](std::size_t index, const TriangleAttributes *attributes) {
+        append(primitiveText(scene.triangles[index], attributes, scene.appearance.materials));
+    };
+    visitTriangles(scene, appendTriangle, appendHidden);
     for (const Solid &solid : scene.solids)
         append(primitiveText(solid, scene.appearance.materials, folder));
-    for (const Shape &shape : scene.shapes)
-        append(primitiveText(shape));
-    return text + (scene.isEmpty() ? "]\n}\n" : "\n    ]\n}\n");
+    visitShapes(
+        scene, [&](std::size_t index) { append(primitiveText(scene.shapes[index])); },
+        appendHidden);
+    return text + (text.endsWith('[') ? "]\n}\n" : "\n    ]\n}\n");
 }
 
 std::optional<InputError> writeSceneFile(const QString &path, const Scene &scene)

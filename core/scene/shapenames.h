@@ -19,18 +19,23 @@ inline std::span<const FillName> fillNamesOf(PrimitiveKind kind)
 {
     static constexpr FillName ofCircles[]
         = {{"outline", ShapeFill::Outline}, {"filled", ShapeFill::NonZero}};
-    static constexpr FillName ofPolygons[]
-        = {{"even-odd", ShapeFill::EvenOdd}, {"non-zero", ShapeFill::NonZero}};
+    static constexpr FillName ofPolygons[] = {{"even-odd", ShapeFill::EvenOdd},
+                                              {"non-zero", ShapeFill::NonZero},
+                                              {"outline", ShapeFill::Outline}};
+    static constexpr FillName ofCurves[] = {{"outline", ShapeFill::Outline},
+                                            {"even-odd", ShapeFill::EvenOdd},
+                                            {"non-zero", ShapeFill::NonZero}};
     switch (kind) {
     case PrimitiveKind::Circle:
     case PrimitiveKind::Ellipse:
         return ofCircles;
     case PrimitiveKind::Polygon:
         return ofPolygons;
+    case PrimitiveKind::Bezier:
+        return ofCurves;
     case PrimitiveKind::Triangle:
     case PrimitiveKind::Point:
     case PrimitiveKind::Line:
-    case PrimitiveKind::Bezier:
     case PrimitiveKind::Text:
         break;
     }

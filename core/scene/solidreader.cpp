@@ -4,7 +4,7 @@
 #include "core/scan/choicenames.h"
 #include "core/scene/appearancenames.h"
 #include "core/scene/attributereader.h"
-#include "core/scene/primitivereader.h"
+#include "core/scene/colourreader.h"
 #include "core/scene/solidlimits.h"
 #include "core/space/polygonshape.h"
 #include "core/space/spacevector.h"

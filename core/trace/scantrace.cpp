@@ -50,6 +50,11 @@ std::size_t ScanTrace::endSampleOf(std::size_t span) const
     return span + 1 < m_spans.size() ? m_spans[span + 1].firstSample : m_samples.size();
 }
 
+bool ScanTrace::beginsPart(std::size_t span) const
+{
+    return span == firstSpanOf(primitiveOf(span)) || placeOf(span - 1).part != placeOf(span).part;
+}
+
 std::size_t ScanTrace::spanOf(std::size_t sample) const
 {
     // The last span that starts at or before the sample: empty spans share their successor's start.

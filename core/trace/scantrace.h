@@ -74,6 +74,8 @@ public:
     std::size_t endSampleOf(std::size_t span) const;
     std::size_t primitiveOf(std::size_t span) const { return m_spans[span].primitive; }
     const SpanPlace &placeOf(std::size_t span) const { return m_spans[span].place; }
+    /// Whether a span is the first of its part of its primitive: formulas start afresh there.
+    bool beginsPart(std::size_t span) const;
     /// The span to which a sample belongs.
     std::size_t spanOf(std::size_t sample) const;
     /// The first span of a primitive on a column or row; none where it has no such span.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/effectscenes.h"
 
-#include "core/lab/seededrandom.h"
+#include "core/geometry/seededrandom.h"
 
 #include <QStringList>
 

@@ -57,6 +57,7 @@ public:
     {
         Shape polygon;
         polygon.kind = PrimitiveKind::Polygon;
+        polygon.fill = ShapeFill::EvenOdd;
         for (int i = 0; i < vertices; ++i)
             polygon.vertices.push_back({point(), {{1, 2, 3}}});
         return polygon;

@@ -62,6 +62,14 @@ std::vector<NamedScene> scenesForEveryMethod()
                     circleAt(7, 6, 3, ShapeFill::NonZero),
                     bezierAt({{256, 256}, {1500, 3000}, {3500, 300}}),
                     polygonOf({{{300, 500}, {3333, 1111}, {2900, 2600}, {700, 2100}}})};
+    mixed.shapes.push_back(mixed.shapes.back());
+    mixed.shapes.back().fill = ShapeFill::Outline;
+    mixed.shapes.push_back(mixed.shapes.back());
+    for (Vertex &vertex : mixed.shapes.back().vertices)
+        vertex.position.x += 40 * unitsPerPixel; // outside the frame
+    mixed.shapes.push_back(bezierAt({{256, 256}, {1500, 3000}, {3500, 300}}));
+    mixed.shapes.back().fill = ShapeFill::EvenOdd;
+    mixed.shapes.push_back(polygonOf({{{300, 500}, {3333, 2111}, {2900, 300}, {700, 2100}}}));
     Shape points;
     points.kind = PrimitiveKind::Point;
     points.vertices = {{latticePixel(2, 3), {{255, 0, 0}}}, {{2816, 1400}, {{0, 255, 0}}}};

@@ -73,6 +73,14 @@ Scene randomScene(quint32 seed)
     }
     if (random.bounded(2) == 0)
         scene.frame.offScreenPoint = {coordinate(), coordinate()};
+    for (std::size_t place = 0; place <= scene.triangles.size(); ++place) {
+        for (quint32 hidden = random.bounded(4); hidden > 2; --hidden) {
+            HiddenTriangle triangle;
+            for (Vertex &vertex : triangle.triangle.vertices)
+                vertex = {{coordinate(), coordinate()}, colour()};
+            scene.hidden.push_back({place, triangle});
+        }
+    }
     return scene;
 }
 

@@ -40,6 +40,16 @@ std::vector<ShapeExample> shapeExamples()
                              {at(1, 3), ochre}},
                             ShapeFill::NonZero);
     pierced.laterContours = {3};
+    Shape path = shapeOf(PrimitiveKind::Bezier,
+                         {{at(0, 0), ochre},
+                          {at(9, 0), ochre},
+                          {at(0, 9), ochre},
+                          {at(0, 9), ochre},
+                          {at(3, 1), ochre},
+                          {at(1, 3), ochre},
+                          {at(0, 0), ochre}},
+                         ShapeFill::EvenOdd);
+    path.laterContours = {3};
     Shape text = shapeOf(PrimitiveKind::Text, {{at(3, 2), ochre}}, ShapeFill::NonZero);
     text.text = "say “é” \"\\\n\t\x01";
     text.textHeight = 12 * unitsPerPixel + 64;
@@ -72,6 +82,15 @@ std::vector<ShapeExample> shapeExamples()
         {json("{ 'text': 'say “é” \\\"\\\\\\u000a\\u0009\\u0001', 'at': [3, 2], 'height': '49/4', "
               "'color': '#cc7722' }"),
          text},
+        {json("{ 'polygon': [[0, 0], [1, 5], [7, 1]], 'color': '#cc7722', 'fill': 'outline' }"),
+         shapeOf(PrimitiveKind::Polygon,
+                 {{at(0, 0), ochre}, {at(1, 5), ochre}, {at(7, 1), ochre}})},
+        {json("{ 'bezier': [[0, 0], [1, 5], [7, 1]], 'color': '#cc7722', 'fill': 'non-zero' }"),
+         shapeOf(PrimitiveKind::Bezier, {{at(0, 0), ochre}, {at(1, 5), ochre}, {at(7, 1), ochre}},
+                 ShapeFill::NonZero)},
+        {json("{ 'bezier': { 'path': [[[0, 0], [9, 0], [0, 9]], [[0, 9], [3, 1], [1, 3], [0, 0]]] "
+              "}, 'color': '#cc7722', 'fill': 'even-odd' }"),
+         path},
     };
 }
 

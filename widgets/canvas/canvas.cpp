@@ -5,10 +5,10 @@
 #include "widgets/canvas/canvasoutlines.h"
 #include "widgets/dialogs/vertexdialog.h"
 #include "widgets/look/displayoptions.h"
-#include "widgets/look/numberformat.h"
 #include "widgets/model/effectswitches.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenepreviewer.h"
+#include "widgets/model/studentpicture.h"
 
 #include <QAccessible>
 #include <QContextMenuEvent>
@@ -30,8 +30,8 @@ Canvas::Canvas(SceneDocument *document, Playhead *playhead, DisplayOptions *opti
     : QWidget(parent)
     , m_sources{document, playhead, options, nullptr}
     , m_view(document, this)
-    , m_mouse(*this, m_view, *document, *playhead)
-    , m_keys(*this, m_view, m_mouse, *document, *playhead)
+    , m_mouse(*this, m_view, m_sources)
+    , m_keys(*this, m_view, m_mouse, m_sources)
 {
     installCanvasAccessible();
     setObjectName(QStringLiteral("canvas"));
@@ -78,7 +78,6 @@ void Canvas::setPreviewer(const ScenePreviewer *previewer)
 {
     m_sources.previewer = previewer;
     connect(previewer, &ScenePreviewer::pictureChanged, this, qOverload<>(&QWidget::update));
-    update();
 }
 
 void Canvas::setEffects(const EffectSwitches *effects)
@@ -86,6 +85,12 @@ void Canvas::setEffects(const EffectSwitches *effects)
     m_sources.effects = effects;
     connect(effects, &EffectSwitches::changesFound, this, qOverload<>(&QWidget::update));
     update();
+}
+
+void Canvas::setStudentPicture(const StudentPicture *student)
+{
+    m_sources.student = student;
+    connect(student, &StudentPicture::judged, this, qOverload<>(&QWidget::update));
 }
 
 QString Canvas::zoomText() const
@@ -100,36 +105,18 @@ std::optional<VertexRef> Canvas::vertexAt(const QPointF &position) const
     return pixelplumb::vertexAt(position, m_sources, m_view, m_outlines);
 }
 
-QString Canvas::spokenState() const
-{
-    const SceneDocument &document = *m_sources.document;
-    if (const std::optional<VertexRef> ref = document.selectedVertex()) {
-        const Vertex vertex = *document.vertexAt(*ref);
-        const QString x = displayText(Quantity::rational(vertex.position.x, unitsPerPixel));
-        const QString y = displayText(Quantity::rational(vertex.position.y, unitsPerPixel));
-        if (ref->primitive == VertexRef::pending)
-            return tr("waiting vertex %1 at (%2, %3)").arg(QString::number(ref->vertex), x, y);
-        return tr("vertex %1 of %2 %3 at (%4, %5)")
-            .arg(QString::number(ref->vertex), nameOf(document.kindOf(ref->primitive)),
-                 QString::number(ref->primitive), x, y);
-    }
-    if (const std::optional<QPoint> pixel = m_sources.playhead->pickedPixel())
-        return tr("pixel (%1, %2)").arg(pixel->x()).arg(pixel->y());
-    return tr("no pixel is picked");
-}
+QString Canvas::spokenState() const { return pixelplumb::spokenState(m_sources, hand()); }
 
 void Canvas::announce()
 {
     m_keys.endDrag();
+    if (m_sources.document->selectedVertex())
+        m_mouse.chooseCorner(std::nullopt);
     if (!QAccessible::isActive())
         return;
     QAccessibleValueChangeEvent changed(this, spokenState());
     QAccessible::updateAccessibility(&changed);
 }
-
-QSize Canvas::sizeHint() const { return {720, 560}; }
-
-QSize Canvas::minimumSizeHint() const { return {240, 200}; }
 
 void Canvas::setZoom(int zoom) { m_view.zoomTo(ViewZoom::fromNumber(zoom), keyboardAnchor()); }
 
@@ -209,7 +196,8 @@ QPointF Canvas::keyboardAnchor() const
 CanvasHand Canvas::hand() const
 {
     const std::optional<LatticePoint> pointed = m_mouse.candidate();
-    return {m_mouse.hoveredVertex(), pointed ? pointed : m_keys.candidate(),
+    return {m_mouse.hoveredVertex(), m_mouse.hoveredCorner(),
+            m_mouse.chosenCorner(),  pointed ? pointed : m_keys.candidate(),
             m_mouse.isPressed(),     m_mouse.isMovingVertex() || m_keys.isMovingVertex(),
             m_keys.isPeeking(),      tool() == CanvasTool::Draw,
             m_mouse.hover(),         {}};

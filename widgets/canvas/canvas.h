@@ -34,6 +34,8 @@ public:
     void setPreviewer(const ScenePreviewer *previewer);
     /// While something is forced, what that changes is marked and not what differs from the truth.
     void setEffects(const EffectSwitches *effects);
+    /// While there is one, what differs in it is marked and not what differs from the truth.
+    void setStudentPicture(const StudentPicture *student);
 
     const ViewMapping &mapping() const { return m_view.mapping(); }
     /// The part of the widget where the frame is seen.
@@ -71,11 +73,12 @@ public:
     bool isTruthVisible() const { return pixelplumb::isTruthVisible(m_sources, hand()); }
     /// What a screen reader says of the pixel or vertex in hand.
     QString spokenState() const;
+    void announce(); ///< the same, to those that listen
     /// The pointer is elsewhere, or has left.
     void followPointer();
 
-    QSize sizeHint() const override;
-    QSize minimumSizeHint() const override;
+    QSize sizeHint() const override { return {720, 560}; }
+    QSize minimumSizeHint() const override { return {240, 200}; }
 
 public slots:
     void setTool(pixelplumb::CanvasTool tool);
@@ -118,7 +121,6 @@ private:
     void updateVertices();
     QPointF keyboardAnchor() const;
     CanvasHand hand() const;
-    void announce();
 
     CanvasSources m_sources;
     CanvasView m_view;

@@ -2,6 +2,8 @@
 #include "widgets/canvas/canvasaccessible.h"
 
 #include "widgets/canvas/canvas.h"
+#include "widgets/canvas/imagehandles.h"
+#include "widgets/model/playhead.h"
 
 #include <QAccessibleWidget>
 
@@ -31,6 +33,26 @@ QAccessibleInterface *makeInterface(const QString &, QObject *object)
 }
 
 } // namespace
+
+QString spokenState(const CanvasSources &sources, const CanvasHand &hand)
+{
+    const SceneDocument &document = *sources.document;
+    if (const std::optional<VertexRef> ref = document.selectedVertex()) {
+        const QString place = coordinateNote(document.vertexAt(*ref)->position);
+        if (ref->primitive == VertexRef::pending)
+            return Canvas::tr("waiting vertex %1 at %2").arg(QString::number(ref->vertex), place);
+        return Canvas::tr("vertex %1 of %2 %3 at %4")
+            .arg(QString::number(ref->vertex), nameOf(document.kindOf(ref->primitive)),
+                 QString::number(ref->primitive), place);
+    }
+    if (const auto image = hand.chosenCorner ? imageInView(sources) : std::nullopt)
+        return Canvas::tr("image of vertex %1 at %2")
+            .arg(QString::number(*hand.chosenCorner),
+                 coordinateNote(image->corners[*hand.chosenCorner]));
+    if (const std::optional<QPoint> pixel = sources.playhead->pickedPixel())
+        return Canvas::tr("pixel (%1, %2)").arg(pixel->x()).arg(pixel->y());
+    return Canvas::tr("no pixel is picked");
+}
 
 void installCanvasAccessible()
 {

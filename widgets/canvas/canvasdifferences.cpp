@@ -26,22 +26,30 @@ QRect picturePixelsIn(const QRect &device, const ViewMapping &mapping)
 
 /// The first pixel from `column` on that differs; the row's length where none does. Looks at eight
 /// bytes at once, because most are none.
-std::size_t nextDifference(std::span<const Difference> row, std::size_t column)
+template <class Kind>
+std::size_t nextDifference(std::span<const Kind> row, std::size_t column)
 {
-    static_assert(sizeof(Difference) == 1 && int(Difference::None) == 0);
+    static_assert(sizeof(Kind) == 1);
     while (column < row.size()) {
         std::uint64_t eight = 1;
         if (column + sizeof(eight) <= row.size())
             std::memcpy(&eight, row.data() + column, sizeof(eight));
         if (eight == 0)
             column += sizeof(eight);
-        else if (row[column] != Difference::None)
+        else if (row[column] != Kind())
             return column;
         else
             ++column;
     }
     return row.size();
 }
+
+// Both count their kinds of marks in the order of the signs.
+static_assert(int(Difference::None) == 0 && int(Difference::Missing) == 1
+              && int(Difference::Extra) == 2 && int(Difference::Colour) == 3);
+static_assert(int(PixelVerdict::Same) == 0 && int(PixelVerdict::Missing) == 1
+              && int(PixelVerdict::Extra) == 2 && int(PixelVerdict::Colour) == 3
+              && int(PixelVerdict::Undecidable) == 4);
 
 } // namespace
 
@@ -60,11 +68,22 @@ void CanvasDifferences::lookUp(const Source &source, const ViewMapping &mapping,
     m_mapping = mapping;
     m_device = device;
     m_marks.clear();
-    if (source.differences().total() > 0)
-        lookUpCells(picturePixelsIn(device, mapping));
+    const QRect cells = picturePixelsIn(device, mapping);
+    if (source.judgement) {
+        const PictureDiff &diff = source.judgement->diff;
+        const std::span<const PixelVerdict> all = diff.verdicts;
+        lookUpCells(cells, [&](std::int64_t y) {
+            const int line = pictureLine(mapping.frame(), y);
+            return all.subspan(std::size_t(line) * std::size_t(diff.width),
+                               std::size_t(diff.width));
+        });
+    } else if (const DifferenceMap &differences = source.differences(); differences.total() > 0) {
+        lookUpCells(cells, [&differences](std::int64_t y) { return differences.row(y); });
+    }
 }
 
-void CanvasDifferences::lookUpCells(const QRect &cells)
+template <class RowAt>
+void CanvasDifferences::lookUpCells(const QRect &cells, RowAt rowAt)
 {
     const FrameSpec &frame = m_mapping.frame();
     const ViewZoom &zoom = m_mapping.zoom();
@@ -74,16 +93,15 @@ void CanvasDifferences::lookUpCells(const QRect &cells)
     std::vector<int> lastMarked(std::size_t(cells.right() / side + 1), -1);
     for (int line = cells.top(); line <= cells.bottom(); ++line) {
         const std::int64_t y = rowOfPictureLine(frame, line);
-        const std::span<const Difference> row
-            = m_source.differences().row(y).first(std::size_t(cells.right() + 1));
+        const auto row = rowAt(y).first(std::size_t(cells.right() + 1));
         for (std::size_t at = std::size_t(cells.left());
              (at = nextDifference(row, at)) < row.size(); ++at) {
             const QPoint block(int(at) / side, line / side);
             if (std::exchange(lastMarked[std::size_t(block.x())], block.y()) == block.y())
                 continue;
             const std::int64_t x = frame.firstColumn + std::int64_t(at);
-            m_marks.push_back(
-                {corner + block * zoom.devicePixels, row[at], m_source.decidedAt(x, y)});
+            m_marks.push_back({corner + block * zoom.devicePixels, std::size_t(row[at]) - 1,
+                               m_source.decidedAt(x, y)});
         }
     }
 }
@@ -94,16 +112,16 @@ void CanvasDifferences::makeStamps(const QPalette &palette)
     const double ratio = m_mapping.devicePixelRatio();
     if (m_stampsZoom == zoom && m_stampsPalette == palette.cacheKey() && m_stampsRatio == ratio)
         return;
-    for (const Difference kind : {Difference::Missing, Difference::Extra, Difference::Colour}) {
+    for (std::size_t sign = 0; sign < markSigns.size(); ++sign) {
         QImage stamp(zoom, zoom, QImage::Format_ARGB32_Premultiplied);
         stamp.fill(Qt::transparent);
         QPainter painter(&stamp);
         painter.scale(ratio, ratio);
-        paintDifference(painter, QRectF(0, 0, zoom / ratio, zoom / ratio), kind, palette);
+        paintMark(painter, QRectF(0, 0, zoom / ratio, zoom / ratio), markSigns[sign], palette);
         painter.end();
         if (hasGlyphs())
             stamp.setDevicePixelRatio(ratio);
-        m_stamps[std::size_t(kind)] = stamp;
+        m_stamps[sign] = stamp;
     }
     m_stampsZoom = zoom;
     m_stampsPalette = palette.cacheKey();
@@ -127,20 +145,20 @@ void CanvasDifferences::markCells(QImage &shown, std::size_t position, const QPa
     QPainter painter(&shown);
     for (const Mark &mark : m_marks) {
         if (mark.decidedAt <= position)
-            painter.drawImage(mark.device, m_stamps[std::size_t(mark.kind)]);
+            painter.drawImage(mark.device, m_stamps[mark.sign]);
     }
 }
 
 /// Without a painter, which takes longer for a pixel than to draw ten of them.
 void CanvasDifferences::markDevicePixels(QImage &shown, std::size_t position) const
 {
-    std::array<QRgb, 4> colours = {};
-    for (std::size_t kind = 1; kind < colours.size(); ++kind)
-        colours[kind] = m_stamps[kind].pixel(0, 0) | 0xff000000;
+    std::array<QRgb, markSigns.size()> colours = {};
+    for (std::size_t sign = 0; sign < colours.size(); ++sign)
+        colours[sign] = m_stamps[sign].pixel(0, 0) | 0xff000000;
     for (const Mark &mark : m_marks) {
         if (mark.decidedAt <= position && shown.rect().contains(mark.device))
             reinterpret_cast<QRgb *>(shown.scanLine(mark.device.y()))[mark.device.x()]
-                = colours[std::size_t(mark.kind)];
+                = colours[mark.sign];
     }
 }
 
@@ -152,7 +170,7 @@ void CanvasDifferences::drawGlyphs(QPainter &painter, std::size_t position, cons
     for (const Mark &mark : m_marks) {
         if (mark.decidedAt <= position)
             painter.drawImage(m_mapping.positionOfDevice(m_device.topLeft() + mark.device),
-                              m_stamps[std::size_t(mark.kind)]);
+                              m_stamps[mark.sign]);
     }
 }
 

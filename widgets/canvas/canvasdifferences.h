@@ -3,7 +3,9 @@
 
 #include "core/runs/scenepicture.h"
 #include "core/runs/tracedscene.h"
+#include "widgets/look/signs.h"
 #include "widgets/look/viewmapping.h"
+#include "widgets/model/studentpicture.h"
 
 #include <QImage>
 #include <QPalette>
@@ -15,7 +17,8 @@ class QPainter;
 
 namespace pixelplumb {
 
-/// The pixels in view that differ from the truth, or that a forced effect changes, marked in the
+/// The pixels in view that differ from the truth or in a student's picture, or that a forced effect
+/// changes, marked in the
 /// picture on the screen: by a glyph where the cell has room for it, else by a coloured frame, else
 /// by the colour alone. Below 1:1 a device pixel is marked when any of its frame pixels differs.
 class CanvasDifferences {
@@ -23,10 +26,12 @@ public:
     /// A run, or a picture that is finished: its differences are decided at every position. Kept,
     /// so that nothing else gets its address.
     struct Source {
-        std::shared_ptr<const TracedScene> traced;
-        std::shared_ptr<const ScenePicture> picture;
+        std::shared_ptr<const TracedScene> traced = nullptr;
+        std::shared_ptr<const ScenePicture> picture = nullptr;
         /// What forcing changes, in place of what differs from the truth; null where nothing does.
         std::shared_ptr<const DifferenceMap> changes = nullptr;
+        /// A student's picture, in place of all of these; decided at every position.
+        std::shared_ptr<const PictureJudgement> judgement = nullptr;
 
         const DifferenceMap &differences() const
         {
@@ -36,7 +41,7 @@ public:
         }
         std::size_t decidedAt(std::int64_t x, std::int64_t y) const
         {
-            return traced ? traced->decidedAt(x, y) : 0;
+            return traced && !judgement ? traced->decidedAt(x, y) : 0;
         }
         friend bool operator==(const Source &, const Source &) = default;
     };
@@ -56,11 +61,16 @@ public:
 private:
     struct Mark {
         QPoint device; ///< the cell's upper left, from the rectangle's
-        Difference kind = Difference::None;
+        std::size_t sign = 0; ///< its place among markSigns
         std::size_t decidedAt = 0;
     };
+    static constexpr std::array markSigns
+        = {Sign::Missing, Sign::Extra, Sign::ColourDiffers, Sign::Tie};
 
-    void lookUpCells(const QRect &cells);
+    /// `rowAt(y)`: a byte for each of the row's pixels, 0 where nothing is marked, else 1 more than
+    /// its sign's place.
+    template <class RowAt>
+    void lookUpCells(const QRect &cells, RowAt rowAt);
     void markDevicePixels(QImage &shown, std::size_t position) const;
     bool hasGlyphs() const;
     void makeStamps(const QPalette &palette);
@@ -69,7 +79,7 @@ private:
     ViewMapping m_mapping;
     QRect m_device;
     std::vector<Mark> m_marks;
-    std::array<QImage, 4> m_stamps; ///< by Difference
+    std::array<QImage, markSigns.size()> m_stamps;
     qint64 m_stampsPalette = 0;
     int m_stampsZoom = 0;
     double m_stampsRatio = 0;

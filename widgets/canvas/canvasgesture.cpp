@@ -44,57 +44,58 @@ void PlaceVertexGesture::releaseAt(const QPointF &position)
         m_document.placeVertex(m_view.placeAt(position));
 }
 
+MovePointGesture::MovePointGesture(const CanvasView &view, const QPointF &press,
+                                   const LatticePoint &start)
+    : m_view(view)
+    , m_press(press)
+    , m_start(start)
+{
+}
+
+void MovePointGesture::moveTo(const QPointF &position)
+{
+    m_moving = m_moving || (position - m_press).manhattanLength() > tremble;
+    if (!m_moving)
+        return;
+    const LatticePoint pressed = m_view.mapping().latticeAt(m_press);
+    const LatticePoint now = m_view.mapping().latticeAt(position);
+    movePoint({m_start.x + now.x - pressed.x, m_start.y + now.y - pressed.y});
+}
+
 MoveVertexGesture::MoveVertexGesture(const CanvasView &view, SceneDocument &document,
                                      const VertexRef &ref, const QPointF &press)
-    : m_view(view)
+    : MovePointGesture(view, press, document.vertexAt(ref)->position)
     , m_document(document)
     , m_ref(ref)
-    , m_press(press)
-    , m_start(document.vertexAt(ref)->position)
     , m_drag(document.newDrag())
 {
     document.selectVertex(ref);
 }
 
-void MoveVertexGesture::moveTo(const QPointF &position)
+void MoveVertexGesture::movePoint(const LatticePoint &place)
 {
-    m_moving = m_moving || (position - m_press).manhattanLength() > tremble;
-    if (!m_moving)
-        return;
-    const LatticePoint pressed = m_view.mapping().latticeAt(m_press);
-    const LatticePoint now = m_view.mapping().latticeAt(position);
-    const LatticePoint target
-        = m_document.snapped({m_start.x + now.x - pressed.x, m_start.y + now.y - pressed.y});
-    m_document.moveVertex(m_ref, target, m_drag);
+    m_document.moveVertex(m_ref, m_document.snapped(place), m_drag);
 }
 
-void MoveVertexGesture::cancel() { m_document.moveVertex(m_ref, m_start, m_drag); }
+void MoveVertexGesture::cancel() { m_document.moveVertex(m_ref, start(), m_drag); }
 
 MoveOffScreenPointGesture::MoveOffScreenPointGesture(const CanvasView &view,
                                                      SceneDocument &document, const QPointF &press)
-    : m_view(view)
+    : MovePointGesture(view, press, *document.offScreenPoint())
     , m_document(document)
-    , m_press(press)
-    , m_start(*document.offScreenPoint())
     , m_drag(document.newDrag())
 {
 }
 
-void MoveOffScreenPointGesture::moveTo(const QPointF &position)
+void MoveOffScreenPointGesture::movePoint(const LatticePoint &place)
 {
-    m_moving = m_moving || (position - m_press).manhattanLength() > tremble;
-    if (!m_moving)
-        return;
-    const LatticePoint pressed = m_view.mapping().latticeAt(m_press);
-    const LatticePoint now = m_view.mapping().latticeAt(position);
-    m_document.moveOffScreenPoint(
-        m_document.snapped({m_start.x + now.x - pressed.x, m_start.y + now.y - pressed.y}), m_drag);
+    m_document.moveOffScreenPoint(m_document.snapped(place), m_drag);
 }
 
 void MoveOffScreenPointGesture::cancel()
 {
-    if (m_moving)
-        m_document.moveOffScreenPoint(m_start, m_drag);
+    if (hasMoved())
+        m_document.moveOffScreenPoint(start(), m_drag);
 }
 
 void PickPixelGesture::moveTo(const QPointF &position)

@@ -38,42 +38,57 @@ private:
     SceneDocument &m_document;
 };
 
-/// Moves a vertex with the pointer, as far from it as it was at the press. A press that does not
-/// move selects it and nothing else.
-class MoveVertexGesture final : public CanvasGesture {
+/// Moves a point with the pointer, as far from it as it was at the press. A hand that trembles in a
+/// click moves nothing.
+class MovePointGesture : public CanvasGesture {
 public:
-    MoveVertexGesture(const CanvasView &view, SceneDocument &document, const VertexRef &ref,
-                      const QPointF &press);
-    void moveTo(const QPointF &position) override;
-    void cancel() override;
-    Qt::CursorShape cursor() const override { return Qt::SizeAllCursor; }
+    void moveTo(const QPointF &position) final;
+    Qt::CursorShape cursor() const final { return Qt::SizeAllCursor; }
+
+protected:
+    MovePointGesture(const CanvasView &view, const QPointF &press, const LatticePoint &start);
+    /// Not on the snap's points.
+    virtual void movePoint(const LatticePoint &place) = 0;
+
+    const LatticePoint &start() const { return m_start; }
+    bool hasMoved() const { return m_moving; }
 
 private:
     const CanvasView &m_view;
-    SceneDocument &m_document;
-    VertexRef m_ref;
     QPointF m_press;
     LatticePoint m_start;
-    int m_drag;
     bool m_moving = false;
 };
 
-/// Moves the off-screen point with the pointer.
-class MoveOffScreenPointGesture final : public CanvasGesture {
+/// Moves a vertex. A press that does not move selects it and nothing else.
+class MoveVertexGesture final : public MovePointGesture {
+public:
+    MoveVertexGesture(const CanvasView &view, SceneDocument &document, const VertexRef &ref,
+                      const QPointF &press);
+    void cancel() override;
+
+protected:
+    void movePoint(const LatticePoint &place) override;
+
+private:
+    SceneDocument &m_document;
+    VertexRef m_ref;
+    int m_drag;
+};
+
+/// Moves the off-screen point.
+class MoveOffScreenPointGesture final : public MovePointGesture {
 public:
     MoveOffScreenPointGesture(const CanvasView &view, SceneDocument &document,
                               const QPointF &press);
-    void moveTo(const QPointF &position) override;
     void cancel() override;
-    Qt::CursorShape cursor() const override { return Qt::SizeAllCursor; }
+
+protected:
+    void movePoint(const LatticePoint &place) override;
 
 private:
-    const CanvasView &m_view;
     SceneDocument &m_document;
-    QPointF m_press;
-    LatticePoint m_start;
     int m_drag;
-    bool m_moving = false;
 };
 
 /// Picks the pixel under the pointer, as long as the button is held.

@@ -4,6 +4,7 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/canvas/canvasmouse.h"
 #include "widgets/canvas/canvasview.h"
+#include "widgets/canvas/imagehandles.h"
 #include "widgets/model/playhead.h"
 
 #include <QGuiApplication>
@@ -42,12 +43,13 @@ Qt::KeyboardModifiers modifiersOf(const QKeyEvent &event)
 } // namespace
 
 CanvasKeys::CanvasKeys(Canvas &canvas, CanvasView &view, CanvasMouse &mouse,
-                       SceneDocument &document, Playhead &playhead)
+                       const CanvasSources &sources)
     : m_canvas(canvas)
     , m_view(view)
     , m_mouse(mouse)
-    , m_document(document)
-    , m_playhead(playhead)
+    , m_sources(sources)
+    , m_document(*sources.document)
+    , m_playhead(*sources.playhead)
 {
     m_peekTimer.setSingleShot(true);
     m_peekTimer.setInterval(peekDelay);
@@ -181,15 +183,22 @@ void CanvasKeys::placeAtPickedPixel()
 void CanvasKeys::cycleSelection(int step)
 {
     const std::vector<VertexRef> vertices = m_document.vertices();
-    if (vertices.empty())
+    const auto vertexCount = int(vertices.size());
+    const int count = vertexCount + (imageInView(m_sources) ? 3 : 0);
+    if (count == 0)
         return;
-    const auto count = int(vertices.size());
     const std::optional<VertexRef> selected = m_document.selectedVertex();
     const auto found = selected ? std::ranges::find(vertices, *selected) : vertices.end();
     int next = step > 0 ? 0 : count - 1;
     if (found != vertices.end())
         next = (int(found - vertices.begin()) + step + count) % count;
-    m_document.selectVertex(vertices[std::size_t(next)]);
+    else if (const std::optional<std::size_t> corner = m_mouse.chosenCorner();
+             corner && count > vertexCount)
+        next = (vertexCount + int(*corner) + step + count) % count;
+    if (next < vertexCount)
+        m_document.selectVertex(vertices[std::size_t(next)]);
+    else
+        m_mouse.chooseCorner(std::size_t(next - vertexCount));
 }
 
 void CanvasKeys::cancelInHand()
@@ -200,20 +209,33 @@ void CanvasKeys::cancelInHand()
         m_document.discardPending();
     } else {
         m_document.selectVertex(std::nullopt);
+        m_mouse.chooseCorner(std::nullopt);
     }
 }
 
 void CanvasKeys::moveSelectedBy(const QPoint &steps)
 {
+    const Lattice step = stepOf(m_document.snap());
     const std::optional<VertexRef> ref = m_document.selectedVertex();
-    if (!ref)
+    if (!ref) {
+        moveChosenCornerBy({steps.x() * step, steps.y() * step});
         return;
+    }
     if (!m_drag)
         m_drag = m_document.newDrag();
-    const Lattice step = stepOf(m_document.snap());
     const LatticePoint position = m_document.vertexAt(*ref)->position;
     m_document.moveVertex(*ref, {position.x + steps.x() * step, position.y + steps.y() * step},
                           *m_drag);
+}
+
+void CanvasKeys::moveChosenCornerBy(const LatticePoint &way)
+{
+    const std::optional<std::size_t> corner = m_mouse.chosenCorner();
+    const std::optional<AffineImage> image = corner ? imageInView(m_sources) : std::nullopt;
+    if (!image)
+        return;
+    const LatticePoint place = image->corners[*corner];
+    moveImageCorner(m_sources, *image, *corner, {place.x + way.x, place.y + way.y});
 }
 
 void CanvasKeys::setPeek(Peek peek)

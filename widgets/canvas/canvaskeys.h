@@ -13,13 +13,13 @@ class Canvas;
 class CanvasMouse;
 class CanvasView;
 class Playhead;
+struct CanvasSources;
 
 /// What the keys do on the canvas: all that the mouse does, and a look at the truth while Shift is
 /// held.
 class CanvasKeys {
 public:
-    CanvasKeys(Canvas &canvas, CanvasView &view, CanvasMouse &mouse, SceneDocument &document,
-               Playhead &playhead);
+    CanvasKeys(Canvas &canvas, CanvasView &view, CanvasMouse &mouse, const CanvasSources &sources);
 
     /// False for keys that mean nothing here.
     bool press(QKeyEvent *event);
@@ -42,11 +42,13 @@ private:
     void cycleSelection(int step);
     void cancelInHand();
     void moveSelectedBy(const QPoint &steps);
+    void moveChosenCornerBy(const LatticePoint &way);
     void setPeek(Peek peek);
 
     Canvas &m_canvas;
     CanvasView &m_view;
     CanvasMouse &m_mouse;
+    const CanvasSources &m_sources;
     SceneDocument &m_document;
     Playhead &m_playhead;
     std::optional<int> m_drag; ///< number of the run of Ctrl+arrows under way

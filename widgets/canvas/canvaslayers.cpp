@@ -2,12 +2,11 @@
 #include "widgets/canvas/canvaslayers.h"
 
 #include "core/layers/layer.h"
-#include "widgets/canvas/canvasoutlines.h"
 #include "widgets/canvas/canvasview.h"
+#include "widgets/canvas/imagehandles.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/layersurface.h"
 #include "widgets/model/playhead.h"
-#include "widgets/model/scenepreviewer.h"
 
 #include <algorithm>
 
@@ -25,34 +24,29 @@ SampleBox pixelsIn(const QRectF &area, const ViewMapping &mapping)
     return {left, right + 1, low, high + 1};
 }
 
-bool isRunOfScene(const CanvasSources &sources)
-{
-    const bool isAhead = sources.previewer && sources.previewer->isAheadOfTrace();
-    return !isAhead && !sources.options->isTruthShown()
-        && tracedOfFrame(*sources.document, *sources.playhead);
-}
-
 } // namespace
 
 void CanvasLayers::addTo(CanvasScene &scene, const CanvasSources &sources, const CanvasView &view)
 {
-    if (sources.options->layers().isEmpty() || !isRunOfScene(sources)) {
+    if (sources.options->layers().isEmpty() || !runInView(sources)) {
         *this = {};
         return;
     }
-    const Moment moment = {sources.playhead->sharedTraced(), sources.playhead->position(),
-                           sources.options->layers(), view.mapping(), view.area()};
+    const Moment moment = {sources.playhead->sharedTraced(),
+                           sources.playhead->position(),
+                           sources.options->layers(),
+                           view.mapping(),
+                           view.area(),
+                           sources.playhead->pickedPixel(),
+                           sources.options->affineImage()};
     if (moment != m_moment) {
         m_moment = moment;
         m_drawing = drawingOf(moment.layers,
                               {moment.traced.get(), moment.position,
                                pixelsIn(moment.area, moment.mapping), cellSideOf(moment.mapping),
-                               std::nullopt});
+                               std::nullopt, moment.picked, moment.image});
     }
     scene.layers = m_drawing;
-    if (!m_drawing.notes.isEmpty())
-        scene.notes.push_back(
-            {m_drawing.notes.join(u'\n'), moment.area.bottomLeft(), NoteSide::AboveRight});
 }
 
 } // namespace pixelplumb

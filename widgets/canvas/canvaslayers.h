@@ -25,6 +25,8 @@ private:
         QStringList layers;
         ViewMapping mapping;
         QRectF area;
+        std::optional<QPoint> picked;
+        std::optional<AffineImage> image;
 
         friend bool operator==(const Moment &, const Moment &) = default;
     };

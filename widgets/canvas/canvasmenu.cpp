@@ -15,6 +15,9 @@ CanvasMenu::CanvasMenu(SceneDocument *document, const VertexRef &ref, QWidget *p
     const bool isPending = ref.primitive == VertexRef::pending;
     if (!isPending && document->kindOf(ref.primitive) == PrimitiveKind::Text)
         addAction(tr("&Text…"), this, [this, document, ref] { askForText(document, ref); });
+    if (!isPending)
+        addAction(tr("&Hide %1").arg(nameOf(document->kindOf(ref.primitive))), this,
+                  [document, ref] { document->hidePrimitive(ref.primitive); });
     addAction(isPending ? tr("&Delete vertex")
                         : tr("&Delete %1").arg(nameOf(document->kindOf(ref.primitive))),
               this, [document, ref] { document->deleteVertex(ref); });

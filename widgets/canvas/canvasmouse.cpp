@@ -5,6 +5,8 @@
 #include "widgets/canvas/canvasmenu.h"
 #include "widgets/canvas/canvasoutlines.h"
 #include "widgets/canvas/canvasview.h"
+#include "widgets/canvas/imagecornergesture.h"
+#include "widgets/canvas/imagehandles.h"
 #include "widgets/model/playhead.h"
 
 #include <QMouseEvent>
@@ -20,12 +22,12 @@ constexpr int eighthsPerNotch = 120; // of a degree; QWheelEvent::angleDelta
 
 } // namespace
 
-CanvasMouse::CanvasMouse(Canvas &canvas, CanvasView &view, SceneDocument &document,
-                         Playhead &playhead)
+CanvasMouse::CanvasMouse(Canvas &canvas, CanvasView &view, const CanvasSources &sources)
     : m_canvas(canvas)
     , m_view(view)
-    , m_document(document)
-    , m_playhead(playhead)
+    , m_sources(sources)
+    , m_document(*sources.document)
+    , m_playhead(*sources.playhead)
 {
 }
 
@@ -39,6 +41,8 @@ void CanvasMouse::press(QMouseEvent *event)
         return;
     }
     m_pressedVertex = m_canvas.vertexAt(event->position());
+    if (event->button() == Qt::LeftButton)
+        chooseCorner(imageCornerAt(event->position(), m_sources, m_view));
     begin(event);
 }
 
@@ -53,6 +57,9 @@ void CanvasMouse::begin(QMouseEvent *event)
     } else if (left && m_view.columnRuler().contains(position)) {
         m_gesture = std::make_unique<SeekColumnGesture>(m_view, m_playhead);
         m_gesture->moveTo(position);
+    } else if (left && m_chosenCorner) {
+        m_gesture = std::make_unique<MoveImageCornerGesture>(m_view, m_sources, *m_chosenCorner,
+                                                             position);
     } else if (left && m_tool == CanvasTool::Draw) {
         m_gesture = drawingGesture(position);
     } else if (left && m_view.area().contains(position)) {
@@ -114,6 +121,9 @@ void CanvasMouse::doubleClick(QMouseEvent *event)
     const std::optional<VertexRef> ref = m_canvas.vertexAt(position);
     if (event->button() == Qt::LeftButton && m_view.columnRuler().contains(position)) {
         toggleBreakpointAt(position);
+    } else if (event->button() == Qt::LeftButton && m_chosenCorner
+               && m_chosenCorner == imageCornerAt(position, m_sources, m_view)) {
+        m_sources.options->setAffineImage(std::nullopt);
     } else if (event->button() == Qt::LeftButton && ref && m_tool == CanvasTool::Draw) {
         if (ref == m_pressedVertex) // else the first click placed it
             emit m_canvas.colourRequested(*ref);
@@ -177,13 +187,33 @@ std::optional<VertexRef> CanvasMouse::hoveredVertex() const
     return *m_hoveredVertex;
 }
 
+std::optional<std::size_t> CanvasMouse::hoveredCorner() const
+{
+    return m_hover && !m_gesture ? imageCornerAt(*m_hover, m_sources, m_view) : std::nullopt;
+}
+
+void CanvasMouse::chooseCorner(const std::optional<std::size_t> &corner)
+{
+    if (corner)
+        m_document.selectVertex(std::nullopt);
+    if (corner == m_chosenCorner)
+        return;
+    m_chosenCorner = corner;
+    m_canvas.update();
+    m_canvas.announce();
+}
+
+bool CanvasMouse::isHandleUnderPointer() const
+{
+    return hoveredVertex() || hoveredCorner()
+        || (m_hover && isOffScreenPointAt(*m_hover, m_document, m_view));
+}
+
 std::optional<LatticePoint> CanvasMouse::candidate() const
 {
     const bool placing = !m_gesture || dynamic_cast<const PlaceVertexGesture *>(m_gesture.get());
-    const bool isFree = m_gesture
-        || !(hoveredVertex() || (m_hover && isOffScreenPointAt(*m_hover, m_document, m_view)));
     if (m_tool == CanvasTool::Inspect || !m_hover || !placing || !m_view.area().contains(*m_hover)
-        || !isFree)
+        || (!m_gesture && isHandleUnderPointer()))
         return std::nullopt;
     return m_view.placeAt(*m_hover);
 }
@@ -200,8 +230,8 @@ Qt::CursorShape CanvasMouse::cursor() const
     if (m_hover && m_view.columnRuler().contains(*m_hover))
         return Qt::PointingHandCursor;
     if (m_tool == CanvasTool::Inspect)
-        return Qt::ArrowCursor;
-    if (hoveredVertex() || (m_hover && isOffScreenPointAt(*m_hover, m_document, m_view)))
+        return hoveredCorner() ? Qt::SizeAllCursor : Qt::ArrowCursor;
+    if (isHandleUnderPointer())
         return Qt::SizeAllCursor;
     return m_hover && m_view.area().contains(*m_hover) ? Qt::CrossCursor : Qt::ArrowCursor;
 }

@@ -12,6 +12,7 @@ namespace pixelplumb {
 
 class CanvasView;
 class Playhead;
+struct CanvasSources;
 
 /// What a left click is for: it places and moves vertices, or it picks pixels and leaves the scene
 /// alone. All else that the mouse does is the same with both.
@@ -20,7 +21,7 @@ enum class CanvasTool { Draw, Inspect };
 /// What the mouse does on the canvas: it hovers, and a press begins a gesture that a release ends.
 class CanvasMouse {
 public:
-    CanvasMouse(Canvas &canvas, CanvasView &view, SceneDocument &document, Playhead &playhead);
+    CanvasMouse(Canvas &canvas, CanvasView &view, const CanvasSources &sources);
 
     void press(QMouseEvent *event);
     void move(const QPointF &position);
@@ -39,6 +40,11 @@ public:
     std::optional<VertexRef> hoveredVertex() const;
     /// The scene or the view has changed under the pointer.
     void forgetHovered() { m_hoveredVertex.reset(); }
+    /// Of the affine map's image: the corner under the pointer, and the one that was pressed last
+    /// or chosen by a key.
+    std::optional<std::size_t> hoveredCorner() const;
+    std::optional<std::size_t> chosenCorner() const { return m_chosenCorner; }
+    void chooseCorner(const std::optional<std::size_t> &corner);
     /// The vertex that a click would place, in the scene's coordinates.
     std::optional<LatticePoint> candidate() const;
     Qt::CursorShape cursor() const;
@@ -57,8 +63,11 @@ private:
     void pressRight(const QPointF &position);
     void toggleBreakpointAt(const QPointF &position);
 
+    bool isHandleUnderPointer() const;
+
     Canvas &m_canvas;
     CanvasView &m_view;
+    const CanvasSources &m_sources;
     SceneDocument &m_document;
     Playhead &m_playhead;
     CanvasTool m_tool = CanvasTool::Draw;
@@ -68,6 +77,7 @@ private:
     mutable std::optional<std::optional<VertexRef>> m_hoveredVertex;
     /// The vertex under the last press: a double click means the one that both clicks hit.
     std::optional<VertexRef> m_pressedVertex;
+    std::optional<std::size_t> m_chosenCorner;
     int m_wheelRest = 0; ///< eighths of a degree that are not a notch yet
 };
 

@@ -6,6 +6,8 @@
 #include "widgets/look/displayoptions.h"
 #include "widgets/model/playhead.h"
 
+#include <QCoreApplication>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -15,7 +17,6 @@ namespace pixelplumb {
 namespace {
 
 // Logical pixels.
-constexpr double handleHitRadius = 8;
 constexpr double bareHitRadius = 3; ///< of a vertex without a handle, between many others
 
 constexpr std::size_t mostNames = 12; // more would hide what they name
@@ -116,6 +117,15 @@ void addOutline(CanvasScene &scene, int primitive, const CanvasSources &sources,
         {cornersOf(drawn.triangles[index], view), setUp ? rolesOf(*setUp) : EdgeRoles{}});
 }
 
+/// Both names of a vertex where the method's is not the file's.
+QString vertexName(std::size_t rank, std::size_t inFile)
+{
+    const QString name = QStringLiteral("P%1").arg(rank);
+    return rank == inFile
+        ? name
+        : QCoreApplication::translate("Canvas", "%1 (vertex %2)").arg(name).arg(inFile);
+}
+
 /// P0, P1, P2 of a triangle in the order in which the method sorts them, of a shape as they stand.
 void addNames(CanvasScene &scene, int primitive, const CanvasSources &sources,
               const CanvasView &view)
@@ -135,7 +145,7 @@ void addNames(CanvasScene &scene, int primitive, const CanvasSources &sources,
     for (const Vertex &vertex : vertices)
         inside += view.positionOf(vertex.position) / double(vertices.size());
     for (std::size_t rank = 0; rank < std::min(order.size(), mostNames); ++rank)
-        scene.names.push_back({QStringLiteral("P%1").arg(rank),
+        scene.names.push_back({vertexName(rank, order[rank]),
                                view.onSamples(vertices[order[rank]].position), inside});
 }
 

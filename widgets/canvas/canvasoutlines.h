@@ -5,6 +5,9 @@
 
 namespace pixelplumb {
 
+/// How far from its middle a handle is hit, logical pixels.
+inline constexpr double handleHitRadius = 8;
+
 /// Outlines, handles and names of the document's primitives. They come straight from it, so that
 /// they never lag behind the hand.
 void addOutlines(CanvasScene &scene, const CanvasSources &sources, const CanvasView &view,

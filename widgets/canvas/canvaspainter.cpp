@@ -84,8 +84,10 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     paintCells(painter, scene, view, palette);
     FramePainter frame(painter, view.mapping(), palette, area);
     frame.drawFrameEdge();
+    const LayerSurface surface = layerSurface(view.mapping(), area, palette);
+    QStringList omissions;
     if (!scene.layers.isEmpty())
-        m_layers.paint(painter, scene.layers, layerSurface(view.mapping(), area, palette));
+        omissions = m_layers.paintMarks(painter, scene.layers, surface);
     drawOutlines(frame, scene);
     if (scene.frame && scene.layers.cells.empty()) // else a layer's numbers stand there
         drawValues(painter, *scene.frame, view.mapping(), area, scene.notation);
@@ -94,6 +96,13 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     drawSigns(frame, scene);
     drawVertices(frame, scene);
     drawPending(frame, scene);
+    if (!scene.layers.notes.isEmpty())
+        frame.drawCornerNote(scene.layers.notes.join(u'\n'));
+    // The last, so that they keep clear of all that has a name of its own.
+    if (!scene.layers.labels.empty())
+        omissions += m_layers.paintLabels(painter, scene.layers, surface, frame.plates());
+    if (!omissions.isEmpty())
+        frame.drawNote(omissions.join(u'\n'), area.topRight(), NoteSide::Below);
     for (const CanvasScene::Note &note : scene.notes)
         frame.drawNote(note.text, note.anchor, note.side);
     painter.setClipping(false);

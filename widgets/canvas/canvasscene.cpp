@@ -4,12 +4,14 @@
 #include "core/geometry/shapeediting.h"
 #include "widgets/canvas/canvasoutlines.h"
 #include "widgets/canvas/canvasview.h"
+#include "widgets/canvas/imagehandles.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/model/effectswitches.h"
 #include "widgets/model/placinghint.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenepreviewer.h"
+#include "widgets/model/studentpicture.h"
 
 #include <QCoreApplication>
 
@@ -32,6 +34,7 @@ public:
         , m_options(*sources.options)
         , m_previewer(sources.previewer)
         , m_effects(sources.effects)
+        , m_judgement(markedJudgement(sources))
         , m_view(view)
         , m_hand(hand)
         , m_isTruth(isTruthVisible(sources, hand))
@@ -57,6 +60,10 @@ public:
         m_scene.notation = m_options.notation();
         if (!m_options.areDifferencesShown() || m_isTruth)
             return;
+        if (m_judgement && m_judgement->frame == m_view.mapping().frame()) {
+            m_scene.marked = CanvasDifferences::Source{.judgement = m_judgement};
+            return;
+        }
         m_scene.marked = preview ? CanvasDifferences::Source{nullptr, m_previewer->picture()}
                                  : CanvasDifferences::Source{m_playhead.sharedTraced(), nullptr};
         if (m_effects)
@@ -150,7 +157,7 @@ private:
         const PrimitiveKind kind = m_document.placedKind();
         const bool closes = kind == PrimitiveKind::Triangle || kind == PrimitiveKind::Polygon;
         if (!closes && placedVertexCount(kind) == vertices.size()) {
-            m_scene.rubberShape = shapeFrom(kind, vertices);
+            m_scene.rubberShape = shapeFrom(kind, vertices, {});
             return;
         }
         for (const Vertex &vertex : vertices)
@@ -185,6 +192,8 @@ private:
     QString viewNote(const OutlineChoice &choice) const
     {
         QStringList notes;
+        if (m_scene.marked && m_judgement)
+            notes += tr("Marked: the student's picture");
         if (shownPreview() && !m_isTruth && !m_previewer->isAheadOfTrace())
             notes += tr("Finished picture; the first %L1 steps are recorded").arg(m_playhead.end());
         if (choice.isCrowded())
@@ -198,6 +207,7 @@ private:
     const DisplayOptions &m_options;
     const ScenePreviewer *m_previewer;
     const EffectSwitches *m_effects;
+    std::shared_ptr<const PictureJudgement> m_judgement;
     const CanvasView &m_view;
     const CanvasHand &m_hand;
     bool m_isTruth;
@@ -205,6 +215,12 @@ private:
 };
 
 } // namespace
+
+std::shared_ptr<const PictureJudgement> markedJudgement(const CanvasSources &sources)
+{
+    const auto judgement = sources.student ? sources.student->judgement() : nullptr;
+    return judgement && judgement->frame == sources.document->scene().frame ? judgement : nullptr;
+}
 
 QString coordinateNote(const LatticePoint &point)
 {
@@ -227,6 +243,7 @@ CanvasScene canvasScene(const CanvasSources &sources, const CanvasView &view,
     collector.addSigns();
     collector.addRulerMarks();
     addOutlines(scene, sources, view, choice, hand);
+    addImageHandles(scene, sources, view, hand);
     collector.addCandidate();
     collector.addNotes(choice);
     return scene;

@@ -14,6 +14,7 @@ class CanvasView;
 class EffectSwitches;
 class Playhead;
 class ScenePreviewer;
+class StudentPicture;
 
 /// Whatever the canvas shows comes from these.
 struct CanvasSources {
@@ -22,11 +23,14 @@ struct CanvasSources {
     DisplayOptions *options = nullptr;
     const ScenePreviewer *previewer = nullptr; ///< none: runs alone are shown
     const EffectSwitches *effects = nullptr; ///< none: nothing is forced
+    const StudentPicture *student = nullptr; ///< none: none is there
 };
 
 /// What the pointer and the keys are about.
 struct CanvasHand {
     std::optional<VertexRef> hovered;
+    std::optional<std::size_t> hoveredCorner; ///< of the affine map's image
+    std::optional<std::size_t> chosenCorner;
     /// The vertex that a click or Enter would place now, in the scene's coordinates.
     std::optional<LatticePoint> candidate;
     bool isPressed = false; ///< a press of the mouse does something
@@ -97,6 +101,9 @@ struct CanvasScene {
 /// `choice` knows which outlines are in view.
 CanvasScene canvasScene(const CanvasSources &sources, const CanvasView &view,
                         const OutlineChoice &choice, const CanvasHand &hand);
+
+/// Of the student's picture, where that is what is marked; null where it is not.
+std::shared_ptr<const PictureJudgement> markedJudgement(const CanvasSources &sources);
 
 /// "(27 1/2, 19)"
 QString coordinateNote(const LatticePoint &point);

@@ -91,6 +91,20 @@ QString unpaintedText(const QPoint &pixel, const TracedScene &traced)
         QStringLiteral("%1 %2").arg(nameOf(PrimitiveKind::Triangle)).arg(nearest->triangle));
 }
 
+/// "student: #000000, missing"; empty where the student's pixel is the same.
+QString studentText(const QPoint &pixel, const CanvasSources &sources)
+{
+    const auto judgement = markedJudgement(sources);
+    const auto place = judgement ? judgement->placeOf(pixel) : std::nullopt;
+    if (!place || judgement->diff.verdicts[*place] == PixelVerdict::Same)
+        return {};
+    const QString verdict = nameOf(judgement->diff.verdicts[*place]);
+    return QCoreApplication::translate("pixelplumb::PointerReadout", "student: %1")
+        .arg(judgement->found.hasColours
+                 ? colourText(judgement->found.colours[*place]) + QStringLiteral(", ") + verdict
+                 : verdict);
+}
+
 } // namespace
 
 QString PointerReadout::text(const QPoint &pixel, const CanvasSources &sources,
@@ -112,6 +126,8 @@ QString PointerReadout::text(const QPoint &pixel, const CanvasSources &sources,
     const bool isTruth = isTruthVisible(sources, hand);
     const FrameBuffer &shown = isTruth ? traced->truth : *playhead.frame();
     lines += place + u' ' + colourText(unpacked(*shown.view().at(pixel.x(), pixel.y())));
+    if (const QString text = studentText(pixel, sources); !text.isEmpty())
+        lines += text;
     if (!isTruth
         && !playhead.isAheadHidden()) // which side of an edge it lies on is asked for there
         lines += owner(pixel, playhead);

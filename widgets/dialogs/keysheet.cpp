@@ -1,23 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dialogs/keysheet.h"
 
-#include <QAction>
+#include "widgets/look/menuaction.h"
+
 #include <QBoxLayout>
 #include <QDialogButtonBox>
-#include <QMenu>
 #include <QTextBrowser>
 
 namespace pixelplumb {
 
 namespace {
 
-QString plainText(QString text)
-{
-    text.remove(QLatin1Char('&'));
-    if (text.endsWith(QChar(0x2026))) // …
-        text.chop(1);
-    return text.toHtmlEscaped();
-}
+QString plainText(const QString &text) { return withoutMnemonic(text).toHtmlEscaped(); }
 
 QString row(const QString &keys, const QString &meaning, const QString &where = {})
 {
@@ -34,12 +28,7 @@ QString section(const QString &title, const QString &rows)
 QString rowsOf(const QMenu *menu)
 {
     QString rows;
-    const QList<QAction *> actions = menu->actions();
-    for (const QAction *action : actions) {
-        if (action->menu()) {
-            rows += rowsOf(action->menu());
-            continue;
-        }
+    for (const QAction *action : actionsIn(*menu)) {
         QStringList keys;
         const QList<QKeySequence> shortcuts = action->shortcuts();
         for (const QKeySequence &key : shortcuts)

@@ -106,7 +106,7 @@ Result<VertexAttributes> TriangleDialog::carriedBy(std::size_t vertex) const
         if (text.isEmpty())
             continue;
         const Result<SnappedNumber> number = parseNumber(text, attributeFormat);
-        const QString place = tr("P%1, %2").arg(vertex).arg(axisName(i));
+        const QString place = tr("vertex %1, %2").arg(vertex).arg(axisName(i));
         if (!number)
             return InputError{place, number.error().found, number.error().expected};
         if (i == divisor && number->units <= 0)
@@ -125,10 +125,10 @@ Result<TypedTriangle> TriangleDialog::triangle() const
         const Row &row = m_rows[vertex];
         const Result<SnappedNumber> x = parseCoordinate(row.x->text().trimmed());
         if (!x)
-            return InputError{tr("P%1, x").arg(vertex), x.error().found, x.error().expected};
+            return InputError{tr("vertex %1, x").arg(vertex), x.error().found, x.error().expected};
         const Result<SnappedNumber> y = parseCoordinate(row.y->text().trimmed());
         if (!y)
-            return InputError{tr("P%1, y").arg(vertex), y.error().found, y.error().expected};
+            return InputError{tr("vertex %1, y").arg(vertex), y.error().found, y.error().expected};
         const Result<VertexAttributes> carried = carriedBy(vertex);
         if (!carried)
             return carried.error();
@@ -147,7 +147,7 @@ QLineEdit *TriangleDialog::addField(QGridLayout *grid, int vertex, int gridColum
 {
     auto *field = new QLineEdit(this);
     field->setObjectName(QStringLiteral("vertex%1%2").arg(vertex).arg(axis));
-    field->setAccessibleName(tr("%1 of %2").arg(axis, tr("P%1").arg(vertex)));
+    field->setAccessibleName(tr("%1 of %2").arg(axis, tr("vertex %1").arg(vertex)));
     field->setAlignment(Qt::AlignRight);
     connect(field, &QLineEdit::textChanged, this, &TriangleDialog::judge);
     grid->addWidget(field, vertex + 1, gridColumn);
@@ -156,7 +156,7 @@ QLineEdit *TriangleDialog::addField(QGridLayout *grid, int vertex, int gridColum
 
 void TriangleDialog::addVertex(QGridLayout *grid, int vertex, const Colour &colour)
 {
-    const QString name = tr("P%1").arg(vertex);
+    const QString name = tr("vertex %1").arg(vertex);
     Row &row = m_rows[std::size_t(vertex)];
     grid->addWidget(new QLabel(name, this), vertex + 1, 0);
     row.x = addField(grid, vertex, 1, QStringLiteral("x"));

@@ -5,7 +5,6 @@
 #include "core/scene/asciiraster.h"
 #include "core/scene/colourtext.h"
 #include "core/scene/fileaccess.h"
-#include "widgets/dialogs/rasterdialog.h"
 #include "widgets/files/svgexport.h"
 #include "widgets/model/playhead.h"
 
@@ -160,27 +159,6 @@ void SceneExports::copyRaster()
     emit notice(tr("The finished picture's raster is on the clipboard: %1 × %2, # is covered.")
                     .arg(coverage.spec().width)
                     .arg(coverage.spec().height));
-}
-
-void SceneExports::compareWithClipboard()
-{
-    if (!hasTrace())
-        return;
-    const Result<CoverageMask> pasted = parseAsciiRaster(QApplication::clipboard()->text());
-    if (!pasted) {
-        emit complaint(tr("The clipboard holds no raster: %1").arg(pasted.error().message()));
-        return;
-    }
-    const Result<RasterComparison> comparison
-        = compareRasters(coverageOf(m_playhead->traced()->scene), *pasted);
-    if (!comparison) {
-        emit complaint(tr("The rasters cannot be compared: %1").arg(comparison.error().message()));
-        return;
-    }
-    emit notice(summaryOf(*comparison));
-    auto *dialog = new RasterDialog(*comparison, m_window);
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->open();
 }
 
 void SceneExports::copyPickedPixel()

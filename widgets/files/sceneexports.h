@@ -54,8 +54,6 @@ public slots:
     void exportRaster();
     /// The finished picture's coverage.
     void copyRaster();
-    /// Lays the clipboard's raster over the finished picture.
-    void compareWithClipboard();
     /// "pixel (27, 19) #a06f30 …": the picked pixel and what wrote it.
     void copyPickedPixel();
 

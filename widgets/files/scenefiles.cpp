@@ -26,7 +26,7 @@ constexpr qint64 largestReadAtOnce = qint64(1) << 18;
 /// More primitives take longer to write than a person should wait (some 5 µs each).
 constexpr std::size_t mostWrittenAtOnce = 5'000;
 
-QString sceneFilter() { return SceneFiles::tr("Scenes (*.json);;All files (*)"); }
+QString sceneFilter() { return SceneFiles::tr("Scenes (*.json *.pixelplumb);;All files (*)"); }
 
 } // namespace
 
@@ -40,6 +40,12 @@ SceneFiles::SceneFiles(SceneDocument *document, RecentFiles *recent, QWidget *wi
     , m_recent(recent)
     , m_window(window)
 {
+    connect(&m_watch, &FileWatch::written, this, [this] {
+        if (m_saving.isRunning())
+            return;
+        emit notice(tr("Another program has written %1: File ▸ Revert to the file reads it again.")
+                        .arg(displayName()));
+    });
 }
 
 QString SceneFiles::displayName() const
@@ -64,20 +70,41 @@ bool SceneFiles::mayReplace()
     return false;
 }
 
+void SceneFiles::readBeside(const QString &path, const QString &title,
+                            const std::function<void(Reading &reading)> &take)
+{
+    m_editsAtLoad = m_document->undoStack()->index();
+    m_loading.setTitle(title);
+    m_loading.start(
+        [path](const ProgressListener &listener) {
+            return std::make_shared<Reading>(readSceneFile(path, listener));
+        },
+        [path, take](const std::shared_ptr<Reading> &reading) {
+            Reading tooLarge = InputError{path, tr("the scene does not fit into memory"), {}};
+            take(reading ? *reading : tooLarge);
+        });
+}
+
+void SceneFiles::recover(const QString &path, const std::function<void()> &shown)
+{
+    const auto take = [this, path, shown](Reading &reading) {
+        if (!reading)
+            complainOf(path, reading.error().message());
+        else if (showScene(reading->scene))
+            return shown();
+        emit loadingFailed();
+    };
+    if (bytesToRead(path) > largestReadAtOnce)
+        return readBeside(path, tr("Recovering the unsaved scene"), take);
+    Reading reading = readSceneFile(path);
+    take(reading);
+}
+
 bool SceneFiles::load(const QString &path)
 {
     if (bytesToRead(path) > largestReadAtOnce) {
-        m_editsAtLoad = m_document->undoStack()->index();
-        m_loading.setTitle(tr("Opening %1").arg(QFileInfo(path).fileName()));
-        m_loading.start(
-            [path](const ProgressListener &listener) {
-                return std::make_shared<Result<SceneReading>>(readSceneFile(path, listener));
-            },
-            [this, path](const std::shared_ptr<Result<SceneReading>> &reading) {
-                Result<SceneReading> tooLarge
-                    = InputError{path, tr("the scene does not fit into memory"), {}};
-                takeLoaded(path, reading ? *reading : tooLarge);
-            });
+        readBeside(path, tr("Opening %1").arg(QFileInfo(path).fileName()),
+                   [this, path](Reading &reading) { takeLoaded(path, reading); });
         return true;
     }
     Result<SceneReading> reading = readSceneFile(path);
@@ -292,6 +319,7 @@ QString SceneFiles::proposedPath() const
 void SceneFiles::setPath(const QString &path)
 {
     m_path = path;
+    m_watch.follow(path);
     emit pathChanged();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/scene/scenefile.h"
+#include "widgets/files/filewatch.h"
 #include "widgets/files/unsavedchanges.h"
 #include "widgets/model/job.h"
 
@@ -47,6 +48,9 @@ public:
     /// unmodified.
     bool saveTo(const QString &path);
     void loadDefault();
+    /// Shows what is kept in a file as a scene without one, and says when it stands there; a person
+    /// may keep the one that is there.
+    void recover(const QString &path, const std::function<void()> &shown);
     /// A scene that is in no file; false when the person keeps the one that is there.
     bool showScene(const Scene &scene);
 
@@ -80,6 +84,9 @@ private:
     QString folder() const;
     QString proposedPath() const;
     void setPath(const QString &path);
+    using Reading = Result<SceneReading>;
+    void readBeside(const QString &path, const QString &title,
+                    const std::function<void(Reading &reading)> &take);
     void takeLoaded(const QString &path, Result<SceneReading> &reading);
     void show(const QString &path, SceneReading &reading);
     void replaceBy(Scene scene, const QString &path);
@@ -96,6 +103,7 @@ private:
     Job m_saving; ///< of a large scene
     int m_editsAtLoad = 0; ///< the undo stack's place when the reading began
     QString m_path;
+    FileWatch m_watch; ///< of m_path
 };
 
 } // namespace pixelplumb

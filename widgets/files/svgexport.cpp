@@ -130,16 +130,16 @@ void drawTriangles(QPainter &painter, FramePainter &frame, const Playhead &playh
     painter.setBrush(Qt::NoBrush);
 }
 
-void drawLayers(QPainter &painter, const Playhead &playhead, const QStringList &layers,
-                const Layout &layout)
+LayerDrawing layersOf(const Playhead &playhead, const DisplayOptions &options,
+                      const ViewMapping &mapping)
 {
     const TracedScene &traced = *playhead.traced();
-    const LayerDrawing drawing
-        = drawingOf(layers,
-                    {&traced, playhead.position(), samplesOf(windowOf(traced.scene.frame)),
-                     cellSideOf(layout.mapping), std::nullopt});
-    LayerPainter().paint(painter, drawing,
-                         layerSurface(layout.mapping, layout.view, paperPalette()));
+    if (options.isTruthShown())
+        return {};
+    return drawingOf(options.layers(),
+                     {&traced, playhead.position(), samplesOf(windowOf(traced.scene.frame)),
+                      cellSideOf(mapping), std::nullopt, playhead.pickedPixel(),
+                      options.affineImage()});
 }
 
 } // namespace
@@ -170,8 +170,10 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
     frame.drawFrameEdge();
     if (options.isGridShown())
         frame.drawGrid();
-    if (!options.isTruthShown())
-        drawLayers(painter, playhead, options.layers(), layout);
+    const LayerDrawing drawing = layersOf(playhead, options, layout.mapping);
+    const LayerSurface surface = layerSurface(layout.mapping, layout.view, palette);
+    LayerPainter layers;
+    layers.paintMarks(painter, drawing, surface);
     drawTriangles(painter, frame, playhead, layout.mapping);
     if (options.areDifferencesShown() && !options.isTruthShown())
         drawDifferences(painter, traced, playhead.position(), layout.mapping, palette);
@@ -187,6 +189,9 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
         else if (record.place.axis == SpanAxis::Row)
             rowMarks.push_back(mark);
     }
+    const QStringList omissions = layers.paintLabels(painter, drawing, surface, frame.plates());
+    if (!omissions.isEmpty())
+        frame.drawNote(omissions.join(u'\n'), layout.view.topRight(), NoteSide::Below);
     Ruler(Qt::Horizontal, layout.columnRuler, layout.mapping).paint(painter, palette, columnMarks);
     Ruler(Qt::Vertical, layout.rowRuler, layout.mapping).paint(painter, palette, rowMarks);
     painter.end();

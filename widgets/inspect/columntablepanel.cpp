@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/inspect/columntablepanel.h"
 
+#include "core/runs/spanheadings.h"
 #include "widgets/inspect/columntable.h"
 #include "widgets/look/elidedlabel.h"
 #include "widgets/look/elidingbox.h"
@@ -78,6 +79,19 @@ void ColumnTablePanel::addFilter(QHBoxLayout *row)
 
 namespace {
 
+QString titleOf(SpanAxis axis)
+{
+    switch (axis) {
+    case SpanAxis::Column:
+        return ColumnTablePanel::tr("Columns");
+    case SpanAxis::Row:
+        return ColumnTablePanel::tr("Rows");
+    case SpanAxis::Free:
+        break;
+    }
+    return ColumnTablePanel::tr("Steps");
+}
+
 QString oneSpan(SpanAxis axis)
 {
     switch (axis) {
@@ -109,14 +123,17 @@ QString severalSpans(SpanAxis axis)
 void ColumnTablePanel::describe()
 {
     const TracedScene *traced = m_playhead->traced();
+    const bool hasSpans = traced && traced->trace->spanCount() > 0;
+    const SpanAxis axis = hasSpans ? commonAxis(*traced->trace) : SpanAxis::Column;
+    setWindowTitle(titleOf(axis));
     m_filter->setVisible(traced); // nor does it take room from the panels that are laid out before
     if (!traced) {
         m_summary->clear();
         return;
     }
     const ScanTrace &trace = *traced->trace;
-    QString text = trace.spanCount() == 1 ? oneSpan(m_playhead->axis())
-                                          : severalSpans(m_playhead->axis()).arg(trace.spanCount());
+    QString text
+        = trace.spanCount() == 1 ? oneSpan(axis) : severalSpans(axis).arg(trace.spanCount());
     if (m_table->shownRows() != int(trace.spanCount()))
         text = tr("%1 of %2").arg(m_table->shownRows()).arg(text);
     if (trace.primitiveCount() > 1)

@@ -30,6 +30,19 @@ constexpr int leastFormulaLines = 1;
 constexpr float bannerTint = 0.18F;
 constexpr std::size_t measuredSpans = 6; // of a run, at even distances
 
+QString nounOf(SpanAxis axis)
+{
+    switch (axis) {
+    case SpanAxis::Column:
+        return FormulaPanel::tr("column");
+    case SpanAxis::Row:
+        return FormulaPanel::tr("row");
+    case SpanAxis::Free:
+        break;
+    }
+    return FormulaPanel::tr("step");
+}
+
 /// What the panel says where no step is in hand.
 Explanation invitation(const Playhead &playhead)
 {
@@ -41,8 +54,10 @@ Explanation invitation(const Playhead &playhead)
         return explanation;
     }
     explanation.heading = FormulaPanel::tr("Before the first step");
-    explanation.sentence = FormulaPanel::tr(
-        "Nothing is drawn yet. Step forward by a column with F10 or by a pixel with F11.");
+    explanation.sentence
+        = FormulaPanel::tr("Nothing is drawn yet. Step forward by a %1 or by a pixel: the buttons "
+                           "above, or the Step menu with its keys.")
+              .arg(nounOf(playhead.axis()));
     return explanation;
 }
 

@@ -3,6 +3,7 @@
 
 #include "core/runs/stepmoment.h"
 #include "core/runs/tracedscene.h"
+#include "core/scan/choicenames.h"
 #include "widgets/look/blend.h"
 #include "widgets/look/formulahtml.h"
 #include "widgets/look/numberlayout.h"
@@ -38,13 +39,9 @@ QString lineHtml(const PseudocodeLine &line, bool isInHand, const QColor &tint)
 QString variantsHtml(VariantSet variants)
 {
     QString html;
-    for (const Variant variant : allVariants) {
-        if (!variants.contains(variant))
-            continue;
+    const auto text = [](std::string_view part) { return sentenceHtml(nameText(part)); };
+    for (const Variant variant : variantsIn(variants)) {
         const VariantWords &words = wordsOf(variant);
-        const auto text = [](std::string_view part) {
-            return sentenceHtml(QString::fromUtf8(part.data(), qsizetype(part.size())));
-        };
         html += QStringLiteral("<p><b>%1</b>: %2 %3 %4. %5</p>")
                     .arg(text(words.title), text(words.printed), MethodPanel::tr("in place of"),
                          text(words.right), text(words.fault));
@@ -70,13 +67,26 @@ MethodPanel::MethodPanel(Playhead *playhead, QWidget *parent)
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->addWidget(m_text);
-    connect(playhead, &Playhead::tracedChanged, this, &MethodPanel::present);
-    connect(playhead, &Playhead::positionChanged, this, &MethodPanel::present);
-    present();
+    connect(playhead, &Playhead::positionChanged, this, &MethodPanel::schedulePresentation);
+}
+
+void MethodPanel::showEvent(QShowEvent *event)
+{
+    QWidget::showEvent(event);
+    if (m_isStale)
+        present();
+}
+
+void MethodPanel::schedulePresentation()
+{
+    m_isStale = true;
+    if (isVisible())
+        present();
 }
 
 void MethodPanel::present()
 {
+    m_isStale = false;
     const TracedScene *traced = m_playhead->traced();
     if (!traced) {
         m_text->clear();
@@ -112,7 +122,7 @@ void MethodPanel::changeEvent(QEvent *event)
 {
     QWidget::changeEvent(event);
     if (event->type() == QEvent::PaletteChange)
-        present();
+        schedulePresentation();
 }
 
 } // namespace pixelplumb

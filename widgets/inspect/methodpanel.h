@@ -21,12 +21,15 @@ public:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void showEvent(QShowEvent *event) override;
 
 private:
+    void schedulePresentation();
     void present();
 
     Playhead *m_playhead;
     QTextBrowser *m_text;
+    bool m_isStale = true; ///< while it is not seen
 };
 
 } // namespace pixelplumb

@@ -3,6 +3,7 @@
 
 #include "widgets/inspect/pixelhistorydelegate.h"
 #include "widgets/look/formulahtml.h"
+#include "widgets/look/namedwidget.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/look/signs.h"
 #include "widgets/model/pixelhistorymodel.h"
@@ -24,11 +25,7 @@ constexpr int reasonLines = 3; // always kept free, so that the list stays where
 QToolButton *runButton(const char *name, const QString &text, const QString &toolTip,
                        QWidget *parent)
 {
-    auto *button = new QToolButton(parent);
-    button->setObjectName(QString::fromLatin1(name));
-    button->setText(text);
-    button->setToolTip(toolTip);
-    button->setAccessibleName(toolTip);
+    QToolButton *button = namedButton(name, text, toolTip, parent);
     button->setAutoRaise(true);
     return button;
 }
@@ -148,17 +145,16 @@ bool PixelHistoryPanel::isAhead() const
     const std::optional<QPoint> pixel = m_playhead->pickedPixel();
     return m_playhead->isAheadHidden() && pixel
         && m_playhead->traced()->decidedAt(pixel->x(), pixel->y()) > m_playhead->position()
-        && !m_model->isAllWritten();
+        && !isWrittenBefore(*m_playhead->traced(), pixel->x(), pixel->y(), m_playhead->position());
 }
 
 void PixelHistoryPanel::takePixel()
 {
     m_isStale = false;
     m_model->setPosition(m_playhead->position());
-    m_model->setPixel(m_playhead->sharedTraced(), m_playhead->pickedPixel());
     m_isAhead = isAhead();
-    if (m_isAhead)
-        m_model->setPixel(m_playhead->sharedTraced(), std::nullopt);
+    m_model->setPixel(m_playhead->sharedTraced(),
+                      m_isAhead ? std::nullopt : m_playhead->pickedPixel());
     const QModelIndex decisive = m_model->decisiveRow();
     for (int row = 0; row < m_model->rowCount(); ++row)
         m_attempts->setFirstColumnSpanned(row, {}, true);

@@ -55,6 +55,9 @@ PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget 
 {
     setObjectName(QStringLiteral("predict"));
     setAccessibleName(tr("Predict"));
+    // A click beside the fields, or on one that asks for nothing now, takes the keys from the
+    // canvas.
+    setFocusPolicy(Qt::ClickFocus);
     m_choice->setObjectName(QStringLiteral("predictChoice"));
     m_choice->setAccessibleName(tr("What is asked for"));
     m_answer->setObjectName(QStringLiteral("predictAnswer"));
@@ -91,10 +94,7 @@ PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget 
     connect(m_show, &QPushButton::clicked, this, &PredictPanel::reveal);
     connect(m_next, &QPushButton::clicked, this, &PredictPanel::goOn);
     connect(playhead, &Playhead::positionChanged, this, &PredictPanel::listQuestions);
-    connect(playhead, &Playhead::tracedChanged, this, [this] {
-        ++m_run;
-        listQuestions();
-    });
+    connect(playhead, &Playhead::tracedChanged, this, [this] { ++m_run; });
     connect(playhead, &Playhead::pixelChosen, this, &PredictPanel::checkPick);
     connect(document, &SceneDocument::opened, this, &PredictPanel::forgetScore);
     forgetScore();
@@ -130,6 +130,19 @@ const Prediction *PredictPanel::prediction() const
     const int index = m_choice->currentIndex();
     return index >= 0 && index < int(m_predictions.size()) ? &m_predictions[std::size_t(index)]
                                                            : nullptr;
+}
+
+/// Qt would hand the focus of what can be used no more to whatever is next in the window, and what
+/// is typed on would be keys there.
+void PredictPanel::offer(const QList<QWidget *> &parts)
+{
+    for (QWidget *part : std::initializer_list<QWidget *>{m_answer, m_check, m_show, m_next}) {
+        const bool isOffered = parts.contains(part);
+        if (!isOffered && part->hasFocus())
+            (part != m_answer && m_answer->isEnabled() ? m_answer : static_cast<QWidget *>(this))
+                ->setFocus();
+        part->setEnabled(isOffered);
+    }
 }
 
 /// The kind of question stays the same from span to span.
@@ -170,12 +183,13 @@ void PredictPanel::ask()
             tr("Which pixel is written next? Right-click it, or go there with the arrow keys "
                "and press Check."));
     else
-        m_question->setText(
-            tr("Nothing lies ahead: step back, or run to the start with Shift+F5."));
-    m_answer->setEnabled(asked);
-    m_check->setEnabled(asked || asksForPixel());
-    m_show->setEnabled(asked || asksForPixel());
-    m_next->setEnabled(false);
+        m_question->setText(tr("Nothing lies ahead: step back, or run to the start."));
+    if (asked)
+        offer({m_answer, m_check, m_show});
+    else if (asksForPixel())
+        offer({m_check, m_show});
+    else
+        offer({});
 }
 
 void PredictPanel::check()
@@ -204,7 +218,8 @@ void PredictPanel::checkPick(const QPoint &pixel)
     if (isRight)
         settle(tr("Right, %1. %2").arg(name, m_nextPixel->reason));
     else
-        tell(tr("Not %1. Try again, or have it shown.").arg(name));
+        tell(tr("Not %1. %2 Try again, or have it shown.")
+                 .arg(name, wrongPixelText(*m_playhead->traced(), m_playhead->position(), pixel)));
 }
 
 void PredictPanel::reveal()
@@ -229,9 +244,10 @@ void PredictPanel::settle(const QString &verdict)
 {
     m_state = State::Answered;
     tell(verdict);
-    m_check->setEnabled(false);
-    m_show->setEnabled(false);
-    m_next->setEnabled(true);
+    if (prediction())
+        offer({m_answer, m_next});
+    else
+        offer({m_next});
 }
 
 void PredictPanel::count(bool isRight)

@@ -38,6 +38,7 @@ private:
     void forgetScore();
     void listQuestions();
     void ask();
+    void offer(const QList<QWidget *> &parts); ///< of the field and the buttons
     void check();
     void checkPick(const QPoint &pixel);
     void reveal();

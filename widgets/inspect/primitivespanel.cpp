@@ -16,6 +16,8 @@
 #include <QTreeView>
 #include <QValidator>
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 namespace {
@@ -64,7 +66,7 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     m_tree->setAllColumnsShowFocus(false);
     m_tree->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
                             | QAbstractItemView::AnyKeyPressed);
-    m_tree->header()->resizeSection(PrimitiveListModel::Name, 112);
+    m_tree->header()->resizeSection(PrimitiveListModel::Name, 152);
     m_tree->header()->resizeSection(PrimitiveListModel::X, 60);
     m_tree->header()->resizeSection(PrimitiveListModel::Y, 60);
     m_summary->setObjectName(QStringLiteral("primitivesSummary"));
@@ -78,6 +80,9 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
                        tr("Draw it after the one below"));
     m_colour = addButton(row, QStringLiteral("primitivesColour"), tr("Colour…"),
                          tr("The colour of the vertex, or of all vertices of the primitive"));
+    m_hide = addButton(row, QStringLiteral("primitivesHide"), tr("Hide"),
+                       tr("Keep the primitive and do not draw it; the others are numbered without "
+                          "it. The box before its name shows it again"));
     m_remove = addButton(row, QStringLiteral("primitivesDelete"), tr("Delete"),
                          tr("Delete the primitive"));
     row->addStretch();
@@ -92,14 +97,22 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     connect(m_up, &QAbstractButton::clicked, this, [this] { moveBy(-1); });
     connect(m_down, &QAbstractButton::clicked, this, [this] { moveBy(1); });
     connect(m_colour, &QAbstractButton::clicked, this, &PrimitivesPanel::chooseColour);
-    connect(m_remove, &QAbstractButton::clicked, this, [this] {
-        if (const std::optional<VertexRef> ref = refInHand())
-            m_document->deletePrimitive(ref->primitive);
+    connect(m_hide, &QAbstractButton::clicked, this, [this] {
+        const QModelIndex index = m_tree->currentIndex();
+        const QModelIndex whole = m_model->isPrimitive(index) ? index : index.parent();
+        const QModelIndex name = whole.siblingAtColumn(PrimitiveListModel::Name);
+        const bool isShown = name.data(Qt::CheckStateRole) == Qt::Checked;
+        m_model->setData(name, isShown ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
     });
+    connect(m_remove, &QAbstractButton::clicked, this, &PrimitivesPanel::remove);
     connect(m_tree->selectionModel(), &QItemSelectionModel::currentChanged, this,
             &PrimitivesPanel::chooseRow);
     connect(document, &SceneDocument::selectionChanged, this, &PrimitivesPanel::followSelection);
-    connect(m_model, &QAbstractItemModel::modelReset, this, &PrimitivesPanel::followSelection);
+    connect(m_model, &QAbstractItemModel::modelAboutToBeReset, this, [this] {
+        const QModelIndex index = m_tree->currentIndex();
+        m_lastRow = index.parent().isValid() ? index.parent().row() : index.row();
+    });
+    connect(m_model, &QAbstractItemModel::modelReset, this, &PrimitivesPanel::followReset);
     connect(document, &SceneDocument::sceneChanged, this, &PrimitivesPanel::update);
     followSelection();
 }
@@ -120,7 +133,7 @@ QAbstractButton *PrimitivesPanel::addButton(QHBoxLayout *row, const QString &nam
 std::optional<VertexRef> PrimitivesPanel::refInHand() const
 {
     const QModelIndex index = m_tree->currentIndex();
-    return index.isValid() ? std::optional(m_model->refAt(index)) : std::nullopt;
+    return index.isValid() ? m_model->refAt(index) : std::nullopt;
 }
 
 void PrimitivesPanel::chooseRow(const QModelIndex &index)
@@ -130,6 +143,23 @@ void PrimitivesPanel::chooseRow(const QModelIndex &index)
         m_document->selectVertex(m_model->refAt(index));
     }
     update();
+}
+
+/// The row stays in hand, though what stands there may be hidden now, or shown.
+void PrimitivesPanel::followReset()
+{
+    followSelection();
+    if (!m_tree->currentIndex().isValid() && m_lastRow >= 0)
+        m_tree->setCurrentIndex(
+            m_model->index(std::min(m_lastRow, m_model->rowCount() - 1), PrimitiveListModel::Name));
+}
+
+void PrimitivesPanel::remove()
+{
+    if (const std::optional<VertexRef> ref = refInHand())
+        m_document->deletePrimitive(ref->primitive);
+    else if (const std::optional<int> hidden = m_model->hiddenAt(m_tree->currentIndex()))
+        m_document->deleteHidden(*hidden);
 }
 
 void PrimitivesPanel::followSelection()
@@ -149,6 +179,8 @@ void PrimitivesPanel::update()
     const int count = m_document->primitiveCount();
     const std::size_t solids = m_document->scene().solids.size();
     QString text = count == 1 ? tr("1 primitive") : tr("%1 primitives").arg(count);
+    if (const int hidden = m_document->hiddenCount(); hidden > 0)
+        text += tr(", and %1 hidden that the numbers leave out").arg(hidden);
     if (solids > 0)
         text += tr(" and %1 solids, which the Projection panel shows").arg(solids);
     m_summary->setText(text);
@@ -156,7 +188,11 @@ void PrimitivesPanel::update()
     m_up->setEnabled(ref && m_document->canMovePrimitive(ref->primitive, -1));
     m_down->setEnabled(ref && m_document->canMovePrimitive(ref->primitive, 1));
     m_colour->setEnabled(ref.has_value());
-    m_remove->setEnabled(ref.has_value());
+    const bool isHidden = m_model->hiddenAt(m_tree->currentIndex()).has_value();
+    m_hide->setEnabled(ref || isHidden);
+    m_hide->setText(isHidden ? tr("Show") : tr("Hide"));
+    m_hide->setAccessibleName(m_hide->text());
+    m_remove->setEnabled(ref || isHidden);
 }
 
 void PrimitivesPanel::moveBy(int places)

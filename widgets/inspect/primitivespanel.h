@@ -16,7 +16,8 @@ class PrimitiveListModel;
 
 /// The scene's primitives as a list (objectName "primitives"): chosen here they are chosen on the
 /// canvas, and the other way round; they change places in the drawing order, take another colour,
-/// go, and their coordinates are typed in place. Everything is an edit that can be undone.
+/// are hidden and shown, go, and their coordinates are typed in place. Everything is an edit that
+/// can be undone.
 class PrimitivesPanel : public QWidget {
     Q_OBJECT
 
@@ -30,7 +31,9 @@ private:
                                const QString &tip);
     void chooseRow(const QModelIndex &index);
     void followSelection();
+    void followReset();
     void update();
+    void remove();
     void moveBy(int places);
     void chooseColour();
     /// What the row in hand stands for; none without one.
@@ -43,7 +46,9 @@ private:
     QAbstractButton *m_up = nullptr;
     QAbstractButton *m_down = nullptr;
     QAbstractButton *m_colour = nullptr;
+    QAbstractButton *m_hide = nullptr;
     QAbstractButton *m_remove = nullptr;
+    int m_lastRow = -1; ///< of the primitive that was in hand before the list was built anew
     bool m_following = false; ///< the list moves after the document, not the other way
 };
 

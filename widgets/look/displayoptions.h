@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/layers/affineimage.h"
+
 #include <QObject>
 #include <QStringList>
+
+#include <optional>
 
 namespace pixelplumb {
 
@@ -36,6 +40,15 @@ public:
     bool isTruthShown() const { return m_truth; }
     /// The ids of the layers that lie over the frame.
     const QStringList &layers() const { return m_layers; }
+    /// Where the layer of the affine map takes a triangle; none: where its first map does.
+    const std::optional<AffineImage> &affineImage() const { return m_affineImage; }
+    void setAffineImage(const std::optional<AffineImage> &image)
+    {
+        if (m_affineImage == image)
+            return;
+        m_affineImage = image;
+        emit changed();
+    }
 
 public slots:
     void setGridShown(bool shown) { change(m_grid, shown); }
@@ -76,6 +89,7 @@ private:
     bool m_hexadecimal = false;
     bool m_truth = false;
     QStringList m_layers;
+    std::optional<AffineImage> m_affineImage;
 };
 
 } // namespace pixelplumb

@@ -13,7 +13,7 @@ QString ElidingBox::shownText() const
     const QRect room
         = style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
     // Styles begin the text a pixel inside the field.
-    return fontMetrics().elidedText(currentText(), Qt::ElideRight, room.width() - 2);
+    return fontMetrics().elidedText(currentText(), Qt::ElideMiddle, room.width() - 2);
 }
 
 void ElidingBox::paintEvent(QPaintEvent *)

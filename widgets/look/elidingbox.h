@@ -5,14 +5,15 @@
 
 namespace pixelplumb {
 
-/// A combo box that ends a text too long for it in an ellipsis, where Qt's own cuts a letter.
+/// A combo box that leaves out the middle of a text too long for it, where Qt's own cuts a letter:
+/// titles that begin alike are told apart.
 class ElidingBox : public QComboBox {
     Q_OBJECT
 
 public:
     using QComboBox::QComboBox;
 
-    /// The current text as far as there is room for it.
+    /// The current text; an ellipsis where there is no room for all of it.
     QString shownText() const;
 
 protected:

@@ -128,6 +128,8 @@ void FramePainter::drawHandle(const LatticePoint &point, const Colour &colour, H
     m_painter.drawEllipse(centre, handleRadius, handleRadius);
     m_painter.setPen(QPen(signColour(Sign::VertexMark, m_palette), 1.5));
     m_painter.drawEllipse(centre, handleRadius, handleRadius);
+    const QPointF corner(handleRadius, handleRadius);
+    m_plates.push_back({centre - corner, centre + corner});
 }
 
 void FramePainter::drawCandidate(const LatticePoint &point, const Colour &colour)

@@ -66,11 +66,13 @@ public:
     void drawPickedPixel(const QPoint &pixel);
     void drawPixelBreakpoint(const QPoint &pixel);
     void drawNote(const QString &text, const QPointF &anchor, NoteSide side);
+    /// In the first corner of the view that is free of what has a place: from the lower left.
+    void drawCornerNote(const QString &text);
     /// Between two positions.
     void drawCased(const QLineF &line, const QColor &colour, double width,
                    Qt::PenStyle style = Qt::SolidLine);
 
-    /// Where names and notes stand so far.
+    /// Where handles, names and notes stand so far.
     const std::vector<QRectF> &plates() const { return m_plates; }
 
 private:
@@ -85,7 +87,9 @@ private:
     };
     void drawEdgeTick(const QPointF &at, Sign sign, Qt::Orientation along);
     void drawEdgeName(const QPointF &at, const EdgeName &name, Sign sign, NoteSide side);
+    QSizeF noteSize(const QString &text) const;
     QRectF plateAt(const QSizeF &text, const QPointF &anchor, NoteSide side) const;
+    bool isFree(const QRectF &plate) const; ///< of all that has a place
     QRectF drawPlate(const QSizeF &text, const QPointF &anchor, NoteSide side);
     bool isNearView(const QPointF &position) const;
 
@@ -103,7 +107,9 @@ QColor gridColour(const ViewMapping &mapping);
 /// The smallest cell that has room for a difference's glyph, in logical pixels.
 inline constexpr double leastGlyphCell = 9;
 
-/// Marks a cell: the difference's glyph where it has room, else a frame, else the colour alone.
+/// Marks a cell: the sign's glyph where it has room, else a frame, else the colour alone.
+void paintMark(QPainter &painter, const QRectF &cell, Sign sign, const QPalette &palette);
+/// The same of a difference from the truth; nothing where there is none.
 void paintDifference(QPainter &painter, const QRectF &cell, Difference kind,
                      const QPalette &palette);
 

@@ -44,9 +44,12 @@ QPainterPath glyphPath(const QString &glyph, QFont font, const QRectF &cell)
 void paintDifference(QPainter &painter, const QRectF &cell, Difference kind,
                      const QPalette &palette)
 {
-    if (kind == Difference::None)
-        return;
-    const Sign sign = signOf(kind);
+    if (kind != Difference::None)
+        paintMark(painter, cell, signOf(kind), palette);
+}
+
+void paintMark(QPainter &painter, const QRectF &cell, Sign sign, const QPalette &palette)
+{
     const QColor colour = signColour(sign, palette);
     if (cell.width() < leastFramedCell) {
         painter.fillRect(cell, colour);

@@ -18,6 +18,7 @@ constexpr double tickHalfLength = 9;
 constexpr double nearTicks = 24;
 constexpr double nameParting = 12;
 constexpr double noteGap = 8;
+constexpr int noteFlags = int(Qt::AlignCenter) | Qt::TextWordWrap;
 constexpr double platePadding = 3;
 
 /// Radians from the side on which a vertex's name stands by choice, nearest first.
@@ -69,12 +70,9 @@ void FramePainter::drawVertexName(const QString &name, const LatticePoint &point
                              direction.x() * std::sin(turn) + direction.y() * std::cos(turn));
         return centre + turned * reach + QPointF(0, size.height() / 2 + platePadding + noteGap);
     };
-    const auto isFree = [&](double turn) {
-        const QRectF plate = plateAt(size, anchorAt(turn), NoteSide::Above);
-        return std::ranges::none_of(
-            m_plates, [&plate](const QRectF &other) { return other.intersects(plate); });
-    };
-    const auto free = std::ranges::find_if(nameTurns, isFree);
+    const auto free = std::ranges::find_if(nameTurns, [&](double turn) {
+        return isFree(plateAt(size, anchorAt(turn), NoteSide::Above));
+    });
     const QRectF text = drawPlate(
         size, anchorAt(free != nameTurns.end() ? *free : nameTurns.front()), NoteSide::Above);
     m_painter.setPen(m_palette.color(QPalette::Text));
@@ -147,10 +145,35 @@ void FramePainter::drawEdgeName(const QPointF &at, const EdgeName &name, Sign si
 
 void FramePainter::drawNote(const QString &text, const QPointF &anchor, NoteSide side)
 {
-    const QFontMetricsF metrics(m_painter.font());
-    const QRectF rect = drawPlate(metrics.size(0, text), anchor, side);
+    const QRectF rect = drawPlate(noteSize(text), anchor, side);
     m_painter.setPen(m_palette.color(QPalette::Text));
-    m_painter.drawText(rect, Qt::AlignCenter | Qt::TextDontClip, text);
+    m_painter.drawText(rect, noteFlags | Qt::TextDontClip, text);
+}
+
+void FramePainter::drawCornerNote(const QString &text)
+{
+    struct Corner {
+        QPointF anchor;
+        NoteSide side;
+    };
+    const std::array corners = {Corner{m_view.bottomLeft(), NoteSide::AboveRight},
+                                Corner{m_view.bottomRight(), NoteSide::AboveRight},
+                                Corner{m_view.topLeft(), NoteSide::BelowRight},
+                                Corner{m_view.topRight(), NoteSide::BelowRight}};
+    const QSizeF size = noteSize(text);
+    const auto found = std::ranges::find_if(
+        corners, [&](const Corner &each) { return isFree(plateAt(size, each.anchor, each.side)); });
+    const Corner &corner = found != corners.end() ? *found : corners.front();
+    drawNote(text, corner.anchor, corner.side);
+}
+
+/// Broken into lines that the view holds.
+QSizeF FramePainter::noteSize(const QString &text) const
+{
+    const double widest = m_view.width() - 2 * (noteGap + platePadding);
+    return QFontMetricsF(m_painter.font())
+        .boundingRect(QRectF(0, 0, std::max(widest, 1.0), m_view.height()), noteFlags, text)
+        .size();
 }
 
 QRectF FramePainter::plateAt(const QSizeF &text, const QPointF &anchor, NoteSide side) const
@@ -161,6 +184,12 @@ QRectF FramePainter::plateAt(const QSizeF &text, const QPointF &anchor, NoteSide
     plate.moveLeft(std::max(std::min(plate.left(), m_view.right() - size.width()), m_view.left()));
     plate.moveTop(std::max(std::min(plate.top(), m_view.bottom() - size.height()), m_view.top()));
     return plate;
+}
+
+bool FramePainter::isFree(const QRectF &plate) const
+{
+    return std::ranges::none_of(m_plates,
+                                [&plate](const QRectF &other) { return other.intersects(plate); });
 }
 
 QRectF FramePainter::drawPlate(const QSizeF &text, const QPointF &anchor, NoteSide side)

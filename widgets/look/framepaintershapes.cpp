@@ -8,6 +8,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <span>
+#include <vector>
 
 /// Outlines of the primitives that are not triangles, and the off-screen point.
 namespace pixelplumb {
@@ -49,6 +51,38 @@ QPainterPath polygonPath(const Shape &shape, const std::vector<QPointF> &points)
     return path;
 }
 
+/// The pieces of a Bézier path one after another, each with its control points.
+std::vector<std::span<const QPointF>> piecesOf(const Shape &path,
+                                               const std::vector<QPointF> &points)
+{
+    std::vector<std::span<const QPointF>> pieces;
+    const std::span<const QPointF> all(points);
+    std::size_t first = 0;
+    for (const std::size_t next : path.laterContours) {
+        pieces.push_back(all.subspan(first, next - first));
+        first = next;
+    }
+    pieces.push_back(all.subspan(first));
+    return pieces;
+}
+
+/// What is filled is closed, by straight edges where the pieces leave gaps.
+QPainterPath bezierPath(const Shape &shape, const std::vector<QPointF> &points)
+{
+    QPainterPath path(points.front());
+    for (const std::span<const QPointF> piece : piecesOf(shape, points)) {
+        if (piece.front() != path.currentPosition())
+            path.lineTo(piece.front());
+        if (piece.size() == 3)
+            path.quadTo(piece[1], piece[2]);
+        else
+            path.cubicTo(piece[1], piece[2], piece[3]);
+    }
+    if (shape.fill != ShapeFill::Outline)
+        path.closeSubpath();
+    return path;
+}
+
 /// The curve that the shape stands for; empty where its vertices say it all.
 QPainterPath curveOf(const Shape &shape, const std::vector<QPointF> &points)
 {
@@ -65,11 +99,7 @@ QPainterPath curveOf(const Shape &shape, const std::vector<QPointF> &points)
         break;
     }
     case PrimitiveKind::Bezier:
-        path.moveTo(points[0]);
-        if (points.size() == 3)
-            path.quadTo(points[1], points[2]);
-        else
-            path.cubicTo(points[1], points[2], points[3]);
+        path = bezierPath(shape, points);
         break;
     case PrimitiveKind::Polygon:
         path = polygonPath(shape, points);
@@ -119,9 +149,11 @@ void FramePainter::drawShapeOutline(const Shape &shape)
 {
     const std::vector<QPointF> points = positionsOf(shape, m_mapping);
     if (shape.kind == PrimitiveKind::Bezier) {
-        for (std::size_t i = 1; i < points.size(); ++i)
-            drawCased({points[i - 1], points[i]}, signColour(Sign::VertexMark, m_palette), 1,
-                      Qt::DotLine);
+        for (const std::span<const QPointF> piece : piecesOf(shape, points)) {
+            for (std::size_t i = 1; i < piece.size(); ++i)
+                drawCased({piece[i - 1], piece[i]}, signColour(Sign::VertexMark, m_palette), 1,
+                          Qt::DotLine);
+        }
     }
     const QPainterPath path = visiblePart(curveOf(shape, points), m_view.adjusted(-9, -9, 9, 9));
     QColor around = casing();

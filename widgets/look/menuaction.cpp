@@ -5,6 +5,48 @@
 
 namespace pixelplumb {
 
+QList<QAction *> actionsIn(const QMenu &menu)
+{
+    QList<QAction *> all;
+    for (QAction *action : menu.actions()) {
+        if (action->menu())
+            all += actionsIn(*action->menu());
+        else if (!action->isSeparator())
+            all += action;
+    }
+    return all;
+}
+
+QString withoutMnemonic(QString text)
+{
+    text.remove(QLatin1Char('&'));
+    if (text.endsWith(QChar(0x2026))) // …
+        text.chop(1);
+    return text;
+}
+
+QString tipWithKey(const QString &tip, const QKeySequence &key)
+{
+    return key.isEmpty()
+        ? tip
+        : QStringLiteral("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText));
+}
+
+void changeKeys(QAction *action, const QList<QKeySequence> &keys)
+{
+    constexpr const char *namesKey = "tipNamesKey"; // though it has none now
+    const QString named = tipWithKey({}, action->shortcut());
+    QString tip = action->toolTip();
+    if (!named.isEmpty()) {
+        action->setProperty(namesKey, tip.endsWith(named));
+        if (tip.endsWith(named))
+            tip.chop(named.size());
+    }
+    action->setShortcuts(keys);
+    if (action->property(namesKey).toBool())
+        action->setToolTip(tipWithKey(tip, action->shortcut()));
+}
+
 void confineKeyTo(QWidget *widget, QAction *action)
 {
     action->setShortcutContext(Qt::WidgetShortcut);

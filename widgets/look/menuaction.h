@@ -19,6 +19,17 @@ QAction *addMenuAction(QMenu *menu, const char *name, const QString &text, const
     return action;
 }
 
+/// The menu's actions and those of the menus in it, without separators.
+QList<QAction *> actionsIn(const QMenu &menu);
+
+/// "&Open…" as it is read: "Open".
+QString withoutMnemonic(QString text);
+
+/// "Play (Space)"; without a key the tip alone.
+QString tipWithKey(const QString &tip, const QKeySequence &key);
+/// Gives the action other keys; a tool tip that ends with its first key ends with the new one.
+void changeKeys(QAction *action, const QList<QKeySequence> &keys);
+
 /// Lets the action's key act only while the widget has the focus: for keys that are letters or
 /// digits, which belong to whatever is typed elsewhere.
 void confineKeyTo(QWidget *widget, QAction *action);

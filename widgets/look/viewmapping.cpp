@@ -14,8 +14,8 @@ namespace pixelplumb {
 namespace {
 
 // Every step is between a fifth and a doubling, so that 1 to 64 takes fifteen notches of a wheel.
-constexpr std::array zoomSteps = {-64, -48, -32, -24, -16, -12, -8, -6, -4, -3, -2, 1,  2, 3,
-                                  4,   5,   6,   8,   10,  12,  16, 20, 24, 32, 40, 48, 64};
+constexpr std::array zoomSteps = {-64, -48, -32, -24, -16, -12, -8, -6, -4, -3, -2, 1,  2,  3,  4,
+                                  5,   6,   8,   10,  12,  16,  20, 24, 32, 40, 48, 64, 96, 128};
 
 // Positions that events report are device pixels divided by the ratio; the product may fall short
 // of the whole number by a few units in the last place.

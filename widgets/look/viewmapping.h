@@ -14,7 +14,8 @@ namespace pixelplumb {
 /// How large a frame pixel is on the screen: devicePixels : framePixels, one of which is 1, so that
 /// every cell of the picture has the same whole number of device pixels.
 struct ViewZoom {
-    static constexpr int largest = 64; ///< in either direction
+    /// In either direction; at three device pixels a logical one, cells still hold numbers.
+    static constexpr int largest = 128;
 
     int devicePixels = 1;
     int framePixels = 1;

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/tracetable.h"
+#include "core/runs/spanheadings.h"
 #include "widgets/look/numbertooltip.h"
 #include "widgets/model/columntablemodel.h"
 
@@ -18,13 +19,13 @@ QString markText(const TracedScene &traced, std::size_t span)
     return QStringLiteral("%1 %2").arg(kind).arg(primitive);
 }
 
-/// The edge that is switched in where a sorted triangle's second part begins, else the part's
-/// number.
+/// The edge that is switched in where a sorted triangle's second part begins, else the
+/// part's name.
 QString partText(const TracedScene &traced, std::size_t span)
 {
     if (traced.primitives.isTriangle(traced.trace->primitiveOf(span)))
         return QStringLiteral("L₁₂");
-    return ColumnTableModel::tr("part %1").arg(traced.trace->placeOf(span).part + 1);
+    return partName(*traced.trace, span);
 }
 
 } // namespace

@@ -204,11 +204,11 @@ QVariant ColumnTableModel::numberData(const RowNumbers &numbers, const Entry &en
 
 RowMark ColumnTableModel::markOf(std::size_t span) const
 {
-    const RowNumbers &numbers = numbersOf(span);
-    if (!numbers.previous)
-        return RowMark::PrimitiveBegins;
-    return numbers.previous->place.part != numbers.used.place.part ? RowMark::PartBegins
-                                                                   : RowMark::None;
+    const ScanTrace &trace = *m_traced->trace;
+    if (!trace.beginsPart(span))
+        return RowMark::None;
+    return span == trace.firstSpanOf(trace.primitiveOf(span)) ? RowMark::PrimitiveBegins
+                                                              : RowMark::PartBegins;
 }
 
 /// Which row it is and how it is painted is no secret; what its formulas give is.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/model/pixelhistorymodel.h"
 
+#include "core/runs/pixelreason.h"
 #include "widgets/look/numberformat.h"
 
 #include <QColor>
@@ -98,15 +99,6 @@ QModelIndex PixelHistoryModel::decisiveRow() const
     return index(std::max(0, decisive), 0);
 }
 
-bool PixelHistoryModel::isAllWritten() const
-{
-    const auto isAhead = [this](const PixelAttempt &attempt) {
-        return attempt.written && attempt.step >= m_position;
-    };
-    const auto isWritten = [](const PixelAttempt &attempt) { return attempt.written; };
-    return std::ranges::any_of(m_attempts, isWritten) && std::ranges::none_of(m_attempts, isAhead);
-}
-
 QModelIndex PixelHistoryModel::rowInHand() const
 {
     const auto inHand = std::ranges::find_if(m_attempts, [this](const PixelAttempt &attempt) {
@@ -143,7 +135,8 @@ int PixelHistoryModel::rowCount(const QModelIndex &parent) const
     if (!hasDetails)
         return 0;
     const PixelAttempt &attempt = m_attempts[std::size_t(parent.row())];
-    return (attempt.written ? channelRows : 0) + (attempt.hasEdges() ? edgeRows : 0);
+    return (attempt.written ? channelRows : 0) + int(attempt.carried.size())
+        + (attempt.hasEdges() ? edgeRows : 0);
 }
 
 int PixelHistoryModel::columnCount(const QModelIndex &) const { return columnTotal; }
@@ -205,6 +198,27 @@ QString PixelHistoryModel::channelText(const PixelAttempt &attempt, std::size_t 
     return tr("exact %1, error %2").arg(displayText(exact), displayError(used, exact));
 }
 
+QString PixelHistoryModel::carriedText(const PixelAttempt::Carried &number, int column) const
+{
+    const Arithmetic arithmetic = m_traced->scene.settings.arithmetic;
+    switch (column) {
+    case WhatColumn:
+        return number.title;
+    case UsedColumn:
+        return displayText(number.used, arithmetic);
+    case ByteColumn:
+        return {};
+    default:
+        break;
+    }
+    if (arithmetic == Arithmetic::Exact)
+        return decimalBeside(number.used);
+    return number.exact.isNone()
+        ? QString()
+        : tr("exact %1, error %2")
+              .arg(displayText(number.exact), displayError(number.used, number.exact));
+}
+
 QString PixelHistoryModel::edgeText(const PixelAttempt &attempt, std::size_t index,
                                     int column) const
 {
@@ -213,10 +227,11 @@ QString PixelHistoryModel::edgeText(const PixelAttempt &attempt, std::size_t ind
     case WhatColumn:
         return tr("edge %1").arg(attempt.edgeNames[index]);
     case UsedColumn:
-        if (!edge.distanceAlongColumn.isNone())
-            return tr("%1 px along column").arg(displayText(edge.distanceAlongColumn));
-        if (!edge.distanceAlongRow.isNone())
-            return tr("%1 px along row").arg(displayText(edge.distanceAlongRow));
+        if (const ScanDistance distance = scanDistance(edge, *m_traced->trace);
+            !distance.exact.isNone())
+            return (distance.axis == SpanAxis::Column ? tr("%1 px along column")
+                                                      : tr("%1 px along row"))
+                .arg(displayText(distance.exact));
         return {};
     case ByteColumn:
         if (edge.edgeFunction == 0)
@@ -232,8 +247,11 @@ QString PixelHistoryModel::detailText(const PixelAttempt &attempt, std::size_t r
                                       int column) const
 {
     const std::size_t channels = attempt.written ? channelRows : 0;
-    return row < channels ? channelText(attempt, row, column)
-                          : edgeText(attempt, row - channels, column);
+    const std::size_t edges = channels + attempt.carried.size();
+    if (row < channels)
+        return channelText(attempt, row, column);
+    return row < edges ? carriedText(attempt.carried[row - channels], column)
+                       : edgeText(attempt, row - edges, column);
 }
 
 QVariant PixelHistoryModel::data(const QModelIndex &index, int role) const
@@ -263,7 +281,7 @@ QVariant PixelHistoryModel::data(const QModelIndex &index, int role) const
         return attempt.written ? QVariant(qulonglong(attempt.step)) : QVariant();
     case IsAheadRole: // of an edge it is said that it accepts or refuses, at any time
         return attempt.written && attempt.step >= m_position
-            && !(isDetail && index.row() >= channelRows);
+            && !(isDetail && index.row() >= channelRows + int(attempt.carried.size()));
     case BeforeColourRole:
         return isSwatch ? QVariant(opaque(attempt.change.before)) : QVariant();
     case AfterColourRole:

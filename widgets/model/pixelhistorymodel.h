@@ -36,8 +36,6 @@ public:
     /// The row of the write that the frame shows, else of the first to come, else 0; none when
     /// empty.
     QModelIndex decisiveRow() const;
-    /// Whether every write of the pixel is behind the position, and there is one.
-    bool isAllWritten() const;
     /// The attempt that the step in hand is; invalid where it is none of the pixel's.
     QModelIndex rowInHand() const;
 
@@ -51,6 +49,7 @@ private:
     bool isCountRow(const QModelIndex &index) const;
     QString attemptText(const PixelAttempt &attempt, int column) const;
     QString channelText(const PixelAttempt &attempt, std::size_t channel, int column) const;
+    QString carriedText(const PixelAttempt::Carried &number, int column) const;
     QString edgeText(const PixelAttempt &attempt, std::size_t index, int column) const;
     /// The channels of a write come first, then the edges of a triangle.
     QString detailText(const PixelAttempt &attempt, std::size_t row, int column) const;

@@ -88,6 +88,8 @@ bool drawsAny(const Method &method, const Scene &scene)
 
 QString foreignSceneHint(const Scene &scene)
 {
+    if (scene.isEmpty() && !scene.hidden.empty())
+        return tr("All primitives are hidden: Edit ▸ Show all hidden primitives.");
     const Method *method = methodNamed(QString::fromStdString(scene.method));
     if (!method || scene.isEmpty() || drawsAny(*method, scene))
         return {};
@@ -100,12 +102,14 @@ QString foreignSceneHint(const Scene &scene)
 
 QString emptyRunText(const TracedScene *traced)
 {
+    const QString foreign = traced ? foreignSceneHint(traced->scene) : QString();
+    if (!foreign.isEmpty())
+        return foreign;
     if (!traced || traced->primitives.size() == 0) {
         const PrimitiveKind kind = traced ? traced->method->kinds.front() : PrimitiveKind::Triangle;
         return tr("%1. Every number of every step appears here.").arg(invitation(kind));
     }
-    const QString foreign = foreignSceneHint(traced->scene);
-    return foreign.isEmpty() ? tr("The method drew nothing of this scene.") : foreign;
+    return tr("The method drew nothing of this scene.");
 }
 
 QString placingHint(PrimitiveKind kind, std::size_t pendingVertices, FrameContent content)

@@ -17,7 +17,8 @@ enum class FrameContent { Empty, Drawn };
 QString placingHint(PrimitiveKind kind, std::size_t pendingVertices, FrameContent content);
 
 /// Where the scene's method draws none of its primitives: what the method does draw, and which
-/// method draws what is there. Empty where it draws one, and of an empty scene.
+/// method draws what is there; or that all of it is hidden. Empty where it draws one, and of an
+/// empty scene.
 QString foreignSceneHint(const Scene &scene);
 
 /// Why a run has no steps to show, and what to do about it; without a run, how to begin.

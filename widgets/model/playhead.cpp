@@ -33,9 +33,11 @@ void Playhead::setTraced(std::shared_ptr<const TracedScene> traced)
     m_cursor = std::make_unique<TraceCursor>(*m_traced->trace, m_traced->scene.frame);
     std::size_t position = 0;
     if (previous) {
-        position = m_traced->primitives.size() > previous->primitives.size()
-            ? m_traced->trace->stepCount()
-            : navigation().positionLike(*previous->trace, oldPosition);
+        const std::size_t before = previous->primitives.size();
+        const bool isShownAgain = m_traced->scene.hidden.size() < previous->scene.hidden.size();
+        const bool isNew = m_traced->primitives.size() > before && (!isShownAgain || before == 0);
+        position = isNew ? m_traced->trace->stepCount()
+                         : navigation().positionLike(*previous->trace, oldPosition);
     }
     m_cursor->seek(position);
     std::optional<QPoint> stepsPixel;

@@ -95,6 +95,7 @@ public slots:
 
 signals:
     void tracedChanged();
+    /// Comes after every tracedChanged() too.
     void positionChanged(std::size_t position);
     void unitChanged(pixelplumb::StepUnit unit);
     void pickedPixelChanged();

@@ -3,25 +3,39 @@
 
 #include "core/scene/colourtext.h"
 #include "core/scene/coordinatetext.h"
+#include "core/scene/fileorder.h"
 #include "widgets/look/colourbutton.h"
 
 #include <QGuiApplication>
 
 #include <algorithm>
+#include <span>
 
 namespace pixelplumb {
 
 namespace {
 
-/// Of a primitive's row; a vertex's row has its primitive's number and one more, so that 0 is free.
+/// Of a primitive's row; a vertex's row has its primitive's row and one more, so that 0 is free.
 constexpr quintptr ofPrimitive = 0;
 
-int primitiveOf(const QModelIndex &vertex) { return int(vertex.internalId()) - 1; }
+int rowOf(const QModelIndex &vertex) { return int(vertex.internalId()) - 1; }
 
-bool haveOneColour(const std::vector<Vertex> &vertices)
+bool haveOneColour(std::span<const Vertex> vertices)
 {
     return std::ranges::all_of(
         vertices, [&](const Vertex &vertex) { return vertex.colour == vertices[0].colour; });
+}
+
+/// Of these vertices' colour, or colours.
+QVariant colourData(std::span<const Vertex> vertices, int role)
+{
+    const Colour &first = vertices.front().colour;
+    const bool isOne = haveOneColour(vertices);
+    if (role == Qt::DecorationRole && isOne)
+        return swatch(first, QGuiApplication::palette());
+    if (role != Qt::DisplayRole && role != Qt::EditRole)
+        return {};
+    return isOne ? colourText(first) : PrimitiveListModel::tr("several");
 }
 
 } // namespace
@@ -34,19 +48,32 @@ PrimitiveListModel::PrimitiveListModel(SceneDocument *document, QObject *parent)
     connect(document, &SceneDocument::sceneChanged, this, &PrimitiveListModel::followScene);
 }
 
-std::vector<int> PrimitiveListModel::rowsOfScene() const
+std::vector<PrimitiveListModel::Row> PrimitiveListModel::rowsOfScene() const
 {
-    std::vector<int> rows(std::size_t(m_document->primitiveCount()), 3);
     const Scene &scene = m_document->scene();
-    for (std::size_t shape = 0; shape < scene.shapes.size(); ++shape)
-        rows[scene.triangles.size() + shape] = int(scene.shapes[shape].vertices.size());
+    std::vector<Row> rows;
+    rows.reserve(std::size_t(m_document->primitiveCount() + m_document->hiddenCount()));
+    const auto appendHidden = [&](std::size_t index) { rows.push_back({-1 - int(index), 0}); };
+    visitTriangles(
+        scene,
+        [&](std::size_t index, const TriangleAttributes *) {
+            rows.push_back({int(index), 3});
+        },
+        appendHidden);
+    visitShapes(
+        scene,
+        [&](std::size_t index) {
+            rows.push_back(
+                {int(scene.triangles.size() + index), int(scene.shapes[index].vertices.size())});
+        },
+        appendHidden);
     return rows;
 }
 
 /// Rows stay while only what is in them changes, so that a drag neither closes nor scrolls them.
 void PrimitiveListModel::followScene()
 {
-    std::vector<int> rows = rowsOfScene();
+    std::vector<Row> rows = rowsOfScene();
     if (rows != m_rows) {
         beginResetModel();
         m_rows = std::move(rows);
@@ -61,15 +88,30 @@ bool PrimitiveListModel::isPrimitive(const QModelIndex &index) const
     return index.isValid() && index.internalId() == ofPrimitive;
 }
 
-VertexRef PrimitiveListModel::refAt(const QModelIndex &index) const
+std::optional<VertexRef> PrimitiveListModel::refAt(const QModelIndex &index) const
 {
-    return isPrimitive(index) ? VertexRef{index.row(), 0}
-                              : VertexRef{primitiveOf(index), index.row()};
+    const bool isWhole = isPrimitive(index);
+    const int row = isWhole ? index.row() : rowOf(index);
+    const int primitive = m_rows[std::size_t(row)].primitive;
+    if (primitive < 0)
+        return std::nullopt;
+    return VertexRef{primitive, isWhole ? 0 : index.row()};
+}
+
+std::optional<int> PrimitiveListModel::hiddenAt(const QModelIndex &index) const
+{
+    const int primitive = isPrimitive(index) ? m_rows[std::size_t(index.row())].primitive : 0;
+    return primitive < 0 ? std::optional(-1 - primitive) : std::nullopt;
 }
 
 QModelIndex PrimitiveListModel::indexOfPrimitive(int primitive) const
 {
-    return index(primitive, Name);
+    // Behind the drawn ones before it stand as many hidden ones as there are.
+    for (int row = primitive; row < int(m_rows.size()); ++row) {
+        if (m_rows[std::size_t(row)].primitive == primitive)
+            return index(row, Name);
+    }
+    return {};
 }
 
 QModelIndex PrimitiveListModel::indexOf(const VertexRef &ref) const
@@ -88,7 +130,7 @@ QModelIndex PrimitiveListModel::parent(const QModelIndex &index) const
 {
     if (!index.isValid() || isPrimitive(index))
         return {};
-    return createIndex(primitiveOf(index), Name, ofPrimitive);
+    return createIndex(rowOf(index), Name, ofPrimitive);
 }
 
 int PrimitiveListModel::rowCount(const QModelIndex &parent) const
@@ -96,7 +138,7 @@ int PrimitiveListModel::rowCount(const QModelIndex &parent) const
     if (!parent.isValid())
         return int(m_rows.size());
     const bool hasRows = isPrimitive(parent) && parent.column() == Name;
-    return hasRows ? m_rows[std::size_t(parent.row())] : 0;
+    return hasRows ? m_rows[std::size_t(parent.row())].vertexCount : 0;
 }
 
 int PrimitiveListModel::columnCount(const QModelIndex &) const { return columnEnd; }
@@ -107,25 +149,29 @@ Qt::ItemFlags PrimitiveListModel::flags(const QModelIndex &index) const
         return {};
     const bool isCoordinate = index.column() == X || index.column() == Y;
     const Qt::ItemFlags flags = Qt::ItemIsEnabled | Qt::ItemIsSelectable;
-    return !isPrimitive(index) && isCoordinate ? flags | Qt::ItemIsEditable : flags;
+    if (!isPrimitive(index))
+        return isCoordinate ? flags | Qt::ItemIsEditable : flags;
+    return index.column() == Name ? flags | Qt::ItemIsUserCheckable : flags;
 }
 
 QVariant PrimitiveListModel::data(const QModelIndex &index, int role) const
 {
     if (!index.isValid())
         return {};
-    const VertexRef ref = refAt(index);
+    if (role == Qt::TextAlignmentRole && (index.column() == X || index.column() == Y))
+        return int(Qt::AlignRight | Qt::AlignVCenter);
+    if (const std::optional<int> hidden = hiddenAt(index))
+        return hiddenData(index.column(), role, m_document->scene().hidden[std::size_t(*hidden)]);
+    const VertexRef ref = *refAt(index);
     const std::optional<Vertex> vertex = m_document->vertexAt(ref);
     if (!vertex)
         return {};
     const bool isWhole = isPrimitive(index);
-    const bool isColour = index.column() == ColourText;
-    const bool isMixed
-        = isWhole && isColour && !haveOneColour(m_document->verticesOf(ref.primitive));
-    if (role == Qt::TextAlignmentRole && (index.column() == X || index.column() == Y))
-        return int(Qt::AlignRight | Qt::AlignVCenter);
-    if (role == Qt::DecorationRole && isColour && !isMixed)
-        return swatch(vertex->colour, QGuiApplication::palette());
+    if (role == Qt::CheckStateRole && isWhole && index.column() == Name)
+        return Qt::Checked;
+    if (index.column() == ColourText)
+        return isWhole ? colourData(m_document->verticesOf(ref.primitive), role)
+                       : colourData(std::span(&*vertex, 1), role);
     if (role != Qt::DisplayRole && role != Qt::EditRole)
         return {};
     switch (Column(index.column())) {
@@ -138,20 +184,44 @@ QVariant PrimitiveListModel::data(const QModelIndex &index, int role) const
         return isWhole ? QString() : coordinateText(vertex->position.x);
     case Y:
         return isWhole ? QString() : coordinateText(vertex->position.y);
-    case ColourText:
-        return isMixed ? tr("several") : colourText(vertex->colour);
+    case ColourText: // above
     case columnEnd:
         break;
     }
     return {};
 }
 
+QVariant PrimitiveListModel::hiddenData(int column, int role, const HiddenPrimitive &hidden) const
+{
+    const std::span<const Vertex> vertices = hidden.vertices();
+    if (role == Qt::ForegroundRole)
+        return QGuiApplication::palette().brush(QPalette::PlaceholderText);
+    if (role == Qt::CheckStateRole && column == Name)
+        return Qt::Unchecked;
+    if (column == ColourText)
+        return colourData(vertices, role);
+    if (role != Qt::DisplayRole)
+        return {};
+    if (column == Name)
+        return tr("%1, hidden").arg(nameOf(hidden.kind()));
+    const LatticePoint &first = vertices.front().position; // to tell them apart
+    return coordinateText(column == X ? first.x : first.y);
+}
+
 bool PrimitiveListModel::setData(const QModelIndex &index, const QVariant &value, int role)
 {
+    if (role == Qt::CheckStateRole && isPrimitive(index) && index.column() == Name) {
+        const std::optional<int> hidden = hiddenAt(index);
+        if (hidden && value == Qt::Checked)
+            m_document->showHidden(*hidden);
+        else if (!hidden && value == Qt::Unchecked)
+            m_document->hidePrimitive(refAt(index)->primitive);
+        return true;
+    }
     if (role != Qt::EditRole || !flags(index).testFlag(Qt::ItemIsEditable))
         return false;
     const Result<SnappedNumber> number = parseCoordinate(value.toString());
-    const VertexRef ref = refAt(index);
+    const VertexRef ref = *refAt(index);
     const std::optional<Vertex> vertex = m_document->vertexAt(ref);
     if (!number || !vertex)
         return false;

@@ -7,9 +7,10 @@
 
 namespace pixelplumb {
 
-/// The document's triangles and shapes in drawing order, and below each its vertices in the file's
-/// order with their coordinates, which can be edited, and their colours. A solid's triangles are
-/// none of the document's.
+/// The document's triangles and shapes in drawing order, each with a box that shows or hides it,
+/// and below each its vertices in the file's order with their coordinates, which can be edited, and
+/// their colours. Hidden ones stand in their places, without a number and without vertices. A
+/// solid's triangles are none of the document's.
 class PrimitiveListModel : public QAbstractItemModel {
     Q_OBJECT
 
@@ -18,8 +19,10 @@ public:
 
     explicit PrimitiveListModel(SceneDocument *document, QObject *parent = nullptr);
 
-    /// The vertex of a row; of a primitive's row its first. Any column.
-    VertexRef refAt(const QModelIndex &index) const;
+    /// The vertex of a row; of a primitive's row its first; none of a hidden one's. Any column.
+    std::optional<VertexRef> refAt(const QModelIndex &index) const;
+    /// The index among the hidden ones of a hidden primitive's row.
+    std::optional<int> hiddenAt(const QModelIndex &index) const;
     bool isPrimitive(const QModelIndex &index) const;
     QModelIndex indexOf(const VertexRef &ref) const;
     QModelIndex indexOfPrimitive(int primitive) const;
@@ -30,16 +33,24 @@ public:
     int columnCount(const QModelIndex &parent = {}) const override;
     Qt::ItemFlags flags(const QModelIndex &index) const override;
     QVariant data(const QModelIndex &index, int role) const override;
-    /// A coordinate as text: "26", "26.5" or "53/2".
+    /// A coordinate as text: "26", "26.5" or "53/2"; or whether a primitive is checked, and shown.
     bool setData(const QModelIndex &index, const QVariant &value, int role) override;
     QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
 private:
+    struct Row {
+        int primitive = 0; ///< of a hidden one: −1 − its index among the hidden
+        int vertexCount = 0; ///< that can be edited
+
+        friend bool operator==(const Row &, const Row &) = default;
+    };
+
     void followScene();
-    std::vector<int> rowsOfScene() const;
+    std::vector<Row> rowsOfScene() const;
+    QVariant hiddenData(int column, int role, const HiddenPrimitive &hidden) const;
 
     SceneDocument *m_document;
-    std::vector<int> m_rows; ///< vertices of each primitive
+    std::vector<Row> m_rows; ///< of the primitives
 };
 
 } // namespace pixelplumb

@@ -8,6 +8,7 @@
 #include "widgets/model/placinghint.h"
 
 #include <QCoreApplication>
+#include <QRegularExpression>
 
 #include <algorithm>
 
@@ -72,7 +73,21 @@ QString adaptationNote(const Method &method, const ScanSettings &asked)
     if (changes.empty())
         return {};
     return tr("%1 %2. Changed to %3.")
-        .arg(method.title, objections.join(tr(", and ")), changes.join(tr(" and ")));
+        .arg(method.title, withTitles(objections.join(tr(", and "))), changes.join(tr(" and ")));
+}
+
+QString withTitles(const QString &text)
+{
+    static const QRegularExpression id(QStringLiteral(R"((?<![\w-])[a-z]+(-[a-z]+)+(?![\w-]))"));
+    QString shown;
+    qsizetype end = 0;
+    for (const QRegularExpressionMatch &match : id.globalMatch(text)) {
+        const Method *method = methodNamed(match.captured());
+        shown += text.mid(end, match.capturedStart() - end)
+            + (method ? u'“' + method->title + u'”' : match.captured());
+        end = match.capturedEnd();
+    }
+    return shown + text.mid(end);
 }
 
 QString cutRunNote(const TracedScene &traced)

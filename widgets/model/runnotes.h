@@ -27,6 +27,9 @@ QString rejectionNote(const TracedScene &traced);
 /// instead; empty where it keeps them.
 QString adaptationNote(const Method &method, const ScanSettings &asked);
 
+/// The core's words about methods, as the window has them: titles in place of ids.
+QString withTitles(const QString &text);
+
 QString cutRunNote(const TracedScene &traced); ///< its recording ended at a limit
 QString cancelledRunNote();
 

@@ -175,6 +175,14 @@ void SceneDocument::reset(Scene scene)
     tellAdaptation(asked);
 }
 
+void SceneDocument::setScene(const Scene &scene, const QString &text)
+{
+    const ScenePiece before = wholePiece();
+    const ScenePiece after = withPending(pixelplumb::wholePiece(scene));
+    if (after != before)
+        edit(text, before, after);
+}
+
 void SceneDocument::tellAdaptation(const ScanSettings &asked)
 {
     const Method *method = methodNamed(QString::fromStdString(m_scene.method));

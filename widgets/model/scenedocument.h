@@ -29,6 +29,7 @@ public:
     ~SceneDocument() override;
 
     const Scene &scene() const { return m_scene; }
+    int hiddenCount() const { return int(m_scene.hidden.size()); }
     /// The scene as it stands, for work beside the GUI thread. Made once a change, when asked for.
     std::shared_ptr<const Scene> snapshot() const;
     const std::vector<Vertex> &pendingVertices() const { return m_pending; }
@@ -91,10 +92,16 @@ public slots:
     void closePending();
     void setText(int primitive, const QString &text); ///< of a text
     void deletePrimitive(int primitive);
+    /// Keeps it out of the picture, and out of the numbers of the others.
+    void hidePrimitive(int primitive);
+    /// Puts the hidden primitive, by its index among them, back into its place.
+    void showHidden(int index);
+    void showAllHidden();
+    void deleteHidden(int index);
     /// Removes the primitive of a vertex, or the pending vertex.
     void deleteVertex(const pixelplumb::VertexRef &ref);
     void discardPending(); ///< all vertices that wait for their primitive
-    void clear(); ///< all primitives, solids and pending vertices
+    void clear(); ///< all primitives, hidden ones too, solids and pending vertices
     void setFrame(const pixelplumb::FrameSpec &frame);
     /// Changes that share a drag number are one edit.
     void setCamera(const pixelplumb::Camera &camera, int drag);
@@ -105,6 +112,8 @@ public slots:
     void moveOffScreenPoint(const pixelplumb::LatticePoint &position, int drag);
     void setSettings(const pixelplumb::ScanSettings &settings);
     void setMethod(const std::string &method);
+    /// Another scene in place of this one, as one edit of that name.
+    void setScene(const pixelplumb::Scene &scene, const QString &text);
 
     void setSnap(pixelplumb::Snap snap);
     void setNextColour(const pixelplumb::Colour &colour);

@@ -134,16 +134,6 @@ void SceneDocument::setText(int primitive, const QString &text)
         edit(tr("change text"), before, after);
 }
 
-void SceneDocument::deletePrimitive(int primitive)
-{
-    if (primitive < 0 || primitive >= primitiveCount())
-        return;
-    const ScenePiece before = pieceWith(primitive);
-    ScenePiece after = before;
-    after.run = {};
-    edit(tr("delete primitive"), before, after);
-}
-
 void SceneDocument::deleteVertex(const VertexRef &ref)
 {
     if (ref.primitive != VertexRef::pending) {
@@ -170,11 +160,12 @@ void SceneDocument::discardPending()
 
 void SceneDocument::clear()
 {
-    if (m_pending.empty() && m_scene.isEmpty())
+    if (m_pending.empty() && m_scene.isEmpty() && m_scene.hidden.empty())
         return;
     const ScenePiece before = wholePiece();
     ScenePiece after = before;
     after.run = {};
+    after.hidden.clear();
     after.solids.clear();
     after.pending.clear();
     edit(tr("clear"), before, after);

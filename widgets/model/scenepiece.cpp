@@ -2,6 +2,7 @@
 #include "widgets/model/scenepiece.h"
 
 #include "core/geometry/shapeediting.h"
+#include "core/methods/method.h"
 
 #include <algorithm>
 #include <utility>
@@ -51,10 +52,12 @@ void replaceAttributes(std::vector<TriangleAttributes> &all, const ScenePiece &b
 
 void ScenePiece::completePending(PrimitiveKind kind)
 {
+    const Method *drawing = methodNamed(QString::fromStdString(method));
     if (kind == PrimitiveKind::Triangle)
         run.triangles.push_back({{pending[0], pending[1], pending[2]}});
     else
-        run.shapes.push_back(shapeFrom(kind, pending));
+        run.shapes.push_back(
+            shapeFrom(kind, pending, drawing ? drawing->fills : std::vector<ShapeFill>()));
     pending.clear();
 }
 
@@ -98,7 +101,7 @@ bool ScenePiece::hasSceneOf(const ScenePiece &other) const
 {
     return frame == other.frame && settings == other.settings && method == other.method
         && run == other.run && solids == other.solids && camera == other.camera
-        && appearance == other.appearance && motion == other.motion;
+        && appearance == other.appearance && motion == other.motion && hidden == other.hidden;
 }
 
 ScenePiece pieceAtEnd(const Scene &scene)
@@ -113,6 +116,7 @@ ScenePiece pieceAtEnd(const Scene &scene)
     piece.camera = scene.camera;
     piece.appearance = scene.appearance;
     piece.motion = scene.motion;
+    piece.hidden = scene.hidden;
     return piece;
 }
 
@@ -165,6 +169,7 @@ void replace(Scene &scene, const ScenePiece &before, const ScenePiece &after)
     scene.camera = after.camera;
     scene.appearance = after.appearance;
     scene.motion = after.motion;
+    scene.hidden = after.hidden;
     replaceAttributes(scene.attributes, before, after);
     replaceRun(scene.triangles, before.firstTriangle, before.run.triangles.size(),
                after.run.triangles);

@@ -31,6 +31,7 @@ struct ScenePiece {
     std::optional<Camera> camera;
     Appearance appearance;
     std::optional<Motion> motion;
+    HiddenPrimitives hidden;
     std::vector<Vertex> pending; ///< vertices that wait for their primitive
     std::optional<Colour> chosenColour; ///< for the next vertex alone
 

@@ -3,6 +3,7 @@
 
 #include "core/runs/sceneplan.h"
 #include "core/scene/solidlimits.h"
+#include "widgets/model/runnotes.h"
 
 #include <chrono>
 #include <new>
@@ -52,7 +53,8 @@ QString refusalOf(const Scene &scene)
     const Method *method = methodNamed(id);
     if (method) {
         const QString objection = objectionTo(scene);
-        return objection.isEmpty() ? objection : method->title + u' ' + objection + u'.';
+        return objection.isEmpty() ? objection
+                                   : method->title + u' ' + withTitles(objection) + u'.';
     }
     return SceneTracer::tr("There is no method named “%1”.").arg(id);
 }

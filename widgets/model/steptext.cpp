@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/model/steptext.h"
 
-#include "core/runs/formulaexplanation.h"
+#include "core/runs/spanheadings.h"
 
 #include <QCoreApplication>
 

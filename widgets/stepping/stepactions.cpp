@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/stepping/stepactions.h"
 
+#include "widgets/look/menuaction.h"
 #include "widgets/look/stepicons.h"
 
 namespace pixelplumb {
@@ -51,8 +52,7 @@ QAction *StepActions::add(const QString &name, const QString &text, const QStrin
     action->setObjectName(name);
     action->setIconText(iconText);
     action->setShortcut(key);
-    action->setToolTip(
-        key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key.toString(QKeySequence::NativeText)));
+    action->setToolTip(tipWithKey(tip, key));
     return action;
 }
 
@@ -218,8 +218,7 @@ void StepActions::nameSpans()
         = [](QAction *action, const QString &text, const QString &iconText, const QString &tip) {
               action->setText(text);
               action->setIconText(iconText);
-              const QString key = action->shortcut().toString(QKeySequence::NativeText);
-              action->setToolTip(key.isEmpty() ? tip : tr("%1 (%2)").arg(tip, key));
+              action->setToolTip(tipWithKey(tip, action->shortcut()));
           };
     name(step(StepUnit::Span, forward), words.next, words.span, words.nextTip);
     name(step(StepUnit::Span, backward), words.previous, words.span, words.previousTip);
@@ -233,7 +232,8 @@ void StepActions::updatePlay()
     m_play->setIcon(stepIcon(playing ? StepSign::Pause : StepSign::Play));
     m_play->setIconText(playing ? tr("pause") : tr("play"));
     m_play->setText(playing ? tr("Pause (pla&y)") : tr("Pla&y"));
-    m_play->setToolTip(playing ? tr("Pause (Space)") : tr("Play by the chosen unit (Space)"));
+    m_play->setToolTip(
+        tipWithKey(playing ? tr("Pause") : tr("Play by the chosen unit"), m_play->shortcut()));
 }
 
 } // namespace pixelplumb

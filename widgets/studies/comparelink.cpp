@@ -6,7 +6,7 @@ namespace pixelplumb {
 namespace {
 
 constexpr double fitMargin = 4; ///< logical pixels around a fitted frame
-constexpr int lookZoom = 16; ///< device pixels a frame pixel
+constexpr int lookZoom = 12; ///< device pixels a frame pixel
 
 } // namespace
 
@@ -15,7 +15,7 @@ void CompareLink::setFrame(const FrameSpec &frame)
     if (frame == m_frame)
         return;
     m_frame = frame;
-    m_fitted = true;
+    m_place = Place::Fitted;
     emit changed();
 }
 
@@ -23,10 +23,12 @@ ViewMapping CompareLink::mappingFor(const QSizeF &size, double devicePixelRatio,
                                     const QPointF &fraction) const
 {
     const QRectF view(QPointF(), size);
-    if (m_fitted)
-        return ViewMapping::fitted(m_frame,
-                                   view.adjusted(fitMargin, fitMargin, -fitMargin, -fitMargin),
-                                   devicePixelRatio, fraction);
+    const ViewMapping fitted
+        = ViewMapping::fitted(m_frame, view.adjusted(fitMargin, fitMargin, -fitMargin, -fitMargin),
+                              devicePixelRatio, fraction);
+    const bool hasRoom = fitted.zoom().number() >= m_zoom.number();
+    if (m_place == Place::Fitted || (m_place == Place::LookedAt && hasRoom))
+        return fitted;
     const ViewMapping mapping(m_frame, m_zoom, {}, devicePixelRatio, fraction);
     const QPointF centre = mapping.positionOf(m_centre.x(), m_centre.y());
     return mapping.movedBy(mapping.deviceAt(view.center()) - mapping.deviceAt(centre));
@@ -34,7 +36,7 @@ ViewMapping CompareLink::mappingFor(const QSizeF &size, double devicePixelRatio,
 
 void CompareLink::fit()
 {
-    m_fitted = true;
+    m_place = Place::Fitted;
     emit changed();
 }
 
@@ -55,7 +57,7 @@ void CompareLink::moveBy(const ViewMapping &from, const QRectF &view, const QPoi
 
 void CompareLink::lookAt(const QPoint &pixel)
 {
-    m_fitted = false;
+    m_place = Place::LookedAt;
     m_zoom = ViewZoom::fromNumber(std::max(lookZoom, m_zoom.number()));
     m_centre = pixel;
     emit changed();
@@ -64,7 +66,7 @@ void CompareLink::lookAt(const QPoint &pixel)
 void CompareLink::take(const ViewMapping &mapping, const QRectF &view)
 {
     const LatticePoint centre = mapping.latticeAt(view.center());
-    m_fitted = false;
+    m_place = Place::Free;
     m_zoom = mapping.zoom();
     m_centre = QPointF(double(centre.x), double(centre.y)) / unitsPerPixel;
     emit changed();

@@ -17,7 +17,7 @@ public:
 
     void setFrame(const FrameSpec &frame);
     const FrameSpec &frame() const { return m_frame; }
-    bool isFitted() const { return m_fitted; }
+    bool isFitted() const { return m_place == Place::Fitted; }
 
     /// For a view of that size.
     ViewMapping mappingFor(const QSizeF &size, double devicePixelRatio,
@@ -31,17 +31,24 @@ public slots:
     void zoomOut(const pixelplumb::ViewMapping &from, const QRectF &view, const QPointF &anchor);
     void moveBy(const pixelplumb::ViewMapping &from, const QRectF &view,
                 const QPoint &devicePixels);
-    /// Brings a pixel into the middle, at a zoom at which it can be seen by itself.
+    /// Brings a pixel towards the middle, at a zoom at which it can be seen by itself; a frame that
+    /// the view has room for is seen whole.
     void lookAt(const QPoint &pixel);
 
 signals:
     void changed();
 
 private:
+    enum class Place {
+        Fitted,
+        LookedAt, ///< a pixel in the middle, or the whole frame
+        Free, ///< as a person has moved it
+    };
+
     void take(const ViewMapping &mapping, const QRectF &view);
 
     FrameSpec m_frame;
-    bool m_fitted = true;
+    Place m_place = Place::Fitted;
     ViewZoom m_zoom;
     QPointF m_centre; ///< in px of sample coordinates; meaningful when not fitted
 };

@@ -2,6 +2,7 @@
 #include "widgets/studies/comparepane.h"
 
 #include "core/lab/livefigures.h"
+#include "core/scan/choicenames.h"
 #include "widgets/look/elidingbox.h"
 #include "widgets/look/framepainter.h"
 #include "widgets/model/playhead.h"
@@ -125,6 +126,7 @@ Contender ComparePane::contender() const
         contender.settings.arithmetic = Arithmetic(m_arithmetic->currentData().toInt());
     if (m_fillRule->currentIndex() >= 0)
         contender.settings.fillRule = FillRule(m_fillRule->currentData().toInt());
+    contender.settings.variants = m_variants;
     return contender;
 }
 
@@ -154,6 +156,7 @@ void ComparePane::offerSettings(const ScanSettings &wanted)
     };
     offer(m_arithmetic, arithmetics, chosen.settings.arithmetic);
     offer(m_fillRule, rules, chosen.settings.fillRule);
+    m_variants = chosen.settings.variants;
 }
 
 void ComparePane::show(const std::shared_ptr<const Contest> &contest, std::size_t run)
@@ -182,6 +185,8 @@ void ComparePane::show(const std::shared_ptr<const Contest> &contest, std::size_
     if (shown.tally.undrawn > 0)
         m_result->setText(m_result->text()
                           + tr("; %1 undrawn, of other kinds").arg(shown.tally.undrawn));
+    if (const std::vector<Variant> variants = variantsIn(m_variants); !variants.empty())
+        m_result->setText(m_result->text() + tr("; with %1").arg(namesOf(variants).join(u' ')));
     followPlayhead();
 }
 

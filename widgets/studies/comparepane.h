@@ -56,6 +56,7 @@ private:
     QLabel *m_result = nullptr;
     View *m_view = nullptr;
     ByteRounding m_rounding = ByteRounding::Nearest; ///< the scene's
+    VariantSet m_variants; ///< of the contender that it was given
     std::shared_ptr<const Contest> m_contest;
     std::size_t m_run = 0;
     std::unique_ptr<TraceCursor> m_cursor;

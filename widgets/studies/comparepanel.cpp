@@ -3,6 +3,7 @@
 
 #include "core/runs/sceneplan.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/runnotes.h"
 #include "widgets/studies/agreementview.h"
 #include "widgets/studies/comparelink.h"
 #include "widgets/studies/comparepane.h"
@@ -228,7 +229,8 @@ bool ComparePanel::canAllDraw(const Scene &scene, const std::vector<Contender> &
             = contender.isTruth() ? QString() : objectionTo(sceneFor(scene, contender));
         if (objection.isEmpty())
             continue;
-        const QString text = QStringLiteral("%1 %2.").arg(contender.method->title, objection);
+        const QString text
+            = QStringLiteral("%1 %2.").arg(contender.method->title, withTitles(objection));
         m_job.cancel();
         m_contest.reset();
         for (ComparePane *pane : m_panes)

@@ -7,6 +7,7 @@
 #include "widgets/look/numberlayout.h"
 #include "widgets/model/effectswitches.h"
 #include "widgets/model/measuringpool.h"
+#include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/studies/effectstext.h"
 
@@ -200,7 +201,7 @@ void EffectsPanel::take(const std::optional<Finding> &finding)
         m_summary->setText(tr("The plan does not fit into memory."));
     } else if (!m_objection.isEmpty()) {
         const Method *method = methodNamed(QString::fromStdString(m_document->scene().method));
-        m_summary->setText(QStringLiteral("%1 %2.").arg(method->title, m_objection));
+        m_summary->setText(QStringLiteral("%1 %2.").arg(method->title, withTitles(m_objection)));
     } else {
         m_summary->setText(forcingText(*m_plan, drawnScene()->appearance,
                                        finding->changes ? finding->changes->total() : 0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/hardcasesdetails.h"
 
+#include "core/compare/contest.h"
 #include "widgets/studies/hardcasesverdicts.h"
 
 #include <QBoxLayout>

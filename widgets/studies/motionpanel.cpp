@@ -6,6 +6,7 @@
 #include "core/runs/tracedscene.h"
 #include "core/scene/coordinatetext.h"
 #include "widgets/look/numberlayout.h"
+#include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QHBoxLayout>
@@ -199,14 +200,15 @@ void MotionPanel::count()
     if (!isVisible() || !m_isStale)
         return;
     m_isStale = false;
+    const auto scene = m_document->snapshot();
+    m_objection = scene->motion ? objectionTo(*scene) : QString();
     {
         const QSignalBlocker blocker(m_table); // the frame in hand stays
         m_table->setRowCount(0);
     }
     showFrame();
     tell();
-    const auto scene = m_document->snapshot();
-    if (!scene->motion || !objectionTo(*scene).isEmpty())
+    if (!scene->motion || !m_objection.isEmpty())
         return;
     m_counting.start(
         [scene](const ProgressListener &listener) { return studyMotion(*scene, listener); },
@@ -237,31 +239,31 @@ void MotionPanel::take(std::optional<MotionStudy> study)
 
 void MotionPanel::tell()
 {
-    const Scene &scene = m_document->scene();
+    const auto timesText
+        = [](std::int64_t count) { return count == 1 ? tr("once") : tr("%1 times").arg(count); };
     QString text;
-    if (!scene.motion)
+    if (!m_document->scene().motion)
         text = tr("The scene stands still. Move it by a few pixels in many frames, and what comes "
                   "and goes without reason is seen.");
-    else if (const QString objection = objectionTo(scene); !objection.isEmpty())
-        text = tr("The method %1.").arg(objection);
+    else if (!m_objection.isEmpty())
+        text = tr("The method %1.").arg(withTitles(m_objection));
     else if (!m_study)
         text = tr("The frames are being drawn.");
     else
-        text = tr("In %1 frames pixels come or go %2 times, in truth %3 times.")
+        text = tr("In %1 frames pixels come or go %2, in truth %3.")
                    .arg(m_study->frames.size())
-                   .arg(m_study->toggled())
-                   .arg(m_study->truthToggled());
+                   .arg(timesText(m_study->toggled()), timesText(m_study->truthToggled()));
     m_summary->setText(text);
     setAccessibleDescription(text);
 }
 
 void MotionPanel::showFrame()
 {
-    if (!isVisible())
+    if (!isVisible() || m_isStale) // count() shows it
         return;
     const auto scene = m_document->snapshot();
     const int frame = m_slider->value();
-    if (!scene->motion || !objectionTo(*scene).isEmpty()) {
+    if (!scene->motion || !m_objection.isEmpty()) {
         m_position->clear();
         m_view->setPicture({});
         return;

@@ -65,7 +65,8 @@ private:
     MotionView *m_view;
     QTableWidget *m_table;
     std::optional<MotionStudy> m_study;
-    bool m_isStale = true;
+    bool m_isStale = true; ///< the scene in hand is not counted
+    QString m_objection; ///< why the method cannot draw the scene that was counted last
     Job m_counting, m_drawing;
     QTimer m_clock; ///< runs while the motion is played
 };

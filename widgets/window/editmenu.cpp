@@ -5,11 +5,15 @@
 #include "widgets/dialogs/framedialog.h"
 #include "widgets/dialogs/triangledialog.h"
 #include "widgets/files/sceneexports.h"
+#include "widgets/files/studentpicturefiles.h"
 #include "widgets/look/colourbutton.h"
 #include "widgets/look/menuaction.h"
+#include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QActionGroup>
+#include <QApplication>
+#include <QClipboard>
 
 namespace pixelplumb {
 
@@ -76,8 +80,14 @@ void EditMenu::addClipboard()
     confineKeyTo(m_parts.canvas, copyPixel);
     addMenuAction(this, "copyRaster", tr("Copy the &raster (ASCII)"),
                   Qt::CTRL | Qt::SHIFT | Qt::Key_C, [exports] { exports->copyRaster(); });
-    addMenuAction(this, "compareRaster", tr("&Paste a raster to compare"),
-                  Qt::CTRL | Qt::SHIFT | Qt::Key_V, [exports] { exports->compareWithClipboard(); });
+    StudentPictureFiles *pictures = m_parts.pictures;
+    QAction *paste
+        = addMenuAction(this, "pasteStudentPicture", tr("&Paste a student's picture"), {},
+                        [pictures] { pictures->take(*QApplication::clipboard()->mimeData()); });
+    paste->setShortcuts(
+        {QKeySequence(Qt::CTRL | Qt::Key_V), QKeySequence(Qt::CTRL | Qt::SHIFT | Qt::Key_V)});
+    paste->setToolTip(tr("Marks on the canvas what differs in a picture or a raster of # and . "
+                         "from the clipboard (Ctrl+V)"));
 }
 
 void EditMenu::addVertices(QWidget *window)
@@ -92,7 +102,7 @@ void EditMenu::addVertices(QWidget *window)
                       document->addTriangle(typed.triangle, typed.attributes);
                   });
     QAction *change
-        = addMenuAction(this, "editTriangle", tr("C&hange the selected triangle…"),
+        = addMenuAction(this, "editTriangle", tr("C&hange the triangle in hand…"),
                         Qt::CTRL | Qt::SHIFT | Qt::Key_T, [this, window] { editSelected(window); });
     QAction *close
         = addMenuAction(this, "closePolygon", tr("Close the &polygon"), Qt::CTRL | Qt::Key_Return,
@@ -107,11 +117,30 @@ void EditMenu::addVertices(QWidget *window)
     QAction *remove = addMenuAction(this, "deleteSelected", tr("&Delete the selected primitive"),
                                     QKeySequence::Delete, [this] { deleteSelected(); });
     confineKeyTo(m_parts.canvas, remove);
-    const auto updateSelected = [this, document, colour, remove, change] {
-        const bool isSelected = document->selectedVertex().has_value();
-        change->setEnabled(selectedTriangle().has_value());
-        colour->setEnabled(isSelected);
-        remove->setEnabled(isSelected);
+    QAction *hide = addMenuAction(this, "hideSelected", tr("&Hide the selected primitive"),
+                                  Qt::CTRL | Qt::Key_H, [document] {
+                                      if (const auto ref = document->selectedVertex())
+                                          document->hidePrimitive(ref->primitive);
+                                  });
+    hide->setToolTip(tr("Keeps the primitive and does not draw it (the Primitives panel shows it "
+                        "again)"));
+    QAction *show = addMenuAction(this, "showAllHidden", tr("Sho&w all hidden primitives"),
+                                  Qt::CTRL | Qt::SHIFT | Qt::Key_H,
+                                  [document] { document->showAllHidden(); });
+    const auto updateShow = [document, show] { show->setEnabled(document->hiddenCount() > 0); };
+    connect(document, &SceneDocument::sceneChanged, this, updateShow);
+    updateShow();
+    change->setToolTip(tr("The triangle of the selected vertex; where none is selected, the one "
+                          "that the step in hand draws"));
+    const auto updateChange
+        = [document, change] { change->setEnabled(!document->scene().triangles.empty()); };
+    connect(document, &SceneDocument::sceneChanged, this, updateChange);
+    updateChange();
+    const auto updateSelected = [document, colour, remove, hide] {
+        const std::optional<VertexRef> selected = document->selectedVertex();
+        colour->setEnabled(selected.has_value());
+        remove->setEnabled(selected.has_value());
+        hide->setEnabled(selected && selected->primitive != VertexRef::pending);
     };
     connect(document, &SceneDocument::selectionChanged, this, updateSelected);
     updateSelected();
@@ -119,22 +148,31 @@ void EditMenu::addVertices(QWidget *window)
                   [document] { document->clear(); });
 }
 
-std::optional<int> EditMenu::selectedTriangle() const
+std::optional<int> EditMenu::triangleInHand() const
 {
-    const auto selected = m_parts.document->selectedVertex();
-    const bool isTriangle = selected && selected->primitive != VertexRef::pending
-        && m_parts.document->kindOf(selected->primitive) == PrimitiveKind::Triangle;
-    return isTriangle ? std::optional(selected->primitive) : std::nullopt;
+    const SceneDocument &document = *m_parts.document;
+    const auto count = document.scene().triangles.size();
+    const auto selected = document.selectedVertex();
+    if (selected && selected->primitive != VertexRef::pending
+        && std::size_t(selected->primitive) < count)
+        return selected->primitive;
+    const std::optional<TraceStep> step = m_parts.playhead->stepInHand();
+    const auto stepped = step ? m_parts.playhead->traced()->indexInScene(step->primitive)
+                              : std::optional<std::size_t>();
+    if (stepped && *stepped < count)
+        return int(*stepped);
+    return count > 0 ? std::optional(0) : std::nullopt;
 }
 
 void EditMenu::editSelected(QWidget *window)
 {
-    const std::optional<int> index = selectedTriangle();
+    const std::optional<int> index = triangleInHand();
     if (!index)
         return;
     SceneDocument *document = m_parts.document;
     const Triangle shown = document->scene().triangles[std::size_t(*index)];
     TriangleDialog dialog({shown, document->attributesOf(*index)}, window);
+    dialog.setWindowTitle(tr("Triangle %1").arg(*index));
     if (dialog.exec() != QDialog::Accepted)
         return;
     const TypedTriangle typed = *dialog.triangle();

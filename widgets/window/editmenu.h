@@ -29,7 +29,7 @@ private:
     void chooseNextColour(QWidget *window);
     void deleteSelected();
     /// The triangle whose vertex is selected, by its index.
-    std::optional<int> selectedTriangle() const;
+    std::optional<int> triangleInHand() const;
     void editSelected(QWidget *window);
 
     WindowParts m_parts;

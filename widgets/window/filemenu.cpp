@@ -4,6 +4,7 @@
 #include "widgets/files/recentfiles.h"
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
+#include "widgets/files/studentpicturefiles.h"
 #include "widgets/look/menuaction.h"
 #include "widgets/model/scenedocument.h"
 
@@ -24,6 +25,9 @@ FileMenu::FileMenu(const WindowParts &parts, QWidget *window)
         if (files->mayReplace())
             files->loadDefault();
     });
+    StudentPictureFiles *pictures = parts.pictures;
+    addMenuAction(this, "openStudentPicture", tr("Open student's p&icture…"),
+                  Qt::CTRL | Qt::SHIFT | Qt::Key_P, [pictures] { pictures->open(); });
     addSeparator();
     addMenuAction(this, "saveScene", tr("&Save"), QKeySequence::Save, [files] { files->save(); });
     addMenuAction(this, "saveSceneAs", tr("Save &as…"), Qt::CTRL | Qt::SHIFT | Qt::Key_S,

@@ -7,16 +7,22 @@ class QMenuBar;
 
 namespace pixelplumb {
 
-/// The key sheet, made from the menus of the bar, and what the program is.
+/// The key sheet and other keys, made from the menus of the bar, and what the program is.
 class HelpMenu : public QMenu {
     Q_OBJECT
 
 public:
     explicit HelpMenu(QMenuBar *bar);
 
+    /// All of the bar.
+    QList<QMenu *> menus() const;
+
 private:
-    void showKeys(const QMenuBar *bar);
+    void showKeys();
+    void changeKeys();
     void showAbout();
+
+    QMenuBar *m_bar;
 };
 
 } // namespace pixelplumb

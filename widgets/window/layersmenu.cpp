@@ -23,6 +23,13 @@ LayersMenu::LayersMenu(const WindowParts &parts, QWidget *window)
     const auto update = [options, none] { none->setEnabled(!options->layers().isEmpty()); };
     connect(options, &DisplayOptions::changed, none, update);
     update();
+    QAction *firstMap = addMenuAction(this, "firstAffineMap", tr("&First affine map again"), {},
+                                      [options] { options->setAffineImage(std::nullopt); });
+    const auto follow
+        = [options, firstMap] { firstMap->setEnabled(options->affineImage().has_value()); };
+    connect(options, &DisplayOptions::changed, firstMap, follow);
+    connect(parts.document, &SceneDocument::opened, firstMap, &QAction::trigger);
+    follow();
 }
 
 void LayersMenu::addLayer(const Layer &layer, const WindowParts &parts)

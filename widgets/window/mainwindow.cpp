@@ -4,10 +4,12 @@
 #include "core/runs/clampeddepths.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/canvas/overdrawoverlay.h"
+#include "widgets/dialogs/keysdialog.h"
 #include "widgets/files/autosave.h"
 #include "widgets/files/recentfiles.h"
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
+#include "widgets/files/studentpicturefiles.h"
 #include "widgets/lab/accuracylab.h"
 #include "widgets/look/colourbutton.h"
 #include "widgets/look/displayoptions.h"
@@ -19,6 +21,7 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/model/scenepreviewer.h"
 #include "widgets/model/scenetracer.h"
+#include "widgets/model/studentpicture.h"
 #include "widgets/stepping/playkey.h"
 #include "widgets/stepping/scrubber.h"
 #include "widgets/stepping/stepactions.h"
@@ -32,11 +35,13 @@
 #include "widgets/window/stepmenu.h"
 #include "widgets/window/studylinks.h"
 #include "widgets/window/viewmenu.h"
+#include "widgets/window/wheelguard.h"
 #include "widgets/window/windowdocks.h"
 #include "widgets/window/windowsettings.h"
 #include "widgets/window/windowstatusbar.h"
 
 #include <QBoxLayout>
+#include <QFileInfo>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -69,6 +74,7 @@ MainWindow::MainWindow(QWidget *parent)
     setStatusBar(new WindowStatusBar(m_parts, this));
     connectParts();
     connectStudies(m_parts, *m_docks, this);
+    new WheelGuard(this);
     auto *playKey = new PlayKey(this);
     playKey->watch(this);
     for (QDockWidget *dock : m_docks->all())
@@ -94,6 +100,8 @@ void MainWindow::makeParts()
     m_parts.files = new SceneFiles(m_parts.document, m_parts.recent, this);
     m_autosave = new Autosave(m_parts.document, Autosave::defaultFolder(), this);
     m_parts.exports = new SceneExports(m_parts.playhead, m_parts.options, this);
+    m_parts.student = new StudentPicture(this);
+    m_parts.pictures = new StudentPictureFiles(m_parts.student, this);
     m_parts.steps = new StepActions(m_parts.playhead, this);
 }
 
@@ -103,6 +111,7 @@ void MainWindow::makeCentre()
     m_parts.canvas = new Canvas(m_parts.document, m_parts.playhead, m_parts.options, centre);
     m_parts.canvas->setPreviewer(m_parts.previewer);
     m_parts.canvas->setEffects(m_parts.effects);
+    m_parts.canvas->setStudentPicture(m_parts.student);
     m_parts.messageBar = new MessageBar(m_parts.canvas);
     m_parts.overdraw = new OverdrawOverlay(m_parts.canvas, m_parts.playhead);
     m_parts.scrubber = new Scrubber(m_parts.playhead, centre);
@@ -130,7 +139,9 @@ void MainWindow::makeMenus()
     menuBar()->addMenu(new LayersMenu(m_parts, this));
     menuBar()->addMenu(new StepMenu(m_parts, this));
     menuBar()->addMenu(new MethodMenu(m_parts, this));
-    menuBar()->addMenu(new HelpMenu(menuBar()));
+    auto *help = new HelpMenu(menuBar());
+    menuBar()->addMenu(help);
+    restoreKeys(help->menus());
     connect(m_viewMenu, &ViewMenu::layoutResetRequested, this, [this] {
         for (QToolBar *bar : findChildren<QToolBar *>())
             bar->show();
@@ -214,6 +225,7 @@ void MainWindow::traceDocument()
 {
     const std::shared_ptr<const Scene> scene
         = m_parts.effects->applied(m_parts.document->snapshot());
+    m_parts.student->follow(scene);
     m_parts.tracer->trace(scene);
     if (m_parts.tracer->isRunning())
         return m_parts.previewer->preview(scene);
@@ -238,8 +250,7 @@ void MainWindow::updateTitle()
     m_parts.exports->setScenePath(m_parts.files->path());
     m_autosave->setSceneFile(m_parts.files->path());
     m_docks->panel<AccuracyLab>()->setScenePath(m_parts.files->path());
-    m_parts.exports->setBaseName(
-        QString(m_parts.files->displayName()).remove(QStringLiteral(".json")));
+    m_parts.exports->setBaseName(QFileInfo(m_parts.files->displayName()).completeBaseName());
     setWindowTitle(tr("%1[*] — Pixelplumb").arg(m_parts.files->displayName()));
     setWindowModified(m_parts.document->isModified());
 }

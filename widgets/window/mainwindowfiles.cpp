@@ -2,6 +2,7 @@
 #include "core/scene/scenefile.h"
 #include "widgets/files/autosave.h"
 #include "widgets/files/scenefiles.h"
+#include "widgets/files/studentpicturefiles.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenetracer.h"
@@ -12,20 +13,12 @@
 #include <QFileInfo>
 #include <QLocale>
 #include <QMessageBox>
-#include <QMimeData>
 #include <QPushButton>
 
 /// How scenes come into the window, and what happens to them when it goes.
 namespace pixelplumb {
 
 namespace {
-
-/// The one local file of what is dragged over the window; empty for anything else.
-QString draggedFile(const QMimeData *data)
-{
-    const QList<QUrl> urls = data->urls();
-    return urls.size() == 1 ? urls.constFirst().toLocalFile() : QString();
-}
 
 QString textOf(const UnsavedScene &left)
 {
@@ -87,11 +80,7 @@ void MainWindow::offerRecovery()
 
 void MainWindow::recover(const UnsavedScene &left)
 {
-    const Result<SceneReading> reading = readSceneFile(left.path);
-    if (!reading)
-        m_parts.messageBar->complain(reading.error().message());
-    else if (m_parts.files->showScene(reading->scene))
-        m_autosave->adopt(left);
+    m_parts.files->recover(left.path, [this, left] { m_autosave->adopt(left); });
 }
 
 void MainWindow::closeEvent(QCloseEvent *event)
@@ -106,15 +95,18 @@ void MainWindow::closeEvent(QCloseEvent *event)
 
 void MainWindow::dragEnterEvent(QDragEnterEvent *event)
 {
-    if (!draggedFile(event->mimeData()).isEmpty())
+    if (!sceneFileOf(*event->mimeData()).isEmpty()
+        || StudentPictureFiles::accepts(*event->mimeData()))
         event->acceptProposedAction();
 }
 
 void MainWindow::dropEvent(QDropEvent *event)
 {
-    const QString path = draggedFile(event->mimeData());
+    const QString path = sceneFileOf(*event->mimeData());
     if (!path.isEmpty())
         m_parts.files->openFile(path);
+    else
+        m_parts.pictures->take(*event->mimeData());
 }
 
 } // namespace pixelplumb

@@ -3,6 +3,7 @@
 
 #include "widgets/look/elidingbox.h"
 #include "widgets/look/symboltext.h"
+#include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QAbstractItemView>
@@ -15,8 +16,9 @@ namespace pixelplumb {
 
 namespace {
 
-/// Characters of a method's title that the bar keeps room for: the longest ones end in an ellipsis,
-/// so that the bar and the switches beside it fit into 1024 pixels. The list shows whole titles.
+/// Characters of a method's title that the bar keeps room for: of longer ones the middle is left
+/// out, so that the bar and the switches beside it fit into 1024 pixels. The list shows whole
+/// titles.
 constexpr int shownTitleLength = 15;
 
 /// Grey, with what the method objects to it, if it does.
@@ -26,7 +28,8 @@ void setObjection(QComboBox *box, int row, const QString &objection, const QStri
     QStandardItem *item = model->item(row);
     item->setEnabled(objection.isEmpty());
     item->setToolTip(toolTipHtml(
-        {objection.isEmpty() ? meaning : MethodBar::tr("The method %1").arg(objection)}));
+        {objection.isEmpty() ? meaning
+                             : MethodBar::tr("The method %1").arg(withTitles(objection))}));
 }
 
 QString meaningOf(Arithmetic arithmetic)

@@ -5,6 +5,7 @@
 #include "core/scan/choicenames.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/look/menuaction.h"
+#include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
 #include <QActionGroup>
@@ -17,8 +18,9 @@ namespace {
 void setObjection(QAction *action, const QString &objection)
 {
     action->setEnabled(objection.isEmpty());
-    action->setToolTip(objection.isEmpty() ? action->text()
-                                           : MethodMenu::tr("The method %1").arg(objection));
+    action->setToolTip(objection.isEmpty()
+                           ? action->text()
+                           : MethodMenu::tr("The method %1").arg(withTitles(objection)));
 }
 
 } // namespace

@@ -9,16 +9,20 @@
 #include "widgets/inspect/predictpanel.h"
 #include "widgets/inspect/primitivespanel.h"
 #include "widgets/lab/accuracylab.h"
+#include "widgets/look/namedwidget.h"
 #include "widgets/space/projectionpanel.h"
 #include "widgets/studies/comparepanel.h"
 #include "widgets/studies/effectspanel.h"
+#include "widgets/studies/gradingpanel.h"
 #include "widgets/studies/hardcasespanel.h"
 #include "widgets/studies/motionpanel.h"
 #include "widgets/studies/operationpanel.h"
 #include "widgets/studies/performancepanel.h"
 #include "widgets/studies/precisionpanel.h"
+#include "widgets/studies/submissionpanel.h"
 
 #include <QCoreApplication>
+#include <QUndoView>
 
 namespace pixelplumb {
 
@@ -53,6 +57,22 @@ QWidget *predict(const WindowParts &parts)
 }
 
 QWidget *primitives(const WindowParts &parts) { return new PrimitivesPanel(parts.document); }
+
+QWidget *edits(const WindowParts &parts)
+{
+    auto *view = named(new QUndoView(parts.document->undoStack()), "edits",
+                       QCoreApplication::translate("pixelplumb::WindowDocks",
+                                                   "What was done: a click goes back to there"));
+    view->setEmptyLabel(QCoreApplication::translate("pixelplumb::WindowDocks", "as it was opened"));
+    return view;
+}
+
+QWidget *grading(const WindowParts &) { return new GradingPanel; }
+
+QWidget *submission(const WindowParts &parts)
+{
+    return new SubmissionPanel(parts.student, parts.playhead);
+}
 
 constexpr Qt::DockWidgetArea leftArea = Qt::LeftDockWidgetArea;
 constexpr Qt::DockWidgetArea rightArea = Qt::RightDockWidgetArea;
@@ -93,6 +113,12 @@ constexpr Panel table[] = {
      hiddenAtFirst},
     {"primitivesDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Primitives"), primitives,
      leftArea, hiddenAtFirst},
+    {"submissionDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Submission"), submission,
+     leftArea, hiddenAtFirst},
+    {"gradingDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Grading"), grading, bottomArea,
+     hiddenAtFirst},
+    {"editsDock", QT_TRANSLATE_NOOP("pixelplumb::WindowDocks", "Edits"), edits, leftArea,
+     hiddenAtFirst},
 };
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/statusfields.h"
 
+#include "core/scan/choicenames.h"
 #include "core/scene/colourtext.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/steptext.h"
@@ -82,18 +83,12 @@ void StatusFields::takeTrace()
         keepWide(m_column, tr("column %1, second half").arg(x));
         keepWide(m_step, tr("step %1 of %2").arg(end, end));
         const ScanSettings &settings = traced->scene.settings;
-        const auto text = [](std::string_view name) {
-            return QString::fromUtf8(name.data(), qsizetype(name.size()));
-        };
-        QStringList words{text(nameOf(settings.arithmetic)), text(nameOf(settings.fillRule)),
-                          frame.origin == FrameOrigin::BottomLeft ? tr("y upward")
-                                                                  : tr("y downward")};
+        QStringList words{
+            nameText(nameOf(settings.arithmetic)), nameText(nameOf(settings.fillRule)),
+            frame.origin == FrameOrigin::BottomLeft ? tr("y upward") : tr("y downward")};
         if (frame.pixelCentre == PixelCentre::Half)
             words += tr("samples at ½");
-        for (const Variant variant : allVariants) {
-            if (settings.variants.contains(variant))
-                words += text(nameOf(variant));
-        }
+        words += namesOf(variantsIn(settings.variants));
         if (traced->trace->isCut())
             words += tr("recording cut at its limit");
         m_settings->setText(words.join(QStringLiteral(" · ")));

@@ -43,14 +43,14 @@ void StatusFigures::measure()
     m_isStale = false;
     if (!m_job.isRunning())
         setWholeText(measuringNote());
-    m_job.start([scene = std::shared_ptr<const Scene>(traced, &traced->scene)](
-                    const ProgressListener &listener) { return liveFiguresOf(scene, listener); },
-                [this, isForced = traced->scene.appearance.forced != EffectForcing{}](
-                    const std::optional<LiveFigures> &figures) {
-                    const QString text = figures ? figures->text() : QString();
-                    setWholeText(isForced ? tr("as forced: %1").arg(text) : text);
-                    setToolTip(figures ? figures->details() : QString());
-                });
+    m_job.start(
+        [traced](const ProgressListener &listener) { return liveFiguresOf(traced, listener); },
+        [this, isForced = traced->scene.appearance.forced != EffectForcing{}](
+            const std::optional<LiveFigures> &figures) {
+            const QString text = figures ? figures->text() : QString();
+            setWholeText(isForced ? tr("as forced: %1").arg(text) : text);
+            setToolTip(figures ? figures->details() : QString());
+        });
 }
 
 void StatusFigures::showEvent(QShowEvent *event)

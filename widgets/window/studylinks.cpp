@@ -3,15 +3,25 @@
 
 #include "widgets/canvas/canvas.h"
 #include "widgets/files/scenefiles.h"
+#include "widgets/files/studentpicturefiles.h"
+#include "widgets/inspect/pixelhistorypanel.h"
 #include "widgets/lab/accuracylab.h"
+#include "widgets/look/displayoptions.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
+#include "widgets/model/studentpicture.h"
 #include "widgets/studies/comparepanel.h"
+#include "widgets/studies/defectstepper.h"
 #include "widgets/studies/differenceopening.h"
+#include "widgets/studies/gradebook.h"
+#include "widgets/studies/gradingpanel.h"
 #include "widgets/studies/hardcasespanel.h"
 #include "widgets/studies/precisionpanel.h"
+#include "widgets/studies/submissionopening.h"
+#include "widgets/studies/submissionpanel.h"
 #include "widgets/window/examplesdialog.h"
+#include "widgets/window/mainwindow.h"
 #include "widgets/window/windowdocks.h"
 
 namespace pixelplumb {
@@ -36,10 +46,81 @@ void showComparison(WindowDocks &docks, const std::vector<Contender> &contenders
     compare->setContenders(contenders);
 }
 
+/// A set of defects is opened in the document's place, and left again.
+DefectStepper *connectDiagnosis(const WindowParts &parts, WindowDocks &docks,
+                                DiagnosisView &diagnosis, MainWindow *window)
+{
+    auto *stepper = new DefectStepper(parts.document, parts.student, window);
+    QObject::connect(&diagnosis, &DiagnosisView::openRequested, stepper, &DefectStepper::open);
+    QObject::connect(&diagnosis, &DiagnosisView::leaveRequested, stepper, &DefectStepper::leave);
+    QObject::connect(stepper, &DefectStepper::leavingChanged, &diagnosis,
+                     &DiagnosisView::setLeaving);
+    QObject::connect(stepper, &DefectStepper::opened, window,
+                     [window](std::size_t position) { window->setOpeningPlace(position); });
+    QObject::connect(
+        &diagnosis, &DiagnosisView::compareRequested, window,
+        [&docks, stepper](const DefectOpening &opening) {
+            stepper->open(opening);
+            const Method *method = methodNamed(QString::fromStdString(opening.right->method));
+            showComparison(
+                docks, {{method, opening.defective.settings}, {method, opening.right->settings}});
+        });
+    return stepper;
+}
+
+/// A graded picture is opened in Submission, at its first difference.
+void connectGrading(const WindowParts &parts, WindowDocks &docks, DefectStepper *stepper,
+                    MainWindow *window)
+{
+    auto *grading = docks.panel<GradingPanel>();
+    auto *opening
+        = new SubmissionOpening(parts.document, parts.files, parts.student, parts.playhead, window);
+    QObject::connect(grading, &GradingPanel::openRequested, stepper, &DefectStepper::leave);
+    QObject::connect(grading, &GradingPanel::openRequested, opening, &SubmissionOpening::open);
+    QObject::connect(opening, &SubmissionOpening::pixelReached, docks.panel<SubmissionPanel>(),
+                     &SubmissionPanel::lookAt);
+    const auto raise = [&docks] { docks.raise(docks.panel<SubmissionPanel>()); };
+    QObject::connect(grading, &GradingPanel::openRequested, window, raise);
+    QObject::connect(opening, &SubmissionOpening::pixelReached, window, raise);
+    QObject::connect(grading->book(), &Gradebook::complaint, parts.messageBar,
+                     &MessageBar::complain);
+    QObject::connect(grading->book(), &Gradebook::notice, parts.playhead, &Playhead::message);
+}
+
+/// A student's picture is seen at once: its marks, and what is said of it.
+void connectSubmission(const WindowParts &parts, WindowDocks &docks, MainWindow *window)
+{
+    auto *panel = docks.panel<SubmissionPanel>();
+    connectGrading(parts, docks, connectDiagnosis(parts, docks, *panel->diagnosis(), window),
+                   window);
+    QObject::connect(parts.student, &StudentPicture::taken, window, [&docks, panel, parts] {
+        parts.options->setDifferencesShown(true);
+        parts.options->setTruthShown(false);
+        docks.raise(panel);
+    });
+    QObject::connect(panel, &SubmissionPanel::openRequested, parts.pictures,
+                     &StudentPictureFiles::open);
+    QObject::connect(parts.student, &StudentPicture::complaint, parts.messageBar,
+                     &MessageBar::complain);
+    QObject::connect(parts.playhead, &Playhead::pixelChosen, window,
+                     [&docks, window, student = parts.student](const QPoint &pixel) {
+                         const auto &judgement = student->judgement();
+                         const QDockWidget *submission = docks.dockOf<SubmissionPanel>();
+                         QDockWidget *history = docks.dockOf<PixelHistoryPanel>();
+                         // Nothing goes in front of what was clicked.
+                         const bool covers = submission->underMouse()
+                             && window->tabifiedDockWidgets(history).contains(submission);
+                         if (judgement && judgement->verdictAt(pixel) != PixelVerdict::Same
+                             && !covers)
+                             docks.raise(history->widget());
+                     });
+}
+
 } // namespace
 
-void connectStudies(const WindowParts &parts, WindowDocks &docks, QObject *window)
+void connectStudies(const WindowParts &parts, WindowDocks &docks, MainWindow *window)
 {
+    connectSubmission(parts, docks, window);
     auto *opening = new DifferenceOpening(parts.files, parts.playhead, window);
     auto *cases = docks.panel<HardCasesPanel>();
     QObject::connect(cases, &HardCasesPanel::openRequested, opening, &DifferenceOpening::open);

@@ -53,8 +53,8 @@ void ViewMenu::addOptions(const WindowParts &parts)
                         tr("The exact finished picture instead of the frame (R)"), Qt::Key_R,
                         &DisplayOptions::isTruthShown, &DisplayOptions::setTruthShown);
     m_differences = addOption("showDifferences", tr("&Differences"), tr("differences"),
-                              tr("Mark pixels that differ from the truth: ? missing, ! extra, c "
-                                 "colour (D)"),
+                              tr("Mark pixels that differ from the truth, or in the student's "
+                                 "picture: ? missing, ! extra, c colour (D)"),
                               Qt::Key_D, &DisplayOptions::areDifferencesShown,
                               &DisplayOptions::setDifferencesShown);
     addOption("showClipping", tr("&Clipped polygon"), tr("clipped"),

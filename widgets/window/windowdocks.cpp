@@ -5,6 +5,7 @@
 #include "widgets/inspect/formulapanel.h"
 #include "widgets/inspect/pixelgrid.h"
 #include "widgets/inspect/pixelhistorypanel.h"
+#include "widgets/studies/submissionpanel.h"
 #include "widgets/window/panels.h"
 
 #include <QAction>
@@ -65,6 +66,8 @@ void WindowDocks::add(const Panel &panel, const WindowParts &parts)
     dock->setFeatures(features);
     m_docks += dock;
     addToggle(dock);
+    // A panel may have another title for each method.
+    connect(dock->widget(), &QWidget::windowTitleChanged, dock, &QDockWidget::setWindowTitle);
 }
 
 /// Qt's own action hides a dock whose tab is behind another's, where a person wants to see it.
@@ -82,6 +85,7 @@ void WindowDocks::addToggle(QDockWidget *dock)
         toggle->setChecked(isInFront(*dock));
     });
     connect(dock, &QDockWidget::visibilityChanged, toggle, &QAction::setChecked);
+    connect(dock, &QDockWidget::windowTitleChanged, toggle, &QAction::setText);
 }
 
 /// Shown, and not behind the tab of another, where Qt places it beside the window.
@@ -132,6 +136,9 @@ void WindowDocks::reset()
     placeThose(Panel::AtFirst::Shown);
     arrangePixelPanels();
     placeThose(Panel::AtFirst::Hidden);
+    // Left of the canvas, above a class's grades, it would be a third of a low window's height.
+    if (arrangement() != Arrangement::Spread)
+        m_window->tabifyDockWidget(m_formula, dockOf<SubmissionPanel>());
     if (arrangement() == Arrangement::Paired)
         m_pixelGrid->raise();
     if (arrangement() == Arrangement::Tabbed)

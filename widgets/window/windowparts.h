@@ -17,6 +17,8 @@ class ScenePreviewer;
 class SceneTracer;
 class Scrubber;
 class StepActions;
+class StudentPicture;
+class StudentPictureFiles;
 
 /// The window's parts, for those who connect menus to them. The window owns them all.
 struct WindowParts {
@@ -29,6 +31,8 @@ struct WindowParts {
     RecentFiles *recent = nullptr;
     SceneFiles *files = nullptr;
     SceneExports *exports = nullptr;
+    StudentPicture *student = nullptr;
+    StudentPictureFiles *pictures = nullptr;
     StepActions *steps = nullptr;
     Canvas *canvas = nullptr;
     OverdrawOverlay *overdraw = nullptr;

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands.h"
+#include "app/cli/picturesides.h"
+#include "app/cli/programoptions.h"
+#include "app/cli/progress.h"
+#include "app/cli/sceneoptions.h"
+#include "app/cli/seedoption.h"
+#include "core/frame/framebuffer.h"
+#include "core/grade/counterexample.h"
+#include "core/grade/diagnosis.h"
+#include "core/scene/colourtext.h"
+#include "core/scene/scenefile.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+QString placeText(const LatticePoint &place)
+{
+    const auto number
+        = [](Lattice coordinate) { return toText(Quantity::rational(coordinate, unitsPerPixel)); };
+    return QStringLiteral("(%1, %2)").arg(number(place.x), number(place.y));
+}
+
+QStringList primitiveLines(const Scene &scene)
+{
+    QStringList lines;
+    const auto add = [&](const QString &kind, std::span<const Vertex> vertices) {
+        QStringList places;
+        for (const Vertex &vertex : vertices)
+            places += placeText(vertex.position) + u' ' + colourText(vertex.colour);
+        lines += kind + u' ' + places.join(QStringLiteral(", "));
+    };
+    for (const Triangle &triangle : scene.triangles)
+        add(QStringLiteral("triangle"), triangle.vertices);
+    for (const Shape &shape : scene.shapes)
+        add(nameOf(shape.kind), shape.vertices);
+    return lines;
+}
+
+/// The place in the sources of the one that parts: not that which is right by proof.
+std::size_t partingSide(const Sides &sides)
+{
+    return sides.sources[1].isStable && !sides.sources[0].isStable ? 0 : 1;
+}
+
+std::optional<PartingStep> partingStepOf(const Sides &sides, const Scene &scene)
+{
+    const PictureSource &parting = sides.sources[partingSide(sides)];
+    const PictureSource &right = sides.sources[1 - partingSide(sides)];
+    if (!right.runOf || !parting.runOf)
+        return std::nullopt;
+    const auto rightRun = right.runOf(scene);
+    const auto partingRun = parting.runOf(scene);
+    if (!rightRun || !partingRun)
+        return std::nullopt;
+    return pixelplumb::partingStepOf(*rightRun, *partingRun);
+}
+
+struct DifferingPixel {
+    std::int64_t x = 0, y = 0;
+    Colour one, other;
+};
+
+std::vector<DifferingPixel> differingPixelsOf(const CounterExample &example)
+{
+    std::vector<DifferingPixel> pixels;
+    const FrameSpec &frame = example.scene.frame;
+    for (int line = 0; line < frame.height; ++line) {
+        for (int x = 0; x < frame.width; ++x) {
+            const std::size_t place = example.one.placeOf(x, line);
+            if (example.one.colours[place] != example.other.colours[place])
+                pixels.push_back({frame.firstColumn + x, rowOfPictureLine(frame, line),
+                                  example.one.colours[place], example.other.colours[place]});
+        }
+    }
+    return pixels;
+}
+
+QStringList linesOf(const Sides &sides, const CounterSearch &search)
+{
+    const auto &sources = sides.sources;
+    if (!search.found) {
+        QStringList lines = {QStringLiteral("none found: %1 and %2 draw the same in %3 scenes")
+                                 .arg(sources[0].name, sources[1].name)
+                                 .arg(search.compared)};
+        if (search.undrawn > 0)
+            lines += QStringLiteral("%1 could not be drawn").arg(search.undrawn);
+        return lines;
+    }
+    const CounterExample &example = *search.found;
+    const FrameSpec &frame = example.scene.frame;
+    QStringList lines = {QStringLiteral("%1 × %2 pixels, scene %3 of the search")
+                             .arg(frame.width)
+                             .arg(frame.height)
+                             .arg(search.tried)};
+    lines += primitiveLines(example.scene);
+    constexpr std::size_t mostListed = 8;
+    const auto pixels = differingPixelsOf(example);
+    for (std::size_t i = 0; i < std::min(pixels.size(), mostListed); ++i)
+        lines += QStringLiteral("pixel (%1, %2): %3 has %4, %5 %6")
+                     .arg(pixels[i].x)
+                     .arg(pixels[i].y)
+                     .arg(sources[0].name, colourText(pixels[i].one), sources[1].name,
+                          colourText(pixels[i].other));
+    if (pixels.size() > mostListed)
+        lines += QStringLiteral("and %1 pixels more").arg(pixels.size() - mostListed);
+    if (const auto step = partingStepOf(sides, example.scene))
+        lines += QStringLiteral("%1 parts at step %2, %3: %4")
+                     .arg(sources[partingSide(sides)].name)
+                     .arg(step->step + 1)
+                     .arg(step->heading, step->text);
+    return lines;
+}
+
+QJsonObject jsonOf(const Sides &sides, const CounterSearch &search)
+{
+    QJsonObject object{{QStringLiteral("one"), sides.sources[0].name},
+                       {QStringLiteral("other"), sides.sources[1].name},
+                       {QStringLiteral("tried"), qint64(search.tried)},
+                       {QStringLiteral("compared"), qint64(search.compared)},
+                       {QStringLiteral("undrawn"), qint64(search.undrawn)},
+                       {QStringLiteral("found"), search.found.has_value()}};
+    if (!search.found)
+        return object;
+    const Scene &scene = search.found->scene;
+    object.insert(QStringLiteral("scene"), QJsonDocument::fromJson(writeScene(scene)).object());
+    QJsonArray pixels;
+    for (const DifferingPixel &pixel : differingPixelsOf(*search.found))
+        pixels.append(QJsonObject{{QStringLiteral("x"), qint64(pixel.x)},
+                                  {QStringLiteral("y"), qint64(pixel.y)},
+                                  {QStringLiteral("one"), colourText(pixel.one)},
+                                  {QStringLiteral("other"), colourText(pixel.other)}});
+    object.insert(QStringLiteral("pixels"), pixels);
+    if (const auto step = partingStepOf(sides, scene))
+        object.insert(QStringLiteral("parts"),
+                      QJsonObject{{QStringLiteral("step"), qint64(step->step + 1)},
+                                  {QStringLiteral("at"), step->heading},
+                                  {QStringLiteral("how"), step->text}});
+    return object;
+}
+
+} // namespace
+
+ExitCode counterExample(const Command &command, const QStringList &arguments)
+{
+    const QString outputOption = QStringLiteral("output");
+    const QString jsonOption = QStringLiteral("json");
+    const QString what = sideMeaning();
+    CommandLine line(command, {{QStringLiteral("ONE"), what}, {QStringLiteral("OTHER"), what}});
+    addSeedOption(line, QStringLiteral("scenes"));
+    line.addOption({{QStringLiteral("o"), outputOption},
+                    QStringLiteral("Write the scene, too: JSON."),
+                    QStringLiteral("file")});
+    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    addProgramOptions(line);
+    addSettingOptions(line);
+    if (const auto ended = line.parse(arguments))
+        return *ended;
+    const auto seed = chosenSeed(line);
+    if (!seed)
+        return line.refuse(seed.error());
+    const Result<Sides> sides = sidesOf(line, {QStringLiteral("ONE"), QStringLiteral("OTHER")});
+    if (!sides)
+        return line.refuse(sides.error());
+    Progress progress;
+    const CounterSearch search = findCounterExample(sides->sources[0], sides->sources[1],
+                                                    sides->conventions, *seed, progress.listener());
+    if (search.compared == 0) {
+        sayLine(QStringLiteral("%1 and %2 have no picture of the same scene: of %3 that were asked "
+                               "for none was drawn by both")
+                    .arg(sides->sources[0].name, sides->sources[1].name)
+                    .arg(search.undrawn));
+        return ExitCode::FallsShort;
+    }
+    if (line.isSet(jsonOption))
+        printJson(QJsonDocument(jsonOf(*sides, search)));
+    else
+        printLines(linesOf(*sides, search));
+    if (search.found && line.isSet(outputOption)) {
+        if (const auto error = writeSceneFile(line.value(outputOption), search.found->scene))
+            return line.refuse(*error);
+    }
+    return search.found ? ExitCode::FallsShort : ExitCode::Done;
+}
+
+} // namespace pixelplumb::cli

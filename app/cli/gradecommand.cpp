@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands.h"
+#include "app/cli/interruption.h"
+#include "app/cli/progress.h"
+#include "app/cli/wholenumber.h"
+#include "core/grade/gradefile.h"
+#include "core/grade/gradefolder.h"
+#include "core/grade/showntext.h"
+#include "core/grade/submissionfolder.h"
+
+#include <QCoreApplication>
+#include <QJsonArray>
+#include <QJsonObject>
+
+#include <thread>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+const QString assignmentOption = QStringLiteral("assignment");
+const QString outputOption = QStringLiteral("output");
+const QString jobsOption = QStringLiteral("jobs");
+const QString shardOption = QStringLiteral("shard");
+const QString mergeOption = QStringLiteral("merge");
+const QString partialOption = QStringLiteral("partial");
+const QString jsonOption = QStringLiteral("json");
+
+void addOptions(CommandLine &line)
+{
+    line.addOption({assignmentOption, QStringLiteral("What was to be drawn, and for what points."),
+                    QStringLiteral("file")});
+    line.addOption({{QStringLiteral("o"), outputOption},
+                    QStringLiteral("Write the results to this folder; those that are there already "
+                                   "and still hold are kept."),
+                    QStringLiteral("folder")});
+    line.addOption(
+        {jobsOption,
+         QStringLiteral("So many submissions at once; as many as there are processors if left "
+                        "out."),
+         QStringLiteral("number")});
+    line.addOption({shardOption,
+                    QStringLiteral("The i-th of n parts alone: 3/8; which submissions it has "
+                                   "depends on their names alone."),
+                    QStringLiteral("i/n")});
+    line.addOption({mergeOption,
+                    QStringLiteral("Grade nothing: join folders of results, which stand in "
+                                   "SUBMISSIONS' place.")});
+    line.addOption(
+        {partialOption, QStringLiteral("With --merge: parts may be missing; the results say so.")});
+    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+}
+
+Result<GradeShard> chosenShard(const CommandLine &line)
+{
+    if (!line.isSet(shardOption))
+        return GradeShard();
+    const QString word = line.value(shardOption);
+    const QStringList numbers = word.split(u'/');
+    bool isFirst = false;
+    bool isSecond = false;
+    const GradeShard shard{numbers.value(0).toInt(&isFirst), numbers.value(1).toInt(&isSecond)};
+    const bool isShard = numbers.size() == 2 && isFirst && isSecond && shard.number >= 1
+        && shard.number <= shard.of && shard.of <= mostParts;
+    if (isShard)
+        return shard;
+    return InputError{QStringLiteral("--shard"), QStringLiteral("“%1” is no part").arg(word),
+                      QStringLiteral("i/n with 1 ≤ i ≤ n ≤ %1, such as 3/8").arg(mostParts)};
+}
+
+/// "12  unsorted-colours" and what was done.
+QStringList clusterLines(const GradeReport &report)
+{
+    QStringList lines = {QStringLiteral("%1 submissions").arg(report.submissions.size())};
+    if (!report.missing.isEmpty())
+        lines += QStringLiteral("partial: %1 more have no grade").arg(report.missing.size());
+    for (const GradeCluster &cluster : clustersOf(report)) {
+        lines += QStringLiteral("%1  %2").arg(cluster.submissions.size(), 5).arg(cluster.title);
+        for (const QString &sentence : cluster.forAssistant)
+            lines += QStringLiteral("       ") + sentence;
+    }
+    return lines;
+}
+
+QJsonObject clusterJson(const GradeReport &report)
+{
+    QJsonArray clusters;
+    for (const GradeCluster &cluster : clustersOf(report)) {
+        QJsonArray names;
+        for (const std::size_t place : cluster.submissions)
+            names.append(report.submissions[place].name);
+        clusters.append(QJsonObject{
+            {QStringLiteral("cause"), cluster.title},
+            {QStringLiteral("student"), QJsonArray::fromStringList(cluster.forStudent)},
+            {QStringLiteral("assistant"), QJsonArray::fromStringList(cluster.forAssistant)},
+            {QStringLiteral("submissions"), names}});
+    }
+    return {{QStringLiteral("assignment"), report.assignment.name},
+            {QStringLiteral("submissions"), qint64(report.submissions.size())},
+            {QStringLiteral("missing"), QJsonArray::fromStringList(report.missing)},
+            {QStringLiteral("clusters"), clusters}};
+}
+
+ExitCode print(const CommandLine &line, const GradeReport &report)
+{
+    if (line.isSet(jsonOption))
+        printJson(QJsonDocument(clusterJson(report)));
+    else
+        printLines(clusterLines(report));
+    return ExitCode::Done;
+}
+
+/// Says which names in the folder of submissions are none.
+void sayHidden(const QString &folder)
+{
+    QStringList names;
+    for (const QByteArray &name : hiddenIn(folder))
+        names += escapedName(name);
+    if (!names.isEmpty())
+        sayLine(QStringLiteral("%1: not graded, for their names begin with a dot: %2 (%3)")
+                    .arg(folder)
+                    .arg(names.size())
+                    .arg(fewNames(names)));
+}
+
+ExitCode merge(const CommandLine &line)
+{
+    for (const QString &option : {assignmentOption, jobsOption, shardOption}) {
+        if (line.isSet(option))
+            return line.refuse(
+                QStringLiteral("--merge grades nothing; expected it without --%1").arg(option));
+    }
+    const Result<GradeReport> report
+        = mergeGrades(line.arguments(), line.value(outputOption),
+                      line.isSet(partialOption) ? MergeExtent::Partial : MergeExtent::Whole);
+    return report ? print(line, *report) : line.refuse(report.error());
+}
+
+} // namespace
+
+ExitCode grade(const Command &command, const QStringList &arguments)
+{
+    CommandLine line(command,
+                     {{QStringLiteral("SUBMISSIONS"),
+                       QStringLiteral("a folder with a file or folder for each submission"),
+                       Positional::Presence::Several}});
+    addOptions(line);
+    if (const auto ended = line.parse(arguments))
+        return *ended;
+    if (line.value(outputOption).isEmpty())
+        return line.refuse(QStringLiteral("-o is missing: the folder for the results"));
+    if (line.isSet(mergeOption))
+        return merge(line);
+    if (line.arguments().size() > 1)
+        return line.refuse(QStringLiteral("unexpected argument “%1”").arg(line.argument(1)));
+    if (!line.isSet(assignmentOption))
+        return line.refuse(
+            QStringLiteral("--assignment is missing: the file that says what was to be drawn"));
+    const Result<Assignment> assignment = readAssignmentFile(line.value(assignmentOption));
+    if (!assignment)
+        return line.refuse(assignment.error());
+    if (line.isSet(partialOption))
+        return line.refuse(
+            QStringLiteral("--partial is of --merge; expected it with --merge alone"));
+    if (assignment->points() == 0)
+        sayLine(QStringLiteral("%1: all checks have 0 points: nothing is asked and everybody has 0")
+                    .arg(line.value(assignmentOption)));
+    const auto jobs = wholeNumberOf(line, jobsOption, {1, 256});
+    if (!jobs)
+        return line.refuse(jobs.error());
+    const Result<GradeShard> shard = chosenShard(line);
+    if (!shard)
+        return line.refuse(shard.error());
+    const GradingOrder order{
+        line.argument(0), line.value(outputOption), QCoreApplication::applicationVersion(),
+        int(jobs->value_or(std::max(1U, std::thread::hardware_concurrency()))), *shard};
+    sayHidden(line.argument(0));
+    Progress progress;
+    const Interruption interruption;
+    const auto report
+        = gradeFolder(order, *assignment, [tell = progress.listener()](const JobProgress &told) {
+              return tell(told) && !Interruption::isAsked();
+          });
+    if (!report)
+        return line.refuse(report.error());
+    if (*report)
+        return print(line, **report);
+    sayLine(QStringLiteral("interrupted; the same command goes on where it stopped"));
+    return ExitCode::FallsShort;
+}
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands.h"
+#include "app/cli/picturesides.h"
+#include "app/cli/programoptions.h"
+#include "app/cli/sceneoptions.h"
+#include "app/cli/seedoption.h"
+#include "core/grade/invariants.h"
+#include "core/methods/method.h"
+#include "core/scene/scenefile.h"
+
+#include <QJsonArray>
+#include <QJsonObject>
+
+#include <algorithm>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+QStringList invariantLines(const std::vector<BrokenInvariant> &broken)
+{
+    QStringList lines;
+    for (const Invariant invariant : allInvariants) {
+        const auto found = std::ranges::find(broken, invariant, &BrokenInvariant::invariant);
+        const bool holds = found == broken.end();
+        lines += QStringLiteral("%1  %2: %3")
+                     .arg(holds ? QStringLiteral("holds ") : QStringLiteral("broken"),
+                          nameOf(invariant), sentenceOf(invariant));
+        if (!holds)
+            lines += QStringLiteral("        ")
+                + QString::fromUtf8(QJsonDocument(QJsonDocument::fromJson(writeScene(found->scene))
+                                                      .object()[QStringLiteral("primitives")]
+                                                      .toArray())
+                                        .toJson(QJsonDocument::Compact));
+    }
+    return lines;
+}
+
+QJsonObject invariantsJson(const std::vector<BrokenInvariant> &broken)
+{
+    QJsonArray array;
+    for (const BrokenInvariant &each : broken)
+        array.append(QJsonObject{
+            {QStringLiteral("invariant"), nameOf(each.invariant)},
+            {QStringLiteral("scene"), QJsonDocument::fromJson(writeScene(each.scene)).object()}});
+    return {{QStringLiteral("broken"), array}};
+}
+
+} // namespace
+
+ExitCode invariants(const Command &command, const QStringList &arguments)
+{
+    const QString jsonOption = QStringLiteral("json");
+    const QString place = QStringLiteral("DRAWER");
+    CommandLine line(command, {{place, sideMeaning()}});
+    addSeedOption(line, QStringLiteral("triangles"));
+    line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    addProgramOptions(line);
+    addSettingOptions(line);
+    if (const auto ended = line.parse(arguments))
+        return *ended;
+    const auto seed = chosenSeed(line);
+    if (!seed)
+        return line.refuse(seed.error());
+    const Result<Sides> sides = sidesOf(line, {place});
+    if (!sides)
+        return line.refuse(sides.error());
+    if (!methodNamed(QString::fromStdString(sides->conventions.method))
+             ->draws(PrimitiveKind::Triangle))
+        return line.refuse(InputError{place, QStringLiteral("draws lines"),
+                                      QStringLiteral("a method that draws triangles")});
+    constexpr int pairs = 60;
+    const PictureSource &source = sides->sources.front();
+    const InvariantReport report = checkInvariants(source, sides->conventions, *seed, pairs);
+    if (report.undrawn > 0)
+        sayLine(QStringLiteral("%1 drew no picture of %2 of %3 pairs of triangles")
+                    .arg(source.name)
+                    .arg(report.undrawn)
+                    .arg(report.checked + report.undrawn));
+    if (report.checked == 0)
+        return ExitCode::FallsShort;
+    if (line.isSet(jsonOption))
+        printJson(QJsonDocument(invariantsJson(report.broken)));
+    else
+        printLines(invariantLines(report.broken));
+    return report.broken.empty() && report.undrawn == 0 ? ExitCode::Done : ExitCode::FallsShort;
+}
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/picturesides.h"
+
+#include "app/cli/comparecontenders.h"
+#include "app/cli/programoptions.h"
+#include "app/cli/sceneoptions.h"
+#include "app/cli/suggestion.h"
+#include "core/grade/probesheet.h"
+
+#include <QProcess>
+
+#include <algorithm>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+constexpr QLatin1String programPrefix("program:");
+
+bool namesContender(const QString &word)
+{
+    const QString first = word.section(u':', 0, 0);
+    return first == QStringLiteral("truth") || methodNamed(first) != nullptr;
+}
+
+} // namespace
+
+std::vector<Defect> defectsOfMethod(const Scene &conventions)
+{
+    std::vector<Defect> defects;
+    constexpr std::int64_t candidates = 24;
+    const auto scenes = searchProbes(conventions, 1, candidates);
+    for (const Scene &scene : *scenes) {
+        for (Defect &defect : defectsFor(scene)) {
+            if (std::ranges::find(defects, defect.id, &Defect::id) == defects.end())
+                defects.push_back(std::move(defect));
+        }
+    }
+    return defects;
+}
+
+QString sideMeaning()
+{
+    return QStringLiteral("method[:arithmetic[:fill-rule[:variant...]]], truth[:fill-rule], a "
+                          "defect's name, as diagnose gives it, or “program:COMMAND”, as try "
+                          "runs it");
+}
+
+Result<Sides> sidesOf(const CommandLine &line, const QStringList &places)
+{
+    const qsizetype count = places.size();
+    const Result<TrialTerms> terms = chosenTerms(line);
+    if (!terms)
+        return terms.error();
+    Result<Scene> conventions = underOptions(line, {}, QStringLiteral("--method"));
+    if (!conventions)
+        return conventions.error();
+    std::vector<std::optional<Contender>> contenders{std::size_t(count)};
+    for (qsizetype i = 0; i < count; ++i) {
+        const QString word = line.argument(i);
+        if (!namesContender(word))
+            continue;
+        const auto contender = contenderNamed(places[i], word, conventions->settings);
+        if (!contender)
+            return contender.error();
+        contenders[std::size_t(i)] = *contender;
+    }
+    // A method that is named stands for the other side's, too, and draws the kinds in question.
+    Contender method = contenderFor(*methodNamed(QString::fromStdString(conventions->method)),
+                                    conventions->settings);
+    for (const auto &contender : contenders) {
+        if (contender && !contender->isTruth()) {
+            method = *contender;
+            break;
+        }
+    }
+    Sides sides;
+    sides.conventions = sceneFor(*conventions, method);
+    sides.conventions.settings.variants = {};
+    if (!method.method->draws(PrimitiveKind::Triangle)
+        && !method.method->draws(PrimitiveKind::Line))
+        return InputError{places[0],
+                          QStringLiteral("method “%1” draws neither").arg(method.method->id),
+                          QStringLiteral("a method that draws triangles or lines")};
+    for (qsizetype i = 0; i < count; ++i) {
+        if (contenders[std::size_t(i)]) {
+            sides.sources.push_back(sourceOf(*contenders[std::size_t(i)]));
+            continue;
+        }
+        const QString word = line.argument(i);
+        if (word.startsWith(programPrefix)) {
+            const auto student
+                = studentProgramOf(QProcess::splitCommand(word.sliced(programPrefix.size())));
+            if (!student)
+                return student.error();
+            sides.sources.push_back(sourceOf(*student, *terms));
+            continue;
+        }
+        QStringList ids;
+        for (const Defect &defect : defectsOfMethod(sides.conventions))
+            ids += defect.id;
+        if (!ids.contains(word))
+            return unknownAmongMany(places[i], QStringLiteral("method, truth or defect"), word, ids,
+                                    QStringLiteral("a method, truth, program:COMMAND or a defect "
+                                                   "that “probes --list --method %1” names")
+                                        .arg(method.method->id));
+        sides.sources.push_back(sourceOf(word, method));
+    }
+    return sides;
+}
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/commandline.h"
+#include "core/grade/counterexample.h"
+
+namespace pixelplumb::cli {
+
+/// The words of the command line that name who draws, and what they name.
+struct Sides {
+    std::vector<PictureSource> sources;
+    Scene conventions; ///< without primitives
+};
+
+/// The known defects that scenes of the conventions' method can have.
+std::vector<Defect> defectsOfMethod(const Scene &conventions);
+
+/// What such a word may be.
+QString sideMeaning();
+/// The first arguments; `places` are their names, for errors. Programs run as the options of
+/// addProgramOptions() say.
+Result<Sides> sidesOf(const CommandLine &line, const QStringList &places);
+
+} // namespace pixelplumb::cli

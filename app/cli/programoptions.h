@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/cli/commandline.h"
+#include "core/grade/trial.h"
+
+namespace pixelplumb::cli {
+
+/// --input, --time and --memory: how a student's program is run.
+void addProgramOptions(CommandLine &line);
+/// What they say, with the tolerance that is taken if none is named.
+Result<TrialTerms> chosenTerms(const CommandLine &line);
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/commands.h"
+#include "app/cli/diagnosisreport.h"
+#include "app/cli/diffreport.h"
+#include "app/cli/programoptions.h"
+#include "app/cli/progress.h"
+#include "app/cli/sceneoptions.h"
+#include "app/cli/toleranceoption.h"
+#include "core/grade/showntext.h"
+#include "core/grade/trial.h"
+
+#include <QJsonArray>
+
+#include <algorithm>
+
+namespace pixelplumb::cli {
+
+namespace {
+
+constexpr qsizetype longestMessages = 400; // characters of stderr
+
+/// A scene's file, and what became of it.
+struct SceneTrial {
+    QString path;
+    Scene scene;
+    Trial trial;
+};
+
+QString stepText(const TraceDifference &difference)
+{
+    return QStringLiteral("%1 (step %2 of %3)")
+        .arg(difference.text)
+        .arg(difference.step + 1)
+        .arg(QString::fromStdString(difference.scene.method));
+}
+
+QStringList linesOf(const SceneTrial &tried)
+{
+    const Trial &trial = tried.trial;
+    QStringList lines = {tried.path + QStringLiteral(": ") + trial.run.told};
+    if (trial.fault && trial.run.end == ProgramEnd::Finished)
+        lines += QStringLiteral("    ") + trial.fault->message();
+    if (trial.picture) {
+        for (const QString &line : textOf(*trial.picture))
+            lines += QStringLiteral("    ") + line;
+    }
+    if (trial.trace)
+        lines += QStringLiteral("    first difference: ") + stepText(*trial.trace);
+    else if (!trial.output.lines.empty() && !trial.fault)
+        lines += QStringLiteral("    no number of its trace differs");
+    const QString said = shownText(trial.run.messages, longestMessages).trimmed();
+    if (!said.isEmpty()) {
+        lines += QStringLiteral("    it said:");
+        for (const QString &line : said.split(u'\n'))
+            lines += QStringLiteral("        ") + line;
+    }
+    return lines;
+}
+
+QJsonObject objectOf(const SceneTrial &tried)
+{
+    const Trial &trial = tried.trial;
+    QJsonObject object{{QStringLiteral("scene"), tried.path},
+                       {QStringLiteral("right"), trial.isRight()},
+                       {QStringLiteral("end"), nameOf(trial.run.end)},
+                       {QStringLiteral("code"), trial.run.code},
+                       {QStringLiteral("told"), trial.run.told},
+                       {QStringLiteral("messages"), shownText(trial.run.messages, longestMessages)},
+                       {QStringLiteral("sandbox"), trial.run.isSandboxed}};
+    if (trial.fault)
+        object.insert(QStringLiteral("fault"), trial.fault->message());
+    if (trial.picture)
+        object.insert(QStringLiteral("picture"), jsonOf(*trial.picture));
+    if (trial.trace)
+        object.insert(QStringLiteral("parts"),
+                      QJsonObject{{QStringLiteral("how"), trial.trace->text},
+                                  {QStringLiteral("step"), qint64(trial.trace->step + 1)},
+                                  {QStringLiteral("method"),
+                                   QString::fromStdString(trial.trace->scene.method)}});
+    return object;
+}
+
+Result<TrialTerms> termsOf(const CommandLine &line)
+{
+    Result<TrialTerms> terms = chosenTerms(line);
+    const Result<Arithmetic> tolerance = chosenTolerance(line);
+    if (terms && !tolerance)
+        return tolerance.error();
+    if (terms)
+        terms->tolerance = *tolerance;
+    return terms;
+}
+
+void addTrialOptions(CommandLine &line)
+{
+    line.addOption({QStringLiteral("scene"),
+                    QStringLiteral("A scene that the program is to draw; may be repeated."),
+                    QStringLiteral("file")});
+    addProgramOptions(line);
+    addToleranceOption(line);
+    line.addOption({QStringLiteral("json"), QStringLiteral("Print JSON.")});
+}
+
+/// What all pictures together tell; none where there is none, or nothing to explain.
+std::optional<Diagnosis> diagnosisOf(const std::vector<Submission> &submissions, bool isRight)
+{
+    if (isRight || submissions.empty())
+        return std::nullopt;
+    Progress progress;
+    return diagnose(submissions, progress.listener());
+}
+
+} // namespace
+
+ExitCode tryProgram(const Command &command, const QStringList &arguments)
+{
+    CommandLine line(command,
+                     {{QStringLiteral("PROGRAM"),
+                       QStringLiteral("a program and its arguments, after -- where one of them "
+                                      "begins with -"),
+                       Positional::Presence::Several}});
+    addTrialOptions(line);
+    addSettingOptions(line);
+    if (const auto ended = line.parse(arguments))
+        return *ended;
+    const Result<TrialTerms> terms = termsOf(line);
+    if (!terms)
+        return line.refuse(terms.error());
+    const QStringList scenes = line.values(QStringLiteral("scene"));
+    if (scenes.isEmpty())
+        return line.refuse(QStringLiteral("--scene FILE is missing: what the program is to draw"));
+    const Result<StudentProgram> student = studentProgramOf(line.arguments());
+    if (!student)
+        return line.refuse(student.error());
+    std::vector<SceneTrial> tried;
+    std::vector<Submission> submissions;
+    for (const QString &path : scenes) {
+        Result<Scene> scene = readScene(line, path);
+        if (!scene)
+            return line.refuse(scene.error());
+        Result<Trial> trial = pixelplumb::tryProgram(*student, *scene, *terms);
+        if (!trial)
+            return line.refuse(InputError{path, trial.error().message(), {}});
+        if (trial->output.picture)
+            submissions.push_back({*scene, *trial->output.picture});
+        tried.push_back({path, std::move(*scene), std::move(*trial)});
+    }
+    const auto isRight = [](const SceneTrial &each) { return each.trial.isRight(); };
+    const bool areRight = std::ranges::all_of(tried, isRight);
+    const auto diagnosis = diagnosisOf(submissions, areRight);
+    const bool isSandboxed = tried.front().trial.run.isSandboxed;
+    if (line.isSet(QStringLiteral("json"))) {
+        QJsonArray trials;
+        for (const SceneTrial &each : tried)
+            trials.append(objectOf(each));
+        QJsonObject report{{QStringLiteral("right"), areRight}, {QStringLiteral("trials"), trials}};
+        if (diagnosis)
+            report.insert(QStringLiteral("diagnosis"), jsonOf(*diagnosis, submissions));
+        printJson(QJsonDocument(report));
+    } else {
+        for (const SceneTrial &each : tried)
+            printLines(linesOf(each));
+        if (diagnosis)
+            printLines(textOf(*diagnosis, submissions));
+    }
+    if (!isSandboxed)
+        sayLine(QStringLiteral("no sandbox: the system gives no namespaces; the limits held, but "
+                               "the program could reach the network and write to files"));
+    return areRight ? ExitCode::Done : ExitCode::FallsShort;
+}
+
+} // namespace pixelplumb::cli

@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/arithmeticbound.h"
+
+#include "core/oracle/oracle.h"
+#include "core/scan/errorlimit.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr double largestProved = 65536; // px
+constexpr double levels = 256;
+
+double pixels(Lattice coordinate) { return double(coordinate) / double(unitsPerPixel); }
+
+/// The height of the triangle along a column, px; 0 beside it.
+double heightAt(const Triangle &triangle, std::int64_t x)
+{
+    const auto column = oracle::columnAt(triangle, FillRule::Closed, x);
+    return column ? column->yTop.toDouble() - column->yBottom.toDouble() : 0;
+}
+
+/// How much of the vertices' values a pixel adds along one coordinate; `across`: their other one.
+double slopeOf(const std::array<double, 3> &values, const std::array<double, 3> &across,
+               double area)
+{
+    return ((values[1] - values[0]) * (across[2] - across[0])
+            - (values[2] - values[0]) * (across[1] - across[0]))
+        / area;
+}
+
+} // namespace
+
+ArithmeticBound::ArithmeticBound(const Triangle &triangle, Arithmetic arithmetic)
+    : m_triangle(triangle)
+    , m_exchanged(triangle)
+    , m_unit(arithmetic == Arithmetic::Float32 ? std::ldexp(1.0, -24) : std::ldexp(1.0, -53))
+{
+    std::array<double, 3> x = {};
+    std::array<double, 3> y = {};
+    for (std::size_t i = 0; i < 3; ++i) {
+        LatticePoint &exchanged = m_exchanged.vertices[i].position;
+        std::swap(exchanged.x, exchanged.y);
+        x[i] = pixels(triangle.vertices[i].position.x);
+        y[i] = pixels(triangle.vertices[i].position.y);
+    }
+    const auto [left, right] = std::ranges::minmax(x);
+    const auto [bottom, top] = std::ranges::minmax(y);
+    const double largestX = std::max(std::abs(left), std::abs(right));
+    const double largestY = std::max(std::abs(bottom), std::abs(top));
+    m_extent = {right - left, top - bottom};
+    m_largest = std::max({largestX, largestY, 1.0});
+    const double area = double(doubledArea(triangle)) / double(unitsPerPixel * unitsPerPixel);
+    m_area = std::abs(area);
+    const double columns = std::ceil(m_extent[0]) + 2;
+    const double rows = std::ceil(m_extent[1]) + 2;
+    m_columnError = errorLimit(arithmetic, columns, largestY, m_extent[1]);
+    m_rowError = errorLimit(arithmetic, rows, largestX, m_extent[0]);
+    m_columnLevelError = errorLimit(arithmetic, columns, levels, levels);
+    m_rowLevelError = errorLimit(arithmetic, rows, levels, levels);
+    const double reached = m_largest + 1; // by the samples next to the triangle's box
+    m_functionError = 33 * m_unit * reached * reached;
+    m_isProved = m_largest <= largestProved && area != 0;
+    if (!m_isProved)
+        return;
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        std::array<double, 3> values = {};
+        for (std::size_t i = 0; i < 3; ++i)
+            values[i] = triangle.vertices[i].colour.channels[channel];
+        m_gradient[channel] = {slopeOf(values, y, area), -slopeOf(values, x, area)};
+    }
+}
+
+SamplePlace ArithmeticBound::placeAlong(const std::array<double, 3> &edgeFunctions,
+                                        SpanAxis walk) const
+{
+    const bool byColumns = walk == SpanAxis::Column;
+    bool isInside = true;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const LatticePoint &from = m_triangle.vertices[i].position;
+        const LatticePoint &to = m_triangle.vertices[(i + 1) % 3].position;
+        const double across = pixels(std::abs(byColumns ? to.x - from.x : to.y - from.y));
+        // Where the edge runs along the walk its line is a whole bound, compared without rounding.
+        const double limit = across * (byColumns ? m_columnError : m_rowError);
+        if (edgeFunctions[i] < -limit)
+            return SamplePlace::Outside;
+        isInside = isInside && edgeFunctions[i] > limit;
+    }
+    return isInside ? SamplePlace::Inside : SamplePlace::Undecided;
+}
+
+SampleBox ArithmeticBound::reachIn(const FrameSpec &frame) const
+{
+    // Errors reach over the box' border: those of edge functions by a sample.
+    const SampleBox box = boundingBoxOf(m_triangle);
+    const auto rows = std::int64_t(std::min(m_columnError, largestProved)) + 1;
+    const auto columns = std::int64_t(std::min(m_rowError, largestProved)) + 1;
+    return intersection(
+        {box.firstX - columns, box.endX + columns, box.firstY - rows, box.endY + rows},
+        samplesOf(windowOf(frame)));
+}
+
+double ArithmeticBound::endError(SpanAxis axis) const
+{
+    if (m_largest > largestProved)
+        return std::numeric_limits<double>::infinity();
+    return axis == SpanAxis::Column ? m_columnError : m_rowError;
+}
+
+SamplePlace ArithmeticBound::placeOf(std::int64_t x, std::int64_t y) const
+{
+    if (!m_isProved)
+        return SamplePlace::Undecided;
+    const oracle::SampleVerdict verdict = oracle::judge(m_triangle, FillRule::Closed, x, y);
+    std::array<double, 3> functions = {};
+    for (std::size_t i = 0; i < 3; ++i)
+        functions[i]
+            = double(verdict.edges[i].edgeFunction) / double(unitsPerPixel * unitsPerPixel);
+    const double least = *std::ranges::min_element(functions);
+    const bool isAreaSure = m_area > 2 * m_functionError;
+    SamplePlace place = SamplePlace::Undecided; // of who asks edge functions
+    if (isAreaSure && least < -m_functionError)
+        place = SamplePlace::Outside;
+    else if (isAreaSure && least > m_functionError)
+        place = SamplePlace::Inside;
+    const bool isAgreed = placeAlong(functions, SpanAxis::Column) == place
+        && placeAlong(functions, SpanAxis::Row) == place;
+    return isAgreed ? place : SamplePlace::Undecided;
+}
+
+std::optional<double> ArithmeticBound::levelError(std::int64_t x, std::int64_t y,
+                                                  std::size_t channel) const
+{
+    // Along a thin span the increment may be anything.
+    const bool isThin = !m_isProved || heightAt(m_triangle, x) <= 4 * m_columnError
+        || heightAt(m_exchanged, y) <= 4 * m_rowError || m_area <= 2 * m_functionError;
+    if (isThin)
+        return std::nullopt;
+    const auto [alongX, alongY] = m_gradient[channel];
+    const auto walked = [&](double levelError, double gradient, double boundError, double steps) {
+        return 5 * (levelError + std::abs(gradient) * boundError) + (steps + 6) * m_unit * levels;
+    };
+    const double byColumns = walked(m_columnLevelError, alongY, m_columnError, m_extent[1] + 1);
+    const double byRows = walked(m_rowLevelError, alongX, m_rowError, m_extent[0] + 1);
+    const double byFunctions = levels * (16 * m_functionError / m_area + 16 * m_unit);
+    return std::max({byColumns, byRows, byFunctions});
+}
+
+} // namespace pixelplumb

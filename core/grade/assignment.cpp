@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/assignment.h"
+
+#include "core/scene/scenefile.h"
+
+#include <QJsonArray>
+#include <QJsonDocument>
+#include <QJsonObject>
+
+#include <numeric>
+
+namespace pixelplumb {
+
+namespace {
+
+QJsonObject assignedJson(const CheckPoints &points)
+{
+    QJsonObject object;
+    for (std::size_t i = 0; i < points.size(); ++i)
+        object.insert(nameOf(allChecks[i]), points[i]);
+    return object;
+}
+
+QJsonObject assignedJson(const AssignedProgram &program)
+{
+    return {{QStringLiteral("file"), program.file},
+            {QStringLiteral("input"), nameOf(program.input)},
+            {QStringLiteral("seconds"), program.seconds},
+            {QStringLiteral("megabytes"), program.megabytes},
+            {QStringLiteral("outputMegabytes"), program.outputMegabytes}};
+}
+
+} // namespace
+
+QString nameOf(Check check)
+{
+    switch (check) {
+    case Check::Picture:
+        return QStringLiteral("picture");
+    case Check::Coverage:
+        return QStringLiteral("coverage");
+    case Check::Colours:
+        break;
+    }
+    return QStringLiteral("colours");
+}
+
+QString nameOf(HintLevel level)
+{
+    switch (level) {
+    case HintLevel::Class:
+        return QStringLiteral("class");
+    case HintLevel::Hint:
+        return QStringLiteral("hint");
+    case HintLevel::Pixels:
+        return QStringLiteral("pixels");
+    case HintLevel::Full:
+        break;
+    }
+    return QStringLiteral("full");
+}
+
+QString nameOf(Leeway leeway)
+{
+    switch (leeway) {
+    case Leeway::None:
+        return QStringLiteral("none");
+    case Leeway::Edges:
+        return QStringLiteral("edges");
+    case Leeway::Float32:
+        return QStringLiteral("float32");
+    case Leeway::Float64:
+        break;
+    }
+    return QStringLiteral("float64");
+}
+
+QString nameOf(Credit credit)
+{
+    return credit == Credit::Whole ? QStringLiteral("whole") : QStringLiteral("share");
+}
+
+Arithmetic toleranceOf(Leeway leeway)
+{
+    switch (leeway) {
+    case Leeway::None:
+    case Leeway::Edges:
+        return Arithmetic::Exact;
+    case Leeway::Float32:
+        return Arithmetic::Float32;
+    case Leeway::Float64:
+        break;
+    }
+    return Arithmetic::Float64;
+}
+
+QString nameOf(ProgramInput input)
+{
+    return input == ProgramInput::Json ? QStringLiteral("json") : QStringLiteral("lines");
+}
+
+double Assignment::points() const
+{
+    double sum = 0;
+    for (const AssignedScene &scene : scenes)
+        sum = std::accumulate(scene.points.begin(), scene.points.end(), sum);
+    return sum;
+}
+
+QByteArray writeAssignment(const Assignment &assignment)
+{
+    QJsonArray scenes;
+    for (const AssignedScene &each : assignment.scenes)
+        scenes.append(QJsonObject{
+            {QStringLiteral("name"), each.name},
+            {QStringLiteral("points"), assignedJson(each.points)},
+            {QStringLiteral("scene"), QJsonDocument::fromJson(writeScene(each.scene)).object()}});
+    QJsonObject object{{QStringLiteral("pixelplumbAssignment"), assignmentFormat},
+                       {QStringLiteral("name"), assignment.name},
+                       {QStringLiteral("hint"), nameOf(assignment.hint)},
+                       {QStringLiteral("leeway"), nameOf(assignment.leeway)},
+                       {QStringLiteral("credit"), nameOf(assignment.credit)},
+                       {QStringLiteral("scenes"), scenes}};
+    if (assignment.program)
+        object.insert(QStringLiteral("program"), assignedJson(*assignment.program));
+    return QJsonDocument(object).toJson();
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/assignment.h"
+#include "core/runs/sceneplan.h"
+#include "core/scene/choicereader.h"
+#include "core/scene/fileaccess.h"
+#include "core/scene/scenefile.h"
+
+#include <QDir>
+#include <QFileInfo>
+#include <QJsonDocument>
+#include <QJsonObject>
+#include <QRegularExpression>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+const QString formatKey = QStringLiteral("pixelplumbAssignment");
+
+/// Reads the parts of an assignment out of a JSON text; errors stay with the JsonReader.
+class AssignmentReader {
+public:
+    AssignmentReader(JsonReader &json, const QString &folder)
+        : m_json(json)
+        , m_folder(folder)
+    {
+    }
+
+    Assignment read()
+    {
+        const JsonNode &root = m_json.root();
+        readFormat(root);
+        m_json.expectObject(root,
+                            {formatKey, QStringLiteral("name"), QStringLiteral("hint"),
+                             QStringLiteral("leeway"), QStringLiteral("credit"),
+                             QStringLiteral("points"), QStringLiteral("scenes"),
+                             QStringLiteral("program")});
+        Assignment assignment;
+        assignment.name = m_json.string(root[QStringLiteral("name")]);
+        readWord(root[QStringLiteral("hint")], allHintLevels, assignment.hint);
+        readWord(root[QStringLiteral("leeway")], allLeeways, assignment.leeway);
+        readWord(root[QStringLiteral("credit")], allCredits, assignment.credit);
+        readPoints(root[QStringLiteral("points")], m_points);
+        readScenes(root[QStringLiteral("scenes")], assignment.scenes);
+        if (const JsonNode program = root[QStringLiteral("program")]; !program.isMissing())
+            assignment.program = readProgram(program);
+        return assignment;
+    }
+
+private:
+    void readFormat(const JsonNode &root)
+    {
+        const JsonNode format = root[formatKey];
+        if (root.value.isObject() && !format.isMissing())
+            m_json.integer(format, 1, assignmentFormat);
+        else
+            m_json.fail(format, QStringLiteral("no format number: this is no assignment"),
+                        QStringLiteral("\"%1\": %2").arg(formatKey).arg(assignmentFormat));
+    }
+
+    template <class Choice, std::size_t Count>
+    void readWord(const JsonNode &node, const std::array<Choice, Count> &choices, Choice &choice)
+    {
+        if (node.isMissing())
+            return;
+        QStringList words;
+        for (const Choice each : choices)
+            words += nameOf(each);
+        const qsizetype place = words.indexOf(node.value.toString());
+        if (place < 0)
+            m_json.fail(node, describe(node), anyOf(words));
+        else
+            choice = choices[std::size_t(place)];
+    }
+
+    /// What is left out keeps its default.
+    void readPoints(const JsonNode &node, CheckPoints &points)
+    {
+        if (node.isMissing())
+            return;
+        QStringList names;
+        for (const Check check : allChecks)
+            names += nameOf(check);
+        m_json.expectObject(node, names);
+        for (std::size_t i = 0; i < points.size(); ++i) {
+            const JsonNode each = node[names[qsizetype(i)]];
+            if (each.isMissing())
+                continue;
+            points[i] = each.value.toDouble(-1);
+            if (!(points[i] >= 0 && points[i] <= largestPoints))
+                m_json.fail(each, describe(each),
+                            QStringLiteral("a number from 0 to %1").arg(largestPoints, 0, 'f', 0));
+        }
+    }
+
+    void readScenes(const JsonNode &node, std::vector<AssignedScene> &scenes)
+    {
+        const std::vector<JsonNode> nodes = m_json.array(node);
+        if (nodes.empty())
+            m_json.fail(node, describe(node), QStringLiteral("one scene at least"));
+        for (const JsonNode &each : nodes) {
+            if (m_json.hasFailed())
+                return;
+            scenes.push_back(readScene(each, scenes));
+        }
+    }
+
+    AssignedScene readScene(const JsonNode &node, const std::vector<AssignedScene> &before)
+    {
+        const JsonNode name = node[QStringLiteral("name")];
+        const JsonNode content = node[QStringLiteral("scene")];
+        m_json.expectObject(
+            node, {QStringLiteral("name"), QStringLiteral("scene"), QStringLiteral("points")});
+        AssignedScene scene;
+        scene.name = m_json.string(name);
+        static const QRegularExpression plain(QStringLiteral("\\A[A-Za-z0-9_-]{1,64}\\z"));
+        if (!plain.match(scene.name).hasMatch())
+            m_json.fail(name, describe(name),
+                        QStringLiteral("1 to 64 letters, digits, - and _, of which a picture's "
+                                       "file has its name"));
+        const bool isTaken = std::ranges::any_of(before, [&](const AssignedScene &other) {
+            return other.name.compare(scene.name, Qt::CaseInsensitive) == 0;
+        });
+        if (isTaken)
+            m_json.fail(name, QStringLiteral("%1 is a scene's already").arg(describe(name)),
+                        QStringLiteral("a name for each"));
+        scene.points = m_points;
+        readPoints(node[QStringLiteral("points")], scene.points);
+        readContent(content, scene.scene);
+        return scene;
+    }
+
+    void readContent(const JsonNode &node, Scene &scene)
+    {
+        if (m_json.hasFailed())
+            return;
+        const auto reading = node.value.isObject()
+            ? pixelplumb::readScene(
+                QJsonDocument(node.value.toObject()).toJson(QJsonDocument::Compact), {}, m_folder)
+            : readSceneFile(QDir(m_folder).filePath(m_json.string(node)));
+        if (m_json.hasFailed())
+            return;
+        if (!reading) {
+            m_json.fail(node, reading.error().message(),
+                        QStringLiteral("a scene, or the name of a scene's file"));
+            return;
+        }
+        scene = reading->scene;
+        if (const QString objection = objectionTo(scene); !objection.isEmpty())
+            m_json.fail(node,
+                        QStringLiteral("method “%1” %2")
+                            .arg(QString::fromStdString(scene.method), objection),
+                        {});
+    }
+
+    AssignedProgram readProgram(const JsonNode &node)
+    {
+        const QString file = QStringLiteral("file");
+        const QString input = QStringLiteral("input");
+        const QString seconds = QStringLiteral("seconds");
+        const QString megabytes = QStringLiteral("megabytes");
+        const QString output = QStringLiteral("outputMegabytes");
+        m_json.expectObject(node, {file, input, seconds, megabytes, output});
+        AssignedProgram program;
+        if (const JsonNode name = node[file]; !name.isMissing()) {
+            program.file = m_json.string(name);
+            if (program.file.contains(u'/') || program.file.startsWith(u'.'))
+                m_json.fail(name, describe(name), QStringLiteral("a file's name, without folders"));
+        }
+        readWord(node[input], allProgramInputs, program.input);
+        readNumber(node[seconds], 3600, program.seconds);
+        if (const JsonNode memory = node[megabytes]; memory.value.toDouble(-1) == 0)
+            m_json.fail(memory, QStringLiteral("0: a class' programs may not have all memory"),
+                        QStringLiteral("1 to %1; a runtime that reserves much, such as Java's or "
+                                       "Go's, has enough of 65536")
+                            .arg(1 << 20));
+        readNumber(node[megabytes], 1 << 20, program.megabytes);
+        readNumber(node[output], 1024, program.outputMegabytes);
+        return program;
+    }
+
+    void readNumber(const JsonNode &node, int most, int &number)
+    {
+        if (!node.isMissing())
+            number = int(m_json.integer(node, 1, most));
+    }
+
+    JsonReader &m_json;
+    QString m_folder;
+    CheckPoints m_points = AssignedScene().points; ///< of scenes that have none of their own
+};
+
+} // namespace
+
+Result<Assignment> readAssignment(const QByteArray &text, const QString &folder)
+{
+    JsonReader json(text);
+    if (json.hasFailed())
+        return json.error();
+    Assignment assignment = AssignmentReader(json, folder).read();
+    if (json.hasFailed())
+        return json.error();
+    return assignment;
+}
+
+Result<Assignment> readAssignmentFile(const QString &path)
+{
+    const Result<QByteArray> text = readFile(path);
+    if (!text)
+        return text.error();
+    Result<Assignment> assignment = readAssignment(*text, QFileInfo(path).absolutePath());
+    if (assignment)
+        return assignment;
+    return errorIn(path, assignment.error());
+}
+
+} // namespace pixelplumb

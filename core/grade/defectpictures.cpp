@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/defectpictures.h"
+
+#include "core/grade/diagnosis.h"
+#include "core/runs/sceneplan.h"
+
+#include <QHashFunctions>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr std::size_t mostKept = std::size_t(256) << 20; // bytes
+
+std::size_t bytesOf(const Picture &picture)
+{
+    return picture.size() * (sizeof(Colour) + sizeof(std::uint8_t));
+}
+
+template <class T>
+std::size_t hashOf(const std::vector<T> &values)
+{
+    return qHashBits(values.data(), values.size() * sizeof(T));
+}
+
+} // namespace
+
+DefectPictures::DefectPictures(std::vector<Scene> scenes)
+    : m_scenes(std::move(scenes))
+    , m_lastScenePicture(m_scenes.size())
+{
+    for (const Scene &scene : m_scenes) {
+        for (Defect &defect : defectsFor(scene)) {
+            const bool isKnown
+                = std::ranges::find(m_defects, defect.id, &Defect::id) != m_defects.end();
+            if (!isKnown)
+                m_defects.push_back(std::move(defect));
+        }
+    }
+    // What is done to a picture is done after the scene is drawn: it comes second in a pair.
+    std::stable_partition(m_defects.begin(), m_defects.end(),
+                          [](const Defect &each) { return !each.isOfPicture(); });
+}
+
+std::vector<Defect> DefectPictures::defectsIn(const DefectSet &set) const
+{
+    std::vector<Defect> defects;
+    for (const auto &place : {set.first, set.second}) {
+        if (place)
+            defects.push_back(m_defects[*place]);
+    }
+    return defects;
+}
+
+/// The picture of the scene with those of the defects that are a scene's. The one that was drawn
+/// last is kept: sets that differ in defects of the picture alone follow one another.
+DefectPictures::SharedPicture DefectPictures::scenePicture(std::size_t scene, const Scene &drawn)
+{
+    LastPicture &last = m_lastScenePicture[scene];
+    {
+        const std::lock_guard lock(m_mutex);
+        if (last.scene == drawn)
+            return last.picture;
+    }
+    SharedPicture picture;
+    if (objectionTo(drawn).isEmpty())
+        picture = std::make_shared<const Picture>(pictureOf(drawn));
+    const std::lock_guard lock(m_mutex);
+    last = {drawn, picture};
+    return picture;
+}
+
+DefectPictures::SharedPicture DefectPictures::draw(std::size_t scene, const DefectSet &set)
+{
+    const std::vector<Defect> defects = defectsIn(set);
+    const Scene drawn = withDefects(m_scenes[scene], defects);
+    SharedPicture picture = scenePicture(scene, drawn);
+    for (const Defect &defect : defects) {
+        if (picture && defect.isOfPicture())
+            picture = std::make_shared<const Picture>(defect.changePicture(*picture, drawn));
+    }
+    return picture;
+}
+
+DefectPictures::SharedPicture DefectPictures::picture(std::size_t scene, const DefectSet &set)
+{
+    const Key key(scene, set);
+    {
+        const std::lock_guard lock(m_mutex);
+        const auto found = m_drawn.find(key);
+        if (found != m_drawn.end() && (found->second.picture || !found->second.canBeDrawn))
+            return found->second.picture;
+    }
+    SharedPicture picture = draw(scene, set);
+    Drawn drawn;
+    drawn.canBeDrawn = bool(picture);
+    if (picture) {
+        drawn.colourHash = hashOf(picture->colours);
+        drawn.coverageHash = hashOf(picture->covered);
+    }
+    const std::lock_guard lock(m_mutex);
+    const auto [place, isNew] = m_drawn.emplace(key, drawn);
+    if (isNew && picture && m_kept + bytesOf(*picture) <= mostKept) {
+        place->second.picture = picture;
+        m_kept += bytesOf(*picture);
+    }
+    return picture;
+}
+
+bool DefectPictures::isKnownToDiffer(std::size_t scene, const DefectSet &set,
+                                     const Picture &found) const
+{
+    const std::lock_guard lock(m_mutex);
+    const auto known = m_drawn.find({scene, set});
+    if (known == m_drawn.end() || known->second.picture)
+        return false;
+    const Drawn &drawn = known->second;
+    if (!drawn.canBeDrawn)
+        return true;
+    return found.hasColours ? drawn.colourHash != hashOf(found.colours)
+                            : drawn.coverageHash != hashOf(found.covered);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/defect.h"
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <vector>
+
+namespace pixelplumb {
+
+/// At most two defects, by their places in a list of them, ascending.
+struct DefectSet {
+    std::optional<std::size_t> first = {}, second = {};
+
+    friend auto operator<=>(const DefectSet &, const DefectSet &) = default;
+};
+
+/// The pictures that programs with defects draw of some scenes, for as many submissions as ask:
+/// each is drawn once, when it is first asked for, and kept as long as there is room for it, 256
+/// MiB for all. Several threads may ask at once.
+class DefectPictures {
+public:
+    using SharedPicture = std::shared_ptr<const Picture>;
+
+    explicit DefectPictures(std::vector<Scene> scenes);
+
+    const std::vector<Scene> &scenes() const { return m_scenes; }
+    /// Those that some scene can have, what is done to a picture after all others: a defect that
+    /// leaves one scene as it is may change another.
+    const std::vector<Defect> &defects() const { return m_defects; }
+    std::vector<Defect> defectsIn(const DefectSet &set) const;
+
+    /// None where the scene cannot be drawn so.
+    SharedPicture picture(std::size_t scene, const DefectSet &set);
+    /// Whether what was drawn before, and not kept, differs by its hash from what was found.
+    bool isKnownToDiffer(std::size_t scene, const DefectSet &set, const Picture &found) const;
+
+private:
+    struct Drawn {
+        std::size_t colourHash = 0, coverageHash = 0;
+        bool canBeDrawn = false;
+        SharedPicture picture; ///< none where there is no room
+    };
+    using Key = std::pair<std::size_t, DefectSet>;
+
+    struct LastPicture {
+        std::optional<Scene> scene;
+        SharedPicture picture;
+    };
+
+    SharedPicture scenePicture(std::size_t scene, const Scene &drawn);
+    SharedPicture draw(std::size_t scene, const DefectSet &set);
+
+    std::vector<Scene> m_scenes;
+    std::vector<Defect> m_defects;
+    mutable std::mutex m_mutex;
+    std::map<Key, Drawn> m_drawn;
+    std::vector<LastPicture> m_lastScenePicture; ///< by scene
+    std::size_t m_kept = 0; ///< bytes of pictures
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/delivery.h"
+
+#include "core/grade/showntext.h"
+#include "core/grade/trial.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr std::int64_t largestPictureFile = std::int64_t(64) << 20; // bytes
+constexpr std::array pictureEnds = {".png", ".ppm", ".bmp", ".txt"};
+
+bool hasPictureEnd(const QByteArray &name)
+{
+    return std::ranges::any_of(pictureEnds,
+                               [&](const char *end) { return name.toLower().endsWith(end); });
+}
+
+const SubmittedFile *fileNamed(const SubmissionEntry &entry, const QByteArray &name)
+{
+    const auto &files = entry.files();
+    const auto found = std::ranges::find_if(files, [&](const SubmittedFile &file) {
+        return file.name.compare(name, Qt::CaseInsensitive) == 0;
+    });
+    return found != files.end() ? &*found : nullptr;
+}
+
+/// In the order of their ends: the first one is taken.
+std::vector<const SubmittedFile *> pictureFilesOf(const SubmissionEntry &entry,
+                                                  const AssignedScene &scene)
+{
+    std::vector<const SubmittedFile *> files;
+    for (const char *end : pictureEnds) {
+        if (const SubmittedFile *file = fileNamed(entry, scene.name.toLatin1() + end))
+            files.push_back(file);
+    }
+    return files;
+}
+
+/// "shallow.png was taken; shallow.ppm is there, too"; and what was refused beside the one taken.
+std::optional<QString> noteOn(const std::vector<const SubmittedFile *> &files,
+                              const QString &refusal)
+{
+    if (files.size() == 1 && !refusal.isEmpty())
+        return QStringLiteral("%1 was taken; %2").arg(escapedName(files.front()->name), refusal);
+    if (files.size() < 2)
+        return std::nullopt;
+    QStringList others;
+    for (const SubmittedFile *file : files)
+        others += escapedName(file->name);
+    const QString taken = others.takeFirst();
+    return QStringLiteral("%1 was taken; %2 %3 there, too")
+        .arg(taken, others.join(QStringLiteral(" and ")),
+             others.size() == 1 ? QStringLiteral("is") : QStringLiteral("are"));
+}
+
+/// Why there is no file that could have been it: what has such a name is none. Empty: nothing has.
+template <class IsSuch>
+QString refusalIn(const SubmissionEntry &entry, const IsSuch &isSuch)
+{
+    const auto &refused = entry.refused();
+    const auto found = entry.isFolder()
+        ? std::ranges::find_if(refused, [&](const RefusedFile &each) { return isSuch(each.name); })
+        : refused.begin();
+    if (found == refused.end())
+        return {};
+    return QStringLiteral("%1 is %2; expected an ordinary file, for nothing else is read")
+        .arg(escapedName(found->name), found->kind);
+}
+
+QString refusedPicture(const SubmissionEntry &entry, const AssignedScene &scene)
+{
+    return refusalIn(entry, [&](const QByteArray &name) {
+        return std::ranges::any_of(pictureEnds, [&](const char *end) {
+            return name.compare(scene.name.toLatin1() + end, Qt::CaseInsensitive) == 0;
+        });
+    });
+}
+
+QString missingProgram(const SubmissionEntry &entry, const AssignedProgram &program)
+{
+    const QString refusal = refusalIn(entry, [&](const QByteArray &name) {
+        return program.file.isEmpty() ? !hasPictureEnd(name) : name == program.file.toUtf8();
+    });
+    if (!refusal.isEmpty())
+        return refusal;
+    return program.file.isEmpty()
+        ? QStringLiteral(
+            "there is no program; expected one executable file, or one that ends in .py")
+        : QStringLiteral("there is no ordinary file %1").arg(program.file);
+}
+
+/// Why there is neither a picture of the scene nor a program to draw it.
+QString whyNothing(const SubmissionEntry &entry, const Assignment &assignment,
+                   const AssignedScene &scene)
+{
+    if (const QString refusal = refusedPicture(entry, scene); !refusal.isEmpty())
+        return refusal;
+    return assignment.program ? missingProgram(entry, *assignment.program)
+                              : QStringLiteral("there is no picture %1.png").arg(scene.name);
+}
+
+/// The only one for which it is true.
+template <class IsSuch>
+const SubmittedFile *onlyFile(const SubmissionEntry &entry, const IsSuch &isSuch)
+{
+    const auto &files = entry.files();
+    const auto found = std::ranges::find_if(files, isSuch);
+    return std::ranges::count_if(files, isSuch) == 1 ? &*found : nullptr;
+}
+
+/// A picture of the scene's size; lines of a trace make one, too.
+void take(const Result<StudentOutput> &output, Delivery &delivery)
+{
+    if (!output)
+        delivery.fault = shownText(output.error().message().toUtf8());
+    else if (output->picture)
+        delivery.picture = output->picture;
+    else
+        delivery.fault = QStringLiteral("there is no picture in it");
+}
+
+Delivery deliveredPicture(const SubmissionEntry &entry, const AssignedScene &scene,
+                          const SubmittedFile &file)
+{
+    Delivery delivery;
+    delivery.file = escapedName(file.name);
+    const Result<QByteArray> content = entry.read(file, largestPictureFile);
+    if (content)
+        take(readStudentOutput(*content, scene.scene), delivery);
+    else
+        delivery.fault = content.error().message();
+    return delivery;
+}
+
+bool isScript(const SubmittedFile &file) { return !file.isExecutable && file.name.endsWith(".py"); }
+
+const SubmittedFile *programOf(const SubmissionEntry &entry, const AssignedProgram &program)
+{
+    if (!entry.isFolder() || program.file.isEmpty())
+        return onlyFile(entry, [&](const SubmittedFile &file) {
+            return (file.isExecutable || isScript(file)) && !hasPictureEnd(file.name);
+        });
+    return onlyFile(entry,
+                    [&](const SubmittedFile &file) { return file.name == program.file.toUtf8(); });
+}
+
+Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
+                 const Assignment &assignment, const AssignedScene &scene,
+                 const std::stop_token &stop)
+{
+    Delivery delivery;
+    const std::optional<QString> path = entry.pathOf(file);
+    if (!path) {
+        delivery.fault = QStringLiteral("the program's name is no UTF-8");
+        return delivery;
+    }
+    const auto student = studentProgramOf(
+        isScript(file) ? QStringList{QStringLiteral("python3"), *path} : QStringList{*path});
+    if (!student) {
+        delivery.fault = student.error().found;
+        return delivery;
+    }
+    const AssignedProgram &program = *assignment.program;
+    TrialTerms terms;
+    terms.tolerance = toleranceOf(assignment.leeway);
+    terms.input = program.input;
+    terms.limits.time = std::chrono::seconds(program.seconds);
+    terms.limits.memory = std::int64_t(program.megabytes) << 20;
+    terms.limits.output = std::int64_t(program.outputMegabytes) << 20;
+    const Result<Trial> trial = tryProgram(*student, scene.scene, terms, stop);
+    if (!trial) {
+        delivery.fault = trial.error().message();
+        return delivery;
+    }
+    delivery.run = GradedRun{nameOf(trial->run.end), shownText(trial->run.told.toUtf8()),
+                             shownText(trial->run.messages)};
+    if (trial->trace)
+        delivery.trace = shownText(trial->trace->text.toUtf8());
+    if (trial->fault)
+        delivery.fault = shownText(trial->fault->message().toUtf8());
+    else
+        take(trial->output, delivery);
+    return delivery;
+}
+
+} // namespace
+
+std::vector<Delivery> deliveriesOf(const SubmissionEntry &entry, const Assignment &assignment,
+                                   const std::stop_token &stop)
+{
+    const SubmittedFile *program
+        = assignment.program ? programOf(entry, *assignment.program) : nullptr;
+    const bool isOne = assignment.scenes.size() == 1;
+    std::vector<Delivery> deliveries;
+    for (const AssignedScene &scene : assignment.scenes) {
+        if (program) {
+            deliveries.push_back(drawnBy(entry, *program, assignment, scene, stop));
+            continue;
+        }
+        const auto files = pictureFilesOf(entry, scene);
+        const SubmittedFile *file = files.empty() ? nullptr : files.front();
+        if (!file && isOne)
+            file = onlyFile(entry,
+                            [](const SubmittedFile &each) { return hasPictureEnd(each.name); });
+        if (file) {
+            deliveries.push_back(deliveredPicture(entry, scene, *file));
+            deliveries.back().note = noteOn(files, refusedPicture(entry, scene));
+        } else {
+            deliveries.emplace_back().fault = whyNothing(entry, assignment, scene);
+        }
+    }
+    return deliveries;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/gradefile.h"
+
+#include "core/scene/fieldreader.h"
+#include "core/scene/fieldwriter.h"
+#include "core/scene/fileaccess.h"
+
+#include <QDir>
+#include <QSet>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+template <PartOf<GradedCheck> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("check", self.check);
+    visit("passed", self.isPassed);
+    visit("points", self.points);
+    visit("of", self.of);
+}
+
+template <PartOf<GradedRun> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("end", self.end);
+    visit("told", self.told);
+    visit("messages", self.messages);
+}
+
+template <PartOf<FramePixel> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("x", self.x);
+    visit("line", self.line);
+}
+
+template <PartOf<GradedScene> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("scene", self.scene);
+    visit("file", self.file);
+    visit("fault", self.fault);
+    visit("picture", self.picture);
+    visit("counts", self.counts); // same, missing, extra, colour, undecidable
+    visit("largestError", self.largestError);
+    visit("causes", self.causes);
+    visit("firstDifference", self.firstDifference);
+    visit("run", self.run);
+    visit("trace", self.trace);
+    visit("note", self.note);
+    visit("checks", self.checks);
+}
+
+template <PartOf<GradedPart> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("part", self.number);
+    visit("of", self.of);
+    visit("submissions", self.submissions);
+}
+
+template <PartOf<GradedParting> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("scene", self.scene);
+    visit("step", self.step);
+    visit("heading", self.heading);
+    visit("text", self.text);
+}
+
+template <PartOf<GradedCandidate> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("defects", self.defects);
+    visit("student", self.forStudent);
+    visit("assistant", self.forAssistant);
+    visit("distance", self.distance);
+    visit("parts", self.parts);
+}
+
+template <PartOf<GradeReview> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("comment", self.comment);
+    visit("accepted", self.isAccepted);
+}
+
+template <PartOf<GradedSubmission> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("name", self.name);
+    visit("id", self.id);
+    visit("digest", self.digest);
+    visit("verdict", self.verdict);
+    visit("differing", self.differing);
+    visit("scenes", self.scenes);
+    visit("candidates", self.candidates);
+}
+
+template <>
+struct FileWords<Check> {
+    static constexpr const auto &all = allChecks;
+};
+template <>
+struct FileWords<GradeVerdict> {
+    static constexpr const auto &all = allGradeVerdicts;
+};
+
+namespace {
+
+const QString gradesKey = QStringLiteral("pixelplumbGrades");
+const QString reviewsKey = QStringLiteral("reviews");
+
+/// Whether it is a file of ours; its version is looked at before its keys.
+bool expectFormat(JsonReader &json)
+{
+    if (!json.hasFailed())
+        json.integer(json.root()[gradesKey], 1, gradesFormat);
+    return !json.hasFailed();
+}
+
+/// What a reader found, or its error with the file's name.
+template <class Value, class Read>
+Result<Value> readAt(const QString &path, const Read &read)
+{
+    const Result<QByteArray> text = readRegularFile(path);
+    if (!text)
+        return text.error();
+    Result<Value> value = read(*text);
+    if (value)
+        return value;
+    return errorIn(path, value.error());
+}
+
+/// Those of the names that have no grade.
+QStringList missingIn(const GradeReport &report, QStringList names)
+{
+    QSet<QString> graded;
+    for (const GradedSubmission &each : report.submissions)
+        graded += each.name;
+    names.removeIf([&](const QString &name) { return graded.contains(name); });
+    return names;
+}
+
+using Reviews = std::vector<std::pair<QString, GradeReview>>; // by id
+
+Result<Reviews> readReviews(const QByteArray &text)
+{
+    JsonReader json(text);
+    Reviews reviews;
+    if (!expectFormat(json))
+        return json.error();
+    json.expectObject(json.root(), {gradesKey, reviewsKey});
+    const JsonNode node = json.root()[reviewsKey];
+    FieldReader reader(json, gradesFormat);
+    for (const QString &id : node.value.toObject().keys()) {
+        GradeReview review;
+        reader.read(node[id], review);
+        reviews.emplace_back(id, review);
+    }
+    if (json.hasFailed())
+        return json.error();
+    return reviews;
+}
+
+/// Whether the names in a result's file are those that grading gives: a program without a sandbox
+/// may have written it, and nothing outside of the results is to be read or written for it.
+bool hasOwnNames(const GradedSubmission &submission, const QString &file)
+{
+    return file == submission.id + QStringLiteral(".json")
+        && std::ranges::all_of(submission.scenes, [](const GradedScene &scene) {
+               return scene.picture.isEmpty()
+                   || (scene.picture.startsWith(QStringLiteral("pictures/"))
+                       && scene.picture.count(u'/') == 1);
+           });
+}
+
+} // namespace
+
+QByteArray writeGradedSubmission(const GradedSubmission &submission)
+{
+    QJsonObject object = jsonOf(submission).toObject();
+    object.insert(gradesKey, gradesFormat);
+    return QJsonDocument(object).toJson();
+}
+
+Result<GradedSubmission> readGradedSubmission(const QByteArray &text)
+{
+    JsonReader json(text);
+    GradedSubmission submission;
+    if (expectFormat(json))
+        FieldReader(json, gradesFormat).readMembers(json.root(), submission, {gradesKey});
+    if (json.hasFailed())
+        return json.error();
+    return submission;
+}
+
+QByteArray writeGradedPart(const GradedPart &part)
+{
+    QJsonObject object = jsonOf(part).toObject();
+    object.insert(gradesKey, gradesFormat);
+    return QJsonDocument(object).toJson();
+}
+
+Result<GradedPart> readGradedPart(const QString &results)
+{
+    return readAt<GradedPart>(partFileOf(results), [](const QByteArray &text) {
+        JsonReader json(text);
+        GradedPart part;
+        if (expectFormat(json))
+            FieldReader(json, gradesFormat).readMembers(json.root(), part, {gradesKey});
+        json.integer(json.root()[QStringLiteral("of")], 1, mostParts);
+        return json.hasFailed() ? Result<GradedPart>(json.error()) : Result<GradedPart>(part);
+    });
+}
+
+QString assignmentFileOf(const QString &results)
+{
+    return QDir(results).filePath(QStringLiteral("assignment.json"));
+}
+
+QString reviewsFileOf(const QString &results)
+{
+    return QDir(results).filePath(QStringLiteral("reviews.json"));
+}
+
+QString partFileOf(const QString &results)
+{
+    return QDir(results).filePath(QStringLiteral("part.json"));
+}
+
+QString submissionFileOf(const QString &results, const QString &id)
+{
+    return QDir(results).filePath(QStringLiteral("grades/%1.json").arg(id));
+}
+
+Result<GradeReport> readGrades(const QString &results)
+{
+    Result<Assignment> assignment = readAssignmentFile(assignmentFileOf(results));
+    if (!assignment)
+        return assignment.error();
+    GradeReport report{std::move(*assignment), {}, {}};
+    const QDir folder(QDir(results).filePath(QStringLiteral("grades")));
+    for (const QString &file : folder.entryList({QStringLiteral("*.json")}, QDir::Files)) {
+        auto submission = readAt<GradedSubmission>(folder.filePath(file), readGradedSubmission);
+        if (!submission)
+            return submission.error();
+        if (!hasOwnNames(*submission, file))
+            return InputError{folder.filePath(file),
+                              QStringLiteral("names files that are not its own"),
+                              QStringLiteral("its id as its name, pictures in pictures/")};
+        report.submissions.push_back(std::move(*submission));
+    }
+    // Parts lack what the others have; they are asked when they are merged.
+    if (const auto part = readGradedPart(results); part && part->of == 1)
+        report.missing = missingIn(report, part->submissions);
+    if (QFile::exists(reviewsFileOf(results))) {
+        const auto reviews = readAt<Reviews>(reviewsFileOf(results), readReviews);
+        if (!reviews)
+            return reviews.error();
+        for (const auto &[id, review] : *reviews) {
+            const auto found = std::ranges::find(report.submissions, id, &GradedSubmission::id);
+            if (found != report.submissions.end())
+                found->review = review;
+        }
+    }
+    std::ranges::sort(report.submissions, {},
+                      [](const GradedSubmission &each) { return std::pair(each.name, each.id); });
+    return report;
+}
+
+std::optional<InputError> writeReviews(const QString &results, const GradeReport &report)
+{
+    QJsonObject reviews;
+    // Those of submissions that are not there now, but may come back, stay.
+    if (QFile::exists(reviewsFileOf(results))) {
+        const auto written = readAt<Reviews>(reviewsFileOf(results), readReviews);
+        if (!written)
+            return written.error();
+        for (const auto &[id, review] : *written)
+            reviews.insert(id, jsonOf(review));
+    }
+    for (const GradedSubmission &submission : report.submissions) {
+        reviews.remove(submission.id);
+        if (!submission.review.isEmpty())
+            reviews.insert(submission.id, jsonOf(submission.review));
+    }
+    const QJsonObject object{{gradesKey, gradesFormat}, {reviewsKey, reviews}};
+    return writeFile(reviewsFileOf(results), QJsonDocument(object).toJson());
+}
+
+} // namespace pixelplumb

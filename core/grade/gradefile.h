@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/gradereport.h"
+
+namespace pixelplumb {
+
+/// Of the JSON of results, and the newest that is read.
+inline constexpr int gradesFormat = 1;
+
+/// A submission's own file, which grading writes; without the review.
+QByteArray writeGradedSubmission(const GradedSubmission &submission);
+Result<GradedSubmission> readGradedSubmission(const QByteArray &text);
+
+/// Which submissions a folder of results is of: what was there when they were graded, and the share
+/// of them that this run had.
+inline constexpr int mostParts = 10'000;
+struct GradedPart {
+    int number = 1; ///< 1 … of
+    int of = 1;
+    QStringList submissions; ///< the names of all, those of the other parts among them
+
+    friend bool operator==(const GradedPart &, const GradedPart &) = default;
+};
+QByteArray writeGradedPart(const GradedPart &part);
+/// That of a folder of results; an error where there is none, too.
+Result<GradedPart> readGradedPart(const QString &results);
+
+/// Where things stand in a folder of results.
+QString assignmentFileOf(const QString &results); ///< "assignment.json"
+QString reviewsFileOf(const QString &results); ///< "reviews.json"
+QString partFileOf(const QString &results); ///< "part.json"
+QString submissionFileOf(const QString &results, const QString &id); ///< "grades/ID.json"
+
+/// A folder of results, whole or as far as its grading came, with the reviews.
+Result<GradeReport> readGrades(const QString &results);
+
+/// What the assistant said of submissions, atomically.
+std::optional<InputError> writeReviews(const QString &results, const GradeReport &report);
+
+} // namespace pixelplumb

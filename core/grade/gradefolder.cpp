@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/gradefolder.h"
+
+#include "core/grade/gradefile.h"
+#include "core/grade/grader.h"
+#include "core/grade/gradereports.h"
+#include "core/scene/fileaccess.h"
+
+#include <QBuffer>
+#include <QCryptographicHash>
+#include <QDir>
+#include <QFileInfo>
+#include <QSet>
+
+#include <algorithm>
+#include <atomic>
+#include <thread>
+
+namespace pixelplumb {
+
+namespace {
+
+QByteArray pngOf(const Picture &picture)
+{
+    QByteArray png;
+    QBuffer buffer(&png);
+    imageOf(picture).save(&buffer, "png");
+    return png;
+}
+
+QByteArray rasterOf(const Picture &picture)
+{
+    QByteArray raster;
+    for (int line = 0; line < picture.height; ++line) {
+        for (int x = 0; x < picture.width; ++x)
+            raster += picture.covered[picture.placeOf(x, line)] != 0 ? '#' : '.';
+        raster += '\n';
+    }
+    return raster;
+}
+
+std::optional<InputError> makeFolder(const QString &path)
+{
+    if (QDir().mkpath(path))
+        return std::nullopt;
+    return InputError{path, QStringLiteral("cannot be made"), QStringLiteral("a folder")};
+}
+
+QStringList resultFolders()
+{
+    return {QStringLiteral("grades"), QStringLiteral("pictures"), QStringLiteral("gradescope")};
+}
+
+std::optional<InputError> makeFolders(const QString &results)
+{
+    for (const QString &name : resultFolders()) {
+        if (auto error = makeFolder(QDir(results).filePath(name)))
+            return error;
+    }
+    return std::nullopt;
+}
+
+/// Writes what was graded: the pictures first, for the grade names them.
+std::optional<InputError> write(const QString &results, GradedWork &work)
+{
+    GradedSubmission &submission = work.submission;
+    for (std::size_t i = 0; i < work.pictures.size(); ++i) {
+        if (!work.pictures[i])
+            continue;
+        const Picture &picture = *work.pictures[i];
+        GradedScene &scene = submission.scenes[i];
+        scene.picture
+            = QStringLiteral("pictures/%1-%2.%3")
+                  .arg(submission.id, scene.scene,
+                       picture.hasColours ? QStringLiteral("png") : QStringLiteral("txt"));
+        if (auto error = writeFile(QDir(results).filePath(scene.picture),
+                                   picture.hasColours ? pngOf(picture) : rasterOf(picture)))
+            return error;
+    }
+    return writeFile(submissionFileOf(results, submission.id), writeGradedSubmission(submission));
+}
+
+bool isOfShard(const QByteArray &name, const GradeShard &shard)
+{
+    const QByteArray hash = QCryptographicHash::hash(name, QCryptographicHash::Sha256);
+    return (uchar(hash[0]) * 256 + uchar(hash[1])) % shard.of == shard.number - 1;
+}
+
+/// What a grade depends on beside the submission.
+QByteArray circumstances(const Grader &grader, const QString &version)
+{
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    hash.addData(version.toUtf8() + '\n' + writeAssignment(grader.assignment()));
+    // What a scene refers to, such as a texture, may have changed.
+    for (std::size_t i = 0; i < grader.assignment().scenes.size(); ++i)
+        hash.addData(pngOf(grader.expected(i)));
+    return hash.result();
+}
+
+/// A grade that was given already; none where it is not there or of something else.
+std::optional<GradedSubmission> knownGrade(const QString &results, const QString &id,
+                                           const QString &digest)
+{
+    const Result<QByteArray> text = readRegularFile(submissionFileOf(results, id));
+    if (!text || digest.isEmpty())
+        return std::nullopt;
+    const Result<GradedSubmission> known = readGradedSubmission(*text);
+    if (!known || known->digest != digest)
+        return std::nullopt;
+    const bool hasPictures = std::ranges::all_of(known->scenes, [&](const GradedScene &scene) {
+        return scene.picture.isEmpty() || QFile::exists(QDir(results).filePath(scene.picture));
+    });
+    return hasPictures ? std::optional(*known) : std::nullopt;
+}
+
+/// Grades the submissions by their places in a list, several at once.
+class FolderGrading {
+public:
+    FolderGrading(const GradingOrder &order, const Assignment &assignment,
+                  std::vector<QByteArray> names, const ProgressListener &listener)
+        : m_order(order)
+        , m_grader(assignment)
+        , m_circumstances(circumstances(m_grader, order.version))
+        , m_names(std::move(names))
+        , m_listener(listener)
+    {
+    }
+
+    /// False where it was ended, or could not write.
+    bool run()
+    {
+        tell(0);
+        std::vector<std::jthread> threads;
+        for (int i = 1; i < m_order.jobs; ++i)
+            threads.emplace_back([this] { work(); });
+        work();
+        threads.clear();
+        return !m_stop.stop_requested();
+    }
+    const std::optional<InputError> &error() const { return m_error; }
+
+private:
+    void work()
+    {
+        for (std::size_t i = m_next++; i < m_names.size(); i = m_next++) {
+            if (m_stop.stop_requested())
+                return;
+            if (auto error = gradeOne(m_names[i])) {
+                const std::lock_guard lock(m_mutex);
+                m_error = std::move(error);
+                m_stop.request_stop();
+            }
+            tell(1);
+        }
+    }
+
+    std::optional<InputError> gradeOne(const QByteArray &name)
+    {
+        const SubmissionEntry entry(QFile::encodeName(m_order.submissions), name);
+        QString digest;
+        if (const auto bytes = entry.digest())
+            digest = QString::fromLatin1(
+                QCryptographicHash::hash(m_circumstances + *bytes, QCryptographicHash::Sha256)
+                    .toHex());
+        if (knownGrade(m_order.results, idOf(name), digest))
+            return std::nullopt;
+        std::optional<GradedWork> graded = m_grader.grade(entry, m_stop.get_token());
+        if (!graded)
+            return std::nullopt;
+        graded->submission.digest = digest;
+        return write(m_order.results, *graded);
+    }
+
+    void tell(std::int64_t more)
+    {
+        const std::lock_guard lock(m_mutex);
+        m_done += more;
+        if (!goesOn(m_listener, {JobPhase::Judging, m_done, std::int64_t(m_names.size())}))
+            m_stop.request_stop();
+    }
+
+    const GradingOrder &m_order;
+    Grader m_grader;
+    QByteArray m_circumstances;
+    std::vector<QByteArray> m_names;
+    const ProgressListener &m_listener;
+    std::stop_source m_stop;
+    std::atomic<std::size_t> m_next = 0;
+    std::mutex m_mutex;
+    std::int64_t m_done = 0;
+    std::optional<InputError> m_error;
+};
+
+/// What is of submissions that are no longer there.
+void removeOthers(const QString &results, const Assignment &assignment,
+                  const std::vector<QByteArray> &names)
+{
+    QSet<QString> kept;
+    for (const QByteArray &name : names) {
+        const QString id = idOf(name);
+        kept += id + QStringLiteral(".json");
+        for (const AssignedScene &scene : assignment.scenes) {
+            for (const char *end : {"png", "txt"})
+                kept += QStringLiteral("%1-%2.%3").arg(id, scene.name, QLatin1String(end));
+        }
+    }
+    for (const QString &name : resultFolders()) {
+        const QDir folder(QDir(results).filePath(name));
+        for (const QString &file : folder.entryList(QDir::Files)) {
+            if (!kept.contains(file))
+                QFile::remove(folder.filePath(file));
+        }
+    }
+}
+
+/// Results among the submissions, or the other way round, would be taken for each other.
+std::optional<InputError> refusalOf(const GradingOrder &order)
+{
+    const auto placeOf = [](const QString &path) {
+        const QFileInfo file(path);
+        return file.exists() ? file.canonicalFilePath() : QDir::cleanPath(file.absoluteFilePath());
+    };
+    const QString submissions = placeOf(order.submissions);
+    const QString results = placeOf(order.results);
+    const auto isIn = [](const QString &path, const QString &folder) {
+        return path == folder || path.startsWith(folder + u'/');
+    };
+    if (!isIn(results, submissions) && !isIn(submissions, results))
+        return std::nullopt;
+    return InputError{order.results,
+                      QStringLiteral("results and submissions lie in each other's folders"),
+                      QStringLiteral("a folder of their own for the results")};
+}
+
+} // namespace
+
+Result<std::optional<GradeReport>> gradeFolder(const GradingOrder &order,
+                                               const Assignment &assignment,
+                                               const ProgressListener &listener)
+{
+    Result<std::vector<QByteArray>> names = submissionsIn(order.submissions);
+    if (!names)
+        return names.error();
+    GradedPart part{order.shard.number, order.shard.of, {}};
+    for (const QByteArray &name : *names)
+        part.submissions += escapedName(name);
+    part.submissions.sort();
+    std::erase_if(*names, [&](const QByteArray &name) { return !isOfShard(name, order.shard); });
+    if (auto error = refusalOf(order))
+        return *error;
+    if (auto error = makeFolders(order.results))
+        return *error;
+    if (auto error = writeFile(assignmentFileOf(order.results), writeAssignment(assignment)))
+        return *error;
+    if (auto error = writeFile(partFileOf(order.results), writeGradedPart(part)))
+        return *error;
+    FolderGrading grading(order, assignment, *names, listener);
+    const bool isDone = grading.run();
+    if (grading.error())
+        return *grading.error();
+    if (!isDone)
+        return std::optional<GradeReport>();
+    removeOthers(order.results, assignment, *names);
+    Result<GradeReport> report = readGrades(order.results);
+    if (!report)
+        return report.error();
+    if (auto error = writeReports(order.results, *report))
+        return *error;
+    return std::optional(std::move(*report));
+}
+
+} // namespace pixelplumb

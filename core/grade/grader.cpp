@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/grader.h"
+
+#include "core/grade/delivery.h"
+#include "core/grade/undecidable.h"
+
+#include <QCryptographicHash>
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Of the pixels that are to be covered, without those that are left open.
+struct CoveredTally {
+    std::int64_t asked = 0;
+    std::int64_t there = 0; ///< of these the covered ones
+    std::int64_t right = 0; ///< of these those with the right bytes
+};
+
+CoveredTally tallyOf(const Picture &expected, const PictureDiff &diff)
+{
+    CoveredTally tally;
+    for (std::size_t i = 0; i < expected.size(); ++i) {
+        if (expected.covered[i] == 0 || diff.verdicts[i] == PixelVerdict::Undecidable)
+            continue;
+        ++tally.asked;
+        tally.there += diff.verdicts[i] != PixelVerdict::Missing ? 1 : 0;
+        tally.right += diff.verdicts[i] == PixelVerdict::Same ? 1 : 0;
+    }
+    return tally;
+}
+
+bool isPassed(Check check, const Picture &expected, const Picture &found, const PictureDiff &diff)
+{
+    switch (check) {
+    case Check::Picture:
+        return true;
+    case Check::Coverage:
+        return diff.count(PixelVerdict::Missing) + diff.count(PixelVerdict::Extra) == 0;
+    case Check::Colours:
+        break;
+    }
+    const CoveredTally tally = tallyOf(expected, diff);
+    return found.hasColours && 2 * tally.there >= tally.asked
+        && diff.count(PixelVerdict::Colour) == 0;
+}
+
+/// Of the points of a check that is not passed, in hundredths, rounded down. Of coverage: the
+/// pixels covered as they are to be, of those that are or are to be. Of colours: those with the
+/// right bytes, of those that are covered, but at least of half of those to be.
+double pointsInPart(const GradedCheck &check, const Picture &expected, const Picture &found,
+                    const PictureDiff &diff)
+{
+    if (check.check == Check::Picture || (check.check == Check::Colours && !found.hasColours))
+        return 0;
+    const CoveredTally tally = tallyOf(expected, diff);
+    const bool isCoverage = check.check == Check::Coverage;
+    const std::int64_t doubledOf = isCoverage ? 2 * (tally.asked + diff.count(PixelVerdict::Extra))
+                                              : std::max(2 * tally.there, tally.asked);
+    const std::int64_t reached = isCoverage ? tally.there : tally.right;
+    constexpr double ofRounding = 1e-9; // of points that are no binary fraction
+    return doubledOf > 0
+        ? std::floor(check.of * 200 * double(reached) / double(doubledOf) + ofRounding) / 100
+        : 0;
+}
+
+std::optional<FramePixel> firstDifferenceIn(const PictureDiff &diff)
+{
+    const auto isOther = [](PixelVerdict verdict) { return verdict != PixelVerdict::Same; };
+    // One that is left open comes first only where there is no other.
+    auto found = std::ranges::find_if(diff.verdicts, [&](PixelVerdict verdict) {
+        return isOther(verdict) && verdict != PixelVerdict::Undecidable;
+    });
+    if (found == diff.verdicts.end())
+        found = std::ranges::find_if(diff.verdicts, isOther);
+    if (found == diff.verdicts.end())
+        return std::nullopt;
+    const auto place = int(found - diff.verdicts.begin());
+    return FramePixel{place % diff.width, place / diff.width};
+}
+
+GradeVerdict verdictOf(const std::vector<GradedScene> &scenes)
+{
+    std::size_t judged = 0;
+    std::int64_t wrong = 0;
+    std::int64_t open = 0;
+    for (const GradedScene &scene : scenes) {
+        judged += scene.fault.isEmpty() ? 1 : 0;
+        for (const PixelVerdict verdict : allPixelVerdicts) {
+            const std::int64_t count = scene.counts[std::size_t(verdict)];
+            if (verdict == PixelVerdict::Undecidable)
+                open += count;
+            else if (verdict != PixelVerdict::Same)
+                wrong += count;
+        }
+    }
+    if (judged == 0)
+        return GradeVerdict::Nothing;
+    if (judged < scenes.size() || wrong > 0)
+        return GradeVerdict::Wrong;
+    return open > 0 ? GradeVerdict::Undecidable : GradeVerdict::Right;
+}
+
+/// Of the bytes of the pictures and of the scenes that they are of.
+QByteArray keyOf(const std::vector<FoundPicture> &found)
+{
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    static_assert(sizeof(Colour) == 3);
+    for (const FoundPicture &each : found) {
+        const Picture &picture = each.picture;
+        const auto size = qsizetype(picture.size());
+        hash.addData(QByteArray::number(qulonglong(each.scene)) + (picture.hasColours ? "c" : "r"));
+        const void *colours = picture.colours.data();
+        const void *covered = picture.covered.data();
+        hash.addData(QByteArrayView(static_cast<const char *>(colours), 3 * size));
+        hash.addData(QByteArrayView(static_cast<const char *>(covered), size));
+    }
+    return hash.result();
+}
+
+std::vector<Scene> scenesOf(const Assignment &assignment)
+{
+    std::vector<Scene> scenes;
+    for (const AssignedScene &each : assignment.scenes)
+        scenes.push_back(each.scene);
+    return scenes;
+}
+
+} // namespace
+
+Grader::Grader(Assignment assignment)
+    : m_assignment(std::move(assignment))
+    , m_pictures(scenesOf(m_assignment))
+{
+    for (std::size_t scene = 0; scene < m_assignment.scenes.size(); ++scene)
+        m_expected.push_back(*m_pictures.picture(scene, {}));
+}
+
+std::vector<std::uint8_t> Grader::leftOpen(std::size_t scene, const Picture &found) const
+{
+    if (m_assignment.leeway == Leeway::None)
+        return {};
+    return undecidablePixels(m_assignment.scenes[scene].scene, found,
+                             toleranceOf(m_assignment.leeway));
+}
+
+GradedScene Grader::judge(std::size_t scene, const Delivery &delivery) const
+{
+    const AssignedScene &asked = m_assignment.scenes[scene];
+    GradedScene graded;
+    graded.scene = asked.name;
+    graded.file = delivery.file;
+    graded.fault = delivery.fault;
+    graded.run = delivery.run;
+    graded.trace = delivery.trace;
+    graded.note = delivery.note;
+    PictureDiff diff;
+    const bool wantsColours = asked.points[std::size_t(Check::Colours)] > 0;
+    if (delivery.picture && !delivery.picture->hasColours && wantsColours)
+        graded.note = (graded.note ? *graded.note + QStringLiteral("; ") : QString())
+            + QStringLiteral("a raster of characters has no colours");
+    if (delivery.picture) {
+        diff = differenceOf(m_expected[scene], *delivery.picture,
+                            leftOpen(scene, *delivery.picture));
+        graded.counts = diff.counts;
+        graded.largestError = diff.largestError;
+        for (const PictureCause &cause : diff.causes)
+            graded.causes += cause.name;
+        graded.firstDifference = firstDifferenceIn(diff);
+    }
+    for (std::size_t i = 0; i < allChecks.size(); ++i) {
+        GradedCheck check{allChecks[i], false, 0, asked.points[i]};
+        if (check.of == 0)
+            continue;
+        check.isPassed
+            = delivery.picture && isPassed(check.check, m_expected[scene], *delivery.picture, diff);
+        if (check.isPassed)
+            check.points = check.of;
+        else if (delivery.picture && m_assignment.credit == Credit::Share)
+            check.points = pointsInPart(check, m_expected[scene], *delivery.picture, diff);
+        graded.checks.push_back(check);
+    }
+    return graded;
+}
+
+std::optional<GradedParting> Grader::partingOf(const DiagnosisCandidate &candidate,
+                                               const std::vector<FoundPicture> &found) const
+{
+    for (const FoundPicture &each : found) {
+        const AssignedScene &asked = m_assignment.scenes[each.scene];
+        const Scene defective = withDefects(asked.scene, candidate.defects);
+        if (defective == asked.scene)
+            continue;
+        if (const auto step = partingStepOf(asked.scene, defective))
+            return GradedParting{asked.name, std::int64_t(step->step), step->heading, step->text};
+    }
+    return std::nullopt;
+}
+
+std::optional<std::vector<GradedCandidate>> Grader::candidatesFor(
+    const std::vector<FoundPicture> &found, const std::stop_token &stop)
+{
+    const QByteArray key = keyOf(found);
+    {
+        const std::lock_guard lock(m_mutex);
+        if (const auto known = m_known.find(key); known != m_known.end())
+            return known->second;
+    }
+    const auto diagnosis = diagnose(
+        m_pictures, found, [&stop](const JobProgress &) { return !stop.stop_requested(); });
+    if (!diagnosis)
+        return std::nullopt;
+    std::vector<GradedCandidate> candidates;
+    for (const DiagnosisCandidate &candidate : diagnosis->candidates) {
+        GradedCandidate &graded = candidates.emplace_back();
+        graded.distance = candidate.distance;
+        for (const Defect &defect : candidate.defects) {
+            graded.defects += defect.id;
+            graded.forStudent += defect.forStudent;
+            graded.forAssistant += defect.forAssistant;
+        }
+        graded.parts = partingOf(candidate, found);
+    }
+    const std::lock_guard lock(m_mutex);
+    m_known.emplace(key, candidates);
+    return candidates;
+}
+
+std::optional<GradedWork> Grader::grade(const SubmissionEntry &entry, const std::stop_token &stop)
+{
+    GradedWork work;
+    GradedSubmission &submission = work.submission;
+    submission.name = escapedName(entry.name());
+    submission.id = idOf(entry.name());
+    std::vector<Delivery> deliveries = deliveriesOf(entry, m_assignment, stop);
+    std::vector<FoundPicture> found;
+    for (std::size_t scene = 0; scene < deliveries.size(); ++scene) {
+        submission.scenes.push_back(judge(scene, deliveries[scene]));
+        work.pictures.push_back(std::move(deliveries[scene].picture));
+        if (const auto &picture = work.pictures.back()) {
+            found.push_back({scene, *picture});
+            submission.differing += differingPixels(m_expected[scene], *picture);
+        }
+    }
+    submission.verdict = verdictOf(submission.scenes);
+    if (submission.differing > 0) {
+        auto candidates = candidatesFor(found, stop);
+        if (!candidates)
+            return std::nullopt;
+        submission.candidates = std::move(*candidates);
+    }
+    if (stop.stop_requested())
+        return std::nullopt;
+    return work;
+}
+
+QImage imageOf(const Picture &picture)
+{
+    QImage image(picture.width, picture.height, QImage::Format_RGB32);
+    for (int line = 0; line < picture.height; ++line) {
+        for (int x = 0; x < picture.width; ++x) {
+            const std::size_t place = picture.placeOf(x, line);
+            image.setPixel(
+                x, line,
+                picture.hasColours
+                    ? packed(picture.colours[place])
+                    : packed(picture.covered[place] != 0 ? Colour{{255, 255, 255}} : Colour{}));
+        }
+    }
+    return image;
+}
+
+} // namespace pixelplumb

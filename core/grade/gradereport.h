@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/assignment.h"
+#include "core/grade/diagnosis.h"
+#include "core/grade/picturediff.h"
+
+#include <QStringList>
+
+namespace pixelplumb {
+
+/// What became of a submission as a whole.
+enum class GradeVerdict {
+    Right,
+    Undecidable, ///< what differs may be either way
+    Wrong,
+    Nothing, ///< there is no picture that could be judged
+};
+inline constexpr std::array allGradeVerdicts
+    = {GradeVerdict::Right, GradeVerdict::Undecidable, GradeVerdict::Wrong, GradeVerdict::Nothing};
+QString nameOf(GradeVerdict verdict); ///< "right", "undecidable", "wrong", "nothing"
+
+/// One check of one scene.
+struct GradedCheck {
+    Check check = Check::Picture;
+    bool isPassed = false;
+    double points = 0; ///< all, none or, where the assignment says so, the share that is right
+    double of = 0;
+
+    friend bool operator==(const GradedCheck &, const GradedCheck &) = default;
+};
+
+/// How a program ended that was run on a scene.
+struct GradedRun {
+    QString end; ///< "finished", "crashed", "timed out" …
+    QString told; ///< a sentence: what happened
+    QString messages; ///< the beginning of its stderr, without control characters
+
+    friend bool operator==(const GradedRun &, const GradedRun &) = default;
+};
+
+struct FramePixel {
+    int x = 0;
+    int line = 0; ///< 0 is the top one
+
+    friend bool operator==(const FramePixel &, const FramePixel &) = default;
+};
+
+/// What became of one scene.
+struct GradedScene {
+    QString scene; ///< its name in the assignment
+    QString file; ///< the picture's in the submission, escaped; empty: none, or a program drew it
+    QString fault; ///< why there is no picture to judge: "no file shallow.png"; empty: there is one
+    QString picture; ///< a copy of what was judged, as seen from the results' folder; or empty
+    std::array<std::int64_t, allPixelVerdicts.size()> counts = {}; ///< pixels, by PixelVerdict
+    int largestError = 0; ///< of a byte, where the colour is wrong
+    QStringList causes; ///< what, done to the whole picture, leaves at most half of the differences
+    std::optional<FramePixel> firstDifference; ///< from the top, line by line
+    std::optional<GradedRun> run;
+    QString trace; ///< the first quantity in which the program's trace differs; empty: none
+    std::optional<QString> note; ///< what else is to be known: which of two pictures was taken
+    std::vector<GradedCheck> checks; ///< those that are asked
+
+    friend bool operator==(const GradedScene &, const GradedScene &) = default;
+};
+
+/// The first step at which the run with the defects parts from the right one.
+struct GradedParting {
+    QString scene;
+    std::int64_t step = 0; ///< of the trace with the defects, from 0
+    QString heading; ///< "Column 12, first half"
+    QString text; ///< "y_T is 41 1/2, should be 41 4/7"
+
+    friend bool operator==(const GradedParting &, const GradedParting &) = default;
+};
+
+/// Defects that together explain the pictures, or come nearest.
+struct GradedCandidate {
+    QStringList defects; ///< one or two ids
+    QStringList forStudent; ///< a sentence a defect
+    QStringList forAssistant;
+    std::int64_t distance = 0; ///< pixels that differ still, of all pictures
+    std::optional<GradedParting> parts;
+
+    friend bool operator==(const GradedCandidate &, const GradedCandidate &) = default;
+};
+
+/// What the assistant said; kept apart, so that grading anew loses none of it.
+struct GradeReview {
+    QString comment; ///< goes to the student
+    bool isAccepted = false;
+
+    bool isEmpty() const { return comment.isEmpty() && !isAccepted; }
+    friend bool operator==(const GradeReview &, const GradeReview &) = default;
+};
+
+/// What became of a submission.
+struct GradedSubmission {
+    QString name; ///< as the folder has it; what is no plain character is escaped: "a\x0ab"
+    QString id; ///< unlike all others, and fit for a file's name
+    QString digest; ///< of its bytes, the assignment and the version of the program
+    GradeVerdict verdict = GradeVerdict::Nothing;
+    std::int64_t differing = 0; ///< pixels of all pictures that were judged
+    std::vector<GradedScene> scenes; ///< those of the assignment, in its order
+    std::vector<GradedCandidate> candidates; ///< as Diagnosis has them
+    GradeReview review = {}; ///< not in the submission's own file
+
+    double points() const;
+    /// Whether the candidates' pictures equal the submission's.
+    bool isExplained() const { return !candidates.empty() && candidates.front().distance == 0; }
+
+    friend bool operator==(const GradedSubmission &, const GradedSubmission &) = default;
+};
+
+/// A graded folder.
+struct GradeReport {
+    Assignment assignment;
+    std::vector<GradedSubmission> submissions; ///< by name
+    QStringList missing = {}; ///< names of submissions that are known and have no grade here
+
+    friend bool operator==(const GradeReport &, const GradeReport &) = default;
+};
+
+/// Submissions that have one cause: the same sets of defects explain them.
+struct GradeCluster {
+    QString title; ///< "unsorted-colours", "right", "no known defect"
+    QStringList forStudent; ///< of its first set
+    QStringList forAssistant;
+    std::vector<std::size_t> submissions; ///< places in the report, ascending
+};
+
+/// The largest first; those that are right come last.
+std::vector<GradeCluster> clustersOf(const GradeReport &report);
+
+/// What the student is told, a line each, at the assignment's hint level; ends with the comment.
+QStringList sentencesFor(const GradedSubmission &submission, HintLevel level);
+
+} // namespace pixelplumb

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/export/rowwriter.h"
+#include "core/grade/gradereports.h"
+#include "core/grade/showntext.h"
+
+#include <QBuffer>
+#include <QXmlStreamWriter>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+QString pointsText(double points) { return QString::number(points, 'g', 10); }
+
+/// A spreadsheet takes a cell that begins so for a formula, and a student may have named it.
+QString cellText(const QString &text)
+{
+    const bool isFormula = !text.isEmpty() && QStringLiteral("=+-@\t").contains(text.front());
+    return isFormula ? u'\'' + text : text;
+}
+
+QString defectsText(const GradedSubmission &submission)
+{
+    QStringList sets;
+    for (const GradedCandidate &candidate : submission.candidates) {
+        if (candidate.distance == 0)
+            sets += candidate.defects.join(u'+');
+    }
+    return sets.join(QStringLiteral(" | "));
+}
+
+/// Nobody knows in how many pixels a picture differs that could not be judged.
+QString differingText(const GradedSubmission &submission)
+{
+    const bool isJudged = std::ranges::all_of(
+        submission.scenes, [](const GradedScene &scene) { return scene.fault.isEmpty(); });
+    return isJudged ? QString::number(submission.differing) : QString();
+}
+
+/// XML has no control characters at all.
+QString xmlText(const QStringList &lines) { return shownText(lines.join(u'\n').toUtf8(), 100'000); }
+
+} // namespace
+
+QByteArray csvOf(const GradeReport &report)
+{
+    QByteArray csv;
+    QBuffer buffer(&csv);
+    buffer.open(QIODevice::WriteOnly);
+    const auto writer = makeCsvWriter(buffer);
+    std::vector<Field> fields;
+    for (const char *name : {"name", "points", "of", "verdict", "differing", "defects", "sentences",
+                             "comment", "accepted", "id"})
+        fields.push_back({QString::fromLatin1(name)});
+    writer->begin(fields);
+    for (const GradedSubmission &each : report.submissions)
+        writer->writeRow(
+            {cellText(each.name), pointsText(each.points()), pointsText(report.assignment.points()),
+             nameOf(each.verdict), differingText(each), defectsText(each),
+             cellText(sentencesFor(each, report.assignment.hint).join(QStringLiteral(" / "))),
+             cellText(each.review.comment),
+             each.review.isAccepted ? QStringLiteral("yes") : QStringLiteral("no"),
+             cellText(each.id)});
+    for (const QString &name : report.missing)
+        writer->writeRow({cellText(name), QString(), pointsText(report.assignment.points()),
+                          QStringLiteral("no grade"), QString(), QString(), QString(), QString(),
+                          QStringLiteral("no"), QString()});
+    writer->end();
+    return csv;
+}
+
+QByteArray junitOf(const GradeReport &report)
+{
+    QByteArray bytes;
+    QXmlStreamWriter xml(&bytes);
+    xml.setAutoFormatting(true);
+    xml.writeStartDocument();
+    xml.writeStartElement(QStringLiteral("testsuites"));
+    xml.writeAttribute(QStringLiteral("name"), xmlText({report.assignment.name}));
+    for (const GradedSubmission &submission : report.submissions) {
+        const QString name = xmlText({submission.name});
+        std::size_t tests = 0;
+        std::size_t failures = 0;
+        for (const GradedScene &scene : submission.scenes) {
+            tests += scene.checks.size();
+            for (const GradedCheck &check : scene.checks)
+                failures += check.isPassed ? 0 : 1;
+        }
+        xml.writeStartElement(QStringLiteral("testsuite"));
+        xml.writeAttribute(QStringLiteral("name"), name);
+        xml.writeAttribute(QStringLiteral("tests"), QString::number(tests));
+        xml.writeAttribute(QStringLiteral("failures"), QString::number(failures));
+        xml.writeAttribute(QStringLiteral("errors"), QStringLiteral("0"));
+        const QString told = xmlText(sentencesFor(submission, report.assignment.hint));
+        for (const GradedScene &scene : submission.scenes) {
+            for (const GradedCheck &check : scene.checks) {
+                xml.writeStartElement(QStringLiteral("testcase"));
+                xml.writeAttribute(QStringLiteral("classname"), name);
+                xml.writeAttribute(QStringLiteral("name"),
+                                   QStringLiteral("%1: %2").arg(scene.scene, nameOf(check.check)));
+                if (!check.isPassed) {
+                    xml.writeStartElement(QStringLiteral("failure"));
+                    xml.writeAttribute(QStringLiteral("message"),
+                                       xmlText({scene.fault.isEmpty() ? nameOf(submission.verdict)
+                                                                      : scene.fault}));
+                    xml.writeCharacters(told);
+                    xml.writeEndElement();
+                }
+                xml.writeEndElement();
+            }
+        }
+        xml.writeEndElement();
+    }
+    xml.writeEndElement();
+    xml.writeEndDocument();
+    return bytes;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/invariants.h"
+
+#include "core/frame/framebuffer.h"
+#include "core/geometry/seededrandom.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr int side = 32; // px
+constexpr int shift = 3; // px
+
+/// A picture by sample coordinates.
+class SampleView {
+public:
+    SampleView(const Scene &scene, const Picture &picture)
+        : m_frame(scene.frame)
+        , m_picture(picture)
+    {
+    }
+    bool covers(int x, int y) const
+    {
+        return x >= 0 && y >= 0 && x < side && y < side && m_picture.covered[placeOf(x, y)] != 0;
+    }
+    const Colour &colourAt(int x, int y) const { return m_picture.colours[placeOf(x, y)]; }
+
+private:
+    std::size_t placeOf(int x, int y) const
+    {
+        return m_picture.placeOf(x, pictureLine(m_frame, y));
+    }
+
+    const FrameSpec &m_frame;
+    const Picture &m_picture;
+};
+
+template <class Question>
+bool holdsEverywhere(const Question &question)
+{
+    for (int y = 0; y < side; ++y) {
+        for (int x = 0; x < side; ++x) {
+            if (!question(x, y))
+                return false;
+        }
+    }
+    return true;
+}
+
+bool hasRuns(const SampleView &picture)
+{
+    for (int line = 0; line < side; ++line) {
+        int columnStarts = 0;
+        int rowStarts = 0;
+        for (int place = 0; place < side; ++place) {
+            columnStarts += picture.covers(line, place) && !picture.covers(line, place - 1) ? 1 : 0;
+            rowStarts += picture.covers(place, line) && !picture.covers(place - 1, line) ? 1 : 0;
+        }
+        if (columnStarts > 1 || rowStarts > 1)
+            return false;
+    }
+    return true;
+}
+
+bool isInBounds(const SampleView &picture, const Triangle &triangle)
+{
+    const auto &[a, b, c] = triangle.vertices;
+    const auto [left, right] = std::minmax({a.position.x, b.position.x, c.position.x});
+    const auto [bottom, top] = std::minmax({a.position.y, b.position.y, c.position.y});
+    return holdsEverywhere(
+        [&, left = left, right = right, bottom = bottom, top = top](int x, int y) {
+            const LatticePoint sample = latticePixel(x, y);
+            return !picture.covers(x, y)
+                || (sample.x >= left && sample.x <= right && sample.y >= bottom && sample.y <= top);
+        });
+}
+
+bool isInRange(const SampleView &picture, const Triangle &triangle)
+{
+    const std::array<Vertex, 3> &vertices = triangle.vertices;
+    return holdsEverywhere([&](int x, int y) {
+        for (std::size_t i = 0; i < 3 && picture.covers(x, y); ++i) {
+            const auto [least, most]
+                = std::minmax({vertices[0].colour.channels[i], vertices[1].colour.channels[i],
+                               vertices[2].colour.channels[i]});
+            const std::uint8_t level = picture.colourAt(x, y).channels[i];
+            if (level < least || level > most)
+                return false;
+        }
+        return true;
+    });
+}
+
+bool hasCorners(const SampleView &picture, const Triangle &triangle)
+{
+    return std::ranges::all_of(triangle.vertices, [&](const Vertex &vertex) {
+        const int x = int(floorPixel(vertex.position.x));
+        const int y = int(floorPixel(vertex.position.y));
+        return latticePixel(x, y) != vertex.position || !picture.covers(x, y)
+            || picture.colourAt(x, y) == vertex.colour;
+    });
+}
+
+/// Of whole vertices: I + B samples under the closed rule, I under the open one, between them else.
+bool hasCount(const SampleView &picture, const Triangle &triangle, FillRule rule)
+{
+    std::int64_t boundary = 0;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const LatticePoint &from = triangle.vertices[i].position;
+        const LatticePoint &to = triangle.vertices[(i + 1) % 3].position;
+        if (from.x % unitsPerPixel != 0 || from.y % unitsPerPixel != 0)
+            return true;
+        boundary += std::gcd(to.x - from.x, to.y - from.y) / unitsPerPixel;
+    }
+    const Int128 area = doubledArea(triangle);
+    const auto doubled = std::int64_t((area < 0 ? -area : area) / (unitsPerPixel * unitsPerPixel));
+    const std::int64_t inside = (doubled - boundary) / 2 + 1;
+    std::int64_t drawn = 0;
+    holdsEverywhere([&](int x, int y) {
+        drawn += picture.covers(x, y) ? 1 : 0;
+        return true;
+    });
+    if (rule == FillRule::Closed)
+        return drawn == inside + boundary;
+    if (rule == FillRule::Open)
+        return drawn == inside;
+    return drawn > inside - 1 && drawn < inside + boundary;
+}
+
+/// Samples of both lie on the shared edge, which under a watertight rule none does.
+bool areOnce(const SampleView &one, const SampleView &other, const Triangle &triangle,
+             FillRule rule)
+{
+    const LatticePoint &from = triangle.vertices[0].position;
+    const LatticePoint &to = triangle.vertices[1].position;
+    return holdsEverywhere([&](int x, int y) {
+        const bool isOnEdge = doubledArea(from, to, latticePixel(x, y)) == 0;
+        const bool isBoth = one.covers(x, y) && other.covers(x, y);
+        return !isBoth || (rule == FillRule::Closed && isOnEdge);
+    });
+}
+
+class InvariantCheck {
+public:
+    InvariantCheck(const PictureSource &source, const Scene &conventions)
+        : m_source(source)
+        , m_conventions(conventions)
+    {
+        m_conventions.frame.width = side;
+        m_conventions.frame.height = side;
+        m_conventions.triangles.clear();
+        m_conventions.shapes.clear();
+    }
+
+    void check(const Triangle &one, const Triangle &other)
+    {
+        const auto scene = sceneOf({one});
+        const auto picture = m_source.draw(scene);
+        const auto neighbour = m_source.draw(sceneOf({other}));
+        const Scene both = sceneOf({one, other});
+        const auto whole = m_source.draw(both);
+        if (!picture || !neighbour || !whole) {
+            ++m_report.undrawn;
+            return;
+        }
+        ++m_report.checked;
+        const FillRule rule = m_conventions.settings.fillRule;
+        const SampleView view(scene, *picture);
+        note(Invariant::Runs, hasRuns(view), scene);
+        if (isConvex(one, other) && rule != FillRule::Open)
+            note(Invariant::Runs, hasRuns(SampleView(both, *whole)), both);
+        note(Invariant::Bounds, isInBounds(view, one), scene);
+        note(Invariant::Range, isInRange(view, one), scene);
+        note(Invariant::Corners, hasCorners(view, one), scene);
+        note(Invariant::Count, hasCount(view, one, rule), scene);
+        note(Invariant::Once, areOnce(view, SampleView(scene, *neighbour), one, rule), both);
+        const auto &[a, b, c] = one.vertices;
+        for (const Triangle &ordered : {Triangle{{b, c, a}}, Triangle{{b, a, c}}}) {
+            if (const auto same = m_source.draw(sceneOf({ordered})))
+                note(Invariant::Order, same->colours == picture->colours, scene);
+        }
+        checkTranslation(one, view, scene);
+    }
+    InvariantReport report() && { return std::move(m_report); }
+
+private:
+    Scene sceneOf(const std::vector<Triangle> &triangles) const
+    {
+        Scene scene = m_conventions;
+        scene.triangles = triangles;
+        return scene;
+    }
+    /// Two triangles on both sides of their edge whose diagonals cross.
+    static bool isConvex(const Triangle &one, const Triangle &other)
+    {
+        const auto at = [](const Vertex &vertex) { return vertex.position; };
+        const LatticePoint apex = at(one.vertices[2]);
+        const LatticePoint far = at(other.vertices[2]);
+        const LatticePoint from = at(one.vertices[0]);
+        const LatticePoint to = at(one.vertices[1]);
+        const auto parts = [](const LatticePoint &a, const LatticePoint &b, const LatticePoint &p,
+                              const LatticePoint &q) {
+            const Int128 left = doubledArea(a, b, p);
+            const Int128 right = doubledArea(a, b, q);
+            return (left < 0 && right > 0) || (left > 0 && right < 0);
+        };
+        return parts(from, to, apex, far) && parts(apex, far, from, to);
+    }
+    void checkTranslation(const Triangle &triangle, const SampleView &view, const Scene &scene)
+    {
+        Triangle moved = triangle;
+        for (Vertex &vertex : moved.vertices) {
+            vertex.position.x += shift * unitsPerPixel;
+            vertex.position.y += shift * unitsPerPixel;
+        }
+        const Scene movedScene = sceneOf({moved});
+        const auto picture = m_source.draw(movedScene);
+        if (!picture)
+            return;
+        const SampleView there(movedScene, *picture);
+        note(Invariant::Translation, holdsEverywhere([&](int x, int y) {
+                 if (x + shift >= side || y + shift >= side)
+                     return true;
+                 const bool covers = view.covers(x, y);
+                 return covers == there.covers(x + shift, y + shift)
+                     && (!covers || view.colourAt(x, y) == there.colourAt(x + shift, y + shift));
+             }),
+             scene);
+    }
+    void note(Invariant invariant, bool holds, const Scene &scene)
+    {
+        if (!holds
+            && std::ranges::find(m_report.broken, invariant, &BrokenInvariant::invariant)
+                == m_report.broken.end())
+            m_report.broken.push_back({invariant, scene});
+    }
+
+    const PictureSource &m_source;
+    Scene m_conventions;
+    InvariantReport m_report;
+};
+
+} // namespace
+
+QString nameOf(Invariant invariant)
+{
+    constexpr std::array names
+        = {"runs", "bounds", "range", "corners", "count", "order", "translation", "once"};
+    return QString::fromLatin1(names[std::size_t(invariant)]);
+}
+
+QString sentenceOf(Invariant invariant)
+{
+    constexpr std::array sentences = {
+        "rows and columns of a triangle, and of two that make a convex whole, have no gaps",
+        "nothing is drawn outside the triangle's box",
+        "levels lie between those of the vertices",
+        "a vertex on a sample has its colour there",
+        "whole vertices: as many samples as Pick's theorem says for the fill rule",
+        "the order of the vertices does not matter",
+        "moved by whole pixels, the picture moves",
+        "two triangles share no sample but as the fill rule says",
+    };
+    return QString::fromLatin1(sentences[std::size_t(invariant)]);
+}
+
+InvariantReport checkInvariants(const PictureSource &source, const Scene &conventions,
+                                std::uint64_t seed, int pairs)
+{
+    SeededRandom random(seed);
+    InvariantCheck check(source, conventions);
+    for (int i = 0; i < pairs; ++i) {
+        const Lattice unit = i % 2 == 0 ? unitsPerPixel : unitsPerPixel / 2;
+        const auto vertex = [&] {
+            const auto coordinate = [&] {
+                return random.between(unitsPerPixel / unit,
+                                      (side - shift - 2) * unitsPerPixel / unit)
+                    * unit;
+            };
+            return Vertex{{coordinate(), coordinate()}, random.colour()};
+        };
+        const Vertex a = vertex();
+        Vertex b = vertex();
+        if (i % 4 == 2) // an edge along a row or a column
+            (i % 8 == 2 ? b.position.x : b.position.y) = i % 8 == 2 ? a.position.x : a.position.y;
+        const Triangle one{{a, b, vertex()}};
+        Triangle other{{b, a, vertex()}};
+        const bool isSameSide = (doubledArea(one) > 0) != (doubledArea(other) > 0);
+        if (doubledArea(one) == 0 || doubledArea(other) == 0 || isSameSide)
+            continue; // they would overlap
+        check.check(one, other);
+    }
+    return std::move(check).report();
+}
+
+} // namespace pixelplumb

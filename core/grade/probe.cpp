@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/diagnosis.h"
+#include "core/grade/probesheet.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Pictures of all scenes, and who draws them.
+struct PictureGroup {
+    std::vector<Picture> pictures;
+    AlikeDefects alike;
+};
+
+bool showSame(const std::vector<Picture> &one, const std::vector<Picture> &other)
+{
+    return std::ranges::equal(one, other, {}, &Picture::colours, &Picture::colours);
+}
+
+std::vector<Defect> allDefectsOf(std::span<const Scene> scenes)
+{
+    std::vector<Defect> all;
+    for (const Scene &scene : scenes) {
+        for (Defect &defect : defectsFor(scene)) {
+            if (std::ranges::find(all, defect.id, &Defect::id) == all.end())
+                all.push_back(std::move(defect));
+        }
+    }
+    return all;
+}
+
+} // namespace
+
+std::size_t ProbeResult::distinct() const
+{
+    std::size_t hidden = 0;
+    for (const AlikeDefects &group : alike)
+        hidden += group.defects.size() - (group.equalRight ? 0 : 1);
+    return defects + 1 - hidden;
+}
+
+ProbeResult probe(std::span<const Scene> scenes)
+{
+    std::vector<PictureGroup> groups(1);
+    groups.front().alike.equalRight = true;
+    for (const Scene &scene : scenes)
+        groups.front().pictures.push_back(pictureOf(scene));
+    ProbeResult result;
+    for (const Defect &defect : allDefectsOf(scenes)) {
+        ++result.defects;
+        std::vector<Picture> pictures;
+        for (const Scene &scene : scenes)
+            pictures.push_back(pictureWith(scene, std::span(&defect, 1)));
+        auto group = std::ranges::find_if(
+            groups, [&](const PictureGroup &known) { return showSame(known.pictures, pictures); });
+        if (group == groups.end())
+            group = groups.insert(group, {std::move(pictures), {}});
+        group->alike.defects.push_back(defect);
+    }
+    for (PictureGroup &group : groups) {
+        if (group.alike.defects.size() + (group.alike.equalRight ? 1 : 0) > 1)
+            result.alike.push_back(std::move(group.alike));
+    }
+    return result;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/seededrandom.h"
+#include "core/grade/diagnosis.h"
+#include "core/grade/probesheet.h"
+#include "core/methods/method.h"
+
+#include <algorithm>
+#include <map>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr int side = 48; // px
+
+/// A place inside the frame, to a fraction of a pixel.
+LatticePoint randomPlace(SeededRandom &random, int denominator, int width, int height)
+{
+    const Lattice unit = unitsPerPixel / denominator;
+    return {random.between(denominator, std::int64_t(width - 2) * denominator) * unit,
+            random.between(denominator, std::int64_t(height - 2) * denominator) * unit};
+}
+
+std::vector<Vertex> randomVertices(SeededRandom &random, int count, int denominator)
+{
+    std::vector<Vertex> vertices;
+    for (int i = 0; i < count; ++i)
+        vertices.push_back({randomPlace(random, denominator, side, side), random.colour()});
+    return vertices;
+}
+
+void add(Scene &scene, const Vertex &a, const Vertex &b, const Vertex &c)
+{
+    scene.triangles.push_back({{{a, b, c}}});
+}
+
+/// A rectangle of two triangles: edges along rows, columns and a diagonal.
+void addRectangle(Scene &scene, SeededRandom &random)
+{
+    const std::vector<Vertex> corners = randomVertices(random, 2, 1);
+    const Vertex other{{corners[0].position.x, corners[1].position.y}, random.colour()};
+    const Vertex last{{corners[1].position.x, corners[0].position.y}, random.colour()};
+    add(scene, corners[0], corners[1], other);
+    add(scene, corners[1], corners[0], last);
+}
+
+/// A long edge whose slope has a small odd divisor, so that samples lie on it.
+void addTies(Scene &scene, SeededRandom &random)
+{
+    scene.frame.width = 2 * side;
+    const std::int64_t divisor = 2 * random.between(1, 6) + 1;
+    const std::int64_t length = divisor * ((2 * side - 4) / divisor);
+    const std::int64_t rise = length / divisor * random.between(1, divisor - 1);
+    const LatticePoint from = latticePixel(1, random.between(1, 8));
+    const LatticePoint to = {from.x + length * unitsPerPixel,
+                             from.y + std::min<std::int64_t>(rise, side - 10) * unitsPerPixel};
+    add(scene, {from, random.colour()}, {to, random.colour()},
+        {randomPlace(random, 1, 2 * side, side), random.colour()});
+}
+
+/// Whole coordinates become those of samples, whatever the pixel centre.
+void placeOnSamples(Scene &scene)
+{
+    const Lattice offset = sampleOffset(scene.frame);
+    const auto move = [offset](Vertex &vertex) {
+        vertex.position.x += offset;
+        vertex.position.y += offset;
+    };
+    for (Triangle &triangle : scene.triangles)
+        std::ranges::for_each(triangle.vertices, move);
+    for (Shape &shape : scene.shapes)
+        std::ranges::for_each(shape.vertices, move);
+}
+
+void addTriangles(Scene &scene, SeededRandom &random)
+{
+    constexpr std::array<int, 4> denominators = {1, 2, 16, 256};
+    const std::int64_t kind = random.between(0, 6);
+    if (kind == 5)
+        return addRectangle(scene, random);
+    if (kind == 6)
+        return addTies(scene, random);
+    const int denominator = denominators[std::size_t(random.between(0, 3))];
+    const std::vector<Vertex> vertices = randomVertices(random, 4, denominator);
+    add(scene, vertices[0], vertices[1], vertices[2]);
+    if (kind > 2)
+        add(scene, vertices[1], vertices[2], vertices[3]);
+}
+
+void addLines(Scene &scene, SeededRandom &random)
+{
+    const std::int64_t count = random.between(1, 4);
+    for (std::int64_t i = 0; i < count; ++i) {
+        Shape line;
+        line.vertices = randomVertices(random, 2, 1);
+        scene.shapes.push_back(line);
+    }
+}
+
+Scene randomScene(const Scene &conventions, SeededRandom &random)
+{
+    Scene scene;
+    scene.frame.width = side;
+    scene.frame.height = side;
+    scene.frame.origin = conventions.frame.origin;
+    scene.frame.pixelCentre = conventions.frame.pixelCentre;
+    scene.method = conventions.method;
+    scene.settings = conventions.settings;
+    if (methodNamed(QString::fromStdString(scene.method))->draws(PrimitiveKind::Triangle))
+        addTriangles(scene, random);
+    else
+        addLines(scene, random);
+    placeOnSamples(scene);
+    return scene;
+}
+
+/// FNV-1a of the colours.
+std::uint64_t digestOf(const Picture &picture)
+{
+    std::uint64_t digest = 14695981039346656037U;
+    for (const Colour &colour : picture.colours) {
+        for (const std::uint8_t channel : colour.channels)
+            digest = (digest ^ channel) * 1099511628211U;
+    }
+    return digest;
+}
+
+using Classes = std::map<QString, std::size_t>; ///< by defect; "" is right
+
+/// Splits the classes by what the scene shows; gives how many there are then.
+std::size_t split(const Classes &before, const std::map<QString, std::uint64_t> &digests,
+                  Classes &after)
+{
+    std::map<std::pair<std::size_t, std::uint64_t>, std::size_t> numbers;
+    for (const auto &[id, number] : before) {
+        const auto found = digests.find(id);
+        const std::uint64_t digest = (found != digests.end() ? found : digests.find({}))->second;
+        after[id] = numbers.emplace(std::pair(number, digest), numbers.size()).first->second;
+    }
+    return numbers.size();
+}
+
+} // namespace
+
+std::optional<std::vector<Scene>> searchProbes(const Scene &conventions, std::uint64_t seed,
+                                               std::int64_t candidates,
+                                               const ProgressListener &listener)
+{
+    SeededRandom random(seed);
+    std::vector<Scene> scenes;
+    std::vector<std::map<QString, std::uint64_t>> digests;
+    Classes classes = {{QString(), 0}};
+    while (std::ssize(scenes) < candidates) {
+        if (!goesOn(listener, {JobPhase::Drawing, std::ssize(scenes), candidates}))
+            return std::nullopt;
+        const Scene scene = randomScene(conventions, random);
+        auto &ofScene = digests.emplace_back();
+        ofScene[{}] = digestOf(pictureOf(scene));
+        for (const Defect &defect : defectsFor(scene)) {
+            ofScene[defect.id] = digestOf(pictureWith(scene, std::span(&defect, 1)));
+            classes[defect.id] = 0;
+        }
+        scenes.push_back(scene);
+    }
+    std::vector<Scene> chosen;
+    for (std::size_t apart = 1;;) {
+        std::optional<std::size_t> best;
+        Classes bestClasses;
+        for (std::size_t i = 0; i < scenes.size(); ++i) {
+            Classes after;
+            const std::size_t count = split(classes, digests[i], after);
+            if (count > apart) {
+                best = i;
+                apart = count;
+                bestClasses = std::move(after);
+            }
+        }
+        if (!best)
+            return chosen;
+        chosen.push_back(scenes[*best]);
+        classes = std::move(bestClasses);
+    }
+}
+
+} // namespace pixelplumb

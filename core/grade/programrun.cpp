@@ -1,0 +1,295 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/programrun.h"
+
+#include "core/grade/descriptor.h"
+#include "core/grade/programstart.h"
+#include "core/grade/workingfolder.h"
+
+#include <poll.h>
+#include <sys/mman.h>
+#include <sys/wait.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <cstring>
+#include <optional>
+
+namespace pixelplumb {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+constexpr qsizetype longestMessages = qsizetype(64) << 10;
+constexpr int stopLookedFor = 50; // ms
+constexpr std::int64_t accountingTick = 50; // ms by which the kernel's two counts may differ
+constexpr auto longestEnding = std::chrono::seconds(10);
+
+/// The input as a file in memory: it need not be fed, whoever reads it or does not.
+Descriptor fileOf(const QByteArray &input)
+{
+    Descriptor file(memfd_create("input", MFD_CLOEXEC | MFD_ALLOW_SEALING));
+    qsizetype done = 0;
+    while (file.isOpen() && done < input.size()) {
+        const ssize_t written
+            = ::write(file.number(), input.constData() + done, std::size_t(input.size() - done));
+        if (written <= 0)
+            return Descriptor();
+        done += written;
+    }
+    lseek(file.number(), 0, SEEK_SET);
+    fcntl(file.number(), F_ADD_SEALS, F_SEAL_SHRINK | F_SEAL_GROW | F_SEAL_WRITE | F_SEAL_SEAL);
+    return file;
+}
+
+QString sentenceOf(const StudentRun &run, const ProgramLimits &limits)
+{
+    switch (run.end) {
+    case ProgramEnd::Finished:
+        return QStringLiteral("it finished");
+    case ProgramEnd::Failed:
+        return QStringLiteral("it ended with exit code %1").arg(run.code);
+    case ProgramEnd::Crashed:
+        return QStringLiteral("it crashed: %1 (signal %2)")
+            .arg(QString::fromLatin1(sigdescr_np(run.code)))
+            .arg(run.code);
+    case ProgramEnd::TimedOut:
+        return QStringLiteral("it was ended after %1 s by the clock")
+            .arg(double(limits.wallTime().count()) / 1000);
+    case ProgramEnd::Flooded:
+        return QStringLiteral("it was ended when it had written more than %1 bytes")
+            .arg(limits.output);
+    case ProgramEnd::NotStarted:
+        return QStringLiteral("it could not be started");
+    case ProgramEnd::Cancelled:
+        break;
+    }
+    return QStringLiteral("it was cancelled");
+}
+
+/// Whether it ended as the kernel ends who computes too long, or as a shell does that ran such a
+/// one. Who does not heed SIGXCPU gets SIGKILL.
+bool mayHaveComputedTooLong(int status)
+{
+    constexpr int ofShells = 128;
+    const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status) - ofShells;
+    return signal == SIGXCPU || signal == SIGKILL;
+}
+
+/// One program, from its start to the end of all that came of it.
+class RunningProgram {
+public:
+    RunningProgram(const ProgramLimits &limits, std::stop_token stop)
+        : m_limits(limits)
+        , m_stop(std::move(stop))
+    {
+    }
+
+    StudentRun run(const StudentProgram &student, const QByteArray &input)
+    {
+        const WorkingFolder folder;
+        const Descriptor inputFile = fileOf(input);
+        if (!folder.isValid() || !inputFile.isOpen() || !m_output.isOpen() || !m_messages.isOpen()
+            || !m_control.isOpen() || !m_report.isOpen())
+            return notStarted(errno);
+        if (const int error = start(student, folder.path(), inputFile))
+            return notStarted(error);
+        follow();
+        conclude();
+        return std::move(m_run);
+    }
+
+private:
+    StudentRun notStarted(int error)
+    {
+        m_run.end = ProgramEnd::NotStarted;
+        m_run.told = QStringLiteral("it could not be started: ")
+            + QString::fromLatin1(strerrordesc_np(error));
+        return std::move(m_run);
+    }
+
+    /// The error, or 0.
+    int start(const StudentProgram &student, const QString &folder, const Descriptor &input)
+    {
+        const ProgramStart program(student, folder, m_limits);
+        SupervisedStart plan = program.plan();
+        plan.input = input.number();
+        plan.output = m_output.write.number();
+        plan.messages = m_messages.write.number();
+        plan.control = m_control.read.number();
+        plan.report = m_report.write.number();
+        m_deadline = Clock::now() + m_limits.wallTime();
+        m_supervisor = fork();
+        if (m_supervisor == 0)
+            supervise(plan);
+        const int error = m_supervisor < 0 ? errno : 0;
+        m_output.write.close();
+        m_messages.write.close();
+        m_control.read.close();
+        m_report.write.close();
+        for (const Descriptor *end : {&m_output.read, &m_messages.read, &m_report.read})
+            fcntl(end->number(), F_SETFL, O_NONBLOCK);
+        return error;
+    }
+
+    /// Reads what it writes until its supervisor is gone.
+    void follow()
+    {
+        while (m_report.read.isOpen()) {
+            std::array<pollfd, 3> awaited = {{{m_report.read.number(), POLLIN, 0},
+                                              {m_output.read.number(), POLLIN, 0},
+                                              {m_messages.read.number(), POLLIN, 0}}};
+            poll(awaited.data(), awaited.size(), waitingTime());
+            readAll();
+            readReport();
+            const bool isLate = Clock::now() >= m_deadline;
+            if (isLate && m_isEnding) {
+                kill(m_supervisor, SIGKILL);
+                m_report.read.close();
+            } else if (!m_isEnding && m_read > m_limits.output) {
+                endBecause(ProgramEnd::Flooded);
+            } else if (!m_isEnding && m_stop.stop_requested()) {
+                endBecause(ProgramEnd::Cancelled);
+            } else if (!m_isEnding && isLate) {
+                endBecause(ProgramEnd::TimedOut);
+            }
+        }
+        readAll(); // what was on its way
+        while (waitpid(m_supervisor, nullptr, 0) < 0 && errno == EINTR) { }
+    }
+
+    /// Milliseconds.
+    int waitingTime() const
+    {
+        const auto left = std::chrono::ceil<std::chrono::milliseconds>(m_deadline - Clock::now());
+        const int longest = m_stop.stop_possible() ? stopLookedFor : 60'000;
+        return int(std::clamp<std::int64_t>(left.count(), 0, longest));
+    }
+
+    void endBecause(ProgramEnd end)
+    {
+        m_end = end;
+        m_control.write.close();
+        expectEnd();
+    }
+
+    void expectEnd()
+    {
+        m_isEnding = true;
+        m_deadline = Clock::now() + longestEnding;
+    }
+
+    void readAll()
+    {
+        readFrom(m_output.read, m_run.output, m_limits.output);
+        readFrom(m_messages.read, m_run.messages, longestMessages);
+    }
+
+    /// Keeps so many bytes; the others are counted. A turn is bounded, for others wait.
+    void readFrom(Descriptor &pipe, QByteArray &kept, qsizetype most)
+    {
+        std::array<char, 65536> buffer;
+        for (int turn = 0; turn < 16 && pipe.isOpen(); ++turn) {
+            const ssize_t length = ::read(pipe.number(), buffer.data(), buffer.size());
+            if (length == 0)
+                pipe.close();
+            if (length <= 0)
+                return;
+            m_read += length;
+            kept.append(buffer.data(), std::min<qsizetype>(length, most - kept.size()));
+        }
+    }
+
+    void readReport()
+    {
+        SupervisorRecord record;
+        for (;;) {
+            const ssize_t length = ::read(m_report.read.number(), &record, sizeof record);
+            if (length == 0 || (length < 0 && errno != EAGAIN && errno != EINTR))
+                m_report.read.close();
+            if (length != ssize_t(sizeof record))
+                return;
+            if (record.news == SupervisorNews::Isolated) {
+                m_run.isSandboxed = true;
+                continue;
+            }
+            if (record.news == SupervisorNews::Computed) {
+                m_computed = record.value;
+                continue;
+            }
+            (record.news == SupervisorNews::NotStarted ? m_startError : m_status) = record.value;
+            if (!m_isEnding)
+                expectEnd();
+        }
+    }
+
+    void conclude()
+    {
+        if (!m_end && m_read > m_limits.output)
+            m_end = ProgramEnd::Flooded;
+        if (m_startError)
+            m_run = notStarted(*m_startError);
+        else if (m_end)
+            m_run.end = *m_end;
+        else if (m_status && mayHaveComputedTooLong(*m_status)
+                 && m_computed >= m_limits.wholeSeconds() * 1000 - accountingTick)
+            m_run.end = ProgramEnd::TimedOut;
+        else if (!m_status || WIFSIGNALED(*m_status)) // it may kill the supervisor
+            m_run.end = ProgramEnd::Crashed;
+        else
+            m_run.end = WEXITSTATUS(*m_status) == 0 ? ProgramEnd::Finished : ProgramEnd::Failed;
+        if (m_run.end == ProgramEnd::Crashed)
+            m_run.code = m_status ? WTERMSIG(*m_status) : SIGKILL;
+        else if (m_run.end == ProgramEnd::Failed)
+            m_run.code = WEXITSTATUS(*m_status);
+        if (m_run.end == ProgramEnd::TimedOut && !m_end)
+            m_run.told = QStringLiteral("it was ended after %1 s of computing")
+                             .arg(m_limits.wholeSeconds());
+        else if (!m_startError)
+            m_run.told = sentenceOf(m_run, m_limits);
+    }
+
+    StudentRun m_run;
+    ProgramLimits m_limits;
+    std::stop_token m_stop;
+    Pipe m_output, m_messages, m_control, m_report;
+    pid_t m_supervisor = -1;
+    Clock::time_point m_deadline;
+    std::int64_t m_read = 0; ///< bytes of stdout and stderr
+    bool m_isEnding = false; ///< from then on the deadline is the supervisor's
+    std::optional<ProgramEnd> m_end; ///< where it is we who end it
+    std::int64_t m_computed = 0; ///< ms
+    std::optional<int> m_status, m_startError;
+};
+
+} // namespace
+
+QString nameOf(ProgramEnd end)
+{
+    switch (end) {
+    case ProgramEnd::Finished:
+        return QStringLiteral("finished");
+    case ProgramEnd::Failed:
+        return QStringLiteral("failed");
+    case ProgramEnd::Crashed:
+        return QStringLiteral("crashed");
+    case ProgramEnd::TimedOut:
+        return QStringLiteral("timed out");
+    case ProgramEnd::Flooded:
+        return QStringLiteral("flooded");
+    case ProgramEnd::NotStarted:
+        return QStringLiteral("not started");
+    case ProgramEnd::Cancelled:
+        break;
+    }
+    return QStringLiteral("cancelled");
+}
+
+StudentRun runProgram(const StudentProgram &student, const QByteArray &input,
+                      const ProgramLimits &limits, const std::stop_token &stop)
+{
+    return RunningProgram(limits, stop).run(student, input);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/studentprogram.h"
+#include "core/scene/result.h"
+
+#include <QByteArray>
+#include <QStringList>
+
+#include <chrono>
+#include <cstdint>
+#include <stop_token>
+
+namespace pixelplumb {
+
+/// What a student's program may use. In bytes, but for the time and the number of processes.
+struct ProgramLimits {
+    std::chrono::milliseconds time{10'000}; ///< of computing, in whole seconds, for each process
+    /// By the clock on the wall, which goes on while a machine has others to serve.
+    std::chrono::milliseconds wallTime() const { return 4 * time; }
+    std::int64_t wholeSeconds() const
+    {
+        return std::chrono::ceil<std::chrono::seconds>(time).count();
+    }
+    std::int64_t memory = std::int64_t(1) << 30; ///< addresses of each process; 0: no limit
+    std::int64_t output = std::int64_t(64) << 20; ///< stdout and stderr together
+    std::int64_t files = std::int64_t(64) << 20; ///< in its folder; without sandbox: each file
+    std::int64_t processes = 64; ///< processes and threads at a time
+};
+
+enum class ProgramEnd {
+    Finished, ///< exit code 0
+    Failed, ///< another exit code
+    Crashed, ///< by a signal
+    TimedOut,
+    Flooded, ///< wrote more than it may
+    NotStarted,
+    Cancelled, ///< by us
+};
+QString nameOf(ProgramEnd end);
+
+/// How a student's program ended and what it wrote: bytes that nobody has looked at yet.
+struct StudentRun {
+    ProgramEnd end = ProgramEnd::NotStarted;
+    int code = 0; ///< the exit code where it failed, the signal where it crashed
+    QByteArray output;
+    QByteArray messages; ///< of stderr the first 64 KiB
+    bool isSandboxed = false; ///< no network, no process but its own, nothing to write to but its
+                              ///< folder
+    QString told; ///< a sentence: how it ended
+};
+
+/// Runs it in an empty folder, which is removed afterwards, with a bare environment and the input
+/// as stdin, and returns when it and every process that it started are gone. Namespaces of the
+/// kernel are the sandbox; where they are not allowed the limits hold alone, and it may do what the
+/// one who started it may. It may always read what that one may read. Several can run at once, each
+/// in a thread of its own.
+StudentRun runProgram(const StudentProgram &student, const QByteArray &input,
+                      const ProgramLimits &limits = {}, const std::stop_token &stop = {});
+
+} // namespace pixelplumb

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/redrawing.h"
+
+#include "core/frame/framebuffer.h"
+#include "core/oracle/oracle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+Triangle exchanged(Triangle triangle)
+{
+    for (Vertex &vertex : triangle.vertices)
+        std::swap(vertex.position.x, vertex.position.y);
+    return triangle;
+}
+
+/// A triangle's samples in the order in which its method goes through them.
+class RedrawnTriangle {
+public:
+    RedrawnTriangle(const Scene &alone, const Redrawing &redrawing, TriangleWay way)
+        : m_frame(alone.frame)
+        , m_rounding(alone.settings.rounding)
+        , m_overflow(redrawing.overflow)
+        , m_goesByRows(way != TriangleWay::Columns)
+        , m_right(pictureOf(alone))
+    {
+        const Triangle triangle = primitivesOnSamples(alone).triangles.front();
+        m_runs.triangle = m_goesByRows ? exchanged(triangle) : triangle;
+        m_firstPlace = m_goesByRows ? m_frame.firstColumn : m_frame.firstRow;
+        m_endPlace = m_firstPlace + (m_goesByRows ? m_frame.width : m_frame.height);
+        m_runs.firstSpan = m_goesByRows ? m_frame.firstRow : m_frame.firstColumn;
+        m_runs.endSpan = m_runs.firstSpan + (m_goesByRows ? m_frame.height : m_frame.width);
+        readRuns();
+        redrawing.change(m_runs);
+    }
+
+    void paintOn(Picture &picture, Repainting repainting, const Colour &background) const
+    {
+        for (const SampleRun &run : m_runs.runs) {
+            const std::int64_t end = std::min(run.end, m_endPlace);
+            for (std::int64_t place = std::max(run.first, m_firstPlace); place < end; ++place) {
+                const auto index = indexOf(run.span, place);
+                if (!index)
+                    continue;
+                const bool isErased
+                    = repainting == Repainting::Toggles && picture.covered[*index] != 0;
+                picture.colours[*index] = isErased ? background : colourAt(run, place, *index);
+                picture.covered[*index] = isErased ? 0 : 1;
+            }
+        }
+    }
+
+private:
+    std::optional<std::size_t> indexOf(std::int64_t span, std::int64_t place) const
+    {
+        const std::int64_t column = (m_goesByRows ? place : span) - m_frame.firstColumn;
+        const std::int64_t row = m_goesByRows ? span : place;
+        const bool isInside = column >= 0 && column < m_frame.width && row >= m_frame.firstRow
+            && row - m_frame.firstRow < m_frame.height;
+        if (!isInside)
+            return std::nullopt;
+        return m_right.placeOf(int(column), int(pictureLine(m_frame, row)));
+    }
+
+    void readRuns()
+    {
+        for (std::int64_t span = m_runs.firstSpan; span < m_runs.endSpan; ++span) {
+            std::optional<SampleRun> run;
+            for (std::int64_t place = m_firstPlace; place < m_endPlace; ++place) {
+                if (m_right.covered[*indexOf(span, place)] == 0)
+                    continue;
+                if (!run)
+                    run = SampleRun{span, place, place};
+                run->end = place + 1;
+            }
+            if (run)
+                m_runs.runs.push_back(*run);
+        }
+    }
+
+    std::uint8_t byteOf(double level) const
+    {
+        const double whole = std::floor(m_rounding == ByteRounding::Nearest ? level + 0.5 : level);
+        if (m_overflow == LevelOverflow::Wraps)
+            return std::uint8_t(std::int64_t(whole));
+        return std::uint8_t(std::clamp(whole, 0.0, 255.0));
+    }
+
+    Colour colourAt(const SampleRun &run, std::int64_t place, std::size_t index) const
+    {
+        if (!run.levels && m_right.covered[index] != 0)
+            return m_right.colours[index];
+        Colour colour;
+        if (const auto &ramp = run.levels) {
+            for (std::size_t i = 0; i < 3; ++i)
+                colour.channels[i]
+                    = byteOf(ramp->first[i] + ramp->rate[i] * double(place - run.first));
+            return colour;
+        }
+        const auto levels = oracle::colourAt(m_runs.triangle, run.span, place);
+        for (std::size_t i = 0; i < 3; ++i)
+            colour.channels[i] = byteOf(levels[i].toDouble());
+        return colour;
+    }
+
+    FrameSpec m_frame;
+    ByteRounding m_rounding;
+    LevelOverflow m_overflow;
+    bool m_goesByRows;
+    std::int64_t m_firstPlace = 0, m_endPlace = 0; ///< of the frame, along a span
+    Picture m_right;
+    TriangleRuns m_runs;
+};
+
+} // namespace
+
+TriangleWay triangleWayOf(const Method &method)
+{
+    if (!method.supports(Variant::NoEdgePreStep))
+        return TriangleWay::Box;
+    return method.id.startsWith(QStringLiteral("row-walk")) ? TriangleWay::Rows
+                                                            : TriangleWay::Columns;
+}
+
+Scene triangleAlone(const Scene &scene, std::size_t triangle)
+{
+    Scene alone = scene;
+    alone.triangles = {scene.triangles[triangle]};
+    alone.shapes.clear();
+    return alone;
+}
+
+Scene shapeAlone(const Scene &scene, std::size_t shape)
+{
+    Scene alone = scene;
+    alone.triangles.clear();
+    alone.shapes = {scene.shapes[shape]};
+    return alone;
+}
+
+Picture redrawn(const Scene &scene, const Redrawing &redrawing)
+{
+    Scene empty = scene;
+    empty.triangles.clear();
+    Picture picture = pictureOf(empty);
+    const TriangleWay way = triangleWayOf(*methodNamed(QString::fromStdString(scene.method)));
+    for (std::size_t i = 0; i < scene.triangles.size(); ++i)
+        RedrawnTriangle(triangleAlone(scene, i), redrawing, way)
+            .paintOn(picture, redrawing.repainting, scene.frame.background);
+    return picture;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/picture.h"
+#include "core/methods/method.h"
+
+#include <functional>
+#include <optional>
+
+namespace pixelplumb {
+
+/// How a program goes through triangles: columns or rows between two edges, or the samples of their
+/// box.
+enum class TriangleWay { Columns, Rows, Box };
+TriangleWay triangleWayOf(const Method &method);
+
+/// Levels along a column or row, in place of the plane's.
+struct LevelRamp {
+    std::array<double, 3> first = {}; ///< at the first sample
+    std::array<double, 3> rate = {}; ///< a sample
+};
+
+/// The samples of one column or, where a program goes by rows, row.
+struct SampleRun {
+    std::int64_t span = 0; ///< x of a column, y of a row
+    std::int64_t first = 0, end = 0; ///< of the other coordinate
+    std::optional<LevelRamp> levels = {};
+};
+
+/// One triangle as it is gone through: `triangle` has x and y exchanged where that is by rows.
+struct TriangleRuns {
+    Triangle triangle;
+    std::int64_t firstSpan = 0, endSpan = 0; ///< that the frame has
+    std::vector<SampleRun> runs; ///< ascending
+};
+
+/// What becomes of a level outside 0 … 255.
+enum class LevelOverflow { Clamps, Wraps };
+/// What becomes of a pixel that is painted twice: the later one stands, or none.
+enum class Repainting { Over, Toggles };
+
+struct Redrawing {
+    std::function<void(TriangleRuns &triangle)> change;
+    LevelOverflow overflow = LevelOverflow::Clamps;
+    Repainting repainting = Repainting::Over;
+};
+
+/// The scene of triangles, each drawn by the scene's method and changed.
+Picture redrawn(const Scene &scene, const Redrawing &redrawing);
+
+/// The scene with one of its triangles or shapes alone.
+Scene triangleAlone(const Scene &scene, std::size_t triangle);
+Scene shapeAlone(const Scene &scene, std::size_t shape);
+
+} // namespace pixelplumb

@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/studentoutput.h"
+
+#include "core/grade/showntext.h"
+
+#include <QBuffer>
+#include <QImageReader>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr qsizetype longestQuoted = 60;
+
+InputError otherSize(const QSize &size, const FrameSpec &frame)
+{
+    const QString text = QStringLiteral("%1 × %2 pixels");
+    return {QStringLiteral("the output"),
+            QStringLiteral("a picture of ") + text.arg(size.width()).arg(size.height()),
+            text.arg(frame.width).arg(frame.height)};
+}
+
+InputError noPicture(const QByteArray &output)
+{
+    const QString shown = shownText(output.left(longestQuoted * 4), longestQuoted);
+    return {
+        QStringLiteral("the output"),
+        output.isEmpty() ? QStringLiteral("it is empty")
+                         : QStringLiteral("neither a picture nor lines of a trace: “%1”")
+                               .arg(shown.simplified()),
+        QStringLiteral("PNG, PPM, BMP, a raster of # and ., or lines such as column 12 5 41.5")};
+}
+
+/// Why a picture is not to be decoded; none where it may be.
+std::optional<InputError> objectionToHeader(const QByteArray &output, const FrameSpec &frame)
+{
+    QByteArray bytes = output;
+    QBuffer buffer(&bytes);
+    buffer.open(QIODevice::ReadOnly);
+    static const QList<QByteArray> formats = {"png", "ppm", "pgm", "pbm", "bmp"};
+    const QByteArray format = QImageReader::imageFormat(&buffer);
+    if (!formats.contains(format))
+        return noPicture(output);
+    const QSize size = QImageReader(&buffer).size();
+    if (!size.isValid())
+        return InputError{QStringLiteral("the output"),
+                          QStringLiteral("a picture (%1) that is broken or ends early")
+                              .arg(QString::fromLatin1(format)),
+                          {}};
+    if (size != QSize(frame.width, frame.height))
+        return otherSize(size, frame);
+    return std::nullopt;
+}
+
+bool isRaster(const QByteArray &output)
+{
+    return !output.isEmpty() && std::ranges::all_of(output, [](char each) {
+        return each == '#' || each == '.' || each == '\n' || each == '\r';
+    });
+}
+
+bool isTrace(const QByteArray &output)
+{
+    const QByteArray start = output.left(longestQuoted).trimmed();
+    constexpr std::array words = {"column", "row", "pixel", "triangle"};
+    return std::ranges::any_of(words, [&](const char *word) { return start.startsWith(word); });
+}
+
+/// The last colour of each pixel counts; what has no line is the background.
+Picture pictureFrom(std::span<const WrittenLine> lines, const FrameSpec &frame)
+{
+    Picture picture{frame.width, frame.height, {}, {}};
+    const std::size_t pixels = std::size_t(frame.width) * std::size_t(frame.height);
+    picture.colours.resize(pixels, frame.background);
+    picture.covered.resize(pixels, 0);
+    for (const WrittenLine &line : lines) {
+        if (line.axis)
+            continue;
+        const std::int64_t x = line.x - frame.firstColumn;
+        const std::int64_t row = line.y - frame.firstRow;
+        if (x < 0 || x >= frame.width || row < 0 || row >= frame.height)
+            continue;
+        const auto top = int(frame.origin == FrameOrigin::TopLeft ? row : frame.height - 1 - row);
+        const std::size_t place = picture.placeOf(int(x), top);
+        picture.covered[place] = 1;
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const double level = line.numbers[channel].value.toDouble();
+            const double nearest = level > 0 ? std::floor(std::min(level, 255.0) + 0.5) : 0;
+            picture.colours[place].channels[channel] = std::uint8_t(nearest);
+        }
+    }
+    return picture;
+}
+
+} // namespace
+
+Result<StudentOutput> readStudentOutput(const QByteArray &output, const Scene &scene)
+{
+    const FrameSpec &frame = scene.frame;
+    if (isTrace(output)) {
+        Result<std::vector<WrittenLine>> lines = parseWrittenTrace(output);
+        if (!lines)
+            return lines.error();
+        StudentOutput read{std::nullopt, std::move(*lines)};
+        const bool hasPixels
+            = std::ranges::any_of(read.lines, [](const WrittenLine &line) { return !line.axis; });
+        if (hasPixels)
+            read.picture = pictureFrom(read.lines, frame);
+        return read;
+    }
+    if (!isRaster(output)) {
+        if (const auto objection = objectionToHeader(output, frame))
+            return *objection;
+    }
+    Result<Picture> picture = parsePicture(output, QStringLiteral("the output"));
+    if (!picture)
+        return picture.error();
+    if (picture->width != frame.width || picture->height != frame.height)
+        return otherSize(QSize(picture->width, picture->height), frame);
+    if (picture->hasColours)
+        coverAllBut(frame.background, *picture);
+    return StudentOutput{std::move(*picture), {}};
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,256 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/tracediff.h"
+
+#include "core/grade/rightlines.h"
+#include "core/methods/formulatext.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <utility>
+
+namespace pixelplumb {
+
+namespace {
+
+Place placeOf(const WrittenLine &line) { return {line.axis, line.x, line.y}; }
+
+QString textOf(const Place &place)
+{
+    const auto &[axis, x, y] = place;
+    if (!axis)
+        return QStringLiteral("pixel (%1, %2)").arg(x).arg(y);
+    return *axis == SpanAxis::Column ? QStringLiteral("column %1").arg(x)
+                                     : QStringLiteral("row %1").arg(y);
+}
+
+QString titleOf(std::optional<SpanAxis> axis, std::size_t number)
+{
+    const QStringList titles = !axis
+        ? QStringList{QStringLiteral("R"), QStringLiteral("G"), QStringLiteral("B")}
+        : *axis == SpanAxis::Column ? QStringList{QStringLiteral("y_B"), QStringLiteral("y_T")}
+                                    : QStringList{QStringLiteral("x_L"), QStringLiteral("x_R")};
+    return titles[qsizetype(number)];
+}
+
+LineKinds kindsOf(std::span<const WrittenLine> lines)
+{
+    LineKinds kinds;
+    for (const WrittenLine &line : lines)
+        (!line.axis                           ? kinds.hasPixels
+             : *line.axis == SpanAxis::Column ? kinds.hasColumns
+                                              : kinds.hasRows)
+            = true;
+    return kinds;
+}
+
+/// Whether a number that was printed is near enough.
+bool isRight(const WrittenNumber &is, const Quantity &should, double drift)
+{
+    if (is.text.contains(u'/'))
+        return errorOf(is.value, should) == 0;
+    // The last bits of the comparison's own doubles, so that 0.05 is not above 0.05.
+    return std::abs(errorOf(is.value, should)) <= (is.halfUnit + drift) * (1 + 1e-9);
+}
+
+int byteOf(double level, ByteRounding rounding)
+{
+    const double byte = std::floor(rounding == ByteRounding::Nearest ? level + 0.5 : level);
+    return int(std::clamp(byte, 0.0, 255.0));
+}
+
+/// What lies beyond the frame is not drawn, and nobody asks for its numbers.
+bool isInFrame(const WrittenLine &line, const FrameSpec &frame)
+{
+    const std::int64_t x = line.x - frame.firstColumn;
+    const std::int64_t y = line.y - frame.firstRow;
+    return (line.axis == SpanAxis::Row || (x >= 0 && x < frame.width))
+        && (line.axis == SpanAxis::Column || (y >= 0 && y < frame.height));
+}
+
+/// Matches a program's lines with ours.
+class TraceMatcher {
+public:
+    TraceMatcher(std::span<const WrittenLine> lines, std::vector<RightLine> right,
+                 ByteRounding rounding)
+        : m_lines(lines)
+        , m_right(std::move(right))
+        , m_rounding(rounding)
+    {
+        for (std::size_t i = 0; i < m_right.size(); ++i) {
+            m_places[{m_right[i].place, std::nullopt}].push_back(i);
+            m_places[{m_right[i].place, m_right[i].primitive}].push_back(i);
+        }
+    }
+
+    /// The text, and the step of ours.
+    std::optional<std::pair<QString, std::size_t>> firstDifference()
+    {
+        match();
+        std::size_t next = 0; // of ours that is not passed yet
+        for (std::size_t i = 0; i < m_lines.size(); ++i) {
+            const auto &matched = m_matches[i];
+            if (!matched)
+                return std::pair(unexpectedText(i), stepNear(next));
+            // What may be there or not stands behind the others, wherever the program has it.
+            for (; m_right[*matched].isAskedFor && next <= *matched; ++next) {
+                if (isMissing(next))
+                    return missing(next);
+            }
+            if (const QString text = numbersText(m_lines[i], m_right[*matched]); !text.isEmpty())
+                return std::pair(text, m_right[*matched].step);
+        }
+        for (; next < m_right.size(); ++next) {
+            if (isMissing(next))
+                return missing(next);
+        }
+        return orderDifference();
+    }
+
+private:
+    using Key = std::pair<Place, std::optional<std::size_t>>;
+
+    void match()
+    {
+        m_isMatched.assign(m_right.size(), false);
+        for (const WrittenLine &line : m_lines) {
+            m_matches.push_back(counterpartOf(line));
+            if (m_matches.back())
+                m_isMatched[*m_matches.back()] = true;
+        }
+    }
+
+    /// The first of ours at the line's place that has none yet; where some of them may be there or
+    /// not, one that has its numbers, those that have to be there first.
+    std::optional<std::size_t> counterpartOf(const WrittenLine &line) const
+    {
+        const auto found = m_places.find({placeOf(line), line.triangle});
+        if (found == m_places.end())
+            return std::nullopt;
+        std::vector<std::size_t> open;
+        std::ranges::copy_if(found->second, std::back_inserter(open),
+                             [this](std::size_t right) { return !m_isMatched[right]; });
+        if (open.empty())
+            return std::nullopt;
+        const auto isAskedFor = [this](std::size_t right) { return m_right[right].isAskedFor; };
+        if (std::ranges::all_of(open, isAskedFor))
+            return open.front();
+        std::ranges::stable_sort(open, std::ranges::greater(), isAskedFor);
+        const auto fitting = std::ranges::find_if(
+            open, [&](std::size_t right) { return numbersText(line, m_right[right]).isEmpty(); });
+        return fitting != open.end() ? *fitting : open.front();
+    }
+
+    bool isMissing(std::size_t right) const
+    {
+        return m_right[right].isAskedFor && !m_isMatched[right];
+    }
+    std::pair<QString, std::size_t> missing(std::size_t right) const
+    {
+        return {textOf(m_right[right].place) + QStringLiteral(" is missing"), m_right[right].step};
+    }
+    std::size_t stepNear(std::size_t right) const
+    {
+        return m_right.empty() ? 0 : m_right[std::min(right, m_right.size() - 1)].step;
+    }
+
+    QString unexpectedText(std::size_t line) const
+    {
+        const Key key{placeOf(m_lines[line]), m_lines[line].triangle};
+        const auto found = m_places.find(key);
+        if (found == m_places.end())
+            return textOf(key.first) + QStringLiteral(" is there, should not be");
+        const std::size_t times = found->second.size();
+        return textOf(key.first)
+            + (times == 1 ? QStringLiteral(" comes twice, should come once")
+                          : QStringLiteral(" comes once more, should come %1 times").arg(times));
+    }
+
+    QString numbersText(const WrittenLine &line, const RightLine &right) const
+    {
+        for (std::size_t i = 0; i < line.numbers.size(); ++i) {
+            const WrittenNumber &is = line.numbers[i];
+            const Quantity &number = right.numbers[i];
+            const bool isByte = !line.axis && is.isWhole;
+            if (isByte ? isRightByte(is, number, right.drift) : isRight(is, number, right.drift))
+                continue;
+            const Quantity should
+                = isByte ? Quantity::integer(byteOf(number.toDouble(), m_rounding)) : number;
+            return QStringLiteral("%1, %2: %3, should be %4")
+                .arg(textOf(right.place), titleOf(line.axis, i), is.text, term(should));
+        }
+        return {};
+    }
+
+    /// A level may drift past the middle of two bytes.
+    bool isRightByte(const WrittenNumber &is, const Quantity &level, double drift) const
+    {
+        const double byte = is.value.toDouble();
+        return byte >= byteOf(level.toDouble() - drift, m_rounding)
+            && byte <= byteOf(level.toDouble() + drift, m_rounding);
+    }
+
+    /// Where the program goes back in a triangle, from whichever end it began, or among triangles.
+    std::optional<std::pair<QString, std::size_t>> orderDifference() const
+    {
+        constexpr int forward = 1;
+        const RightLine *before = nullptr;
+        int direction = 0; // of the triangle's lines, as its first two stand
+        for (const auto &match : m_matches) {
+            const RightLine &after = m_right[*match];
+            if (!std::get<0>(after.place) || !after.isAskedFor)
+                continue;
+            const RightLine *last = std::exchange(before, &after);
+            if (!last)
+                continue;
+            const int step = last < &after ? forward : -forward;
+            const bool isSameTriangle = last->primitive == after.primitive;
+            if (!isSameTriangle)
+                direction = 0;
+            else if (direction == 0)
+                direction = step;
+            if (step != (isSameTriangle ? direction : forward))
+                return std::pair(QStringLiteral("the numbers are right, the order is another: %1 "
+                                                "comes after %2, should come before it")
+                                     .arg(textOf(after.place), textOf(last->place)),
+                                 after.step);
+        }
+        return std::nullopt;
+    }
+
+    std::span<const WrittenLine> m_lines;
+    std::vector<RightLine> m_right;
+    ByteRounding m_rounding;
+    std::map<Key, std::vector<std::size_t>> m_places; ///< indices of ours, ascending
+    std::vector<std::optional<std::size_t>> m_matches; ///< by line of the program's
+    std::vector<bool> m_isMatched; ///< by line of ours
+};
+
+} // namespace
+
+Result<std::optional<TraceDifference>> traceDifferenceOf(const Scene &scene,
+                                                         std::span<const WrittenLine> lines,
+                                                         Arithmetic tolerance)
+{
+    const LineKinds kinds = kindsOf(lines);
+    const InputError noRun{{},
+                           QStringLiteral("no exact run of this scene has such lines"),
+                           QStringLiteral("column lines, or row lines, of triangles")};
+    if (kinds.hasColumns && kinds.hasRows)
+        return InputError{
+            {}, QStringLiteral("a trace has columns and rows"), QStringLiteral("one of the two")};
+    const auto run = scene.hasTriangles() ? rightRunOf(scene, kinds) : nullptr;
+    if (!run)
+        return noRun;
+    std::vector<WrittenLine> inFrame;
+    std::ranges::copy_if(lines, std::back_inserter(inFrame), [&scene](const WrittenLine &line) {
+        return isInFrame(line, scene.frame);
+    });
+    TraceMatcher matcher(inFrame, rightLinesOf(*run, kinds, tolerance), scene.settings.rounding);
+    const auto difference = matcher.firstDifference();
+    if (!difference)
+        return std::optional<TraceDifference>();
+    return std::optional(TraceDifference{difference->first, run->scene, difference->second});
+}
+
+} // namespace pixelplumb

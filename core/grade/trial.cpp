@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/trial.h"
+
+#include "core/grade/scenelines.h"
+#include "core/grade/undecidable.h"
+#include "core/scene/scenefile.h"
+
+namespace pixelplumb {
+
+Result<StudentRun> runOn(const StudentProgram &student, const Scene &scene, const TrialTerms &terms,
+                         const std::stop_token &stop)
+{
+    Scene drawn = scene;
+    drawn.hidden.clear(); // which are none of the program's
+    const Result<QByteArray> input
+        = terms.input == ProgramInput::Json ? writeScene(drawn) : sceneLines(drawn);
+    if (!input)
+        return input.error();
+    return runProgram(student, *input, terms.limits, stop);
+}
+
+Result<Trial> tryProgram(const StudentProgram &student, const Scene &scene, const TrialTerms &terms,
+                         const std::stop_token &stop)
+{
+    Result<StudentRun> run = runOn(student, scene, terms, stop);
+    if (!run)
+        return run.error();
+    Trial trial;
+    trial.run = std::move(*run);
+    if (trial.run.end != ProgramEnd::Finished) {
+        trial.fault = InputError{{}, trial.run.told, {}};
+        return trial;
+    }
+    Result<StudentOutput> output = readStudentOutput(trial.run.output, scene);
+    if (!output) {
+        trial.fault = output.error();
+        return trial;
+    }
+    trial.output = std::move(*output);
+    if (trial.output.picture)
+        trial.picture
+            = differenceOf(pictureOf(scene), *trial.output.picture,
+                           undecidablePixels(scene, *trial.output.picture, terms.tolerance));
+    if (trial.output.lines.empty())
+        return trial;
+    Result<std::optional<TraceDifference>> difference
+        = traceDifferenceOf(scene, trial.output.lines, terms.tolerance);
+    if (difference)
+        trial.trace = std::move(*difference);
+    else
+        trial.fault = difference.error();
+    return trial;
+}
+
+} // namespace pixelplumb

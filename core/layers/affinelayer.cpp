@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/affinemap.h"
+#include "core/layers/layers.h"
+#include "core/number/widequantity.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+// Along one axis, about as many as stand this far apart in the image, logical pixels.
+constexpr double gridSpacing = 24;
+constexpr double leastGridLines = 4;
+constexpr double mostGridLines = 64;
+
+/// How numbers are shown: fractions that are longer, in characters, are rounded to so many places.
+struct NumberStyle {
+    qsizetype longestFraction;
+    int places;
+};
+constexpr NumberStyle compared = {13, 6}; ///< weights and coefficients
+constexpr NumberStyle beside = {9, 3}; ///< places and areas
+
+/// "−3/7", or "≈ 0.428571".
+QString shown(const BigRational &number, const NumberStyle &style)
+{
+    const Quantity quantity = quotientOf(numerator(number), denominator(number));
+    QString text = toDecimal(quantity, style.places).prepend(QStringLiteral("≈ "));
+    if (quantity.isRational()) {
+        QString fraction = toText(quantity.numerator());
+        if (quantity.denominator() != 1)
+            fraction += u'/' + toText(quantity.denominator());
+        if (fraction.size() <= style.longestFraction)
+            text = fraction;
+    }
+    return text.replace(u'-', QChar(0x2212));
+}
+
+QString shown(const RationalPoint &point)
+{
+    return QStringLiteral("(%1, %2)").arg(shown(point.x, beside), shown(point.y, beside));
+}
+
+QPointF placeInFrame(const RationalPoint &inScene, const FrameSpec &frame)
+{
+    const double offset = double(sampleOffset(frame)) / unitsPerPixel;
+    return {inScene.x.convert_to<double>() - offset, inScene.y.convert_to<double>() - offset};
+}
+
+/// "+ 3/7", "− 2": a further term of a sum.
+QString term(const BigRational &number)
+{
+    const QString sign = number < 0 ? QStringLiteral("− ") : QStringLiteral("+ ");
+    return sign + shown(abs(number), compared);
+}
+
+QString row(const BigRational &x, const BigRational &y, const BigRational &shift)
+{
+    return QStringLiteral("%1·x %2·y %3").arg(shown(x, compared), term(y), term(shift));
+}
+
+QString weightsText(const PointAreas &areas)
+{
+    return QStringLiteral("α = %1, β = %2, γ = %3")
+        .arg(shown(areas.weight(0), compared), shown(areas.weight(1), compared),
+             shown(areas.weight(2), compared));
+}
+
+QString areasText(const PointAreas &areas)
+{
+    return QStringLiteral("doubled areas %1, %2, %3 of %4")
+        .arg(shown(areas.parts[0], beside), shown(areas.parts[1], beside),
+             shown(areas.parts[2], beside), shown(areas.whole, beside));
+}
+
+/// The picked pixel, else the last sample of the primitive that is done; before its first one, and
+/// of a finished run, the pixel nearest to the triangle's middle.
+LatticePoint sampleInHand(const LayerMoment &moment)
+{
+    if (moment.view.picked)
+        return latticePixel(moment.view.picked->x(), moment.view.picked->y());
+    const ScanTrace &trace = moment.trace();
+    const std::size_t done = trace.samplesDoneAt(moment.view.position);
+    const bool isFinished = moment.view.position == trace.stepCount();
+    if (done > 0 && !isFinished && trace.primitiveOf(trace.spanOf(done - 1)) == moment.primitive) {
+        const PixelChange change = trace.changes()[done - 1];
+        return latticePixel(change.x, change.y);
+    }
+    LatticePoint sum;
+    for (const LatticePoint &corner : moment.corners())
+        sum = {sum.x + corner.x, sum.y + corner.y};
+    const auto nearest = [](Lattice tripled) {
+        return floorDivide(2 * tripled + 3 * unitsPerPixel, 6 * unitsPerPixel);
+    };
+    return latticePixel(nearest(sum.x), nearest(sum.y));
+}
+
+class AffineDrawer {
+public:
+    AffineDrawer(const LayerMoment &moment, LayerDrawing &drawing)
+        : m_moment(moment)
+        , m_drawing(drawing)
+    {
+        const Corners images = imagesOf(moment.view, moment.primitive);
+        const std::array<int, 3> order = moment.trace().setUp(moment.primitive).order;
+        const Lattice offset = sampleOffset(moment.frame());
+        for (std::size_t i = 0; i < 3; ++i) {
+            m_onSamples[i] = moment.corners()[i];
+            m_corners[i] = {m_onSamples[i].x + offset, m_onSamples[i].y + offset};
+            m_images[i] = images[std::size_t(order[i])];
+            m_imagePlaces[i] = placeInFrame(rationalPoint(m_images[i]), moment.frame());
+        }
+        m_map = affineMapOf(m_corners, m_images);
+        const QPointF a = m_imagePlaces[1] - m_imagePlaces[0];
+        const QPointF b = m_imagePlaces[2] - m_imagePlaces[0];
+        const double extent = std::sqrt(std::abs(a.x() * b.y() - a.y() * b.x()));
+        m_gridLines
+            = std::clamp(extent * moment.view.cell / gridSpacing, leastGridLines, mostGridLines);
+        const LatticePoint sample = sampleInHand(moment);
+        m_point = rationalPoint({sample.x + offset, sample.y + offset});
+    }
+
+    void appendTriangles()
+    {
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t next = (i + 1) % 3;
+            m_drawing.lines.push_back(
+                {placeOf(m_onSamples[i]), placeOf(m_onSamples[next]), LayerInk::Mark});
+            m_drawing.lines.push_back({m_imagePlaces[i], m_imagePlaces[next], LayerInk::Second,
+                                       LayerDrawing::Stroke::Dashed});
+            m_drawing.points.push_back({m_imagePlaces[i], LayerInk::Second});
+            m_drawing.labels.push_back(
+                {QStringLiteral("P%1′ %2").arg(i).arg(shown(rationalPoint(m_images[i]))),
+                 m_imagePlaces[i], LayerInk::Second});
+        }
+    }
+
+    /// The images of the borders between cells.
+    void appendGrid()
+    {
+        appendGridLines(&QPointF::x);
+        appendGridLines(&QPointF::y);
+    }
+
+    /// The sample and its image, each with the weights of its own areas.
+    void appendSample()
+    {
+        const RationalPoint image = m_map.of(m_point);
+        m_drawing.notes.append(
+            QStringLiteral("Affine map: x′ = %1").arg(row(m_map.xx, m_map.xy, m_map.shift.x)));
+        m_drawing.notes.append(
+            QStringLiteral("and y′ = %1").arg(row(m_map.yx, m_map.yy, m_map.shift.y)));
+        appendPoint(QStringLiteral("p"), m_point, pointAreas(m_corners, m_point));
+        for (std::size_t i = 0; i < 3; ++i)
+            appendSpoke(placeOf(m_onSamples[i]), m_point);
+        if (m_map.determinant() == 0) {
+            m_drawing.points.push_back({placeInFrame(image, m_moment.frame()), LayerInk::Hand});
+            m_drawing.notes.append(
+                QStringLiteral("p′ %1 has no weights: the map flattens the triangle to no area")
+                    .arg(shown(image)));
+            return;
+        }
+        appendPoint(QStringLiteral("p′"), image, pointAreas(m_images, image));
+        for (const QPointF &corner : m_imagePlaces)
+            appendSpoke(corner, image);
+        m_drawing.notes.append(areasChange());
+    }
+
+private:
+    /// Those where one coordinate is the same: all, or every second, fourth …
+    void appendGridLines(double (QPointF::*coordinate)() const)
+    {
+        std::array<double, 3> values;
+        std::ranges::transform(m_onSamples, values.begin(), [&](const LatticePoint &corner) {
+            return (placeOf(corner).*coordinate)();
+        });
+        const auto [least, largest] = std::ranges::minmax(values);
+        double every = 1;
+        while ((largest - least) / every > m_gridLines)
+            every *= 2;
+        for (double line = std::ceil((least - 0.5) / every) * every + 0.5; line < largest;
+             line += every) {
+            // An affine map keeps the ratio in which a line cuts an edge.
+            std::vector<QPointF> cuts;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const std::size_t next = (i + 1) % 3;
+                if ((values[i] < line) != (values[next] < line))
+                    cuts.push_back(m_imagePlaces[i]
+                                   + (line - values[i]) / (values[next] - values[i])
+                                       * (m_imagePlaces[next] - m_imagePlaces[i]));
+            }
+            if (cuts.size() == 2)
+                m_drawing.lines.push_back(
+                    {cuts[0], cuts[1], LayerInk::Second, LayerDrawing::Stroke::Dotted});
+        }
+    }
+
+    void appendPoint(const QString &name, const RationalPoint &point, const PointAreas &areas)
+    {
+        const QPointF place = placeInFrame(point, m_moment.frame());
+        m_drawing.points.push_back({place, LayerInk::Hand});
+        m_drawing.labels.push_back(
+            {QStringLiteral("%1: %2").arg(name, weightsText(areas)), place, LayerInk::Hand});
+        m_drawing.notes.append(
+            QStringLiteral("%1 %2: %3").arg(name, shown(point), areasText(areas)));
+    }
+
+    /// Between two of the areas that are compared.
+    void appendSpoke(const QPointF &corner, const RationalPoint &point)
+    {
+        m_drawing.lines.push_back({placeInFrame(point, m_moment.frame()), corner, LayerInk::Hand,
+                                   LayerDrawing::Stroke::Dotted});
+    }
+
+    QString areasChange() const
+    {
+        const BigRational factor = m_map.determinant();
+        const QString same = QStringLiteral("The weights stay, all areas are multiplied by %1")
+                                 .arg(shown(factor, compared));
+        return factor < 0 ? same + QStringLiteral(": the map mirrors") : same;
+    }
+
+    const LayerMoment &m_moment;
+    LayerDrawing &m_drawing;
+    Corners m_onSamples; ///< P₀, P₁, P₂ in sample coordinates
+    Corners m_corners; ///< the same in the scene's
+    Corners m_images;
+    std::array<QPointF, 3> m_imagePlaces; ///< in sample coordinates, px
+    double m_gridLines = leastGridLines; ///< at most, along one axis
+    AffineMap m_map;
+    RationalPoint m_point;
+};
+
+void drawAffineMap(const LayerMoment &moment, LayerDrawing &drawing)
+{
+    if (doubledArea(moment.triangle()) == 0)
+        return drawing.notes.append(
+            QStringLiteral("Affine map: the triangle has no area, so that its corners tell of no "
+                           "map and no point has weights"));
+    AffineDrawer drawer(moment, drawing);
+    drawer.appendTriangles();
+    drawer.appendSample();
+    drawer.appendGrid();
+}
+
+} // namespace
+
+Layer affineMapLayer()
+{
+    return {.id = QStringLiteral("affine-map"),
+            .title = QStringLiteral("Affine map: weights stay"),
+            .toolTip = QStringLiteral(
+                "The triangle's image under an affine map, with the images of the lines between "
+                "cells, of every second, fourth … where they are many, and the weights of the "
+                "sample in hand before and after, each from its own "
+                "triangle's areas. The image's corners can be dragged; a double click on one "
+                "brings the first map back."),
+            .source = QStringLiteral("Rasterization slides, “Barycentric Coordinates – "
+                                     "Invariance”"),
+            .kinds = {PrimitiveKind::Triangle},
+            .draw = drawAffineMap};
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/methods/interpolation.h"
+#include "core/methods/interpolationmethod.h"
+
+namespace pixelplumb {
+
+Method bilinearInterpolationMethod()
+{
+    Method method = interpolationMethod<InterpolationForm::Bilinear, ShadedMethod::Bilinear>();
+    method.id = QStringLiteral("interpolate-bilinear");
+    method.title = QStringLiteral("Bilinear interpolation");
+    method.source = QStringLiteral("Scan Conversion slides, “1. Bilinear Interpolation”");
+    method.summary = QStringLiteral("Interpolates along both edges and then along the column, each "
+                                    "by adding a rate; what is covered is exact.");
+    return method;
+}
+
+Method bilinearRowsInterpolationMethod()
+{
+    Method method = plainInterpolationMethod<InterpolationForm::BilinearRows>();
+    method.id = QStringLiteral("interpolate-bilinear-rows");
+    method.title = QStringLiteral("Bilinear interpolation by rows");
+    method.source = QStringLiteral("Scan Conversion slides, “1. Bilinear Interpolation” (“along "
+                                   "LH and RH edges, as a function of y”)");
+    method.summary = QStringLiteral("Interpolates down the left and the right edge and then along "
+                                    "the row, each by adding a rate; what is covered is exact.");
+    method.fillRules = {FillRule::Closed, FillRule::TopLeft, FillRule::Open};
+    method.fillRuleReason = spanRuleReason(SpanAxis::Row);
+    return method;
+}
+
+} // namespace pixelplumb

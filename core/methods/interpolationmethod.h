@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/methods/interpolationkernel.h"
+#include "core/methods/plannedmethod.h"
+
+/// What the methods of interpolation have in common. Each form is thousands of lines of templates:
+/// they are compiled in files of their own.
+namespace pixelplumb {
+
+/// What the triangles are given that a person wrote. Of a camera's triangles only what an effect
+/// reads counts, and then it is the effects' kernels that draw.
+CarriedChannels carriedBy(const Primitives &primitives);
+
+template <InterpolationForm Form>
+std::unique_ptr<ScanTrace> traceCarried(const Primitives &primitives, const ScanSettings &settings,
+                                        FrameView frame, const TraceOptions &options)
+{
+    using Kernel = InterpolationKernel<Form>;
+    const CarriedChannels carried = carriedBy(primitives);
+    if (carried.count() == colourChannelCount)
+        return traceWith<Kernel>(primitives, settings, frame, options);
+    return Kernel::withNumbers(settings, IntegerWidth::Bits128, [&]<class Number>() {
+        using R = InterpolationRecording<Form, Number, channelCount>;
+        return recordTrace<R>(
+            primitives.size(), settings, options,
+            [&](std::size_t index) { return primitives.isTriangle(index); },
+            [&](std::size_t index, const TraceRecorder<R> &recorder) {
+                const auto listener = listenerFor<Form>(recorder);
+                const FormTriangle<Form> scanned(primitives.triangles[index],
+                                                 primitives.attributesOf(index));
+                InterpolationScan<Form, Number, WideBeside<Number>, channelCount,
+                                  std::remove_const_t<decltype(listener)>>(
+                    scanned.triangle, &scanned.attributes, carried, settings, frame, listener)
+                    .run();
+            },
+            TablesOf<R>::of(carried));
+    });
+}
+
+/// What draws colours; z, u, v and the normal are traced, where a person gives them.
+template <InterpolationForm Form>
+Method plainInterpolationMethod()
+{
+    using Kernel = InterpolationKernel<Form>;
+    Method method = methodOf<Kernel>();
+    method.draw = drawWith<Kernel>;
+    method.trace = traceCarried<Form>;
+    method.pseudocode = interpolationPseudocode(Form);
+    method.family = MethodFamily::Interpolation;
+    method.effects = {Effect::SmoothColour, Effect::Clipping};
+    method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
+    method.stableArithmetics = {Arithmetic::Exact};
+    method.fillRules = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::Open};
+    method.fillRuleReason = spanRuleReason(SpanAxis::Column);
+    return method;
+}
+
+/// The same, with all effects.
+template <InterpolationForm Form, ShadedMethod shaded>
+Method interpolationMethod()
+{
+    Method method = plainInterpolationMethod<Form>();
+    method.draw = drawPlanned<shaded, drawWith<InterpolationKernel<Form>>>;
+    method.drawEffects = drawEffects<shaded>;
+    method.trace = tracePlanned<shaded, traceCarried<Form>>;
+    method.shadedPseudocode = pixelplumb::shadedPseudocode(Form);
+    method.effects.assign(allEffects.begin(), allEffects.end());
+    return method;
+}
+
+} // namespace pixelplumb

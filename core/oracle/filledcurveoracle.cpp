@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/oracle/filledcurveoracle.h"
+
+#include "core/oracle/truepixel.h"
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <algorithm>
+#include <array>
+#include <span>
+
+namespace pixelplumb::oracle {
+
+namespace {
+
+/// 39 bits of a coordinate and its displacement, and three for each halving of a cubic.
+constexpr int deepestPathCut = 28;
+
+/// One coordinate of a piece's control points, in units that halving makes smaller.
+struct PathControls {
+    std::array<Int128, 4> points = {};
+    std::size_t count = 0;
+
+    std::size_t degree() const { return count - 1; }
+    const Int128 &first() const { return points.front(); }
+    const Int128 &last() const { return points[degree()]; }
+    Int128 lowest() const { return *std::ranges::min_element(std::span(points).first(count)); }
+    Int128 highest() const { return *std::ranges::max_element(std::span(points).first(count)); }
+
+    /// De Casteljau's averages of averages, as sums.
+    PathControls firstHalf() const
+    {
+        PathControls half = *this;
+        std::array<Int128, 4> sums = points;
+        for (std::size_t level = 0; level < count; ++level) {
+            half.points[level] = sums[0] * (Int128(1) << (degree() - level));
+            for (std::size_t i = 0; i + level + 1 < count; ++i)
+                sums[i] += sums[i + 1];
+        }
+        return half;
+    }
+    PathControls reversed() const
+    {
+        PathControls other = *this;
+        std::reverse(other.points.begin(), other.points.begin() + std::ptrdiff_t(count));
+        return other;
+    }
+    PathControls secondHalf() const { return reversed().firstHalf().reversed(); }
+};
+
+struct PathPiece {
+    PathControls x, y;
+    int depth = 0; ///< halvings
+
+    Int128 pixel() const { return Int128(unitsPerPixel) << (int(x.degree()) * depth); }
+};
+
+PathPiece pathPieceOf(std::span<const Vertex> controls)
+{
+    PathPiece piece;
+    piece.x.count = piece.y.count = controls.size();
+    for (std::size_t i = 0; i < controls.size(); ++i) {
+        piece.x.points[i] = controls[i].position.x;
+        piece.y.points[i] = controls[i].position.y;
+    }
+    return piece;
+}
+
+/// The curves and, between them, the straight edges.
+std::vector<PathPiece> pathPiecesOf(const Shape &path)
+{
+    std::vector<PathPiece> pieces;
+    const auto joinTo = [&](const Vertex &from, const Vertex &to) {
+        if (from.position != to.position)
+            pieces.push_back(pathPieceOf(std::array{from, to}));
+    };
+    const std::span<const Vertex> vertices = path.vertices;
+    std::size_t first = 0;
+    for (std::size_t i = 0; i <= path.laterContours.size(); ++i) {
+        const std::size_t end
+            = i < path.laterContours.size() ? path.laterContours[i] : vertices.size();
+        if (first > 0)
+            joinTo(vertices[first - 1], vertices[first]);
+        pieces.push_back(pathPieceOf(vertices.subspan(first, end - first)));
+        first = end;
+    }
+    joinTo(vertices.back(), vertices.front());
+    return pieces;
+}
+
+/// From a column on, the winding number of a row is another one.
+struct Turn {
+    std::int64_t column = 0;
+    int by = 0;
+};
+
+/// Appends what a piece adds on a row.
+class RowTurns {
+public:
+    RowTurns(std::int64_t row, FrameOrigin origin)
+        : m_row(row)
+        , m_origin(origin)
+    {
+    }
+
+    void append(const PathPiece &piece)
+    {
+        const Int128 pixel = piece.pixel();
+        const Int128 height = m_row * pixel;
+        if (isAbove(piece.y.lowest(), height) == isAbove(piece.y.highest(), height))
+            return;
+        const int turn
+            = int(isAbove(piece.y.last(), height)) - int(isAbove(piece.y.first(), height));
+        if (piece.x.degree() == 1) {
+            m_turns.push_back({columnOfChord(piece), turn});
+            return;
+        }
+        const std::int64_t column = ceilDivided(piece.x.lowest(), pixel);
+        const bool isBetweenColumns = column * pixel >= piece.x.highest();
+        if (!isBetweenColumns && piece.depth < deepestPathCut) {
+            append({piece.x.firstHalf(), piece.y.firstHalf(), piece.depth + 1});
+            append({piece.x.secondHalf(), piece.y.secondHalf(), piece.depth + 1});
+            return;
+        }
+        if (turn != 0)
+            m_turns.push_back({isBetweenColumns ? column : columnOfChord(piece), turn});
+    }
+    const std::vector<Turn> &turns() const { return m_turns; }
+    std::vector<Turn> sorted()
+    {
+        std::ranges::sort(m_turns, {}, &Turn::column);
+        return m_turns;
+    }
+
+private:
+    /// Displaced down as seen, a sample is below what is level with it.
+    bool isAbove(const Int128 &y, const Int128 &height) const
+    {
+        return m_origin == FrameOrigin::TopLeft ? y > height : y >= height;
+    }
+    /// The first column whose sample is where the chord of a piece crosses the row, or right of it.
+    std::int64_t columnOfChord(const PathPiece &piece) const
+    {
+        using Wide = boost::multiprecision::cpp_int;
+        const Wide height = Wide(m_row) * Wide(piece.pixel());
+        const Wide rise = Wide(piece.y.last()) - Wide(piece.y.first());
+        const Wide x = Wide(piece.x.first()) * rise
+            + (Wide(piece.x.last()) - Wide(piece.x.first())) * (height - Wide(piece.y.first()));
+        const Wide unit = (rise < 0 ? -rise : rise) * Wide(piece.pixel());
+        Wide column, rest;
+        boost::multiprecision::divide_qr(Wide(rise < 0 ? -x : x), unit, column, rest);
+        return std::int64_t(column) + (rest > 0 ? 1 : 0);
+    }
+    static std::int64_t ceilDivided(const Int128 &value, const Int128 &pixel)
+    {
+        return -std::int64_t(floorDivide<Int128>(-value, pixel));
+    }
+
+    std::int64_t m_row;
+    FrameOrigin m_origin;
+    std::vector<Turn> m_turns;
+};
+
+RowTurns turnsOn(std::int64_t row, FrameOrigin origin, const std::vector<PathPiece> &pieces)
+{
+    RowTurns turns(row, origin);
+    for (const PathPiece &piece : pieces)
+        turns.append(piece);
+    return turns;
+}
+
+bool isInsidePath(std::int64_t winding, ShapeFill fill)
+{
+    return fill == ShapeFill::NonZero ? winding != 0 : winding % 2 != 0;
+}
+
+} // namespace
+
+bool filledCurveCovers(const Shape &path, FrameOrigin origin, std::int64_t x, std::int64_t y)
+{
+    const RowTurns row = turnsOn(y, origin, pathPiecesOf(path));
+    std::int64_t winding = 0;
+    for (const Turn &turn : row.turns())
+        winding += turn.column <= x ? turn.by : 0;
+    return isInsidePath(winding, path.fill);
+}
+
+void drawFilledCurve(const Shape &path, FrameView frame)
+{
+    const std::vector<PathPiece> pieces = pathPiecesOf(path);
+    for (std::int64_t y = frame.firstRow; y < frame.endRow(); ++y) {
+        const std::vector<Turn> turns = turnsOn(y, frame.origin, pieces).sorted();
+        std::int64_t winding = 0;
+        for (std::size_t i = 0; i + 1 < turns.size(); ++i) {
+            winding += turns[i].by;
+            if (!isInsidePath(winding, path.fill))
+                continue;
+            const std::int64_t end = std::min(turns[i + 1].column, frame.endColumn());
+            for (std::int64_t x = std::max<std::int64_t>(turns[i].column, frame.firstColumn);
+                 x < end; ++x)
+                writeTruePixel(frame, x, y, path.vertices.front().colour);
+        }
+    }
+}
+
+} // namespace pixelplumb::oracle

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/byteexplanation.h"
+
+#include "core/methods/formulatext.h"
+#include "core/runs/tracedscene.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr std::array channelSubjects
+    = {NumberSubject::Red, NumberSubject::Green, NumberSubject::Blue};
+
+/// "⌊R + ½⌋", with the clamp where it was needed; % stands for the level.
+QString byteFormula(ByteRounding rounding, std::int64_t level)
+{
+    const QString rounded
+        = rounding == ByteRounding::Nearest ? QStringLiteral("⌊% + ½⌋") : QStringLiteral("⌊%⌋");
+    if (level < 0)
+        return QStringLiteral("max(0, ") + rounded + u')';
+    return level > 255 ? QStringLiteral("min(255, ") + rounded + u')' : rounded;
+}
+
+/// The byte of an exact level.
+Quantity byteOf(const Quantity &level, ByteRounding rounding)
+{
+    const CommonFraction exact{level.numerator(), level.denominator()};
+    const Int128 byte = rounding == ByteRounding::Nearest ? exact.nearest() : exact.floor();
+    return Quantity::integer(std::clamp<Int128>(byte, 0, 255));
+}
+
+/// What the last stage of a sample's effects made of the colour: "r", "s", "mod"; empty where none
+/// did anything to it.
+QString lastStage(const std::vector<NumberDescription> &columns, const std::vector<Quantity> &used)
+{
+    for (const QString &stage : {QStringLiteral("mean"), QStringLiteral("r"), QStringLiteral("s"),
+                                 QStringLiteral("mod")}) {
+        const auto column
+            = std::ranges::find(columns, stage + QStringLiteral("_R"), &NumberDescription::title);
+        const auto place = std::size_t(column - columns.begin());
+        if (place < used.size() && !used[place].isNone())
+            return stage;
+    }
+    return {};
+}
+
+/// The bytes that stand in the pixel: those of the last stage.
+void appendStage(Explanation &explanation, const QString &stage, QRgb pixel)
+{
+    const Colour colour = unpacked(pixel);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const Quantity byte = Quantity::integer(colour.channels[channel]);
+        explanation.lines.push_back(
+            {channelSubjects[channel],
+             QStringLiteral("byte = %1_%2").arg(stage).arg(channelLetters[channel]),
+             term(byte),
+             byte,
+             {}});
+    }
+}
+
+/// The bytes of the levels, and the levels themselves where no column describes them.
+void appendRounding(Explanation &explanation, ByteRounding rounding, const SampleRecord &sample,
+                    const ExactSample &exact)
+{
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        if (sample.colour[channel].isNone())
+            continue;
+        const auto filled = [&](const QString &level) {
+            return byteFormula(rounding, sample.level[channel]).replace(u'%', level);
+        };
+        FormulaLine byte;
+        byte.subject = channelSubjects[channel];
+        byte.symbols = QStringLiteral("byte = ") + filled(QString(channelLetters[channel]));
+        byte.substituted = filled(term(sample.colour[channel]));
+        byte.used = Quantity::integer(std::clamp<std::int64_t>(sample.level[channel], 0, 255));
+        if (exact.colour[channel].isRational())
+            byte.exact = byteOf(exact.colour[channel], rounding);
+        explanation.lines.push_back(byte);
+    }
+}
+
+} // namespace
+
+void appendBytes(Explanation &explanation, const TracedScene &traced, const WrittenSample &written)
+{
+    const QString stage = lastStage(written.numbers, written.sample.cells);
+    if (stage.isEmpty())
+        appendRounding(explanation, traced.scene.settings.rounding, written.sample, written.exact);
+    else
+        appendStage(explanation, stage, written.pixel);
+}
+
+} // namespace pixelplumb

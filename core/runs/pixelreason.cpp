@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/pixelreason.h"
+
+#include "core/methods/rejectiontext.h"
+#include "core/oracle/effecttruth.h"
+#include "core/runs/refusaltext.h"
+#include "core/scan/choicenames.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+QString distanceText(const oracle::EdgeVerdict &edge, const ScanTrace &trace)
+{
+    const auto [exact, axis] = scanDistance(edge, trace);
+    if (exact.isNone())
+        return QStringLiteral("at no distance: the edge is a point");
+    return QStringLiteral("%1 px measured along the %2 (%3 px square to the edge)")
+        .arg(toText(exact),
+             axis == SpanAxis::Column ? QStringLiteral("column") : QStringLiteral("row"),
+             QString::number(edge.distance, 'g', 6));
+}
+
+/// Which edge keeps the sample out, by how much, under which rule.
+QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                    std::int64_t y)
+{
+    const FillRule rule = traced.scene.settings.fillRule;
+    if (attempt.kind != PrimitiveKind::Triangle)
+        return QStringLiteral("The %1 does not cover it.").arg(nameOf(attempt.kind));
+    if (attempt.verdict.zeroArea) {
+        return rule == FillRule::Closed
+            ? QStringLiteral("The triangle has no area, and the sample is not on its segment.")
+            : QStringLiteral("The triangle has no area: only the closed rule paints a segment.");
+    }
+    const auto refusing = std::ranges::min_element(
+        attempt.verdict.edges, [](const oracle::EdgeVerdict &a, const oracle::EdgeVerdict &b) {
+            return std::pair(a.accepts, a.distance) < std::pair(b.accepts, b.distance);
+        });
+    const QString &edge = attempt.edgeNames[std::size_t(refusing - attempt.verdict.edges.begin())];
+    if (refusing->edgeFunction == 0)
+        return QStringLiteral("The sample lies exactly on %1, and %2.")
+            .arg(edge, tieText(traced, attempt.primitive, *refusing, x, y));
+    return QStringLiteral("Refused by %1: the sample is at %2, under the rule %3.")
+        .arg(edge, distanceText(*refusing, *traced.trace), nameText(nameOf(rule)));
+}
+
+QString channelText(const PixelAttempt &attempt, std::size_t channel, QChar name)
+{
+    return QStringLiteral("%1 = %2 → %3")
+        .arg(name)
+        .arg(toText(attempt.sample->colour[channel]))
+        .arg(std::clamp<std::int64_t>(attempt.sample->level[channel], 0, 255));
+}
+
+QString writtenText(const PixelAttempt &attempt)
+{
+    QString text = QStringLiteral("Writes %1, %2, %3.")
+                       .arg(channelText(attempt, 0, u'R'), channelText(attempt, 1, u'G'),
+                            channelText(attempt, 2, u'B'));
+    if (attempt.sample->clamped)
+        text += QStringLiteral(" A level left 0 … 255 and was clamped.");
+    return text;
+}
+
+/// Why the kernel passed over a sample that the truth covers.
+QString missedText(const PixelAttempt &attempt, const ScanTrace &trace)
+{
+    if (attempt.primitive >= trace.primitiveCount())
+        return QStringLiteral("Not recorded: the recording ended at its limit before this pixel.");
+    if (attempt.sample)
+        return QStringLiteral("Missing: the truth covers it, but the kernel refused the sample.");
+    if (trace.isCut())
+        return QStringLiteral("Not recorded: the recording ended at its limit before this pixel.");
+    if (!attempt.span)
+        return QStringLiteral("Missing: the truth covers it, the kernel did not come here.");
+    const SpanRecord &span = *attempt.span;
+    if (span.lower.isNone())
+        return QStringLiteral("Missing: the truth covers it, the kernel did not write it.");
+    return QStringLiteral("Missing: the truth covers it, but the %1's bounds %2 and %3 give the "
+                          "samples %4 … %5.")
+        .arg(span.place.axis == SpanAxis::Column ? QStringLiteral("column") : QStringLiteral("row"),
+             toText(span.lower), toText(span.upper))
+        .arg(span.firstSample)
+        .arg(span.endSample - 1);
+}
+
+/// What became of a sample on which more than coverage and colour were decided.
+QString shadedText(const PixelAttempt &attempt, const TracedScene &traced)
+{
+    const ScanTrace &trace = *traced.trace;
+    const TraceStep step = trace.stepAt(attempt.step);
+    const QString told
+        = trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
+    if (!attempt.written)
+        return told;
+    const Colour colour = unpacked(attempt.change.after);
+    QString text = QStringLiteral("Writes %1, %2, %3.")
+                       .arg(colour.red())
+                       .arg(colour.green())
+                       .arg(colour.blue());
+    if (!told.isEmpty())
+        text += u' ' + told;
+    if (attempt.sample->clamped)
+        text += QStringLiteral(" A level left 0 … 255 and was clamped.");
+    return text;
+}
+
+/// To what a run that departs from the right algorithm may owe its wrong pixels; empty of others.
+QString variantText(const TracedScene &traced)
+{
+    const QStringList names = namesOf(variantsIn(traced.scene.settings.variants));
+    return names.isEmpty()
+        ? QString()
+        : QStringLiteral(" The run has the variant %1.").arg(names.join(QStringLiteral(", ")));
+}
+
+/// What a set-up made of its primitive that is not the very same; empty where it is.
+QString approximationText(const ScanTrace &trace, std::size_t primitive)
+{
+    if (primitive >= trace.primitiveCount())
+        return {};
+    const std::vector<Quantity> cells = trace.setUp(primitive).cells;
+    const auto &numbers = trace.numbers().setUp;
+    const auto cellOf = [&](const char *id) {
+        const auto found
+            = std::ranges::find(numbers, QString::fromLatin1(id), &NumberDescription::id);
+        return found == numbers.end() ? Quantity() : cells[std::size_t(found - numbers.begin())];
+    };
+    if (const Quantity moved = cellOf("moved"); !moved.isNone() && moved.toDouble() > 0)
+        return QStringLiteral(" Its crossings were moved to multiples of 1/256 px, by %1 px at "
+                              "most, and tilt the edges that meet there.")
+            .arg(moved.toDouble(), 0, 'g', 3);
+    if (!cellOf("curves").isNone())
+        return QStringLiteral(" What was filled are its chords, which leave the curves by 1/32 px "
+                              "at most.");
+    return {};
+}
+
+} // namespace
+
+ScanDistance scanDistance(const oracle::EdgeVerdict &edge, const ScanTrace &trace)
+{
+    const ScanDistance alongColumn{edge.distanceAlongColumn, SpanAxis::Column};
+    const ScanDistance alongRow{edge.distanceAlongRow, SpanAxis::Row};
+    const bool isByRows = trace.spanCount() > 0 && trace.placeOf(0).axis == SpanAxis::Row;
+    const ScanDistance &scanned = isByRows ? alongRow : alongColumn;
+    return scanned.exact.isNone() ? (isByRows ? alongColumn : alongRow) : scanned;
+}
+
+QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                 std::int64_t y)
+{
+    if (attempt.primitive < traced.trace->primitiveCount()) {
+        if (const auto rejection = traced.trace->setUp(attempt.primitive).rejection)
+            return rejectionText(*rejection);
+    }
+    const bool isAntialiasedShape = attempt.kind != PrimitiveKind::Triangle
+        && oracle::truthOf(traced.primitives.appearance).antialiasing != Antialiasing::None
+        && traced.method->supports(Effect::Antialiasing);
+    if ((traced.plan || isAntialiasedShape) && attempt.sample)
+        return shadedText(attempt, traced);
+    const auto approximation = [&] { return approximationText(*traced.trace, attempt.primitive); };
+    if (!attempt.written) {
+        return attempt.verdict.covered
+            ? missedText(attempt, *traced.trace) + variantText(traced) + approximation()
+            : refusalText(attempt, traced, x, y);
+    }
+    QString text = writtenText(attempt);
+    if (!attempt.verdict.covered)
+        return text + QStringLiteral(" Extra: the truth does not cover it. ")
+            + refusalText(attempt, traced, x, y) + variantText(traced) + approximation();
+    if (attempt.kind != PrimitiveKind::Triangle)
+        return text;
+    const Colour exact
+        = oracle::byteColourAt(traced.primitives.triangles[attempt.primitive], attempt.change.x,
+                               attempt.change.y, traced.scene.settings.rounding);
+    if (packed(exact) != attempt.change.after)
+        text += QStringLiteral(" The exact colour is %1, %2, %3.")
+                    .arg(exact.red())
+                    .arg(exact.green())
+                    .arg(exact.blue())
+            + variantText(traced);
+    return text;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/geometry/attributes.h"
+#include "core/scan/interpolationnumbers.h"
+#include "core/scan/rowwalk.h"
+#include "core/scan/scanobserver.h"
+#include "core/scan/workstage.h"
+
+#include <type_traits>
+
+/// How a form of interpolation that goes by rows is scanned by columns of the
+/// plane turned to (u, v) = (−y, x), as row edge walking is (rowwalk.h).
+namespace pixelplumb {
+
+template <InterpolationForm form>
+using ViewOfForm = std::conditional_t<axisOf(form) == SpanAxis::Row, TurnedView, FrameView>;
+
+/// Tells of the pixels where they are; spans and set-ups stay turned.
+template <class Observer>
+class TurnedListener {
+public:
+    explicit TurnedListener(Observer observer)
+        : m_observer(observer)
+    {
+    }
+
+    WorkStage enter(WorkStage stage) const requires HearsStages<Observer>
+    {
+        return m_observer.enter(stage);
+    }
+    template <class SetUp>
+    void primitiveBegun(const SetUp &setUp)
+    {
+        m_observer.primitiveBegun(setUp);
+    }
+    void primitiveRejected(const Rejection &rejection) { m_observer.primitiveRejected(rejection); }
+    template <class Span>
+    void spanEntered(const Span &span)
+    {
+        m_observer.spanEntered(span);
+    }
+    template <class Sample>
+    void sampleRejected(std::int64_t u, std::int64_t v, QRgb pixel, const Sample &sample)
+    {
+        m_observer.sampleRejected(v, -u, pixel, sample);
+    }
+    template <class Sample>
+    void pixelWritten(std::int64_t u, std::int64_t v, QRgb before, QRgb after, const Sample &sample)
+    {
+        m_observer.pixelWritten(v, -u, before, after, sample);
+    }
+
+private:
+    Observer m_observer;
+};
+
+template <class Observer>
+inline constexpr bool readsNumbers<TurnedListener<Observer>> = readsNumbers<Observer>;
+
+/// What a form hears with: the observer itself where nothing is turned or
+/// nobody listens.
+template <InterpolationForm form, class Observer>
+auto listenerFor(Observer observer)
+{
+    if constexpr (axisOf(form) == SpanAxis::Column || std::is_same_v<Observer, NullObserver>)
+        return observer;
+    else
+        return TurnedListener<Observer>(observer);
+}
+
+/// A triangle as a form scans it, with what it carries. Of one without area
+/// whose vertices coincide, the turned one lies between the same two as the
+/// triangle itself.
+template <InterpolationForm form>
+struct FormTriangle {
+    FormTriangle(const Triangle &of, const TriangleAttributes *carried)
+        : triangle(of)
+    {
+        if (carried)
+            attributes = *carried;
+        if (axisOf(form) == SpanAxis::Column)
+            return;
+        const auto &at = [&](std::size_t i) { return of.vertices[i].position; };
+        if (at(0) == at(1) || at(1) == at(2) || at(0) == at(2)) {
+            const std::array<int, 3> order = sortedByColumn(of);
+            triangle = betweenExtremes(of);
+            attributes.vertices[std::size_t(order[1])] = attributes.vertices[std::size_t(order[2])];
+        }
+        triangle = turned(triangle);
+    }
+
+    Triangle triangle;
+    TriangleAttributes attributes;
+};
+
+} // namespace pixelplumb

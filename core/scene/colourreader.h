@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/scene/colourtext.h"
+#include "core/scene/jsonreader.h"
+
+namespace pixelplumb {
+
+/// A colour "#rrggbb"; an error stays with the JsonReader.
+Colour readColour(JsonReader &json, const JsonNode &node);
+/// A colour "#rrggbb" or "#rrggbbaa".
+BlendedColour readBlendedColour(JsonReader &json, const JsonNode &node);
+
+} // namespace pixelplumb

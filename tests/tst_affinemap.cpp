@@ -1,0 +1,444 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/seededrandom.h"
+#include "core/layers/affinemap.h"
+#include "tests/support/canvasbench.h"
+#include "tests/support/layerlook.h"
+#include "tests/support/scanning.h"
+
+#include <QTest>
+#include <QUndoStack>
+
+#include <cmath>
+#include <numeric>
+
+using namespace pixelplumb;
+
+namespace {
+
+const QString layerId = QStringLiteral("affine-map");
+
+/// A fraction of the tests' own, so small that nothing overflows.
+struct Ratio {
+    std::int64_t above = 0;
+    std::int64_t below = 1;
+
+    QString text() const
+    {
+        const std::int64_t common = std::gcd(above, below);
+        const std::int64_t sign = below < 0 ? -1 : 1;
+        const std::int64_t denominator = sign * below / common;
+        QString shown = QString::number(sign * above / common);
+        if (denominator != 1)
+            shown += QStringLiteral("/%1").arg(denominator);
+        return shown.replace(u'-', QChar(0x2212));
+    }
+    /// In three decimals where it is long.
+    QString shortText() const
+    {
+        const QString fraction = text();
+        return fraction.size() <= 9 ? fraction
+                                    : QStringLiteral("≈ %1")
+                                          .arg(double(above) / double(below), 0, 'f', 3)
+                                          .replace(u'-', QChar(0x2212));
+    }
+};
+
+/// In half pixels, so that frames of both kinds have whole numbers.
+struct Point {
+    std::int64_t x = 0;
+    std::int64_t y = 0;
+};
+
+Point halves(const LatticePoint &point) { return {point.x / halfPixel, point.y / halfPixel}; }
+
+std::int64_t determinant(const Point &origin, const Point &a, const Point &b)
+{
+    return (a.x - origin.x) * (b.y - origin.y) - (a.y - origin.y) * (b.x - origin.x);
+}
+
+/// The parts of β and γ in p = a + β(b − a) + γ(c − a) by Cramer's rule, α = 1 − β − γ.
+struct CramerWeights {
+    std::array<std::int64_t, 3> parts;
+    std::int64_t whole = 0;
+
+    CramerWeights(const std::array<Point, 3> &corners, const Point &point)
+        : whole(determinant(corners[0], corners[1], corners[2]))
+    {
+        parts[1] = determinant(corners[0], point, corners[2]);
+        parts[2] = determinant(corners[0], corners[1], point);
+        parts[0] = whole - parts[1] - parts[2];
+    }
+
+    QString text() const
+    {
+        return QStringLiteral("α = %1, β = %2, γ = %3")
+            .arg(Ratio{parts[0], whole}.text(), Ratio{parts[1], whole}.text(),
+                 Ratio{parts[2], whole}.text());
+    }
+};
+
+Corners randomCorners(SeededRandom &random, std::int64_t largest)
+{
+    Corners corners;
+    do {
+        for (LatticePoint &corner : corners)
+            corner = latticePixel(random.between(0, largest), random.between(0, largest));
+    } while (doubledArea(corners[0], corners[1], corners[2]) == 0);
+    return corners;
+}
+
+Scene sceneOf(const Corners &corners)
+{
+    Scene scene;
+    scene.method = "edge-equations"; // whose P₀, P₁, P₂ are those of the file
+    scene.triangles = {triangleAtUnits(corners[0], corners[1], corners[2])};
+    return scene;
+}
+
+Look lookAt(const Scene &scene, const Corners &images)
+{
+    Look look(scene);
+    look.view.image = AffineImage{0, images};
+    return look;
+}
+
+QString labelOf(const LayerDrawing &drawing, const QString &name)
+{
+    for (const LayerDrawing::Label &label : drawing.labels) {
+        if (label.text.startsWith(name))
+            return label.text;
+    }
+    return {};
+}
+
+QStringList notesOf(const LayerDrawing &drawing, const QString &beginning)
+{
+    return drawing.notes.filter(beginning);
+}
+
+double crossProduct(const QPointF &a, const QPointF &b) { return a.x() * b.y() - a.y() * b.x(); }
+
+} // namespace
+
+/// Barycentric coordinates do not change under affine maps: the layer's numbers, and its image as
+/// something to drag.
+class TestAffineMap : public QObject {
+    Q_OBJECT
+
+private slots:
+    void theWeightsOfEachTriangleAreThoseOfCramersRule_data()
+    {
+        QTest::addColumn<FrameOrigin>("origin");
+        QTest::addColumn<PixelCentre>("centre");
+        QTest::addColumn<quint64>("seed");
+        for (quint64 seed = 0; seed < 12; ++seed) {
+            QTest::addRow("upward, seed %llu", seed)
+                << FrameOrigin::BottomLeft << PixelCentre::Integer << seed;
+            QTest::addRow("downward, in the middle of pixels, seed %llu", seed)
+                << FrameOrigin::TopLeft << PixelCentre::Half << seed;
+        }
+    }
+    void theWeightsOfEachTriangleAreThoseOfCramersRule()
+    {
+        QFETCH(FrameOrigin, origin);
+        QFETCH(PixelCentre, centre);
+        QFETCH(quint64, seed);
+        SeededRandom random(seed);
+        const Corners corners = randomCorners(random, 12);
+        const Corners images = randomCorners(random, 40);
+        const QPoint pixel(int(random.between(0, 14)), int(random.between(0, 14)));
+        Scene scene = sceneOf(corners);
+        scene.frame.origin = origin;
+        scene.frame.pixelCentre = centre;
+        Look look = lookAt(scene, images);
+        look.view.picked = pixel;
+
+        const LayerDrawing drawing = look.drawing("affine-map");
+
+        const Lattice offset = centre == PixelCentre::Half ? halfPixel : 0;
+        const LatticePoint sample{pixel.x() * unitsPerPixel + offset,
+                                  pixel.y() * unitsPerPixel + offset};
+        const std::array<Point, 3> before
+            = {halves(corners[0]), halves(corners[1]), halves(corners[2])};
+        const std::array<Point, 3> after
+            = {halves(images[0]), halves(images[1]), halves(images[2])};
+        const CramerWeights weights(before, halves(sample));
+        QCOMPARE(labelOf(drawing, QStringLiteral("p:")),
+                 QStringLiteral("p: %1").arg(weights.text()));
+        QCOMPARE(labelOf(drawing, QStringLiteral("p′:")),
+                 QStringLiteral("p′: %1").arg(weights.text()));
+
+        // The place of the image, and its areas: the weights of the whole area there.
+        const auto mean = [&](auto coordinate) {
+            std::int64_t sum = 0;
+            for (std::size_t i = 0; i < 3; ++i)
+                sum += weights.parts[i] * coordinate(after[i]);
+            return Ratio{sum, 2 * weights.whole};
+        };
+        const std::int64_t whole = determinant(after[0], after[1], after[2]);
+        const auto area = [&](std::size_t i) {
+            return Ratio{weights.parts[i] * whole, 4 * weights.whole}.shortText();
+        };
+        const QString place = QStringLiteral("p′ (%1, %2): ")
+                                  .arg(mean([](const Point &point) { return point.x; }).text(),
+                                       mean([](const Point &point) { return point.y; }).text());
+        QCOMPARE(notesOf(drawing, QStringLiteral("p′")),
+                 QStringList(place
+                             + QStringLiteral("doubled areas %1, %2, %3 of %4")
+                                   .arg(area(0), area(1), area(2), Ratio{whole, 4}.shortText())));
+        const Ratio factor{whole, weights.whole};
+        const bool mirrors = (whole < 0) != (weights.whole < 0);
+        QCOMPARE(notesOf(drawing, QStringLiteral("The weights stay")),
+                 QStringList(QStringLiteral("The weights stay, all areas are multiplied by %1%2")
+                                 .arg(factor.text(),
+                                      mirrors ? QStringLiteral(": the map mirrors") : QString())));
+    }
+
+    void theMapIsToldInWords()
+    {
+        // Twice as wide, turned by 90° and moved: (x, y) ↦ (30 − y, 2x + 1).
+        const Look look
+            = lookAt(sceneOf({latticePixel(0, 0), latticePixel(8, 0), latticePixel(2, 6)}),
+                     {latticePixel(30, 1), latticePixel(30, 17), latticePixel(24, 5)});
+
+        QCOMPARE(look.drawing("affine-map").notes.mid(0, 2),
+                 QStringList({QStringLiteral("Affine map: x′ = 0·x − 1·y + 30"),
+                              QStringLiteral("and y′ = 2·x + 0·y + 1")}));
+    }
+
+    void theNamesAreThoseOfTheMethod()
+    {
+        Scene scene = sceneOf({latticePixel(9, 0), latticePixel(0, 0), latticePixel(3, 8)});
+        scene.method = "column-scan"; // sorted by x: the vertices 1, 2, 0
+        Look look
+            = lookAt(scene, {latticePixel(40, 10), latticePixel(20, 10), latticePixel(30, 30)});
+        look.view.picked = QPoint(9, 0);
+
+        const LayerDrawing drawing = look.drawing("affine-map");
+
+        QCOMPARE(labelOf(drawing, QStringLiteral("P2′")), QStringLiteral("P2′ (40, 10)"));
+        QCOMPARE(labelOf(drawing, QStringLiteral("p′:")),
+                 QStringLiteral("p′: α = 0, β = 0, γ = 1"));
+    }
+
+    void theSampleIsThePickedPixelElseThatOfTheStep()
+    {
+        Look look = lookAt(sceneOf({latticePixel(0, 0), latticePixel(8, 0), latticePixel(2, 6)}),
+                           {latticePixel(30, 1), latticePixel(30, 17), latticePixel(24, 5)});
+        const ScanTrace &trace = *look.traced->trace;
+        for (const std::size_t sample : {std::size_t(0), trace.sampleCount() / 2}) {
+            look.view.position = trace.indexOfSample(sample) + 1;
+            const PixelChange change = trace.changes()[sample];
+            const QString place = QStringLiteral("p (%1, %2): ").arg(change.x).arg(change.y);
+            QCOMPARE(notesOf(look.drawing("affine-map"), place).size(), 1);
+        }
+        look.view.picked = QPoint(40, 20);
+        QCOMPARE(notesOf(look.drawing("affine-map"), QStringLiteral("p (40, 20): ")).size(), 1);
+        look.view.picked.reset();
+        // Nothing is drawn, or all: the pixel in the middle, (10/3, 2).
+        for (const std::size_t position : {std::size_t(0), trace.stepCount()}) {
+            look.view.position = position;
+            QCOMPARE(notesOf(look.drawing("affine-map"), QStringLiteral("p (3, 2): ")).size(), 1);
+        }
+    }
+
+    void theGridIsTheImageOfTheLinesBetweenCells()
+    {
+        // (x, y) ↦ (20 + 2x + y, 10 + 3y)
+        const Look look
+            = lookAt(sceneOf({latticePixel(0, 0), latticePixel(4, 0), latticePixel(0, 4)}),
+                     {latticePixel(20, 10), latticePixel(28, 10), latticePixel(24, 22)});
+        const auto mapped = [](double x, double y) { return QPointF(20 + 2 * x + y, 10 + 3 * y); };
+
+        const LayerDrawing drawing = look.drawing("affine-map");
+
+        for (const double at : {0.5, 1.5, 2.5, 3.5}) {
+            for (const auto &cut : {std::pair(mapped(at, 0), mapped(at, 4 - at)),
+                                    std::pair(mapped(0, at), mapped(4 - at, at))}) {
+                const auto found
+                    = std::ranges::count_if(drawing.lines, [&](const LayerDrawing::Line &line) {
+                          return line.ink == LayerInk::Second
+                              && line.stroke == LayerDrawing::Stroke::Dotted
+                              && (std::pair(line.from, line.to) == cut
+                                  || std::pair(line.to, line.from) == cut);
+                      });
+                QCOMPARE(found, std::ptrdiff_t(1));
+            }
+        }
+        const auto dotted = std::ranges::count_if(drawing.lines, [](const auto &line) {
+            return line.ink == LayerInk::Second && line.stroke == LayerDrawing::Stroke::Dotted;
+        });
+        QCOMPARE(dotted, std::ptrdiff_t(8));
+    }
+
+    void theLinesOfALargeTriangleAreThinnedOut()
+    {
+        const Look look
+            = Look(sceneOf({latticePixel(0, 0), latticePixel(1000, 0), latticePixel(0, 90)}));
+
+        const LayerDrawing drawing = look.drawing("affine-map");
+
+        QVERIFY(drawing.lines.size() < 120);
+    }
+
+    void aMapThatFlattensLeavesNoWeights()
+    {
+        const Look look
+            = lookAt(sceneOf({latticePixel(0, 0), latticePixel(8, 0), latticePixel(2, 6)}),
+                     {latticePixel(10, 10), latticePixel(20, 20), latticePixel(30, 30)});
+
+        const LayerDrawing drawing = look.drawing("affine-map");
+
+        QVERIFY(!labelOf(drawing, QStringLiteral("p:")).isEmpty());
+        QCOMPARE(labelOf(drawing, QStringLiteral("p′")), QString());
+        QCOMPARE(notesOf(drawing, QStringLiteral("flattens the triangle to no area")).size(), 1);
+        QVERIFY(notesOf(drawing, QStringLiteral("The weights stay")).isEmpty());
+    }
+
+    void aTriangleWithoutAreaHasNoMap()
+    {
+        const LayerDrawing drawing
+            = Look(sceneOf({latticePixel(0, 0), latticePixel(8, 8), latticePixel(4, 4)}))
+                  .drawing("affine-map");
+
+        QVERIFY(drawing.isEmpty());
+        QCOMPARE(drawing.notes.size(), 1);
+        QVERIFY(drawing.notes.front().contains(QStringLiteral("the triangle has no area")));
+    }
+
+    void theFirstMapIsWorthALook_data()
+    {
+        QTest::addColumn<std::int64_t>("largest");
+        QTest::addColumn<FrameOrigin>("origin");
+        for (const std::int64_t largest : {3, 60, 5000}) {
+            QTest::addRow("up to %lld px", static_cast<long long>(largest))
+                << largest << FrameOrigin::BottomLeft;
+            QTest::addRow("up to %lld px, y downward", static_cast<long long>(largest))
+                << largest << FrameOrigin::TopLeft;
+        }
+    }
+    void theFirstMapIsWorthALook()
+    {
+        QFETCH(std::int64_t, largest);
+        QFETCH(FrameOrigin, origin);
+        FrameSpec frame;
+        frame.origin = origin;
+        frame.pixelCentre = PixelCentre::Half;
+        SeededRandom random(7);
+        for (int i = 0; i < 50; ++i) {
+            const Corners corners = randomCorners(random, largest);
+            const Corners images = defaultImages(corners, frame);
+            const Int128 area = doubledArea(images[0], images[1], images[2]);
+            QVERIFY(area != 0);
+            const bool isInFrame = std::ranges::all_of(images, [](const LatticePoint &image) {
+                return image.x >= 0 && image.x <= 64 * unitsPerPixel && image.y >= 0
+                    && image.y <= 48 * unitsPerPixel;
+            });
+            // Of a sliver, which whole pixels would flatten, the area is kept instead.
+            QVERIFY(isInFrame || area == doubledArea(corners[0], corners[1], corners[2]));
+            // Turned: no edge keeps its direction.
+            QVERIFY(crossProduct(placeOf(corners[1]) - placeOf(corners[0]),
+                                 placeOf(images[1]) - placeOf(images[0]))
+                    != 0);
+        }
+    }
+
+    void aDragOfACornerMovesTheMapAndNotTheScene_data()
+    {
+        QTest::addColumn<CanvasTool>("tool");
+        QTest::addColumn<PixelCentre>("centre");
+        QTest::newRow("Draw") << CanvasTool::Draw << PixelCentre::Integer;
+        QTest::newRow("Inspect") << CanvasTool::Inspect << PixelCentre::Integer;
+        QTest::newRow("in the middle of pixels") << CanvasTool::Draw << PixelCentre::Half;
+    }
+    void aDragOfACornerMovesTheMapAndNotTheScene()
+    {
+        QFETCH(CanvasTool, tool);
+        QFETCH(PixelCentre, centre);
+        Scene scene = firstScene();
+        scene.frame.pixelCentre = centre;
+        CanvasBench bench(scene);
+        bench.options.setLayers({layerId});
+        bench.canvas.setTool(tool);
+        const Corners start = defaultImages(
+            {latticePixel(4, 5), latticePixel(58, 12), latticePixel(26, 44)}, scene.frame);
+        const QPoint pressed = bench.canvas.positionOf(start[1]).toPoint();
+
+        bench.drag(pressed, pressed + bench.at(7, 3) - bench.at(0, 0));
+
+        Corners moved = start;
+        moved[1].x += 7 * unitsPerPixel;
+        moved[1].y += 3 * unitsPerPixel;
+        QVERIFY(bench.options.affineImage().has_value());
+        QCOMPARE(bench.options.affineImage()->corners, moved);
+        QCOMPARE(bench.document.scene(), scene);
+        QVERIFY(!bench.document.isModified());
+        QVERIFY(bench.document.pendingVertices().empty());
+        QCOMPARE(bench.document.undoStack()->count(), 0);
+        QVERIFY(!bench.playhead.pickedPixel());
+    }
+
+    void aDoubleClickOnACornerBringsTheFirstMapBack()
+    {
+        CanvasBench bench(firstScene());
+        bench.options.setLayers({layerId});
+        bench.options.setAffineImage(
+            AffineImage{0, {latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)}});
+
+        const QPoint corner = bench.at(30, 40);
+        QTest::mouseClick(&bench.canvas, Qt::LeftButton, {}, corner);
+        QVERIFY(bench.options.affineImage().has_value());
+        QTest::mouseDClick(&bench.canvas, Qt::LeftButton, {}, corner);
+
+        QVERIFY(!bench.options.affineImage().has_value());
+        QVERIFY(bench.document.pendingVertices().empty());
+    }
+
+    void escapeDuringADragLeavesTheMapAsItWas()
+    {
+        CanvasBench bench(firstScene());
+        bench.options.setLayers({layerId});
+        const AffineImage before{
+            0, {latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)}};
+        bench.options.setAffineImage(before);
+
+        bench.send(QEvent::MouseButtonPress, bench.at(30, 40), Qt::LeftButton, Qt::LeftButton);
+        bench.send(QEvent::MouseMove, bench.at(40, 30), Qt::NoButton, Qt::LeftButton);
+        QVERIFY(bench.options.affineImage() != before);
+        QTest::keyClick(&bench.canvas, Qt::Key_Escape);
+
+        QCOMPARE(bench.options.affineImage(), std::optional(before));
+    }
+
+    void keysAloneMoveACorner()
+    {
+        CanvasBench bench(firstScene());
+        bench.options.setLayers({layerId});
+        bench.options.setAffineImage(
+            AffineImage{0, {latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)}});
+
+        QTest::keyClick(&bench.canvas, Qt::Key_BracketLeft); // the last of all handles
+        QCOMPARE(bench.canvas.spokenState(), QStringLiteral("image of vertex 2 at (10, 20)"));
+        QTest::keyClick(&bench.canvas, Qt::Key_Right, Qt::ControlModifier);
+        QTest::keyClick(&bench.canvas, Qt::Key_Up, Qt::ControlModifier);
+
+        QCOMPARE(bench.options.affineImage()->corners[2], latticePixel(11, 21));
+        QVERIFY(!bench.document.isModified());
+        QTest::keyClick(&bench.canvas, Qt::Key_BracketRight); // around to the first vertex
+        QCOMPARE(bench.canvas.spokenState(), QStringLiteral("vertex 0 of triangle 0 at (4, 5)"));
+    }
+
+    void withoutTheLayerThereIsNothingToDrag()
+    {
+        CanvasBench bench(firstScene());
+        bench.options.setAffineImage(
+            AffineImage{0, {latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)}});
+
+        bench.click(30, 40);
+
+        QCOMPARE(bench.document.pendingVertices().size(), std::size_t(1));
+    }
+};
+
+QTEST_MAIN(TestAffineMap)
+#include "tst_affinemap.moc"

@@ -1,0 +1,434 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/gradefile.h"
+#include "core/runs/tracedscene.h"
+#include "core/scene/scenefile.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
+#include "widgets/model/studentpicture.h"
+#include "widgets/studies/gradebook.h"
+#include "widgets/studies/gradedialog.h"
+#include "widgets/studies/gradefilter.h"
+#include "widgets/studies/gradetablemodel.h"
+#include "widgets/studies/gradingpanel.h"
+
+#include <QAbstractItemModelTester>
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QDirIterator>
+#include <QDockWidget>
+#include <QFile>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPlainTextEdit>
+#include <QProgressBar>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QTimer>
+#include <QToolButton>
+
+#include <array>
+
+using namespace pixelplumb;
+
+namespace {
+
+/// A triangle small enough to be diagnosed at once.
+Scene smallScene()
+{
+    Scene scene;
+    scene.frame.width = 12;
+    scene.frame.height = 9;
+    scene.triangles.push_back({{{{latticePixel(1, 1), {{255, 0, 0}}},
+                                 {latticePixel(10, 2), {{0, 255, 0}}},
+                                 {latticePixel(4, 8), {{0, 0, 255}}}}}});
+    return scene;
+}
+
+QImage drawn(const Scene &scene)
+{
+    const FrameBuffer frame(scene.frame);
+    drawScene(scene, frame);
+    return frame.image().copy();
+}
+
+/// Three students: right, and two who truncate.
+class Classroom {
+public:
+    Classroom()
+    {
+        Assignment assignment;
+        assignment.name = QStringLiteral("Triangles");
+        assignment.scenes.push_back({QStringLiteral("small"), smallScene()});
+        QFile file(assignmentFile());
+        QVERIFY(file.open(QIODevice::WriteOnly));
+        file.write(writeAssignment(assignment));
+        Scene wrong = smallScene();
+        wrong.settings.rounding = ByteRounding::Truncate;
+        submit("ada", drawn(smallScene()));
+        submit("bob", drawn(wrong));
+        submit("cyd", drawn(wrong));
+    }
+
+    QString assignmentFile() const { return m_folder.filePath("assignment.json"); }
+    QString submissions() const { return m_folder.filePath("submissions"); }
+    QString results() const { return m_folder.filePath("results"); }
+
+private:
+    void submit(const QString &name, const QImage &picture) const
+    {
+        const QString folder = submissions() + u'/' + name;
+        QVERIFY(QDir().mkpath(folder) && picture.save(folder + "/small.png"));
+    }
+
+    QTemporaryDir m_folder;
+};
+
+/// What grading the class writes; graded once for all tests.
+void bringResults(const Classroom &classroom)
+{
+    static const QTemporaryDir graded;
+    const QString results = graded.filePath("results");
+    if (!QFile::exists(results)) {
+        const auto assignment = readAssignmentFile(classroom.assignmentFile());
+        QVERIFY(assignment.isOk());
+        QVERIFY(
+            gradeFolder({classroom.submissions(), results, QCoreApplication::applicationVersion()},
+                        *assignment)
+                .isOk());
+    }
+    QDirIterator files(results, QDir::Files, QDirIterator::Subdirectories);
+    while (files.hasNext()) {
+        const QString copy = classroom.results() + files.next().mid(results.size());
+        QVERIFY(QDir().mkpath(QFileInfo(copy).path()) && QFile::copy(files.filePath(), copy));
+    }
+}
+
+Gradebook &book(const MainWindow &window)
+{
+    return *named<GradingPanel>(window, "grading")->book();
+}
+
+QAbstractItemView *table(const MainWindow &window)
+{
+    return named<QAbstractItemView>(window, "gradingTable");
+}
+
+QString cell(const MainWindow &window, int row, GradeTableModel::Column column)
+{
+    return table(window)->model()->index(row, column).data().toString();
+}
+
+/// The window with the dock in front.
+std::unique_ptr<MainWindow> windowWithDock()
+{
+    auto window = openedWindow();
+    window->resize(1366, 768);
+    action(*window, "gradingDockToggle")->trigger();
+    return window;
+}
+
+/// With the class's grades, its table in focus.
+std::unique_ptr<MainWindow> windowWithGrades(const Classroom &classroom)
+{
+    bringResults(classroom);
+    auto window = windowWithDock();
+    book(*window).open(classroom.results());
+    if (!QTest::qWaitFor([&] { return !book(*window).results().isEmpty(); }))
+        QTest::qFail("no grades are opened", __FILE__, __LINE__);
+    table(*window)->setFocus();
+    return window;
+}
+
+/// What the assistant said of a student, as the results' folder has it.
+GradeReview keptReview(const Classroom &classroom, std::size_t student)
+{
+    const auto kept = readGrades(classroom.results());
+    return kept ? kept->submissions[student].review : GradeReview();
+}
+
+void press(const MainWindow &window, Qt::Key key) { QTest::keyClick(table(window), key); }
+
+} // namespace
+
+/// The assistant's bench, by the hands of an assistant.
+class TestGradingDock : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aFolderIsGradedBesideTheWindow()
+    {
+        const Classroom classroom;
+        const auto window = windowWithDock();
+        QTimer::singleShot(0, window.get(), [&classroom, &window] {
+            auto *dialog = named<GradeDialog>(*window, "gradeDialog");
+            QVERIFY(dialog);
+            named<QLineEdit>(*dialog, "gradeSubmissions")->setText(classroom.submissions());
+            named<QLineEdit>(*dialog, "gradeAssignment")->setText(classroom.assignmentFile());
+            named<QLineEdit>(*dialog, "gradeResults")->setText(classroom.results());
+            QTest::keyClick(dialog, Qt::Key_Return);
+        });
+
+        QTest::mouseClick(named<QToolButton>(*window, "gradingGrade"), Qt::LeftButton);
+
+        QVERIFY(book(*window).job().isRunning());
+        QTRY_COMPARE_WITH_TIMEOUT(table(*window)->model()->rowCount(), 3, 60'000);
+        QCOMPARE(cell(*window, 0, GradeTableModel::Name), "ada");
+        QCOMPARE(cell(*window, 0, GradeTableModel::Verdict), "right");
+        QCOMPARE(cell(*window, 1, GradeTableModel::Name), "bob");
+        QCOMPARE(cell(*window, 1, GradeTableModel::Verdict), "wrong");
+        QVERIFY2(cell(*window, 1, GradeTableModel::Cause).contains("rounding-truncate"),
+                 qPrintable(cell(*window, 1, GradeTableModel::Cause)));
+        QCOMPARE(cell(*window, 1, GradeTableModel::Points), "3 / 5");
+        QVERIFY(QFile::exists(classroom.results() + "/results.json"));
+    }
+
+    void whatHoldsNoGradesIsToldAsSuch()
+    {
+        const auto window = openedWindow();
+        const QTemporaryDir empty;
+        book(*window).open(empty.path());
+        QTRY_VERIFY(named<QWidget>(*window, "messageBar")->isVisible());
+        QVERIFY(named<QLabel>(*window, "messageText")->text().startsWith("No grades: "));
+    }
+
+    void keysGoFromPictureToPicture_data() { addPalettes(); }
+    void keysGoFromPictureToPicture()
+    {
+        QFETCH(QPalette, palette);
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        QApplication::setPalette(palette);
+
+        press(*window, Qt::Key_J);
+        QTRY_COMPARE(window->parts().student->name(), "ada · small");
+        press(*window, Qt::Key_J);
+        QTRY_COMPARE(window->parts().student->name(), "bob · small");
+        QTRY_VERIFY(window->parts().student->judgement());
+
+        QCOMPARE(window->parts().document->scene().triangles, smallScene().triangles);
+        QVERIFY(named<QDockWidget>(*window, "submissionDock")->isVisible());
+        QCOMPARE(window->parts().playhead->pickedPixel(),
+                 window->parts().student->judgement()->firstDifference());
+        QVERIFY2(named<QLabel>(*window, "gradingSentences")->text().contains("byte"),
+                 qPrintable(named<QLabel>(*window, "gradingSentences")->text()));
+        QTest::qWait(50);
+        grabbed(*window, "grading");
+        press(*window, Qt::Key_K);
+        QTRY_COMPARE(window->parts().student->name(), "ada · small");
+        QCOMPARE(table(*window)->currentIndex().row(), 0);
+    }
+
+    void theBenchIsUsableOnASmallScreen_data()
+    {
+        QTest::addColumn<QSize>("size");
+        QTest::newRow("1024 × 640") << QSize(1016, 600);
+        QTest::newRow("1366 × 768") << QSize(1358, 728);
+    }
+    void theBenchIsUsableOnASmallScreen()
+    {
+        QFETCH(QSize, size);
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        window->resize(size);
+        action(*window, "resetLayout")->trigger();
+        action(*window, "gradingDockToggle")->trigger();
+        book(*window).setComment(std::array{std::size_t(0), std::size_t(1)},
+                                 "Round where you cut: half a level is lost on every channel.");
+        press(*window, Qt::Key_J);
+        QTRY_VERIFY(window->parts().student->judgement());
+        press(*window, Qt::Key_J);
+        QTRY_COMPARE(window->parts().student->name(), "bob · small");
+        QTRY_VERIFY(window->parts().student->judgement());
+        QTest::qWait(100); // the docks take their places
+
+        grabbed(*window, "bench");
+        QCOMPARE(window->size(), size);
+        const auto seen = [&](const char *name) {
+            return named<QWidget>(*window, name)->visibleRegion().boundingRect();
+        };
+        const int line = window->fontMetrics().lineSpacing();
+        QVERIFY(seen("gradingTable").height() >= 4 * line);
+        QVERIFY(seen("gradingTable").width() >= 20 * line);
+        QVERIFY(seen("gradingSentences").height() >= 2 * line);
+        QVERIFY(seen("gradingComment").height() >= 3 * line);
+        QCOMPARE(seen("gradingComment"), named<QWidget>(*window, "gradingComment")->rect());
+        QVERIFY(seen("submissionPicture").height() >= 6 * line);
+    }
+
+    void aClickOpensThePicture()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        const QModelIndex row = table(*window)->model()->index(2, 0);
+
+        QTest::mouseClick(table(*window)->viewport(), Qt::LeftButton, {},
+                          table(*window)->visualRect(row).center());
+
+        QTRY_COMPARE(window->parts().student->name(), "cyd · small");
+    }
+
+    void acceptedStaysAccepted()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        press(*window, Qt::Key_Down);
+        press(*window, Qt::Key_A);
+
+        QCOMPARE(cell(*window, 0, GradeTableModel::State), "✓ accepted");
+        QTRY_VERIFY(keptReview(classroom, 0).isAccepted);
+        press(*window, Qt::Key_A);
+        QCOMPARE(cell(*window, 0, GradeTableModel::State), "open");
+    }
+
+    void aCommentIsKeptWhenTheRowIsLeft()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        auto *comment = named<QPlainTextEdit>(*window, "gradingComment");
+        press(*window, Qt::Key_J);
+        press(*window, Qt::Key_C);
+        QTRY_VERIFY(comment->hasFocus());
+        QTest::keyClicks(comment, "well done");
+        QTest::keyClick(comment, Qt::Key_Escape);
+        QVERIFY(table(*window)->hasFocus());
+        press(*window, Qt::Key_J);
+
+        QCOMPARE(comment->toPlainText(), QString());
+        QCOMPARE(cell(*window, 0, GradeTableModel::Comment), "well done");
+        QTRY_COMPARE(keptReview(classroom, 0).comment, "well done");
+    }
+
+    void aCommentThatIsBeingTypedOutlivesGradingAnewAndTheWindow()
+    {
+        const Classroom classroom;
+        {
+            const auto window = windowWithGrades(classroom);
+            auto *comment = named<QPlainTextEdit>(*window, "gradingComment");
+            press(*window, Qt::Key_J);
+            comment->setPlainText("first");
+            book(*window).grade(classroom.submissions(), classroom.assignmentFile(),
+                                classroom.results());
+            comment->setPlainText("second");
+            QTRY_VERIFY(!book(*window).job().isRunning());
+            QTRY_COMPARE(cell(*window, 0, GradeTableModel::Comment), "second");
+            press(*window, Qt::Key_J);
+            comment->setPlainText("third");
+        }
+        QCOMPARE(keptReview(classroom, 0).comment, "third");
+    }
+
+    void whatIsSaidLastIsWrittenLastEvenAtTheEnd()
+    {
+        const Classroom classroom;
+        bringResults(classroom);
+        {
+            Gradebook gradebook;
+            gradebook.open(classroom.results());
+            QTRY_VERIFY(!gradebook.results().isEmpty());
+            for (int i = 1; i <= 20; ++i)
+                gradebook.setComment(std::array{std::size_t(0)}, QString::number(i));
+        }
+        QCOMPARE(keptReview(classroom, 0).comment, "20");
+    }
+
+    void whyThereIsNoPictureStandsInItsPlaceAtOnce()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        press(*window, Qt::Key_J);
+        QTRY_VERIFY(window->parts().student->judgement());
+
+        emit named<GradingPanel>(*window, "grading")
+            ->openRequested({smallScene(), {}, "bob · small", "it is 20 × 20 pixels"});
+
+        QVERIFY(!window->parts().student->judgement());
+        QCOMPARE(named<QLabel>(*window, "submissionVerdict")->text(),
+                 "No picture: it is 20 × 20 pixels.");
+        press(*window, Qt::Key_J);
+        QCOMPARE(window->parts().student->name(), "bob · small");
+        QVERIFY(!window->parts().student->judgement());
+        QTRY_VERIFY(window->parts().student->judgement());
+    }
+
+    void aCommentOfAStudentWhoIsNotThereNowStays()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        GradeReport report = book(*window).report();
+        report.submissions[2].review.comment = "see me";
+        QVERIFY(!writeReviews(classroom.results(), report));
+        report.submissions.pop_back();
+        report.submissions[0].review.comment = "fine";
+        QVERIFY(!writeReviews(classroom.results(), report));
+
+        const auto kept = readGrades(classroom.results());
+        QVERIFY(kept.isOk());
+        QCOMPARE(kept->submissions[0].review.comment, "fine");
+        QCOMPARE(kept->submissions[2].review.comment, "see me");
+    }
+
+    void oneCommentIsForTheWholeCause()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        press(*window, Qt::Key_J);
+        press(*window, Qt::Key_J);
+        named<QPlainTextEdit>(*window, "gradingComment")->setPlainText("round, do not cut");
+
+        QTest::mouseClick(named<QToolButton>(*window, "gradingCommentCluster"), Qt::LeftButton);
+
+        QTRY_COMPARE(keptReview(classroom, 1).comment, "round, do not cut");
+        QCOMPARE(keptReview(classroom, 2).comment, "round, do not cut");
+        QCOMPARE(keptReview(classroom, 0).comment, QString());
+    }
+
+    void reportsAreWrittenWithTheComments()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        press(*window, Qt::Key_J);
+        named<QPlainTextEdit>(*window, "gradingComment")->setPlainText("well done");
+
+        QTest::mouseClick(named<QToolButton>(*window, "gradingReports"), Qt::LeftButton);
+
+        QTRY_VERIFY(!book(*window).job().isRunning());
+        QFile results(classroom.results() + "/results.json");
+        QVERIFY(results.open(QIODevice::ReadOnly));
+        QVERIFY(results.readAll().contains("well done"));
+    }
+
+    void theTableIsFiltered()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        QTest::keyClicks(named<QLineEdit>(*window, "gradingFilter"), "truncate cyd");
+        QCOMPARE(table(*window)->model()->rowCount(), 1);
+        named<QLineEdit>(*window, "gradingFilter")->clear();
+        named<QComboBox>(*window, "gradingClusters")->setCurrentIndex(1);
+        QCOMPARE(table(*window)->model()->rowCount(), 2);
+    }
+
+    void theModelKeepsItsPromises()
+    {
+        const Classroom classroom;
+        bringResults(classroom);
+        Gradebook gradebook;
+        GradeTableModel model(&gradebook);
+        const QAbstractItemModelTester tester(&model);
+        GradeFilter filter;
+        filter.setSourceModel(&model);
+        const QAbstractItemModelTester filterTester(&filter);
+        gradebook.open(classroom.results());
+        QTRY_COMPARE(filter.rowCount(), 3);
+        gradebook.setAccepted(0, true);
+    }
+
+private:
+    IsolatedSettings m_settings;
+};
+
+QTEST_MAIN(TestGradingDock)
+#include "tst_gradingdock.moc"

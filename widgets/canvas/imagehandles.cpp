@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/canvas/imagehandles.h"
+
+#include "core/layers/affinemap.h"
+#include "core/layers/layer.h"
+#include "widgets/canvas/canvasoutlines.h"
+#include "widgets/canvas/canvasview.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenepreviewer.h"
+
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+HandleState stateOf(std::size_t corner, const CanvasHand &hand)
+{
+    if (corner == hand.chosenCorner)
+        return HandleState::Selected;
+    return corner == hand.hoveredCorner ? HandleState::Hovered : HandleState::Idle;
+}
+
+} // namespace
+
+const TracedScene *runInView(const CanvasSources &sources)
+{
+    const bool isAhead = sources.previewer && sources.previewer->isAheadOfTrace();
+    return isAhead || sources.options->isTruthShown()
+        ? nullptr
+        : tracedOfFrame(*sources.document, *sources.playhead);
+}
+
+std::optional<AffineImage> imageInView(const CanvasSources &sources)
+{
+    const QString id = QStringLiteral("affine-map");
+    if (!sources.options->layers().contains(id))
+        return std::nullopt;
+    const Layer &layer = *layerNamed(id);
+    const TracedScene *traced = runInView(sources);
+    if (!traced || !layer.objection(traced->scene).isEmpty())
+        return std::nullopt;
+    LayerView view;
+    view.traced = traced;
+    view.position = sources.playhead->position();
+    view.image = sources.options->affineImage();
+    const std::optional<std::size_t> triangle = subjectOf(layer, view);
+    if (!triangle || doubledArea(traced->primitives.triangles[*triangle]) == 0)
+        return std::nullopt;
+    return AffineImage{*triangle, imagesOf(view, *triangle)};
+}
+
+std::optional<std::size_t> imageCornerAt(const QPointF &position, const CanvasSources &sources,
+                                         const CanvasView &view)
+{
+    const std::optional<AffineImage> image = imageInView(sources);
+    std::optional<std::size_t> nearest;
+    double least = handleHitRadius;
+    for (std::size_t i = 0; image && view.area().contains(position) && i < 3; ++i) {
+        const QPointF way = view.positionOf(image->corners[i]) - position;
+        const double distance = std::hypot(way.x(), way.y());
+        if (distance > least)
+            continue;
+        nearest = i;
+        least = distance;
+    }
+    return nearest;
+}
+
+void moveImageCorner(const CanvasSources &sources, AffineImage image, std::size_t corner,
+                     const LatticePoint &target)
+{
+    image.corners[corner] = sources.document->snapped(target);
+    if (isWithinRange(image.corners[corner]))
+        sources.options->setAffineImage(image);
+}
+
+void addImageHandles(CanvasScene &scene, const CanvasSources &sources, const CanvasView &view,
+                     const CanvasHand &hand)
+{
+    const std::optional<AffineImage> image = imageInView(sources);
+    if (!image)
+        return;
+    const Triangle &triangle = sources.playhead->traced()->primitives.triangles[image->triangle];
+    for (std::size_t i = 0; i < 3; ++i)
+        scene.handles.push_back(
+            {view.onSamples(image->corners[i]), triangle.vertices[i].colour, stateOf(i, hand)});
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/fileorder.h"
+#include "widgets/model/scenedocument.h"
+
+#include <algorithm>
+
+/// Primitives leave the picture, for good or to be shown again. The hidden ones keep their places
+/// among those that are drawn.
+namespace pixelplumb {
+
+namespace {
+
+/// The run's only primitive, at its place.
+HiddenPrimitive onlyPrimitive(const ScenePiece &piece)
+{
+    if (!piece.run.shapes.empty())
+        return {piece.firstShape, piece.run.shapes.front()};
+    HiddenTriangle kept{piece.run.triangles.front(), {}};
+    if (!piece.run.attributes.empty())
+        kept.attributes = piece.run.attributes.front();
+    kept.attributes.triangle = 0;
+    return {piece.firstTriangle, kept};
+}
+
+/// Those that stand behind a place of the drawn triangles, or shapes.
+auto behind(const HiddenPrimitive &place)
+{
+    return [&place](const HiddenPrimitive &each) {
+        return each.isTriangle() == place.isTriangle() && each.place > place.place;
+    };
+}
+
+/// The run's only primitive is drawn no longer.
+void removeRun(ScenePiece &piece)
+{
+    const HiddenPrimitive removed = onlyPrimitive(piece);
+    piece.run = {};
+    for (HiddenPrimitive &each : piece.hidden)
+        each.place -= behind(removed)(each) ? 1 : 0;
+}
+
+/// With the hidden ones among those that are drawn.
+Scene allShown(const Scene &scene)
+{
+    Scene all = scene;
+    all.hidden.clear();
+    all.triangles.clear();
+    all.attributes.clear();
+    all.shapes.clear();
+    const auto appendTriangle = [&all](const Triangle &triangle, TriangleAttributes attributes) {
+        attributes.triangle = 0;
+        if (attributes != TriangleAttributes()) {
+            attributes.triangle = all.triangles.size();
+            all.attributes.push_back(attributes);
+        }
+        all.triangles.push_back(triangle);
+    };
+    visitTriangles(
+        scene,
+        [&](std::size_t index, const TriangleAttributes *attributes) {
+            appendTriangle(scene.triangles[index], attributes ? *attributes : TriangleAttributes());
+        },
+        [&](std::size_t index) {
+            const auto &kept = std::get<HiddenTriangle>(scene.hidden[index].primitive);
+            appendTriangle(kept.triangle, kept.attributes);
+        });
+    visitShapes(
+        scene, [&](std::size_t index) { all.shapes.push_back(scene.shapes[index]); },
+        [&](std::size_t index) {
+            all.shapes.push_back(std::get<Shape>(scene.hidden[index].primitive));
+        });
+    return all;
+}
+
+} // namespace
+
+void SceneDocument::deletePrimitive(int primitive)
+{
+    if (primitive < 0 || primitive >= primitiveCount())
+        return;
+    const ScenePiece before = pieceWith(primitive);
+    ScenePiece after = before;
+    removeRun(after);
+    edit(tr("delete primitive"), before, after);
+}
+
+void SceneDocument::hidePrimitive(int primitive)
+{
+    if (primitive < 0 || primitive >= primitiveCount())
+        return;
+    const ScenePiece before = pieceWith(primitive);
+    ScenePiece after = before;
+    const HiddenPrimitive hidden = onlyPrimitive(before);
+    const auto isBehind = [&hidden](const HiddenPrimitive &each) {
+        return behind(hidden)(each) || (hidden.isTriangle() && !each.isTriangle());
+    };
+    after.hidden.insert(std::ranges::find_if(after.hidden, isBehind), hidden);
+    removeRun(after);
+    edit(tr("hide primitive"), before, after);
+}
+
+void SceneDocument::showHidden(int index)
+{
+    if (index < 0 || index >= hiddenCount())
+        return;
+    ScenePiece before = pieceAtEnd();
+    const HiddenPrimitive hidden = before.hidden[std::size_t(index)];
+    (hidden.isTriangle() ? before.firstTriangle : before.firstShape) = hidden.place;
+    ScenePiece after = before;
+    if (const auto *triangle = std::get_if<HiddenTriangle>(&hidden.primitive))
+        after.setTriangle(triangle->triangle, triangle->attributes);
+    else
+        after.run.shapes = {std::get<Shape>(hidden.primitive)};
+    auto later = after.hidden.erase(after.hidden.begin() + index);
+    for (; later != after.hidden.end(); ++later) {
+        if (later->isTriangle() == hidden.isTriangle())
+            ++later->place;
+    }
+    edit(tr("show primitive"), before, after);
+}
+
+void SceneDocument::showAllHidden()
+{
+    if (m_scene.hidden.empty())
+        return;
+    selectVertex({}); // it may be called otherwise among all
+    setScene(allShown(m_scene), tr("show all primitives"));
+}
+
+void SceneDocument::deleteHidden(int index)
+{
+    if (index < 0 || index >= hiddenCount())
+        return;
+    const ScenePiece before = pieceAtEnd();
+    ScenePiece after = before;
+    after.hidden.erase(after.hidden.begin() + index);
+    edit(tr("delete primitive"), before, after);
+}
+
+} // namespace pixelplumb

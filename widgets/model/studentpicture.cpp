@@ -1,0 +1,242 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/model/studentpicture.h"
+
+#include "core/methods/method.h"
+#include "core/runs/sceneplan.h"
+#include "core/scene/fileaccess.h"
+#include "widgets/model/scenetracer.h"
+
+#include <QFileInfo>
+
+#include <utility>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Pixels of a frame; a picture of more takes longer to judge than a drag's frame may.
+constexpr std::int64_t mostJudgedAtOnce = 10'000;
+
+bool isJudgedAtOnce(const Scene &scene)
+{
+    return std::int64_t(scene.frame.width) * scene.frame.height <= mostJudgedAtOnce
+        && scene.solids.empty()
+        && std::int64_t(scene.triangles.size() + scene.shapes.size())
+        <= TraceCost::mostTrianglesOfSmall
+        && traceCostOf(scene).isSmall();
+}
+
+bool canBeDrawn(const Scene &scene)
+{
+    return methodNamed(QString::fromStdString(scene.method)) && objectionTo(scene).isEmpty();
+}
+
+std::shared_ptr<const PictureJudgement> judgementOf(const Scene &scene, Picture found)
+{
+    if (found.hasColours)
+        coverAllBut(scene.frame.background, found);
+    Picture expected = pictureOf(scene);
+    PictureDiff diff = differenceOf(expected, found, tiesOf(scene));
+    return std::make_shared<const PictureJudgement>(
+        PictureJudgement{scene.frame, std::move(expected), std::move(found), std::move(diff)});
+}
+
+} // namespace
+
+std::optional<std::size_t> PictureJudgement::placeOf(const QPoint &pixel) const
+{
+    const int column = pixel.x() - frame.firstColumn;
+    const int row = pixel.y() - frame.firstRow;
+    if (column < 0 || column >= frame.width || row < 0 || row >= frame.height)
+        return std::nullopt;
+    return expected.placeOf(column, pictureLine(frame, pixel.y()));
+}
+
+PixelVerdict PictureJudgement::verdictAt(const QPoint &pixel) const
+{
+    const std::optional<std::size_t> place = placeOf(pixel);
+    return place ? diff.verdicts[*place] : PixelVerdict::Same;
+}
+
+namespace {
+
+template <class IsMeant>
+std::optional<QPoint> firstFrom(std::size_t begin, const PictureJudgement &judgement,
+                                IsMeant isMeant)
+{
+    const std::vector<PixelVerdict> &verdicts = judgement.diff.verdicts;
+    const auto found
+        = std::find_if(verdicts.begin() + std::ptrdiff_t(begin), verdicts.end(), isMeant);
+    if (found == verdicts.end())
+        return std::nullopt;
+    const auto place = int(found - verdicts.begin());
+    const FrameSpec &frame = judgement.frame;
+    return QPoint(frame.firstColumn + place % frame.width,
+                  int(rowOfPictureLine(frame, place / frame.width)));
+}
+
+bool differs(PixelVerdict verdict) { return verdict != PixelVerdict::Same; }
+
+} // namespace
+
+std::optional<QPoint> PictureJudgement::firstDifference() const
+{
+    const auto isWrong = [](PixelVerdict verdict) {
+        return differs(verdict) && verdict != PixelVerdict::Undecidable;
+    };
+    const auto wrong = firstFrom(0, *this, isWrong);
+    return wrong ? wrong : firstFrom(0, *this, differs);
+}
+
+std::optional<QPoint> PictureJudgement::differenceAfter(const std::optional<QPoint> &pixel) const
+{
+    const std::optional<std::size_t> place = pixel ? placeOf(*pixel) : std::nullopt;
+    const auto next = place ? firstFrom(*place + 1, *this, differs) : std::nullopt;
+    return next ? next : firstFrom(0, *this, differs);
+}
+
+StudentPicture::StudentPicture(QObject *parent)
+    : QObject(parent)
+{
+    m_reading.setTitle(tr("Reading the student's picture"));
+    m_judging.setTitle(tr("Comparing with the student's picture"));
+}
+
+QString StudentPicture::misfit() const
+{
+    if (!isThere() || !m_scene)
+        return {};
+    if (const QString text = misfitOf(m_picture); !text.isEmpty())
+        return text;
+    return canBeDrawn(*m_scene) ? QString() : tr("The method does not draw this scene.");
+}
+
+QString StudentPicture::misfitOf(const Picture &picture) const
+{
+    const FrameSpec &frame = m_scene->frame;
+    if (picture.width == frame.width && picture.height == frame.height)
+        return {};
+    return tr("The picture is %1 × %2 pixels, the scene's frame %3 × %4; expected is a picture "
+              "of that size, or a frame of the picture's (Edit ▸ Frame).")
+        .arg(picture.width)
+        .arg(picture.height)
+        .arg(frame.width)
+        .arg(frame.height);
+}
+
+void StudentPicture::open(const QString &path) { openAs(path, QFileInfo(path).fileName()); }
+
+void StudentPicture::openAs(const QString &path, const QString &name)
+{
+    read(name, [path, name] {
+        const Result<QByteArray> content = readFile(path);
+        return content ? parsePicture(*content, name) : Result<Picture>(content.error());
+    });
+}
+
+void StudentPicture::paste(const QImage &image, const QString &name)
+{
+    read(name, [image] {
+        return Result<Picture>(pictureIn(image.convertToFormat(QImage::Format_RGB32)));
+    });
+}
+
+void StudentPicture::paste(const QByteArray &raster, const QString &name)
+{
+    read(name, [raster, name] { return parsePicture(raster, name); });
+}
+
+void StudentPicture::read(const QString &name, const std::function<Result<Picture>()> &reading)
+{
+    using Outcome = std::optional<Result<Picture>>;
+    m_reading.start([reading](const ProgressListener &) -> Outcome { return reading(); },
+                    [this, name](const Outcome &outcome) {
+                        if (outcome && *outcome)
+                            return take(**outcome, name);
+                        refuse(outcome ? outcome->error().message()
+                                       : tr("%1 does not fit into memory.").arg(name));
+                    });
+}
+
+/// The picture that is there stays.
+void StudentPicture::refuse(const QString &why)
+{
+    if (!isThere() && !m_name.isEmpty()) {
+        m_absence = why;
+        emit judged();
+    }
+    emit complaint(why);
+}
+
+void StudentPicture::take(const Picture &picture, const QString &name)
+{
+    if (const QString text = m_scene ? misfitOf(picture) : QString(); !text.isEmpty()) {
+        refuse(QStringLiteral("%1: %2").arg(name, text));
+        return;
+    }
+    m_picture = picture;
+    m_name = name;
+    m_absence.clear();
+    m_judging.cancel(); // of the picture before
+    show(nullptr);
+    emit taken();
+    judge();
+}
+
+void StudentPicture::remove() { expect({}, {}); }
+
+void StudentPicture::expect(const QString &name, const QString &absence)
+{
+    m_reading.cancel();
+    m_picture = {};
+    m_name = name;
+    m_absence = absence;
+    judge();
+}
+
+void StudentPicture::follow(const std::shared_ptr<const Scene> &scene)
+{
+    m_scene = m_wrong == *scene ? m_right : scene;
+    if (isThere())
+        judge();
+}
+
+void StudentPicture::setRightOf(const Scene &wrong, const std::shared_ptr<const Scene> &right)
+{
+    m_wrong = wrong;
+    m_right = right;
+}
+
+void StudentPicture::judge()
+{
+    m_next.reset();
+    if (!isThere() || !m_scene || !misfit().isEmpty()) {
+        m_judging.cancel();
+        show(nullptr);
+        return;
+    }
+    if (isJudgedAtOnce(*m_scene)) {
+        m_judging.cancel();
+        show(judgementOf(*m_scene, m_picture));
+        return;
+    }
+    if (m_judging.isRunning()) {
+        m_next = m_scene;
+        return;
+    }
+    m_judging.start([scene = m_scene, picture = m_picture](
+                        const ProgressListener &) { return judgementOf(*scene, picture); },
+                    [this](const std::shared_ptr<const PictureJudgement> &judgement) {
+                        show(judgement); // null where memory ran out
+                        if (std::exchange(m_next, nullptr))
+                            judge();
+                    });
+}
+
+void StudentPicture::show(const std::shared_ptr<const PictureJudgement> &judgement)
+{
+    m_judgement = judgement;
+    emit judged();
+}
+
+} // namespace pixelplumb

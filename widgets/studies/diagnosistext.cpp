@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/diagnosistext.h"
+
+#include "widgets/studies/diagnosisview.h"
+
+namespace pixelplumb {
+
+QString diagnosisText(const Diagnosis &diagnosis)
+{
+    const auto tr = [](const char *text) { return DiagnosisView::tr(text); };
+    if (diagnosis.verdict == DiagnosisVerdict::Right)
+        return tr("Right: no pixel differs, there is no bug to name.");
+    const QString verdict = diagnosis.verdict == DiagnosisVerdict::Wrong
+        ? tr("Wrong.")
+        : tr("Undecidable: what differs lies on edges, where rules differ.");
+    if (diagnosis.candidates.empty())
+        return verdict + u' ' + tr("No known defect comes near.");
+    if (!diagnosis.isExplained())
+        return verdict + u' ' + tr("No known defect explains it; the nearest ones:");
+    return verdict + u' '
+        + (diagnosis.candidates.size() == 1
+               ? tr("One set of known defects draws this very picture:")
+               : tr("%1 sets of known defects draw this very picture:")
+                     .arg(diagnosis.candidates.size()));
+}
+
+QString idsText(const DiagnosisCandidate &candidate)
+{
+    QStringList ids;
+    for (const Defect &defect : candidate.defects)
+        ids += defect.id;
+    return ids.join(DiagnosisView::tr(" and "));
+}
+
+QString sentencesText(const DiagnosisCandidate &candidate, QString Defect::*words)
+{
+    QStringList sentences;
+    for (const Defect &defect : candidate.defects) {
+        if (!sentences.contains(defect.*words))
+            sentences += defect.*words;
+    }
+    return sentences.join(u' ');
+}
+
+QString distanceText(const DiagnosisCandidate &candidate)
+{
+    if (candidate.distance == 0)
+        return {};
+    return candidate.distance == 1
+        ? DiagnosisView::tr(" · 1 pixel is left")
+        : DiagnosisView::tr(" · %L1 pixels are left").arg(candidate.distance);
+}
+
+} // namespace pixelplumb

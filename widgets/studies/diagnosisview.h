@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/diagnosis.h"
+#include "widgets/model/job.h"
+
+#include <QWidget>
+
+class QBoxLayout;
+class QComboBox;
+class QLabel;
+class QListWidget;
+class QProgressBar;
+class QPushButton;
+
+namespace pixelplumb {
+
+class StudentPicture;
+
+/// A candidate in the stepper: the scene with its defects, beside the right one.
+struct DefectOpening {
+    std::shared_ptr<const Scene> right;
+    Scene defective;
+    std::size_t position = 0; ///< of its run, just after the step that parts
+    QString title; ///< "defect unsorted-colours"
+};
+
+/// Names the bug in the student's picture, beside the GUI thread: the sets of known defects that
+/// draw it, or come nearest, in words for the student or the assistant.
+class DiagnosisView : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit DiagnosisView(const StudentPicture *student, QWidget *parent = nullptr);
+    ~DiagnosisView() override;
+
+    bool isRunning() const { return m_job.isRunning(); }
+
+public slots:
+    void start();
+    void cancel();
+    void setLeaving(bool possible); ///< whether there is a candidate in the stepper
+
+signals:
+    void openRequested(const pixelplumb::DefectOpening &opening);
+    void compareRequested(const pixelplumb::DefectOpening &opening);
+    void leaveRequested();
+
+private:
+    enum class Audience { Student, Assistant };
+    struct Named {
+        Diagnosis diagnosis;
+        /// By candidate; none where the runs are the same or the defects are the picture's.
+        std::vector<std::optional<PartingStep>> steps;
+    };
+
+    static std::optional<Named> named(const Submission &submission,
+                                      const ProgressListener &listener);
+    void addControls(QBoxLayout *layout);
+    void addResults(QBoxLayout *layout);
+    void take(const std::optional<Named> &found);
+    void forget();
+    void followStudent();
+    void showCandidates();
+    void showChosen();
+    void updateButtons();
+    Audience audience() const;
+    QString titleOf(const DiagnosisCandidate &candidate) const;
+    DefectOpening opening() const; ///< of the chosen candidate
+
+    const StudentPicture *m_student;
+    std::shared_ptr<const Scene> m_scene; ///< that is or was diagnosed
+    std::optional<Named> m_named;
+    QPushButton *m_start = nullptr;
+    QPushButton *m_cancel = nullptr;
+    QProgressBar *m_progress = nullptr;
+    QComboBox *m_audience = nullptr;
+    QLabel *m_verdict = nullptr;
+    QListWidget *m_candidates = nullptr;
+    QLabel *m_sentence = nullptr;
+    QPushButton *m_open = nullptr;
+    QPushButton *m_compare = nullptr;
+    QPushButton *m_leave = nullptr;
+    Job m_job;
+};
+
+} // namespace pixelplumb

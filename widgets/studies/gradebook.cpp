@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/gradebook.h"
+
+#include "core/grade/gradefile.h"
+#include "core/grade/gradereports.h"
+
+#include <QCoreApplication>
+
+#include <algorithm>
+#include <thread>
+
+namespace pixelplumb {
+
+namespace {
+
+/// None where it was cancelled, or memory ran out.
+using Grading = std::optional<Result<std::optional<GradeReport>>>;
+
+} // namespace
+
+Gradebook::Gradebook(QObject *parent)
+    : QObject(parent)
+{
+    m_writing.setMaxThreadCount(1);
+}
+
+std::size_t Gradebook::clusterOf(std::size_t submission) const { return m_clusterOf[submission]; }
+
+void Gradebook::open(const QString &results)
+{
+    m_job.setTitle(tr("Reading grades"));
+    m_job.start(
+        [results](const ProgressListener &) -> std::optional<Result<GradeReport>> {
+            return readGrades(results);
+        },
+        [this, results](const std::optional<Result<GradeReport>> &report) {
+            if (!report)
+                emit complaint(tr("The grades do not fit into memory."));
+            else if (!*report)
+                emit complaint(tr("No grades: %1").arg(report->error().message()));
+            else
+                take(results, **report);
+        });
+}
+
+void Gradebook::grade(const QString &submissions, const QString &assignmentFile,
+                      const QString &results)
+{
+    const GradingOrder order{submissions, results, QCoreApplication::applicationVersion(),
+                             int(std::max(1U, std::thread::hardware_concurrency()))};
+    m_job.setTitle(tr("Grading"));
+    m_job.start(
+        [order, assignmentFile](const ProgressListener &listener) -> Grading {
+            const Result<Assignment> assignment = readAssignmentFile(assignmentFile);
+            if (!assignment)
+                return assignment.error();
+            return gradeFolder(order, *assignment, listener);
+        },
+        [this, results](const Grading &grading) {
+            if (!grading)
+                emit complaint(tr("The grading does not fit into memory."));
+            else if (!*grading)
+                emit complaint(tr("Nothing is graded: %1").arg(grading->error().message()));
+            else if (**grading)
+                take(results, ***grading);
+        });
+}
+
+void Gradebook::writeReports()
+{
+    using Outcome = std::optional<InputError>;
+    emit settling();
+    m_job.setTitle(tr("Writing reports"));
+    m_job.start(
+        [results = m_results, report = m_report](const ProgressListener &) -> Outcome {
+            return pixelplumb::writeReports(results, report);
+        },
+        [this](const Outcome &error) {
+            if (error)
+                emit complaint(tr("The reports were not written: %1").arg(error->message()));
+            else
+                emit notice(tr("The reports in %1 have the comments.").arg(m_results));
+        });
+}
+
+void Gradebook::cancel()
+{
+    if (!m_job.isRunning())
+        return;
+    m_job.cancel();
+    emit notice(tr("Cancelled; what is graded stays, and grading goes on from there."));
+}
+
+void Gradebook::setComment(std::span<const std::size_t> submissions, const QString &comment)
+{
+    bool isOther = false;
+    for (const std::size_t place : submissions) {
+        QString &said = m_report.submissions[place].review.comment;
+        isOther = isOther || said != comment;
+        said = comment;
+    }
+    if (isOther)
+        saveReviews();
+}
+
+void Gradebook::setAccepted(std::size_t submission, bool accepted)
+{
+    bool &said = m_report.submissions[submission].review.isAccepted;
+    if (said == accepted)
+        return;
+    said = accepted;
+    saveReviews();
+}
+
+void Gradebook::take(const QString &results, GradeReport report)
+{
+    emit settling();
+    // What was said while it was graded is newer than what was read.
+    for (GradedSubmission &submission : report.submissions) {
+        const auto before
+            = std::ranges::find(m_report.submissions, submission.id, &GradedSubmission::id);
+        if (results == m_results && before != m_report.submissions.end())
+            submission.review = before->review;
+    }
+    m_results = results;
+    m_report = std::move(report);
+    m_clusters = clustersOf(m_report);
+    m_clusterOf.assign(m_report.submissions.size(), 0);
+    for (std::size_t cluster = 0; cluster < m_clusters.size(); ++cluster) {
+        for (const std::size_t place : m_clusters[cluster].submissions)
+            m_clusterOf[place] = cluster;
+    }
+    emit opened();
+}
+
+void Gradebook::saveReviews()
+{
+    m_writing.start([this, results = m_results, report = m_report] {
+        if (const auto error = writeReviews(results, report))
+            emit complaint(tr("What you said is not saved: %1").arg(error->message()));
+    });
+    emit reviewed();
+}
+
+} // namespace pixelplumb

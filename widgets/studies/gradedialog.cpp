@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/gradedialog.h"
+
+#include <QDialogButtonBox>
+#include <QFileDialog>
+#include <QFormLayout>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+
+namespace pixelplumb {
+
+GradeDialog::GradeDialog(QWidget *parent)
+    : QDialog(parent)
+{
+    setObjectName(QStringLiteral("gradeDialog"));
+    setWindowTitle(tr("Grade a Folder"));
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(16, 16, 16, 16);
+    layout->setSpacing(16);
+    auto *form = new QFormLayout;
+    form->setFieldGrowthPolicy(QFormLayout::ExpandingFieldsGrow);
+    m_submissions = addPath(form, "gradeSubmissions", tr("&Submissions, a folder"));
+    m_assignment = addPath(form, "gradeAssignment", tr("&Assignment, a file"));
+    m_results = addPath(form, "gradeResults", tr("&Results, a folder"));
+    layout->addLayout(form);
+    m_buttons = new QDialogButtonBox(QDialogButtonBox::Ok | QDialogButtonBox::Cancel, this);
+    m_buttons->button(QDialogButtonBox::Ok)->setText(tr("&Grade"));
+    layout->addWidget(m_buttons);
+    connect(m_buttons, &QDialogButtonBox::accepted, this, &QDialog::accept);
+    connect(m_buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+    updateOk();
+    resize(560, sizeHint().height());
+}
+
+QLineEdit *GradeDialog::addPath(QFormLayout *form, const char *name, const QString &label)
+{
+    auto *edit = new QLineEdit(this);
+    edit->setObjectName(QLatin1String(name));
+    auto *browse = new QPushButton(tr("Choose…"), this);
+    browse->setAccessibleName(tr("Choose: %1").arg(QString(label).remove(u'&')));
+    browse->setAutoDefault(false);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(8);
+    row->addWidget(edit, 1);
+    row->addWidget(browse);
+    form->addRow(label, row);
+    qobject_cast<QLabel *>(form->labelForField(row))->setBuddy(edit);
+    connect(edit, &QLineEdit::textChanged, this, &GradeDialog::updateOk);
+    connect(browse, &QPushButton::clicked, this, [this, edit] {
+        const QString path = edit == m_assignment
+            ? QFileDialog::getOpenFileName(this, tr("The Assignment"), edit->text(),
+                                           tr("Assignments (*.json);;All files (*)"))
+            : QFileDialog::getExistingDirectory(this, tr("A Folder"), edit->text());
+        if (!path.isEmpty())
+            edit->setText(path);
+    });
+    return edit;
+}
+
+QString GradeDialog::submissions() const { return m_submissions->text(); }
+
+QString GradeDialog::assignment() const { return m_assignment->text(); }
+
+QString GradeDialog::results() const { return m_results->text(); }
+
+void GradeDialog::setPaths(const QString &submissions, const QString &assignment,
+                           const QString &results)
+{
+    m_submissions->setText(submissions);
+    m_assignment->setText(assignment);
+    m_results->setText(results);
+}
+
+void GradeDialog::updateOk()
+{
+    const bool isWhole
+        = m_buttons && !submissions().isEmpty() && !assignment().isEmpty() && !results().isEmpty();
+    if (m_buttons)
+        m_buttons->button(QDialogButtonBox::Ok)->setEnabled(isWhole);
+}
+
+} // namespace pixelplumb

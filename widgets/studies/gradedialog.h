@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QDialog>
+
+class QDialogButtonBox;
+class QFormLayout;
+class QLineEdit;
+
+namespace pixelplumb {
+
+/// What is to be graded: a folder of submissions, an assignment, and where the results go.
+class GradeDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    explicit GradeDialog(QWidget *parent = nullptr);
+
+    QString submissions() const;
+    QString assignment() const;
+    QString results() const;
+    /// As a person may type them.
+    void setPaths(const QString &submissions, const QString &assignment, const QString &results);
+
+private:
+    QLineEdit *addPath(QFormLayout *form, const char *name, const QString &label);
+    void updateOk();
+
+    QLineEdit *m_submissions = nullptr;
+    QLineEdit *m_assignment = nullptr;
+    QLineEdit *m_results = nullptr;
+    QDialogButtonBox *m_buttons = nullptr;
+};
+
+} // namespace pixelplumb

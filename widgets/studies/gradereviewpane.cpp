@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/gradereviewpane.h"
+
+#include "widgets/look/namedwidget.h"
+#include "widgets/studies/gradebook.h"
+#include "widgets/studies/submissionopening.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QDir>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QPlainTextEdit>
+#include <QScrollArea>
+#include <QToolButton>
+
+#include <algorithm>
+#include <array>
+
+namespace pixelplumb {
+
+GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
+    : QWidget(parent)
+    , m_book(book)
+{
+    auto *column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    m_scene = named(new QComboBox(this), "gradingScene", tr("The scene whose picture is shown"));
+    m_sentences = named(new QLabel(this), "gradingSentences", tr("What the student is told"));
+    m_sentences->setWordWrap(true);
+    m_sentences->setAlignment(Qt::AlignTop);
+    m_sentences->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_comment = named(new QPlainTextEdit(this), "gradingComment",
+                      tr("Your comment, for the student; it is saved as you leave the field"));
+    m_comment->setPlaceholderText(tr("comment (C); Escape: back to the table"));
+    m_comment->setTabChangesFocus(true);
+    const int line = fontMetrics().lineSpacing();
+    m_comment->setMinimumHeight(3 * line);
+    auto *told = new QScrollArea(this); // the words of a fault or of many scenes are long
+    told->setFrameShape(QFrame::NoFrame);
+    told->setWidgetResizable(true);
+    told->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    told->setFocusPolicy(Qt::NoFocus);
+    told->setMinimumHeight(2 * line);
+    told->setWidget(m_sentences);
+    m_comment->installEventFilter(this);
+    m_accept = namedButton("gradingAccept", tr("Accept (A)"),
+                           tr("This grade is reviewed and goes out as it is (A)"), this);
+    m_accept->setCheckable(true);
+    m_forCluster = namedButton("gradingCommentCluster", tr("Comment for all of this cause"),
+                               tr("Give every submission of the same cause this comment"), this);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(4);
+    row->addWidget(m_accept);
+    row->addWidget(m_forCluster);
+    row->addStretch();
+    column->addWidget(m_scene);
+    column->addWidget(told, 1);
+    column->addWidget(m_comment, 1);
+    column->addLayout(row);
+    connect(m_scene, &QComboBox::activated, this, &GradeReviewPane::sceneChosen);
+    connect(m_accept, &QToolButton::clicked, this, &GradeReviewPane::toggleAccepted);
+    connect(m_forCluster, &QToolButton::clicked, this, &GradeReviewPane::commentCluster);
+    connect(book, &Gradebook::settling, this, &GradeReviewPane::saveComment);
+    connect(book, &Gradebook::opened, this, &GradeReviewPane::showReport);
+    connect(book, &Gradebook::reviewed, this, &GradeReviewPane::showReview);
+    setSubmission(std::nullopt);
+}
+
+GradeReviewPane::~GradeReviewPane() { saveComment(); }
+
+void GradeReviewPane::setSubmission(const std::optional<std::size_t> &place)
+{
+    saveComment();
+    m_shown = place;
+    for (QWidget *each :
+         std::initializer_list<QWidget *>{m_scene, m_comment, m_accept, m_forCluster})
+        each->setEnabled(place.has_value());
+    m_comment->clear();
+    if (place) {
+        const GradedSubmission &submission = m_book->report().submissions[*place];
+        m_comment->setPlainText(submission.review.comment);
+        const auto first = std::ranges::find_if(submission.scenes, [](const GradedScene &scene) {
+            return scene.firstDifference || !scene.fault.isEmpty();
+        });
+        m_scene->setCurrentIndex(
+            first == submission.scenes.end() ? 0 : int(first - submission.scenes.begin()));
+    }
+    showReview();
+}
+
+void GradeReviewPane::beginComment() { m_comment->setFocus(); }
+
+std::optional<GradedPicture> GradeReviewPane::picture() const
+{
+    const int chosen = m_scene->currentIndex();
+    if (!m_shown || chosen < 0)
+        return std::nullopt;
+    const GradedSubmission &submission = m_book->report().submissions[*m_shown];
+    const AssignedScene &assigned = m_book->report().assignment.scenes[std::size_t(chosen)];
+    const GradedScene &graded = submission.scenes[std::size_t(chosen)];
+    return GradedPicture{
+        assigned.scene,
+        graded.picture.isEmpty() ? QString() : QDir(m_book->results()).filePath(graded.picture),
+        QStringLiteral("%1 · %2").arg(submission.name, assigned.name), graded.fault};
+}
+
+void GradeReviewPane::toggleAccepted()
+{
+    saveComment();
+    if (m_shown)
+        m_book->setAccepted(*m_shown, !m_book->report().submissions[*m_shown].review.isAccepted);
+}
+
+void GradeReviewPane::saveComment()
+{
+    if (m_shown)
+        m_book->setComment(std::array{*m_shown}, m_comment->toPlainText().trimmed());
+}
+
+void GradeReviewPane::commentCluster()
+{
+    if (m_shown)
+        m_book->setComment(m_book->clusters()[m_book->clusterOf(*m_shown)].submissions,
+                           m_comment->toPlainText().trimmed());
+}
+
+void GradeReviewPane::showReport()
+{
+    m_shown.reset(); // it was of another report, and is saved
+    m_scene->clear();
+    for (const AssignedScene &scene : m_book->report().assignment.scenes)
+        m_scene->addItem(scene.name);
+    setSubmission(std::nullopt);
+}
+
+void GradeReviewPane::showReview()
+{
+    const GradeReport &report = m_book->report();
+    const GradedSubmission *submission = m_shown ? &report.submissions[*m_shown] : nullptr;
+    m_accept->setChecked(submission && submission->review.isAccepted);
+    m_sentences->setText(submission ? sentencesFor(*submission, report.assignment.hint).join(u'\n')
+                                    : QString());
+}
+
+bool GradeReviewPane::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched == m_comment && event->type() == QEvent::FocusOut)
+        saveComment();
+    if (watched == m_comment && event->type() == QEvent::KeyPress
+        && static_cast<QKeyEvent *>(event)->key() == Qt::Key_Escape) {
+        emit left();
+        return true;
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+} // namespace pixelplumb

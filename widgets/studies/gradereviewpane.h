@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+#include <optional>
+
+class QComboBox;
+class QLabel;
+class QPlainTextEdit;
+class QToolButton;
+
+namespace pixelplumb {
+
+class Gradebook;
+struct GradedPicture;
+
+/// What one student is told, and what the assistant says to it. A comment is saved as soon as the
+/// field is left, for the table, another submission or another folder.
+class GradeReviewPane : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit GradeReviewPane(Gradebook *book, QWidget *parent = nullptr);
+    ~GradeReviewPane() override;
+
+    /// The one in hand, by its place in the report; none: no one.
+    void setSubmission(const std::optional<std::size_t> &place);
+    void beginComment();
+    /// The picture of the chosen scene; none where nobody is in hand.
+    std::optional<GradedPicture> picture() const;
+
+public slots:
+    void toggleAccepted();
+
+signals:
+    void left(); ///< by Escape
+    void sceneChosen();
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void saveComment();
+    void commentCluster();
+    void showReport();
+    void showReview();
+
+    Gradebook *m_book;
+    std::optional<std::size_t> m_shown;
+    QComboBox *m_scene = nullptr;
+    QLabel *m_sentences = nullptr;
+    QPlainTextEdit *m_comment = nullptr;
+    QToolButton *m_accept = nullptr;
+    QToolButton *m_forCluster = nullptr;
+};
+
+} // namespace pixelplumb

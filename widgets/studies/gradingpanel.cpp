@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/gradingpanel.h"
+
+#include "widgets/look/elidedlabel.h"
+#include "widgets/look/namedwidget.h"
+#include "widgets/studies/gradebook.h"
+#include "widgets/studies/gradedialog.h"
+#include "widgets/studies/gradefilter.h"
+#include "widgets/studies/gradereviewpane.h"
+#include "widgets/studies/gradetablemodel.h"
+
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QDir>
+#include <QFileDialog>
+#include <QHeaderView>
+#include <QKeyEvent>
+#include <QLineEdit>
+#include <QProgressBar>
+#include <QTableView>
+#include <QToolButton>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+GradingPanel::GradingPanel(QWidget *parent)
+    : QWidget(parent)
+    , m_book(new Gradebook(this))
+    , m_model(new GradeTableModel(m_book, this))
+    , m_filter(new GradeFilter(this))
+{
+    setObjectName(QStringLiteral("grading"));
+    m_filter->setSourceModel(m_model);
+    auto *layout = new QVBoxLayout(this);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(8);
+    addFiles(layout);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(8);
+    addTable(row);
+    m_review = new GradeReviewPane(m_book, this);
+    row->addWidget(m_review, 2);
+    layout->addLayout(row, 1);
+    connect(m_book, &Gradebook::opened, this, &GradingPanel::showReport);
+    connect(m_book, &Gradebook::reviewed, this, &GradingPanel::showSummary);
+    connect(m_review, &GradeReviewPane::sceneChosen, this, &GradingPanel::openChosen);
+    connect(m_review, &GradeReviewPane::left, m_table, qOverload<>(&QWidget::setFocus));
+    connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
+            [this] { m_review->setSubmission(chosen()); });
+    connect(&m_book->job(), &Job::started, this, &GradingPanel::followJob);
+    connect(&m_book->job(), &Job::ended, this, &GradingPanel::followJob);
+    connect(&m_book->job(), &Job::progressChanged, this, [this](const JobProgress &progress) {
+        m_progress->setRange(0, int(progress.total));
+        m_progress->setValue(int(progress.done));
+    });
+    followJob();
+    showReport();
+}
+
+GradingPanel::~GradingPanel()
+{
+    delete m_review; // which saves what is being typed, as long as the book is there
+}
+
+void GradingPanel::addFiles(QBoxLayout *layout)
+{
+    auto *open = namedButton("gradingOpen", tr("Open results…"),
+                             tr("Open a folder of results of pixelplumb-cli grade"), this);
+    auto *grade = namedButton("gradingGrade", tr("Grade a folder…"),
+                              tr("Grade the submissions of a folder by an assignment"), this);
+    m_report = namedButton("gradingReports", tr("Write reports"),
+                           tr("Write the reports for Gradescope and others, the table and the "
+                              "page anew, with the comments"),
+                           this);
+    m_progress
+        = named(new QProgressBar(this), "gradingProgress", tr("Submissions that are graded"));
+    m_progress->setMaximumWidth(160);
+    m_cancel = namedButton("gradingCancel", tr("Cancel"), tr("Stop; what is graded stays"), this);
+    m_words = named(new QLineEdit(this), "gradingFilter",
+                    tr("Show the submissions in which these words stand"));
+    m_words->setPlaceholderText(tr("filter"));
+    m_words->setClearButtonEnabled(true);
+    m_words->setMaximumWidth(160);
+    m_cluster = named(new QComboBox(this), "gradingClusters", tr("Show one cause's submissions"));
+    m_cluster->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_cluster->setMinimumContentsLength(16);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(4);
+    for (QWidget *each :
+         std::initializer_list<QWidget *>{open, grade, m_report, m_progress, m_cancel})
+        row->addWidget(each);
+    row->addStretch();
+    row->addWidget(m_words);
+    row->addWidget(m_cluster);
+    layout->addLayout(row);
+    connect(open, &QToolButton::clicked, this, &GradingPanel::openResults);
+    connect(grade, &QToolButton::clicked, this, &GradingPanel::gradeFolder);
+    connect(m_report, &QToolButton::clicked, m_book, &Gradebook::writeReports);
+    connect(m_cancel, &QToolButton::clicked, m_book, &Gradebook::cancel);
+    connect(m_words, &QLineEdit::textChanged, m_filter, &GradeFilter::setWords);
+    connect(m_cluster, &QComboBox::currentIndexChanged, this,
+            [this](int index) { m_filter->setCluster(index - 1); });
+}
+
+void GradingPanel::addTable(QBoxLayout *layout)
+{
+    auto *column = new QVBoxLayout;
+    m_table = new QTableView(this);
+    m_table->setObjectName(QStringLiteral("gradingTable"));
+    m_table->setAccessibleName(tr("Submissions"));
+    m_table->setModel(m_filter);
+    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
+    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
+    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
+    m_table->setSortingEnabled(true);
+    m_table->sortByColumn(GradeTableModel::Name, Qt::AscendingOrder);
+    m_table->setWordWrap(false);
+    m_table->verticalHeader()->hide();
+    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
+    m_table->horizontalHeader()->setStretchLastSection(true);
+    m_table->installEventFilter(this);
+    m_summary = new ElidedLabel(this);
+    m_summary->setObjectName(QStringLiteral("gradingSummary"));
+    column->addWidget(m_table, 1);
+    column->addWidget(m_summary);
+    layout->addLayout(column, 3);
+    connect(m_table, &QTableView::clicked, this, &GradingPanel::openChosen);
+    connect(m_table, &QTableView::activated, this, &GradingPanel::openChosen);
+}
+
+void GradingPanel::openResults()
+{
+    QFileDialog dialog(this, tr("Open Results"));
+    dialog.setObjectName(QStringLiteral("gradingOpenDialog"));
+    dialog.setFileMode(QFileDialog::Directory);
+    if (dialog.exec() != QDialog::Accepted)
+        return;
+    m_book->open(dialog.selectedFiles().constFirst());
+    m_table->setFocus(); // for its keys
+}
+
+void GradingPanel::gradeFolder()
+{
+    GradeDialog dialog(this);
+    if (dialog.exec() == QDialog::Accepted)
+        m_book->grade(dialog.submissions(), dialog.assignment(), dialog.results());
+}
+
+void GradingPanel::followJob()
+{
+    const bool runs = m_book->job().isRunning();
+    m_progress->setRange(0, 0);
+    m_progress->setVisible(runs);
+    m_cancel->setVisible(runs);
+    m_report->setEnabled(!runs && !m_book->results().isEmpty());
+}
+
+void GradingPanel::showReport()
+{
+    m_cluster->clear();
+    m_cluster->addItem(tr("all causes"));
+    for (const GradeCluster &cluster : m_book->clusters())
+        m_cluster->addItem(
+            tr("%1 (%2)").arg(cluster.title, QString::number(cluster.submissions.size())));
+    m_table->resizeColumnsToContents();
+    // Several defects, or two, are long; the comment must be seen, and the tool tip has all of it.
+    m_table->setColumnWidth(
+        GradeTableModel::Cause,
+        std::min(m_table->columnWidth(GradeTableModel::Cause), m_table->viewport()->width() / 3));
+    m_report->setEnabled(!m_book->results().isEmpty());
+    showSummary();
+}
+
+/// A table that takes the focus has a current row, but nobody chose it.
+std::optional<std::size_t> GradingPanel::chosen() const
+{
+    const QModelIndexList rows = m_table->selectionModel()->selectedRows();
+    return rows.isEmpty() ? std::nullopt
+                          : std::optional(std::size_t(m_filter->mapToSource(rows.front()).row()));
+}
+
+void GradingPanel::showSummary()
+{
+    const GradeReport &report = m_book->report();
+    const auto accepted
+        = std::ranges::count_if(report.submissions, [](const GradedSubmission &submission) {
+              return submission.review.isAccepted;
+          });
+    m_summary->setWholeText(
+        m_book->results().isEmpty()
+            ? tr("Open a folder of results, or grade a folder of submissions.")
+            : tr("%1: %2 submissions, %3 accepted%4. J and K: next and previous; A: accept; C: "
+                 "comment; Enter: the picture.")
+                  .arg(report.assignment.name)
+                  .arg(report.submissions.size())
+                  .arg(accepted)
+                  .arg(report.missing.isEmpty()
+                           ? QString()
+                           : tr(", %1 more without a grade").arg(report.missing.size())));
+}
+
+void GradingPanel::openChosen()
+{
+    if (const auto picture = m_review->picture())
+        emit openRequested(*picture);
+}
+
+void GradingPanel::move(int by)
+{
+    const int count = m_filter->rowCount();
+    if (count == 0)
+        return;
+    const int row = chosen() ? std::clamp(m_table->currentIndex().row() + by, 0, count - 1) : 0;
+    m_table->setCurrentIndex(m_filter->index(row, 0));
+    openChosen();
+}
+
+bool GradingPanel::press(int key)
+{
+    switch (key) {
+    case Qt::Key_J:
+    case Qt::Key_Down:
+        move(1);
+        return true;
+    case Qt::Key_K:
+    case Qt::Key_Up:
+        move(-1);
+        return true;
+    case Qt::Key_A:
+        m_review->toggleAccepted();
+        return true;
+    case Qt::Key_C:
+        m_review->beginComment();
+        return true;
+    default:
+        return false;
+    }
+}
+
+bool GradingPanel::eventFilter(QObject *watched, QEvent *event)
+{
+    if (watched != m_table || event->type() != QEvent::KeyPress)
+        return QWidget::eventFilter(watched, event);
+    const auto *key = static_cast<QKeyEvent *>(event);
+    const bool isPlain = (key->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
+    return (isPlain && press(key->key())) || QWidget::eventFilter(watched, event);
+}
+
+} // namespace pixelplumb

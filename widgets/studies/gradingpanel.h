@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/studies/submissionopening.h"
+
+#include <QWidget>
+
+#include <optional>
+
+class QBoxLayout;
+class QComboBox;
+class QLineEdit;
+class QProgressBar;
+class QTableView;
+class QToolButton;
+
+namespace pixelplumb {
+
+class ElidedLabel;
+class Gradebook;
+class GradeFilter;
+class GradeReviewPane;
+class GradeTableModel;
+
+/// The assistant's bench: the submissions of a graded folder as a table, by cause, with what each
+/// student is told; reviewed by keys. A chosen submission opens beside what was expected.
+class GradingPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    explicit GradingPanel(QWidget *parent = nullptr);
+    ~GradingPanel() override;
+
+    Gradebook *book() const { return m_book; }
+    QSize sizeHint() const override { return {960, 320}; }
+
+public slots:
+    void openResults(); ///< asks for the folder
+    void gradeFolder(); ///< asks what
+
+signals:
+    void openRequested(const pixelplumb::GradedPicture &picture);
+
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
+private:
+    void addFiles(QBoxLayout *layout);
+    void addTable(QBoxLayout *layout);
+    void followJob();
+    void showReport();
+    void showSummary();
+    void openChosen();
+    bool press(int key);
+    void move(int by);
+    std::optional<std::size_t> chosen() const; ///< the place of the submission in the report
+
+    Gradebook *m_book;
+    GradeTableModel *m_model;
+    GradeFilter *m_filter;
+    GradeReviewPane *m_review = nullptr;
+    QToolButton *m_report = nullptr;
+    QToolButton *m_cancel = nullptr;
+    QProgressBar *m_progress = nullptr;
+    QLineEdit *m_words = nullptr;
+    QComboBox *m_cluster = nullptr;
+    QTableView *m_table = nullptr;
+    ElidedLabel *m_summary = nullptr;
+};
+
+} // namespace pixelplumb

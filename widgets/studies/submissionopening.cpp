@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/submissionopening.h"
+
+#include "widgets/files/scenefiles.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
+#include "widgets/model/studentpicture.h"
+
+namespace pixelplumb {
+
+SubmissionOpening::SubmissionOpening(const SceneDocument *document, SceneFiles *files,
+                                     StudentPicture *student, Playhead *playhead, QObject *parent)
+    : QObject(parent)
+    , m_document(document)
+    , m_files(files)
+    , m_student(student)
+    , m_playhead(playhead)
+{
+    connect(student, &StudentPicture::judged, this, &SubmissionOpening::arrive);
+}
+
+void SubmissionOpening::open(const GradedPicture &picture)
+{
+    m_awaited.clear();
+    m_student->remove(); // it is of another scene, or of another student
+    if (m_document->scene() != picture.scene && !m_files->showScene(picture.scene))
+        return;
+    const bool isThere = !picture.path.isEmpty();
+    m_student->expect(picture.name,
+                      isThere ? tr("Being opened.") : tr("No picture: %1.").arg(picture.fault));
+    if (!isThere)
+        return;
+    m_student->openAs(picture.path, picture.name);
+    m_awaited = picture.name;
+}
+
+void SubmissionOpening::arrive()
+{
+    const auto &judgement = m_student->judgement();
+    if (m_awaited.isEmpty() || !judgement || m_student->name() != m_awaited)
+        return;
+    m_awaited.clear();
+    m_playhead->seek(m_playhead->end());
+    const std::optional<QPoint> pixel = judgement->firstDifference();
+    if (!pixel)
+        return;
+    m_playhead->pick(*pixel);
+    emit pixelReached(*pixel);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/submissionpanel.h"
+
+#include "widgets/look/elidedlabel.h"
+#include "widgets/look/namedwidget.h"
+#include "widgets/model/playhead.h"
+#include "widgets/studies/comparelink.h"
+#include "widgets/studies/diagnosisview.h"
+#include "widgets/studies/submissiontext.h"
+#include "widgets/studies/submissionview.h"
+
+#include <QBoxLayout>
+#include <QEvent>
+#include <QScrollArea>
+#include <QToolButton>
+
+namespace pixelplumb {
+
+namespace {
+
+QLabel *textLabel(const char *name, const QString &inWords, QWidget *parent)
+{
+    auto *label = new QLabel(parent);
+    label->setObjectName(QLatin1String(name));
+    label->setAccessibleName(inWords);
+    label->setWordWrap(true);
+    label->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    return label;
+}
+
+} // namespace
+
+SubmissionPanel::SubmissionPanel(StudentPicture *student, Playhead *playhead, QWidget *parent)
+    : QWidget(parent)
+    , m_student(student)
+    , m_playhead(playhead)
+    , m_link(new CompareLink(this))
+{
+    setObjectName(QStringLiteral("submission"));
+    auto *area = new QScrollArea(this);
+    area->setObjectName(QStringLiteral("submissionArea"));
+    area->setAccessibleName(tr("Submission"));
+    area->setFrameShape(QFrame::NoFrame);
+    area->setWidgetResizable(true);
+    area->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    area->setFocusPolicy(Qt::NoFocus);
+    auto *whole = new QVBoxLayout(this);
+    whole->setContentsMargins(0, 0, 0, 0);
+    whole->addWidget(area);
+    m_content = new QWidget(area);
+    area->setWidget(m_content);
+    auto *layout = new QVBoxLayout(m_content);
+    layout->setContentsMargins(8, 8, 8, 8);
+    layout->setSpacing(8);
+    addHead(layout);
+    addTexts(layout);
+    addPictures(layout);
+    m_diagnosis = new DiagnosisView(student, m_content);
+    layout->addWidget(m_diagnosis, 1);
+    layout->addStretch();
+    connect(student, &StudentPicture::taken, this, &SubmissionPanel::showJudgement);
+    connect(student, &StudentPicture::taken, m_link, &CompareLink::fit);
+    connect(student, &StudentPicture::judged, this, &SubmissionPanel::showJudgement);
+    connect(playhead, &Playhead::pickedPixelChanged, this, &SubmissionPanel::showPixel);
+    showJudgement();
+}
+
+void SubmissionPanel::addHead(QBoxLayout *layout)
+{
+    m_name = new ElidedLabel(m_content);
+    m_name->setObjectName(QStringLiteral("submissionName"));
+    m_name->setAccessibleName(tr("The student's picture's file"));
+    QFont bold = m_name->font();
+    bold.setBold(true);
+    m_name->setFont(bold);
+    auto *open = namedButton("submissionOpen", tr("Open…"),
+                             tr("Open a student's picture: PNG, PPM, BMP or a raster of # and ."),
+                             m_content);
+    m_remove
+        = namedButton("submissionRemove", tr("Remove"),
+                      tr("Take the student's picture away; the scene stays as it is"), m_content);
+    auto *row = new QHBoxLayout;
+    row->setSpacing(4);
+    row->addWidget(m_name, 1);
+    row->addWidget(open);
+    row->addWidget(m_remove);
+    layout->addLayout(row);
+    connect(open, &QToolButton::clicked, this, &SubmissionPanel::openRequested);
+    connect(m_remove, &QToolButton::clicked, m_student, &StudentPicture::remove);
+}
+
+void SubmissionPanel::addTexts(QBoxLayout *layout)
+{
+    m_verdict = textLabel("submissionVerdict", tr("Verdict"), m_content);
+    m_counts = textLabel("submissionCounts", tr("Pixels by cause"), m_content);
+    m_counts->setTextFormat(Qt::RichText);
+    m_causes = textLabel("submissionCauses", tr("What explains the whole picture"), m_content);
+    for (QLabel *label : {m_verdict, m_counts, m_causes})
+        layout->addWidget(label);
+}
+
+void SubmissionPanel::addPictures(QBoxLayout *layout)
+{
+    m_pictures = new QWidget(m_content);
+    auto *column = new QVBoxLayout(m_pictures);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(4);
+    auto *pair = new QGridLayout;
+    pair->setSpacing(4);
+    pair->setRowStretch(1, 1);
+    column->addLayout(pair, 1);
+    const auto addPicture = [&](const QString &title, SubmissionView *view) {
+        const int place = pair->columnCount() - (pair->isEmpty() ? 1 : 0);
+        pair->addWidget(new QLabel(title, m_pictures), 0, place);
+        pair->addWidget(view, 1, place);
+    };
+    m_found = new SubmissionView(SubmissionView::Side::Student, m_link, m_playhead, m_pictures);
+    m_expected = new SubmissionView(SubmissionView::Side::Expected, m_link, m_playhead, m_pictures);
+    addPicture(tr("Student"), m_found);
+    addPicture(tr("Expected"), m_expected);
+    m_next
+        = namedButton("submissionNext", tr("Next difference"),
+                      tr("Pick the next pixel that differs, in the order of reading"), m_pictures);
+    m_pixel = textLabel("submissionPixel", tr("The picked pixel"), m_pictures);
+    column->addWidget(m_next);
+    column->addWidget(m_pixel);
+    layout->addWidget(m_pictures, 1);
+    connect(m_next, &QToolButton::clicked, this, &SubmissionPanel::pickNext);
+}
+
+void SubmissionPanel::lookAt(const QPoint &pixel) { m_link->lookAt(pixel); }
+
+void SubmissionPanel::pickNext()
+{
+    const auto &judgement = m_student->judgement();
+    const auto next
+        = judgement ? judgement->differenceAfter(m_playhead->pickedPixel()) : std::nullopt;
+    if (!next)
+        return;
+    m_playhead->pick(*next);
+    lookAt(*next);
+}
+
+void SubmissionPanel::showJudgement()
+{
+    const std::shared_ptr<const PictureJudgement> &judgement = m_student->judgement();
+    const bool isThere = m_student->isThere();
+    m_name->setWholeText(m_student->name().isEmpty() ? tr("No student's picture")
+                                                     : m_student->name());
+    m_remove->setEnabled(isThere);
+    m_pictures->setVisible(judgement != nullptr);
+    m_diagnosis->setVisible(isThere);
+    m_counts->setVisible(judgement != nullptr);
+    const QString causes = judgement ? causesText(judgement->diff) : QString();
+    m_causes->setText(causes);
+    m_causes->setVisible(!causes.isEmpty());
+    if (judgement) {
+        m_verdict->setText(verdictText(judgement->diff));
+        m_counts->setText(countsText(judgement->diff, palette()));
+        m_link->setFrame(judgement->frame);
+        m_next->setEnabled(judgement->firstDifference().has_value());
+    } else if (!m_student->absence().isEmpty()) {
+        m_verdict->setText(m_student->absence());
+    } else if (!isThere) {
+        m_verdict->setText(
+            tr("Drop a picture of this scene on the canvas, paste it (Ctrl+V) or open it: PNG, "
+               "PPM, BMP or a raster of # and . What differs is marked on the canvas."));
+    } else {
+        const QString misfit = m_student->misfit();
+        m_verdict->setText(misfit.isEmpty() ? tr("Being compared.") : misfit);
+    }
+    m_found->setJudgement(judgement);
+    m_expected->setJudgement(judgement);
+    showPixel();
+}
+
+void SubmissionPanel::showPixel()
+{
+    const auto &judgement = m_student->judgement();
+    const std::optional<QPoint> picked = m_playhead->pickedPixel();
+    m_pixel->setText(judgement && picked ? pixelText(*judgement, *picked) : QString());
+}
+
+void SubmissionPanel::changeEvent(QEvent *event)
+{
+    if (event->type() == QEvent::PaletteChange)
+        showJudgement();
+    QWidget::changeEvent(event);
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QBoxLayout;
+class QLabel;
+class QToolButton;
+
+namespace pixelplumb {
+
+class CompareLink;
+class DiagnosisView;
+class ElidedLabel;
+class Playhead;
+class StudentPicture;
+class SubmissionView;
+
+/// What is said of the student's picture: how it differs from what the scene's method draws, by
+/// cause, with the two pictures beside each other.
+class SubmissionPanel : public QWidget {
+    Q_OBJECT
+
+public:
+    SubmissionPanel(StudentPicture *student, Playhead *playhead, QWidget *parent = nullptr);
+
+    DiagnosisView *diagnosis() const { return m_diagnosis; }
+
+    QSize sizeHint() const override { return {300, 560}; }
+
+public slots:
+    /// Brings a pixel into the middle of both pictures.
+    void lookAt(const QPoint &pixel);
+
+signals:
+    void openRequested(); ///< another picture
+
+protected:
+    void changeEvent(QEvent *event) override;
+
+private:
+    void addHead(QBoxLayout *layout);
+    void addTexts(QBoxLayout *layout);
+    void addPictures(QBoxLayout *layout);
+    void showJudgement();
+    void showPixel();
+    void pickNext();
+
+    StudentPicture *m_student;
+    Playhead *m_playhead;
+    CompareLink *m_link;
+    ElidedLabel *m_name = nullptr;
+    QToolButton *m_remove = nullptr;
+    QToolButton *m_next = nullptr;
+    QLabel *m_verdict = nullptr;
+    QLabel *m_counts = nullptr;
+    QLabel *m_causes = nullptr;
+    QLabel *m_pixel = nullptr;
+    SubmissionView *m_found = nullptr;
+    SubmissionView *m_expected = nullptr;
+    QWidget *m_content = nullptr;
+    QWidget *m_pictures = nullptr;
+    DiagnosisView *m_diagnosis = nullptr;
+};
+
+} // namespace pixelplumb

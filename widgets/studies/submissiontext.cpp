@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/studies/submissiontext.h"
+
+#include "core/scene/colourtext.h"
+#include "widgets/studies/submissionpanel.h"
+
+namespace pixelplumb {
+
+namespace {
+
+QString pixels(std::int64_t count)
+{
+    return count == 1 ? SubmissionPanel::tr("1 pixel")
+                      : SubmissionPanel::tr("%L1 pixels").arg(count);
+}
+
+/// "#a06f30", "covered"
+QString contentOf(const Picture &picture, std::size_t place)
+{
+    if (picture.hasColours)
+        return colourText(picture.colours[place]);
+    return picture.covered[place] != 0 ? SubmissionPanel::tr("covered")
+                                       : SubmissionPanel::tr("not covered");
+}
+
+QString countText(const PictureDiff &diff, PixelVerdict verdict)
+{
+    const qint64 count = diff.count(verdict);
+    switch (verdict) {
+    case PixelVerdict::Missing:
+        return SubmissionPanel::tr("%L1 missing").arg(count);
+    case PixelVerdict::Extra:
+        return SubmissionPanel::tr("%L1 extra").arg(count);
+    case PixelVerdict::Colour:
+        return SubmissionPanel::tr("%L1 of another colour, by up to %2")
+            .arg(count)
+            .arg(diff.largestError);
+    case PixelVerdict::Undecidable:
+        return SubmissionPanel::tr("%L1 undecidable, on an edge").arg(count);
+    case PixelVerdict::Same:
+        break;
+    }
+    return SubmissionPanel::tr("%L1 the same").arg(count);
+}
+
+} // namespace
+
+Sign signOf(PixelVerdict verdict)
+{
+    switch (verdict) {
+    case PixelVerdict::Missing:
+        return Sign::Missing;
+    case PixelVerdict::Extra:
+        return Sign::Extra;
+    case PixelVerdict::Undecidable:
+        return Sign::Tie;
+    case PixelVerdict::Colour:
+    case PixelVerdict::Same:
+        break;
+    }
+    return Sign::ColourDiffers;
+}
+
+QString verdictText(const PictureDiff &diff)
+{
+    const std::int64_t open = diff.count(PixelVerdict::Undecidable);
+    if (diff.differing() > 0)
+        return SubmissionPanel::tr("Wrong: %1 differ.").arg(pixels(diff.differing()));
+    if (open > 0)
+        return SubmissionPanel::tr("Undecidable: %1 on edges, where rules differ.")
+            .arg(pixels(open));
+    return SubmissionPanel::tr("Right: no pixel differs.");
+}
+
+QString countsText(const PictureDiff &diff, const QPalette &palette)
+{
+    QStringList lines;
+    for (const PixelVerdict verdict : allPixelVerdicts) {
+        const bool isSame = verdict == PixelVerdict::Same;
+        if (!isSame && diff.count(verdict) == 0)
+            continue;
+        const QString colour = isSame ? palette.color(QPalette::Text).name()
+                                      : signColour(signOf(verdict), palette).name();
+        const QString glyph = isSame ? QStringLiteral("#") : signGlyph(signOf(verdict));
+        lines += QStringLiteral("<span style=\"color:%1\"><b><tt>%2</tt></b></span>&nbsp;%3")
+                     .arg(colour, glyph, countText(diff, verdict));
+    }
+    return lines.join(QStringLiteral("<br>"));
+}
+
+QString causesText(const PictureDiff &diff)
+{
+    if (diff.causes.empty())
+        return {};
+    const PictureCause &best = diff.causes.front();
+    const QString what = SubmissionPanel::tr("The whole picture is %1").arg(best.name);
+    return best.left == 0 ? what + SubmissionPanel::tr(": that explains every pixel.")
+                          : what + SubmissionPanel::tr(": that leaves %1.").arg(pixels(best.left));
+}
+
+QString pixelText(const PictureJudgement &judgement, const QPoint &pixel)
+{
+    const std::optional<std::size_t> place = judgement.placeOf(pixel);
+    if (!place)
+        return {};
+    const PixelVerdict verdict = judgement.diff.verdicts[*place];
+    const QString text
+        = SubmissionPanel::tr("(%1, %2) student: %3, expected: %4")
+              .arg(pixel.x())
+              .arg(pixel.y())
+              .arg(contentOf(judgement.found, *place), contentOf(judgement.expected, *place));
+    return verdict == PixelVerdict::Same ? text : text + QStringLiteral(" — ") + nameOf(verdict);
+}
+
+} // namespace pixelplumb

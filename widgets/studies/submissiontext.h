@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/look/signs.h"
+#include "widgets/model/studentpicture.h"
+
+namespace pixelplumb {
+
+Sign signOf(PixelVerdict verdict); ///< of one that is not Same
+
+/// "Wrong: 12 pixels differ."
+QString verdictText(const PictureDiff &diff);
+/// How many of each kind, with its glyph in its colour; rich text.
+QString countsText(const PictureDiff &diff, const QPalette &palette);
+/// What done to the whole picture explains it; empty where nothing does.
+QString causesText(const PictureDiff &diff);
+/// The student's pixel beside the expected one.
+QString pixelText(const PictureJudgement &judgement, const QPoint &pixel);
+
+} // namespace pixelplumb
