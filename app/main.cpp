@@ -5,6 +5,8 @@
 #include "widgets/model/scenedocument.h"
 #include "widgets/window/mainwindow.h"
 
+#include "version.h"
+
 #include <QApplication>
 #include <QCommandLineParser>
 #include <QIcon>

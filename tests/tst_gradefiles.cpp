@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/delivery.h"
 #include "core/grade/gradefile.h"
 #include "core/grade/submissionfolder.h"
 
+#include <QDir>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -195,6 +197,28 @@ private slots:
         QCOMPARE(titleOf(GradeVerdict::Nothing, {unreadable, unreadable}), there);
         QCOMPARE(titleOf(GradeVerdict::Wrong, {right, missing}), "pictures are missing");
         QCOMPARE(titleOf(GradeVerdict::Nothing, {missing, missing}), "no picture");
+    }
+
+    void severalProgramsAreNotCalledNone()
+    {
+        const auto assignment = readAssignment(assignmentWith(R"("program": {}, )"));
+        QVERIFY(assignment.isOk());
+        const QTemporaryDir folder;
+        QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("ann")));
+        const auto faultWith = [&](const QStringList &files) {
+            for (const QString &name : files) {
+                QFile file(folder.filePath(QStringLiteral("ann/") + name));
+                if (!file.open(QIODevice::WriteOnly))
+                    return QString();
+            }
+            const SubmissionEntry entry(QFile::encodeName(folder.path()), "ann");
+            return deliveriesOf(entry, *assignment).front().fault;
+        };
+        const QString expected
+            = QStringLiteral("; expected one executable file, or one that ends in .py");
+        QCOMPARE(faultWith({QStringLiteral("notes.md")}), "there is no program" + expected);
+        QCOMPARE(faultWith({QStringLiteral("a.py"), QStringLiteral("b.py")}),
+                 "there are 2 programs, a.py and b.py among them" + expected);
     }
 
     void namesAreEscapedAndToldApart_data()

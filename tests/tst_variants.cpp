@@ -87,7 +87,7 @@ private slots:
     {
         for (const Variant variant : allVariants) {
             QVERIFY(variantNamed(nameOf(variant)) == variant);
-            const VariantWords &words = wordsOf(variant);
+            const VariantWords &words = wordsOf(variant, SpanAxis::Column);
             for (const std::string_view text :
                  {words.title, words.printed, words.right, words.source, words.fault})
                 QVERIFY(!text.empty());
@@ -272,6 +272,37 @@ private slots:
         QCOMPARE(heightAt(only(Variant::DivisorMinusOne), 13), 3);
         QCOMPARE(heightAt({}, 16), 1);
         QCOMPARE(heightAt(only(Variant::DivisorPlusOne), 16), 2);
+    }
+
+    void ofAMethodThatFillsRowsAVariantSpeaksOfRows()
+    {
+        const Method &rows = *methodNamed(u"row-walk");
+        QCOMPARE(rows.spanAxis, SpanAxis::Row);
+        for (const Variant variant : rows.variants) {
+            const VariantWords &words = wordsOf(variant, rows.spanAxis);
+            for (const std::string_view text : {words.printed, words.right, words.fault}) {
+                for (const char *ofColumns : {"column", "y_B", "R_B", "by x", "Δy/"})
+                    QVERIFY2(!nameText(text).contains(QString::fromUtf8(ofColumns)),
+                             qPrintable(nameText(text)));
+            }
+        }
+        // What it says of the start of an edge is what the kernel does: at its first row an edge
+        // between two rows has its vertex' x.
+        const VariantWords &words = wordsOf(Variant::NoEdgePreStep, rows.spanAxis);
+        QCOMPARE(nameText(words.printed), QStringLiteral("x = x₀ at the first row"));
+        Scene scene;
+        scene.frame = frameOf(24, 20);
+        scene.method = "row-walk";
+        scene.triangles
+            = {triangleOf({LatticePoint{3 * unitsPerPixel, 15 * unitsPerPixel + unitsPerPixel / 2},
+                           latticePixel(1, 2), latticePixel(19, 4)})};
+        scene.settings.variants = only(Variant::NoEdgePreStep);
+        const auto traced = traceScene(scene);
+        const SpanRecord first = traced->trace->span(0);
+        QVERIFY(first.place.axis == SpanAxis::Row);
+        QCOMPARE(first.place.coordinate, 15);
+        QCOMPARE(first.lower.toDouble(), 3.0);
+        QCOMPARE(first.upper.toDouble(), 3.0);
     }
 
     void unsortedColoursKeepTheShapeAndExchangeTheCorners()

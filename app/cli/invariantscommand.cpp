@@ -4,8 +4,11 @@
 #include "app/cli/programoptions.h"
 #include "app/cli/sceneoptions.h"
 #include "app/cli/seedoption.h"
+#include "app/cli/toleranceoption.h"
+#include "core/grade/allowance.h"
 #include "core/grade/invariants.h"
 #include "core/methods/method.h"
+#include "core/scan/choicenames.h"
 #include "core/scene/scenefile.h"
 
 #include <QJsonArray>
@@ -17,12 +20,26 @@ namespace pixelplumb::cli {
 
 namespace {
 
-QStringList invariantLines(const std::vector<BrokenInvariant> &broken)
+/// What is broken, and what is so even where rounding is allowed for.
+struct Findings {
+    std::vector<BrokenInvariant> broken;
+    std::vector<BrokenInvariant> brokenBeyondRounding;
+    Arithmetic tolerance = Arithmetic::Float32;
+
+    bool mayBeRounding(Invariant invariant) const
+    {
+        return std::ranges::find(brokenBeyondRounding, invariant, &BrokenInvariant::invariant)
+            == brokenBeyondRounding.end();
+    }
+};
+
+QStringList invariantLines(const Findings &findings)
 {
     QStringList lines;
     for (const Invariant invariant : allInvariants) {
-        const auto found = std::ranges::find(broken, invariant, &BrokenInvariant::invariant);
-        const bool holds = found == broken.end();
+        const auto found
+            = std::ranges::find(findings.broken, invariant, &BrokenInvariant::invariant);
+        const bool holds = found == findings.broken.end();
         lines += QStringLiteral("%1  %2: %3")
                      .arg(holds ? QStringLiteral("holds ") : QStringLiteral("broken"),
                           nameOf(invariant), sentenceOf(invariant));
@@ -32,16 +49,22 @@ QStringList invariantLines(const std::vector<BrokenInvariant> &broken)
                                                       .object()[QStringLiteral("primitives")]
                                                       .toArray())
                                         .toJson(QJsonDocument::Compact));
+        if (!holds && findings.mayBeRounding(invariant))
+            lines += QStringLiteral("        only on samples that lie on an edge or that the "
+                                    "rounding of %1 leaves open: another fill rule or rounding "
+                                    "does it, too")
+                         .arg(nameText(nameOf(findings.tolerance)));
     }
     return lines;
 }
 
-QJsonObject invariantsJson(const std::vector<BrokenInvariant> &broken)
+QJsonObject invariantsJson(const Findings &findings)
 {
     QJsonArray array;
-    for (const BrokenInvariant &each : broken)
+    for (const BrokenInvariant &each : findings.broken)
         array.append(QJsonObject{
             {QStringLiteral("invariant"), nameOf(each.invariant)},
+            {QStringLiteral("mayBeRounding"), findings.mayBeRounding(each.invariant)},
             {QStringLiteral("scene"), QJsonDocument::fromJson(writeScene(each.scene)).object()}});
     return {{QStringLiteral("broken"), array}};
 }
@@ -55,6 +78,7 @@ ExitCode invariants(const Command &command, const QStringList &arguments)
     CommandLine line(command, {{place, sideMeaning()}});
     addSeedOption(line, QStringLiteral("triangles"));
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    addToleranceOption(line);
     addProgramOptions(line);
     addSettingOptions(line);
     if (const auto ended = line.parse(arguments))
@@ -62,6 +86,9 @@ ExitCode invariants(const Command &command, const QStringList &arguments)
     const auto seed = chosenSeed(line);
     if (!seed)
         return line.refuse(seed.error());
+    const Result<Arithmetic> tolerance = chosenTolerance(line);
+    if (!tolerance)
+        return line.refuse(tolerance.error());
     const Result<Sides> sides = sidesOf(line, {place});
     if (!sides)
         return line.refuse(sides.error());
@@ -79,10 +106,15 @@ ExitCode invariants(const Command &command, const QStringList &arguments)
                     .arg(report.checked + report.undrawn));
     if (report.checked == 0)
         return ExitCode::FallsShort;
+    Findings findings{report.broken, {}, *tolerance};
+    if (!report.broken.empty())
+        findings.brokenBeyondRounding
+            = checkInvariants(allowingFor(*tolerance, source), sides->conventions, *seed, pairs)
+                  .broken;
     if (line.isSet(jsonOption))
-        printJson(QJsonDocument(invariantsJson(report.broken)));
+        printJson(QJsonDocument(invariantsJson(findings)));
     else
-        printLines(invariantLines(report.broken));
+        printLines(invariantLines(findings));
     return report.broken.empty() && report.undrawn == 0 ? ExitCode::Done : ExitCode::FallsShort;
 }
 

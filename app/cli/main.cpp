@@ -2,6 +2,8 @@
 #include "app/cli/commands.h"
 #include "app/cli/suggestion.h"
 
+#include "version.h"
+
 #include <QCoreApplication>
 
 #include <algorithm>

@@ -125,7 +125,7 @@ void printDescription(const Method &method)
         printLine(QStringLiteral("  beyond colour and clipping in %1")
                       .arg(namesOf(method.shadingArithmetics).join(separator)));
     for (const Variant variant : method.variants) {
-        const VariantWords &words = wordsOf(variant);
+        const VariantWords &words = wordsOf(variant, method.spanAxis);
         printLine(
             QStringLiteral("  variant      %1: %2, in place of %3")
                 .arg(nameText(nameOf(variant)), nameText(words.printed), nameText(words.right)));

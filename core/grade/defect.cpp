@@ -26,8 +26,9 @@ void append(std::vector<Defect> &defects, const Scene &scene, const QString &cho
 
 void appendVariants(std::vector<Defect> &defects, const Scene &scene)
 {
+    const Method &method = *methodNamed(QString::fromStdString(scene.method));
     for (const Variant variant : allVariants) {
-        const VariantWords &words = wordsOf(variant);
+        const VariantWords &words = wordsOf(variant, method.spanAxis);
         append(defects, scene, {},
                {nameText(nameOf(variant)), nameText(words.fault),
                 QStringLiteral("%1: %2 in place of %3.")

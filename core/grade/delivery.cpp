@@ -80,6 +80,29 @@ QString refusedPicture(const SubmissionEntry &entry, const AssignedScene &scene)
     });
 }
 
+bool isScript(const SubmittedFile &file) { return !file.isExecutable && file.name.endsWith(".py"); }
+
+bool isRun(const SubmittedFile &file)
+{
+    return (file.isExecutable || isScript(file)) && !hasPictureEnd(file.name);
+}
+
+/// Where the assignment leaves it open which file is run.
+QString missingProgram(const SubmissionEntry &entry)
+{
+    QStringList names;
+    for (const SubmittedFile &file : entry.files()) {
+        if (isRun(file))
+            names += escapedName(file.name);
+    }
+    const QString found = names.size() < 2
+        ? QStringLiteral("there is no program")
+        : QStringLiteral("there are %1 programs, %2 and %3 among them")
+              .arg(names.size())
+              .arg(names[0], names[1]);
+    return found + QStringLiteral("; expected one executable file, or one that ends in .py");
+}
+
 QString missingProgram(const SubmissionEntry &entry, const AssignedProgram &program)
 {
     const QString refusal = refusalIn(entry, [&](const QByteArray &name) {
@@ -88,8 +111,7 @@ QString missingProgram(const SubmissionEntry &entry, const AssignedProgram &prog
     if (!refusal.isEmpty())
         return refusal;
     return program.file.isEmpty()
-        ? QStringLiteral(
-            "there is no program; expected one executable file, or one that ends in .py")
+        ? missingProgram(entry)
         : QStringLiteral("there is no ordinary file %1").arg(program.file);
 }
 
@@ -136,14 +158,10 @@ Delivery deliveredPicture(const SubmissionEntry &entry, const AssignedScene &sce
     return delivery;
 }
 
-bool isScript(const SubmittedFile &file) { return !file.isExecutable && file.name.endsWith(".py"); }
-
 const SubmittedFile *programOf(const SubmissionEntry &entry, const AssignedProgram &program)
 {
     if (!entry.isFolder() || program.file.isEmpty())
-        return onlyFile(entry, [&](const SubmittedFile &file) {
-            return (file.isExecutable || isScript(file)) && !hasPictureEnd(file.name);
-        });
+        return onlyFile(entry, isRun);
     return onlyFile(entry,
                     [&](const SubmittedFile &file) { return file.name == program.file.toUtf8(); });
 }

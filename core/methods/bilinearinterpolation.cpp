@@ -25,7 +25,6 @@ Method bilinearRowsInterpolationMethod()
     method.summary = QStringLiteral("Interpolates down the left and the right edge and then along "
                                     "the row, each by adding a rate; what is covered is exact.");
     method.fillRules = {FillRule::Closed, FillRule::TopLeft, FillRule::Open};
-    method.fillRuleReason = spanRuleReason(SpanAxis::Row);
     return method;
 }
 

@@ -31,7 +31,6 @@ Method columnScanMethod()
     method.shadingArithmetics = {Arithmetic::Exact, Arithmetic::Float32};
     method.stableArithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::Open};
-    method.fillRuleReason = spanRuleReason(SpanAxis::Column);
     method.variants = edgeWalkVariants();
     constexpr ShadedMethod shaded = ShadedMethod::ColumnScan;
     method.draw

@@ -20,7 +20,6 @@ Method constantRateRowWalkMethod()
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     method.stableArithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed, FillRule::TopLeft, FillRule::Open};
-    method.fillRuleReason = spanRuleReason(SpanAxis::Row);
     return method;
 }
 

@@ -27,6 +27,8 @@ Method edgeWalkMethod()
 {
     Method method = methodOf<Kernel>();
     method.pseudocode = edgeWalkPseudocode(Kernel::walkForm);
+    method.spanAxis = Kernel::walkForm.axis;
+    method.fillRuleReason = spanRuleReason(method.spanAxis);
     method.effects = {Effect::SmoothColour, Effect::Clipping};
     return method;
 }

@@ -23,7 +23,6 @@ Method rowWalkMethod()
     method.draw = drawVaried<drawWith<RowWalk>, drawWith<VariedRowWalk>>;
     method.trace = traceVaried<traceWith<RowWalk>, traceWith<VariedRowWalk>>;
     method.fillRules = {FillRule::Closed, FillRule::TopLeft, FillRule::Open};
-    method.fillRuleReason = spanRuleReason(SpanAxis::Row);
     return method;
 }
 
@@ -42,7 +41,6 @@ Method constantRateColumnScanMethod()
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
     method.stableArithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::Open};
-    method.fillRuleReason = spanRuleReason(SpanAxis::Column);
     return method;
 }
 
@@ -61,7 +59,6 @@ Method biasColumnScanMethod()
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float64};
     method.stableArithmetics = {Arithmetic::Exact, Arithmetic::Float64};
     method.fillRules = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::Open};
-    method.fillRuleReason = spanRuleReason(SpanAxis::Column);
     return method;
 }
 

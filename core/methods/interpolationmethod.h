@@ -52,7 +52,8 @@ Method plainInterpolationMethod()
     method.arithmetics = {Arithmetic::Exact, Arithmetic::Float32, Arithmetic::Float64};
     method.stableArithmetics = {Arithmetic::Exact};
     method.fillRules = {FillRule::Closed, FillRule::HalfOpenColumn, FillRule::Open};
-    method.fillRuleReason = spanRuleReason(SpanAxis::Column);
+    method.spanAxis = axisOf(Form);
+    method.fillRuleReason = spanRuleReason(method.spanAxis);
     return method;
 }
 

@@ -33,6 +33,8 @@ struct Method {
     std::vector<Arithmetic> shadingArithmetics = {};
     QStringList remarks = {}; ///< what else it does, and what it leaves out: "holes"
     std::vector<PrimitiveKind> kinds = {PrimitiveKind::Triangle}; ///< what it draws
+    /// Whether it fills triangles from bound to bound in columns or in rows; Free: in neither.
+    SpanAxis spanAxis = SpanAxis::Free;
     /// Of closed shapes: which of them, by their fill, its own first; empty when it draws all.
     std::vector<ShapeFill> fills = {};
     std::vector<Arithmetic> arithmetics;

@@ -54,9 +54,9 @@ QString placeOfPrimitive(const TracedScene &traced, std::size_t primitive)
 }
 
 /// What a variant prints, and what it does.
-QString variantText(Variant variant)
+QString variantText(Variant variant, SpanAxis axis)
 {
-    const VariantWords &words = wordsOf(variant);
+    const VariantWords &words = wordsOf(variant, axis);
     return QStringLiteral(" Variant “%1”: %2, in place of %3. %4")
         .arg(nameText(words.title), nameText(words.printed), nameText(words.right),
              nameText(words.fault));
@@ -70,7 +70,7 @@ QString setUpSentence(const TracedScene &traced, std::size_t primitive, const QS
     if (words.isEmpty() || !traced.primitives.isTriangle(primitive))
         sentence = (placeOfPrimitive(traced, primitive) + u' ' + words).trimmed();
     for (const Variant variant : variantsIn(traced.scene.settings.variants))
-        sentence += variantText(variant);
+        sentence += variantText(variant, traced.method->spanAxis);
     if (traced.scene.frame.pixelCentre == PixelCentre::Half)
         sentence += QStringLiteral(" All coordinates are counted from the centre of pixel (0, 0): "
                                    "½ px less than the scene's.");

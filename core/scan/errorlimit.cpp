@@ -13,7 +13,7 @@ double floatErrorLimit(double additions, double largest, double extent)
 {
     constexpr double unit = double(std::numeric_limits<Float>::epsilon()) / 2;
     const auto halfUlp = [](double magnitude) {
-        const Float number = Float(magnitude);
+        const auto number = Float(magnitude);
         return (double(std::nextafter(number, std::numeric_limits<Float>::infinity()))
                 - double(number))
             / 2;

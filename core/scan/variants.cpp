@@ -137,10 +137,63 @@ constexpr VariantWords fiveT = {
     "five pixels apart, and the four between them are missing.",
 };
 
+constexpr VariantWords noColourPreStepInRows = {
+    noColourPreStep.title, "R = R_L", "R = R_L + (⌈x_L⌉ − x_L)·ΔR", noColourPreStep.source,
+    noColourPreStep.fault,
+};
+constexpr VariantWords noEdgePreStepInRows = {
+    noEdgePreStep.title,
+    "x = x₀ at the first row",
+    "x = x₀ + (y₀ − ⌊y₀⌋)·m",
+    "own; the Assignment's “y₀ is the initial value”, by rows",
+    "An edge whose vertex lies between two rows is late by that distance: it misses its other "
+    "end, and triangles jitter as they move. Vertices on whole pixels do not show it.",
+};
+constexpr VariantWords divisorMinusOneInRows = {
+    divisorMinusOne.title,  "m = Δx/(Δy − 1)",     "m = Δx/Δy",
+    divisorMinusOne.source, divisorMinusOne.fault,
+};
+constexpr VariantWords divisorPlusOneInRows = {
+    divisorPlusOne.title,  "m = Δx/(Δy + 1)",    "m = Δx/Δy",
+    divisorPlusOne.source, divisorPlusOne.fault,
+};
+constexpr VariantWords unsortedColoursInRows = {
+    unsortedColours.title, "sort (x₀, y₀), (x₁, y₁), (x₂, y₂) by y; R₀, R₁, R₂ as given",
+    unsortedColours.right, unsortedColours.source,
+    unsortedColours.fault,
+};
+
+/// Null where there is no other word for rows.
+const VariantWords *wordsInRows(Variant variant)
+{
+    switch (variant) {
+    case Variant::NoColourPreStep:
+        return &noColourPreStepInRows;
+    case Variant::NoEdgePreStep:
+        return &noEdgePreStepInRows;
+    case Variant::DivisorMinusOne:
+        return &divisorMinusOneInRows;
+    case Variant::DivisorPlusOne:
+        return &divisorPlusOneInRows;
+    case Variant::UnsortedColours:
+        return &unsortedColoursInRows;
+    case Variant::RoundedBox:
+    case Variant::StayAtZero:
+    case Variant::OneStepShort:
+    case Variant::TwiceT:
+    case Variant::FiveT:
+        break;
+    }
+    return nullptr;
+}
+
 } // namespace
 
-const VariantWords &wordsOf(Variant variant)
+const VariantWords &wordsOf(Variant variant, SpanAxis axis)
 {
+    const VariantWords *inRows = axis == SpanAxis::Row ? wordsInRows(variant) : nullptr;
+    if (inRows)
+        return *inRows;
     switch (variant) {
     case Variant::RoundedBox:
         return roundedBox;

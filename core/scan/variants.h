@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/scan/spanaxis.h"
+
 #include <array>
 #include <cstdint>
 #include <optional>
@@ -64,6 +66,8 @@ struct VariantWords {
 /// The names in files and on the command line: "rounded-box", …
 std::string_view nameOf(Variant variant);
 std::optional<Variant> variantNamed(std::string_view name);
-const VariantWords &wordsOf(Variant variant);
+/// What it is in a method that fills triangles along that axis: Free, which fills none, says
+/// columns.
+const VariantWords &wordsOf(Variant variant, SpanAxis axis);
 
 } // namespace pixelplumb

@@ -5,7 +5,7 @@
 #include "core/scene/choicereader.h"
 #include "core/scene/colourreader.h"
 #include "core/scene/fileaccess.h"
-#include "core/scene/framenames.h"
+#include "core/scene/framereader.h"
 #include "core/scene/jsonplaces.h"
 #include "core/scene/jsonsyntax.h"
 #include "core/scene/primitivereader.h"
@@ -86,7 +86,7 @@ private:
                                   cameraKey(),
                                   motionKey()};
         m_json.expectObject(root, keys + appearanceKeys() + QStringList{primitivesKey()});
-        readFrame(root[QStringLiteral("frame")]);
+        m_inHand.reading.scene.frame = readFrame(m_json, root[QStringLiteral("frame")]);
         readSettings(root);
         NumberReader numbers(m_json, m_inHand.reading.snaps);
         Scene &scene = m_inHand.reading.scene;
@@ -117,37 +117,6 @@ private:
             return;
         }
         m_json.integer(format, 1, sceneFormat);
-    }
-
-    void readFrame(const JsonNode &node)
-    {
-        m_json.expectObject(node,
-                            {QStringLiteral("width"), QStringLiteral("height"),
-                             QStringLiteral("background"), QStringLiteral("origin"),
-                             QStringLiteral("pixelCentre"), QStringLiteral("firstPixel")});
-        FrameSpec &frame = m_inHand.reading.scene.frame;
-        const JsonNode width = node[QStringLiteral("width")];
-        frame.width = std::int32_t(m_json.integer(width, 1, largestFrameSide));
-        frame.height
-            = std::int32_t(m_json.integer(node[QStringLiteral("height")], 1, largestFrameSide));
-        const qint64 area = qint64(frame.width) * frame.height;
-        if (area > largestFrameArea) {
-            m_json.fail(width,
-                        QStringLiteral("%1 × %2 are %3 pixels")
-                            .arg(frame.width)
-                            .arg(frame.height)
-                            .arg(area),
-                        QStringLiteral("at most %1 pixels").arg(largestFrameArea));
-        }
-        if (const JsonNode background = node[QStringLiteral("background")]; !background.isMissing())
-            frame.background = readColour(m_json, background);
-        readChoice(m_json, node[QStringLiteral("origin")], allFrameOrigins, frame.origin);
-        readChoice(m_json, node[QStringLiteral("pixelCentre")], allPixelCentres, frame.pixelCentre);
-        if (const JsonNode first = node[QStringLiteral("firstPixel")]; !first.isMissing()) {
-            const std::vector<JsonNode> pixel = m_json.array(first, 2);
-            frame.firstColumn = std::int32_t(m_json.integer(pixel[0], -largestPixel, largestPixel));
-            frame.firstRow = std::int32_t(m_json.integer(pixel[1], -largestPixel, largestPixel));
-        }
     }
 
     Motion readMotion(NumberReader &numbers, const JsonNode &node)

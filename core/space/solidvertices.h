@@ -114,8 +114,9 @@ private:
     SpaceVertex<Number> patchVertex(std::size_t index) const
     {
         const auto columns = std::size_t(m_solid.segments[0]);
+        const std::size_t row = index / (columns + 1);
         const Number u = Number(index % (columns + 1)) / Number(columns);
-        const Number v = Number(index / (columns + 1)) / Number(m_solid.segments[1]);
+        const Number v = Number(row) / Number(m_solid.segments[1]);
         const BezierPatch<Number> patch(m_solid);
         return vertexAt(patch.point(u, v), patch.normal(u, v), {u, v});
     }

@@ -4,6 +4,7 @@
 #include "core/space/camera.h"
 
 #include <cmath>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -16,10 +17,10 @@ struct SpaceVector {
     Number z = Number(0);
 
     SpaceVector() = default;
-    SpaceVector(const Number &atX, const Number &atY, const Number &atZ)
-        : x(atX)
-        , y(atY)
-        , z(atZ)
+    SpaceVector(Number atX, Number atY, Number atZ)
+        : x(std::move(atX))
+        , y(std::move(atY))
+        , z(std::move(atZ))
     {
     }
     explicit SpaceVector(const Vector3 &vector)

@@ -36,12 +36,12 @@ QString lineHtml(const PseudocodeLine &line, bool isInHand, const QColor &tint)
 }
 
 /// The lines in which the run departs from them, and what that does.
-QString variantsHtml(VariantSet variants)
+QString variantsHtml(VariantSet variants, SpanAxis axis)
 {
     QString html;
     const auto text = [](std::string_view part) { return sentenceHtml(nameText(part)); };
     for (const Variant variant : variantsIn(variants)) {
-        const VariantWords &words = wordsOf(variant);
+        const VariantWords &words = wordsOf(variant, axis);
         html += QStringLiteral("<p><b>%1</b>: %2 %3 %4. %5</p>")
                     .arg(text(words.title), text(words.printed), MethodPanel::tr("in place of"),
                          text(words.right), text(words.fault));
@@ -112,7 +112,7 @@ void MethodPanel::present()
     m_text->setHtml(QStringLiteral("<p><b>%1</b><br>%2</p><table cellspacing=0 cellpadding=2 "
                                    "width=\"100%\">%3</table>%4<p><small>%5</small></p>")
                         .arg(method.title.toHtmlEscaped(), sentenceHtml(method.summary), rows,
-                             variantsHtml(traced->scene.settings.variants),
+                             variantsHtml(traced->scene.settings.variants, method.spanAxis),
                              tr("From: %1.").arg(method.source).toHtmlEscaped()));
     m_text->verticalScrollBar()->setValue(scrolled);
     setAccessibleDescription(inHand.join(QStringLiteral("; ")));

@@ -45,8 +45,8 @@ void MethodMenu::addVariants()
     menu->setObjectName(QStringLiteral("variantMenu"));
     menu->setToolTipsVisible(true);
     for (const Variant variant : allVariants) {
-        const VariantWords &words = wordsOf(variant);
-        QAction *action = addMenuAction(menu, "", nameText(words.title), {}, [this, variant] {
+        const QString title = nameText(wordsOf(variant, SpanAxis::Free).title);
+        QAction *action = addMenuAction(menu, "", title, {}, [this, variant] {
             ScanSettings settings = m_document->scene().settings;
             settings.variants = settings.variants.contains(variant)
                 ? settings.variants.without(variant)
@@ -55,18 +55,19 @@ void MethodMenu::addVariants()
         });
         action->setObjectName(QStringLiteral("variant-") + nameText(nameOf(variant)));
         action->setCheckable(true);
-        const QString meaning = tr("%1, in place of %2. %3\n%4")
-                                    .arg(nameText(words.printed), nameText(words.right),
-                                         nameText(words.fault), nameText(words.source));
-        const auto update = [this, action, variant, meaning] {
+        const auto update = [this, action, variant] {
             const Scene &scene = m_document->scene();
             const Method *method = methodNamed(QString::fromStdString(scene.method));
             ScanSettings settings = scene.settings;
             action->setChecked(settings.variants.contains(variant));
             settings.variants = VariantSet().with(variant);
             setObjection(action, method ? method->objection(settings) : QString());
-            if (action->isEnabled())
-                action->setToolTip(meaning);
+            if (!method || !action->isEnabled())
+                return;
+            const VariantWords &words = wordsOf(variant, method->spanAxis);
+            action->setToolTip(tr("%1, in place of %2. %3\n%4")
+                                   .arg(nameText(words.printed), nameText(words.right),
+                                        nameText(words.fault), nameText(words.source)));
         };
         connect(m_document, &SceneDocument::sceneChanged, action, update);
         update();
