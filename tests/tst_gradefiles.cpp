@@ -218,7 +218,7 @@ private slots:
             = QStringLiteral("; expected one executable file, or one that ends in .py");
         QCOMPARE(faultWith({QStringLiteral("notes.md")}), "there is no program" + expected);
         QCOMPARE(faultWith({QStringLiteral("a.py"), QStringLiteral("b.py")}),
-                 "there are 2 programs, a.py and b.py among them" + expected);
+                 "there are 2 programs: a.py, b.py" + expected);
     }
 
     void namesAreEscapedAndToldApart_data()

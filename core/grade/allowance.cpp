@@ -1,9 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/allowance.h"
 
+#include "core/grade/picturediff.h"
 #include "core/grade/undecidable.h"
 
+#include <algorithm>
+#include <cstdlib>
+
 namespace pixelplumb {
+
+namespace {
+
+/// Bytes as rounding exchanges them.
+bool areNeighbours(const Colour &a, const Colour &b)
+{
+    return std::ranges::equal(a.channels, b.channels, [](std::uint8_t one, std::uint8_t other) {
+        return std::abs(one - other) <= 1;
+    });
+}
+
+} // namespace
 
 PictureSource allowingFor(Arithmetic arithmetic, const PictureSource &source)
 {
@@ -13,8 +29,12 @@ PictureSource allowingFor(Arithmetic arithmetic, const PictureSource &source)
         if (!picture || picture->size() != truth.size())
             return picture;
         const auto undecidable = undecidablePixels(scene, *picture, arithmetic);
+        const auto ties = tiesOf(scene);
         for (std::size_t i = 0; i < undecidable.size(); ++i) {
-            if (undecidable[i] == 0)
+            // On an edge it is open who draws, not in which colour.
+            const bool isOtherColour = ties[i] != 0 && picture->covered[i] != 0
+                && truth.covered[i] != 0 && !areNeighbours(picture->colours[i], truth.colours[i]);
+            if (undecidable[i] == 0 || isOtherColour)
                 continue;
             picture->colours[i] = truth.colours[i];
             picture->covered[i] = truth.covered[i];

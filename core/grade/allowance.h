@@ -6,7 +6,8 @@
 namespace pixelplumb {
 
 /// What the source draws, but the truth's pixel wherever a right program that computes in this
-/// arithmetic may have the source's (undecidablePixels): what rounding alone has done is undone.
+/// arithmetic may have the source's (undecidablePixels): what rounding alone has done is undone. Of
+/// samples on an edge that both draw, only bytes that are neighbours are exchanged.
 PictureSource allowingFor(Arithmetic arithmetic, const PictureSource &source);
 
 } // namespace pixelplumb

@@ -97,9 +97,7 @@ QString missingProgram(const SubmissionEntry &entry)
     }
     const QString found = names.size() < 2
         ? QStringLiteral("there is no program")
-        : QStringLiteral("there are %1 programs, %2 and %3 among them")
-              .arg(names.size())
-              .arg(names[0], names[1]);
+        : QStringLiteral("there are %1 programs: %2").arg(names.size()).arg(fewNames(names));
     return found + QStringLiteral("; expected one executable file, or one that ends in .py");
 }
 
