@@ -4,6 +4,7 @@
 #include "core/oracle/effectoracle.h"
 #include "tests/support/effectscenes.h"
 #include "tests/support/planbyhand.h"
+#include "tests/support/sanitized.h"
 
 #include <QTest>
 
@@ -93,7 +94,7 @@ Departure departureOf(const FrameBuffer &drawn, const FrameBuffer &truth,
     return departure;
 }
 
-constexpr std::uint64_t seedCount = 12;
+constexpr std::uint64_t seedCount = isSanitized ? 5 : 12;
 
 /// Calls function(scene, settings, text) for random scenes of a hardship, under each rule.
 template <class Function>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/scenepicture.h"
 #include "core/runs/tracedscene.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/scanning.h"
 #include "widgets/model/scenepreviewer.h"
 
@@ -182,7 +183,7 @@ private slots:
         std::uniform_int_distribution<Lattice> way(-9 * unitsPerPixel, 9 * unitsPerPixel);
         std::uniform_int_distribution<std::size_t> which(0, scene.triangles.size() - 1);
         ScenePicture dragged(scene.frame);
-        for (int move = 0; move < 40; ++move) {
+        for (int move = 0; move < (isSanitized ? 8 : 40); ++move) {
             LatticePoint &place = scene.triangles[which(random)].vertices[0].position;
             place = {place.x + way(random), place.y + way(random)};
             ScenePicture fresh(scene.frame);

@@ -2,6 +2,7 @@
 #include "core/effects/strokestrip.h"
 #include "core/geometry/seededrandom.h"
 #include "core/oracle/truepicture.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tracereplay.h"
 
@@ -159,7 +160,7 @@ private slots:
     void everyPictureIsTheTruth_data()
     {
         QTest::addColumn<int>("seed");
-        for (int seed = 0; seed < 250; ++seed)
+        for (int seed = 0; seed < (isSanitized ? 80 : 250); ++seed)
             QTest::addRow("seed %d", seed) << seed;
     }
     void everyPictureIsTheTruth()

@@ -3,8 +3,8 @@
 
 namespace pixelplumb {
 
-/// Under sanitizers what is written takes ten times as long: of the arithmetics of a method one is
-/// taken at a time, in turns.
+/// Under sanitizers a run takes ten times as long: of the arithmetics of a method one is taken at a
+/// time, in turns, and of random scenes and moves fewer.
 #ifdef PIXELPLUMB_SANITIZED_BUILD
 inline constexpr bool isSanitized = true;
 #else
