@@ -53,6 +53,7 @@ private:
     void makeCentre();
     void makeToolBars();
     void makeMenus();
+    void showInColourVision();
     void connectParts();
     void traceDocument();
     void takeTrace(const std::shared_ptr<const TracedScene> &traced);
