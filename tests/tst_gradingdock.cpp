@@ -16,14 +16,19 @@
 
 #include <QAbstractItemModelTester>
 #include <QAbstractItemView>
+#include <QApplication>
 #include <QComboBox>
 #include <QDirIterator>
 #include <QDockWidget>
+#include <QDragEnterEvent>
 #include <QFile>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMimeData>
 #include <QPlainTextEdit>
 #include <QProgressBar>
+#include <QScrollBar>
+#include <QTableView>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
@@ -149,6 +154,18 @@ GradeReview keptReview(const Classroom &classroom, std::size_t student)
     return kept ? kept->submissions[student].review : GradeReview();
 }
 
+void drop(MainWindow &window, const QString &path)
+{
+    QMimeData data;
+    data.setUrls({QUrl::fromLocalFile(path)});
+    const QPoint place = window.rect().center();
+    QDragEnterEvent enter(place, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&window, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent dropped(place, Qt::CopyAction, &data, Qt::LeftButton, {});
+    QApplication::sendEvent(&window, &dropped);
+}
+
 void press(const MainWindow &window, Qt::Key key) { QTest::keyClick(table(window), key); }
 
 } // namespace
@@ -185,13 +202,40 @@ private slots:
         QVERIFY(QFile::exists(classroom.results() + "/results.json"));
     }
 
+    void aFolderOfResultsOpensInGradingHoweverItComes_data()
+    {
+        QTest::addColumn<bool>("isDropped");
+        QTest::newRow("on the command line") << false;
+        QTest::newRow("dropped on the window") << true;
+    }
+    void aFolderOfResultsOpensInGradingHoweverItComes()
+    {
+        QFETCH(bool, isDropped);
+        const Classroom classroom;
+        bringResults(classroom);
+        const auto window = openedWindow();
+        QVERIFY(!named<QDockWidget>(*window, "gradingDock")->isVisible());
+
+        if (isDropped)
+            drop(*window, classroom.results());
+        else
+            window->openResults(classroom.results());
+
+        QTRY_COMPARE(table(*window)->model()->rowCount(), 3);
+        QVERIFY(named<QDockWidget>(*window, "gradingDock")->isVisible());
+        QVERIFY(!named<QWidget>(*window, "messageBar")->isVisible());
+    }
+
     void whatHoldsNoGradesIsToldAsSuch()
     {
         const auto window = openedWindow();
         const QTemporaryDir empty;
-        book(*window).open(empty.path());
+        window->openResults(empty.path());
         QTRY_VERIFY(named<QWidget>(*window, "messageBar")->isVisible());
-        QVERIFY(named<QLabel>(*window, "messageText")->text().startsWith("No grades: "));
+        const QString told = named<QLabel>(*window, "messageText")->text();
+        for (const QString &part : {QStringLiteral("No grades: "), empty.path(),
+                                    QStringLiteral("holds no results"), QStringLiteral("expected")})
+            QVERIFY2(told.contains(part), qPrintable(told));
     }
 
     void keysGoFromPictureToPicture_data() { addPalettes(); }
