@@ -296,7 +296,11 @@ private slots:
         const int line = window->fontMetrics().lineSpacing();
         QVERIFY(seen("gradingTable").height() >= 4 * line);
         QVERIFY(seen("gradingTable").width() >= 20 * line);
-        QVERIFY(seen("gradingSentences").height() >= 2 * line);
+        QCOMPARE(seen("gradingSentences"), named<QWidget>(*window, "gradingSentences")->rect());
+        const auto *view = qobject_cast<QTableView *>(table(*window));
+        QCOMPARE(view->horizontalScrollBar()->maximum(), 0);
+        for (const int column : {GradeTableModel::Cause, GradeTableModel::Comment})
+            QVERIFY(view->columnWidth(column) >= 5 * line);
         QVERIFY(seen("gradingComment").height() >= 3 * line);
         QCOMPARE(seen("gradingComment"), named<QWidget>(*window, "gradingComment")->rect());
         QVERIFY(seen("submissionPicture").height() >= 6 * line);
@@ -321,10 +325,15 @@ private slots:
         press(*window, Qt::Key_Down);
         press(*window, Qt::Key_A);
 
-        QCOMPARE(cell(*window, 0, GradeTableModel::State), "✓ accepted");
+        QCOMPARE(cell(*window, 0, GradeTableModel::State), "✓");
+        const auto *model = table(*window)->model();
+        QCOMPARE(model->index(0, GradeTableModel::State).data(Qt::AccessibleTextRole), "accepted");
+        named<QLineEdit>(*window, "gradingFilter")->setText("accepted");
+        QCOMPARE(model->rowCount(), 1);
+        named<QLineEdit>(*window, "gradingFilter")->clear();
         QTRY_VERIFY(keptReview(classroom, 0).isAccepted);
         press(*window, Qt::Key_A);
-        QCOMPARE(cell(*window, 0, GradeTableModel::State), "open");
+        QCOMPARE(cell(*window, 0, GradeTableModel::State), QString());
     }
 
     void aCommentIsKeptWhenTheRowIsLeft()
