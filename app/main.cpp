@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/method.h"
+#include "version.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/look/paletteswitch.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/window/mainwindow.h"
 
-#include "version.h"
-
 #include <QApplication>
 #include <QCommandLineParser>
+#include <QFileInfo>
 #include <QIcon>
 
 #include <algorithm>
@@ -113,7 +113,8 @@ void setOpeningPlace(MainWindow &window, const QCommandLineParser &parser, const
         window.setOpeningPlace(otherwise);
 }
 
-/// The first scene is there until another one is: a large file takes its time, and may be at fault.
+/// The first scene is there until another one is, and beside a class's grades: a large file takes
+/// its time, and may be at fault.
 void open(MainWindow &window, const QCommandLineParser &parser, const Options &options)
 {
     const auto take = [&window, &parser, &options](const OpeningPlace &place) {
@@ -123,7 +124,11 @@ void open(MainWindow &window, const QCommandLineParser &parser, const Options &o
     window.openDefaultScene();
     take(OpeningMoment::HalfDrawn);
     const QStringList paths = parser.positionalArguments();
-    if (paths.isEmpty() || !window.openScene(paths.constFirst()))
+    if (paths.isEmpty())
+        return;
+    if (QFileInfo(paths.constFirst()).isDir())
+        return window.openResults(paths.constFirst());
+    if (!window.openScene(paths.constFirst()))
         return;
     const SceneFiles *files = window.parts().files;
     if (files->isLoading())
@@ -147,9 +152,12 @@ void describe(QCommandLineParser &parser, const Options &options)
         QCoreApplication::translate("main", "See and step through triangle scan conversion."));
     parser.addHelpOption();
     parser.addVersionOption();
-    parser.addPositionalArgument(QStringLiteral("scene"),
-                                 QCoreApplication::translate("main", "A scene file to open."),
-                                 QStringLiteral("[scene]"));
+    parser.addPositionalArgument(
+        QStringLiteral("scene"),
+        QCoreApplication::translate("main",
+                                    "A scene file to open, or a folder of results of "
+                                    "pixelplumb-cli grade, to look through in Grading."),
+        QStringLiteral("[scene | results]"));
     parser.addOptions({options.palette, options.position, options.column, options.method,
                        options.arithmetic, options.fillRule});
 }

@@ -5,13 +5,17 @@
 #include "tests/support/layerlook.h"
 #include "tests/support/scanning.h"
 
+#include <QRegularExpression>
 #include <QTest>
 #include <QUndoStack>
 
 #include <cmath>
+#include <functional>
 #include <numeric>
 
 using namespace pixelplumb;
+
+Q_DECLARE_METATYPE(std::function<void(SceneDocument &)>)
 
 namespace {
 
@@ -32,16 +36,26 @@ struct Ratio {
             shown += QStringLiteral("/%1").arg(denominator);
         return shown.replace(u'-', QChar(0x2212));
     }
-    /// In three decimals where it is long.
-    QString shortText() const
+    QString rounded(int places) const
     {
-        const QString fraction = text();
-        return fraction.size() <= 9 ? fraction
-                                    : QStringLiteral("≈ %1")
-                                          .arg(double(above) / double(below), 0, 'f', 3)
-                                          .replace(u'-', QChar(0x2212));
+        return QString::number(double(above) / double(below), 'f', places)
+            .replace(u'-', QChar(0x2212));
     }
 };
+
+/// All exact, or, where one is long, all in three decimals.
+QStringList texts(const std::vector<Ratio> &numbers)
+{
+    QStringList exact;
+    QStringList rounded{QStringLiteral("≈ ")};
+    for (const Ratio &number : numbers) {
+        exact += number.text();
+        rounded += number.rounded(3);
+    }
+    const bool isLong
+        = std::ranges::any_of(exact, [](const QString &text) { return text.size() > 9; });
+    return isLong ? rounded : QStringList(QString()) + exact;
+}
 
 /// In half pixels, so that frames of both kinds have whole numbers.
 struct Point {
@@ -177,15 +191,15 @@ private slots:
         };
         const std::int64_t whole = determinant(after[0], after[1], after[2]);
         const auto area = [&](std::size_t i) {
-            return Ratio{weights.parts[i] * whole, 4 * weights.whole}.shortText();
+            return Ratio{weights.parts[i] * whole, 4 * weights.whole};
         };
-        const QString place = QStringLiteral("p′ (%1, %2): ")
-                                  .arg(mean([](const Point &point) { return point.x; }).text(),
-                                       mean([](const Point &point) { return point.y; }).text());
+        const QStringList place = texts({mean([](const Point &point) { return point.x; }),
+                                         mean([](const Point &point) { return point.y; })});
+        const QStringList areas = texts({area(0), area(1), area(2), Ratio{whole, 4}});
         QCOMPARE(notesOf(drawing, QStringLiteral("p′")),
-                 QStringList(place
-                             + QStringLiteral("doubled areas %1, %2, %3 of %4")
-                                   .arg(area(0), area(1), area(2), Ratio{whole, 4}.shortText())));
+                 QStringList(QStringLiteral("p′ %1(%2, %3). Doubled areas: %4%5, %6, %7 of %8")
+                                 .arg(place[0], place[1], place[2], areas[0], areas[1], areas[2],
+                                      areas[3], areas[4])));
         const Ratio factor{whole, weights.whole};
         const bool mirrors = (whole < 0) != (weights.whole < 0);
         QCOMPARE(notesOf(drawing, QStringLiteral("The weights stay")),
@@ -204,6 +218,34 @@ private slots:
         QCOMPARE(look.drawing("affine-map").notes.mid(0, 2),
                  QStringList({QStringLiteral("Affine map: x′ = 0·x − 1·y + 30"),
                               QStringLiteral("and y′ = 2·x + 0·y + 1")}));
+    }
+
+    void theNumbersOfASentenceAreAllExactOrAllRounded()
+    {
+        // Corners in 1/256 px, whose fractions are long.
+        Look look
+            = lookAt(sceneOf({LatticePoint{10, 3}, {2051, 17}, {519, 1531}}),
+                     {LatticePoint{7777, 301}, LatticePoint{7013, 4099}, LatticePoint{6133, 1291}});
+
+        const LayerDrawing drawing = look.drawing("affine-map");
+
+        static const QRegularExpression fraction(QStringLiteral("\\d/\\d"));
+        static const QRegularExpression decimal(QStringLiteral("\\d\\.\\d"));
+        QStringList sentences{drawing.notes[0] + u' ' + drawing.notes[1]};
+        for (const QString &note : drawing.notes.mid(2))
+            sentences += note.split(QStringLiteral(". "));
+        for (const LayerDrawing::Label &label : drawing.labels)
+            sentences += label.text;
+        int rounded = 0;
+        for (const QString &sentence : sentences) {
+            const bool isRounded = sentence.contains(u'≈');
+            rounded += int(isRounded);
+            QCOMPARE(sentence.contains(decimal), isRounded);
+            QVERIFY2(!isRounded || !sentence.contains(fraction), qPrintable(sentence));
+        }
+        QVERIFY(rounded >= 5);
+        QVERIFY2(drawing.notes[0].startsWith(QStringLiteral("Affine map: x′ ≈ ")),
+                 qPrintable(drawing.notes[0]));
     }
 
     void theNamesAreThoseOfTheMethod()
@@ -229,16 +271,16 @@ private slots:
         for (const std::size_t sample : {std::size_t(0), trace.sampleCount() / 2}) {
             look.view.position = trace.indexOfSample(sample) + 1;
             const PixelChange change = trace.changes()[sample];
-            const QString place = QStringLiteral("p (%1, %2): ").arg(change.x).arg(change.y);
+            const QString place = QStringLiteral("p (%1, %2). ").arg(change.x).arg(change.y);
             QCOMPARE(notesOf(look.drawing("affine-map"), place).size(), 1);
         }
         look.view.picked = QPoint(40, 20);
-        QCOMPARE(notesOf(look.drawing("affine-map"), QStringLiteral("p (40, 20): ")).size(), 1);
+        QCOMPARE(notesOf(look.drawing("affine-map"), QStringLiteral("p (40, 20). ")).size(), 1);
         look.view.picked.reset();
         // Nothing is drawn, or all: the pixel in the middle, (10/3, 2).
         for (const std::size_t position : {std::size_t(0), trace.stepCount()}) {
             look.view.position = position;
-            QCOMPARE(notesOf(look.drawing("affine-map"), QStringLiteral("p (3, 2): ")).size(), 1);
+            QCOMPARE(notesOf(look.drawing("affine-map"), QStringLiteral("p (3, 2). ")).size(), 1);
         }
     }
 
@@ -426,6 +468,87 @@ private slots:
         QVERIFY(!bench.document.isModified());
         QTest::keyClick(&bench.canvas, Qt::Key_BracketRight); // around to the first vertex
         QCOMPARE(bench.canvas.spokenState(), QStringLiteral("vertex 0 of triangle 0 at (4, 5)"));
+    }
+
+    void theMapGoesWithItsTriangle_data()
+    {
+        QTest::addColumn<std::function<void(SceneDocument &)>>("edit");
+        QTest::addColumn<int>("triangle"); // −1: there is no map
+        using Edit = std::function<void(SceneDocument &)>;
+        const auto add = [](const char *name, const Edit &edit, int triangle) {
+            QTest::newRow(name) << edit << triangle;
+        };
+        add(
+            "drawn earlier", [](auto &document) { document.movePrimitive(1, -1); }, 0);
+        add(
+            "drawn later", [](auto &document) { document.movePrimitive(1, 1); }, 2);
+        add(
+            "overtaken", [](auto &document) { document.movePrimitive(0, 2); }, 0);
+        add(
+            "one before it deleted", [](auto &document) { document.deletePrimitive(0); }, 0);
+        add(
+            "one behind it deleted", [](auto &document) { document.deletePrimitive(2); }, 1);
+        add(
+            "one before it hidden", [](auto &document) { document.hidePrimitive(0); }, 0);
+        add(
+            "one more drawn",
+            [](auto &document) { document.addTriangle(triangleAt(0, 0, 9, 0, 0, 9)); }, 1);
+        add(
+            "dragged itself",
+            [](auto &document) {
+                document.moveVertex({1, 0}, latticePixel(9, 9), document.newDrag());
+            },
+            1);
+        add(
+            "deleted itself", [](auto &document) { document.deletePrimitive(1); }, -1);
+        add(
+            "hidden itself", [](auto &document) { document.hidePrimitive(1); }, -1);
+        add(
+            "all deleted", [](auto &document) { document.clear(); }, -1);
+    }
+    void theMapGoesWithItsTriangle()
+    {
+        QFETCH(std::function<void(SceneDocument &)>, edit);
+        QFETCH(int, triangle);
+        Scene scene;
+        scene.triangles = {triangleAt(4, 5, 58, 12, 26, 44), triangleAt(2, 30, 20, 44, 6, 46),
+                           triangleAt(30, 2, 60, 4, 44, 30)};
+        CanvasBench bench(scene);
+        const Corners corners{latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)};
+        bench.options.setAffineImage(AffineImage{1, corners});
+
+        edit(bench.document);
+
+        const std::optional<AffineImage> expected = triangle < 0
+            ? std::nullopt
+            : std::optional(AffineImage{std::size_t(triangle), corners});
+        QCOMPARE(bench.options.affineImage(), expected);
+        bench.document.undoStack()->undo();
+        if (expected)
+            QCOMPARE(bench.options.affineImage(), std::optional(AffineImage{1, corners}));
+        bench.document.undoStack()->redo();
+        QCOMPARE(bench.options.affineImage(), expected);
+    }
+
+    void allThatIsHiddenShownAgainMovesTheMapOn()
+    {
+        Scene scene;
+        scene.triangles = {triangleAt(4, 5, 58, 12, 26, 44), triangleAt(2, 30, 20, 44, 6, 46),
+                           triangleAt(30, 2, 60, 4, 44, 30)};
+        CanvasBench bench(scene);
+        bench.document.hidePrimitive(0);
+        bench.document.hidePrimitive(0);
+        const Corners corners{latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)};
+        bench.options.setAffineImage(AffineImage{0, corners});
+        bench.document.selectVertex(VertexRef{0, 1});
+
+        bench.document.showAllHidden();
+
+        QCOMPARE(bench.options.affineImage(), std::optional(AffineImage{2, corners}));
+        QCOMPARE(bench.document.selectedVertex(), std::optional(VertexRef{2, 1}));
+        bench.document.undoStack()->undo();
+        QCOMPARE(bench.options.affineImage(), std::optional(AffineImage{0, corners}));
+        QCOMPARE(bench.document.selectedVertex(), std::optional(VertexRef{0, 1}));
     }
 
     void withoutTheLayerThereIsNothingToDrag()

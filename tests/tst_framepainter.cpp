@@ -171,6 +171,27 @@ private slots:
         QVERIFY(taken.frame.plates().back().center().y() < view.center().y());
     }
 
+    void thePointersNoteKeepsClearOfWhatItIsTold()
+    {
+        Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
+        const QPointF pointer = view.center();
+        const auto drawn = [&](const std::vector<QRectF> &places) {
+            sheet.frame.drawPointerNote(QStringLiteral("(27, 19)\ntriangle 0"), pointer, places);
+            return sheet.frame.plates().back();
+        };
+        const QRectF first = drawn({});
+        QVERIFY(first.left() > pointer.x() && first.top() > pointer.y());
+        std::vector<QRectF> places;
+        for (int side = 0; side < 4; ++side) {
+            const QRectF plate = drawn(places);
+            QVERIFY(!plate.contains(pointer));
+            for (const QRectF &place : places)
+                QVERIFY(!place.intersects(plate));
+            places.push_back(plate);
+        }
+        QCOMPARE(drawn(places), first); // there is no place: as by choice
+    }
+
     void noNameCoversAnother_data()
     {
         QTest::addColumn<QString>("file");

@@ -10,8 +10,11 @@
 
 #include <QAbstractButton>
 #include <QAbstractItemModelTester>
+#include <QApplication>
+#include <QContextMenuEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QRandomGenerator>
 #include <QTest>
 #include <QTreeView>
@@ -189,6 +192,56 @@ private slots:
         QCOMPARE(document().hiddenCount(), 1);
     }
 
+    void aRightClickOffersWhatTheButtonsDo()
+    {
+        auto *menu = named<QMenu>(*m_window, "primitivesMenu");
+        const QModelIndex row = m_model->indexOfPrimitive(1);
+        rightClick(row);
+        QVERIFY(menu->isVisible());
+        QCOMPARE(m_model->refAt(m_tree->currentIndex()), std::optional(VertexRef{1, 0}));
+        QStringList entries;
+        for (const QAction *entry : menu->actions()) {
+            entries += entry->text();
+            QCOMPARE(button(qPrintable(entry->objectName()))->isEnabled(), entry->isEnabled());
+        }
+        QCOMPARE(entries, QStringList({"Earlier", "Later", "Colour…", "Hide", "Delete"}));
+
+        choose(*menu, "primitivesUp");
+        QCOMPARE(document().scene().triangles[0], fourPrimitives().triangles[1]);
+        rightClick(m_tree->currentIndex());
+        choose(*menu, "primitivesHide");
+        QCOMPARE(document().hiddenCount(), 1);
+        rightClick(m_tree->currentIndex());
+        QCOMPARE(menu->actions()[3]->text(), QStringLiteral("Show"));
+        choose(*menu, "primitivesDelete");
+        QCOMPARE(document().scene().triangles.size(), std::size_t(1));
+        QCOMPARE(document().hiddenCount(), 0);
+
+        rightClick({});
+        QVERIFY(!menu->isVisible()); // there is no row
+    }
+
+    void hidingChangesNoPlaceAndTheNumbersAreThoseOfTheRun()
+    {
+        const auto textsOf = [this](PrimitiveListModel::Column column) {
+            QStringList texts;
+            for (int row = 0; row < m_model->rowCount(); ++row)
+                texts += m_model->index(row, column).data().toString();
+            return texts;
+        };
+        QCOMPARE(textsOf(PrimitiveListModel::Place), QStringList({"1", "2", "3", "4"}));
+        click(m_model->indexOfPrimitive(1));
+        press("primitivesHide");
+        QCOMPARE(textsOf(PrimitiveListModel::Place), QStringList({"1", "2", "3", "4"}));
+        QCOMPARE(textsOf(PrimitiveListModel::Name),
+                 QStringList({"triangle 0", "triangle, hidden", "line 1", "line 2"}));
+        QTRY_COMPARE(m_window->parts().playhead->traced()->trace->primitiveCount(), std::size_t(3));
+        QVERIFY(m_model->index(0, PrimitiveListModel::Place, m_model->index(0, 0))
+                    .data()
+                    .toString()
+                    .isEmpty()); // a vertex has none
+    }
+
     void hidingAndItsUndoKeepTheStepInHand()
     {
         Playhead &playhead = *m_window->parts().playhead;
@@ -328,6 +381,21 @@ private:
     {
         QTest::mouseClick(m_tree->viewport(), Qt::LeftButton, {},
                           m_tree->visualRect(index).center());
+    }
+    void rightClick(const QModelIndex &index)
+    {
+        const QPoint place = index.isValid()
+            ? m_tree->visualRect(index).center()
+            : m_tree->viewport()->rect().bottomRight() - QPoint(4, 4);
+        QTest::mouseClick(m_tree->viewport(), Qt::RightButton, {}, place);
+        QContextMenuEvent asked(QContextMenuEvent::Mouse, place,
+                                m_tree->viewport()->mapToGlobal(place));
+        QApplication::sendEvent(m_tree->viewport(), &asked);
+    }
+    static void choose(QMenu &menu, const char *name)
+    {
+        QTest::mouseClick(&menu, Qt::LeftButton, {},
+                          menu.actionGeometry(named<QAction>(menu, name)).center());
     }
     QLineEdit *field() { return named<QLineEdit>(*m_tree, "coordinateField"); }
     void type(const QModelIndex &index, const char *text)

@@ -15,7 +15,8 @@ constexpr double gridSpacing = 24;
 constexpr double leastGridLines = 4;
 constexpr double mostGridLines = 64;
 
-/// How numbers are shown: fractions that are longer, in characters, are rounded to so many places.
+/// How the numbers of a sentence are shown: where one of their fractions is longer, in characters,
+/// all are rounded to so many places.
 struct NumberStyle {
     qsizetype longestFraction;
     int places;
@@ -23,24 +24,55 @@ struct NumberStyle {
 constexpr NumberStyle compared = {13, 6}; ///< weights and coefficients
 constexpr NumberStyle beside = {9, 3}; ///< places and areas
 
-/// "−3/7", or "≈ 0.428571".
-QString shown(const BigRational &number, const NumberStyle &style)
+Quantity quantityOf(const BigRational &number)
 {
-    const Quantity quantity = quotientOf(numerator(number), denominator(number));
-    QString text = toDecimal(quantity, style.places).prepend(QStringLiteral("≈ "));
-    if (quantity.isRational()) {
-        QString fraction = toText(quantity.numerator());
-        if (quantity.denominator() != 1)
-            fraction += u'/' + toText(quantity.denominator());
-        if (fraction.size() <= style.longestFraction)
-            text = fraction;
-    }
-    return text.replace(u'-', QChar(0x2212));
+    return quotientOf(numerator(number), denominator(number));
 }
+
+QString withMinus(QString text) { return text.replace(u'-', QChar(0x2212)); }
+
+/// "−3/7"; empty where it is longer than the style has it.
+QString fractionOf(const BigRational &number, const NumberStyle &style)
+{
+    const Quantity quantity = quantityOf(number);
+    if (!quantity.isRational())
+        return {};
+    QString fraction = toText(quantity.numerator());
+    if (quantity.denominator() != 1)
+        fraction += u'/' + toText(quantity.denominator());
+    return fraction.size() <= style.longestFraction ? withMinus(fraction) : QString();
+}
+
+/// The numbers of one sentence, which are all exact or all rounded.
+class ShownNumbers {
+public:
+    ShownNumbers(std::initializer_list<BigRational> numbers, const NumberStyle &style)
+    {
+        for (const BigRational &number : numbers)
+            m_texts += fractionOf(number, style);
+        m_isRounded = m_texts.contains(QString());
+        if (!m_isRounded)
+            return;
+        m_texts.clear();
+        for (const BigRational &number : numbers)
+            m_texts += withMinus(toDecimal(quantityOf(number), style.places));
+    }
+
+    const QString &operator[](qsizetype i) const { return m_texts[i]; }
+    /// "≈ " before what is rounded.
+    QString mark() const { return m_isRounded ? QStringLiteral("≈ ") : QString(); }
+    /// Between a name and its number.
+    QString equals() const { return m_isRounded ? QStringLiteral("≈") : QStringLiteral("="); }
+
+private:
+    QStringList m_texts;
+    bool m_isRounded = false;
+};
 
 QString shown(const RationalPoint &point)
 {
-    return QStringLiteral("(%1, %2)").arg(shown(point.x, beside), shown(point.y, beside));
+    const ShownNumbers numbers({point.x, point.y}, beside);
+    return QStringLiteral("%1(%2, %3)").arg(numbers.mark(), numbers[0], numbers[1]);
 }
 
 QPointF placeInFrame(const RationalPoint &inScene, const FrameSpec &frame)
@@ -49,30 +81,33 @@ QPointF placeInFrame(const RationalPoint &inScene, const FrameSpec &frame)
     return {inScene.x.convert_to<double>() - offset, inScene.y.convert_to<double>() - offset};
 }
 
-/// "+ 3/7", "− 2": a further term of a sum.
-QString term(const BigRational &number)
-{
-    const QString sign = number < 0 ? QStringLiteral("− ") : QStringLiteral("+ ");
-    return sign + shown(abs(number), compared);
-}
+QChar signOf(const BigRational &number) { return number < 0 ? QChar(0x2212) : u'+'; }
 
-QString row(const BigRational &x, const BigRational &y, const BigRational &shift)
+/// The two rows of a map, which are one sentence.
+QStringList rowsText(const AffineMap &map)
 {
-    return QStringLiteral("%1·x %2·y %3").arg(shown(x, compared), term(y), term(shift));
+    const ShownNumbers numbers(
+        {map.xx, abs(map.xy), abs(map.shift.x), map.yx, abs(map.yy), abs(map.shift.y)}, compared);
+    const QString row = QStringLiteral("%1 %2 %3·x %4 %5·y %6 %7");
+    return {row.arg(QStringLiteral("Affine map: x′"), numbers.equals(), numbers[0], signOf(map.xy),
+                    numbers[1], signOf(map.shift.x), numbers[2]),
+            row.arg(QStringLiteral("and y′"), numbers.equals(), numbers[3], signOf(map.yy),
+                    numbers[4], signOf(map.shift.y), numbers[5])};
 }
 
 QString weightsText(const PointAreas &areas)
 {
-    return QStringLiteral("α = %1, β = %2, γ = %3")
-        .arg(shown(areas.weight(0), compared), shown(areas.weight(1), compared),
-             shown(areas.weight(2), compared));
+    const ShownNumbers numbers({areas.weight(0), areas.weight(1), areas.weight(2)}, compared);
+    return QStringLiteral("α %1 %2, β %1 %3, γ %1 %4")
+        .arg(numbers.equals(), numbers[0], numbers[1], numbers[2]);
 }
 
 QString areasText(const PointAreas &areas)
 {
-    return QStringLiteral("doubled areas %1, %2, %3 of %4")
-        .arg(shown(areas.parts[0], beside), shown(areas.parts[1], beside),
-             shown(areas.parts[2], beside), shown(areas.whole, beside));
+    const ShownNumbers numbers({areas.parts[0], areas.parts[1], areas.parts[2], areas.whole},
+                               beside);
+    return QStringLiteral("Doubled areas: %1%2, %3, %4 of %5")
+        .arg(numbers.mark(), numbers[0], numbers[1], numbers[2], numbers[3]);
 }
 
 /// The picked pixel, else the last sample of the primitive that is done; before its first one, and
@@ -148,10 +183,7 @@ public:
     void appendSample()
     {
         const RationalPoint image = m_map.of(m_point);
-        m_drawing.notes.append(
-            QStringLiteral("Affine map: x′ = %1").arg(row(m_map.xx, m_map.xy, m_map.shift.x)));
-        m_drawing.notes.append(
-            QStringLiteral("and y′ = %1").arg(row(m_map.yx, m_map.yy, m_map.shift.y)));
+        m_drawing.notes.append(rowsText(m_map));
         appendPoint(QStringLiteral("p"), m_point, pointAreas(m_corners, m_point));
         for (std::size_t i = 0; i < 3; ++i)
             appendSpoke(placeOf(m_onSamples[i]), m_point);
@@ -204,7 +236,7 @@ private:
         m_drawing.labels.push_back(
             {QStringLiteral("%1: %2").arg(name, weightsText(areas)), place, LayerInk::Hand});
         m_drawing.notes.append(
-            QStringLiteral("%1 %2: %3").arg(name, shown(point), areasText(areas)));
+            QStringLiteral("%1 %2. %3").arg(name, shown(point), areasText(areas)));
     }
 
     /// Between two of the areas that are compared.
@@ -217,8 +249,9 @@ private:
     QString areasChange() const
     {
         const BigRational factor = m_map.determinant();
+        const ShownNumbers number({factor}, compared);
         const QString same = QStringLiteral("The weights stay, all areas are multiplied by %1")
-                                 .arg(shown(factor, compared));
+                                 .arg(number.mark() + number[0]);
         return factor < 0 ? same + QStringLiteral(": the map mirrors") : same;
     }
 

@@ -62,6 +62,7 @@ QStringList LayerPainter::paintLabels(QPainter &painter, const LayerDrawing &dra
               return texts.paint(label) == LayerTexts::Room::None;
           });
     painter.restore();
+    m_labels.assign(texts.taken().begin() + std::ptrdiff_t(taken.size()), texts.taken().end());
     if (omitted == 0)
         return {};
     return {QStringLiteral("No room for %1 of %2 names: enlarge the picture, or show fewer layers")

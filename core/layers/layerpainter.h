@@ -10,6 +10,7 @@
 #include <QTransform>
 
 #include <span>
+#include <vector>
 
 class QPainter;
 
@@ -39,9 +40,12 @@ public:
     /// Its labels, clear of each other and of what is taken in the paint device.
     QStringList paintLabels(QPainter &painter, const LayerDrawing &drawing,
                             const LayerSurface &surface, std::span<const QRectF> taken);
+    /// Where the labels stand that were painted last, in the paint device.
+    const std::vector<QRectF> &labels() const { return m_labels; }
 
 private:
     Glyphs m_glyphs;
+    std::vector<QRectF> m_labels;
 };
 
 } // namespace pixelplumb

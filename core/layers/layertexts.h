@@ -28,6 +28,8 @@ public:
     /// Where nothing else stands, as near to its place as can be, with a line to it when it is not
     /// beside it; nothing where there is no room, nor where the place is far out of view.
     Room paint(const LayerDrawing::Label &label);
+    /// What was taken before, and behind it where labels stand.
+    const std::vector<QRectF> &taken() const { return m_taken; }
 
 private:
     void paintText(const QString &text, const QPointF &baseline, double em, LayerInk ink);

@@ -3,6 +3,7 @@
 
 #include "widgets/canvas/canvasaccessible.h"
 #include "widgets/canvas/canvasoutlines.h"
+#include "widgets/canvas/imagehandles.h"
 #include "widgets/dialogs/vertexdialog.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/model/effectswitches.h"
@@ -58,6 +59,9 @@ void Canvas::connectSources()
     const SceneDocument *document = m_sources.document;
     const Playhead *playhead = m_sources.playhead;
     connect(document, &SceneDocument::sceneChanged, this, &Canvas::followScene);
+    connect(
+        document, &SceneDocument::trianglesRenumbered, this,
+        [this](const TriangleRenumbering &numberAfter) { followTriangle(m_sources, numberAfter); });
     connect(document, &SceneDocument::pendingChanged, this, &Canvas::updateVertices);
     connect(document, &SceneDocument::nextColourChanged, this, repaint);
     connect(document, &SceneDocument::selectionChanged, this, repaint);

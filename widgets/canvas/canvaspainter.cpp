@@ -105,6 +105,10 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
         frame.drawNote(omissions.join(u'\n'), area.topRight(), NoteSide::Below);
     for (const CanvasScene::Note &note : scene.notes)
         frame.drawNote(note.text, note.anchor, note.side);
+    if (scene.readout)
+        frame.drawPointerNote(scene.readout->text, scene.readout->pointer,
+                              scene.layers.labels.empty() ? std::span<const QRectF>()
+                                                          : m_layers.labels());
     painter.setClipping(false);
     paintRulers(painter, scene, view, palette);
 }

@@ -19,9 +19,6 @@ namespace pixelplumb {
 
 namespace {
 
-/// From the pointer's tip to where nothing of the pointer is, logical pixels.
-constexpr QPointF belowPointer(6, 10);
-
 /// Collects what is shown, piece by piece.
 class Collector {
     Q_DECLARE_TR_FUNCTIONS(pixelplumb::Canvas)
@@ -130,8 +127,7 @@ public:
                 {coordinateNote(point), m_view.positionOf(point), NoteSide::BelowRight});
         }
         if (m_hand.pointer && !m_hand.readout.isEmpty())
-            m_scene.notes.push_back(
-                {m_hand.readout, *m_hand.pointer + belowPointer, NoteSide::BelowRight});
+            m_scene.readout = {m_hand.readout, *m_hand.pointer};
         const QRectF area = m_view.area();
         if (const QString text = hint(); !text.isEmpty())
             m_scene.notes.push_back({text, {area.center().x(), area.top()}, NoteSide::Below});

@@ -93,6 +93,11 @@ struct CanvasScene {
     std::vector<Handle> pending;
     std::optional<Candidate> candidate;
     std::vector<Note> notes;
+    struct Readout {
+        QString text;
+        QPointF pointer;
+    };
+    std::optional<Readout> readout; ///< beside the pointer
 
     std::vector<RulerMark> columnMarks;
     std::vector<RulerMark> rowMarks;

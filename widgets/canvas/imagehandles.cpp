@@ -75,6 +75,16 @@ void moveImageCorner(const CanvasSources &sources, AffineImage image, std::size_
         sources.options->setAffineImage(image);
 }
 
+void followTriangle(const CanvasSources &sources, const TriangleRenumbering &numberAfter)
+{
+    const std::optional<AffineImage> &asked = sources.options->affineImage();
+    if (!asked)
+        return;
+    const std::optional<std::size_t> triangle = numberAfter(asked->triangle);
+    sources.options->setAffineImage(triangle ? std::optional(AffineImage{*triangle, asked->corners})
+                                             : std::nullopt);
+}
+
 void addImageHandles(CanvasScene &scene, const CanvasSources &sources, const CanvasView &view,
                      const CanvasHand &hand)
 {

@@ -3,6 +3,7 @@
 
 #include "core/layers/layermoment.h"
 #include "widgets/canvas/canvasscene.h"
+#include "widgets/model/renumbering.h"
 
 namespace pixelplumb {
 
@@ -21,6 +22,9 @@ std::optional<std::size_t> imageCornerAt(const QPointF &position, const CanvasSo
 /// nothing happens.
 void moveImageCorner(const CanvasSources &sources, AffineImage image, std::size_t corner,
                      const LatticePoint &target);
+
+/// Lets the image that is asked for go with its triangle, or go altogether where that goes.
+void followTriangle(const CanvasSources &sources, const TriangleRenumbering &numberAfter);
 
 /// The image's corners, in the colours of the vertices whose images they are.
 void addImageHandles(CanvasScene &scene, const CanvasSources &sources, const CanvasView &view,

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/dialogs/keysdialog.h"
 
+#include "widgets/dialogs/keyfield.h"
 #include "widgets/look/menuaction.h"
 #include "widgets/look/namedwidget.h"
 
 #include <QDialogButtonBox>
 #include <QHBoxLayout>
 #include <QHeaderView>
-#include <QKeySequenceEdit>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
@@ -81,7 +81,7 @@ void restoreKeys(const QList<QMenu *> &menus)
 KeysDialog::KeysDialog(const QList<QMenu *> &menus, QWidget *parent)
     : QDialog(parent)
     , m_rows(named(new QTreeWidget(this), "keysRows", tr("Actions and their keys")))
-    , m_key(named(new QKeySequenceEdit(this), "keysField",
+    , m_key(named(new KeyField(this), "keysField",
                   tr("Press the key that the action in hand shall have")))
     , m_message(new QLabel(this))
 {
@@ -124,7 +124,7 @@ KeysDialog::KeysDialog(const QList<QMenu *> &menus, QWidget *parent)
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(filter, &QLineEdit::textChanged, this, &KeysDialog::showOnly);
     connect(m_rows, &QTreeWidget::currentItemChanged, this, &KeysDialog::showRow);
-    connect(m_key, &QKeySequenceEdit::editingFinished, this, &KeysDialog::takeKey);
+    connect(m_key, &KeyField::editingFinished, this, &KeysDialog::takeKey);
     connect(none, &QAbstractButton::clicked, this, [this] { offerKeys({}); });
     connect(byDefault, &QAbstractButton::clicked, this,
             [this] { offerKeys(defaultsOf(*actionInHand())); });
@@ -186,12 +186,9 @@ void KeysDialog::showOnly(const QString &words)
 
 void KeysDialog::takeKey()
 {
-    const QKeySequence pressed = m_key->keySequence();
+    const QKeySequence key = m_key->keySequence();
     const QAction *action = actionInHand();
-    if (!action || pressed.isEmpty())
-        return;
-    const QKeySequence key(pressed[0]); // of several pressed the first
-    if (key == action->shortcut()) // which it only shows, at times
+    if (!action || key == action->shortcut())
         return;
     if (!isOwnKey(key))
         return offerKeys({key});

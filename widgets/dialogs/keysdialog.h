@@ -6,13 +6,14 @@
 #include <QList>
 
 class QAction;
-class QKeySequenceEdit;
 class QLabel;
 class QMenu;
 class QTreeWidget;
 class QTreeWidgetItem;
 
 namespace pixelplumb {
+
+class KeyField;
 
 /// Other keys for the actions of the menus (objectName "keysDialog"): a row an action, and a field
 /// that takes the key pressed in it for the row in hand. A key that another action has is not
@@ -36,7 +37,7 @@ private:
 
     QList<QAction *> m_actions;
     QTreeWidget *m_rows;
-    QKeySequenceEdit *m_key;
+    KeyField *m_key;
     QLabel *m_message;
 };
 

@@ -39,6 +39,12 @@ QString sceneFileOf(const QMimeData &data)
     return !path.isEmpty() && isJson(path) ? path : QString();
 }
 
+QString folderOf(const QMimeData &data)
+{
+    const QString path = localFileOf(data);
+    return QFileInfo(path).isDir() ? path : QString();
+}
+
 StudentPictureFiles::StudentPictureFiles(StudentPicture *student, QWidget *window)
     : QObject(window)
     , m_student(student)

@@ -32,5 +32,7 @@ private:
 
 /// The one local file of what is dragged over the window or copied, where that is a scene: JSON.
 QString sceneFileOf(const QMimeData &data);
+/// The one local folder of what is dragged over the window.
+QString folderOf(const QMimeData &data);
 
 } // namespace pixelplumb

@@ -10,6 +10,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QScopedValueRollback>
 #include <QStyledItemDelegate>
 #include <QToolButton>
@@ -67,6 +68,7 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     m_tree->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
                             | QAbstractItemView::AnyKeyPressed);
     m_tree->header()->resizeSection(PrimitiveListModel::Name, 152);
+    m_tree->header()->resizeSection(PrimitiveListModel::Place, 48);
     m_tree->header()->resizeSection(PrimitiveListModel::X, 60);
     m_tree->header()->resizeSection(PrimitiveListModel::Y, 60);
     m_summary->setObjectName(QStringLiteral("primitivesSummary"));
@@ -74,17 +76,7 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
 
     auto *row = new QHBoxLayout;
     row->setSpacing(4);
-    m_up = addButton(row, QStringLiteral("primitivesUp"), tr("Earlier"),
-                     tr("Draw it before the one above"));
-    m_down = addButton(row, QStringLiteral("primitivesDown"), tr("Later"),
-                       tr("Draw it after the one below"));
-    m_colour = addButton(row, QStringLiteral("primitivesColour"), tr("Colour…"),
-                         tr("The colour of the vertex, or of all vertices of the primitive"));
-    m_hide = addButton(row, QStringLiteral("primitivesHide"), tr("Hide"),
-                       tr("Keep the primitive and do not draw it; the others are numbered without "
-                          "it. The box before its name shows it again"));
-    m_remove = addButton(row, QStringLiteral("primitivesDelete"), tr("Delete"),
-                         tr("Delete the primitive"));
+    addActions(row);
     row->addStretch();
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
@@ -94,17 +86,11 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     layout->addWidget(m_summary);
     setFocusProxy(m_tree);
 
-    connect(m_up, &QAbstractButton::clicked, this, [this] { moveBy(-1); });
-    connect(m_down, &QAbstractButton::clicked, this, [this] { moveBy(1); });
-    connect(m_colour, &QAbstractButton::clicked, this, &PrimitivesPanel::chooseColour);
-    connect(m_hide, &QAbstractButton::clicked, this, [this] {
-        const QModelIndex index = m_tree->currentIndex();
-        const QModelIndex whole = m_model->isPrimitive(index) ? index : index.parent();
-        const QModelIndex name = whole.siblingAtColumn(PrimitiveListModel::Name);
-        const bool isShown = name.data(Qt::CheckStateRole) == Qt::Checked;
-        m_model->setData(name, isShown ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
+    m_tree->setContextMenuPolicy(Qt::CustomContextMenu);
+    connect(m_tree, &QWidget::customContextMenuRequested, this, [this](const QPoint &position) {
+        if (m_tree->indexAt(position).isValid())
+            m_menu->popup(m_tree->viewport()->mapToGlobal(position));
     });
-    connect(m_remove, &QAbstractButton::clicked, this, &PrimitivesPanel::remove);
     connect(m_tree->selectionModel(), &QItemSelectionModel::currentChanged, this,
             &PrimitivesPanel::chooseRow);
     connect(document, &SceneDocument::selectionChanged, this, &PrimitivesPanel::followSelection);
@@ -117,17 +103,48 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     followSelection();
 }
 
-QAbstractButton *PrimitivesPanel::addButton(QHBoxLayout *row, const QString &name,
-                                            const QString &text, const QString &tip)
+/// Each as a button below the list and as an entry of the menu of its rows.
+void PrimitivesPanel::addActions(QHBoxLayout *row)
 {
-    auto *button = new QToolButton(this);
-    button->setObjectName(name);
-    button->setText(text);
-    button->setToolTip(tip);
-    button->setAccessibleName(text);
-    button->setFocusPolicy(Qt::TabFocus); // the row in hand keeps the focus
-    row->addWidget(button);
-    return button;
+    m_menu = new QMenu(m_tree);
+    m_menu->setObjectName(QStringLiteral("primitivesMenu"));
+    m_menu->setToolTipsVisible(true);
+    const auto add = [this, row](const char *name, const QString &text, const QString &tip) {
+        QAction *action = m_menu->addAction(text);
+        action->setObjectName(QLatin1String(name));
+        action->setToolTip(tip);
+        auto *button = new QToolButton(this);
+        button->setDefaultAction(action);
+        button->setObjectName(action->objectName());
+        button->setAccessibleName(text);
+        connect(action, &QAction::changed, button,
+                [action, button] { button->setAccessibleName(action->text()); });
+        button->setFocusPolicy(Qt::TabFocus); // the row in hand keeps the focus
+        row->addWidget(button);
+        return action;
+    };
+    m_up = add("primitivesUp", tr("Earlier"), tr("Draw it before the one above"));
+    m_down = add("primitivesDown", tr("Later"), tr("Draw it after the one below"));
+    m_colour = add("primitivesColour", tr("Colour…"),
+                   tr("The colour of the vertex, or of all vertices of the primitive"));
+    m_hide = add("primitivesHide", tr("Hide"),
+                 tr("Keep the primitive and do not draw it; the others are numbered without it. "
+                    "The box before its name shows it again"));
+    m_remove = add("primitivesDelete", tr("Delete"), tr("Delete the primitive"));
+    connect(m_up, &QAction::triggered, this, [this] { moveBy(-1); });
+    connect(m_down, &QAction::triggered, this, [this] { moveBy(1); });
+    connect(m_colour, &QAction::triggered, this, &PrimitivesPanel::chooseColour);
+    connect(m_hide, &QAction::triggered, this, &PrimitivesPanel::hideOrShow);
+    connect(m_remove, &QAction::triggered, this, &PrimitivesPanel::remove);
+}
+
+void PrimitivesPanel::hideOrShow()
+{
+    const QModelIndex index = m_tree->currentIndex();
+    const QModelIndex whole = m_model->isPrimitive(index) ? index : index.parent();
+    const QModelIndex name = whole.siblingAtColumn(PrimitiveListModel::Name);
+    const bool isShown = name.data(Qt::CheckStateRole) == Qt::Checked;
+    m_model->setData(name, isShown ? Qt::Unchecked : Qt::Checked, Qt::CheckStateRole);
 }
 
 std::optional<VertexRef> PrimitivesPanel::refInHand() const
@@ -191,7 +208,6 @@ void PrimitivesPanel::update()
     const bool isHidden = m_model->hiddenAt(m_tree->currentIndex()).has_value();
     m_hide->setEnabled(ref || isHidden);
     m_hide->setText(isHidden ? tr("Show") : tr("Hide"));
-    m_hide->setAccessibleName(m_hide->text());
     m_remove->setEnabled(ref || isHidden);
 }
 

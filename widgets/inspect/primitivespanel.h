@@ -5,9 +5,10 @@
 
 #include <QWidget>
 
-class QAbstractButton;
+class QAction;
 class QHBoxLayout;
 class QLabel;
+class QMenu;
 class QTreeView;
 
 namespace pixelplumb {
@@ -16,8 +17,8 @@ class PrimitiveListModel;
 
 /// The scene's primitives as a list (objectName "primitives"): chosen here they are chosen on the
 /// canvas, and the other way round; they change places in the drawing order, take another colour,
-/// are hidden and shown, go, and their coordinates are typed in place. Everything is an edit that
-/// can be undone.
+/// are hidden and shown, go (by the buttons or by a right click), and their coordinates are typed
+/// in place. Everything is an edit that can be undone.
 class PrimitivesPanel : public QWidget {
     Q_OBJECT
 
@@ -27,8 +28,8 @@ public:
     QSize sizeHint() const override { return {360, 480}; }
 
 private:
-    QAbstractButton *addButton(QHBoxLayout *row, const QString &name, const QString &text,
-                               const QString &tip);
+    void addActions(QHBoxLayout *row);
+    void hideOrShow();
     void chooseRow(const QModelIndex &index);
     void followSelection();
     void followReset();
@@ -43,11 +44,12 @@ private:
     PrimitiveListModel *m_model;
     QTreeView *m_tree;
     QLabel *m_summary;
-    QAbstractButton *m_up = nullptr;
-    QAbstractButton *m_down = nullptr;
-    QAbstractButton *m_colour = nullptr;
-    QAbstractButton *m_hide = nullptr;
-    QAbstractButton *m_remove = nullptr;
+    QMenu *m_menu = nullptr;
+    QAction *m_up = nullptr;
+    QAction *m_down = nullptr;
+    QAction *m_colour = nullptr;
+    QAction *m_hide = nullptr;
+    QAction *m_remove = nullptr;
     int m_lastRow = -1; ///< of the primitive that was in hand before the list was built anew
     bool m_following = false; ///< the list moves after the document, not the other way
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/appearance.h"
 
+#include "widgets/look/linearlight.h"
 #include "widgets/look/signs.h"
 #include "widgets/look/togglestyle.h"
 
@@ -10,7 +11,6 @@
 #include <QStyle>
 
 #include <array>
-#include <cmath>
 #include <utility>
 
 namespace pixelplumb {
@@ -66,15 +66,6 @@ bool desktopIsDark()
 {
     static const bool dark = isDark(QApplication::palette());
     return dark;
-}
-
-double luminance(const QColor &colour)
-{
-    const auto linear = [](double channel) {
-        return channel <= 0.04045 ? channel / 12.92 : std::pow((channel + 0.055) / 1.055, 2.4);
-    };
-    return 0.2126 * linear(colour.redF()) + 0.7152 * linear(colour.greenF())
-        + 0.0722 * linear(colour.blueF());
 }
 
 } // namespace

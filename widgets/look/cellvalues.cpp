@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/cellvalues.h"
 
+#include "widgets/look/linearlight.h"
+
 #include <QFontMetricsF>
 #include <QPainter>
 
 #include <algorithm>
 #include <array>
-#include <cmath>
 
 namespace pixelplumb {
 
@@ -42,13 +43,7 @@ QString byteText(int byte, ByteNotation notation)
 
 QColor textColourOn(QRgb colour)
 {
-    const auto linear = [](int byte) {
-        const double share = byte / 255.0;
-        return share <= 0.04045 ? share / 12.92 : std::pow((share + 0.055) / 1.055, 2.4);
-    };
-    const double luminance = 0.2126 * linear(qRed(colour)) + 0.7152 * linear(qGreen(colour))
-        + 0.0722 * linear(qBlue(colour));
-    return luminance > 0.179 ? Qt::black : Qt::white;
+    return luminance(QColor::fromRgb(colour)) > 0.179 ? Qt::black : Qt::white;
 }
 
 double leastReadableCell(const CellValueStyle &style)

@@ -9,6 +9,7 @@
 #include <QRectF>
 
 #include <optional>
+#include <span>
 #include <vector>
 
 class QPainter;
@@ -28,7 +29,7 @@ enum class HandleState { Idle, Hovered, Selected };
 enum class EdgeNames { Hidden, Shown };
 
 /// Where a note stands from its anchor.
-enum class NoteSide { Right, Above, Below, AboveRight, BelowRight };
+enum class NoteSide { Right, Above, Below, AboveRight, BelowRight, AboveLeft, BelowLeft };
 
 /// Draws what is known of a frame over its cells, on the screen or into a figure. Thin lines have a
 /// casing of the opposite lightness, so that they can be read on every colour that a frame may
@@ -66,6 +67,10 @@ public:
     void drawPickedPixel(const QPoint &pixel);
     void drawPixelBreakpoint(const QPoint &pixel);
     void drawNote(const QString &text, const QPointF &anchor, NoteSide side);
+    /// Below the pointer and to its right, or in the first of its other quarters where it covers
+    /// none of those places.
+    void drawPointerNote(const QString &text, const QPointF &pointer,
+                         std::span<const QRectF> places);
     /// In the first corner of the view that is free of what has a place: from the lower left.
     void drawCornerNote(const QString &text);
     /// Between two positions.

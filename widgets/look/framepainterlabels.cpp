@@ -20,6 +20,11 @@ constexpr double nameParting = 12;
 constexpr double noteGap = 8;
 constexpr int noteFlags = int(Qt::AlignCenter) | Qt::TextWordWrap;
 constexpr double platePadding = 3;
+constexpr QSizeF pointerSize(6, 10); ///< beyond its hot spot
+
+/// Of the pointer, where its note may stand, by choice.
+constexpr std::array pointerSides
+    = {NoteSide::BelowRight, NoteSide::AboveRight, NoteSide::BelowLeft, NoteSide::AboveLeft};
 
 /// Radians from the side on which a vertex's name stands by choice, nearest first.
 constexpr std::array nameTurns
@@ -32,6 +37,7 @@ constexpr float plateOpacity = 0.88F;
 QRectF placed(const QSizeF &size, const QPointF &anchor, NoteSide side)
 {
     const double right = anchor.x() + noteGap;
+    const double left = anchor.x() - size.width() - noteGap;
     const double above = anchor.y() - size.height() - noteGap / 2;
     const double below = anchor.y() + noteGap / 2;
     const double middle = anchor.x() - size.width() / 2;
@@ -46,6 +52,10 @@ QRectF placed(const QSizeF &size, const QPointF &anchor, NoteSide side)
         return {QPointF(right, above), size};
     case NoteSide::BelowRight:
         return {QPointF(right, below), size};
+    case NoteSide::AboveLeft:
+        return {QPointF(left, above), size};
+    case NoteSide::BelowLeft:
+        return {QPointF(left, below), size};
     }
     return {anchor, size};
 }
@@ -148,6 +158,26 @@ void FramePainter::drawNote(const QString &text, const QPointF &anchor, NoteSide
     const QRectF rect = drawPlate(noteSize(text), anchor, side);
     m_painter.setPen(m_palette.color(QPalette::Text));
     m_painter.drawText(rect, noteFlags | Qt::TextDontClip, text);
+}
+
+void FramePainter::drawPointerNote(const QString &text, const QPointF &pointer,
+                                   std::span<const QRectF> places)
+{
+    const QSizeF size = noteSize(text);
+    const auto anchorFor = [&pointer](NoteSide side) {
+        const bool isRight = side == NoteSide::BelowRight || side == NoteSide::AboveRight;
+        const bool isBelow = side == NoteSide::BelowRight || side == NoteSide::BelowLeft;
+        return pointer
+            + QPointF(isRight ? pointerSize.width() : 0, isBelow ? pointerSize.height() : 0);
+    };
+    const auto isClear = [&](NoteSide side) {
+        const QRectF plate = plateAt(size, anchorFor(side), side);
+        return std::ranges::none_of(
+            places, [&plate](const QRectF &place) { return place.intersects(plate); });
+    };
+    const auto *found = std::ranges::find_if(pointerSides, isClear);
+    const NoteSide side = found != pointerSides.end() ? *found : pointerSides.front();
+    drawNote(text, anchorFor(side), side);
 }
 
 void FramePainter::drawCornerNote(const QString &text)

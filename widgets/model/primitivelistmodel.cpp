@@ -158,8 +158,10 @@ QVariant PrimitiveListModel::data(const QModelIndex &index, int role) const
 {
     if (!index.isValid())
         return {};
-    if (role == Qt::TextAlignmentRole && (index.column() == X || index.column() == Y))
+    if (role == Qt::TextAlignmentRole && index.column() >= Place && index.column() <= Y)
         return int(Qt::AlignRight | Qt::AlignVCenter);
+    if (role == Qt::DisplayRole && index.column() == Place)
+        return isPrimitive(index) ? QString::number(index.row() + 1) : QString();
     if (const std::optional<int> hidden = hiddenAt(index))
         return hiddenData(index.column(), role, m_document->scene().hidden[std::size_t(*hidden)]);
     const VertexRef ref = *refAt(index);
@@ -184,7 +186,8 @@ QVariant PrimitiveListModel::data(const QModelIndex &index, int role) const
         return isWhole ? QString() : coordinateText(vertex->position.x);
     case Y:
         return isWhole ? QString() : coordinateText(vertex->position.y);
-    case ColourText: // above
+    case Place: // above, as the next
+    case ColourText:
     case columnEnd:
         break;
     }
@@ -233,10 +236,15 @@ bool PrimitiveListModel::setData(const QModelIndex &index, const QVariant &value
 
 QVariant PrimitiveListModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
-    if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
+    if (orientation != Qt::Horizontal || section < 0 || section >= columnEnd)
         return {};
-    const std::array titles{tr("primitive"), tr("x, px"), tr("y, px"), tr("colour")};
-    return section >= 0 && section < columnEnd ? titles[std::size_t(section)] : QVariant();
+    if (role == Qt::ToolTipRole && section == Name)
+        return tr("The number that it has wherever it is told: of those that are drawn, from 0");
+    if (role == Qt::ToolTipRole && section == Place)
+        return tr(
+            "The place in the drawing order, hidden ones counted, from 1; hiding changes none");
+    const std::array titles{tr("primitive"), tr("place"), tr("x, px"), tr("y, px"), tr("colour")};
+    return role == Qt::DisplayRole ? titles[std::size_t(section)] : QVariant();
 }
 
 } // namespace pixelplumb

@@ -9,13 +9,16 @@ namespace pixelplumb {
 
 /// The document's triangles and shapes in drawing order, each with a box that shows or hides it,
 /// and below each its vertices in the file's order with their coordinates, which can be edited, and
-/// their colours. Hidden ones stand in their places, without a number and without vertices. A
+/// their colours. Hidden ones stand in their places, which no hiding changes, without a number and
+/// without vertices. A
 /// solid's triangles are none of the document's.
 class PrimitiveListModel : public QAbstractItemModel {
     Q_OBJECT
 
 public:
-    enum Column { Name, X, Y, ColourText, columnEnd };
+    /// Name: the kind and the number that the whole program gives to what is drawn; Place: in the
+    /// file's order, from 1, the hidden ones counted.
+    enum Column { Name, Place, X, Y, ColourText, columnEnd };
 
     explicit PrimitiveListModel(SceneDocument *document, QObject *parent = nullptr);
 

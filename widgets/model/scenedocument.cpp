@@ -248,12 +248,29 @@ ScenePiece SceneDocument::wholePiece() const
     return withPending(pixelplumb::wholePiece(m_scene));
 }
 
+/// The triangles of a run are the scene's and, behind them, those of its solids.
+void SceneDocument::tellRenumbering(const ScenePiece &before, const ScenePiece &after)
+{
+    const std::size_t count = m_scene.triangles.size();
+    const std::size_t countAfter = count - before.run.triangles.size() + after.run.triangles.size();
+    emit trianglesRenumbered([&, count, countAfter](std::size_t triangle) {
+        if (triangle >= count)
+            return std::optional(triangle - count + countAfter);
+        const auto ref = renamed(VertexRef{int(triangle), 0}, count, before, after);
+        return ref && ref->primitive != VertexRef::pending
+            ? std::optional(std::size_t(ref->primitive))
+            : std::nullopt;
+    });
+}
+
 void SceneDocument::exchange(const ScenePiece &before, const ScenePiece &after, int state)
 {
     m_state = state;
     const std::optional<VertexRef> selected = m_selected;
     if (m_selected)
         m_selected = renamed(*m_selected, m_scene.triangles.size(), before, after);
+    if (before.run.triangles != after.run.triangles)
+        tellRenumbering(before, after);
     replace(m_scene, before, after);
     m_pending = after.pending;
     // A colour that the person chose since is not the edit's.

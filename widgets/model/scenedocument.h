@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/model/scenepiece.h"
+#include "widgets/model/renumbering.h"
 
 #include <QObject>
 #include <QUndoStack>
@@ -121,6 +121,8 @@ public slots:
 
 signals:
     void opened(); ///< reset() has taken another scene
+    /// An edit gives the triangles of the run, those of solids among them, these numbers.
+    void trianglesRenumbered(const pixelplumb::TriangleRenumbering &numberAfter);
     void sceneChanged(); ///< primitives, frame, settings or method
     void pendingChanged();
     void selectionChanged();
@@ -142,6 +144,7 @@ private:
     void edit(const QString &text, const ScenePiece &before, const ScenePiece &after);
     /// `state`: what the scene's state is called after it.
     void exchange(const ScenePiece &before, const ScenePiece &after, int state);
+    void tellRenumbering(const ScenePiece &before, const ScenePiece &after);
     void tellModified();
     bool accepts(const LatticePoint &position);
     void tellSceneChanged();

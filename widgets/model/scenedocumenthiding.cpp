@@ -123,7 +123,6 @@ void SceneDocument::showAllHidden()
 {
     if (m_scene.hidden.empty())
         return;
-    selectVertex({}); // it may be called otherwise among all
     setScene(allShown(m_scene), tr("show all primitives"));
 }
 

@@ -177,30 +177,4 @@ void replace(Scene &scene, const ScenePiece &before, const ScenePiece &after)
     replaceRun(scene.shapes, before.firstShape, before.run.shapes.size(), after.run.shapes);
 }
 
-std::optional<VertexRef> renamed(const VertexRef &ref, std::size_t triangleCount,
-                                 const ScenePiece &before, const ScenePiece &after)
-{
-    const int moreTriangles = int(after.run.triangles.size()) - int(before.run.triangles.size());
-    const int moreShapes = int(after.run.shapes.size()) - int(before.run.shapes.size());
-    const int firstShape = int(triangleCount + before.firstShape);
-    if (ref.primitive == VertexRef::pending) {
-        if (!after.pending.empty() || moreTriangles + moreShapes != 1)
-            return ref;
-        return VertexRef{moreTriangles == 1 ? int(before.firstTriangle) : firstShape, ref.vertex};
-    }
-    const bool isTriangle = ref.primitive < int(triangleCount);
-    const int first = isTriangle ? int(before.firstTriangle) : firstShape;
-    const int count = int(isTriangle ? before.run.triangles.size() : before.run.shapes.size());
-    const int more = isTriangle ? moreTriangles : moreShapes;
-    const bool isInRun = ref.primitive >= first && ref.primitive < first + count;
-    if (isInRun && more < 0) {
-        const bool isReopened = before.pending.empty() && !after.pending.empty();
-        return isReopened ? std::optional(VertexRef{VertexRef::pending, ref.vertex}) : std::nullopt;
-    }
-    VertexRef result = ref;
-    result.primitive += ref.primitive >= first + count ? more : 0;
-    result.primitive += isTriangle ? 0 : moreTriangles;
-    return result;
-}
-
 } // namespace pixelplumb

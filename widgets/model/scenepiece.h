@@ -62,10 +62,4 @@ ScenePiece wholePiece(const Scene &scene);
 /// Puts `after` where `before` stands.
 void replace(Scene &scene, const ScenePiece &before, const ScenePiece &after);
 
-/// What a vertex is called after the edit: the primitives behind those that came or went move up or
-/// down, and the vertices of one that was completed, or opened again, go with it. None where the
-/// vertex went. `triangleCount`: of the scene before the edit.
-std::optional<VertexRef> renamed(const VertexRef &ref, std::size_t triangleCount,
-                                 const ScenePiece &before, const ScenePiece &after);
-
 } // namespace pixelplumb

@@ -5,6 +5,7 @@
 #include "core/grade/gradereports.h"
 
 #include <QCoreApplication>
+#include <QFileInfo>
 
 #include <algorithm>
 #include <thread>
@@ -31,6 +32,10 @@ void Gradebook::open(const QString &results)
     m_job.setTitle(tr("Reading grades"));
     m_job.start(
         [results](const ProgressListener &) -> std::optional<Result<GradeReport>> {
+            if (!QFileInfo::exists(assignmentFileOf(results)))
+                return InputError{results, QStringLiteral("holds no results"),
+                                  QStringLiteral("a folder that grading wrote; submissions are "
+                                                 "graded by “Grade a folder…”")};
             return readGrades(results);
         },
         [this, results](const std::optional<Result<GradeReport>> &report) {

@@ -34,7 +34,7 @@ bool GradeFilter::filterAcceptsRow(int row, const QModelIndex &parent) const
         return false;
     QString text;
     for (int column = 0; column < model->columnCount(parent); ++column)
-        text += first.siblingAtColumn(column).data().toString() + u'\n';
+        text += first.siblingAtColumn(column).data(Qt::ToolTipRole).toString() + u'\n';
     return std::ranges::all_of(
         m_words, [&text](const QString &word) { return text.contains(word, Qt::CaseInsensitive); });
 }

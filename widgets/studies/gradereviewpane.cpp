@@ -27,6 +27,8 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(4);
     m_scene = named(new QComboBox(this), "gradingScene", tr("The scene whose picture is shown"));
+    m_scene->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    m_scene->setMinimumContentsLength(4);
     m_sentences = named(new QLabel(this), "gradingSentences", tr("What the student is told"));
     m_sentences->setWordWrap(true);
     m_sentences->setAlignment(Qt::AlignTop);
@@ -48,17 +50,16 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     m_accept = namedButton("gradingAccept", tr("Accept (A)"),
                            tr("This grade is reviewed and goes out as it is (A)"), this);
     m_accept->setCheckable(true);
-    m_forCluster = namedButton("gradingCommentCluster", tr("Comment for all of this cause"),
+    m_forCluster = namedButton("gradingCommentCluster", tr("For this cause"),
                                tr("Give every submission of the same cause this comment"), this);
-    auto *row = new QHBoxLayout;
+    auto *row = new QHBoxLayout; // one alone: a low window's lines are for what is told and said
     row->setSpacing(4);
+    row->addWidget(m_scene, 1);
     row->addWidget(m_accept);
     row->addWidget(m_forCluster);
-    row->addStretch();
-    column->addWidget(m_scene);
+    column->addLayout(row);
     column->addWidget(told, 1);
     column->addWidget(m_comment, 1);
-    column->addLayout(row);
     connect(m_scene, &QComboBox::activated, this, &GradeReviewPane::sceneChosen);
     connect(m_accept, &QToolButton::clicked, this, &GradeReviewPane::toggleAccepted);
     connect(m_forCluster, &QToolButton::clicked, this, &GradeReviewPane::commentCluster);
@@ -140,8 +141,12 @@ void GradeReviewPane::showReview()
     const GradeReport &report = m_book->report();
     const GradedSubmission *submission = m_shown ? &report.submissions[*m_shown] : nullptr;
     m_accept->setChecked(submission && submission->review.isAccepted);
-    m_sentences->setText(submission ? sentencesFor(*submission, report.assignment.hint).join(u'\n')
-                                    : QString());
+    m_sentences->clear();
+    if (!submission)
+        return;
+    GradedSubmission told = *submission;
+    told.review.comment.clear(); // which stands in the field below
+    m_sentences->setText(sentencesFor(told, report.assignment.hint).join(u'\n'));
 }
 
 bool GradeReviewPane::eventFilter(QObject *watched, QEvent *event)

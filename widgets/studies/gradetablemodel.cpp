@@ -5,6 +5,12 @@
 
 namespace pixelplumb {
 
+namespace {
+
+constexpr QChar tick(0x2713);
+
+} // namespace
+
 GradeTableModel::GradeTableModel(const Gradebook *book, QObject *parent)
     : QAbstractTableModel(parent)
     , m_book(book)
@@ -31,6 +37,8 @@ int GradeTableModel::columnCount(const QModelIndex &parent) const
 
 QVariant GradeTableModel::headerData(int section, Qt::Orientation orientation, int role) const
 {
+    if (orientation == Qt::Horizontal && role == Qt::ToolTipRole && section == State)
+        return tr("accepted");
     if (orientation != Qt::Horizontal || role != Qt::DisplayRole)
         return {};
     switch (section) {
@@ -43,7 +51,7 @@ QVariant GradeTableModel::headerData(int section, Qt::Orientation orientation, i
     case Cause:
         return tr("defects");
     case State:
-        return tr("state");
+        return QString(tick);
     default:
         return tr("comment");
     }
@@ -64,7 +72,7 @@ QString GradeTableModel::textOf(std::size_t row, int column) const
     case Cause:
         return m_book->clusters()[m_book->clusterOf(row)].title;
     case State:
-        return submission.review.isAccepted ? tr("✓ accepted") : tr("open");
+        return submission.review.isAccepted ? tr("accepted") : tr("open");
     default:
         return submission.review.comment.simplified();
     }
@@ -78,7 +86,11 @@ QVariant GradeTableModel::data(const QModelIndex &index, int role) const
     const bool isPoints = index.column() == Points;
     switch (role) {
     case Qt::DisplayRole:
+        if (index.column() == State)
+            return m_book->report().submissions[row].review.isAccepted ? QString(tick) : QString();
+        return textOf(row, index.column());
     case Qt::ToolTipRole:
+    case Qt::AccessibleTextRole:
         return textOf(row, index.column());
     case Qt::TextAlignmentRole:
         return isPoints ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter)) : QVariant();

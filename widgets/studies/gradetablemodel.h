@@ -12,6 +12,8 @@ class GradeTableModel : public QAbstractTableModel {
     Q_OBJECT
 
 public:
+    /// State shows a tick alone, so that the table fits beside the comment; its tool tip and what a
+    /// screen reader says have the word.
     enum Column { Name, Points, Verdict, Cause, State, Comment, ColumnCount };
     enum Role {
         SortRole = Qt::UserRole, ///< numbers by their size

@@ -24,6 +24,12 @@
 
 namespace pixelplumb {
 
+namespace {
+
+constexpr int widthForVerdicts = 420; ///< of the table, logical pixels
+
+} // namespace
+
 GradingPanel::GradingPanel(QWidget *parent)
     : QWidget(parent)
     , m_book(new Gradebook(this))
@@ -118,7 +124,9 @@ void GradingPanel::addTable(QBoxLayout *layout)
     m_table->setWordWrap(false);
     m_table->verticalHeader()->hide();
     m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
-    m_table->horizontalHeader()->setStretchLastSection(true);
+    for (const int shared : {GradeTableModel::Cause, GradeTableModel::Comment})
+        m_table->horizontalHeader()->setSectionResizeMode(shared, QHeaderView::Stretch);
+    m_table->horizontalHeader()->setMinimumSectionSize(24);
     m_table->installEventFilter(this);
     m_summary = new ElidedLabel(this);
     m_summary->setObjectName(QStringLiteral("gradingSummary"));
@@ -163,13 +171,24 @@ void GradingPanel::showReport()
     for (const GradeCluster &cluster : m_book->clusters())
         m_cluster->addItem(
             tr("%1 (%2)").arg(cluster.title, QString::number(cluster.submissions.size())));
-    m_table->resizeColumnsToContents();
-    // Several defects, or two, are long; the comment must be seen, and the tool tip has all of it.
-    m_table->setColumnWidth(
-        GradeTableModel::Cause,
-        std::min(m_table->columnWidth(GradeTableModel::Cause), m_table->viewport()->width() / 3));
+    fitColumns();
     m_report->setEnabled(!m_book->results().isEmpty());
     showSummary();
+}
+
+/// Defects and comments, which may be long, share what the others leave; all of a cell is in its
+/// tool tip. A narrow table goes without verdicts, which the defects tell as well.
+void GradingPanel::fitColumns()
+{
+    QHeaderView *header = m_table->horizontalHeader();
+    const int width = m_table->viewport()->width();
+    const int most = width / 4;
+    m_table->setColumnHidden(GradeTableModel::Verdict, width < widthForVerdicts);
+    for (const int column : {GradeTableModel::Name, GradeTableModel::Points,
+                             GradeTableModel::Verdict, GradeTableModel::State}) {
+        m_table->resizeColumnToContents(column);
+        header->resizeSection(column, std::min(header->sectionSize(column), most));
+    }
 }
 
 /// A table that takes the focus has a current row, but nobody chose it.
@@ -236,6 +255,12 @@ bool GradingPanel::press(int key)
     default:
         return false;
     }
+}
+
+void GradingPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fitColumns();
 }
 
 bool GradingPanel::eventFilter(QObject *watched, QEvent *event)

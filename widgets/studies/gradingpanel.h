@@ -42,6 +42,7 @@ signals:
     void openRequested(const pixelplumb::GradedPicture &picture);
 
 protected:
+    void resizeEvent(QResizeEvent *event) override;
     bool eventFilter(QObject *watched, QEvent *event) override;
 
 private:
@@ -49,6 +50,7 @@ private:
     void addTable(QBoxLayout *layout);
     void followJob();
     void showReport();
+    void fitColumns();
     void showSummary();
     void openChosen();
     bool press(int key);

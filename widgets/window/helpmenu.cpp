@@ -4,6 +4,7 @@
 #include "widgets/dialogs/keysdialog.h"
 #include "widgets/dialogs/keysheet.h"
 #include "widgets/look/menuaction.h"
+#include "widgets/window/whatsthis.h"
 
 #include <QCoreApplication>
 #include <QMenuBar>
@@ -20,6 +21,10 @@ HelpMenu::HelpMenu(QMenuBar *bar)
     QAction *keys
         = addMenuAction(this, "showKeys", tr("&Keys and mouse"), {}, [this] { showKeys(); });
     keys->setShortcuts({QKeySequence(Qt::Key_Question), QKeySequence(Qt::Key_F1)});
+    QAction *whatsThis
+        = addMenuAction(this, "whatsThis", tr("&What's This?"), Qt::SHIFT | Qt::Key_F1,
+                        [this] { enterWhatsThis(m_bar->window()); });
+    whatsThis->setToolTip(tr("The next click tells what it hits is for (Shift+F1)"));
     addMenuAction(this, "changeKeys", tr("&Change keys…"), {}, [this] { changeKeys(); });
     addMenuAction(this, "showAbout", tr("&About Pixelplumb"), {}, [this] { showAbout(); });
 }

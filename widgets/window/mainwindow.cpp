@@ -12,6 +12,7 @@
 #include "widgets/files/studentpicturefiles.h"
 #include "widgets/lab/accuracylab.h"
 #include "widgets/look/colourbutton.h"
+#include "widgets/look/colourvisionswitch.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/look/paletteswitch.h"
@@ -35,6 +36,7 @@
 #include "widgets/window/stepmenu.h"
 #include "widgets/window/studylinks.h"
 #include "widgets/window/viewmenu.h"
+#include "widgets/window/whatsthis.h"
 #include "widgets/window/wheelguard.h"
 #include "widgets/window/windowdocks.h"
 #include "widgets/window/windowsettings.h"
@@ -72,6 +74,7 @@ MainWindow::MainWindow(QWidget *parent)
     makeMenus();
     makeToolBars();
     setStatusBar(new WindowStatusBar(m_parts, this));
+    showInColourVision();
     connectParts();
     connectStudies(m_parts, *m_docks, this);
     new WheelGuard(this);
@@ -83,6 +86,7 @@ MainWindow::MainWindow(QWidget *parent)
     if (!m_settings->restore())
         m_docks->reset();
     updateTitle();
+    explainParts(this);
     m_parts.canvas->setFocus();
 }
 
@@ -94,6 +98,7 @@ void MainWindow::makeParts()
     m_parts.playhead = new Playhead(this);
     m_parts.options = new DisplayOptions(this);
     m_parts.effects = new EffectSwitches(this);
+    m_parts.vision = new ColourVisionSwitch(this);
     m_parts.tracer = new SceneTracer(this);
     m_parts.previewer = new ScenePreviewer(this);
     m_parts.recent = new RecentFiles(this);
@@ -175,6 +180,16 @@ void MainWindow::makeToolBars()
     QToolBar *steps = addBar("stepperToolBar", tr("Tools and stepper"));
     steps->addActions(m_editMenu->tools());
     steps->addWidget(new StepperBar(m_parts.playhead, *m_parts.steps));
+}
+
+/// A dock's own frame has no colours to be told apart, and a floating one is a window.
+void MainWindow::showInColourVision()
+{
+    m_parts.vision->addPart(centralWidget());
+    for (const QDockWidget *dock : m_docks->all())
+        m_parts.vision->addPart(dock->widget());
+    for (QToolBar *bar : findChildren<QToolBar *>())
+        m_parts.vision->addPart(bar);
 }
 
 void MainWindow::connectParts()

@@ -35,6 +35,9 @@ public:
     void openDefaultScene();
     /// Opens a file; false, after a complaint in the message bar, when it cannot be read.
     bool openScene(const QString &path);
+    /// Opens a folder of results of grading in the panel Grading; a complaint comes in the message
+    /// bar, later, where it holds none.
+    void openResults(const QString &folder);
     /// Asks about what a run before this one left unsaved when it did not end cleanly.
     void offerRecovery();
     /// Where to stand when the scene that is being opened has been traced.
@@ -53,6 +56,7 @@ private:
     void makeCentre();
     void makeToolBars();
     void makeMenus();
+    void showInColourVision();
     void connectParts();
     void traceDocument();
     void takeTrace(const std::shared_ptr<const TracedScene> &traced);

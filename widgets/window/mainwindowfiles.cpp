@@ -6,7 +6,10 @@
 #include "widgets/look/messagebar.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenetracer.h"
+#include "widgets/studies/gradebook.h"
+#include "widgets/studies/gradingpanel.h"
 #include "widgets/window/mainwindow.h"
+#include "widgets/window/windowdocks.h"
 #include "widgets/window/windowsettings.h"
 
 #include <QCloseEvent>
@@ -15,7 +18,7 @@
 #include <QMessageBox>
 #include <QPushButton>
 
-/// How scenes come into the window, and what happens to them when it goes.
+/// How scenes and grades come into the window, and what happens to them when it goes.
 namespace pixelplumb {
 
 namespace {
@@ -38,6 +41,13 @@ void MainWindow::openDefaultScene()
 }
 
 bool MainWindow::openScene(const QString &path) { return m_parts.files->load(path); }
+
+void MainWindow::openResults(const QString &folder)
+{
+    auto *grading = m_docks->panel<GradingPanel>();
+    m_docks->raise(grading);
+    grading->book()->open(folder);
+}
 
 void MainWindow::setOpeningPlace(const OpeningPlace &place)
 {
@@ -95,7 +105,7 @@ void MainWindow::closeEvent(QCloseEvent *event)
 
 void MainWindow::dragEnterEvent(QDragEnterEvent *event)
 {
-    if (!sceneFileOf(*event->mimeData()).isEmpty()
+    if (!sceneFileOf(*event->mimeData()).isEmpty() || !folderOf(*event->mimeData()).isEmpty()
         || StudentPictureFiles::accepts(*event->mimeData()))
         event->acceptProposedAction();
 }
@@ -103,8 +113,11 @@ void MainWindow::dragEnterEvent(QDragEnterEvent *event)
 void MainWindow::dropEvent(QDropEvent *event)
 {
     const QString path = sceneFileOf(*event->mimeData());
+    const QString folder = folderOf(*event->mimeData());
     if (!path.isEmpty())
         m_parts.files->openFile(path);
+    else if (!folder.isEmpty())
+        openResults(folder);
     else
         m_parts.pictures->take(*event->mimeData());
 }

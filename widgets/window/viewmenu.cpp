@@ -4,6 +4,7 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/canvas/overdrawoverlay.h"
 #include "widgets/inspect/pixelgrid.h"
+#include "widgets/look/colourvisionswitch.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/menuaction.h"
 #include "widgets/look/paletteswitch.h"
@@ -12,6 +13,25 @@
 #include <QActionGroup>
 
 namespace pixelplumb {
+
+namespace {
+
+/// An entry of a group, one of which is checked: that of the choice that the switch has.
+template <class Switch, class Choice>
+void addChoice(QActionGroup *group, QMenu *menu, const char *name, const QString &text,
+               Switch *chooser, Choice choice)
+{
+    QAction *action
+        = addMenuAction(menu, name, text, {}, [chooser, choice] { chooser->choose(choice); });
+    action->setCheckable(true);
+    group->addAction(action);
+    const auto update
+        = [chooser, action, choice] { action->setChecked(chooser->choice() == choice); };
+    QObject::connect(chooser, &Switch::changed, action, update);
+    update();
+}
+
+} // namespace
 
 ViewMenu::ViewMenu(const WindowParts &parts, WindowDocks *docks, PaletteSwitch *palettes,
                    QWidget *window)
@@ -25,6 +45,7 @@ ViewMenu::ViewMenu(const WindowParts &parts, WindowDocks *docks, PaletteSwitch *
     addDocks(parts, docks);
     addSeparator();
     addPalettes(palettes);
+    addVisions(parts.vision);
     addMenuAction(this, "resetLayout", tr("Reset the &layout"), {},
                   [this] { emit layoutResetRequested(); });
 }
@@ -112,19 +133,23 @@ void ViewMenu::addPalettes(PaletteSwitch *palettes)
     QMenu *menu = addMenu(tr("&Colours"));
     menu->setObjectName(QStringLiteral("paletteMenu"));
     auto *group = new QActionGroup(menu);
-    const auto addPalette = [&](const char *name, const QString &text, PaletteChoice choice) {
-        QAction *action
-            = addMenuAction(menu, name, text, {}, [palettes, choice] { palettes->choose(choice); });
-        action->setCheckable(true);
-        group->addAction(action);
-        const auto update
-            = [palettes, action, choice] { action->setChecked(palettes->choice() == choice); };
-        connect(palettes, &PaletteSwitch::changed, action, update);
-        update();
+    addChoice(group, menu, "paletteSystem", tr("as the &desktop"), palettes, PaletteChoice::System);
+    addChoice(group, menu, "paletteLight", tr("&light"), palettes, PaletteChoice::Light);
+    addChoice(group, menu, "paletteDark", tr("d&ark"), palettes, PaletteChoice::Dark);
+}
+
+void ViewMenu::addVisions(ColourVisionSwitch *visions)
+{
+    QMenu *menu = addMenu(tr("Seen &with"));
+    menu->setObjectName(QStringLiteral("visionMenu"));
+    auto *group = new QActionGroup(menu);
+    const auto add = [&](const char *name, const QString &text, ColourVision vision) {
+        addChoice(group, menu, name, text.arg(nameOf(vision)), visions, vision);
     };
-    addPalette("paletteSystem", tr("as the &desktop"), PaletteChoice::System);
-    addPalette("paletteLight", tr("&light"), PaletteChoice::Light);
-    addPalette("paletteDark", tr("d&ark"), PaletteChoice::Dark);
+    add("visionOrdinary", QStringLiteral("&%1"), ColourVision::Ordinary);
+    add("visionProtanopia", tr("no &red cones (%1)"), ColourVision::Protanopia);
+    add("visionDeuteranopia", tr("no &green cones (%1)"), ColourVision::Deuteranopia);
+    add("visionTritanopia", tr("no &blue cones (%1)"), ColourVision::Tritanopia);
 }
 
 } // namespace pixelplumb

@@ -4,6 +4,7 @@
 namespace pixelplumb {
 
 class Canvas;
+class ColourVisionSwitch;
 class DisplayOptions;
 class EffectSwitches;
 class MessageBar;
@@ -26,6 +27,7 @@ struct WindowParts {
     Playhead *playhead = nullptr;
     DisplayOptions *options = nullptr;
     EffectSwitches *effects = nullptr;
+    ColourVisionSwitch *vision = nullptr;
     SceneTracer *tracer = nullptr;
     ScenePreviewer *previewer = nullptr;
     RecentFiles *recent = nullptr;

@@ -8,7 +8,8 @@
 
 namespace pixelplumb {
 
-/// Where the pointer and time are, and the jobs beside the window.
+/// Where the pointer and time are, the jobs beside the window, and by which eyes it is seen if not
+/// by ordinary ones.
 class WindowStatusBar : public QStatusBar {
     Q_OBJECT
 
@@ -21,6 +22,7 @@ public slots:
 private:
     JobBar *addJob(const Job &job, const JobBar::Names &names);
     void addFields(const WindowParts &parts);
+    void addVision(ColourVisionSwitch *vision);
 };
 
 } // namespace pixelplumb

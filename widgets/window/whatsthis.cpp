@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/window/whatsthis.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QWhatsThis>
+#include <QWidget>
+
+#include <algorithm>
+#include <iterator>
+
+namespace pixelplumb {
+
+namespace {
+
+struct PartExplanation {
+    const char *name; ///< of the part
+    const char *text;
+};
+
+constexpr const char *explanationContext = "pixelplumb::WhatsThis";
+
+constexpr PartExplanation explanations[] = {
+    {"canvas",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "The frame as it is at the step in hand, with its triangles and the plumb line through "
+         "the column in hand. With the tool Draw (P) a click places a vertex and a drag moves one, "
+         "with Inspect (V) a click picks the pixel; a right click always picks. Arrows move the "
+         "picked pixel, the wheel zooms, Shift shows the truth as long as it is held.")},
+    {"scrubber",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "The whole run on one line, with marks where vertices, ties, clamps and wrong pixels are; "
+         "a drag goes to another step. Arrows go by the unit of playing, with Ctrl from mark to "
+         "mark, PageUp and PageDown by columns, Home and End to the ends.")},
+    {"methodBox",
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "The method that draws the scene. The buttons, the table and the formulas "
+                       "follow it; keys 1 to 9, with the canvas in focus, choose the first nine.")},
+    {"positionLabel",
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "How many of the run's steps are done. A step writes a pixel, begins a "
+                       "column or sets a primitive up; Ctrl+G goes to any.")},
+    {"statusPixel",
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "The pixel under the pointer, else the picked one, and its colour.")},
+    {"statusColumn",
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis", "The column, row or step of the method in hand.")},
+    {"statusStep",
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis", "How many of the run's steps are done.")},
+    {"statusSettings",
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "The arithmetic, the fill rule and the frame's convention that the scene is "
+                       "drawn by.")},
+
+    {"formulaDock",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "The step in hand as formulas with its numbers put in: what the drawing used, beside the "
+         "exact value. F10 and F11 go on by a column or a pixel, with Shift they go back.")},
+    {"pixelGridDock",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "The pixels around the picked one, large enough to read: their bytes, their sample "
+         "points, the true edges, and where the column in hand meets them. Arrows move the picked "
+         "pixel, + and − make the cells larger and smaller, Enter goes to the step that wrote "
+         "it.")},
+    {"pixelHistoryDock",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "How the picked pixel got its colour: each primitive that tried, with its numbers, or the "
+         "edge that refuses the pixel and by how much. Enter on a line goes to that step.")},
+    {"columnsDock",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "The numbers of every column, or row or step of other methods, as the drawing used them; "
+         "exact ones can be shown beside. A row that is clicked is gone to.")},
+    {"compareDock",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "Two to four methods, or the truth, draw the scene side by side, and a map shows where "
+         "they agree; below stands why the picked pixel differs. Arrows move the picked pixel, + "
+         "and − zoom all of them.")},
+    {"precisionDock",
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "How far the bounds that each arithmetic computes are from the exact edges "
+                       "of the triangle in hand, column by column.")},
+    {"hardCasesDock",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "The gallery of hard cases by family, each drawn by the method in hand beside the truth, "
+         "and whether the method is right. Its buttons open a case in the window.")},
+    {"performanceDock",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "What drawing the scene takes by the plain and by the fast kernels, which of them took "
+         "which triangles and why, and what columns and rows ask of the cache.")},
+    {"operationsDock",
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "How many divisions, roundings, additions and other operations a set-up, a "
+                       "span and a sample take in the method and the arithmetic in hand.")},
+    {"accuracyLabDock",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "What accuracy costs in time: Run judges and times every method in every arithmetic, and "
+         "the chart shows cost against error. Arrows go from dot to dot, Enter opens the dot's "
+         "first wrong pixel.")},
+    {"projectionDock",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "How the triangle in hand came from three dimensions to the frame: the camera from the "
+         "side, and every stage with its numbers. Arrows turn the view, + and − bring it nearer "
+         "and farther, Home brings the first view back.")},
+    {"effectsDock",
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "Which effects the scene calls for, why, and what each costs. Only what is "
+                       "called for runs; a switch forces an effect on or off in the picture.")},
+    {"methodDock",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "The method in hand: what it does, where it comes from, and its pseudocode, with the "
+         "lines that the step in hand does marked.")},
+    {"predictDock",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "Asks for what comes next (y_B, the rows, the increments or the next pixel) before it is "
+         "shown, and tells right and wrong with the reason. As long as this panel is seen, the "
+         "others hide what lies ahead.")},
+    {"motionDock",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "Lets the scene move by a fraction of a pixel a frame, and counts the pixels that flicker "
+         "beside those of the truth.")},
+    {"primitivesDock",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "The scene's primitives in drawing order. The box before a name shows or hides the "
+         "primitive, coordinates are typed in place, and the buttons below, which a right click "
+         "shows as a menu, move, recolour and delete it.")},
+    {"submissionDock",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "What a student's picture, dropped on the window or pasted, has different, by cause, both "
+         "pictures beside each other; Name the bug looks for known defects that draw it.")},
+    {"gradingDock",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "The submissions of a graded folder, by cause, with what each student is told. J and K go "
+         "to the next and the previous one, A accepts its grade, C comments on it.")},
+    {"editsDock",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "What was done to the scene, in order: a click goes back, or on again, to there.")},
+
+    {"fileMenu",
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "Opens, saves and exports scenes, and shows the examples.")},
+    {"editMenu",
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "Changes the scene, and takes back what was changed; chooses what a click "
+                       "on the canvas does.")},
+    {"viewMenu",
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "What is drawn over the frame, how large, in which colours, seen by which "
+                       "eyes, and which panels are shown.")},
+    {"visionMenu",
+     QT_TRANSLATE_NOOP(
+         "pixelplumb::WhatsThis",
+         "Shows the window as it looks to people who lack one kind of cones, until it ends. The "
+         "frame, what is exported and all numbers are as ever.")},
+    {"layersMenu",
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "Lays the figures of the course texts over the scene, at the step in "
+                       "hand.")},
+    {"stepMenu",
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "Goes through the run of the scene, forward and back.")},
+    {"methodMenu",
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "How the scene is drawn: the method, its arithmetic, its fill rule, its "
+                       "rounding, and its printed variants with their faults.")},
+    {"helpMenu",
+     QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
+                       "All keys, other keys for the actions, and what the parts of the window "
+                       "are.")},
+};
+
+/// Empty where the table has none.
+QString explanationOf(const QString &name)
+{
+    const auto *row = std::ranges::find_if(explanations, [&name](const PartExplanation &each) {
+        return name == QLatin1String(each.name);
+    });
+    return row == std::end(explanations)
+        ? QString()
+        : QCoreApplication::translate(explanationContext, row->text);
+}
+
+/// Of an action that shows or hides a dock, the dock's.
+QString explanationOf(const QAction &action)
+{
+    QString name = action.objectName();
+    if (name.endsWith(QLatin1String("DockToggle")))
+        name.chop(int(qstrlen("Toggle")));
+    const QString text = explanationOf(name);
+    const bool hasTip = action.toolTip() != QAction(action.text()).toolTip(); // else its text's
+    return text.isEmpty() && hasTip ? action.toolTip() : text;
+}
+
+} // namespace
+
+void explainParts(QWidget *window)
+{
+    for (QAction *action : window->findChildren<QAction *>())
+        action->setWhatsThis(explanationOf(*action));
+    for (QWidget *part : window->findChildren<QWidget *>()) {
+        const QString text = explanationOf(part->objectName());
+        part->setWhatsThis(text.isEmpty() ? part->toolTip() : text);
+    }
+}
+
+void enterWhatsThis(QWidget *window)
+{
+    explainParts(window);
+    QWhatsThis::enterWhatsThisMode();
+}
+
+} // namespace pixelplumb
