@@ -67,10 +67,11 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     m_tree->setAllColumnsShowFocus(false);
     m_tree->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
                             | QAbstractItemView::AnyKeyPressed);
-    m_tree->header()->resizeSection(PrimitiveListModel::Name, 152);
-    m_tree->header()->resizeSection(PrimitiveListModel::Place, 48);
-    m_tree->header()->resizeSection(PrimitiveListModel::X, 60);
-    m_tree->header()->resizeSection(PrimitiveListModel::Y, 60);
+    m_tree->header()->resizeSection(PrimitiveListModel::Name, 144);
+    m_tree->header()->resizeSection(PrimitiveListModel::Place, 44);
+    m_tree->header()->resizeSection(PrimitiveListModel::X, 52);
+    m_tree->header()->resizeSection(PrimitiveListModel::Y, 52);
+    m_tree->header()->resizeSection(PrimitiveListModel::ColourText, 64); // at least
     m_summary->setObjectName(QStringLiteral("primitivesSummary"));
     m_summary->setWordWrap(true);
 
