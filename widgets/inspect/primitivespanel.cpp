@@ -200,7 +200,9 @@ void PrimitivesPanel::update()
     if (const int hidden = m_document->hiddenCount(); hidden > 0)
         text += tr(", and %1 hidden that the numbers leave out").arg(hidden);
     if (solids > 0)
-        text += tr(" and %1 solids, which the Projection panel shows").arg(solids);
+        text += (solids == 1 ? tr(" and 1 solid") : tr(" and %1 solids").arg(solids))
+            + tr(", of which the camera makes the triangles: they are neither hidden nor moved "
+                 "here, the Projection panel shows them");
     m_summary->setText(text);
     const std::optional<VertexRef> ref = refInHand();
     m_up->setEnabled(ref && m_document->canMovePrimitive(ref->primitive, -1));
