@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QLabel>
+#include <QScreen>
 #include <QTest>
 
 #include <cmath>
@@ -157,6 +158,31 @@ private slots:
         QVERIFY(pixelplumb::action(*window, "visionOrdinary")->isChecked());
         for (const QString &part : parts)
             QVERIFY2(shown(*window, part) == before[part], qPrintable(part));
+    }
+
+    void everyPanelOnTheScreenIsDrawnAnewAtOnce()
+    {
+        const auto window = settledWindow();
+        const auto onScreen = [&](const char *part) {
+            const auto *widget = named<QWidget>(*window, part);
+            const QPoint place = widget->mapTo(window.get(), QPoint());
+            return window->screen()
+                ->grabWindow(window->winId(), place.x(), place.y(), widget->width(),
+                             widget->height())
+                .toImage();
+        };
+        const QStringList parts{"canvas", "columnTable", "pixelGrid", "pixelHistory"};
+        QMap<QString, QImage> before;
+        for (const QString &part : parts)
+            before[part] = onScreen(qPrintable(part));
+        QVERIFY(before["columnTable"] != QImage());
+
+        action(*window, "visionTritanopia")->trigger();
+        for (const QString &part : parts)
+            QTRY_VERIFY2(onScreen(qPrintable(part)) != before[part], qPrintable(part));
+        action(*window, "visionOrdinary")->trigger();
+        for (const QString &part : parts)
+            QTRY_VERIFY2(onScreen(qPrintable(part)) == before[part], qPrintable(part));
     }
 
     void whatIsDrawnToldAndCopiedIsAsEver()

@@ -3,6 +3,7 @@
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
+#include "tests/support/spacescenes.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/primitivelistmodel.h"
@@ -240,6 +241,15 @@ private slots:
                     .data()
                     .toString()
                     .isEmpty()); // a vertex has none
+    }
+
+    void theListSaysWhySolidsAreNotInIt()
+    {
+        document().reset(sceneOf({solidOf(SolidKind::Sphere)}));
+        const QString told = named<QLabel>(*m_window, "primitivesSummary")->text();
+        QVERIFY2(told.startsWith("0 primitives and 1 solid, of which the camera makes"),
+                 qPrintable(told));
+        QCOMPARE(m_model->rowCount(), 0);
     }
 
     void hidingAndItsUndoKeepTheStepInHand()

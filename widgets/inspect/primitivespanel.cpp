@@ -67,10 +67,11 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     m_tree->setAllColumnsShowFocus(false);
     m_tree->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
                             | QAbstractItemView::AnyKeyPressed);
-    m_tree->header()->resizeSection(PrimitiveListModel::Name, 152);
-    m_tree->header()->resizeSection(PrimitiveListModel::Place, 48);
-    m_tree->header()->resizeSection(PrimitiveListModel::X, 60);
-    m_tree->header()->resizeSection(PrimitiveListModel::Y, 60);
+    m_tree->header()->resizeSection(PrimitiveListModel::Name, 144);
+    m_tree->header()->resizeSection(PrimitiveListModel::Place, 44);
+    m_tree->header()->resizeSection(PrimitiveListModel::X, 52);
+    m_tree->header()->resizeSection(PrimitiveListModel::Y, 52);
+    m_tree->header()->resizeSection(PrimitiveListModel::ColourText, 64); // at least
     m_summary->setObjectName(QStringLiteral("primitivesSummary"));
     m_summary->setWordWrap(true);
 
@@ -199,7 +200,9 @@ void PrimitivesPanel::update()
     if (const int hidden = m_document->hiddenCount(); hidden > 0)
         text += tr(", and %1 hidden that the numbers leave out").arg(hidden);
     if (solids > 0)
-        text += tr(" and %1 solids, which the Projection panel shows").arg(solids);
+        text += (solids == 1 ? tr(" and 1 solid") : tr(" and %1 solids").arg(solids))
+            + tr(", of which the camera makes the triangles: they are neither hidden nor moved "
+                 "here, the Projection panel shows them");
     m_summary->setText(text);
     const std::optional<VertexRef> ref = refInHand();
     m_up->setEnabled(ref && m_document->canMovePrimitive(ref->primitive, -1));

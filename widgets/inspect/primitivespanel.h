@@ -25,7 +25,7 @@ class PrimitivesPanel : public QWidget {
 public:
     explicit PrimitivesPanel(SceneDocument *document, QWidget *parent = nullptr);
 
-    QSize sizeHint() const override { return {360, 480}; }
+    QSize sizeHint() const override { return {384, 480}; }
 
 private:
     void addActions(QHBoxLayout *row);

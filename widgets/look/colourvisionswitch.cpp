@@ -60,6 +60,8 @@ void ColourVisionSwitch::showPart(QWidget *part) const
 {
     const bool isOrdinary = m_choice == ColourVision::Ordinary;
     part->setGraphicsEffect(isOrdinary ? nullptr : new ColourVisionEffect(m_choice, part));
+    for (QWidget *child : part->findChildren<QWidget *>())
+        child->update(); // Qt leaves out those that cover the part's own ground
 }
 
 } // namespace pixelplumb

@@ -45,7 +45,9 @@ bool MainWindow::openScene(const QString &path) { return m_parts.files->load(pat
 void MainWindow::openResults(const QString &folder)
 {
     auto *grading = m_docks->panel<GradingPanel>();
-    m_docks->raise(grading);
+    // A window that is not shown yet has no tabs to bring to the front.
+    QMetaObject::invokeMethod(
+        this, [this, grading] { m_docks->raise(grading); }, Qt::QueuedConnection);
     grading->book()->open(folder);
 }
 
