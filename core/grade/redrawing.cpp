@@ -2,10 +2,10 @@
 #include "core/grade/redrawing.h"
 
 #include "core/frame/framebuffer.h"
+#include "core/number/commonfraction.h"
 #include "core/oracle/oracle.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pixelplumb {
 
@@ -34,6 +34,13 @@ public:
         m_endPlace = m_firstPlace + (m_goesByRows ? m_frame.width : m_frame.height);
         m_runs.firstSpan = m_goesByRows ? m_frame.firstRow : m_frame.firstColumn;
         m_runs.endSpan = m_runs.firstSpan + (m_goesByRows ? m_frame.height : m_frame.width);
+        m_runs.departures = alone.settings.variants;
+        const BoundaryRule rule = boundaryRuleOf(alone);
+        m_runs.intervals = columnIntervals(rule.rule);
+        if (way == TriangleWay::Rows) {
+            m_runs.order = WalkOrder::Descending;
+            m_runs.intervals = {reversed(rowIntervals(rule).columns), rowIntervals(rule).rows};
+        }
         readRuns();
         redrawing.change(m_runs);
     }
@@ -82,12 +89,12 @@ private:
         }
     }
 
-    std::uint8_t byteOf(double level) const
+    std::uint8_t byteOf(const CommonFraction &level) const
     {
-        const double whole = std::floor(m_rounding == ByteRounding::Nearest ? level + 0.5 : level);
+        const Int128 whole = m_rounding == ByteRounding::Nearest ? level.nearest() : level.floor();
         if (m_overflow == LevelOverflow::Wraps)
-            return std::uint8_t(std::int64_t(whole));
-        return std::uint8_t(std::clamp(whole, 0.0, 255.0));
+            return std::uint8_t(whole);
+        return std::uint8_t(std::clamp<Int128>(whole, 0, 255));
     }
 
     Colour colourAt(const SampleRun &run, std::int64_t place, std::size_t index) const
@@ -97,13 +104,13 @@ private:
         Colour colour;
         if (const auto &ramp = run.levels) {
             for (std::size_t i = 0; i < 3; ++i)
-                colour.channels[i]
-                    = byteOf(ramp->first[i] + ramp->rate[i] * double(place - run.first));
+                colour.channels[i] = byteOf(
+                    {ramp->first[i] + ramp->rate[i] * (place - run.first), ramp->denominator});
             return colour;
         }
         const auto levels = oracle::colourAt(m_runs.triangle, run.span, place);
         for (std::size_t i = 0; i < 3; ++i)
-            colour.channels[i] = byteOf(levels[i].toDouble());
+            colour.channels[i] = byteOf({levels[i].numerator(), levels[i].denominator()});
         return colour;
     }
 
@@ -122,8 +129,7 @@ TriangleWay triangleWayOf(const Method &method)
 {
     if (!method.supports(Variant::NoEdgePreStep))
         return TriangleWay::Box;
-    return method.id.startsWith(QStringLiteral("row-walk")) ? TriangleWay::Rows
-                                                            : TriangleWay::Columns;
+    return method.spanAxis == SpanAxis::Row ? TriangleWay::Rows : TriangleWay::Columns;
 }
 
 Scene triangleAlone(const Scene &scene, std::size_t triangle)

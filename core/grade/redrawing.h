@@ -3,6 +3,7 @@
 
 #include "core/grade/picture.h"
 #include "core/methods/method.h"
+#include "core/scan/interval.h"
 
 #include <functional>
 #include <optional>
@@ -14,10 +15,23 @@ namespace pixelplumb {
 enum class TriangleWay { Columns, Rows, Box };
 TriangleWay triangleWayOf(const Method &method);
 
-/// Levels along a column or row, in place of the plane's.
+/// From which end the spans of a triangle are gone through: a right program draws the same from
+/// either.
+enum class WalkOrder { Ascending, Descending };
+
+/// An interval seen from its other end.
+constexpr Interval reversed(Interval interval)
+{
+    if (interval == Interval::ClosedOpen)
+        return Interval::OpenClosed;
+    return interval == Interval::OpenClosed ? Interval::ClosedOpen : interval;
+}
+
+/// Levels along a column or row, in place of the plane's: numerators, and what they are over.
 struct LevelRamp {
-    std::array<double, 3> first = {}; ///< at the first sample
-    std::array<double, 3> rate = {}; ///< a sample
+    std::array<Int128, 3> first = {}; ///< at the first sample
+    std::array<Int128, 3> rate = {}; ///< a sample
+    Int128 denominator = 1; ///< > 0
 };
 
 /// The samples of one column or, where a program goes by rows, row.
@@ -30,6 +44,9 @@ struct SampleRun {
 /// One triangle as it is gone through: `triangle` has x and y exchanged where that is by rows.
 struct TriangleRuns {
     Triangle triangle;
+    WalkOrder order = WalkOrder::Ascending; ///< the method's
+    ScanIntervals intervals; ///< of its spans, ascending, and of its samples
+    VariantSet departures = {}; ///< of the scene
     std::int64_t firstSpan = 0, endSpan = 0; ///< that the frame has
     std::vector<SampleRun> runs; ///< ascending
 };

@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/geometry/seededrandom.h"
+#include "core/grade/diagnosis.h"
+#include "core/grade/programwalk.h"
+#include "core/methods/method.h"
+#include "core/scene/scenefile.h"
+#include "tests/support/studentwalk.h"
+
+#include <QDir>
+#include <QTest>
+
+#include <algorithm>
+
+using namespace pixelplumb;
+
+Q_DECLARE_METATYPE(std::set<pixelplumb::WalkMistake>)
+
+namespace {
+
+using Mistakes = std::set<WalkMistake>;
+
+std::vector<Scene> sheetOf(const QString &method)
+{
+    const QDir folder(QStringLiteral(PIXELPLUMB_RESOURCES "/probes"));
+    std::vector<Scene> scenes;
+    for (const QString &name : folder.entryList({method + QStringLiteral("-*.json")})) {
+        if (const auto reading = readSceneFile(folder.filePath(name)))
+            scenes.push_back(reading->scene);
+    }
+    return scenes;
+}
+
+Scene defaultScene(const QString &method)
+{
+    const auto reading = readSceneFile(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/default.json"));
+    Scene scene = reading ? reading->scene : Scene();
+    scene.method = method.toStdString();
+    return scene;
+}
+
+WalkLines linesOf(const QString &method)
+{
+    return method == QStringLiteral("row-walk") ? WalkLines::Rows : WalkLines::Columns;
+}
+
+/// What the programs of a class draw, by method: one memory of defects' pictures for all.
+DefectPictures &defectPicturesOf(const QString &method)
+{
+    static DefectPictures ofColumns(sheetOf(QStringLiteral("column-scan")));
+    static DefectPictures ofRows(sheetOf(QStringLiteral("row-walk")));
+    return method == QStringLiteral("row-walk") ? ofRows : ofColumns;
+}
+
+QString textOf(const Diagnosis &diagnosis)
+{
+    QStringList sets;
+    for (const DiagnosisCandidate &candidate : diagnosis.candidates) {
+        QStringList ids;
+        for (const Defect &defect : candidate.defects)
+            ids += defect.id;
+        sets += ids.join(u'+') + QStringLiteral(" (%1)").arg(candidate.distance);
+    }
+    return sets.join(u' ');
+}
+
+void addRow(const char *id, const Mistakes &mistakes, const char *method)
+{
+    QTest::addRow("%s, %s", method, id)
+        << QString::fromLatin1(method) << QString::fromLatin1(id) << mistakes;
+}
+
+/// Mistakes that go by columns and, from either end, by rows.
+void addOfEdges(const char *id, Mistakes mistakes)
+{
+    addRow(id, mistakes, "column-scan");
+    addRow(id, mistakes, "row-walk");
+    mistakes.insert(WalkMistake::FromBelow);
+    addRow(qPrintable(QString::fromLatin1(id) + QStringLiteral("-from-below")), mistakes,
+           "row-walk");
+}
+
+/// Of spans, where it does not matter from which end they are gone through.
+void addOfSpans(const char *id, Mistakes mistakes)
+{
+    addRow(id, mistakes, "column-scan");
+    addRow(id, mistakes, "row-walk");
+}
+
+/// From above the last row is that of the least y.
+void addOfEnds(const char *id, const char *fromAbove, Mistakes mistakes)
+{
+    addRow(id, mistakes, "column-scan");
+    addRow(fromAbove, mistakes, "row-walk");
+    mistakes.insert(WalkMistake::FromBelow);
+    addRow(id, mistakes, "row-walk");
+}
+
+Scene randomScene(SeededRandom &random, const QString &method, FillRule rule)
+{
+    Scene scene;
+    scene.frame.width = 40;
+    scene.frame.height = 40;
+    scene.method = method.toStdString();
+    scene.settings.fillRule = rule;
+    constexpr std::array<Lattice, 3> units = {1, 64, 256};
+    const Lattice unit = units[std::size_t(random.between(0, 2))];
+    Triangle triangle;
+    for (Vertex &vertex : triangle.vertices)
+        vertex = {{random.between(-2, 42) * 256 / unit * unit + random.between(0, 3) * unit,
+                   random.between(-2, 42) * 256 / unit * unit + random.between(0, 3) * unit},
+                  random.colour()};
+    scene.triangles = {triangle};
+    return scene;
+}
+
+} // namespace
+
+/// Defects are those of programs that were not written for them.
+class TestProgramDefects : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aRightProgramIsRight_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<Mistakes>("mistakes");
+        addRow("", {}, "column-scan");
+        addRow("from above", {}, "row-walk");
+        addRow("from below", {WalkMistake::FromBelow}, "row-walk");
+    }
+    void aRightProgramIsRight()
+    {
+        QFETCH(QString, method);
+        QFETCH(Mistakes, mistakes);
+        for (const Scene &scene : sheetOf(method))
+            QCOMPARE(studentPicture(scene, linesOf(method), mistakes).colours,
+                     pictureOf(scene).colours);
+    }
+
+    void theSheetNamesTheMistakeOfAProgram_data()
+    {
+        using M = WalkMistake;
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<Mistakes>("mistakes");
+        addOfEdges("no-edge-pre-step", {M::NoEdgePreStep});
+        addOfEdges("colours-without-edge-pre-step", {M::NoEdgeColourPreStep});
+        addOfEdges("divisor-minus-one", {M::EdgeDivisorMinusOne});
+        addOfEdges("divisor-plus-one", {M::EdgeDivisorPlusOne});
+        addOfEdges("unsorted-colours", {M::UnsortedColours});
+        addOfEdges("whole-slopes", {M::WholeSlopes});
+        addOfEdges("whole-edge-colours", {M::WholeEdgeColours});
+        addOfEdges("whole-edge-steps", {M::WholeSlopes, M::WholeEdgeColours});
+        addOfEdges("whole-colours", {M::WholeEdgeColours, M::WholePreSteps, M::WholeSteps});
+        addOfEdges("whole-increments",
+                   {M::WholeSlopes, M::WholeEdgeColours, M::WholePreSteps, M::WholeSteps});
+        addOfSpans("whole-colour-steps", {M::WholeSteps});
+        addOfSpans("whole-colour-rates", {M::WholePreSteps, M::WholeSteps});
+        addOfSpans("colour-divisor-plus-one", {M::SpanDivisorPlusOne});
+        addOfSpans("colours-between-samples", {M::ColoursBetweenSamples});
+        addOfEnds("last-span-missing", "first-span-missing", {M::LastSpanMissing});
+        addOfEnds("first-span-missing", "last-span-missing", {M::FirstSpanMissing});
+        addOfEnds("open-at-last-vertex", "open-at-first-vertex", {M::OpenAtLastVertex});
+        addOfEnds("open-at-first-vertex", "open-at-last-vertex", {M::OpenAtFirstVertex});
+        addOfEnds("middle-span-missing", "middle-floor-span-missing", {M::SecondHalfAfterCeiling});
+        addOfEnds("middle-floor-span-missing", "middle-span-missing",
+                  {M::FirstHalfTruncated, M::SecondHalfAfterFloor});
+        addOfEnds("open-at-middle-vertex", "open-at-middle-vertex", {M::SecondHalfAfterFloor});
+        addOfEnds("middle-span-truncated", "middle-span-truncated-from-above",
+                  {M::FirstHalfTruncated});
+    }
+    void theSheetNamesTheMistakeOfAProgram()
+    {
+        QFETCH(QString, method);
+        QFETCH(QString, id);
+        QFETCH(Mistakes, mistakes);
+        DefectPictures &pictures = defectPicturesOf(method);
+        std::vector<FoundPicture> found;
+        for (const Scene &scene : pictures.scenes())
+            found.push_back({found.size(), studentPicture(scene, linesOf(method), mistakes)});
+
+        const Diagnosis diagnosis = *diagnose(pictures, found);
+
+        // Samples on a vertex alone may be missing of a right program, too.
+        QVERIFY(diagnosis.verdict != DiagnosisVerdict::Right);
+        QCOMPARE(textOf(diagnosis), id + QStringLiteral(" (0)"));
+        for (const FoundPicture &each : found) {
+            const Scene &scene = pictures.scenes()[each.scene];
+            if (each.picture.colours != pictureOf(scene).colours)
+                QVERIFY(partingStepOf(scene, diagnosis.candidates.front().defects));
+        }
+    }
+
+    void theDefaultSceneIsDrawnAsTheDefectDrawsIt_data()
+    {
+        theSheetNamesTheMistakeOfAProgram_data();
+    }
+    void theDefaultSceneIsDrawnAsTheDefectDrawsIt()
+    {
+        QFETCH(QString, method);
+        QFETCH(QString, id);
+        QFETCH(Mistakes, mistakes);
+        const Scene scene = defaultScene(method);
+        const Picture picture = studentPicture(scene, linesOf(method), mistakes);
+        std::vector<Defect> defects = defectsFor(scene);
+        const auto defect = std::ranges::find(defects, id, &Defect::id);
+        QVERIFY(defect != defects.end());
+        QCOMPARE(picture.colours, pictureWith(scene, std::span(&*defect, 1)).colours);
+    }
+
+    void aWalkWithoutMistakesDrawsWhatTheKernelsDraw_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<FillRule>("rule");
+        QTest::addColumn<VariantSet>("variants");
+        const Method *columns = methodNamed(u"column-scan");
+        const Method *rows = methodNamed(u"row-walk");
+        for (const Method *method : {columns, rows}) {
+            for (const FillRule rule : method->fillRules) {
+                const auto add = [&](VariantSet variants, std::string_view named) {
+                    QTest::addRow("%s, %s, %s", qPrintable(method->id), nameOf(rule).data(),
+                                  named.data())
+                        << method->id << rule << variants;
+                };
+                add({}, "right");
+                for (const Variant variant : method->variants)
+                    add(VariantSet().with(variant), nameOf(variant));
+            }
+        }
+    }
+    void aWalkWithoutMistakesDrawsWhatTheKernelsDraw()
+    {
+        QFETCH(QString, method);
+        QFETCH(FillRule, rule);
+        QFETCH(VariantSet, variants);
+        SeededRandom random(7);
+        for (int i = 0; i < 60; ++i) {
+            Scene scene = randomScene(random, method, rule);
+            scene.settings.variants = variants;
+            if (doubledArea(scene.triangles.front()) == 0)
+                continue;
+            QCOMPARE(redrawn(scene, {walking({})}), pictureOf(scene));
+        }
+    }
+
+    void fromTheOtherEndItIsTheSame()
+    {
+        SeededRandom random(8);
+        for (const char *method : {"column-scan", "row-walk"}) {
+            for (int i = 0; i < 60; ++i) {
+                const Scene scene
+                    = randomScene(random, QString::fromLatin1(method), FillRule::Closed);
+                const Picture right = pictureOf(scene);
+                for (const WalkOrder order : {WalkOrder::Ascending, WalkOrder::Descending})
+                    QCOMPARE(redrawn(scene, {walking({.order = order})}), right);
+            }
+        }
+    }
+
+    void aRedrawingPartsWhereItsFirstPixelDiffers()
+    {
+        const Scene scene = defaultScene(QStringLiteral("column-scan"));
+        const std::vector<Defect> all = defectsFor(scene);
+        const auto partingText = [&](const char *id) {
+            const auto defect = std::ranges::find(all, QLatin1String(id), &Defect::id);
+            const auto step = partingStepOf(scene, std::span(&*defect, 1));
+            return step ? step->heading + QStringLiteral(": ") + step->text : QString();
+        };
+        QCOMPARE(partingText("last-sample-missing"),
+                 QStringLiteral("Pixel (4, 5): (4, 5) is left out"));
+        QCOMPARE(partingText("ends-outward"),
+                 QStringLiteral("Column 5, first half: (5, 5) is drawn, which should not be"));
+        QCOMPARE(partingText("upside-down"), QString()); // nothing is wrong in its run
+    }
+};
+
+QTEST_GUILESS_MAIN(TestProgramDefects)
+#include "tst_programdefects.moc"
