@@ -192,6 +192,35 @@ private slots:
         }
     }
 
+    void aProgramInDoubleHasTheDefectInDouble_data()
+    {
+        using M = WalkMistake;
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<Mistakes>("mistakes");
+        addOfEdges("no-edge-pre-step", {M::NoEdgePreStep});
+        addOfEdges("colours-without-edge-pre-step", {M::NoEdgeColourPreStep});
+        addOfEdges("whole-slopes", {M::WholeSlopes});
+        addOfEdges("whole-edge-steps", {M::WholeSlopes, M::WholeEdgeColours});
+        addOfEdges("whole-colours", {M::WholeEdgeColours, M::WholePreSteps, M::WholeSteps});
+        addOfSpans("whole-colour-rates", {M::WholePreSteps, M::WholeSteps});
+        addOfSpans("colour-divisor-plus-one", {M::SpanDivisorPlusOne});
+    }
+    void aProgramInDoubleHasTheDefectInDouble()
+    {
+        QFETCH(QString, method);
+        QFETCH(QString, id);
+        QFETCH(Mistakes, mistakes);
+        for (Scene scene : sheetOf(method)) {
+            const Picture picture = studentPictureInDouble(scene, linesOf(method), mistakes);
+            scene.settings.arithmetic = Arithmetic::Float64;
+            const std::vector<Defect> defects = defectsFor(scene);
+            const auto defect = std::ranges::find(defects, id, &Defect::id);
+            QVERIFY(defect != defects.end());
+            QCOMPARE(picture.colours, pictureWith(scene, std::span(&*defect, 1)).colours);
+        }
+    }
+
     void theDefaultSceneIsDrawnAsTheDefectDrawsIt_data()
     {
         theSheetNamesTheMistakeOfAProgram_data();
@@ -212,32 +241,32 @@ private slots:
     void aWalkWithoutMistakesDrawsWhatTheKernelsDraw_data()
     {
         QTest::addColumn<QString>("method");
-        QTest::addColumn<FillRule>("rule");
-        QTest::addColumn<VariantSet>("variants");
-        const Method *columns = methodNamed(u"column-scan");
-        const Method *rows = methodNamed(u"row-walk");
-        for (const Method *method : {columns, rows}) {
+        QTest::addColumn<ScanSettings>("settings");
+        for (const Method *method : {methodNamed(u"column-scan"), methodNamed(u"row-walk")}) {
+            std::vector<VariantSet> variants = {{}};
+            for (const Variant variant : method->variants)
+                variants.push_back(VariantSet().with(variant));
             for (const FillRule rule : method->fillRules) {
-                const auto add = [&](VariantSet variants, std::string_view named) {
-                    QTest::addRow("%s, %s, %s", qPrintable(method->id), nameOf(rule).data(),
-                                  named.data())
-                        << method->id << rule << variants;
-                };
-                add({}, "right");
-                for (const Variant variant : method->variants)
-                    add(VariantSet().with(variant), nameOf(variant));
+                for (const Arithmetic arithmetic : method->arithmetics) {
+                    for (const VariantSet &set : variants)
+                        QTest::addRow("%s, %s, %s, %s", qPrintable(method->id), nameOf(rule).data(),
+                                      nameOf(arithmetic).data(),
+                                      set.isEmpty() ? "right"
+                                                    : nameOf(variantsIn(set).front()).data())
+                            << method->id
+                            << ScanSettings{arithmetic, rule, ByteRounding::Nearest, set};
+                }
             }
         }
     }
     void aWalkWithoutMistakesDrawsWhatTheKernelsDraw()
     {
         QFETCH(QString, method);
-        QFETCH(FillRule, rule);
-        QFETCH(VariantSet, variants);
+        QFETCH(ScanSettings, settings);
         SeededRandom random(7);
-        for (int i = 0; i < 60; ++i) {
-            Scene scene = randomScene(random, method, rule);
-            scene.settings.variants = variants;
+        for (int i = 0; i < 20; ++i) {
+            Scene scene = randomScene(random, method, settings.fillRule);
+            scene.settings = settings;
             if (doubledArea(scene.triangles.front()) == 0)
                 continue;
             QCOMPARE(redrawn(scene, {walking({})}), pictureOf(scene));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/grade/redrawing.h"
+#include "core/scan/variedscan.h"
 
 namespace pixelplumb {
 
@@ -21,7 +22,7 @@ inline constexpr std::array variantsAlongEdges
        Variant::UnsortedColours};
 
 /// The edge walk of the assignment as a program has it, with what is wrong in it. By default it
-/// draws what the column scan and the row walk draw in exact arithmetic.
+/// draws what the column scan and the row walk draw.
 struct ProgramWalk {
     std::optional<WalkOrder> order = {}; ///< the method's, if left out
     VariantSet departures = {}; ///< beside those of the scene, which along edges are the method's
@@ -35,7 +36,38 @@ struct ProgramWalk {
     SpanDivisor divisor = SpanDivisor::Height;
 };
 
-/// Goes through the triangle so. Nothing departs in one that has no area or reaches beyond 2^15 px.
+/// A walk with all that decides its picture.
+struct WalkedProgram {
+    const ProgramWalk &walk;
+    VariantSet departures; ///< the walk's and the scene's
+    ByteRounding rounding = ByteRounding::Nearest;
+
+    /// The edge along which its places are stepped, and the one along which its colours are.
+    VariedScan::Edge placesOf(const Vertex &from, const Vertex &to) const
+    {
+        return VariedScan{departures}.edge(from, to);
+    }
+    VariedScan::Edge coloursOf(const Vertex &from, const Vertex &to) const
+    {
+        const bool isLate = walk.edgeColourStart == EdgeColourStart::OfVertex;
+        return VariedScan{isLate ? departures.with(Variant::NoEdgePreStep) : departures}.edge(from,
+                                                                                              to);
+    }
+    bool hasColourPreStep() const
+    {
+        return !departures.contains(Variant::NoColourPreStep)
+            && walk.divisor != SpanDivisor::WholeSteps;
+    }
+};
+
+/// The samples of a span; those that are drawn lie in the frame.
+struct WalkedSpan {
+    std::int64_t first = 0, end = 0;
+    std::int64_t firstDrawn = 0, endDrawn = 0;
+};
+
+/// Goes through the triangle so, in the scene's arithmetic. Nothing departs in one that has no area
+/// or reaches beyond what the arithmetic holds, or in exact arithmetic beyond 2^15 px.
 void walkAs(TriangleRuns &triangle, const ProgramWalk &walk);
 
 /// The same, to be done to any triangle.

@@ -36,5 +36,8 @@ enum class WalkLines { Columns, Rows };
 /// assignment, written from its text alone and without anything of the core's kernels. Of rows the
 /// greatest y comes first, but for FromBelow.
 Picture studentPicture(const Scene &scene, WalkLines lines, const std::set<WalkMistake> &mistakes);
+/// The same in numbers that round.
+Picture studentPictureInDouble(const Scene &scene, WalkLines lines,
+                               const std::set<WalkMistake> &mistakes);
 
 } // namespace pixelplumb
