@@ -78,7 +78,7 @@ private:
             for (std::int64_t y = first.y; y <= last.y; ++y) {
                 if (which == Which::Extra && !isExtra(placeOf(x, y)))
                     continue;
-                if (const QString difference = differenceAt(x, y); !difference.isEmpty())
+                if (QString difference = differenceAt(x, y); !difference.isEmpty())
                     return difference;
             }
         }

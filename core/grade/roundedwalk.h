@@ -28,15 +28,8 @@ struct RoundedWalk {
     class Edge {
     public:
         Edge(const Vertex &from, const Vertex &to, const WalkedProgram &program, std::int64_t span)
+            : Edge(program.placesOf(from, to), program.coloursOf(from, to), program.walk, span)
         {
-            const auto [a, b] = program.placesOf(from, to);
-            m_slope = quotient(A::edgeSlope(a, b), program.walk.slopes);
-            m_along = A::edgeOrdinate(a, b, A::runTo(span, a), m_slope);
-            const auto [c, d] = program.coloursOf(from, to);
-            for (std::size_t i = 0; i < 3; ++i) {
-                m_rates[i] = quotient(A::edgeColourRate(c, d, i), program.walk.edgeColours);
-                m_levels[i] = A::edgeColour(c, d, i, A::runTo(span, c), m_rates[i]);
-            }
         }
 
         void stepToNextSpan()
@@ -54,7 +47,20 @@ struct RoundedWalk {
     private:
         friend struct RoundedWalk;
 
-        Value m_along, m_slope; ///< px, px per span
+        Edge(const VariedScan::Edge &places, const VariedScan::Edge &colours,
+             const ProgramWalk &walk, std::int64_t span)
+            : m_slope(quotient(A::edgeSlope(places.a, places.b), walk.slopes))
+            , m_along(A::edgeOrdinate(places.a, places.b, A::runTo(span, places.a), m_slope))
+        {
+            const auto &[a, b] = colours;
+            for (std::size_t i = 0; i < 3; ++i) {
+                m_rates[i] = quotient(A::edgeColourRate(a, b, i), walk.edgeColours);
+                m_levels[i] = A::edgeColour(a, b, i, A::runTo(span, a), m_rates[i]);
+            }
+        }
+
+        Value m_slope; ///< px per span
+        Value m_along; ///< px
         std::array<Value, 3> m_levels, m_rates;
     };
 
