@@ -218,6 +218,21 @@ private slots:
         QCOMPARE(picture.colours, pictureWith(scene, std::span(&*defect, 1)).colours);
     }
 
+    void eachEndOfTheRowsHasItsOwnWords()
+    {
+        const std::vector<Defect> all = defectsFor(defaultScene(QStringLiteral("row-walk")));
+        const auto words = [&](const char *id) {
+            const auto defect = std::ranges::find(all, QLatin1String(id), &Defect::id);
+            return defect != all.end() ? defect->forAssistant : QString();
+        };
+        QVERIFY(words("no-edge-pre-step").contains(QStringLiteral("(y₀ − ⌊y₀⌋)·m")));
+        QVERIFY(words("no-edge-pre-step").contains(QStringLiteral("from the greatest y down")));
+        QVERIFY(words("no-edge-pre-step-from-below").contains(QStringLiteral("(⌈y₀⌉ − y₀)·m")));
+        QVERIFY(words("no-edge-pre-step-from-below").contains(QStringLiteral("the least y up")));
+        QVERIFY(words("whole-slopes").contains(QStringLiteral("from the greatest y down")));
+        QVERIFY(!words("whole-colour-rates").contains(QStringLiteral("gone through")));
+    }
+
     void aRedrawingPartsWhereItsFirstPixelDiffers()
     {
         const Scene scene = defaultScene(QStringLiteral("column-scan"));

@@ -137,6 +137,15 @@ QString variantSentence(Variant variant, TriangleWay way)
         .arg(nameText(words.title), nameText(words.printed), nameText(words.right));
 }
 
+/// From below an edge has another way to its first row than the words of the method tell.
+QString upwardSentence(Variant variant)
+{
+    if (variant != Variant::NoEdgePreStep)
+        return variantSentence(variant, TriangleWay::Rows);
+    return QStringLiteral("%1: x = x₀ at the first row in place of x = x₀ + (⌈y₀⌉ − y₀)·m.")
+        .arg(nameText(wordsOf(variant, SpanAxis::Row).title));
+}
+
 } // namespace
 
 QString sentenceOf(Variant variant, TriangleWay way)
@@ -201,7 +210,7 @@ std::vector<Defect> walkDefectsFor(TriangleWay way)
     for (const Variant variant : variantsAlongEdges) {
         if (hasOrder)
             addUpward(nameText(nameOf(variant)), nameText(wordsOf(variant, axisOf(way)).fault),
-                      variantSentence(variant, way), {.departures = VariantSet().with(variant)});
+                      upwardSentence(variant), {.departures = VariantSet().with(variant)});
     }
     return defects;
 }
