@@ -119,7 +119,18 @@ private slots:
         row("unknown picture", {"render", defaultScene(), "-o", "out.jpeg2"},
             "unknown kind of picture; expected a name that ends in .png, .bmp, .ppm");
         row("method", {"render", defaultScene(), "--ascii", "--method", "colum-scan"},
-            "--method: unknown name “colum-scan”; did you mean column-scan?");
+            "--method: unknown name “colum-scan”; did you mean column-scan?; expected a method "
+            "that "
+            "“pixelplumb-cli methods” lists");
+        row("method for a side", {"counterexample", "colum-scan", "truth"},
+            "ONE: unknown method, truth or defect “colum-scan”; did you mean column-scan?");
+        row("no program", {"counterexample", "program:", "truth"},
+            "ONE: “program:” names no program; expected “program:COMMAND”");
+        row("time of no program", {"counterexample", "column-scan", "truth", "--time", "5"},
+            "--time: says how a program is run, and none is named; expected “program:COMMAND” "
+            "among column-scan, truth");
+        row("memory of no program", {"invariants", "column-scan", "--memory", "64"},
+            "--memory: says how a program is run, and none is named");
         row("arithmetic", {"trace", defaultScene(), "--arithmetic", "float"},
             "--arithmetic: unknown name “float”; did you mean float32?; expected one of exact, "
             "float32, "

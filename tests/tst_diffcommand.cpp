@@ -5,6 +5,7 @@
 #include "core/scene/fileaccess.h"
 #include "tests/support/programrun.h"
 
+#include <QBuffer>
 #include <QImage>
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -275,7 +276,17 @@ private slots:
         QTest::addColumn<QByteArray>("message");
         QTest::newRow("nothing") << QByteArray() << QByteArray("-: no picture");
         QTest::newRow("words") << QByteArray("no picture at all") << QByteArray("-: no picture");
-        QTest::newRow("cut") << QByteArray("\x89PNG\r\n\x1a\n") << QByteArray("-: no picture");
+        const QByteArray signature("\x89PNG\r\n\x1a\n");
+        QTest::newRow("cut") << signature
+                             << QByteArray("-: no picture: a PNG that ends early, at byte 8");
+        const QByteArray whole = pngOfOnePixel();
+        QTest::newRow("cut in its pixels")
+            << whole.left(whole.indexOf("IDAT") + 8)
+            << QByteArray("-: no picture: a PNG that ends early, in IDAT at byte ");
+        QByteArray damaged = whole;
+        damaged[signature.size() + 8 + 3] = 2; // another width than its checksum is of
+        QTest::newRow("damaged")
+            << damaged << QByteArray("-: no picture: a broken PNG: the checksum of IHDR at byte 8");
         QTest::newRow("ragged") << QByteArray("##\n#\n") << QByteArray("-: ");
         QTest::newRow("broken scene") << QByteArray("{ \"pixelplumb\": 1 ") << QByteArray("-, ");
     }
@@ -288,9 +299,18 @@ private slots:
 
         QCOMPARE(result.exitCode, 2);
         QVERIFY2(result.messages.contains(message), result.messages.constData());
+        QVERIFY2(!result.messages.contains("libpng"), result.messages.constData());
     }
 
 private:
+    static QByteArray pngOfOnePixel()
+    {
+        QByteArray bytes;
+        QBuffer buffer(&bytes);
+        buffer.open(QIODevice::WriteOnly);
+        QImage(1, 1, QImage::Format_RGB32).save(&buffer, "PNG");
+        return bytes;
+    }
     static QImage decoded(QImage picture)
     {
         const auto level = [](int byte) {

@@ -247,6 +247,10 @@ private slots:
                      file);
         const auto read = readGrades(folder.filePath(QStringLiteral("all")));
         QVERIFY(read.isOk() && read->missing.contains(ungraded));
+        const QByteArray junit = contentOf(folder.filePath(QStringLiteral("all/junit.xml")));
+        const QByteArray suite = "<testsuite name=\"" + ungraded.toUtf8() + "\" tests=\"1\"";
+        QVERIFY2(junit.contains(suite), junit.constData());
+        QVERIFY(junit.contains("<skipped message=\"no grade\"/>"));
 
         // A part of another list of submissions is there, and is not called missing.
         QVERIFY(deliver(folder.filePath(QStringLiteral("subs/zoe")), m_assignment));

@@ -108,7 +108,7 @@ private slots:
         const auto assignment = readAssignmentFile(
             QStringLiteral(PIXELPLUMB_RESOURCES "/assignments/column-scan.json"));
         QVERIFY2(assignment.isOk(), assignment ? "" : qPrintable(assignment.error().message()));
-        QCOMPARE(assignment->scenes.size(), 3U);
+        QCOMPARE(assignment->scenes.size(), 4U);
     }
 
     void aGradeIsReadBackAsItWasWritten()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/grader.h"
 #include "core/grade/picturediff.h"
 #include "core/runs/tracedscene.h"
 #include "tests/support/isolatedsettings.h"
@@ -78,20 +79,21 @@ QString text(const MainWindow &window, const char *name)
     return named<QLabel>(window, name)->text();
 }
 
-Scene defective(const Scene &right, const QString &id)
+std::vector<Defect> defectIn(const Scene &right, const QString &id)
 {
     const std::vector<Defect> all = defectsFor(right);
     const auto found = std::ranges::find(all, id, &Defect::id);
     if (found == all.end())
         qFatal("no defect %s", qPrintable(id));
-    return withDefects(right, std::span(&*found, 1));
+    return {*found};
 }
 
 /// The default scene's, with the picture that it has with a defect.
 std::unique_ptr<MainWindow> windowWithDefect(const char *id)
 {
     auto window = openedWindow();
-    QApplication::clipboard()->setImage(drawn(defective(window->parts().document->scene(), id)));
+    const Scene scene = window->parts().document->scene();
+    QApplication::clipboard()->setImage(imageOf(pictureWith(scene, defectIn(scene, id))));
     action(*window, "pasteStudentPicture")->trigger();
     return window;
 }
@@ -401,7 +403,8 @@ private slots:
 
         QTest::mouseClick(named<QPushButton>(*window, "diagnosisOpen"), Qt::LeftButton);
 
-        QCOMPARE(drawn(document->scene()), drawn(defective(right, "colours-120")));
+        QCOMPARE(drawn(document->scene()),
+                 drawn(withDefects(right, defectIn(right, "colours-120"))));
         QVERIFY(document->isModified());
         const Playhead *playhead = window->parts().playhead;
         grabbed(*window, "stepper");
@@ -418,6 +421,39 @@ private slots:
         QVERIFY(!document->isModified());
         QVERIFY(!named<QPushButton>(*window, "diagnosisLeave")->isEnabled());
         QVERIFY(named<QListWidget>(*window, "diagnosisCandidates")->count() > 0);
+    }
+
+    void aDefectThatNoRunHasIsOpenedAtTheFirstPixelThatDiffers()
+    {
+        const auto window = windowWithDefect("last-sample-missing");
+        const SceneDocument *document = window->parts().document;
+        const Scene right = document->scene();
+        nameTheBug(*window);
+        choose(*window, "last-sample-missing");
+        const auto parts = partingStepOf(right, defectIn(right, "last-sample-missing"));
+        QVERIFY(parts);
+        QVERIFY2(text(*window, "diagnosisSentence").contains(parts->text),
+                 qPrintable(text(*window, "diagnosisSentence")));
+
+        QTest::mouseClick(named<QPushButton>(*window, "diagnosisOpen"), Qt::LeftButton);
+
+        const Playhead *playhead = window->parts().playhead;
+        QTRY_COMPARE(playhead->position(), parts->step + 1);
+        QCOMPARE(document->scene(), right); // the run is the right one
+        QVERIFY(!document->isModified());
+        QVERIFY(!named<QPushButton>(*window, "diagnosisCompare")->isEnabled());
+        const TraceStep step = playhead->traced()->trace->stepAt(parts->step);
+        const PixelChange &pixel = playhead->traced()->trace->changes()[step.sample];
+        QVERIFY(judgement(*window)->verdictAt(QPoint(pixel.x, pixel.y)) != PixelVerdict::Same);
+    }
+
+    void aDefectOfThePictureAloneHasNoStep()
+    {
+        const auto window = windowWithDefect("upside-down");
+        nameTheBug(*window);
+        choose(*window, "upside-down");
+        QVERIFY(!text(*window, "diagnosisSentence").contains("Parts at step"));
+        QVERIFY(!named<QPushButton>(*window, "diagnosisOpen")->isEnabled());
     }
 
     void aDefectOfSettingsStandsBesideTheRightRunInCompare()

@@ -12,10 +12,7 @@ std::optional<PartingStep> partingStepOf(std::span<const Submission> submissions
                                          const DiagnosisCandidate &candidate)
 {
     for (const Submission &submission : submissions) {
-        const Scene defective = withDefects(submission.scene, candidate.defects);
-        if (defective == submission.scene)
-            continue;
-        if (auto step = pixelplumb::partingStepOf(submission.scene, defective))
+        if (auto step = pixelplumb::partingStepOf(submission.scene, candidate.defects))
             return step;
     }
     return std::nullopt;

@@ -23,6 +23,25 @@ bool namesContender(const QString &word)
     return first == QStringLiteral("truth") || methodNamed(first) != nullptr;
 }
 
+QStringList methodIds()
+{
+    QStringList ids;
+    for (const Method &method : methods())
+        ids += method.id;
+    return ids;
+}
+
+/// The program that a word names, at its place on the command line.
+Result<StudentProgram> programNamed(const QString &place, const QString &word)
+{
+    const QStringList command = QProcess::splitCommand(word.sliced(programPrefix.size()));
+    if (command.isEmpty())
+        return InputError{place, QStringLiteral("“%1” names no program").arg(word),
+                          QStringLiteral("“program:COMMAND”: the program and its arguments, such "
+                                         "as “program:python3 scan.py”")};
+    return studentProgramOf(command);
+}
+
 } // namespace
 
 std::vector<Defect> defectsOfMethod(const Scene &conventions)
@@ -52,6 +71,12 @@ Result<Sides> sidesOf(const CommandLine &line, const QStringList &places)
     const Result<TrialTerms> terms = chosenTerms(line);
     if (!terms)
         return terms.error();
+    const bool hasProgram = std::ranges::any_of(
+        line.arguments(), [](const QString &word) { return word.startsWith(programPrefix); });
+    if (!hasProgram) {
+        if (const auto refusal = refusalWithoutProgram(line))
+            return *refusal;
+    }
     Result<Scene> conventions = underOptions(line, {}, QStringLiteral("--method"));
     if (!conventions)
         return conventions.error();
@@ -89,8 +114,7 @@ Result<Sides> sidesOf(const CommandLine &line, const QStringList &places)
         }
         const QString word = line.argument(i);
         if (word.startsWith(programPrefix)) {
-            const auto student
-                = studentProgramOf(QProcess::splitCommand(word.sliced(programPrefix.size())));
+            const auto student = programNamed(places[i], word);
             if (!student)
                 return student.error();
             sides.sources.push_back(sourceOf(*student, *terms));
@@ -100,7 +124,8 @@ Result<Sides> sidesOf(const CommandLine &line, const QStringList &places)
         for (const Defect &defect : defectsOfMethod(sides.conventions))
             ids += defect.id;
         if (!ids.contains(word))
-            return unknownAmongMany(places[i], QStringLiteral("method, truth or defect"), word, ids,
+            return unknownAmongMany(places[i], QStringLiteral("method, truth or defect"), word,
+                                    ids + methodIds(),
                                     QStringLiteral("a method, truth, program:COMMAND or a defect "
                                                    "that “probes --list --method %1” names")
                                         .arg(method.method->id));

@@ -43,6 +43,18 @@ void addProgramOptions(CommandLine &line)
                     QStringLiteral("number"), QStringLiteral("1024")});
 }
 
+std::optional<InputError> refusalWithoutProgram(const CommandLine &line)
+{
+    for (const QString &option : {inputOption, timeOption, memoryOption}) {
+        if (line.isSet(option))
+            return InputError{QStringLiteral("--") + option,
+                              QStringLiteral("says how a program is run, and none is named"),
+                              QStringLiteral("“program:COMMAND” among %1")
+                                  .arg(line.arguments().join(QStringLiteral(", ")))};
+    }
+    return std::nullopt;
+}
+
 Result<TrialTerms> chosenTerms(const CommandLine &line)
 {
     TrialTerms terms;

@@ -8,6 +8,8 @@ namespace pixelplumb::cli {
 
 /// --input, --time and --memory: how a student's program is run.
 void addProgramOptions(CommandLine &line);
+/// What is wrong where one of them is given and nothing is a program; none where none is.
+std::optional<InputError> refusalWithoutProgram(const CommandLine &line);
 /// What they say, with the tolerance that is taken if none is named.
 Result<TrialTerms> chosenTerms(const CommandLine &line);
 

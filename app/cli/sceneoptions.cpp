@@ -152,7 +152,8 @@ Result<const Method *> chosenMethod(const CommandLine &line, const QString &unse
     QStringList ids;
     for (const Method &method : methods())
         ids.append(method.id);
-    return unknownName(QStringLiteral("--") + methodOption, QStringLiteral("name"), id, ids);
+    return unknownAmongMany(QStringLiteral("--") + methodOption, QStringLiteral("name"), id, ids,
+                            QStringLiteral("a method that “pixelplumb-cli methods” lists"));
 }
 
 Result<Arithmetic> chosenArithmetic(const CommandLine &line, Arithmetic unset)

@@ -142,7 +142,7 @@ PictureSource sourceOf(const QString &defect, const Contender &of)
             [=](const Scene &scene) -> std::optional<Scene> {
                 const Scene right = sceneFor(scene, of);
                 const auto found = defectIn(right);
-                if (!found || found->isOfPicture())
+                if (!found || found->stage() != DefectStage::Scene)
                     return std::nullopt;
                 return withDefects(right, std::span(&*found, 1));
             }};

@@ -3,7 +3,7 @@
 
 #include "core/grade/picturecause.h"
 #include "core/grade/spandefect.h"
-#include "core/methods/method.h"
+#include "core/grade/walkdefect.h"
 #include "core/runs/sceneplan.h"
 #include "core/scan/choicenames.h"
 
@@ -28,12 +28,9 @@ void appendVariants(std::vector<Defect> &defects, const Scene &scene)
 {
     const Method &method = *methodNamed(QString::fromStdString(scene.method));
     for (const Variant variant : allVariants) {
-        const VariantWords &words = wordsOf(variant, method.spanAxis);
         append(defects, scene, {},
-               {nameText(nameOf(variant)), nameText(words.fault),
-                QStringLiteral("%1: %2 in place of %3.")
-                    .arg(nameText(words.title), nameText(words.printed), nameText(words.right)),
-                [variant](Scene &changed) {
+               {nameText(nameOf(variant)), nameText(wordsOf(variant, method.spanAxis).fault),
+                sentenceOf(variant, triangleWayOf(method)), [variant](Scene &changed) {
                     changed.settings.variants = changed.settings.variants.with(variant);
                     return true;
                 }});
@@ -189,15 +186,15 @@ void appendPictures(std::vector<Defect> &defects, const Scene &scene)
     const Picture ofItsSize{scene.frame.width, scene.frame.height, {}, {}};
     for (const PictureChange &change : pictureChangesFor(ofItsSize, scene.frame.background)) {
         const QString id = QString(change.name).toLower().replace(u' ', u'-');
-        defects.push_back(
-            {id,
-             QStringLiteral("Look at the whole picture: how are rows, columns "
-                            "and channels stored?"),
-             QStringLiteral("The picture is right, but %1.").arg(change.name),
-             {},
-             [apply = change.apply](const Picture &right, const Scene &) { return apply(right); },
-             change.isFar,
-             change.kind});
+        defects.push_back({id,
+                           QStringLiteral("Look at the whole picture: how are rows, columns "
+                                          "and channels stored?"),
+                           QStringLiteral("The picture is right, but %1.").arg(change.name),
+                           {},
+                           {},
+                           change.apply,
+                           change.isFar,
+                           change.kind});
     }
 }
 

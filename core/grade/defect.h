@@ -10,20 +10,31 @@
 
 namespace pixelplumb {
 
+/// When a defect does its work: of two the one that is earlier does it first.
+enum class DefectStage { Scene, Drawing, Picture };
+
 /// A mistake that programs make, as something done to the scene before it is drawn by the ordinary
-/// kernels (the variants and the choices of its settings among them) or to the finished picture.
+/// kernels (the variants and the choices of its settings among them), to how it is drawn, or to the
+/// finished picture.
 struct Defect {
     QString id; ///< "unsorted-colours"
     QString forStudent; ///< where to look, without the answer
     QString forAssistant; ///< what was done
     /// False where it does not apply: the method cannot be drawn so, or nothing is changed.
     std::function<bool(Scene &scene)> changeScene = {};
-    /// Where it is no scene's: of the picture that is right but for what is done to the scene.
-    std::function<Picture(const Picture &right, const Scene &scene)> changePicture = {};
+    /// Where no kernel draws so: the scene drawn by a program of ours that does.
+    std::function<Picture(const Scene &scene)> redraw = {};
+    /// Where it is neither's: done to the finished picture.
+    std::function<Picture(const Picture &right)> changePicture = {};
     bool standsAlone = false; ///< is not looked for beside another
     QString choice = {}; ///< of defects of one choice only one can be there; empty: of none
 
-    bool isOfPicture() const { return bool(changePicture); }
+    DefectStage stage() const
+    {
+        if (changePicture)
+            return DefectStage::Picture;
+        return redraw ? DefectStage::Drawing : DefectStage::Scene;
+    }
 };
 
 /// Those that a scene's method can have, in the order in which they are tried. Pictures of one size

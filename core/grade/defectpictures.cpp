@@ -39,9 +39,8 @@ DefectPictures::DefectPictures(std::vector<Scene> scenes)
                 m_defects.push_back(std::move(defect));
         }
     }
-    // What is done to a picture is done after the scene is drawn: it comes second in a pair.
-    std::stable_partition(m_defects.begin(), m_defects.end(),
-                          [](const Defect &each) { return !each.isOfPicture(); });
+    // What does its work earlier comes first in a pair.
+    std::ranges::stable_sort(m_defects, {}, &Defect::stage);
 }
 
 std::vector<Defect> DefectPictures::defectsIn(const DefectSet &set) const
@@ -76,10 +75,15 @@ DefectPictures::SharedPicture DefectPictures::draw(std::size_t scene, const Defe
 {
     const std::vector<Defect> defects = defectsIn(set);
     const Scene drawn = withDefects(m_scenes[scene], defects);
-    SharedPicture picture = scenePicture(scene, drawn);
+    const auto redrawing = std::ranges::find(defects, DefectStage::Drawing, &Defect::stage);
+    SharedPicture picture;
+    if (redrawing == defects.end())
+        picture = scenePicture(scene, drawn);
+    else if (objectionTo(drawn).isEmpty())
+        picture = std::make_shared<const Picture>(redrawing->redraw(drawn));
     for (const Defect &defect : defects) {
-        if (picture && defect.isOfPicture())
-            picture = std::make_shared<const Picture>(defect.changePicture(*picture, drawn));
+        if (picture && defect.changePicture)
+            picture = std::make_shared<const Picture>(defect.changePicture(*picture));
     }
     return picture;
 }

@@ -14,16 +14,6 @@ namespace {
 constexpr std::size_t nearestListed = 5;
 constexpr std::int64_t unknown = std::numeric_limits<std::int64_t>::max();
 
-/// The picture with the defects that are a picture's.
-Picture changedBy(Picture picture, const Scene &scene, std::span<const Defect> defects)
-{
-    for (const Defect &defect : defects) {
-        if (defect.isOfPicture())
-            picture = defect.changePicture(picture, scene);
-    }
-    return picture;
-}
-
 /// Pixels of all found pictures that differ, up to a limit; unknown where a scene cannot be drawn
 /// so. Of those at a limit of 1 nobody asks but whether they are the same.
 std::int64_t distanceOf(DefectPictures &pictures, std::span<const FoundPicture> found,
@@ -118,7 +108,13 @@ QString nameOf(DiagnosisVerdict verdict)
 Picture pictureWith(const Scene &scene, std::span<const Defect> defects)
 {
     const Scene drawn = withDefects(scene, defects);
-    return changedBy(pictureOf(drawn), drawn, defects);
+    const auto redrawing = std::ranges::find(defects, DefectStage::Drawing, &Defect::stage);
+    Picture picture = redrawing == defects.end() ? pictureOf(drawn) : redrawing->redraw(drawn);
+    for (const Defect &defect : defects) {
+        if (defect.changePicture)
+            picture = defect.changePicture(picture);
+    }
+    return picture;
 }
 
 Scene withDefects(Scene scene, std::span<const Defect> defects)

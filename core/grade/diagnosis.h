@@ -64,7 +64,12 @@ Picture pictureWith(const Scene &scene, std::span<const Defect> defects);
 /// The scene with the defects of a candidate that are a scene's.
 Scene withDefects(Scene scene, std::span<const Defect> defects);
 
-/// None where the runs are the same, or the defects are of the picture alone.
+/// None where the runs are the same.
 std::optional<PartingStep> partingStepOf(const Scene &right, const Scene &defective);
+
+/// The same of a scene's run with defects. What is drawn by a program of ours (Defect::redraw) has
+/// no run: it is the step of the run without this at which the pictures part. None where defects
+/// are of the finished picture alone.
+std::optional<PartingStep> partingStepOf(const Scene &scene, std::span<const Defect> defects);
 
 } // namespace pixelplumb

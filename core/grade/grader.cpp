@@ -191,10 +191,7 @@ std::optional<GradedParting> Grader::partingOf(const DiagnosisCandidate &candida
 {
     for (const FoundPicture &each : found) {
         const AssignedScene &asked = m_assignment.scenes[each.scene];
-        const Scene defective = withDefects(asked.scene, candidate.defects);
-        if (defective == asked.scene)
-            continue;
-        if (const auto step = partingStepOf(asked.scene, defective))
+        if (const auto step = partingStepOf(asked.scene, candidate.defects))
             return GradedParting{asked.name, std::int64_t(step->step), step->heading, step->text};
     }
     return std::nullopt;

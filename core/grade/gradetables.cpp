@@ -42,6 +42,68 @@ QString differingText(const GradedSubmission &submission)
 /// XML has no control characters at all.
 QString xmlText(const QStringList &lines) { return shownText(lines.join(u'\n').toUtf8(), 100'000); }
 
+struct TestCounts {
+    std::size_t tests = 0, failures = 0, skipped = 0;
+};
+
+void beginSuite(QXmlStreamWriter &xml, const QString &name, const TestCounts &counts)
+{
+    xml.writeStartElement(QStringLiteral("testsuite"));
+    xml.writeAttribute(QStringLiteral("name"), name);
+    xml.writeAttribute(QStringLiteral("tests"), QString::number(counts.tests));
+    xml.writeAttribute(QStringLiteral("failures"), QString::number(counts.failures));
+    xml.writeAttribute(QStringLiteral("errors"), QStringLiteral("0"));
+    xml.writeAttribute(QStringLiteral("skipped"), QString::number(counts.skipped));
+}
+
+void beginCase(QXmlStreamWriter &xml, const QString &suite, const QString &name)
+{
+    xml.writeStartElement(QStringLiteral("testcase"));
+    xml.writeAttribute(QStringLiteral("classname"), suite);
+    xml.writeAttribute(QStringLiteral("name"), name);
+}
+
+void writeSubmission(QXmlStreamWriter &xml, const GradedSubmission &submission, HintLevel hint)
+{
+    const QString name = xmlText({submission.name});
+    TestCounts counts;
+    for (const GradedScene &scene : submission.scenes) {
+        counts.tests += scene.checks.size();
+        for (const GradedCheck &check : scene.checks)
+            counts.failures += check.isPassed ? 0 : 1;
+    }
+    beginSuite(xml, name, counts);
+    const QString told = xmlText(sentencesFor(submission, hint));
+    for (const GradedScene &scene : submission.scenes) {
+        for (const GradedCheck &check : scene.checks) {
+            beginCase(xml, name,
+                      xmlText({QStringLiteral("%1: %2").arg(scene.scene, nameOf(check.check))}));
+            if (!check.isPassed) {
+                xml.writeStartElement(QStringLiteral("failure"));
+                xml.writeAttribute(
+                    QStringLiteral("message"),
+                    xmlText({scene.fault.isEmpty() ? nameOf(submission.verdict) : scene.fault}));
+                xml.writeCharacters(told);
+                xml.writeEndElement();
+            }
+            xml.writeEndElement();
+        }
+    }
+    xml.writeEndElement();
+}
+
+/// Of a submission that has no grade here nothing is known, and nothing failed.
+void writeUngraded(QXmlStreamWriter &xml, const QString &submission)
+{
+    const QString name = xmlText({submission});
+    beginSuite(xml, name, {.tests = 1, .skipped = 1});
+    beginCase(xml, name, QStringLiteral("no grade"));
+    xml.writeEmptyElement(QStringLiteral("skipped"));
+    xml.writeAttribute(QStringLiteral("message"), QStringLiteral("no grade"));
+    xml.writeEndElement();
+    xml.writeEndElement();
+}
+
 } // namespace
 
 QByteArray csvOf(const GradeReport &report)
@@ -79,40 +141,10 @@ QByteArray junitOf(const GradeReport &report)
     xml.writeStartDocument();
     xml.writeStartElement(QStringLiteral("testsuites"));
     xml.writeAttribute(QStringLiteral("name"), xmlText({report.assignment.name}));
-    for (const GradedSubmission &submission : report.submissions) {
-        const QString name = xmlText({submission.name});
-        std::size_t tests = 0;
-        std::size_t failures = 0;
-        for (const GradedScene &scene : submission.scenes) {
-            tests += scene.checks.size();
-            for (const GradedCheck &check : scene.checks)
-                failures += check.isPassed ? 0 : 1;
-        }
-        xml.writeStartElement(QStringLiteral("testsuite"));
-        xml.writeAttribute(QStringLiteral("name"), name);
-        xml.writeAttribute(QStringLiteral("tests"), QString::number(tests));
-        xml.writeAttribute(QStringLiteral("failures"), QString::number(failures));
-        xml.writeAttribute(QStringLiteral("errors"), QStringLiteral("0"));
-        const QString told = xmlText(sentencesFor(submission, report.assignment.hint));
-        for (const GradedScene &scene : submission.scenes) {
-            for (const GradedCheck &check : scene.checks) {
-                xml.writeStartElement(QStringLiteral("testcase"));
-                xml.writeAttribute(QStringLiteral("classname"), name);
-                xml.writeAttribute(QStringLiteral("name"),
-                                   QStringLiteral("%1: %2").arg(scene.scene, nameOf(check.check)));
-                if (!check.isPassed) {
-                    xml.writeStartElement(QStringLiteral("failure"));
-                    xml.writeAttribute(QStringLiteral("message"),
-                                       xmlText({scene.fault.isEmpty() ? nameOf(submission.verdict)
-                                                                      : scene.fault}));
-                    xml.writeCharacters(told);
-                    xml.writeEndElement();
-                }
-                xml.writeEndElement();
-            }
-        }
-        xml.writeEndElement();
-    }
+    for (const GradedSubmission &submission : report.submissions)
+        writeSubmission(xml, submission, report.assignment.hint);
+    for (const QString &name : report.missing)
+        writeUngraded(xml, name);
     xml.writeEndElement();
     xml.writeEndDocument();
     return bytes;

@@ -117,14 +117,14 @@ void truncateAcross(DrawnLine &line)
 void append(std::vector<Defect> &defects, const char *id, const char *forStudent,
             const char *forAssistant, void (*change)(DrawnLine &line))
 {
-    defects.push_back(
-        {QString::fromLatin1(id),
-         QString::fromUtf8(forStudent),
-         QString::fromUtf8(forAssistant),
-         {},
-         [change](const Picture &, const Scene &scene) { return redrawnLines(scene, change); },
-         false,
-         QStringLiteral("lines")});
+    defects.push_back({QString::fromLatin1(id),
+                       QString::fromUtf8(forStudent),
+                       QString::fromUtf8(forAssistant),
+                       {},
+                       [change](const Scene &scene) { return redrawnLines(scene, change); },
+                       {},
+                       false,
+                       QStringLiteral("lines")});
 }
 
 /// Of each line of the scene.
@@ -142,6 +142,7 @@ void appendOfScene(std::vector<Defect> &defects, const char *id, const char *for
                            });
                            return true;
                        },
+                       {},
                        {},
                        false,
                        QStringLiteral("line ends")});

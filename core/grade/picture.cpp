@@ -3,6 +3,7 @@
 
 #include "core/runs/tracedscene.h"
 #include "core/scene/asciiraster.h"
+#include "core/scene/pngfault.h"
 
 #include <QBuffer>
 #include <QImageReader>
@@ -122,6 +123,9 @@ Result<Picture> parsePicture(const QByteArray &content, const QString &name)
         takeCoverage(*raster, picture);
         return picture;
     }
+    if (const QString fault = pngFault(content); !fault.isEmpty())
+        return InputError{name, QStringLiteral("no picture: ") + fault,
+                          QStringLiteral("a whole file")};
     QByteArray bytes = content;
     QBuffer buffer(&bytes);
     QImageReader reader(&buffer);

@@ -2,10 +2,10 @@
 #include "core/grade/redrawing.h"
 
 #include "core/frame/framebuffer.h"
+#include "core/number/commonfraction.h"
 #include "core/oracle/oracle.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace pixelplumb {
 
@@ -23,17 +23,23 @@ class RedrawnTriangle {
 public:
     RedrawnTriangle(const Scene &alone, const Redrawing &redrawing, TriangleWay way)
         : m_frame(alone.frame)
-        , m_rounding(alone.settings.rounding)
         , m_overflow(redrawing.overflow)
         , m_goesByRows(way != TriangleWay::Columns)
         , m_right(pictureOf(alone))
     {
         const Triangle triangle = primitivesOnSamples(alone).triangles.front();
         m_runs.triangle = m_goesByRows ? exchanged(triangle) : triangle;
-        m_firstPlace = m_goesByRows ? m_frame.firstColumn : m_frame.firstRow;
-        m_endPlace = m_firstPlace + (m_goesByRows ? m_frame.width : m_frame.height);
+        m_runs.firstSample = m_goesByRows ? m_frame.firstColumn : m_frame.firstRow;
+        m_runs.endSample = m_runs.firstSample + (m_goesByRows ? m_frame.width : m_frame.height);
         m_runs.firstSpan = m_goesByRows ? m_frame.firstRow : m_frame.firstColumn;
         m_runs.endSpan = m_runs.firstSpan + (m_goesByRows ? m_frame.height : m_frame.width);
+        m_runs.settings = alone.settings;
+        const BoundaryRule rule = boundaryRuleOf(alone);
+        m_runs.intervals = columnIntervals(rule.rule);
+        if (way == TriangleWay::Rows) {
+            m_runs.order = WalkOrder::Descending;
+            m_runs.intervals = {reversed(rowIntervals(rule).columns), rowIntervals(rule).rows};
+        }
         readRuns();
         redrawing.change(m_runs);
     }
@@ -41,8 +47,9 @@ public:
     void paintOn(Picture &picture, Repainting repainting, const Colour &background) const
     {
         for (const SampleRun &run : m_runs.runs) {
-            const std::int64_t end = std::min(run.end, m_endPlace);
-            for (std::int64_t place = std::max(run.first, m_firstPlace); place < end; ++place) {
+            const std::int64_t end = std::min(run.end, m_runs.endSample);
+            for (std::int64_t place = std::max(run.first, m_runs.firstSample); place < end;
+                 ++place) {
                 const auto index = indexOf(run.span, place);
                 if (!index)
                     continue;
@@ -70,7 +77,7 @@ private:
     {
         for (std::int64_t span = m_runs.firstSpan; span < m_runs.endSpan; ++span) {
             std::optional<SampleRun> run;
-            for (std::int64_t place = m_firstPlace; place < m_endPlace; ++place) {
+            for (std::int64_t place = m_runs.firstSample; place < m_runs.endSample; ++place) {
                 if (m_right.covered[*indexOf(span, place)] == 0)
                     continue;
                 if (!run)
@@ -82,36 +89,40 @@ private:
         }
     }
 
-    std::uint8_t byteOf(double level) const
+    std::uint8_t byteOf(std::int64_t level) const
     {
-        const double whole = std::floor(m_rounding == ByteRounding::Nearest ? level + 0.5 : level);
         if (m_overflow == LevelOverflow::Wraps)
-            return std::uint8_t(std::int64_t(whole));
-        return std::uint8_t(std::clamp(whole, 0.0, 255.0));
+            return std::uint8_t(level);
+        return std::uint8_t(std::clamp<std::int64_t>(level, 0, 255));
     }
 
     Colour colourAt(const SampleRun &run, std::int64_t place, std::size_t index) const
     {
-        if (!run.levels && m_right.covered[index] != 0)
+        if (run.levels.empty() && m_right.covered[index] != 0)
             return m_right.colours[index];
+        const WholeLevels levels = run.levels.empty() ? planeAt(run.span, place)
+                                                      : run.levels[std::size_t(place - run.first)];
         Colour colour;
-        if (const auto &ramp = run.levels) {
-            for (std::size_t i = 0; i < 3; ++i)
-                colour.channels[i]
-                    = byteOf(ramp->first[i] + ramp->rate[i] * double(place - run.first));
-            return colour;
-        }
-        const auto levels = oracle::colourAt(m_runs.triangle, run.span, place);
         for (std::size_t i = 0; i < 3; ++i)
-            colour.channels[i] = byteOf(levels[i].toDouble());
+            colour.channels[i] = byteOf(levels[i]);
         return colour;
     }
 
+    WholeLevels planeAt(std::int64_t span, std::int64_t place) const
+    {
+        const auto exact = oracle::colourAt(m_runs.triangle, span, place);
+        WholeLevels levels;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const CommonFraction level{exact[i].numerator(), exact[i].denominator()};
+            const bool isNearest = m_runs.settings.rounding == ByteRounding::Nearest;
+            levels[i] = std::int64_t(isNearest ? level.nearest() : level.floor());
+        }
+        return levels;
+    }
+
     FrameSpec m_frame;
-    ByteRounding m_rounding;
     LevelOverflow m_overflow;
     bool m_goesByRows;
-    std::int64_t m_firstPlace = 0, m_endPlace = 0; ///< of the frame, along a span
     Picture m_right;
     TriangleRuns m_runs;
 };
@@ -122,8 +133,7 @@ TriangleWay triangleWayOf(const Method &method)
 {
     if (!method.supports(Variant::NoEdgePreStep))
         return TriangleWay::Box;
-    return method.id.startsWith(QStringLiteral("row-walk")) ? TriangleWay::Rows
-                                                            : TriangleWay::Columns;
+    return method.spanAxis == SpanAxis::Row ? TriangleWay::Rows : TriangleWay::Columns;
 }
 
 Scene triangleAlone(const Scene &scene, std::size_t triangle)

@@ -3,6 +3,7 @@
 
 #include "core/grade/picture.h"
 #include "core/methods/method.h"
+#include "core/scan/interval.h"
 
 #include <functional>
 #include <optional>
@@ -14,23 +15,38 @@ namespace pixelplumb {
 enum class TriangleWay { Columns, Rows, Box };
 TriangleWay triangleWayOf(const Method &method);
 
-/// Levels along a column or row, in place of the plane's.
-struct LevelRamp {
-    std::array<double, 3> first = {}; ///< at the first sample
-    std::array<double, 3> rate = {}; ///< a sample
-};
+/// From which end the spans of a triangle are gone through: a right program draws the same from
+/// either.
+enum class WalkOrder { Ascending, Descending };
+
+/// An interval seen from its other end.
+constexpr Interval reversed(Interval interval)
+{
+    if (interval == Interval::ClosedOpen)
+        return Interval::OpenClosed;
+    return interval == Interval::OpenClosed ? Interval::ClosedOpen : interval;
+}
+
+/// R G B of a sample, rounded, before it is clamped.
+using WholeLevels = std::array<std::int64_t, 3>;
 
 /// The samples of one column or, where a program goes by rows, row.
 struct SampleRun {
     std::int64_t span = 0; ///< x of a column, y of a row
     std::int64_t first = 0, end = 0; ///< of the other coordinate
-    std::optional<LevelRamp> levels = {};
+    /// Of its samples one by one, which all lie in the frame then; empty: the method's own, and
+    /// beyond what it draws those of the plane.
+    std::vector<WholeLevels> levels = {};
 };
 
 /// One triangle as it is gone through: `triangle` has x and y exchanged where that is by rows.
 struct TriangleRuns {
     Triangle triangle;
+    WalkOrder order = WalkOrder::Ascending; ///< the method's
+    ScanIntervals intervals; ///< of its spans, ascending, and of its samples
+    ScanSettings settings;
     std::int64_t firstSpan = 0, endSpan = 0; ///< that the frame has
+    std::int64_t firstSample = 0, endSample = 0; ///< that the frame has of a span
     std::vector<SampleRun> runs; ///< ascending
 };
 

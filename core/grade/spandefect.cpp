@@ -2,6 +2,7 @@
 #include "core/grade/spandefect.h"
 
 #include "core/grade/spanredrawings.h"
+#include "core/grade/walkdefect.h"
 #include "core/runs/sceneplan.h"
 
 namespace pixelplumb {
@@ -13,63 +14,62 @@ constexpr std::size_t mostRedrawn = 64; // triangles: each is drawn by itself
 struct SpanDefect {
     const char *id;
     const char *forStudent;
-    const char *forAssistant; ///< %1 is a column, %2 a sample of it; or a row
+    const char *forAssistant; ///< %1 is a column or row, %2 the coordinate that its samples share
     Redrawing redrawing;
 };
 
-constexpr const char *endsQuestion
-    = "From which to which sample does a span go? What if its bound lies "
-      "between two?";
-constexpr const char *stepsQuestion = "What does a division of two whole numbers give you?";
+constexpr const char *endsQuestion = "From which to which sample does a span go?";
+constexpr const char *spansQuestion
+    = "From which to which %1 does a triangle go? What if a vertex lies on one, or between two?";
 constexpr const char *halvesQuestion = "What happens where one edge ends and the next begins?";
 constexpr const char *swappedQuestion = "Which of the two edges comes first? Always?";
 constexpr const char *boxQuestion
     = "Which samples of the bounding box are tested, and which are inside?";
 
-const std::vector<SpanDefect> &walkDefects()
+const std::vector<SpanDefect> &omissions()
 {
     static const std::vector<SpanDefect> rows = {
-        {"ends-truncated",
-         endsQuestion,
-         "Both bounds of a %1 are cast to whole numbers: ⌊ ⌋ of both.",
-         {truncateEnds}},
-        {"ends-truncated-wrapping",
-         endsQuestion,
-         "Both bounds of a %1 are cast to whole numbers, and levels beyond 0 … 255, which come "
-         "from that, wrap.",
-         {truncateEnds, LevelOverflow::Wraps}},
-        {"ends-nearest",
-         endsQuestion,
-         "Both bounds of a %1 are rounded to the nearest.",
-         {roundToNearest}},
-        {"ends-outward",
-         endsQuestion,
-         "A %1 goes from ⌊ ⌋ of its lower bound to ⌈ ⌉ of its upper one.",
-         {roundOutward}},
-        {"ends-upward",
-         endsQuestion,
-         "A %1 goes from ⌈ ⌉ of its lower bound to ⌈ ⌉ of its upper one.",
-         {roundUpward}},
         {"last-sample-missing",
          endsQuestion,
-         "Each %1's last %2 is left out: < in place of ≤.",
+         "Each %1's last sample is left out: < in place of ≤.",
          {omitLastSamples}},
         {"first-sample-missing",
          endsQuestion,
-         "Each %1's first %2 is left out.",
+         "Each %1's first sample is left out.",
          {omitFirstSamples}},
         {"last-span-missing",
-         endsQuestion,
-         "The triangle's last %1 is left out: < in place of ≤.",
+         spansQuestion,
+         "The %1 ⌊%2⌋ of the vertex with the greatest %2 is left out: < ⌊%2⌋ in place of ≤.",
          {omitLastSpan}},
         {"first-span-missing",
-         endsQuestion,
-         "The triangle's first %1 is left out.",
+         spansQuestion,
+         "The %1 ⌈%2⌉ of the vertex with the least %2 is left out: > ⌈%2⌉ in place of ≥.",
          {omitFirstSpan}},
+        {"open-at-last-vertex",
+         spansQuestion,
+         "A %1 through the vertex with the greatest %2 is left out: < %2 in place of ≤.",
+         {omitSpanOfLastVertex}},
+        {"open-at-first-vertex",
+         spansQuestion,
+         "A %1 through the vertex with the least %2 is left out: > %2 in place of ≥.",
+         {omitSpanOfFirstVertex}},
         {"middle-span-missing",
          halvesQuestion,
-         "The %1 of the middle vertex is in neither half.",
-         {omitMiddleSpan}},
+         "The %1 ⌈%2⌉ of the middle vertex is in neither half.",
+         {omitSpanFromMiddle}},
+        {"middle-floor-span-missing",
+         halvesQuestion,
+         "The %1 ⌊%2⌋ of the middle vertex is in neither half.",
+         {omitSpanToMiddle}},
+        {"open-at-middle-vertex",
+         halvesQuestion,
+         "A %1 through the middle vertex is in neither half: < %2 in the one, > %2 in the other.",
+         {omitSpanOfMiddleVertex}},
+        {"middle-span-truncated",
+         halvesQuestion,
+         "Where the middle vertex lies between two, the %1 ⌊%2⌋ is in neither half: < ⌊%2⌋ in the "
+         "one, from ⌈%2⌉ in the other.",
+         {omitSpanBeforeMiddle}},
         {"first-half-missing",
          halvesQuestion,
          "The half before the middle vertex is not drawn.",
@@ -88,22 +88,20 @@ const std::vector<SpanDefect> &walkDefects()
          "The long edge is always taken for the lower bound of a %1: triangles whose middle "
          "vertex lies before it are not drawn.",
          {omitWithMiddleBelow}},
-        {"whole-colour-steps",
-         stepsQuestion,
-         "The step of colour along a %1 is a whole number.",
-         {castIncrements}},
-        {"colour-divisor-plus-one",
-         "By what is a difference of colours divided to have a step of colour?",
-         "The step of colour along a %1 is divided by its length and one, not by its length.",
-         {divideByHeightAndOne}},
-        {"colours-without-edge-pre-step",
-         "Which colour has an edge where it meets its first %1? Not its vertex' own.",
-         "The colours of an edge begin with its vertex' own at its first %1; its ends have their "
-         "pre-step.",
-         {omitColourEdgePreStep}},
-        {"whole-slopes", stepsQuestion, "The slopes of the edges are whole numbers.", {castSlopes}},
     };
     return rows;
+}
+
+/// Downward ⌈y₁⌉ is what ⌊x₁⌋ is from left to right.
+const SpanDefect &omissionFromAbove()
+{
+    static const SpanDefect row = {
+        "middle-span-truncated-from-above",
+        halvesQuestion,
+        "Where the middle vertex lies between two, the %1 ⌈%2⌉ is in neither half: > ⌈%2⌉ in the "
+        "one, from ⌊%2⌋ down in the other.",
+        {omitSpanBehindMiddle}};
+    return row;
 }
 
 const std::vector<SpanDefect> &boxDefects()
@@ -129,24 +127,6 @@ const std::vector<SpanDefect> &boxDefects()
     return rows;
 }
 
-Defect defectOf(const SpanDefect &row, TriangleWay way)
-{
-    const QString span
-        = way == TriangleWay::Columns ? QStringLiteral("column") : QStringLiteral("row");
-    QString forAssistant = QString::fromUtf8(row.forAssistant);
-    forAssistant.replace(QStringLiteral("%1"), span)
-        .replace(QStringLiteral("%2"), QStringLiteral("sample"));
-    return {QString::fromLatin1(row.id),
-            QString::fromUtf8(row.forStudent).replace(QStringLiteral("%1"), span),
-            forAssistant,
-            {},
-            [redrawing = row.redrawing](const Picture &, const Scene &scene) {
-                return redrawn(scene, redrawing);
-            },
-            false,
-            QStringLiteral("spans")};
-}
-
 } // namespace
 
 std::vector<Defect> spanDefectsFor(const Scene &scene)
@@ -158,16 +138,21 @@ std::vector<Defect> spanDefectsFor(const Scene &scene)
     if (!canBeRedrawn)
         return {};
     const TriangleWay way = triangleWayOf(method);
-    std::vector<Defect> defects;
-    for (const SpanDefect &row : way == TriangleWay::Box ? boxDefects() : walkDefects())
-        defects.push_back(defectOf(row, way));
+    std::vector<Defect> defects = walkDefectsFor(way);
+    const auto add = [&](const SpanDefect &row) {
+        defects.push_back(redrawnDefect(QString::fromLatin1(row.id),
+                                        QString::fromUtf8(row.forStudent),
+                                        QString::fromUtf8(row.forAssistant), row.redrawing, way));
+    };
+    for (const SpanDefect &row : way == TriangleWay::Box ? boxDefects() : omissions())
+        add(row);
+    if (way == TriangleWay::Rows)
+        add(omissionFromAbove());
     const auto unchanged = [](TriangleRuns &) {};
-    defects.push_back(
-        defectOf({"parity",
-                  "What happens to a pixel that two triangles paint?",
-                  "Pixels are toggled, not painted: what two triangles paint is background again.",
-                  {unchanged, LevelOverflow::Clamps, Repainting::Toggles}},
-                 way));
+    add({"parity",
+         "What happens to a pixel that two triangles paint?",
+         "Pixels are toggled, not painted: what two triangles paint is background again.",
+         {unchanged, LevelOverflow::Clamps, Repainting::Toggles}});
     return defects;
 }
 

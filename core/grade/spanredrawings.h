@@ -6,18 +6,18 @@
 /// What programs do wrong to the spans of a triangle, as changes of the right ones.
 namespace pixelplumb {
 
-// Both ends of each span, from the exact bounds.
-void truncateEnds(TriangleRuns &triangle); ///< ⌊ ⌋ of both
-void roundToNearest(TriangleRuns &triangle);
-void roundOutward(TriangleRuns &triangle);
-void roundUpward(TriangleRuns &triangle); ///< ⌈ ⌉ of both
-
-// Samples and spans that are left out.
+// Samples and spans that are left out. First and last are by the spans' coordinate, ascending.
 void omitFirstSamples(TriangleRuns &triangle);
 void omitLastSamples(TriangleRuns &triangle);
-void omitFirstSpan(TriangleRuns &triangle);
-void omitLastSpan(TriangleRuns &triangle);
-void omitMiddleSpan(TriangleRuns &triangle); ///< the first at or after the middle vertex
+void omitFirstSpan(TriangleRuns &triangle); ///< ⌈x₀⌉, whatever it has of samples
+void omitLastSpan(TriangleRuns &triangle); ///< ⌊x₂⌋
+void omitSpanOfFirstVertex(TriangleRuns &triangle); ///< x₀, where that is whole
+void omitSpanOfLastVertex(TriangleRuns &triangle);
+void omitSpanOfMiddleVertex(TriangleRuns &triangle);
+void omitSpanFromMiddle(TriangleRuns &triangle); ///< ⌈x₁⌉
+void omitSpanToMiddle(TriangleRuns &triangle); ///< ⌊x₁⌋
+void omitSpanBeforeMiddle(TriangleRuns &triangle); ///< ⌊x₁⌋, where x₁ is not whole
+void omitSpanBehindMiddle(TriangleRuns &triangle); ///< ⌈x₁⌉, where x₁ is not whole
 void omitFirstHalf(TriangleRuns &triangle);
 void omitSecondHalf(TriangleRuns &triangle);
 
@@ -25,15 +25,6 @@ void omitSecondHalf(TriangleRuns &triangle);
 /// takes this edge for the same bound always, spans end before they begin.
 void omitWithMiddleAbove(TriangleRuns &triangle);
 void omitWithMiddleBelow(TriangleRuns &triangle);
-
-// Rates cast to whole numbers: ΔR ΔG ΔB along a span; the slopes of the edges.
-void castIncrements(TriangleRuns &triangle);
-void castSlopes(TriangleRuns &triangle);
-
-// ΔR ΔG ΔB divided by the height and one; levels of the edges that begin with the vertex' own at
-// the first column, whose y has its pre-step.
-void divideByHeightAndOne(TriangleRuns &triangle);
-void omitColourEdgePreStep(TriangleRuns &triangle);
 
 // The bounding box: drawn whole; its last sample of each span, or its last span, not.
 void fillBox(TriangleRuns &triangle);

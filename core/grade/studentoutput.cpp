@@ -2,6 +2,7 @@
 #include "core/grade/studentoutput.h"
 
 #include "core/grade/showntext.h"
+#include "core/scene/pngfault.h"
 
 #include <QBuffer>
 #include <QImageReader>
@@ -38,6 +39,8 @@ InputError noPicture(const QByteArray &output)
 /// Why a picture is not to be decoded; none where it may be.
 std::optional<InputError> objectionToHeader(const QByteArray &output, const FrameSpec &frame)
 {
+    if (const QString fault = pngFault(output); !fault.isEmpty())
+        return InputError{QStringLiteral("the output"), fault, {}};
     QByteArray bytes = output;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::ReadOnly);

@@ -2,6 +2,7 @@
 #include "core/scene/texturefile.h"
 
 #include "core/scene/fileaccess.h"
+#include "core/scene/pngfault.h"
 
 #include <QBuffer>
 #include <QImageReader>
@@ -29,6 +30,9 @@ Result<Texture> readTexture(const QString &path)
     Result<QByteArray> content = readRegularFile(path);
     if (!content)
         return content.error();
+    if (const QString fault = pngFault(*content); !fault.isEmpty())
+        return InputError{path, QStringLiteral("no picture: ") + fault,
+                          QStringLiteral("a whole file")};
     QBuffer buffer(&content.value());
     QImageReader reader(&buffer);
     if (const QSize size = reader.size(); size.isValid() && !isWithinLimits(size))

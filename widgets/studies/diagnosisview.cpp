@@ -100,7 +100,7 @@ void DiagnosisView::addResults(QBoxLayout *layout)
     m_sentence = addLabel("diagnosisSentence", tr("What the chosen defects are"));
     m_open = pushButton("diagnosisOpen", tr("Open in the stepper"),
                         tr("Run the scene with these defects, at the first step that parts from "
-                           "the right run"),
+                           "the right run; where no run has them, the right run at that step"),
                         this);
     m_compare = pushButton("diagnosisCompare", tr("Compare"),
                            tr("The same, with the right run beside it in Compare"), this);
@@ -127,12 +127,8 @@ std::optional<DiagnosisView::Named> DiagnosisView::named(const Submission &submi
     if (!diagnosis)
         return std::nullopt;
     Named found{std::move(*diagnosis), {}};
-    for (const DiagnosisCandidate &candidate : found.diagnosis.candidates) {
-        const Scene defective = withDefects(submission.scene, candidate.defects);
-        found.steps.push_back(defective == submission.scene
-                                  ? std::nullopt
-                                  : partingStepOf(submission.scene, defective));
-    }
+    for (const DiagnosisCandidate &candidate : found.diagnosis.candidates)
+        found.steps.push_back(partingStepOf(submission.scene, candidate.defects));
     return found;
 }
 
@@ -237,7 +233,8 @@ void DiagnosisView::updateButtons()
 {
     const bool runs = m_job.isRunning();
     const int row = m_candidates->currentRow();
-    const bool canOpen = m_named && row >= 0 && opening().defective != *m_scene;
+    const bool canOpen = m_named && row >= 0
+        && (m_named->steps[std::size_t(row)] || opening().defective != *m_scene);
     m_start->setEnabled(!runs && m_student->judgement());
     m_progress->setVisible(runs);
     m_cancel->setVisible(runs);

@@ -1,0 +1,232 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/studentwalk.h"
+
+#include <boost/multiprecision/cpp_int.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <functional>
+
+namespace pixelplumb {
+
+namespace {
+
+using Fraction = boost::multiprecision::cpp_rational;
+using Whole = boost::multiprecision::cpp_int;
+
+int floorOf(double number) { return int(std::floor(number)); }
+
+int floorOf(const Fraction &number)
+{
+    const Whole below = numerator(number) / denominator(number);
+    return int(below) - (number < Fraction(below) ? 1 : 0);
+}
+
+template <class Number>
+int ceilOf(const Number &number)
+{
+    return -floorOf(Number(-number));
+}
+
+/// As (int) casts.
+template <class Number>
+Number cast(const Number &number)
+{
+    return Number(number < 0 ? ceilOf(number) : floorOf(number));
+}
+
+template <class Number>
+struct Corner {
+    Number x, y;
+    std::array<Number, 3> colour;
+};
+
+using Paint = std::function<void(int span, int sample, Colour colour)>;
+
+/// Where an edge meets a span, and what is added from span to span.
+template <class Number>
+struct Bound {
+    Number y, slope = 0;
+    std::array<Number, 3> colour, step = {};
+
+    void advance()
+    {
+        y += slope;
+        for (std::size_t i = 0; i < 3; ++i)
+            colour[i] += step[i];
+    }
+};
+
+template <class Number>
+class ColumnLoops {
+public:
+    explicit ColumnLoops(const std::set<WalkMistake> &mistakes)
+        : m_mistakes(mistakes)
+    {
+    }
+
+    /// Corners by x; of rows x and y have changed places.
+    void draw(std::array<Corner<Number>, 3> corners, const Paint &paint) const
+    {
+        const std::array<Corner<Number>, 3> given = corners;
+        std::stable_sort(corners.begin(), corners.end(), [](const auto &a, const auto &b) {
+            return a.x != b.x ? a.x < b.x : a.y < b.y;
+        });
+        for (std::size_t i = 0; i < 3 && has(WalkMistake::UnsortedColours); ++i)
+            corners[i].colour = given[i].colour;
+        const auto &[p0, p1, p2] = corners;
+        int begin = ceilOf(p0.x);
+        if (has(WalkMistake::FirstSpanMissing))
+            ++begin;
+        if (has(WalkMistake::OpenAtFirstVertex))
+            begin = floorOf(p0.x) + 1;
+        int endOfFirst = ceilOf(p1.x);
+        if (has(WalkMistake::FirstHalfTruncated))
+            endOfFirst = floorOf(p1.x);
+        int beginOfSecond = std::max(begin, ceilOf(p1.x));
+        if (has(WalkMistake::SecondHalfAfterCeiling))
+            beginOfSecond = ceilOf(p1.x) + 1;
+        if (has(WalkMistake::SecondHalfAfterFloor))
+            beginOfSecond = floorOf(p1.x) + 1;
+        int end = floorOf(p2.x) + 1;
+        if (has(WalkMistake::LastSpanMissing))
+            end = floorOf(p2.x);
+        if (has(WalkMistake::OpenAtLastVertex))
+            end = ceilOf(p2.x);
+        const bool isMiddleBelow = (p1.y - p0.y) * (p2.x - p0.x) <= (p2.y - p0.y) * (p1.x - p0.x);
+        Bound<Number> ofLong = edgeAt(p0, p2, begin);
+        Bound<Number> ofShort = edgeAt(p0, p1, begin);
+        for (int x = begin; x < std::min(endOfFirst, end); ++x) {
+            drawSpan(x, ofShort, ofLong, isMiddleBelow, paint);
+            ofShort.advance();
+            ofLong.advance();
+        }
+        if (beginOfSecond != std::max(begin, endOfFirst))
+            ofLong = edgeAt(p0, p2, beginOfSecond);
+        ofShort = edgeAt(p1, p2, beginOfSecond);
+        for (int x = beginOfSecond; x < end; ++x) {
+            drawSpan(x, ofShort, ofLong, isMiddleBelow, paint);
+            ofShort.advance();
+            ofLong.advance();
+        }
+    }
+
+private:
+    bool has(WalkMistake mistake) const { return m_mistakes.contains(mistake); }
+
+    Bound<Number> edgeAt(const Corner<Number> &from, const Corner<Number> &to, int x) const
+    {
+        Bound<Number> bound{from.y, 0, from.colour, {}};
+        Number width = to.x - from.x;
+        if (width == 0)
+            return bound;
+        if (has(WalkMistake::EdgeDivisorMinusOne))
+            width -= 1;
+        if (has(WalkMistake::EdgeDivisorPlusOne))
+            width += 1;
+        if (width <= 0)
+            return bound;
+        Number way = x - from.x;
+        if (has(WalkMistake::NoEdgePreStep))
+            way = x - ceilOf(from.x);
+        bound.slope = (to.y - from.y) / width;
+        if (has(WalkMistake::WholeSlopes))
+            bound.slope = cast(bound.slope);
+        bound.y += way * bound.slope;
+        if (has(WalkMistake::NoEdgeColourPreStep))
+            way = x - ceilOf(from.x);
+        for (std::size_t i = 0; i < 3; ++i) {
+            bound.step[i] = (to.colour[i] - from.colour[i]) / width;
+            if (has(WalkMistake::WholeEdgeColours))
+                bound.step[i] = cast(bound.step[i]);
+            bound.colour[i] += way * bound.step[i];
+        }
+        return bound;
+    }
+
+    void drawSpan(int x, const Bound<Number> &ofShort, const Bound<Number> &ofLong,
+                  bool isMiddleBelow, const Paint &paint) const
+    {
+        const bool isShortLower = ofShort.y != ofLong.y ? ofShort.y < ofLong.y : isMiddleBelow;
+        const Bound<Number> &lower = isShortLower ? ofShort : ofLong;
+        const Bound<Number> &upper = isShortLower ? ofLong : ofShort;
+        const int first = ceilOf(lower.y);
+        const int last = floorOf(upper.y);
+        Number height = upper.y - lower.y;
+        if (has(WalkMistake::SpanDivisorPlusOne))
+            height += 1;
+        Number preStep = first - lower.y;
+        if (has(WalkMistake::ColoursBetweenSamples)) {
+            height = last - first;
+            preStep = 0;
+        }
+        std::array<Number, 3> level = lower.colour;
+        std::array<Number, 3> step = {};
+        for (std::size_t i = 0; i < 3 && height != 0; ++i) {
+            const Number rate = (upper.colour[i] - lower.colour[i]) / height;
+            level[i] += preStep * (has(WalkMistake::WholePreSteps) ? cast(rate) : rate);
+            step[i] = has(WalkMistake::WholeSteps) ? cast(rate) : rate;
+        }
+        for (int y = first; y <= last; ++y) {
+            Colour colour;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Number rounded = level[i] + Number(1) / 2;
+                colour.channels[i] = std::uint8_t(std::clamp(floorOf(rounded), 0, 255));
+                level[i] += step[i];
+            }
+            paint(x, y, colour);
+        }
+    }
+
+    const std::set<WalkMistake> &m_mistakes;
+};
+
+template <class Number>
+Picture pictureIn(const Scene &scene, WalkLines lines, const std::set<WalkMistake> &mistakes)
+{
+    Picture picture{scene.frame.width, scene.frame.height, {}, {}};
+    const std::size_t pixels = std::size_t(picture.width) * std::size_t(picture.height);
+    picture.colours.resize(pixels, scene.frame.background);
+    picture.covered.resize(pixels, 0);
+    const bool goesByRows = lines == WalkLines::Rows;
+    const int onward = goesByRows && !mistakes.contains(WalkMistake::FromBelow) ? -1 : 1;
+    const auto paint = [&](int span, int sample, Colour colour) {
+        const int x = goesByRows ? sample : span;
+        const int y = goesByRows ? onward * span : sample;
+        if (x < 0 || x >= picture.width || y < 0 || y >= picture.height)
+            return;
+        const std::size_t place = picture.placeOf(x, picture.height - 1 - y);
+        picture.colours[place] = colour;
+        picture.covered[place] = 1;
+    };
+    for (const Triangle &triangle : scene.triangles) {
+        std::array<Corner<Number>, 3> corners;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Vertex &vertex = triangle.vertices[i];
+            const Number x = Number(vertex.position.x) / unitsPerPixel;
+            const Number y = Number(vertex.position.y) / unitsPerPixel;
+            corners[i].x = onward * (goesByRows ? y : x);
+            corners[i].y = goesByRows ? x : y;
+            for (std::size_t channel = 0; channel < 3; ++channel)
+                corners[i].colour[channel] = int(vertex.colour.channels[channel]);
+        }
+        ColumnLoops<Number>(mistakes).draw(corners, paint);
+    }
+    return picture;
+}
+
+} // namespace
+
+Picture studentPicture(const Scene &scene, WalkLines lines, const std::set<WalkMistake> &mistakes)
+{
+    return pictureIn<Fraction>(scene, lines, mistakes);
+}
+
+Picture studentPictureInDouble(const Scene &scene, WalkLines lines,
+                               const std::set<WalkMistake> &mistakes)
+{
+    return pictureIn<double>(scene, lines, mistakes);
+}
+
+} // namespace pixelplumb
