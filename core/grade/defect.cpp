@@ -30,7 +30,7 @@ void appendVariants(std::vector<Defect> &defects, const Scene &scene)
     for (const Variant variant : allVariants) {
         append(defects, scene, {},
                {nameText(nameOf(variant)), nameText(wordsOf(variant, method.spanAxis).fault),
-                sentenceOf(variant, triangleWayOf(method)), [variant](Scene &changed) {
+                sentenceOf(variant, walkAxisOf(method)), [variant](Scene &changed) {
                     changed.settings.variants = changed.settings.variants.with(variant);
                     return true;
                 }});

@@ -21,10 +21,10 @@ Triangle exchanged(Triangle triangle)
 /// A triangle's samples in the order in which its method goes through them.
 class RedrawnTriangle {
 public:
-    RedrawnTriangle(const Scene &alone, const Redrawing &redrawing, TriangleWay way)
+    RedrawnTriangle(const Scene &alone, const Redrawing &redrawing, SpanAxis axis)
         : m_frame(alone.frame)
         , m_overflow(redrawing.overflow)
-        , m_goesByRows(way != TriangleWay::Columns)
+        , m_goesByRows(axis != SpanAxis::Column)
         , m_right(pictureOf(alone))
     {
         const Triangle triangle = primitivesOnSamples(alone).triangles.front();
@@ -36,7 +36,7 @@ public:
         m_runs.settings = alone.settings;
         const BoundaryRule rule = boundaryRuleOf(alone);
         m_runs.intervals = columnIntervals(rule.rule);
-        if (way == TriangleWay::Rows) {
+        if (axis == SpanAxis::Row) {
             m_runs.order = WalkOrder::Descending;
             m_runs.intervals = {reversed(rowIntervals(rule).columns), rowIntervals(rule).rows};
         }
@@ -129,11 +129,9 @@ private:
 
 } // namespace
 
-TriangleWay triangleWayOf(const Method &method)
+SpanAxis walkAxisOf(const Method &method)
 {
-    if (!method.supports(Variant::NoEdgePreStep))
-        return TriangleWay::Box;
-    return method.spanAxis == SpanAxis::Row ? TriangleWay::Rows : TriangleWay::Columns;
+    return method.supports(Variant::NoEdgePreStep) ? method.spanAxis : SpanAxis::Free;
 }
 
 Scene triangleAlone(const Scene &scene, std::size_t triangle)
@@ -157,9 +155,9 @@ Picture redrawn(const Scene &scene, const Redrawing &redrawing)
     Scene empty = scene;
     empty.triangles.clear();
     Picture picture = pictureOf(empty);
-    const TriangleWay way = triangleWayOf(*methodNamed(QString::fromStdString(scene.method)));
+    const SpanAxis axis = walkAxisOf(*methodNamed(QString::fromStdString(scene.method)));
     for (std::size_t i = 0; i < scene.triangles.size(); ++i)
-        RedrawnTriangle(triangleAlone(scene, i), redrawing, way)
+        RedrawnTriangle(triangleAlone(scene, i), redrawing, axis)
             .paintOn(picture, redrawing.repainting, scene.frame.background);
     return picture;
 }

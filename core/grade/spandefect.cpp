@@ -137,16 +137,16 @@ std::vector<Defect> spanDefectsFor(const Scene &scene)
         && !mayCallForEffects(scene);
     if (!canBeRedrawn)
         return {};
-    const TriangleWay way = triangleWayOf(method);
-    std::vector<Defect> defects = walkDefectsFor(way);
+    const SpanAxis axis = walkAxisOf(method);
+    std::vector<Defect> defects = walkDefectsFor(axis);
     const auto add = [&](const SpanDefect &row) {
         defects.push_back(redrawnDefect(QString::fromLatin1(row.id),
                                         QString::fromUtf8(row.forStudent),
-                                        QString::fromUtf8(row.forAssistant), row.redrawing, way));
+                                        QString::fromUtf8(row.forAssistant), row.redrawing, axis));
     };
-    for (const SpanDefect &row : way == TriangleWay::Box ? boxDefects() : omissions())
+    for (const SpanDefect &row : axis == SpanAxis::Free ? boxDefects() : omissions())
         add(row);
-    if (way == TriangleWay::Rows)
+    if (axis == SpanAxis::Row)
         add(omissionFromAbove());
     const auto unchanged = [](TriangleRuns &) {};
     add({"parity",

@@ -117,22 +117,9 @@ QString orderSentence(WalkOrder order)
         : QStringLiteral(" The rows are gone through from the least y up.");
 }
 
-SpanAxis axisOf(TriangleWay way)
+QString variantSentence(Variant variant, SpanAxis axis)
 {
-    switch (way) {
-    case TriangleWay::Columns:
-        return SpanAxis::Column;
-    case TriangleWay::Rows:
-        return SpanAxis::Row;
-    case TriangleWay::Box:
-        break;
-    }
-    return SpanAxis::Free;
-}
-
-QString variantSentence(Variant variant, TriangleWay way)
-{
-    const VariantWords &words = wordsOf(variant, axisOf(way));
+    const VariantWords &words = wordsOf(variant, axis);
     return QStringLiteral("%1: %2 in place of %3.")
         .arg(nameText(words.title), nameText(words.printed), nameText(words.right));
 }
@@ -141,26 +128,26 @@ QString variantSentence(Variant variant, TriangleWay way)
 QString upwardSentence(Variant variant)
 {
     if (variant != Variant::NoEdgePreStep)
-        return variantSentence(variant, TriangleWay::Rows);
+        return variantSentence(variant, SpanAxis::Row);
     return QStringLiteral("%1: x = x₀ at the first row in place of x = x₀ + (⌈y₀⌉ − y₀)·m.")
         .arg(nameText(wordsOf(variant, SpanAxis::Row).title));
 }
 
 } // namespace
 
-QString sentenceOf(Variant variant, TriangleWay way)
+QString sentenceOf(Variant variant, SpanAxis axis)
 {
-    const bool hasOrder = way == TriangleWay::Rows
+    const bool hasOrder = axis == SpanAxis::Row
         && std::ranges::find(variantsAlongEdges, variant) != variantsAlongEdges.end();
-    return variantSentence(variant, way)
+    return variantSentence(variant, axis)
         + (hasOrder ? orderSentence(WalkOrder::Descending) : QString());
 }
 
 Defect redrawnDefect(const QString &id, const QString &forStudent, const QString &forAssistant,
-                     const Redrawing &redrawing, TriangleWay way)
+                     const Redrawing &redrawing, SpanAxis axis)
 {
-    const auto filledIn = [way](QString text) {
-        const bool goesByColumns = way == TriangleWay::Columns;
+    const auto filledIn = [axis](QString text) {
+        const bool goesByColumns = axis == SpanAxis::Column;
         return text
             .replace(QStringLiteral("%1"),
                      goesByColumns ? QStringLiteral("column") : QStringLiteral("row"))
@@ -177,15 +164,15 @@ Defect redrawnDefect(const QString &id, const QString &forStudent, const QString
             QStringLiteral("spans")};
 }
 
-std::vector<Defect> walkDefectsFor(TriangleWay way)
+std::vector<Defect> walkDefectsFor(SpanAxis axis)
 {
-    if (way == TriangleWay::Box)
+    if (axis == SpanAxis::Free)
         return {};
     std::vector<Defect> defects;
     const auto add = [&](const QString &id, const QString &forStudent, const QString &forAssistant,
                          const ProgramWalk &walk, LevelOverflow overflow) {
         defects.push_back(
-            redrawnDefect(id, forStudent, forAssistant, {walking(walk), overflow}, way));
+            redrawnDefect(id, forStudent, forAssistant, {walking(walk), overflow}, axis));
     };
     for (const WalkDefect &row : spanRows())
         add(QString::fromLatin1(row.id), QString::fromUtf8(row.forStudent),
@@ -196,7 +183,7 @@ std::vector<Defect> walkDefectsFor(TriangleWay way)
         add(fromBelow(id), forStudent, forAssistant + orderSentence(WalkOrder::Ascending), walk,
             LevelOverflow::Clamps);
     };
-    const bool hasOrder = way == TriangleWay::Rows;
+    const bool hasOrder = axis == SpanAxis::Row;
     for (const WalkDefect &row : edgeRows()) {
         const QString id = QString::fromLatin1(row.id);
         const QString forStudent = QString::fromUtf8(row.forStudent);
@@ -209,7 +196,7 @@ std::vector<Defect> walkDefectsFor(TriangleWay way)
     }
     for (const Variant variant : variantsAlongEdges) {
         if (hasOrder)
-            addUpward(nameText(nameOf(variant)), nameText(wordsOf(variant, axisOf(way)).fault),
+            addUpward(nameText(nameOf(variant)), nameText(wordsOf(variant, axis).fault),
                       upwardSentence(variant), {.departures = VariantSet().with(variant)});
     }
     return defects;

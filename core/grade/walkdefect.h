@@ -9,13 +9,13 @@ namespace pixelplumb {
 /// Mistakes of a program that walks along edges, in what it divides, adds and rounds. Of one that
 /// goes by rows those along edges are there twice, for rows may be gone through from either end,
 /// and what an edge has too little of shows at the other end then.
-std::vector<Defect> walkDefectsFor(TriangleWay way);
+std::vector<Defect> walkDefectsFor(SpanAxis axis);
 
 /// What was done in a variant of the scan, for the assistant.
-QString sentenceOf(Variant variant, TriangleWay way);
+QString sentenceOf(Variant variant, SpanAxis axis);
 
 /// A redrawing as a defect; `%1` in the words is its span, `%2` the coordinate of its spans.
 Defect redrawnDefect(const QString &id, const QString &forStudent, const QString &forAssistant,
-                     const Redrawing &redrawing, TriangleWay way);
+                     const Redrawing &redrawing, SpanAxis axis);
 
 } // namespace pixelplumb

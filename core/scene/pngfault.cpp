@@ -3,8 +3,9 @@
 
 #include <QtEndian>
 
+#include <boost/crc.hpp>
+
 #include <algorithm>
-#include <array>
 
 namespace pixelplumb {
 
@@ -16,19 +17,9 @@ constexpr qsizetype frameOfChunk = 12; // length, type and checksum
 /// The cyclic redundancy check of ISO/IEC 15948, annex D.
 std::uint32_t checksumOf(QByteArrayView bytes)
 {
-    static const auto table = [] {
-        std::array<std::uint32_t, 256> made = {};
-        for (std::uint32_t i = 0; i < made.size(); ++i) {
-            made[i] = i;
-            for (int bit = 0; bit < 8; ++bit)
-                made[i] = (made[i] & 1U) != 0 ? 0xedb88320U ^ made[i] >> 1 : made[i] >> 1;
-        }
-        return made;
-    }();
-    std::uint32_t checksum = 0xffffffffU;
-    for (const char byte : bytes)
-        checksum = table[(checksum ^ std::uint8_t(byte)) & 0xffU] ^ checksum >> 8;
-    return ~checksum;
+    boost::crc_32_type check;
+    check.process_bytes(bytes.data(), std::size_t(bytes.size()));
+    return check.checksum();
 }
 
 /// Critical chunks have a capital first: bit 5 is not set.
