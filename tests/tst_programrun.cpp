@@ -395,7 +395,7 @@ private slots:
             "a picture (ppm) that is broken");
         row("a large one", "P6 30000 30000 255\n", "a picture of 30000 × 30000 pixels");
         row("one of another size", "P3 1 1 255 0 0 0\n", "a picture of 1 × 1 pixels");
-        row("half a picture", halfPicture(), "a picture (png) that is broken or ends early");
+        row("half a picture", halfPicture(), "a PNG that ends early, in");
         row("no pixels", "P6 4 3 255\n", "no picture");
         row("another raster", "##\n..\n", "a picture of 2 × 2 pixels");
         row("a ragged raster", "##\n.\n", "the output");
