@@ -6,7 +6,7 @@
 
 set(version ${VERSION})
 find_package(Git QUIET)
-if(Git_FOUND)
+if(Git_FOUND AND EXISTS ${SOURCE}/.git) # not that of a folder around it
     execute_process(COMMAND ${GIT_EXECUTABLE} -C ${SOURCE} describe --tags --always --dirty
         OUTPUT_VARIABLE state OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
     if(state)

@@ -126,6 +126,11 @@ void open(MainWindow &window, const QCommandLineParser &parser, const Options &o
     const QStringList paths = parser.positionalArguments();
     if (paths.isEmpty())
         return;
+    if (paths.size() > 1) {
+        std::fprintf(stderr, "pixelplumb: %s: expected one scene, or one folder of results\n",
+                     qPrintable(paths[1]));
+        std::exit(usageError);
+    }
     if (QFileInfo(paths.constFirst()).isDir())
         return window.openResults(paths.constFirst());
     if (!window.openScene(paths.constFirst()))

@@ -7,13 +7,18 @@ namespace pixelplumb::cli {
 
 namespace {
 
+struct PartingPlace {
+    std::size_t scene = 0; ///< of those given, from 1
+    PartingStep step;
+};
+
 /// The first step of the first scene at which a candidate's run parts from the right one.
-std::optional<PartingStep> partingStepOf(std::span<const Submission> submissions,
-                                         const DiagnosisCandidate &candidate)
+std::optional<PartingPlace> partingPlaceOf(std::span<const Submission> submissions,
+                                           const DiagnosisCandidate &candidate)
 {
-    for (const Submission &submission : submissions) {
-        if (auto step = pixelplumb::partingStepOf(submission.scene, candidate.defects))
-            return step;
+    for (std::size_t i = 0; i < submissions.size(); ++i) {
+        if (auto step = partingStepOf(submissions[i].scene, candidate.defects))
+            return PartingPlace{i + 1, *std::move(step)};
     }
     return std::nullopt;
 }
@@ -49,10 +54,15 @@ QStringList textOf(const Diagnosis &diagnosis, std::span<const Submission> submi
             lines += QStringLiteral("    ") + defect.forAssistant;
             lines += QStringLiteral("    to the student: ") + defect.forStudent;
         }
-        if (const auto step = partingStepOf(submissions, candidate))
-            lines += QStringLiteral("    parts at step %1, %2: %3")
-                         .arg(step->step + 1)
-                         .arg(step->heading, step->text);
+        if (const auto place = partingPlaceOf(submissions, candidate)) {
+            const QString where = submissions.size() > 1
+                ? QStringLiteral("scene %1, ").arg(place->scene)
+                : QString();
+            lines += QStringLiteral("    parts at %1step %2, %3: %4")
+                         .arg(where)
+                         .arg(place->step.step + 1)
+                         .arg(place->step.heading, place->step.text);
+        }
     }
     return lines;
 }
@@ -73,11 +83,12 @@ QJsonObject jsonOf(const Diagnosis &diagnosis, std::span<const Submission> submi
                            {QStringLiteral("distance"), qint64(candidate.distance)},
                            {QStringLiteral("student"), forStudent},
                            {QStringLiteral("assistant"), forAssistant}};
-        if (const auto step = partingStepOf(submissions, candidate))
+        if (const auto place = partingPlaceOf(submissions, candidate))
             object.insert(QStringLiteral("parts"),
-                          QJsonObject{{QStringLiteral("step"), qint64(step->step + 1)},
-                                      {QStringLiteral("at"), step->heading},
-                                      {QStringLiteral("how"), step->text}});
+                          QJsonObject{{QStringLiteral("scene"), qint64(place->scene)},
+                                      {QStringLiteral("step"), qint64(place->step.step + 1)},
+                                      {QStringLiteral("at"), place->step.heading},
+                                      {QStringLiteral("how"), place->step.text}});
         candidates.append(object);
     }
     return {{QStringLiteral("verdict"), nameOf(diagnosis.verdict)},

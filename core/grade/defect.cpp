@@ -30,7 +30,7 @@ void appendVariants(std::vector<Defect> &defects, const Scene &scene)
     for (const Variant variant : allVariants) {
         append(defects, scene, {},
                {nameText(nameOf(variant)), nameText(wordsOf(variant, method.spanAxis).fault),
-                sentenceOf(variant, walkAxisOf(method)), [variant](Scene &changed) {
+                sentenceOf(variant, method.spanAxis), [variant](Scene &changed) {
                     changed.settings.variants = changed.settings.variants.with(variant);
                     return true;
                 }});
@@ -181,6 +181,16 @@ void appendTriangles(std::vector<Defect> &defects, const Scene &scene)
             }});
 }
 
+/// The change of a picture with any background, which fills what a shift leaves empty.
+auto changeNamed(const QString &name)
+{
+    return [name](const Picture &right, const Colour &background) {
+        const auto changes = pictureChangesFor(right, background);
+        const auto found = std::ranges::find(changes, name, &PictureChange::name);
+        return found != changes.end() ? found->apply(right) : right;
+    };
+}
+
 void appendPictures(std::vector<Defect> &defects, const Scene &scene)
 {
     const Picture ofItsSize{scene.frame.width, scene.frame.height, {}, {}};
@@ -192,7 +202,7 @@ void appendPictures(std::vector<Defect> &defects, const Scene &scene)
                            QStringLiteral("The picture is right, but %1.").arg(change.name),
                            {},
                            {},
-                           change.apply,
+                           changeNamed(change.name),
                            change.isFar,
                            change.kind});
     }

@@ -24,8 +24,8 @@ struct Defect {
     std::function<bool(Scene &scene)> changeScene = {};
     /// Where no kernel draws so: the scene drawn by a program of ours that does.
     std::function<Picture(const Scene &scene)> redraw = {};
-    /// Where it is neither's: done to the finished picture.
-    std::function<Picture(const Picture &right)> changePicture = {};
+    /// Where it is neither's: done to the finished picture of a scene with that background.
+    std::function<Picture(const Picture &right, const Colour &background)> changePicture = {};
     bool standsAlone = false; ///< is not looked for beside another
     QString choice = {}; ///< of defects of one choice only one can be there; empty: of none
 
@@ -37,8 +37,7 @@ struct Defect {
     }
 };
 
-/// Those that a scene's method can have, in the order in which they are tried. Pictures of one size
-/// with that background are changed.
+/// Those that a scene's method can have, in the order in which they are tried.
 std::vector<Defect> defectsFor(const Scene &scene);
 
 } // namespace pixelplumb

@@ -83,7 +83,8 @@ DefectPictures::SharedPicture DefectPictures::draw(std::size_t scene, const Defe
         picture = std::make_shared<const Picture>(redrawing->redraw(drawn));
     for (const Defect &defect : defects) {
         if (picture && defect.changePicture)
-            picture = std::make_shared<const Picture>(defect.changePicture(*picture));
+            picture = std::make_shared<const Picture>(
+                defect.changePicture(*picture, drawn.frame.background));
     }
     return picture;
 }

@@ -19,8 +19,8 @@ struct DefectSet {
 };
 
 /// The pictures that programs with defects draw of some scenes, for as many submissions as ask:
-/// each is drawn once, when it is first asked for, and kept as long as there is room for it, 256
-/// MiB for all. Several threads may ask at once.
+/// each is drawn when it is first asked for and kept as long as there is room for it, 256 MiB for
+/// all; of others the hash is kept, and they are drawn again. Several threads may ask at once.
 class DefectPictures {
 public:
     using SharedPicture = std::shared_ptr<const Picture>;

@@ -112,7 +112,7 @@ Picture pictureWith(const Scene &scene, std::span<const Defect> defects)
     Picture picture = redrawing == defects.end() ? pictureOf(drawn) : redrawing->redraw(drawn);
     for (const Defect &defect : defects) {
         if (defect.changePicture)
-            picture = defect.changePicture(picture);
+            picture = defect.changePicture(picture, scene.frame.background);
     }
     return picture;
 }

@@ -34,7 +34,7 @@ struct PartingStep {
 
 struct Diagnosis {
     DiagnosisVerdict verdict = DiagnosisVerdict::Wrong;
-    std::int64_t differing = 0; ///< pixels of all pictures
+    std::int64_t differing = 0; ///< pixels of all pictures, undecidable ones among them
     /// Every set of one or two defects whose pictures equal the student's, none that has a smaller
     /// one in it; where there is none the nearest ones, at most five.
     std::vector<DiagnosisCandidate> candidates;

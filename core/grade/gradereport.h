@@ -100,7 +100,7 @@ struct GradedSubmission {
     QString id; ///< unlike all others, and fit for a file's name
     QString digest; ///< of its bytes, the assignment and the version of the program
     GradeVerdict verdict = GradeVerdict::Nothing;
-    std::int64_t differing = 0; ///< pixels of all pictures that were judged
+    std::int64_t differing = 0; ///< pixels of all pictures that were judged; undecidable ones, too
     std::vector<GradedScene> scenes; ///< those of the assignment, in its order
     std::vector<GradedCandidate> candidates; ///< as Diagnosis has them
     GradeReview review = {}; ///< not in the submission's own file

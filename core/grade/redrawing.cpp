@@ -129,11 +129,6 @@ private:
 
 } // namespace
 
-SpanAxis walkAxisOf(const Method &method)
-{
-    return method.supports(Variant::NoEdgePreStep) ? method.spanAxis : SpanAxis::Free;
-}
-
 Scene triangleAlone(const Scene &scene, std::size_t triangle)
 {
     Scene alone = scene;
@@ -155,7 +150,7 @@ Picture redrawn(const Scene &scene, const Redrawing &redrawing)
     Scene empty = scene;
     empty.triangles.clear();
     Picture picture = pictureOf(empty);
-    const SpanAxis axis = walkAxisOf(*methodNamed(QString::fromStdString(scene.method)));
+    const SpanAxis axis = methodNamed(QString::fromStdString(scene.method))->spanAxis;
     for (std::size_t i = 0; i < scene.triangles.size(); ++i)
         RedrawnTriangle(triangleAlone(scene, i), redrawing, axis)
             .paintOn(picture, redrawing.repainting, scene.frame.background);

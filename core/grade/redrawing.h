@@ -10,10 +10,6 @@
 
 namespace pixelplumb {
 
-/// Whether a program of this method walks between two edges, in columns or in rows; Free: it asks
-/// the samples of their box, and has the mistakes of one.
-SpanAxis walkAxisOf(const Method &method);
-
 /// From which end the spans of a triangle are gone through: a right program draws the same from
 /// either.
 enum class WalkOrder { Ascending, Descending };

@@ -137,8 +137,10 @@ std::vector<Defect> spanDefectsFor(const Scene &scene)
         && !mayCallForEffects(scene);
     if (!canBeRedrawn)
         return {};
-    const SpanAxis axis = walkAxisOf(method);
-    std::vector<Defect> defects = walkDefectsFor(axis);
+    const SpanAxis axis = method.spanAxis;
+    std::vector<Defect> defects;
+    if (method.supports(Variant::NoEdgePreStep)) // steps along its edges
+        defects = walkDefectsFor(axis);
     const auto add = [&](const SpanDefect &row) {
         defects.push_back(redrawnDefect(QString::fromLatin1(row.id),
                                         QString::fromUtf8(row.forStudent),

@@ -6,9 +6,10 @@
 namespace pixelplumb {
 
 /// Mistakes in which samples of a triangle a program goes through, and how it steps between them:
-/// ends of spans, halves of the triangle, its box. What they leave of a triangle keeps the kernel's
-/// own bytes; samples beyond it have those of the exact colour plane there. None where the scene
-/// has more than triangles without effects.
+/// ends of spans, halves of the triangle, its box; and those of a walk along edges
+/// (walkDefectsFor). Where samples are only left out or added, those of the triangle keep the
+/// kernel's own bytes and those beyond it have the exact colour plane's. None where the scene has
+/// more than triangles without effects.
 std::vector<Defect> spanDefectsFor(const Scene &scene);
 
 /// The same of a scene of lines: ends, octants, ties.

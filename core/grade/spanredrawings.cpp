@@ -114,7 +114,7 @@ void omitWithMiddleBelow(TriangleRuns &triangle) { omitWithMiddle(triangle, -1);
 
 void fillBox(TriangleRuns &triangle)
 {
-    if (triangle.runs.empty())
+    if (doubledArea(triangle.triangle) == 0) // has no plane of colours
         return;
     const auto across = [](const Vertex &vertex) { return vertex.position.x; };
     const auto along = [](const Vertex &vertex) { return vertex.position.y; };

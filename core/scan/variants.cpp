@@ -150,11 +150,11 @@ constexpr VariantWords noEdgePreStepInRows = {
     "end, and triangles jitter as they move. Vertices on whole pixels do not show it.",
 };
 constexpr VariantWords divisorMinusOneInRows = {
-    divisorMinusOne.title,  "m = Δx/(Δy − 1)",     "m = Δx/Δy",
+    divisorMinusOne.title,  "m = Δx/(|Δy| − 1)",   "m = Δx/|Δy|",
     divisorMinusOne.source, divisorMinusOne.fault,
 };
 constexpr VariantWords divisorPlusOneInRows = {
-    divisorPlusOne.title,  "m = Δx/(Δy + 1)",    "m = Δx/Δy",
+    divisorPlusOne.title,  "m = Δx/(|Δy| + 1)",  "m = Δx/|Δy|",
     divisorPlusOne.source, divisorPlusOne.fault,
 };
 constexpr VariantWords unsortedColoursInRows = {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/model/studentpicture.h"
 
+#include "core/grade/undecidable.h"
 #include "core/methods/method.h"
 #include "core/runs/sceneplan.h"
 #include "core/scene/fileaccess.h"
@@ -36,7 +37,9 @@ std::shared_ptr<const PictureJudgement> judgementOf(const Scene &scene, Picture 
     if (found.hasColours)
         coverAllBut(scene.frame.background, found);
     Picture expected = pictureOf(scene);
-    PictureDiff diff = differenceOf(expected, found, tiesOf(scene));
+    // As diff and grade do by default: a right program may compute in float32.
+    PictureDiff diff
+        = differenceOf(expected, found, undecidablePixels(scene, found, Arithmetic::Float32));
     return std::make_shared<const PictureJudgement>(
         PictureJudgement{scene.frame, std::move(expected), std::move(found), std::move(diff)});
 }

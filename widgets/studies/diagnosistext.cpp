@@ -12,7 +12,8 @@ QString diagnosisText(const Diagnosis &diagnosis)
         return tr("Right: no pixel differs, there is no bug to name.");
     const QString verdict = diagnosis.verdict == DiagnosisVerdict::Wrong
         ? tr("Wrong.")
-        : tr("Undecidable: what differs lies on edges, where rules differ.");
+        : tr("Undecidable: what differs lies on edges, where rules differ, or within what "
+             "rounding in float32 may do.");
     if (diagnosis.candidates.empty())
         return verdict + u' ' + tr("No known defect comes near.");
     if (!diagnosis.isExplained())

@@ -36,7 +36,7 @@ QString countText(const PictureDiff &diff, PixelVerdict verdict)
             .arg(count)
             .arg(diff.largestError);
     case PixelVerdict::Undecidable:
-        return SubmissionPanel::tr("%L1 undecidable, on an edge").arg(count);
+        return SubmissionPanel::tr("%L1 undecidable, on an edge or by rounding").arg(count);
     case PixelVerdict::Same:
         break;
     }
@@ -67,7 +67,8 @@ QString verdictText(const PictureDiff &diff)
     if (diff.differing() > 0)
         return SubmissionPanel::tr("Wrong: %1 differ.").arg(pixels(diff.differing()));
     if (open > 0)
-        return SubmissionPanel::tr("Undecidable: %1 on edges, where rules differ.")
+        return SubmissionPanel::tr("Undecidable: %1 on edges, where rules differ, or within what "
+                                   "rounding in float32 may do.")
             .arg(pixels(open));
     return SubmissionPanel::tr("Right: no pixel differs.");
 }
