@@ -381,6 +381,54 @@ private slots:
         QVERIFY2(unseen.size() <= missed, qPrintable(unseen.join(u' ')));
     }
 
+    void aRightProgramBesideATriangleWithoutAreaIsNotCalledWrong()
+    {
+        Scene scene = probes("column-scan").front();
+        scene.triangles.insert(
+            scene.triangles.begin(),
+            coloured({latticePixel(1, 1), latticePixel(2, 2), latticePixel(3, 3)}));
+        Scene rounded = scene;
+        rounded.settings.arithmetic = Arithmetic::Float32;
+        const Picture found = pictureOf(rounded);
+        QVERIFY(differingPixels(pictureOf(scene), found) > 0);
+        const auto diagnosis = diagnose(std::vector{Submission{scene, found}});
+        QCOMPARE(diagnosis->verdict, DiagnosisVerdict::Undecidable);
+    }
+
+    void aShiftIsNamedOfScenesWithSeveralBackgrounds()
+    {
+        const Scene black = sceneWith(
+            {coloured({latticePixel(4, 5), latticePixel(30, 9), latticePixel(12, 30)})});
+        Scene white = black;
+        white.frame.background = {{255, 255, 255}};
+        std::vector<Submission> submissions;
+        for (const Scene &scene : {black, white}) {
+            const auto defects = defectsFor(scene);
+            const auto shift = std::ranges::find(defects, "shifted-by-1-to-the-right", &Defect::id);
+            QVERIFY(shift != defects.end());
+            submissions.push_back({scene, pictureWith(scene, std::span(&*shift, 1))});
+        }
+        const auto diagnosis = diagnose(submissions);
+        QVERIFY(diagnosis->isExplained());
+        QCOMPARE(diagnosis->candidates.front().defects.front().id, "shifted-by-1-to-the-right");
+    }
+
+    void aBoxIsFilledOfASliverWithoutSamples()
+    {
+        const Scene scene
+            = sceneWith({coloured({LatticePoint{2 * unitsPerPixel + 64, 2 * unitsPerPixel + 80},
+                                   LatticePoint{9 * unitsPerPixel + 64, 5 * unitsPerPixel + 70},
+                                   LatticePoint{9 * unitsPerPixel + 66, 5 * unitsPerPixel + 71}})},
+                        "edge-equations");
+        const Picture right = pictureOf(scene);
+        QCOMPARE(std::ranges::count(right.covered, 1), 0);
+        const auto defects = defectsFor(scene);
+        const auto filled = std::ranges::find(defects, "box-filled", &Defect::id);
+        QVERIFY(filled != defects.end());
+        const Picture picture = pictureWith(scene, std::span(&*filled, 1));
+        QCOMPARE(std::ranges::count(picture.covered, 1), 7 * 3); // x 3 … 9, y 3 … 5
+    }
+
     void whatRoundingBreaksIsToldApart_data()
     {
         QTest::addColumn<QString>("drawer");

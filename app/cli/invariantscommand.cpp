@@ -50,10 +50,13 @@ QStringList invariantLines(const Findings &findings)
                                                       .toArray())
                                         .toJson(QJsonDocument::Compact));
         if (!holds && findings.mayBeRounding(invariant))
-            lines += QStringLiteral("        only on samples that lie on an edge or that the "
-                                    "rounding of %1 leaves open: another fill rule or rounding "
-                                    "does it, too")
-                         .arg(nameText(nameOf(findings.tolerance)));
+            lines += QStringLiteral(
+                         "        only on samples that lie on an edge%1: another fill rule "
+                         "or rounding does it, too")
+                         .arg(findings.tolerance == Arithmetic::Exact
+                                  ? QString()
+                                  : QStringLiteral(" or that the rounding of %1 leaves open")
+                                        .arg(nameText(nameOf(findings.tolerance))));
     }
     return lines;
 }

@@ -102,6 +102,8 @@ Result<Sides> sidesOf(const CommandLine &line, const QStringList &places)
     Sides sides;
     sides.conventions = sceneFor(*conventions, method);
     sides.conventions.settings.variants = {};
+    if (count == 1 && contenders[0]) // the truth has its own rule
+        sides.conventions.settings.fillRule = contenders[0]->settings.fillRule;
     if (!method.method->draws(PrimitiveKind::Triangle)
         && !method.method->draws(PrimitiveKind::Line))
         return InputError{places[0],

@@ -134,7 +134,7 @@ Result<Picture> parsePicture(const QByteArray &content, const QString &name)
     const QImage image = reader.read().convertToFormat(QImage::Format_RGB32);
     if (image.isNull())
         return InputError{name, QStringLiteral("no picture: ") + reader.errorString(),
-                          QStringLiteral("PNG, PPM, BMP, a raster of # and ., or a scene")};
+                          QStringLiteral("PNG, PPM, BMP, or a raster of # and .")};
     if (isTooLarge(image.size()))
         return tooLarge(name, image.size());
     return pictureIn(image);

@@ -68,6 +68,27 @@ bool isPossible(const PixelLeeway &pixel, const Colour &colour)
     return true;
 }
 
+/// Whether a walk may draw the sample of a triangle without area: it lies on the triangle's
+/// segment, or nearer to it than the walk errs.
+bool mayDrawOfSegment(const Triangle &triangle, const ArithmeticBound &bound, std::int64_t x,
+                      std::int64_t y)
+{
+    const auto order = sortedByColumn(triangle);
+    const auto pixels = [](Lattice coordinate) { return double(coordinate) / unitsPerPixel; };
+    const LatticePoint &from = triangle.vertices[std::size_t(order[0])].position;
+    const LatticePoint &to = triangle.vertices[std::size_t(order[2])].position;
+    const double dx = pixels(to.x - from.x);
+    const double dy = pixels(to.y - from.y);
+    const double atX = double(x) - pixels(from.x);
+    const double atY = double(y) - pixels(from.y);
+    const double upward = bound.endError(SpanAxis::Column);
+    const double along = bound.endError(SpanAxis::Row);
+    const bool isBeside = atX < std::min(dx, 0.0) - along || atX > std::max(dx, 0.0) + along
+        || atY < std::min(dy, 0.0) - upward || atY > std::max(dy, 0.0) + upward;
+    const double cross = std::abs(dx * atY - dy * atX);
+    return !isBeside && (cross <= upward * std::abs(dx) || cross <= along * std::abs(dy));
+}
+
 } // namespace
 
 std::vector<std::uint8_t> undecidablePixels(const Scene &scene, const Picture &found,
@@ -81,14 +102,18 @@ std::vector<std::uint8_t> undecidablePixels(const Scene &scene, const Picture &f
     std::vector<PixelLeeway> pixels(undecidable.size());
     for (const Triangle &triangle : primitivesOnSamples(scene).triangles) {
         const ArithmeticBound bound(triangle, arithmetic);
-        if (!bound.isProved())
+        const bool hasArea = doubledArea(triangle) != 0;
+        if (!bound.isProved() && (hasArea || std::isinf(bound.endError(SpanAxis::Column))))
             return undecidable; // what it paints over may not be excused
         const SampleBox box = bound.reachIn(frame);
         for (std::int64_t y = box.firstY; y < box.endY; ++y) {
             for (std::int64_t x = box.firstX; x < box.endX; ++x) {
                 const std::size_t place
                     = found.placeOf(int(x - frame.firstColumn), pictureLine(frame, y));
-                layOn(pixels[place], triangle, bound, scene.settings.rounding, x, y);
+                if (hasArea)
+                    layOn(pixels[place], triangle, bound, scene.settings.rounding, x, y);
+                else if (mayDrawOfSegment(triangle, bound, x, y))
+                    pixels[place].isOpen = true;
             }
         }
     }

@@ -20,6 +20,7 @@ std::vector<LatticePoint> positionsOf(const Contours &contours,
                                       const std::vector<std::size_t> &vertices)
 {
     std::vector<LatticePoint> positions;
+    positions.reserve(vertices.size());
     for (const std::size_t vertex : vertices)
         positions.push_back(contours.edges[vertex].from);
     return positions;
