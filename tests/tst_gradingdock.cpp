@@ -226,6 +226,9 @@ private slots:
         QTRY_COMPARE(table(*window)->model()->rowCount(), 3);
         QTRY_VERIFY(!named<QDockWidget>(*window, "gradingDock")->visibleRegion().isEmpty());
         QVERIFY(!named<QWidget>(*window, "messageBar")->isVisible());
+        QTRY_COMPARE(window->focusWidget(), table(*window));
+        QTest::keyClick(window->focusWidget(), Qt::Key_J);
+        QTRY_COMPARE(window->parts().student->name(), "ada · small");
     }
 
     void whatHoldsNoGradesIsToldAsSuch()

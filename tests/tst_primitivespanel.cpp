@@ -5,6 +5,9 @@
 #include "tests/support/scanning.h"
 #include "tests/support/spacescenes.h"
 #include "widgets/canvas/canvas.h"
+#include "widgets/look/appearance.h"
+#include "widgets/look/displayoptions.h"
+#include "widgets/look/menuaction.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/primitivelistmodel.h"
 #include "widgets/model/scenedocument.h"
@@ -175,11 +178,13 @@ private slots:
     {
         click(m_model->indexOfPrimitive(2));
         QCOMPARE(button("primitivesHide")->text(), QStringLiteral("Hide"));
+        QVERIFY(button("primitivesHide")->toolTip().startsWith("Keep the primitive"));
         press("primitivesHide");
         QCOMPARE(document().scene().shapes.size(), std::size_t(1));
         QCOMPARE(m_tree->currentIndex().row(), 2);
         QVERIFY(!document().selectedVertex());
         QCOMPARE(button("primitivesHide")->text(), QStringLiteral("Show"));
+        QVERIFY(button("primitivesHide")->toolTip().startsWith("Draw the primitive again"));
         QVERIFY(!button("primitivesColour")->isEnabled());
         press("primitivesHide");
         QCOMPARE(document().scene(), fourPrimitives());
@@ -273,6 +278,87 @@ private slots:
         QTRY_COMPARE(named<QLabel>(*m_window, "formulaSentence")->text(),
                      QStringLiteral("All primitives are hidden: Edit ▸ Show all hidden "
                                     "primitives."));
+    }
+
+    void theKeyHidesTheRowThatIsHighlighted()
+    {
+        DisplayOptions &options = *m_window->parts().options;
+        options.setLayers({QStringLiteral("affine-map")});
+        options.setAffineImage(
+            AffineImage{0, {latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)}});
+        click(m_model->indexOfPrimitive(1));
+        clickPixel(*m_window, {30, 40}); // a corner of the map, which takes the arrow keys
+        QVERIFY(!document().selectedVertex());
+        QVERIFY(!m_tree->selectionModel()->hasSelection());
+        QVERIFY(!button("primitivesDelete")->isEnabled());
+        QVERIFY(!action(*m_window, "hideSelected")->isEnabled());
+
+        click(m_model->indexOfPrimitive(1)); // the same again
+        QVERIFY(m_tree->selectionModel()->hasSelection());
+        QTest::keyClick(m_tree, Qt::Key_H, Qt::ControlModifier);
+        QCOMPARE(document().hiddenCount(), 1);
+        QCOMPARE(document().scene().triangles[0], fourPrimitives().triangles[0]);
+        QCOMPARE(m_tree->currentIndex().row(), 1);
+    }
+
+    void aVertexThatWaitsLeavesNoRowInHand()
+    {
+        click(m_model->indexOfPrimitive(1));
+        document().placeVertex(latticePixel(40, 20));
+        document().selectVertex(VertexRef{VertexRef::pending, 0});
+        QVERIFY(!m_tree->currentIndex().isValid());
+        QVERIFY(!button("primitivesHide")->isEnabled());
+    }
+
+    void theKeyOfTheMenuDeletesInTheListToo()
+    {
+        click(m_model->indexOfPrimitive(2));
+        QTest::keyClick(m_tree, Qt::Key_Delete);
+        QCOMPARE(document().scene().shapes.size(), std::size_t(1));
+        press("primitivesHide"); // the next row, which came into hand
+        QCOMPARE(document().hiddenCount(), 1);
+        QTest::keyClick(m_tree, Qt::Key_Delete);
+        QCOMPARE(document().hiddenCount(), 0);
+        QCOMPARE(m_model->rowCount(), 2);
+
+        changeKeys(action(*m_window, "deleteSelected"), {QKeySequence(Qt::Key_F7)});
+        click(m_model->indexOfPrimitive(0));
+        QTest::keyClick(m_tree, Qt::Key_Delete);
+        QCOMPARE(m_model->rowCount(), 2);
+        QTest::keyClick(m_tree, Qt::Key_F7);
+        QCOMPARE(m_model->rowCount(), 1);
+    }
+
+    void whereACoordinateIsTypedTheKeyDeletesFigures()
+    {
+        const QModelIndex whole = m_model->indexOfPrimitive(0);
+        m_tree->expand(whole);
+        const QModelIndex x = m_model->index(2, PrimitiveListModel::X, whole);
+        m_tree->setCurrentIndex(x);
+        m_tree->edit(x);
+        QVERIFY(field());
+        field()->selectAll();
+        QTest::keyClick(field(), Qt::Key_Delete);
+        QCOMPARE(field()->text(), QString());
+        QCOMPARE(document().scene(), fourPrimitives());
+    }
+
+    void theBoxOfAHiddenOneIsSeen_data() { addPalettes(); }
+    void theBoxOfAHiddenOneIsSeen()
+    {
+        QFETCH(QPalette, palette);
+        QApplication::setPalette(palette);
+        QTRY_COMPARE(m_tree->palette().color(QPalette::Base), palette.color(QPalette::Base));
+        document().hidePrimitive(1);
+        m_tree->setCurrentIndex({});
+        grabbed(*m_window, "primitives");
+        const QRect row = m_tree->visualRect(m_model->index(1, PrimitiveListModel::Name));
+        const QImage shown = m_tree->viewport()->grab(row).toImage();
+        const QColor base = palette.color(QPalette::Base);
+        double most = 0; // of the box, which stands before the name
+        for (int x = 0; x < shown.height(); ++x)
+            most = std::max(most, contrastRatio(shown.pixelColor(x, shown.height() / 2), base));
+        QVERIFY2(most >= 3, qPrintable(QString::number(most)));
     }
 
     void theMenuHidesTheSelectedOneAndShowsAll()

@@ -38,6 +38,16 @@ qsizetype sentencesIn(const QString &text)
     return text.count(QStringLiteral(". ")) + (text.endsWith(u'.') ? 1 : 0);
 }
 
+QStringList explainedParts(const MainWindow &window)
+{
+    QStringList names{"canvas", "scrubber", "methodBox", "positionLabel"};
+    for (const Panel &panel : panels())
+        names += QLatin1String(panel.dock);
+    for (const QAction *menu : window.menuBar()->actions())
+        names += menu->menu()->objectName();
+    return names;
+}
+
 } // namespace
 
 /// Help ▸ What's This?, and what it tells of each part.
@@ -51,15 +61,9 @@ private slots:
     void everyPanelAndMenuHasOneToThreeSentences()
     {
         const auto window = openedWindow();
-        QStringList names{"canvas", "scrubber", "methodBox", "positionLabel"};
-        for (const Panel &panel : panels())
-            names += QLatin1String(panel.dock);
-        for (const QAction *menu : window->menuBar()->actions())
-            names += menu->menu()->objectName();
-        for (const QString &name : names) {
+        for (const QString &name : explainedParts(*window)) {
             const QString text = named<QWidget>(*window, qPrintable(name))->whatsThis();
-            const qsizetype most = name == QLatin1String("canvas") ? 4 : 3; // it has two tools
-            QVERIFY2(sentencesIn(text) >= 1 && sentencesIn(text) <= most,
+            QVERIFY2(sentencesIn(text) >= 1 && sentencesIn(text) <= 3,
                      qPrintable(name + ": " + text));
         }
     }
@@ -117,6 +121,37 @@ private slots:
         QVERIFY(QWhatsThis::inWhatsThisMode());
         QTest::mouseClick(table->findChild<QWidget *>("qt_scrollarea_viewport"), Qt::LeftButton);
         QVERIFY(shownText());
+        const QImage told = shownText()->grab().toImage();
+        QTest::keyClick(shownText(), Qt::Key_Escape);
+        QTRY_VERIFY(!shownText());
+
+        const auto *dock = named<QDockWidget>(*window, "columnsDock");
+        QVERIFY(!dock->whatsThis().isEmpty());
+        QWhatsThis::showText(dock->mapToGlobal(QPoint()), dock->whatsThis(), window.get());
+        QVERIFY(shownText());
+        QCOMPARE(shownText()->grab().toImage(), told);
+        QTest::keyClick(shownText(), Qt::Key_Escape);
+        QTRY_VERIFY(!shownText());
+    }
+
+    void keysThatAPersonMayChangeAreNotInTheTexts()
+    {
+        const auto window = openedWindow();
+        QString texts;
+        for (const QString &name : explainedParts(*window))
+            texts += named<QWidget>(*window, qPrintable(name))->whatsThis() + u'\n';
+        int keys = 0;
+        for (const QAction *each : window->findChildren<QAction *>()) {
+            for (const QKeySequence &sequence : each->shortcuts()) {
+                const QString key = sequence.toString(QKeySequence::NativeText);
+                if (key.isEmpty())
+                    continue;
+                ++keys;
+                const QString told = key.size() == 1 ? u'(' + key + u')' : key;
+                QVERIFY2(!texts.contains(told), qPrintable(told));
+            }
+        }
+        QVERIFY2(keys >= 40, qPrintable(QString::number(keys)));
     }
 
     void escapeEndsIt()

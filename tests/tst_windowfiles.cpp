@@ -14,6 +14,8 @@
 
 #include <QFileDialog>
 #include <QListWidget>
+#include <QScopeGuard>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QTimer>
 #include <QTreeWidget>
@@ -240,6 +242,38 @@ private slots:
         for (const QString &proposal : proposals)
             QVERIFY2(QFileInfo(proposal).dir() != QFileInfo(example).dir(), qPrintable(proposal));
         QCOMPARE(*readFile(example), before);
+    }
+
+    void aSceneWithoutAFileIsProposedAFolderThatExists_data()
+    {
+        QTest::addColumn<bool>("hasDocuments");
+        QTest::newRow("documents") << true;
+        QTest::newRow("home, where there are no documents") << false;
+    }
+    void aSceneWithoutAFileIsProposedAFolderThatExists()
+    {
+        QFETCH(bool, hasDocuments);
+        const QTemporaryDir home;
+        const QByteArray before = qgetenv("HOME");
+        const auto restore = qScopeGuard([before] { qputenv("HOME", before); });
+        qputenv("HOME", QFile::encodeName(home.path()));
+        if (hasDocuments)
+            QVERIFY(QDir(home.path()).mkdir(QStringLiteral("Documents")));
+        const auto window = openedWindow();
+        clickPixel(*window, {10, 40});
+        QString proposal;
+        QTimer::singleShot(0, window.get(), [&proposal] {
+            if (auto *dialog = qobject_cast<QFileDialog *>(QApplication::activeModalWidget())) {
+                proposal = dialog->selectedFiles().constFirst();
+                dialog->reject();
+            }
+        });
+
+        QVERIFY(!window->parts().files->save());
+
+        QCOMPARE(proposal,
+                 home.filePath(hasDocuments ? QStringLiteral("Documents/scene.json")
+                                            : QStringLiteral("scene.json")));
     }
 
 private:

@@ -86,7 +86,9 @@ private slots:
         QVERIFY(rows->currentItem()->text(0).contains(QStringLiteral("Hide")));
         named<QLineEdit>(dialog, "keysFilter")->setText(QStringLiteral("no such words"));
         QVERIFY(!rows->currentItem());
-        QVERIFY(!named<QWidget>(dialog, "keysField")->isEnabled());
+        const auto *field = named<QKeySequenceEdit>(dialog, "keysField");
+        QVERIFY(!field->isEnabled());
+        QVERIFY(field->keySequence().isEmpty());
         named<QLineEdit>(dialog, "keysFilter")->clear();
         QVERIFY(rows->currentItem());
 

@@ -166,8 +166,7 @@ QAction *KeysDialog::actionInHand() const
 void KeysDialog::showRow(QTreeWidgetItem *row)
 {
     m_message->clear();
-    if (row)
-        m_key->setKeySequence(actionInHand()->shortcut());
+    m_key->setKeySequence(row ? actionInHand()->shortcut() : QKeySequence());
 }
 
 void KeysDialog::showOnly(const QString &words)

@@ -3,6 +3,7 @@
 
 #include "core/scene/referredfiles.h"
 #include "core/scene/scenefile.h"
+#include "widgets/files/documentsfolder.h"
 #include "widgets/files/examplefolder.h"
 #include "widgets/files/recentfiles.h"
 #include "widgets/model/runnotes.h"
@@ -12,7 +13,6 @@
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QProgressDialog>
-#include <QStandardPaths>
 
 #include <new>
 
@@ -300,9 +300,12 @@ QString SceneFiles::folder() const
 {
     if (!m_path.isEmpty())
         return QFileInfo(m_path).absolutePath();
-    if (!m_recent->paths().isEmpty())
-        return QFileInfo(m_recent->paths().constFirst()).absolutePath();
-    return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation);
+    if (!m_recent->paths().isEmpty()) {
+        const QString last = QFileInfo(m_recent->paths().constFirst()).absolutePath();
+        if (QFileInfo(last).isDir())
+            return last;
+    }
+    return documentsFolder();
 }
 
 /// Where the scene came from, or beside the last file; never among the program's examples.
@@ -313,7 +316,7 @@ QString SceneFiles::proposedPath() const
     const QString proposal = folder() + u'/' + name;
     if (!isExample(proposal))
         return proposal;
-    return QStandardPaths::writableLocation(QStandardPaths::DocumentsLocation) + u'/' + name;
+    return documentsFolder() + u'/' + name;
 }
 
 void SceneFiles::setPath(const QString &path)

@@ -128,15 +128,22 @@ void PrimitivesPanel::addActions(QHBoxLayout *row)
     m_down = add("primitivesDown", tr("Later"), tr("Draw it after the one below"));
     m_colour = add("primitivesColour", tr("Colour…"),
                    tr("The colour of the vertex, or of all vertices of the primitive"));
-    m_hide = add("primitivesHide", tr("Hide"),
-                 tr("Keep the primitive and do not draw it; the others are numbered without it. "
-                    "The box before its name shows it again"));
+    m_hide = add("primitivesHide", {}, {}); // as the row in hand has it
     m_remove = add("primitivesDelete", tr("Delete"), tr("Delete the primitive"));
+    m_remove->setShortcutContext(Qt::WidgetShortcut); // a field in the list has the key itself
+    m_tree->addAction(m_remove);
     connect(m_up, &QAction::triggered, this, [this] { moveBy(-1); });
     connect(m_down, &QAction::triggered, this, [this] { moveBy(1); });
     connect(m_colour, &QAction::triggered, this, &PrimitivesPanel::chooseColour);
     connect(m_hide, &QAction::triggered, this, &PrimitivesPanel::hideOrShow);
     connect(m_remove, &QAction::triggered, this, &PrimitivesPanel::remove);
+}
+
+void PrimitivesPanel::takeKeysOf(const QAction *deletion)
+{
+    const auto take = [this, deletion] { m_remove->setShortcuts(deletion->shortcuts()); };
+    connect(deletion, &QAction::changed, this, take);
+    take();
 }
 
 void PrimitivesPanel::hideOrShow()
@@ -180,14 +187,16 @@ void PrimitivesPanel::remove()
         m_document->deleteHidden(*hidden);
 }
 
+/// No row is in hand that the document has not selected, but for a hidden one: the keys of the
+/// window would not do to it what they are said to.
 void PrimitivesPanel::followSelection()
 {
-    const std::optional<VertexRef> ref = m_document->selectedVertex();
-    if (!m_following && ref && ref->primitive != VertexRef::pending) {
+    std::optional<VertexRef> ref = m_document->selectedVertex();
+    if (ref && ref->primitive == VertexRef::pending)
+        ref.reset(); // it has no row
+    if (!m_following && refInHand() != ref) {
         const QScopedValueRollback following(m_following, true);
-        const std::optional<VertexRef> shown = refInHand();
-        if (shown != ref)
-            m_tree->setCurrentIndex(m_model->indexOf(*ref));
+        m_tree->setCurrentIndex(ref ? m_model->indexOf(*ref) : QModelIndex());
     }
     update();
 }
@@ -211,6 +220,10 @@ void PrimitivesPanel::update()
     const bool isHidden = m_model->hiddenAt(m_tree->currentIndex()).has_value();
     m_hide->setEnabled(ref || isHidden);
     m_hide->setText(isHidden ? tr("Show") : tr("Hide"));
+    m_hide->setToolTip(
+        isHidden ? tr("Draw the primitive again, at its place; the others are numbered with it")
+                 : tr("Keep the primitive and do not draw it; the others are numbered without it. "
+                      "The box before its name shows it again"));
     m_remove->setEnabled(ref || isHidden);
 }
 

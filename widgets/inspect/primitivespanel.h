@@ -25,6 +25,9 @@ class PrimitivesPanel : public QWidget {
 public:
     explicit PrimitivesPanel(SceneDocument *document, QWidget *parent = nullptr);
 
+    /// With the list in focus they delete what is in hand, as the action does on the canvas.
+    void takeKeysOf(const QAction *deletion);
+
     QSize sizeHint() const override { return {384, 480}; }
 
 private:

@@ -13,7 +13,12 @@ namespace {
 
 constexpr float tintShare = 0.7F; // of the window in a tint of the highlight: texts stay readable
 constexpr double cornerRadius = 3;
-constexpr float offShare = 0.5F; // of the window in the frame of a toggle that is off: 3:1 and more
+constexpr float offShare = 0.5F; // of the window in the frame of what is off: 3:1 and more
+
+QColor frameOf(const QPalette &palette)
+{
+    return blended(palette.color(QPalette::WindowText), palette.color(QPalette::Window), offShare);
+}
 
 bool isToggle(const QWidget *widget)
 {
@@ -46,14 +51,21 @@ void ToggleStyle::drawComplexControl(ComplexControl control, const QStyleOptionC
     QProxyStyle::drawComplexControl(control, option, painter, widget);
     // An off button in a tool bar has no panel of its own until it is pointed at.
     if (control == CC_ToolButton && isToggle(widget) && !option->state.testFlag(State_On))
-        drawFrame(*option, *painter, Qt::NoBrush,
-                  blended(option->palette.color(QPalette::WindowText),
-                          option->palette.color(QPalette::Window), offShare));
+        drawFrame(*option, *painter, Qt::NoBrush, frameOf(option->palette));
 }
 
 void ToggleStyle::drawPrimitive(PrimitiveElement element, const QStyleOption *option,
                                 QPainter *painter, const QWidget *widget) const
 {
+    if (element == PE_IndicatorCheckBox) {
+        QProxyStyle::drawPrimitive(element, option, painter, widget);
+        painter->save();
+        painter->setPen(frameOf(option->palette));
+        painter->setBrush(Qt::NoBrush);
+        painter->drawRect(QRectF(option->rect).adjusted(0.5, 0.5, -0.5, -0.5));
+        painter->restore();
+        return;
+    }
     if (element != PE_PanelButtonTool || !option->state.testFlag(State_On)) {
         QProxyStyle::drawPrimitive(element, option, painter, widget);
         return;

@@ -278,14 +278,15 @@ void SceneDocument::exchange(const ScenePiece &before, const ScenePiece &after, 
         m_chosenColour = after.chosenColour;
     if (m_selected && !vertexAt(*m_selected))
         m_selected.reset();
-    if (m_selected != selected)
-        emit selectionChanged();
     if (before.pending != after.pending || before.chosenColour != after.chosenColour) {
         emit pendingChanged();
         emit nextColourChanged();
     }
     if (!before.hasSceneOf(after))
         tellSceneChanged();
+    // After the scene: who looks the vertex up finds it.
+    if (m_selected != selected)
+        emit selectionChanged();
     tellModified();
 }
 

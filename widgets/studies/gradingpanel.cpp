@@ -48,6 +48,7 @@ GradingPanel::GradingPanel(QWidget *parent)
     m_review = new GradeReviewPane(m_book, this);
     row->addWidget(m_review, 2);
     layout->addLayout(row, 1);
+    setFocusProxy(m_table);
     connect(m_book, &Gradebook::opened, this, &GradingPanel::showReport);
     connect(m_book, &Gradebook::reviewed, this, &GradingPanel::showSummary);
     connect(m_review, &GradeReviewPane::sceneChosen, this, &GradingPanel::openChosen);
@@ -145,7 +146,7 @@ void GradingPanel::openResults()
     if (dialog.exec() != QDialog::Accepted)
         return;
     m_book->open(dialog.selectedFiles().constFirst());
-    m_table->setFocus(); // for its keys
+    setFocus(); // for the keys of its table
 }
 
 void GradingPanel::gradeFolder()

@@ -117,6 +117,7 @@ void EditMenu::addVertices(QWidget *window)
     QAction *remove = addMenuAction(this, "deleteSelected", tr("&Delete the selected primitive"),
                                     QKeySequence::Delete, [this] { deleteSelected(); });
     confineKeyTo(m_parts.canvas, remove);
+    m_deletion = remove;
     QAction *hide = addMenuAction(this, "hideSelected", tr("&Hide the selected primitive"),
                                   Qt::CTRL | Qt::Key_H, [document] {
                                       if (const auto ref = document->selectedVertex())

@@ -18,6 +18,7 @@ public:
 
     /// What a left click on the canvas is for: one of them is checked.
     const QList<QAction *> &tools() const { return m_tools; }
+    const QAction *deletion() const { return m_deletion; } ///< of the selected primitive
 
 private:
     void addTools();
@@ -34,6 +35,7 @@ private:
 
     WindowParts m_parts;
     QList<QAction *> m_tools;
+    const QAction *m_deletion = nullptr;
 };
 
 } // namespace pixelplumb

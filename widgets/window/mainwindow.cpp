@@ -10,6 +10,7 @@
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/files/studentpicturefiles.h"
+#include "widgets/inspect/primitivespanel.h"
 #include "widgets/lab/accuracylab.h"
 #include "widgets/look/colourbutton.h"
 #include "widgets/look/colourvisionswitch.h"
@@ -77,6 +78,7 @@ MainWindow::MainWindow(QWidget *parent)
     showInColourVision();
     connectParts();
     connectStudies(m_parts, *m_docks, this);
+    m_docks->panel<PrimitivesPanel>()->takeKeysOf(m_editMenu->deletion());
     new WheelGuard(this);
     auto *playKey = new PlayKey(this);
     playKey->watch(this);

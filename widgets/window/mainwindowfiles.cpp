@@ -47,7 +47,12 @@ void MainWindow::openResults(const QString &folder)
     auto *grading = m_docks->panel<GradingPanel>();
     // A window that is not shown yet has no tabs to bring to the front.
     QMetaObject::invokeMethod(
-        this, [this, grading] { m_docks->raise(grading); }, Qt::QueuedConnection);
+        this,
+        [this, grading] {
+            m_docks->raise(grading);
+            grading->setFocus(); // for the keys of its table
+        },
+        Qt::QueuedConnection);
     grading->book()->open(folder);
 }
 

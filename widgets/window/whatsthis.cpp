@@ -25,23 +25,23 @@ constexpr PartExplanation explanations[] = {
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
          "The frame as it is at the step in hand, with its triangles and the plumb line through "
-         "the column in hand. With the tool Draw (P) a click places a vertex and a drag moves one, "
-         "with Inspect (V) a click picks the pixel; a right click always picks. Arrows move the "
+         "the column or row in hand. With the tool Draw a click places a vertex and a drag moves "
+         "one, with Inspect a click picks the pixel; a right click always picks. Arrows move the "
          "picked pixel, the wheel zooms, Shift shows the truth as long as it is held.")},
     {"scrubber",
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
          "The whole run on one line, with marks where vertices, ties, clamps and wrong pixels are; "
          "a drag goes to another step. Arrows go by the unit of playing, with Ctrl from mark to "
-         "mark, PageUp and PageDown by columns, Home and End to the ends.")},
+         "mark, PageUp and PageDown by columns or rows, Home and End to the ends.")},
     {"methodBox",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "The method that draws the scene. The buttons, the table and the formulas "
-                       "follow it; keys 1 to 9, with the canvas in focus, choose the first nine.")},
+                       "follow it; the menu Method shows the keys that choose one on the canvas.")},
     {"positionLabel",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "How many of the run's steps are done. A step writes a pixel, begins a "
-                       "column or sets a primitive up; Ctrl+G goes to any.")},
+                       "column or row, or sets a primitive up; Step ▸ Go to… goes to any.")},
     {"statusPixel",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "The pixel under the pointer, else the picked one, and its colour.")},
@@ -58,12 +58,14 @@ constexpr PartExplanation explanations[] = {
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
          "The step in hand as formulas with its numbers put in: what the drawing used, beside the "
-         "exact value. F10 and F11 go on by a column or a pixel, with Shift they go back.")},
+         "exact value. The entries of the menu Step go on and back by a column or row, or by a "
+         "pixel.")},
     {"pixelGridDock",
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
          "The pixels around the picked one, large enough to read: their bytes, their sample "
-         "points, the true edges, and where the column in hand meets them. Arrows move the picked "
+         "points, the true edges, and where the column or row in hand meets them. Arrows move the "
+         "picked "
          "pixel, + and − make the cells larger and smaller, Enter goes to the step that wrote "
          "it.")},
     {"pixelHistoryDock",
@@ -167,8 +169,8 @@ constexpr PartExplanation explanations[] = {
     {"visionMenu",
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
-         "Shows the window as it looks to people who lack one kind of cones, until it ends. The "
-         "frame, what is exported and all numbers are as ever.")},
+         "Shows the canvas, the panels and the tool bars as they look to people who lack one kind "
+         "of cones, until it ends. The frame, what is exported and all numbers are as ever.")},
     {"layersMenu",
      QT_TRANSLATE_NOOP("pixelplumb::WhatsThis",
                        "Lays the figures of the course texts over the scene, at the step in "

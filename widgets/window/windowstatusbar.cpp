@@ -74,8 +74,8 @@ void WindowStatusBar::addVision(ColourVisionSwitch *vision)
     auto *button = new QToolButton(this);
     button->setObjectName(QStringLiteral("statusVision"));
     button->setAutoRaise(true);
-    button->setToolTip(tr("The window looks as it does to such eyes; a click ends it. The frame, "
-                          "what is exported and all numbers are as ever."));
+    button->setToolTip(tr("The canvas, panels and tool bars look as they do to such eyes; a click "
+                          "ends it. The frame, what is exported and all numbers are as ever."));
     addPermanentWidget(button);
     const auto tell = [vision, button] {
         button->setText(tr("seen with %1").arg(nameOf(vision->choice())));
