@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
 #include "app/cli/suggestion.h"
-
 #include "version.h"
 
 #include <QCoreApplication>
