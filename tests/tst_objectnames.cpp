@@ -96,16 +96,21 @@ private slots:
         // The same object may be in several menus; the window's keys also act in the canvas.
         QMap<QString, QString> window;
         QMap<QString, QString> canvas;
+        QMap<QString, QString> elsewhere; // in lists, each with keys of its own
         QStringList collisions;
         for (const QAction *action : m_window->findChildren<QAction *>()) {
             for (const QKeySequence &key : action->shortcuts()) {
                 const QString text = key.toString();
                 const bool inWindow = scopeOf(*action) == "window";
-                if (window.contains(text) || (canvas.contains(text) && inWindow)
-                    || (canvas.contains(text) && !inWindow && !isOfAnotherWidget(*action)))
+                const bool inCanvas = !inWindow && !isOfAnotherWidget(*action);
+                if (window.contains(text) || (canvas.contains(text) && (inWindow || inCanvas))
+                    || (elsewhere.contains(text) && inWindow))
                     collisions += text + ": " + action->objectName() + ", " + window.value(text)
-                        + canvas.value(text);
-                (inWindow ? window : canvas).insert(text, action->objectName());
+                        + canvas.value(text) + elsewhere.value(text);
+                (inWindow       ? window
+                     : inCanvas ? canvas
+                                : elsewhere)
+                    .insert(text, action->objectName());
             }
         }
         QCOMPARE(collisions, QStringList());
