@@ -15,7 +15,7 @@ namespace {
 using Fraction = boost::multiprecision::cpp_rational;
 using Whole = boost::multiprecision::cpp_int;
 
-int floorOf(double number) { return int(std::floor(number)); }
+int floorOf(double number) { return int(std::clamp(std::floor(number), -1e9, 1e9)); }
 
 int floorOf(const Fraction &number)
 {
