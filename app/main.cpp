@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/cli/suggestion.h"
 #include "core/methods/method.h"
 #include "version.h"
 #include "widgets/files/scenefiles.h"
@@ -78,9 +79,15 @@ void overrideSettings(MainWindow &window, const QCommandLineParser &parser, cons
 {
     Scene scene = window.parts().document->scene();
     if (parser.isSet(options.method)) {
-        if (!methodNamed(parser.value(options.method)))
-            refuse(QStringLiteral("method"), parser.value(options.method),
-                   QStringLiteral("a method that pixelplumb-cli methods lists"));
+        const QString name = parser.value(options.method);
+        if (!methodNamed(name)) {
+            QStringList ids;
+            for (const Method &method : methods())
+                ids += method.id;
+            refuse(QStringLiteral("method"), name,
+                   QStringLiteral("a method that pixelplumb-cli methods lists")
+                       + cli::suggestion(name, ids));
+        }
         scene.method = parser.value(options.method).toStdString();
     }
     if (parser.isSet(options.arithmetic)) {

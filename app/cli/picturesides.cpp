@@ -120,6 +120,7 @@ Result<Sides> sidesOf(const CommandLine &line, const QStringList &places)
             if (!student)
                 return student.error();
             sides.sources.push_back(sourceOf(*student, *terms));
+            sides.sources.back().name = word.sliced(programPrefix.size());
             continue;
         }
         QStringList ids;

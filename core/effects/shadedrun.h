@@ -83,7 +83,19 @@ public:
                    ShadedSurroundings<N> &surroundings);
 
 private:
-    using Table = ShadeTable<Form, N>;
+    /// What shades a run with the effects. The table's kernels are compiled only where they are
+    /// asked for: not for an observer.
+    auto shaderFor(const EffectSet &effects) const
+    {
+        if constexpr (std::is_same_v<Observer, NullObserver>) {
+            return ShadeTable<Form, N>::kernelFor(effects);
+        } else {
+            return [this, &effects](const ShadedSetUp<N> &setUp, const Column &column,
+                                    const RowRun &run, const Surface<N> &surface, FrameView frame) {
+                shadeColumn<Form>(setUp, column, run, effects, surface, frame, m_observer);
+            };
+        }
+    }
 
     ShadedTriangle triangleAt(std::size_t index) const
     {
@@ -128,15 +140,10 @@ private:
         if (!begins(triangle, setUp))
             return;
         const Surface<N> surface = surfaceOf(triangle, surroundings);
-        const auto kernel = Table::kernelFor(effects);
+        const auto shadeRun = shaderFor(effects);
         const auto fillColumn = [&](const Column &column) {
             m_observer.spanEntered(column);
-            fill(column, [&](const RowRun &run) {
-                if constexpr (std::is_same_v<Observer, NullObserver>)
-                    kernel(setUp, column, run, surface, frame);
-                else
-                    shadeColumn<Form>(setUp, column, run, effects, surface, frame, m_observer);
-            });
+            fill(column, [&](const RowRun &run) { shadeRun(setUp, column, run, surface, frame); });
         };
         ShadedScan<Form, N, A, decltype(fillColumn)> scan(triangle.triangle, setUp,
                                                           m_settings.fillRule, frame, fillColumn);
@@ -166,7 +173,7 @@ void ShadedRun<Form, N, A, Observer>::drawAreas(std::size_t index, const EffectS
     if (!begins(triangle, setUp))
         return;
     const Surface<N> whole = surfaceOf(triangle, surroundings);
-    const auto kernel = Table::kernelFor(needed);
+    const auto shadeRun = shaderFor(needed);
     std::array<LatticePoint, 3> corners;
     for (std::size_t i = 0; i < 3; ++i)
         corners[i] = setUp.vertices[std::size_t(setUp.order[i])].position;
@@ -201,10 +208,7 @@ void ShadedRun<Form, N, A, Observer>::drawAreas(std::size_t index, const EffectS
                                std::clamp(strip.whole.end, column.firstDrawn, column.endDrawn)};
         for (std::int64_t y = column.firstDrawn; y < inside.first; ++y)
             drawPart(y);
-        if constexpr (std::is_same_v<Observer, NullObserver>)
-            kernel(setUp, column, inside, whole, frame);
-        else
-            shadeColumn<Form>(setUp, column, inside, needed, whole, frame, m_observer);
+        shadeRun(setUp, column, inside, whole, frame);
         for (std::int64_t y = inside.end; y < column.endDrawn; ++y)
             drawPart(y);
     }

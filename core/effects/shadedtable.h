@@ -47,9 +47,13 @@ private:
         shadeColumn<Form>(setUp, column, run, setUp.effects, surface, frame, NullObserver{});
     }
 
-    /// float64 and integers of 256 bits are not raced for time.
+    /// float64 and integers of 256 bits are not raced for time, nor is anything with sanitizers.
+#ifdef PIXELPLUMB_SANITIZED_BUILD
+    static constexpr bool isSpecialised = false;
+#else
     static constexpr bool isSpecialised
         = std::is_same_v<N, FloatShading<float>> || std::is_same_v<N, ExactShading<Int128>>;
+#endif
 
     static const std::array<Kernel, effectSetCount> &table()
     {

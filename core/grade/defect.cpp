@@ -79,9 +79,10 @@ Lattice nearest(Lattice coordinate) { return truncated(coordinate + unitsPerPixe
 
 void appendPlaces(std::vector<Defect> &defects, const Scene &scene)
 {
+    QString choice;
     const auto add
         = [&](const char *id, const char *forStudent, const char *forAssistant, MoveVertex move) {
-              append(defects, scene, QString::fromUtf8(forStudent),
+              append(defects, scene, choice,
                      {QString::fromLatin1(id), QString::fromUtf8(forStudent),
                       QString::fromUtf8(forAssistant), [move](Scene &changed) {
                           for (Triangle &triangle : changed.triangles) {
@@ -91,6 +92,7 @@ void appendPlaces(std::vector<Defect> &defects, const Scene &scene)
                           return true;
                       }});
           };
+    choice = QStringLiteral("places");
     constexpr const char *places = "Do vertices between pixels keep their places?";
     add("vertices-truncated", places, "Vertices are cast to whole pixels.",
         [](LatticePoint &point) {
@@ -104,6 +106,7 @@ void appendPlaces(std::vector<Defect> &defects, const Scene &scene)
         [](LatticePoint &point) { point.x = truncated(point.x); });
     add("y-truncated", places, "y of the vertices is cast to whole pixels, x is not.",
         [](LatticePoint &point) { point.y = truncated(point.y); });
+    choice = QStringLiteral("centre");
     constexpr const char *centre = "Where in a pixel is its sample?";
     add("half-pixel-down", centre, "Samples stand half a pixel towards larger x and y.",
         [](LatticePoint &point) {

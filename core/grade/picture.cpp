@@ -44,13 +44,6 @@ void takeCoverage(const CoverageMask &coverage, Picture &picture)
     }
 }
 
-bool looksLikeRaster(const QByteArray &content)
-{
-    return !content.isEmpty() && std::ranges::all_of(content, [](char character) {
-        return character == '#' || character == '.' || character == '\n' || character == '\r';
-    });
-}
-
 InputError tooLarge(const QString &name, const QSize &size)
 {
     return {name, QStringLiteral("%1 × %2 pixels").arg(size.width()).arg(size.height()),

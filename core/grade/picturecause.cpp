@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/picturecause.h"
 
+#include "core/frame/srgb.h"
+
 #include <QStringList>
 
 #include <algorithm>
@@ -140,16 +142,6 @@ void appendChannels(std::vector<PictureChange> &changes)
     }
 }
 
-/// IEC 61966-2-1.
-double toLinear(double encoded)
-{
-    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
-}
-double toEncoded(double linear)
-{
-    return linear <= 0.0031308 ? 12.92 * linear : 1.055 * std::pow(linear, 1 / 2.4) - 0.055;
-}
-
 using Curve = double (*)(double);
 
 Colour mapped(const Colour &colour, Curve curve)
@@ -167,8 +159,8 @@ void appendLevels(std::vector<PictureChange> &changes)
             {name, recolour([curve](const Colour &colour) { return mapped(colour, curve); }),
              QStringLiteral("levels")});
     };
-    add(QStringLiteral("encoded as sRGB once too often"), toEncoded);
-    add(QStringLiteral("decoded from sRGB once too often"), toLinear);
+    add(QStringLiteral("encoded as sRGB once too often"), levelOfLight);
+    add(QStringLiteral("decoded from sRGB once too often"), linearLight);
 }
 
 } // namespace

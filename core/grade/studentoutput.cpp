@@ -2,6 +2,7 @@
 #include "core/grade/studentoutput.h"
 
 #include "core/grade/showntext.h"
+#include "core/scene/asciiraster.h"
 #include "core/scene/pngfault.h"
 
 #include <QBuffer>
@@ -59,13 +60,6 @@ std::optional<InputError> objectionToHeader(const QByteArray &output, const Fram
     return std::nullopt;
 }
 
-bool isRaster(const QByteArray &output)
-{
-    return !output.isEmpty() && std::ranges::all_of(output, [](char each) {
-        return each == '#' || each == '.' || each == '\n' || each == '\r';
-    });
-}
-
 bool isTrace(const QByteArray &output)
 {
     const QByteArray start = output.left(longestQuoted).trimmed();
@@ -115,7 +109,7 @@ Result<StudentOutput> readStudentOutput(const QByteArray &output, const Scene &s
             read.picture = pictureFrom(read.lines, frame);
         return read;
     }
-    if (!isRaster(output)) {
+    if (!looksLikeRaster(output)) {
         if (const auto objection = objectionToHeader(output, frame))
             return *objection;
     }

@@ -94,7 +94,7 @@ QString LiveFigures::text() const
     if (isProved)
         wrong = QStringLiteral("0 wrong, proved");
     else if (wrongPixels)
-        wrong = QStringLiteral("%1 wrong of %2 px").arg(*wrongPixels).arg(pixels);
+        wrong = QStringLiteral("%1 wrong px, truth %2 px").arg(*wrongPixels).arg(pixels);
     return perPixel ? wrong + QStringLiteral(" · ") + timeText() : wrong;
 }
 

@@ -27,6 +27,8 @@ struct StudySettings {
     /// Seconds of processor time after which a contender hangs; 0: the extent's, far more than any
     /// takes within its samples.
     double hangSeconds = 0;
+    /// Seconds of processor time of a timed draw, beyond which it is not timed; 0: the extent's.
+    double longestDrawSeconds = 0;
     int rounds = -1; ///< of timing; below 0: the extent's; 0: nothing is timed
     int growthRounds = -1; ///< of how times grow; below 0: the extent's; 0: no curves
 };

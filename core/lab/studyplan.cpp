@@ -29,6 +29,8 @@ StudyPlan studyPlanFor(const StudySettings &settings)
         plan.accuracy.mostSamples = settings.mostSamples;
     if (settings.hangSeconds > 0)
         plan.accuracy.hangSeconds = settings.hangSeconds;
+    if (settings.longestDrawSeconds > 0)
+        plan.race.longestDraw = settings.longestDrawSeconds * 1e9;
     if (settings.rounds >= 0)
         plan.rounds = settings.rounds;
     if (settings.growthRounds >= 0)

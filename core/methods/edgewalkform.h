@@ -17,7 +17,8 @@ enum class ColourRate {
     Plane, ///< from the plane through the three vertices
 };
 
-/// What tells one edge walk from another.
+/// What an edge walk's words say of it: names, formulas, pseudocode. What it computes in is its
+/// kernel's withNumbers() (core/methods/edgewalkkernels.h).
 struct EdgeWalkForm {
     SpanAxis axis = SpanAxis::Column;
     WalkForm walk = WalkForm::Accumulated;

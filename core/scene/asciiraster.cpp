@@ -73,6 +73,11 @@ CoverageMask coverageAt(const ScanTrace &trace, const FrameSpec &spec, std::size
     return coverage;
 }
 
+bool looksLikeRaster(const QByteArray &content)
+{
+    return content.startsWith('#') || content.startsWith('.');
+}
+
 Result<CoverageMask> parseAsciiRaster(QStringView text)
 {
     const QList<QStringView> lines = linesOf(text);

@@ -19,6 +19,9 @@ CoverageMask coverageOf(const Scene &scene);
 /// Those that a recorded run has written at a position.
 CoverageMask coverageAt(const ScanTrace &trace, const FrameSpec &spec, std::size_t position);
 
+/// Whether a file or an output is meant as a raster: it begins with # or a full stop.
+bool looksLikeRaster(const QByteArray &content);
+
 /// Reads a raster; its frame begins at (0, 0) in the lower left. The last line feed may be missing
 /// and lines may end as on Windows. Ragged lines and other characters are errors.
 Result<CoverageMask> parseAsciiRaster(QStringView text);

@@ -69,21 +69,11 @@ Table tableOf(const TracedScene &traced, TraceLevel level)
 
 } // namespace
 
-QString TableFolder::faultOf(const TracedScene &traced) const
-{
-    for (const TraceLevel level : allLevels) {
-        const QString fault = pixelplumb::faultOf(tableOf(traced, level), traced, level);
-        if (!fault.isEmpty())
-            return fault;
-    }
-    return {};
-}
-
 QString TableFolder::faultOfKept(const TracedScene &traced, const QString &name)
 {
     for (const TraceLevel level : allLevels) {
         const Table table = tableOf(traced, level);
-        const QString fault = pixelplumb::faultOf(table, traced, level);
+        const QString fault = faultOf(table, traced, level);
         if (!fault.isEmpty())
             return fault;
         const QString path = m_folder.filePath(QStringLiteral("%1-%2").arg(name).arg(int(level)));

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/appearance.h"
 
-#include "widgets/look/linearlight.h"
+#include "widgets/look/luminance.h"
 #include "widgets/look/signs.h"
 #include "widgets/look/togglestyle.h"
 

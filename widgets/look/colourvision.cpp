@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/colourvision.h"
 
-#include "widgets/look/linearlight.h"
+#include "core/frame/srgb.h"
 
 #include <QCoreApplication>
 

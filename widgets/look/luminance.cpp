@@ -1,14 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/look/linearlight.h"
+#include "widgets/look/luminance.h"
 
-#include <cmath>
+#include "core/frame/srgb.h"
 
 namespace pixelplumb {
-
-double linearLight(double level)
-{
-    return level <= 0.04045 ? level / 12.92 : std::pow((level + 0.055) / 1.055, 2.4);
-}
 
 double luminance(const QColor &colour)
 {
