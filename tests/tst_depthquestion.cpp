@@ -7,6 +7,7 @@
 #include "core/oracle/squarearea.h"
 #include "tests/support/framespec.h"
 #include "tests/support/plannedtriangles.h"
+#include "tests/support/sanitized.h"
 
 #include <QRandomGenerator>
 #include <QtTest>
@@ -145,7 +146,7 @@ private slots:
     void theAnswerIsThatOfAllSamples_data()
     {
         QTest::addColumn<quint32>("seed");
-        for (quint32 seed = 0; seed < 200; ++seed)
+        for (quint32 seed = 0; seed < quint32(fewerIfSanitized(200)); ++seed)
             QTest::addRow("seed %u", seed) << seed;
     }
     void theAnswerIsThatOfAllSamples()
@@ -168,7 +169,7 @@ private slots:
 
     void depthsOfAnySizeAreComparedInTheirLastUnit()
     {
-        for (quint32 seed = 0; seed < 200; ++seed) {
+        for (quint32 seed = 0; seed < quint32(fewerIfSanitized(200)); ++seed) {
             Primitives primitives = randomScene(seed);
             QRandomGenerator random(seed + 1);
             for (TriangleAttributes &attributes : primitives.attributes) {
@@ -233,7 +234,7 @@ private slots:
 
     void touchedPixelsAreBoundedFromAbove()
     {
-        for (quint32 seed = 0; seed < 400; ++seed) {
+        for (quint32 seed = 0; seed < quint32(fewerIfSanitized(400)); ++seed) {
             for (const Triangle &triangle : randomScene(seed).triangles) {
                 const FrameView frame = frameView();
                 std::int64_t covered = 0;
@@ -249,7 +250,7 @@ private slots:
 
     void touchedSquaresAreBoundedFromAbove()
     {
-        for (quint32 seed = 0; seed < 60; ++seed) {
+        for (quint32 seed = 0; seed < quint32(fewerIfSanitized(60)); ++seed) {
             for (const Triangle &triangle : randomScene(seed).triangles) {
                 const FrameView frame = frameView();
                 std::int64_t touched = 0;
@@ -268,7 +269,7 @@ private slots:
 
     void samplesOnSharedEdgesAreCountedOnce()
     {
-        for (quint32 seed = 0; seed < 200; ++seed) {
+        for (quint32 seed = 0; seed < quint32(fewerIfSanitized(200)); ++seed) {
             const Triangle triangle = randomScene(seed).triangles.front();
             const std::array<const Triangle *, 2> twice = {&triangle, &triangle};
             const FrameView frame = frameView();

@@ -3,6 +3,7 @@
 #include "core/runs/tracedscene.h"
 #include "tests/support/filldefinition.h"
 #include "tests/support/rulescenes.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/trianglemeshes.h"
 
 #include <QTest>
@@ -181,8 +182,8 @@ private slots:
     {
         QFETCH(const Method *, method);
         QFETCH(FillRule, rule);
-        constexpr int trianglesOfAStep = 40;
-        constexpr int recordedOfAStep = 8;
+        constexpr int trianglesOfAStep = fewerIfSanitized(40);
+        constexpr int recordedOfAStep = fewerIfSanitized(8);
         std::uint64_t seed = 0;
         for (const FrameSpec &frame : frames()) {
             for (const Lattice step : {Lattice(1), unitsPerPixel / 2, unitsPerPixel}) {
@@ -260,7 +261,7 @@ private slots:
         for (const FrameSpec &frame : frames()) {
             for (const Lattice step : {Lattice(1), unitsPerPixel / 2, unitsPerPixel}) {
                 VertexSource source(frame, step, ++seed);
-                for (int i = 0; i < 60; ++i) {
+                for (int i = 0; i < fewerIfSanitized(60); ++i) {
                     Scene scene = sceneOf(frame, *methodNamed(id), FillRule::TopLeft);
                     scene.shapes = {source.nextPolygon(vertices)};
                     QCOMPARE(faultOf(scene, i < 8), QString());

@@ -3,7 +3,6 @@
 #include "core/lab/standardexamples.h"
 #include "core/scan/choicenames.h"
 #include "tests/support/countedbyhand.h"
-#include "tests/support/sanitized.h"
 #include "tests/support/scenesformethods.h"
 
 #include <QTest>
@@ -64,12 +63,8 @@ private slots:
     {
         QFETCH(QString, id);
         const Method &method = *methodNamed(id);
-        std::size_t turn = 0;
         for (const auto &[name, scene] : scenesForEveryMethod()) {
-            const Arithmetic kept = method.arithmetics[turn++ % method.arithmetics.size()];
             for (const Arithmetic arithmetic : method.arithmetics) {
-                if (isSanitized && arithmetic != kept)
-                    continue;
                 for (const FillRule rule : method.fillRules) {
                     const ScanSettings settings = {arithmetic, rule, scene.settings.rounding};
                     const Primitives primitives = primitivesOnSamples(scene);

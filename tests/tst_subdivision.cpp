@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
 #include "core/scene/scenefile.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/shapes.h"
 
 #include <QTest>
@@ -69,7 +70,7 @@ private slots:
         QFETCH(Lattice, step);
         QRandomGenerator random(41);
         const FrameSpec frame = frameOf(64, 64, -2, -2);
-        for (int round = 0; round < 60; ++round) {
+        for (int round = 0; round < fewerIfSanitized(60); ++round) {
             const Shape curve = randomCurve(random, step);
             QVERIFY2(departureOf(curve, frame).isEmpty(), qPrintable(departureOf(curve, frame)));
         }
@@ -79,7 +80,7 @@ private slots:
     {
         const FrameSpec frame = frameOf(4, 4, -1, -1);
         // Ends and turns lie on borders and corners throughout.
-        for (int index = 0; index < 9 * 9 * 9 * 9 * 9; index += 29) {
+        for (int index = 0; index < 9 * 9 * 9 * 9 * 9; index += isSanitized ? 233 : 29) {
             int rest = index;
             const auto next = [&] { return Lattice(std::exchange(rest, rest / 9) % 9) * 64; };
             const LatticePoint middle = {next(), next()};
@@ -95,7 +96,7 @@ private slots:
         const FrameSpec frame = frameOf(64, 64, -2, -2);
         std::size_t rounded = 0;
         std::int64_t thin = 0;
-        for (int round = 0; round < 40; ++round) {
+        for (int round = 0; round < fewerIfSanitized(40); ++round) {
             const Shape curve = randomCurve(random, unitsPerPixel);
             const CasePicture truth = truthOf(curve, frame);
             QVERIFY2(isConnected(truth), qPrintable(nameOf(curve)));
@@ -121,7 +122,7 @@ private slots:
         QRandomGenerator random(43);
         const FrameSpec frame = frameOf(48, 48, -24, -24);
         const auto far = [&] { return Lattice(random.bounded(-90000, 90000)) * unitsPerPixel; };
-        for (int round = 0; round < 40; ++round) {
+        for (int round = 0; round < fewerIfSanitized(40); ++round) {
             const LatticePoint a = {far(), far()}, b = {far(), far()};
             // Through (0, 0) at t = ½.
             const Shape curve = bezierAt({a, b, {-a.x - 2 * b.x, -a.y - 2 * b.y}});

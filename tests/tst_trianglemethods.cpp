@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/shapes.h"
 #include "tests/support/trianglepictures.h"
 
@@ -88,7 +89,7 @@ private slots:
         const auto point
             = [](std::int64_t index) { return latticePixel(index % side, index / side); };
         bool allTrue = true;
-        for (std::int64_t a = 0; a < side * side && allTrue; ++a) {
+        for (std::int64_t a = 0; a < side * side && allTrue; a += isSanitized ? 7 : 1) {
             for (std::int64_t b = 0; b < side * side && allTrue; ++b) {
                 for (std::int64_t c = 0; c < side * side && allTrue; ++c)
                     allTrue = drawsTheTruth(method, triangleOf({{point(a), point(b), point(c)}}),
@@ -105,8 +106,8 @@ private slots:
         QFETCH(ScanSettings, settings);
         const Method &method = *methodNamed(id);
         WindowPicture drawn(8, 8), truth(8, 8);
-        // Every 37th of the 64³ triangles of whole vertices.
-        for (std::int64_t index = 0; index < 64 * 64 * 64; index += 37) {
+        // Every 37th of the 64³ triangles of whole vertices; with sanitizers every 299th.
+        for (std::int64_t index = 0; index < 64 * 64 * 64; index += isSanitized ? 299 : 37) {
             const auto point = [&](std::int64_t divisor) {
                 const std::int64_t place = index / divisor % 64;
                 return latticePixel(place % 8, place / 8);
@@ -127,7 +128,7 @@ private slots:
         for (const Lattice step : {256, 16, 1}) {
             for (const std::int32_t origin : {0, 16384, -16384, 1 << 20, -(1 << 20)}) {
                 WindowPicture drawn(24, 20, origin, -origin), truth(24, 20, origin, -origin);
-                for (int i = 0; i < 60; ++i) {
+                for (int i = 0; i < fewerIfSanitized(60); ++i) {
                     const Triangle triangle = randomTriangle(random, drawn.spec(), step);
                     settings.rounding = i % 4 == 0 ? ByteRounding::Truncate : ByteRounding::Nearest;
                     QVERIFY2(
@@ -148,7 +149,7 @@ private slots:
         std::mt19937_64 random(seed);
         std::uniform_int_distribution<Lattice> anywhere(-largestCoordinate, largestCoordinate);
         std::uniform_int_distribution<Lattice> near(-4000, 4000);
-        for (int i = 0; i < 200; ++i) {
+        for (int i = 0; i < fewerIfSanitized(200); ++i) {
             std::array<LatticePoint, 3> points;
             for (LatticePoint &point : points)
                 point = {anywhere(random), anywhere(random)};

@@ -16,6 +16,8 @@ Result<Submission> readSubmission(const CommandLine &line, const QString &sceneP
     Result<Scene> scene = readScene(line, scenePath);
     if (!scene)
         return scene.error();
+    if (const auto refusal = refusalToJudge(*scene, scenePath))
+        return *refusal;
     Result<Picture> picture = readPicture(picturePath);
     if (!picture)
         return picture.error();

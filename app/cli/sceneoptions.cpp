@@ -89,16 +89,10 @@ void reportSnaps(const QString &path, const SnapReports &snaps)
                 .arg(snaps.size() - reported));
 }
 
-/// A scene may name a method for what is yet to be drawn; nobody should wonder at an empty picture.
-void reportNothingDrawn(const QString &path, const Method &method, const Scene &scene)
+QString drawsNoneText(const Scene &scene)
 {
-    const bool drawsTriangles = scene.hasTriangles() && method.draws(PrimitiveKind::Triangle);
-    const bool drawsShapes = std::ranges::any_of(
-        scene.shapes, [&method](const Shape &shape) { return method.draws(shape); });
-    if (!scene.isEmpty() && !drawsTriangles && !drawsShapes)
-        sayLine(QStringLiteral("%1: method “%2” draws none of the primitives; see "
-                               "`pixelplumb-cli methods` for one that does")
-                    .arg(path, method.id));
+    return QStringLiteral("method “%1” draws none of the primitives")
+        .arg(QString::fromStdString(scene.method));
 }
 
 } // namespace
@@ -237,13 +231,25 @@ Result<Scene> readScene(const CommandLine &line, const QString &path)
         return scene;
     if (const auto refusal = refusalOf(*scene, path))
         return *refusal;
-    reportNothingDrawn(path, *methodNamed(QString::fromStdString(scene->method)), *scene);
+    // A scene may name a method for what is yet to be drawn; nobody should wonder at an empty
+    // picture.
+    if (!drawsAnyOf(*scene))
+        sayLine(QStringLiteral("%1: %2; see `pixelplumb-cli methods` for one that does")
+                    .arg(path, drawsNoneText(*scene)));
     if (scene->appearance.depthFormat != DepthFormat::Exact) {
         if (const QString clamped = clampedDepthsText(primitivesOnSamples(*scene));
             !clamped.isEmpty())
             sayLine(path + QStringLiteral(": ") + clamped);
     }
     return scene;
+}
+
+std::optional<InputError> refusalToJudge(const Scene &scene, const QString &path)
+{
+    if (drawsAnyOf(scene))
+        return std::nullopt;
+    return InputError{path, drawsNoneText(scene),
+                      QStringLiteral("a method that draws one, in the scene or as --method")};
 }
 
 } // namespace pixelplumb::cli

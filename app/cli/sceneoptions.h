@@ -37,6 +37,9 @@ Result<Scene> readScene(const CommandLine &line, const QString &path);
 /// The same, whether or not the scene's method can draw it so: for who chooses another.
 Result<Scene> readSceneForAnyMethod(const CommandLine &line, const QString &path);
 
+/// Why nobody's work can be judged by a scene: its method draws nothing of it.
+std::optional<InputError> refusalToJudge(const Scene &scene, const QString &path);
+
 /// What an option chooses, or an error that lists the choices; unset keeps the default.
 Result<const Method *> chosenMethod(const CommandLine &line, const QString &unset);
 Result<Arithmetic> chosenArithmetic(const CommandLine &line, Arithmetic unset);

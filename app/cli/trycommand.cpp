@@ -138,6 +138,8 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
         Result<Scene> scene = readScene(line, path);
         if (!scene)
             return line.refuse(scene.error());
+        if (const auto refusal = refusalToJudge(*scene, path))
+            return line.refuse(*refusal);
         Result<Trial> trial = pixelplumb::tryProgram(*student, *scene, *terms);
         if (!trial)
             return line.refuse(InputError{path, trial.error().message(), {}});

@@ -83,11 +83,11 @@ public:
                    ShadedSurroundings<N> &surroundings);
 
 private:
-    /// What shades a run with the effects. The table's kernels are compiled only where they are
-    /// asked for: not for an observer.
+    /// What shades a run with the effects, which live as long. The table's kernels are compiled
+    /// only where they are asked for: not for an observer.
     auto shaderFor(const EffectSet &effects) const
     {
-        if constexpr (std::is_same_v<Observer, NullObserver>) {
+        if constexpr (std::is_same_v<Observer, NullObserver> && isSpecialised<N>) {
             return ShadeTable<Form, N>::kernelFor(effects);
         } else {
             return [this, &effects](const ShadedSetUp<N> &setUp, const Column &column,

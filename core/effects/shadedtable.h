@@ -23,6 +23,16 @@ constexpr EffectSet effectSetOf(std::size_t number)
             number / 8 % 2 != 0, number / 16 % 2 != 0, DepthTest(number / 32)};
 }
 
+/// Numbers whose kernels are compiled for each set of effects: float64 and integers of 256 bits are
+/// not raced for time, nor is anything with sanitizers.
+template <class N>
+inline constexpr bool isSpecialised
+#ifdef PIXELPLUMB_SANITIZED_BUILD
+    = false;
+#else
+    = std::is_same_v<N, FloatShading<float>> || std::is_same_v<N, ExactShading<Int128>>;
+#endif
+
 /// The kernels of a form, one compiled for each set of effects: one look into this table a
 /// triangle, none a pixel.
 template <InterpolationForm Form, class N>
@@ -40,29 +50,12 @@ private:
         shadeColumn<Form>(setUp, column, run, StaticEffects<effectSetOf(number)>{}, surface, frame,
                           NullObserver{});
     }
-    /// Of what is too seldom run to be compiled 96 times.
-    static void shadeAny(const ShadedSetUp<N> &setUp, const ShadedColumn<N> &column,
-                         const RowRun &run, const Surface<N> &surface, FrameView frame)
-    {
-        shadeColumn<Form>(setUp, column, run, setUp.effects, surface, frame, NullObserver{});
-    }
-
-    /// float64 and integers of 256 bits are not raced for time, nor is anything with sanitizers.
-#ifdef PIXELPLUMB_SANITIZED_BUILD
-    static constexpr bool isSpecialised = false;
-#else
-    static constexpr bool isSpecialised
-        = std::is_same_v<N, FloatShading<float>> || std::is_same_v<N, ExactShading<Int128>>;
-#endif
 
     static const std::array<Kernel, effectSetCount> &table()
     {
         static constexpr auto kernels = []<std::size_t... number>(std::index_sequence<number...>)
         {
-            if constexpr (isSpecialised)
-                return std::array<Kernel, effectSetCount>{shade<number>...};
-            else
-                return std::array<Kernel, effectSetCount>{(static_cast<void>(number), shadeAny)...};
+            return std::array<Kernel, effectSetCount>{shade<number>...};
         }
         (std::make_index_sequence<effectSetCount>());
         return kernels;

@@ -153,6 +153,11 @@ private:
                         QStringLiteral("method “%1” %2")
                             .arg(QString::fromStdString(scene.method), objection),
                         {});
+        else if (!drawsAnyOf(scene))
+            m_json.fail(node,
+                        QStringLiteral("method “%1” draws none of the primitives")
+                            .arg(QString::fromStdString(scene.method)),
+                        QStringLiteral("a method that draws one"));
     }
 
     AssignedProgram readProgram(const JsonNode &node)

@@ -61,4 +61,12 @@ QString objectionTo(const Scene &scene)
     return method.objection(planOf(scene), scene.settings);
 }
 
+bool drawsAnyOf(const Scene &scene)
+{
+    const Method &method = *methodNamed(QString::fromStdString(scene.method));
+    return scene.isEmpty() || (scene.hasTriangles() && method.draws(PrimitiveKind::Triangle))
+        || std::ranges::any_of(scene.shapes,
+                               [&method](const Shape &shape) { return method.draws(shape); });
+}
+
 } // namespace pixelplumb

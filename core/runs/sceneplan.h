@@ -17,4 +17,7 @@ EffectPlan planOf(const Scene &scene);
 /// runs, to be read after the method's name; empty when it can. The method must exist.
 QString objectionTo(const Scene &scene);
 
+/// Whether the scene's method draws one of its primitives, or there is none to be drawn.
+bool drawsAnyOf(const Scene &scene);
+
 } // namespace pixelplumb
