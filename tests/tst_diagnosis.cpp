@@ -648,6 +648,34 @@ private slots:
         QCOMPARE(result.exitCode, 2);
         QVERIFY2(result.messages.contains("1 scenes and 2 pictures"), result.messages.constData());
     }
+
+    void nobodyIsJudgedByAMethodThatDrawsNothingOfTheScene_data()
+    {
+        QTest::addColumn<QStringList>("words");
+        const QStringList method = {QStringLiteral("--scene"), defaultScene(),
+                                    QStringLiteral("--method"), QStringLiteral("line-bresenham")};
+        QTest::newRow("diagnose") << QStringList{QStringLiteral("diagnose"), QStringLiteral("-")}
+                + method;
+        QTest::newRow("try") << QStringList{QStringLiteral("try"), QStringLiteral("true")} + method;
+    }
+    void nobodyIsJudgedByAMethodThatDrawsNothingOfTheScene()
+    {
+        QFETCH(QStringList, words);
+        const ProgramRun result = run(words, "..\n");
+        QCOMPARE(result.exitCode, 2);
+        QVERIFY2(result.messages.contains("method “line-bresenham” draws none of the primitives"),
+                 result.messages.constData());
+    }
+
+    void aRasterWithAnotherCharacterIsToldWithItsPlace()
+    {
+        const ProgramRun result = run({QStringLiteral("diagnose"), QStringLiteral("-"),
+                                       QStringLiteral("--scene"), defaultScene()},
+                                      "#.#\n#?#\n");
+        QCOMPARE(result.exitCode, 2);
+        QVERIFY2(result.messages.contains("line 2, column 2: “?”; expected # or ."),
+                 result.messages.constData());
+    }
 };
 
 QTEST_GUILESS_MAIN(TestDiagnosis)
