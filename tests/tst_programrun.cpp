@@ -400,7 +400,7 @@ private slots:
         row("another raster", "##\n..\n", "a picture of 2 × 2 pixels");
         row("a ragged raster", "##\n.\n", "the output");
         row("a program", "#define x_width 30000\n#define x_height 30000\n",
-            "neither a picture nor lines");
+            "the output: line 1, column 2: “d”; expected # or .");
         row("a drawing", "<svg xmlns='http://www.w3.org/2000/svg' width='4' height='3'/>",
             "neither a picture nor lines");
         row("a line that is none", "column 1 2 3\ncolumn 1 2\n", "line 2 of the output");
