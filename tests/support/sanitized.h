@@ -3,7 +3,8 @@
 
 namespace pixelplumb {
 
-/// Under sanitizers a run takes ten times as long: fewer methods, random scenes and moves are taken.
+/// Under sanitizers a run takes ten times as long: fewer methods, random scenes and moves are
+/// taken.
 #ifdef PIXELPLUMB_SANITIZED_BUILD
 inline constexpr bool isSanitized = true;
 #else
