@@ -400,7 +400,9 @@ private slots:
         row("another raster", "##\n..\n", "a picture of 2 × 2 pixels");
         row("a ragged raster", "##\n.\n", "the output");
         row("a program", "#define x_width 30000\n#define x_height 30000\n",
-            "the output: line 1, column 2: “d”; expected # or .");
+            "neither a picture nor lines");
+        row("a raster with a letter", "###d\n....\n", "line 1, column 4: “d”; expected # or .");
+        row("a level that is none", "P3 4 3 255\n0 0 300\n", "line 2: no level from 0 to 255");
         row("a drawing", "<svg xmlns='http://www.w3.org/2000/svg' width='4' height='3'/>",
             "neither a picture nor lines");
         row("a line that is none", "column 1 2 3\ncolumn 1 2\n", "line 2 of the output");

@@ -57,7 +57,11 @@ std::optional<PartingStep> partingStepOf(const Sides &sides, const Scene &scene)
     const auto partingRun = parting.runOf(scene);
     if (!rightRun || !partingRun)
         return std::nullopt;
-    return pixelplumb::partingStepOf(*rightRun, *partingRun);
+    const Scene defective = withDefects(rightRun->scene, rightRun->defects);
+    if (defective == partingRun->scene)
+        return pixelplumb::partingStepOf(defective, partingRun->defects);
+    return pixelplumb::partingStepOf(defective,
+                                     withDefects(partingRun->scene, partingRun->defects));
 }
 
 struct DifferingPixel {

@@ -118,7 +118,9 @@ PictureSource sourceOf(const Contender &contender)
                     return std::nullopt;
                 return pictureOf(drawn);
             },
-            [sceneOf](const Scene &scene) -> std::optional<Scene> { return sceneOf(scene); },
+            [sceneOf](const Scene &scene) -> std::optional<DefectiveScene> {
+                return DefectiveScene{sceneOf(scene)};
+            },
             contender.method->isStableUnder(contender.settings)};
 }
 
@@ -139,12 +141,12 @@ PictureSource sourceOf(const QString &defect, const Contender &of)
                     return std::nullopt;
                 return pictureWith(right, std::span(&*found, 1));
             },
-            [=](const Scene &scene) -> std::optional<Scene> {
+            [=](const Scene &scene) -> std::optional<DefectiveScene> {
                 const Scene right = sceneFor(scene, of);
                 const auto found = defectIn(right);
-                if (!found || found->stage() != DefectStage::Scene)
+                if (!found)
                     return std::nullopt;
-                return withDefects(right, std::span(&*found, 1));
+                return DefectiveScene{right, {*found}};
             }};
 }
 

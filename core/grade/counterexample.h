@@ -10,12 +10,18 @@
 
 namespace pixelplumb {
 
+/// A scene, and what a program that draws it does wrong.
+struct DefectiveScene {
+    Scene scene;
+    std::vector<Defect> defects = {};
+};
+
 /// Something that draws pictures of scenes, to be held against another.
 struct PictureSource {
     QString name;
     std::function<std::optional<Picture>(const Scene &scene)> draw; ///< none: it cannot
-    /// The scene that its run is of; none where it is no run of a method.
-    std::function<std::optional<Scene>(const Scene &scene)> runOf = {};
+    /// What its run is of; none where it is no run of a method.
+    std::function<std::optional<DefectiveScene>(const Scene &scene)> runOf = {};
     bool isStable = false; ///< every picture is the truth, by proof
 };
 

@@ -14,6 +14,12 @@ namespace pixelplumb {
 struct ExactWalk {
     static bool represents(const LatticePoint &point) { return isNarrow(point); }
 
+    /// What is left of a quotient; its denominator is positive.
+    static Int128 cut(const Int128 &numerator, const Int128 &denominator, Kept kept)
+    {
+        return kept == Kept::Down ? floorDivide(numerator, denominator) : numerator / denominator;
+    }
+
     /// Where an edge meets the span in hand.
     class Edge {
     public:
@@ -25,12 +31,22 @@ struct ExactWalk {
             , m_span(span)
         {
             m_denominator = Int128(std::max<Lattice>(m_width, 1)) * unitsPerPixel;
+            // What is lost of stored levels adds up from the edge's first span on.
+            if (storesWholeLevels())
+                m_span = std::min(ceilPixel(m_ofColours.a.position.x), span);
+            for (std::size_t i = 0; i < 3; ++i)
+                m_levels[i] = storedLevel(levelOf(i, m_span));
             update();
+            while (m_span < span)
+                stepToNextSpan();
         }
 
         void stepToNextSpan()
         {
             ++m_span;
+            for (std::size_t i = 0; i < 3; ++i)
+                m_levels[i]
+                    = storedLevel(m_levels[i] + levelOf(i, m_span) - levelOf(i, m_span - 1));
             update();
         }
 
@@ -57,22 +73,29 @@ struct ExactWalk {
             const Int128 rise = m_ofPlaces.b.position.y - a.position.y;
             if (m_width == 0)
                 m_along = a.position.y;
-            else if (m_walk.slopes == Quotient::Whole)
-                m_along = (a.position.y + way * (rise / m_width)) * m_width;
+            else if (m_walk.slopes != Kept::All)
+                m_along = (a.position.y + way * cut(rise, m_width, m_walk.slopes)) * m_width;
             else
                 m_along = Int128(a.position.y) * m_width + way * rise;
-            for (std::size_t i = 0; i < 3; ++i)
-                m_levels[i] = levelOf(i);
         }
-        Int128 levelOf(std::size_t channel) const
+        bool storesWholeLevels() const { return m_walk.edgeLevels != Kept::All; }
+        Int128 storedLevel(const Int128 &level) const
+        {
+            return storesWholeLevels()
+                ? cut(level, m_denominator, m_walk.edgeLevels) * m_denominator
+                : level;
+        }
+        Int128 levelOf(std::size_t channel, std::int64_t span) const
         {
             const Int128 level = m_ofColours.a.colour.channels[channel];
             const Int128 rise = m_ofColours.b.colour.channels[channel] - level;
-            const Int128 way = m_span * unitsPerPixel - m_ofColours.a.position.x;
+            const Int128 way = span * unitsPerPixel - m_ofColours.a.position.x;
             if (m_width == 0)
                 return level * unitsPerPixel;
-            if (m_walk.edgeColours == Quotient::Whole)
-                return (level * unitsPerPixel + way * (rise * unitsPerPixel / m_width)) * m_width;
+            if (m_walk.edgeColours != Kept::All)
+                return (level * unitsPerPixel
+                        + way * cut(rise * unitsPerPixel, m_width, m_walk.edgeColours))
+                    * m_width;
             return (level * m_width + way * rise) * unitsPerPixel;
         }
 
@@ -108,12 +131,16 @@ struct ExactWalk {
                                        : sign
                     * (upper.m_levels[i] * lower.m_denominator
                        - lower.m_levels[i] * upper.m_denominator);
-            const Int128 whole = rise / height;
-            const bool isPreStepWhole = walk.preSteps == Quotient::Whole;
-            const Int128 first
-                = lower.m_levels[i] * height + way * (isPreStepWhole ? whole * height : rise);
-            const Int128 step
-                = walk.steps == Quotient::Whole ? whole * denominator : rise * lower.m_denominator;
+            const Int128 preStep
+                = walk.preSteps == Kept::All ? rise : cut(rise, height, walk.preSteps) * height;
+            const Int128 first = lower.m_levels[i] * height + way * preStep;
+            const Int128 step = walk.steps == Kept::All
+                ? rise * lower.m_denominator
+                : cut(rise, height, walk.steps) * denominator;
+            if (walk.levels != Kept::All) {
+                storeWhole({first, step, denominator}, span, walk.levels, levels, i);
+                continue;
+            }
             for (std::size_t place = 0; place < levels.size(); ++place) {
                 const Int128 steps = span.firstDrawn - span.first + std::int64_t(place);
                 const CommonFraction level{first + steps * step, denominator};
@@ -122,6 +149,22 @@ struct ExactWalk {
             }
         }
         return levels;
+    }
+
+private:
+    struct Ramp {
+        Int128 first, step, denominator;
+    };
+    /// A channel whose level is a whole number at each sample.
+    static void storeWhole(const Ramp &ramp, const WalkedSpan &span, Kept kept,
+                           std::vector<WholeLevels> &levels, std::size_t channel)
+    {
+        Int128 level = cut(ramp.first, ramp.denominator, kept);
+        for (std::int64_t place = span.first; place < span.endDrawn; ++place) {
+            if (place >= span.firstDrawn)
+                levels[std::size_t(place - span.firstDrawn)][channel] = std::int64_t(level);
+            level = cut(level * ramp.denominator + ramp.step, ramp.denominator, kept);
+        }
     }
 };
 

@@ -77,6 +77,54 @@ void omitLast(DrawnLine &line)
     std::erase_if(line.pixels, [&](const LinePixel &pixel) { return isAt(pixel, line.to); });
 }
 
+/// The ends exchanged where x, of a steep line y, would fall.
+DrawnLine ascending(DrawnLine line)
+{
+    const bool falls = line.isSteep() ? line.to.y < line.from.y : line.to.x < line.from.x;
+    if (falls)
+        std::swap(line.from, line.to);
+    return line;
+}
+void omitLeast(DrawnLine &line)
+{
+    line = ascending(std::move(line));
+    omitFirst(line);
+}
+void omitGreatest(DrawnLine &line)
+{
+    line = ascending(std::move(line));
+    omitLast(line);
+}
+
+/// Bresenham's decision, begun half a pixel too far: ⌊k·Δy/Δx⌋ + 1 rows after k ≥ 1 steps, of lines
+/// between samples.
+void beginDecisionAtTwiceRise(DrawnLine &line)
+{
+    const bool isSteep = line.isSteep();
+    const auto alongOf = [&](const LatticePoint &point) { return isSteep ? point.y : point.x; };
+    const auto acrossOf = [&](const LatticePoint &point) { return isSteep ? point.x : point.y; };
+    const std::int64_t begin = floorPixel(alongOf(line.from));
+    const std::int64_t beside = floorPixel(acrossOf(line.from));
+    const std::int64_t way = std::abs(floorPixel(alongOf(line.to)) - begin);
+    const std::int64_t rise = floorPixel(acrossOf(line.to)) - beside;
+    const auto isOnSample = [](const LatticePoint &point) {
+        return point == latticePixel(floorPixel(point.x), floorPixel(point.y));
+    };
+    if (way == 0 || !isOnSample(line.from) || !isOnSample(line.to))
+        return;
+    for (LinePixel &pixel : line.pixels) {
+        const std::int64_t steps = std::abs((isSteep ? pixel.y : pixel.x) - begin);
+        const std::int64_t rows
+            = steps == 0 ? 0 : std::min(std::abs(rise) * steps / way + 1, steps);
+        (isSteep ? pixel.x : pixel.y) = beside + (rise < 0 ? -rows : rows);
+    }
+}
+void beginSortedDecisionAtTwiceRise(DrawnLine &line)
+{
+    line = ascending(std::move(line));
+    beginDecisionAtTwiceRise(line);
+}
+
 /// One pixel a column even where more are called for.
 void omitBetweenColumns(DrawnLine &line)
 {
@@ -160,11 +208,25 @@ std::vector<Defect> lineDefectsFor(const Scene &scene)
         return {};
     const Method &method = *methodNamed(QString::fromStdString(scene.method));
     constexpr const char *ends = "Is each end's pixel drawn, once?";
+    constexpr const char *decision = "How much has the line risen half-way to the next column?";
     constexpr const char *octants = "Does it hold in all eight octants?";
     std::vector<Defect> defects;
     append(defects, "first-pixel-missing", ends, "A line's first pixel is left out.", omitFirst);
     append(defects, "last-pixel-missing", ends, "The pixel of a line's second end is left out.",
            omitLast);
+    append(defects, "least-pixel-missing", ends,
+           "The pixel of the end with the lesser x, of steep lines y, is left out.", omitLeast);
+    if (!method.supports(Variant::OneStepShort)) // it leaves out the same
+        append(defects, "greatest-pixel-missing", ends,
+               "The pixel of the end with the greater x, of steep lines y, is left out.",
+               omitGreatest);
+    append(defects, "decision-without-dx", decision,
+           "The decision begins with 2Δy in place of 2Δy − Δx, at a line's first end.",
+           beginDecisionAtTwiceRise);
+    append(defects, "sorted-decision-without-dx", decision,
+           "The decision begins with 2Δy in place of 2Δy − Δx, at the end with the lesser x, of "
+           "steep lines y.",
+           beginSortedDecisionAtTwiceRise);
     if (method.id != QStringLiteral("line-slope-intercept"))
         append(defects, "one-pixel-a-column", octants,
                "Steep lines, too, have one pixel a column: x and y are not exchanged.",

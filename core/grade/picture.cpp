@@ -4,6 +4,7 @@
 #include "core/runs/tracedscene.h"
 #include "core/scene/asciiraster.h"
 #include "core/scene/pngfault.h"
+#include "core/scene/pnmfault.h"
 
 #include <QBuffer>
 #include <QImageReader>
@@ -119,6 +120,8 @@ Result<Picture> parsePicture(const QByteArray &content, const QString &name)
     if (const QString fault = pngFault(content); !fault.isEmpty())
         return InputError{name, QStringLiteral("no picture: ") + fault,
                           QStringLiteral("a whole file")};
+    if (const QString fault = pnmFault(content); !fault.isEmpty())
+        return InputError{name, fault, {}};
     QByteArray bytes = content;
     QBuffer buffer(&bytes);
     QImageReader reader(&buffer);

@@ -75,15 +75,22 @@ public:
         const Vertex &p1 = vertex(1);
         const Vertex &p2 = vertex(2);
         const Interval columns = m_seen.intervals.columns;
-        const auto first = std::max(firstSampleFrom(p0.position.x, columns), m_seen.firstSpan);
-        const auto end = std::min(endSampleAt(p2.position.x, columns), m_seen.endSpan);
+        const EndRounding spans = m_program.spans;
+        const bool isByRule = spans == EndRounding::ByRule;
+        const std::int64_t firstSpan
+            = isByRule ? firstSampleFrom(p0.position.x, columns) : wholePixel(p0.position.x, spans);
+        const std::int64_t endSpan = isByRule
+            ? endSampleAt(p2.position.x, columns)
+            : wholePixel(p2.position.x, spans) + (ownsLast(columns) ? 1 : 0);
+        const auto first = std::max(firstSpan, m_seen.firstSpan);
+        const auto end = std::min(endSpan, m_seen.endSpan);
         if (first >= end)
             return;
-        const auto middle = std::clamp(ceilPixel(p1.position.x), first, end);
+        const auto middle = std::clamp(wholePixel(p1.position.x, spans), first, end);
         m_isLongUpper = doubledArea(p0.position, p1.position, p2.position) >= 0;
         Edge across(p0, p2, m_program, first);
         walkHalf(first, middle, Edge(p0, p1, m_program, first), across);
-        walkHalf(middle, end, Edge(p1, p2, m_program, middle), across);
+        walkHalf(middle, end, Edge(p1, p2, m_program.behindMiddle(), middle), across);
     }
 
 private:
@@ -141,9 +148,11 @@ void walkIn(TriangleRuns &triangle, const ProgramWalk &walk)
     });
     if (!isHeld)
         return;
+    const bool isSeenFromAbove = order == WalkOrder::Descending && walk.spans == EndRounding::Down;
     const WalkedProgram program{walk,
                                 {departuresOf(triangle, order).bits | walk.departures.bits},
-                                triangle.settings.rounding};
+                                triangle.settings.rounding,
+                                isSeenFromAbove ? EndRounding::Up : walk.spans};
     Walking<Numbers>(seen, program).run();
     triangle.runs = std::move(seen.runs);
     if (order == WalkOrder::Ascending)

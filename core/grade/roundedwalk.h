@@ -20,9 +20,11 @@ struct RoundedWalk {
         return Traits::fromInteger(quotient < Traits::fromInteger(0) ? A::ceil(quotient)
                                                                      : A::floor(quotient));
     }
-    static Value quotient(const Value &value, Quotient kind)
+    static Value left(const Value &value, Kept kept)
     {
-        return kind == Quotient::Whole ? cast(value) : value;
+        if (kept == Kept::Down)
+            return Traits::fromInteger(A::floor(value));
+        return kept == Kept::TowardZero ? cast(value) : value;
     }
 
     class Edge {
@@ -35,8 +37,10 @@ struct RoundedWalk {
         void stepToNextSpan()
         {
             A::advance(m_along, m_slope);
-            for (std::size_t i = 0; i < 3; ++i)
+            for (std::size_t i = 0; i < 3; ++i) {
                 A::advance(m_levels[i], m_rates[i]);
+                m_levels[i] = left(m_levels[i], m_edgeLevels);
+            }
         }
 
         bool isBelow(const Edge &other) const { return m_along < other.m_along; }
@@ -49,16 +53,26 @@ struct RoundedWalk {
 
         Edge(const VariedScan::Edge &places, const VariedScan::Edge &colours,
              const ProgramWalk &walk, std::int64_t span)
-            : m_slope(quotient(A::edgeSlope(places.a, places.b), walk.slopes))
+            : m_edgeLevels(walk.edgeLevels)
+            , m_slope(left(A::edgeSlope(places.a, places.b), walk.slopes))
             , m_along(A::edgeOrdinate(places.a, places.b, A::runTo(span, places.a), m_slope))
         {
             const auto &[a, b] = colours;
+            // What is lost adds up from the edge's first span on.
+            const std::int64_t first
+                = m_edgeLevels == Kept::All ? span : std::min(ceilPixel(a.position.x), span);
             for (std::size_t i = 0; i < 3; ++i) {
-                m_rates[i] = quotient(A::edgeColourRate(a, b, i), walk.edgeColours);
-                m_levels[i] = A::edgeColour(a, b, i, A::runTo(span, a), m_rates[i]);
+                m_rates[i] = left(A::edgeColourRate(a, b, i), walk.edgeColours);
+                m_levels[i]
+                    = left(A::edgeColour(a, b, i, A::runTo(first, a), m_rates[i]), m_edgeLevels);
+                for (std::int64_t stepped = first; stepped < span; ++stepped) {
+                    A::advance(m_levels[i], m_rates[i]);
+                    m_levels[i] = left(m_levels[i], m_edgeLevels);
+                }
             }
         }
 
+        Kept m_edgeLevels;
         Value m_slope; ///< px per span
         Value m_along; ///< px
         std::array<Value, 3> m_levels, m_rates;
@@ -78,18 +92,27 @@ struct RoundedWalk {
             = program.hasColourPreStep() ? lower.m_along : Traits::fromInteger(span.first);
         // One rate for both: the first sample that the frame has is reached at once, as in the
         // scan.
-        const std::int64_t reached = walk.preSteps == walk.steps ? span.firstDrawn : span.first;
+        const bool isReachedAtOnce = walk.preSteps == walk.steps && walk.levels == Kept::All;
+        const std::int64_t reached = isReachedAtOnce ? span.firstDrawn : span.first;
         std::vector<WholeLevels> levels(std::size_t(span.endDrawn - span.firstDrawn));
         for (std::size_t i = 0; i < 3; ++i) {
             const Value rate
                 = height == none ? none : (upper.m_levels[i] - lower.m_levels[i]) / height;
-            const Value step = quotient(rate, walk.steps);
+            const Value step = left(rate, walk.steps);
             Value level = lower.m_levels[i]
-                + (Traits::fromInteger(reached) - from) * quotient(rate, walk.preSteps);
-            level = level + Traits::fromInteger(span.firstDrawn - reached) * step;
-            for (WholeLevels &sample : levels) {
-                sample[i] = A::level(level, program.rounding);
+                + (Traits::fromInteger(reached) - from) * left(rate, walk.preSteps);
+            level = left(level, walk.levels);
+            std::int64_t place = reached;
+            if (walk.levels == Kept::All) {
+                level = level + Traits::fromInteger(span.firstDrawn - reached) * step;
+                place = span.firstDrawn;
+            }
+            for (; place < span.endDrawn; ++place) {
+                if (place >= span.firstDrawn)
+                    levels[std::size_t(place - span.firstDrawn)][i]
+                        = A::level(level, program.rounding);
                 A::advance(level, step);
+                level = left(level, walk.levels);
             }
         }
         return levels;

@@ -23,6 +23,7 @@ constexpr const char *spansQuestion
     = "From which to which %1 does a triangle go? What if a vertex lies on one, or between two?";
 constexpr const char *halvesQuestion = "What happens where one edge ends and the next begins?";
 constexpr const char *swappedQuestion = "Which of the two edges comes first? Always?";
+constexpr const char *edgesQuestion = "Are all three edges tested alike?";
 constexpr const char *boxQuestion
     = "Which samples of the bounding box are tested, and which are inside?";
 
@@ -78,15 +79,23 @@ const std::vector<SpanDefect> &omissions()
          halvesQuestion,
          "The half behind the middle vertex is not drawn.",
          {omitSecondHalf}},
+        {"first-half-and-middle-missing",
+         halvesQuestion,
+         "The half before the middle vertex is not drawn, nor a %1 through it.",
+         {omitToMiddle}},
+        {"second-half-behind-middle-missing",
+         halvesQuestion,
+         "The half behind the middle vertex is not drawn; a %1 through it is.",
+         {omitBehindMiddle}},
         {"middle-above-lost",
          swappedQuestion,
          "The long edge is always taken for the upper bound of a %1: triangles whose middle "
-         "vertex lies beyond it are not drawn.",
+         "vertex lies beyond it are not drawn, but for a tip on a sample.",
          {omitWithMiddleAbove}},
         {"middle-below-lost",
          swappedQuestion,
          "The long edge is always taken for the lower bound of a %1: triangles whose middle "
-         "vertex lies before it are not drawn.",
+         "vertex lies before it are not drawn, but for a tip on a sample.",
          {omitWithMiddleBelow}},
     };
     return rows;
@@ -123,6 +132,18 @@ const std::vector<SpanDefect> &boxDefects()
          boxQuestion,
          "The box' last column is left out: < in place of ≤.",
          {omitEndOfBox}},
+        {"strict-at-edge-0",
+         edgesQuestion,
+         "The edge from vertex 0 to vertex 1 is tested by > in place of ≥, the others are not.",
+         {[](TriangleRuns &triangle) { omitOnEdge(triangle, 0); }}},
+        {"strict-at-edge-1",
+         edgesQuestion,
+         "The edge from vertex 1 to vertex 2 is tested by > in place of ≥, the others are not.",
+         {[](TriangleRuns &triangle) { omitOnEdge(triangle, 1); }}},
+        {"strict-at-edge-2",
+         edgesQuestion,
+         "The edge from vertex 2 to vertex 0 is tested by > in place of ≥, the others are not.",
+         {[](TriangleRuns &triangle) { omitOnEdge(triangle, 2); }}},
     };
     return rows;
 }

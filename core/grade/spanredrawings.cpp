@@ -38,8 +38,16 @@ void omitWithMiddle(TriangleRuns &triangle, int side)
 {
     const Triangle &of = triangle.triangle;
     const Int128 area = doubledArea(sortedVertex(of, 0), sortedVertex(of, 2), sortedVertex(of, 1));
-    if (side > 0 ? area > 0 : area < 0)
-        triangle.runs.clear();
+    if (side > 0 ? area <= 0 : area >= 0)
+        return;
+    const LatticePoint &middle = sortedVertex(of, 1);
+    const auto isTip = [&](const SampleRun &run, const LatticePoint &vertex) {
+        const LatticePoint sample = latticePixel(run.span, run.first);
+        return sample == vertex && run.end == run.first + 1 && vertex.x != middle.x;
+    };
+    std::erase_if(triangle.runs, [&](const SampleRun &run) {
+        return !isTip(run, sortedVertex(of, 0)) && !isTip(run, sortedVertex(of, 2));
+    });
 }
 
 } // namespace
@@ -108,6 +116,18 @@ void omitSecondHalf(TriangleRuns &triangle)
     std::erase_if(triangle.runs, [&](const SampleRun &run) { return run.span >= middle; });
 }
 
+void omitToMiddle(TriangleRuns &triangle)
+{
+    const std::int64_t middle = floorPixel(spanOfVertex(triangle, 1));
+    std::erase_if(triangle.runs, [&](const SampleRun &run) { return run.span <= middle; });
+}
+
+void omitBehindMiddle(TriangleRuns &triangle)
+{
+    const std::int64_t middle = floorPixel(spanOfVertex(triangle, 1));
+    std::erase_if(triangle.runs, [&](const SampleRun &run) { return run.span > middle; });
+}
+
 void omitWithMiddleAbove(TriangleRuns &triangle) { omitWithMiddle(triangle, 1); }
 
 void omitWithMiddleBelow(TriangleRuns &triangle) { omitWithMiddle(triangle, -1); }
@@ -143,6 +163,21 @@ void omitLastOfBox(TriangleRuns &triangle)
         last = std::max(last, vertex.position.x);
     std::erase_if(triangle.runs,
                   [&](const SampleRun &run) { return run.span == floorPixel(last); });
+}
+
+void omitOnEdge(TriangleRuns &triangle, std::size_t vertex)
+{
+    const LatticePoint &from = triangle.triangle.vertices[vertex].position;
+    const LatticePoint &to = triangle.triangle.vertices[(vertex + 1) % 3].position;
+    const auto isOnEdge = [&](std::int64_t span, std::int64_t sample) {
+        return doubledArea(from, to, latticePixel(span, sample)) == 0;
+    };
+    for (SampleRun &run : triangle.runs) {
+        while (run.first < run.end && isOnEdge(run.span, run.first))
+            ++run.first;
+        while (run.first < run.end && isOnEdge(run.span, run.end - 1))
+            --run.end;
+    }
 }
 
 } // namespace pixelplumb

@@ -20,9 +20,12 @@ void omitSpanBeforeMiddle(TriangleRuns &triangle); ///< ⌊x₁⌋, where x₁ i
 void omitSpanBehindMiddle(TriangleRuns &triangle); ///< ⌈x₁⌉, where x₁ is not whole
 void omitFirstHalf(TriangleRuns &triangle);
 void omitSecondHalf(TriangleRuns &triangle);
+void omitToMiddle(TriangleRuns &triangle); ///< the first half and a span through the middle vertex
+void omitBehindMiddle(TriangleRuns &triangle); ///< the second half without this span
 
 /// All of a triangle whose middle vertex lies on that side of the long edge: of a program that
-/// takes this edge for the same bound always, spans end before they begin.
+/// takes this edge for the same bound always, spans end before they begin. A tip on a sample, where
+/// its bounds meet, is left.
 void omitWithMiddleAbove(TriangleRuns &triangle);
 void omitWithMiddleBelow(TriangleRuns &triangle);
 
@@ -30,5 +33,8 @@ void omitWithMiddleBelow(TriangleRuns &triangle);
 void fillBox(TriangleRuns &triangle);
 void omitEndOfBox(TriangleRuns &triangle);
 void omitLastOfBox(TriangleRuns &triangle);
+
+/// The samples exactly on the edge from that vertex to the next.
+void omitOnEdge(TriangleRuns &triangle, std::size_t vertex);
 
 } // namespace pixelplumb

@@ -5,6 +5,7 @@
 #include "core/scan/choicenames.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace pixelplumb {
 
@@ -18,10 +19,17 @@ struct WalkDefect {
     LevelOverflow overflow = LevelOverflow::Clamps;
 };
 
+struct NamedWalk {
+    QString id, forStudent, forAssistant;
+    ProgramWalk walk;
+    LevelOverflow overflow = LevelOverflow::Clamps;
+};
+
 constexpr const char *endsQuestion
     = "From which to which sample does a span go? What if its bound lies "
       "between two?";
 constexpr const char *stepsQuestion = "What does a division of two whole numbers give you?";
+constexpr const char *storedQuestion = "What type has a colour while it is stepped?";
 
 const std::vector<WalkDefect> &spanRows()
 {
@@ -53,12 +61,16 @@ const std::vector<WalkDefect> &spanRows()
         {"whole-colour-steps",
          stepsQuestion,
          "The step of colour along a %1 is a whole number; its first sample is right.",
-         {.steps = Quotient::Whole}},
+         {.steps = Kept::TowardZero}},
         {"whole-colour-rates",
          stepsQuestion,
          "The step of colour along a %1 is a whole number, in the pre-step to its first sample, "
          "too.",
-         {.preSteps = Quotient::Whole, .steps = Quotient::Whole}},
+         {.preSteps = Kept::TowardZero, .steps = Kept::TowardZero}},
+        {"whole-span-levels",
+         storedQuestion,
+         "The colour along a %1 is kept as a whole number: at each sample its fraction is lost.",
+         {.levels = Kept::TowardZero}},
         {"colour-divisor-plus-one",
          "By what is a difference of colours divided to have a step of colour?",
          "The step of colour along a %1 is divided by its length and one, not by its length.",
@@ -74,7 +86,7 @@ const std::vector<WalkDefect> &spanRows()
 
 const std::vector<WalkDefect> &edgeRows()
 {
-    constexpr auto whole = Quotient::Whole;
+    constexpr auto whole = Kept::TowardZero;
     static const std::vector<WalkDefect> rows = {
         {"colours-without-edge-pre-step",
          "Which colour has an edge where it meets its first %1? Not its vertex' own.",
@@ -104,8 +116,60 @@ const std::vector<WalkDefect> &edgeRows()
          "All increments are whole numbers: slopes and steps of colour, along edges and along a "
          "%1.",
          {.slopes = whole, .edgeColours = whole, .preSteps = whole, .steps = whole}},
+        {"whole-levels",
+         storedQuestion,
+         "Colours are kept as whole numbers, along edges and along a %1: at each step their "
+         "fraction is lost.",
+         {.edgeLevels = whole, .levels = whole}},
+        {"no-pre-step-behind-middle",
+         "Where does the second of the two short edges begin? And which colour has it there?",
+         "The edge from the middle vertex to the last has no pre-step: at its first %1 it has the "
+         "vertex' own place and colour. The others have theirs.",
+         {.departuresBehindMiddle = VariantSet().with(Variant::NoEdgePreStep)}},
+        {"loops-truncated",
+         "At which %1 do your loops begin and end, and where is the edge there?",
+         "Loops go from (int)%2 of a vertex to (int)%2 of the next; an edge has its vertex' own "
+         "place and colour at the first %1.",
+         {.spans = EndRounding::Down}},
     };
     return rows;
+}
+
+/// The same with whole numbers as Python's // gives them; none where nothing is divided so.
+std::optional<ProgramWalk> dividedDown(ProgramWalk walk)
+{
+    bool isDivided = false;
+    for (Kept *kept : {&walk.slopes, &walk.edgeColours, &walk.preSteps, &walk.steps}) {
+        if (*kept == Kept::All)
+            continue;
+        *kept = Kept::Down;
+        isDivided = true;
+    }
+    return isDivided ? std::optional(walk) : std::nullopt;
+}
+
+/// The rows, and behind each that divides as C does the one that does as Python.
+std::vector<NamedWalk> namedWalks(const std::vector<WalkDefect> &rows)
+{
+    std::vector<NamedWalk> walks;
+    for (const WalkDefect &row : rows) {
+        NamedWalk walk{QString::fromLatin1(row.id), QString::fromUtf8(row.forStudent),
+                       QString::fromUtf8(row.forAssistant), row.walk, row.overflow};
+        const auto down = dividedDown(row.walk);
+        if (!down) {
+            walks.push_back(walk);
+            continue;
+        }
+        NamedWalk ofPython = walk;
+        ofPython.id.replace(QStringLiteral("whole-"), QStringLiteral("floor-"));
+        ofPython.walk = *down;
+        ofPython.forAssistant
+            += QStringLiteral(" A quotient is rounded down, as by // in Python, not toward 0.");
+        walk.forAssistant += QStringLiteral(" A quotient is cut toward 0, as by / in C.");
+        walks.push_back(walk);
+        walks.push_back(ofPython);
+    }
+    return walks;
 }
 
 QString fromBelow(const QString &id) { return id + QStringLiteral("-from-below"); }
@@ -120,8 +184,14 @@ QString orderSentence(WalkOrder order)
 QString variantSentence(Variant variant, SpanAxis axis)
 {
     const VariantWords &words = wordsOf(variant, axis);
-    return QStringLiteral("%1: %2 in place of %3.")
-        .arg(nameText(words.title), nameText(words.printed), nameText(words.right));
+    const QString sentence
+        = QStringLiteral("%1: %2 in place of %3.")
+              .arg(nameText(words.title), nameText(words.printed), nameText(words.right));
+    if (variant != Variant::DivisorMinusOne)
+        return sentence;
+    return sentence
+        + QStringLiteral(" Where that leaves nothing to divide by, an edge keeps its "
+                         "vertex' place and colour.");
 }
 
 /// From below an edge has another way to its first row than the words of the method tell.
@@ -169,35 +239,32 @@ std::vector<Defect> walkDefectsFor(SpanAxis axis)
     if (axis == SpanAxis::Free)
         return {};
     std::vector<Defect> defects;
-    const auto add = [&](const QString &id, const QString &forStudent, const QString &forAssistant,
-                         const ProgramWalk &walk, LevelOverflow overflow) {
-        defects.push_back(
-            redrawnDefect(id, forStudent, forAssistant, {walking(walk), overflow}, axis));
+    const auto add = [&](const NamedWalk &named) {
+        defects.push_back(redrawnDefect(named.id, named.forStudent, named.forAssistant,
+                                        {walking(named.walk), named.overflow}, axis));
     };
-    for (const WalkDefect &row : spanRows())
-        add(QString::fromLatin1(row.id), QString::fromUtf8(row.forStudent),
-            QString::fromUtf8(row.forAssistant), row.walk, row.overflow);
-    const auto addUpward = [&](const QString &id, const QString &forStudent,
-                               const QString &forAssistant, ProgramWalk walk) {
-        walk.order = WalkOrder::Ascending;
-        add(fromBelow(id), forStudent, forAssistant + orderSentence(WalkOrder::Ascending), walk,
-            LevelOverflow::Clamps);
+    std::ranges::for_each(namedWalks(spanRows()), add);
+    const auto addUpward = [&](NamedWalk named) {
+        named.id = fromBelow(named.id);
+        named.forAssistant += orderSentence(WalkOrder::Ascending);
+        named.walk.order = WalkOrder::Ascending;
+        add(named);
     };
     const bool hasOrder = axis == SpanAxis::Row;
-    for (const WalkDefect &row : edgeRows()) {
-        const QString id = QString::fromLatin1(row.id);
-        const QString forStudent = QString::fromUtf8(row.forStudent);
-        const QString forAssistant = QString::fromUtf8(row.forAssistant);
-        add(id, forStudent,
-            forAssistant + (hasOrder ? orderSentence(WalkOrder::Descending) : QString()), row.walk,
-            row.overflow);
+    for (const NamedWalk &named : namedWalks(edgeRows())) {
+        NamedWalk ofMethod = named;
         if (hasOrder)
-            addUpward(id, forStudent, forAssistant, row.walk);
+            ofMethod.forAssistant += orderSentence(WalkOrder::Descending);
+        add(ofMethod);
+        if (hasOrder)
+            addUpward(named);
     }
     for (const Variant variant : variantsAlongEdges) {
         if (hasOrder)
-            addUpward(nameText(nameOf(variant)), nameText(wordsOf(variant, axis).fault),
-                      upwardSentence(variant), {.departures = VariantSet().with(variant)});
+            addUpward({nameText(nameOf(variant)),
+                       nameText(wordsOf(variant, axis).fault),
+                       upwardSentence(variant),
+                       {.departures = VariantSet().with(variant)}});
     }
     return defects;
 }

@@ -6,6 +6,8 @@
 
 #include <QStringList>
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 namespace {
@@ -75,7 +77,10 @@ CoverageMask coverageAt(const ScanTrace &trace, const FrameSpec &spec, std::size
 
 bool looksLikeRaster(const QByteArray &content)
 {
-    return content.startsWith('#') || content.startsWith('.');
+    const QByteArray line = content.left(largestFrameSide).split('\n').front().trimmed();
+    const auto drawn = std::ranges::count_if(
+        line, [](char character) { return character == '#' || character == '.'; });
+    return (line.startsWith('#') || line.startsWith('.')) && 2 * drawn > line.size();
 }
 
 Result<CoverageMask> parseAsciiRaster(QStringView text)

@@ -19,7 +19,8 @@ CoverageMask coverageOf(const Scene &scene);
 /// Those that a recorded run has written at a position.
 CoverageMask coverageAt(const ScanTrace &trace, const FrameSpec &spec, std::size_t position);
 
-/// Whether a file or an output is meant as a raster: it begins with # or a full stop.
+/// Whether a file or an output is meant as a raster: most of its first line, and how this begins,
+/// is # and full stops.
 bool looksLikeRaster(const QByteArray &content);
 
 /// Reads a raster; its frame begins at (0, 0) in the lower left. The last line feed may be missing

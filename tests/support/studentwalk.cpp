@@ -49,20 +49,15 @@ template <class Number>
 struct Bound {
     Number y, slope = 0;
     std::array<Number, 3> colour, step = {};
-
-    void advance()
-    {
-        y += slope;
-        for (std::size_t i = 0; i < 3; ++i)
-            colour[i] += step[i];
-    }
 };
 
 template <class Number>
 class ColumnLoops {
 public:
-    explicit ColumnLoops(const std::set<WalkMistake> &mistakes)
+    /// Spans' coordinates are those of the program, or their opposites (onward = −1).
+    ColumnLoops(const std::set<WalkMistake> &mistakes, int onward)
         : m_mistakes(mistakes)
+        , m_onward(onward)
     {
     }
 
@@ -94,26 +89,53 @@ public:
             end = floorOf(p2.x);
         if (has(WalkMistake::OpenAtLastVertex))
             end = ceilOf(p2.x);
+        if (has(WalkMistake::LoopsTruncated)) {
+            begin = truncated(p0.x);
+            endOfFirst = truncated(p1.x);
+            beginOfSecond = std::max(begin, endOfFirst);
+            end = truncated(p2.x) + 1;
+        }
         const bool isMiddleBelow = (p1.y - p0.y) * (p2.x - p0.x) <= (p2.y - p0.y) * (p1.x - p0.x);
         Bound<Number> ofLong = edgeAt(p0, p2, begin);
         Bound<Number> ofShort = edgeAt(p0, p1, begin);
         for (int x = begin; x < std::min(endOfFirst, end); ++x) {
-            drawSpan(x, ofShort, ofLong, isMiddleBelow, paint);
-            ofShort.advance();
-            ofLong.advance();
+            if (!has(WalkMistake::NoFirstHalf))
+                drawSpan(x, ofShort, ofLong, isMiddleBelow, paint);
+            advance(ofShort);
+            advance(ofLong);
         }
         if (beginOfSecond != std::max(begin, endOfFirst))
             ofLong = edgeAt(p0, p2, beginOfSecond);
-        ofShort = edgeAt(p1, p2, beginOfSecond);
-        for (int x = beginOfSecond; x < end; ++x) {
+        ofShort = has(WalkMistake::SecondHalfWithoutPreStep)
+            ? edgeAt({Number(ceilOf(p1.x)), p1.y, p1.colour},
+                     {p2.x + ceilOf(p1.x) - p1.x, p2.y, p2.colour}, beginOfSecond)
+            : edgeAt(p1, p2, beginOfSecond);
+        for (int x = beginOfSecond; x < end && !has(WalkMistake::NoSecondHalf); ++x) {
             drawSpan(x, ofShort, ofLong, isMiddleBelow, paint);
-            ofShort.advance();
-            ofLong.advance();
+            advance(ofShort);
+            advance(ofLong);
         }
     }
 
 private:
     bool has(WalkMistake mistake) const { return m_mistakes.contains(mistake); }
+
+    /// (int) of what the program has.
+    int truncated(const Number &x) const { return m_onward > 0 ? floorOf(x) : ceilOf(x); }
+    Number quotient(const Number &number) const
+    {
+        return has(WalkMistake::DividesDown) ? Number(floorOf(number)) : cast(number);
+    }
+    Number stored(const Number &level, WalkMistake mistake) const
+    {
+        return has(mistake) ? cast(level) : level;
+    }
+    void advance(Bound<Number> &bound) const
+    {
+        bound.y += bound.slope;
+        for (std::size_t i = 0; i < 3; ++i)
+            bound.colour[i] = stored(bound.colour[i] + bound.step[i], WalkMistake::WholeEdgeLevels);
+    }
 
     Bound<Number> edgeAt(const Corner<Number> &from, const Corner<Number> &to, int x) const
     {
@@ -130,17 +152,26 @@ private:
         Number way = x - from.x;
         if (has(WalkMistake::NoEdgePreStep))
             way = x - ceilOf(from.x);
+        if (has(WalkMistake::LoopsTruncated))
+            way = x - truncated(from.x);
         bound.slope = (to.y - from.y) / width;
         if (has(WalkMistake::WholeSlopes))
-            bound.slope = cast(bound.slope);
+            bound.slope = quotient(bound.slope);
         bound.y += way * bound.slope;
         if (has(WalkMistake::NoEdgeColourPreStep))
             way = x - ceilOf(from.x);
         for (std::size_t i = 0; i < 3; ++i) {
             bound.step[i] = (to.colour[i] - from.colour[i]) / width;
             if (has(WalkMistake::WholeEdgeColours))
-                bound.step[i] = cast(bound.step[i]);
-            bound.colour[i] += way * bound.step[i];
+                bound.step[i] = quotient(bound.step[i]);
+            if (!has(WalkMistake::WholeEdgeLevels)) {
+                bound.colour[i] += way * bound.step[i];
+                continue;
+            }
+            const int first = ceilOf(from.x);
+            bound.colour[i] = cast(Number(bound.colour[i] + (first - from.x) * bound.step[i]));
+            for (int span = first; span < x; ++span)
+                bound.colour[i] = cast(Number(bound.colour[i] + bound.step[i]));
         }
         return bound;
     }
@@ -148,7 +179,11 @@ private:
     void drawSpan(int x, const Bound<Number> &ofShort, const Bound<Number> &ofLong,
                   bool isMiddleBelow, const Paint &paint) const
     {
-        const bool isShortLower = ofShort.y != ofLong.y ? ofShort.y < ofLong.y : isMiddleBelow;
+        bool isShortLower = ofShort.y != ofLong.y ? ofShort.y < ofLong.y : isMiddleBelow;
+        if (has(WalkMistake::LongEdgeAlwaysUpper))
+            isShortLower = true;
+        if (has(WalkMistake::LongEdgeAlwaysLower))
+            isShortLower = false;
         const Bound<Number> &lower = isShortLower ? ofShort : ofLong;
         const Bound<Number> &upper = isShortLower ? ofLong : ofShort;
         const int first = ceilOf(lower.y);
@@ -165,21 +200,24 @@ private:
         std::array<Number, 3> step = {};
         for (std::size_t i = 0; i < 3 && height != 0; ++i) {
             const Number rate = (upper.colour[i] - lower.colour[i]) / height;
-            level[i] += preStep * (has(WalkMistake::WholePreSteps) ? cast(rate) : rate);
-            step[i] = has(WalkMistake::WholeSteps) ? cast(rate) : rate;
+            level[i] += preStep * (has(WalkMistake::WholePreSteps) ? quotient(rate) : rate);
+            step[i] = has(WalkMistake::WholeSteps) ? quotient(rate) : rate;
         }
+        for (Number &channel : level)
+            channel = stored(channel, WalkMistake::WholeSpanLevels);
         for (int y = first; y <= last; ++y) {
             Colour colour;
             for (std::size_t i = 0; i < 3; ++i) {
                 const Number rounded = level[i] + Number(1) / 2;
                 colour.channels[i] = std::uint8_t(std::clamp(floorOf(rounded), 0, 255));
-                level[i] += step[i];
+                level[i] = stored(level[i] + step[i], WalkMistake::WholeSpanLevels);
             }
             paint(x, y, colour);
         }
     }
 
     const std::set<WalkMistake> &m_mistakes;
+    int m_onward;
 };
 
 template <class Number>
@@ -211,7 +249,7 @@ Picture pictureIn(const Scene &scene, WalkLines lines, const std::set<WalkMistak
             for (std::size_t channel = 0; channel < 3; ++channel)
                 corners[i].colour[channel] = int(vertex.colour.channels[channel]);
         }
-        ColumnLoops<Number>(mistakes).draw(corners, paint);
+        ColumnLoops<Number>(mistakes, onward).draw(corners, paint);
     }
     return picture;
 }

@@ -28,6 +28,15 @@ enum class WalkMistake {
     FirstHalfTruncated, ///< x < ⌊x₁⌋
     SecondHalfAfterCeiling, ///< from ⌈x₁⌉ + 1
     SecondHalfAfterFloor, ///< from ⌊x₁⌋ + 1
+    SecondHalfWithoutPreStep,
+    NoFirstHalf,
+    NoSecondHalf,
+    LoopsTruncated, ///< from (int)x₀ with y₀ to (int)x₁, on with y₁ to (int)x₂
+    DividesDown, ///< no mistake by itself: // of Python where others divide as C does
+    WholeSpanLevels, ///< int r = …; r += ΔR;
+    WholeEdgeLevels,
+    LongEdgeAlwaysUpper,
+    LongEdgeAlwaysLower,
 };
 
 enum class WalkLines { Columns, Rows };

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/diagnosis.h"
+#include "core/scene/scenefile.h"
+
+#include <QTest>
+
+#include <algorithm>
+#include <cmath>
+
+using namespace pixelplumb;
+
+namespace {
+
+/// What is wrong in a student's Bresenham.
+enum class LineMistake { None, NoDx, SortedNoDx, NoFirstPixel, NoLeastPixel, NoLastPixel };
+
+Scene sheet()
+{
+    const auto reading
+        = readSceneFile(QStringLiteral(PIXELPLUMB_RESOURCES "/probes/line-bresenham-1.json"));
+    return reading ? reading->scene : Scene();
+}
+
+/// One line in whole coordinates, by the slides' steps alone and nothing of the core's.
+class StudentLine {
+public:
+    StudentLine(const Shape &line, LineMistake mistake)
+        : m_mistake(mistake)
+    {
+        for (std::size_t i = 0; i < 2; ++i) {
+            m_x[i] = int(line.vertices[i].position.x / unitsPerPixel);
+            m_y[i] = int(line.vertices[i].position.y / unitsPerPixel);
+            m_colour[i] = line.vertices[i].colour;
+        }
+        m_isSteep = std::abs(m_y[1] - m_y[0]) >= std::abs(m_x[1] - m_x[0]);
+        if (m_isSteep)
+            std::swap(m_x, m_y);
+        // "Store left line endpoint in (x₀, y₀)"
+        m_isSwapped = mistake != LineMistake::NoDx && m_x[1] < m_x[0];
+        if (m_isSwapped) {
+            std::swap(m_x[0], m_x[1]);
+            std::swap(m_y[0], m_y[1]);
+            std::swap(m_colour[0], m_colour[1]);
+        }
+    }
+
+    void paintOn(Picture &picture) const
+    {
+        const int dx = std::abs(m_x[1] - m_x[0]);
+        const int dy = std::abs(m_y[1] - m_y[0]);
+        const bool lacksDx = m_mistake == LineMistake::NoDx || m_mistake == LineMistake::SortedNoDx;
+        int p = lacksDx ? 2 * dy : 2 * dy - dx;
+        int y = m_y[0];
+        for (int k = 0; k <= dx; ++k) {
+            const int x = m_x[0] + (m_x[1] < m_x[0] ? -k : k);
+            const bool isLeftOut = m_mistake == LineMistake::NoLeastPixel ? k == 0
+                : m_mistake == LineMistake::NoFirstPixel ? k == (m_isSwapped ? dx : 0)
+                : m_mistake == LineMistake::NoLastPixel  ? k == (m_isSwapped ? 0 : dx)
+                                                         : false;
+            if (!isLeftOut)
+                paint(picture, x, y, colourAt(k, dx));
+            if (p >= 0) {
+                y += m_y[1] < m_y[0] ? -1 : 1;
+                p -= 2 * dx;
+            }
+            p += 2 * dy;
+        }
+    }
+
+private:
+    void paint(Picture &picture, int x, int y, const Colour &colour) const
+    {
+        if (m_isSteep)
+            std::swap(x, y);
+        if (x < 0 || y < 0 || x >= picture.width || y >= picture.height)
+            return;
+        const std::size_t place = picture.placeOf(x, picture.height - 1 - y);
+        picture.colours[place] = colour;
+        picture.covered[place] = 1;
+    }
+    Colour colourAt(int k, int dx) const
+    {
+        Colour colour;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const int from = m_colour[0].channels[i];
+            const int rise = (m_colour[1].channels[i] - from) * k;
+            const double level = dx == 0 ? from : from + double(rise) / dx;
+            colour.channels[i] = std::uint8_t(std::floor(level + 0.5));
+        }
+        return colour;
+    }
+
+    LineMistake m_mistake;
+    std::array<int, 2> m_x = {}, m_y = {};
+    std::array<Colour, 2> m_colour;
+    bool m_isSteep = false, m_isSwapped = false;
+};
+
+Picture studentPicture(const Scene &scene, LineMistake mistake)
+{
+    Scene empty = scene;
+    empty.shapes.clear();
+    Picture picture = pictureOf(empty);
+    for (const Shape &line : scene.shapes)
+        StudentLine(line, mistake).paintOn(picture);
+    return picture;
+}
+
+} // namespace
+
+/// Defects of lines are those of a program that was not written for them.
+class TestLineDefects : public QObject {
+    Q_OBJECT
+
+private slots:
+    void aRightProgramIsRight()
+    {
+        QCOMPARE(studentPicture(sheet(), LineMistake::None).colours, pictureOf(sheet()).colours);
+    }
+
+    void theSheetNamesTheMistakeOfAProgram_data()
+    {
+        QTest::addColumn<int>("mistake");
+        const auto row
+            = [](const char *id, LineMistake mistake) { QTest::newRow(id) << int(mistake); };
+        row("decision-without-dx", LineMistake::NoDx);
+        row("sorted-decision-without-dx", LineMistake::SortedNoDx);
+        row("first-pixel-missing", LineMistake::NoFirstPixel);
+        row("least-pixel-missing", LineMistake::NoLeastPixel);
+        row("last-pixel-missing", LineMistake::NoLastPixel);
+    }
+    void theSheetNamesTheMistakeOfAProgram()
+    {
+        QFETCH(int, mistake);
+        const Scene scene = sheet();
+        const std::vector<Submission> submissions
+            = {{scene, studentPicture(scene, LineMistake(mistake))}};
+
+        const Diagnosis diagnosis = *diagnose(submissions);
+
+        QCOMPARE(nameOf(diagnosis.verdict), QStringLiteral("wrong"));
+        QVERIFY(diagnosis.isExplained());
+        QCOMPARE(diagnosis.candidates.front().defects.size(), std::size_t(1));
+        QCOMPARE(diagnosis.candidates.front().defects.front().id,
+                 QString::fromLatin1(QTest::currentDataTag()));
+        QVERIFY(partingStepOf(scene, diagnosis.candidates.front().defects));
+    }
+};
+
+QTEST_GUILESS_MAIN(TestLineDefects)
+#include "tst_linedefects.moc"
