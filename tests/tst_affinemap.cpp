@@ -524,10 +524,29 @@ private slots:
             : std::optional(AffineImage{std::size_t(triangle), corners});
         QCOMPARE(bench.options.affineImage(), expected);
         bench.document.undoStack()->undo();
-        if (expected)
-            QCOMPARE(bench.options.affineImage(), std::optional(AffineImage{1, corners}));
+        QCOMPARE(bench.options.affineImage(), std::optional(AffineImage{1, corners}));
         bench.document.undoStack()->redo();
         QCOMPARE(bench.options.affineImage(), expected);
+    }
+
+    void whoIsShownAgainHasItsMapAgain()
+    {
+        Scene scene;
+        scene.triangles = {triangleAt(4, 5, 58, 12, 26, 44), triangleAt(2, 30, 20, 44, 6, 46)};
+        CanvasBench bench(scene);
+        const AffineImage image{1,
+                                {latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)}};
+        bench.options.setAffineImage(image);
+        bench.document.hidePrimitive(1);
+        bench.document.hidePrimitive(0);
+
+        bench.document.showAllHidden();
+
+        QCOMPARE(bench.options.affineImage(), std::optional(image));
+        bench.document.hidePrimitive(1);
+        bench.options.setAffineImage(AffineImage{0, image.corners});
+        bench.document.showAllHidden();
+        QCOMPARE(bench.options.affineImage(), std::optional(AffineImage{0, image.corners}));
     }
 
     void allThatIsHiddenShownAgainMovesTheMapOn()

@@ -59,9 +59,13 @@ void Canvas::connectSources()
     const SceneDocument *document = m_sources.document;
     const Playhead *playhead = m_sources.playhead;
     connect(document, &SceneDocument::sceneChanged, this, &Canvas::followScene);
-    connect(
-        document, &SceneDocument::trianglesRenumbered, this,
-        [this](const TriangleRenumbering &numberAfter) { followTriangle(m_sources, numberAfter); });
+    connect(document, &SceneDocument::trianglesRenumbered, this,
+            [this](const TriangleRenumbering &numberAfter) {
+                followTriangle(m_sources, numberAfter, m_imageOfUndrawn);
+            });
+    connect(document, &SceneDocument::sceneChanged, this,
+            [this] { bringBackImage(m_sources, m_imageOfUndrawn); });
+    connect(document, &SceneDocument::opened, this, [this] { m_imageOfUndrawn.reset(); });
     connect(document, &SceneDocument::pendingChanged, this, &Canvas::updateVertices);
     connect(document, &SceneDocument::nextColourChanged, this, repaint);
     connect(document, &SceneDocument::selectionChanged, this, repaint);

@@ -7,6 +7,7 @@
 #include "widgets/canvas/canvaspainter.h"
 #include "widgets/canvas/canvasscene.h"
 #include "widgets/canvas/canvasview.h"
+#include "widgets/canvas/imagehandles.h"
 #include "widgets/canvas/pointerreadout.h"
 
 #include <QTimer>
@@ -123,6 +124,7 @@ private:
     CanvasHand hand() const;
 
     CanvasSources m_sources;
+    std::optional<ImageOfUndrawn> m_imageOfUndrawn;
     CanvasView m_view;
     CanvasMouse m_mouse;
     CanvasKeys m_keys;

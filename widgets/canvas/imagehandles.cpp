@@ -8,6 +8,7 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenepreviewer.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace pixelplumb {
@@ -75,14 +76,33 @@ void moveImageCorner(const CanvasSources &sources, AffineImage image, std::size_
         sources.options->setAffineImage(image);
 }
 
-void followTriangle(const CanvasSources &sources, const TriangleRenumbering &numberAfter)
+void followTriangle(const CanvasSources &sources, const TriangleRenumbering &numberAfter,
+                    std::optional<ImageOfUndrawn> &kept)
 {
     const std::optional<AffineImage> &asked = sources.options->affineImage();
     if (!asked)
         return;
     const std::optional<std::size_t> triangle = numberAfter(asked->triangle);
+    const std::vector<Triangle> &before = sources.document->scene().triangles;
+    if (!triangle && asked->triangle < before.size())
+        kept = ImageOfUndrawn{before[asked->triangle], asked->corners};
     sources.options->setAffineImage(triangle ? std::optional(AffineImage{*triangle, asked->corners})
                                              : std::nullopt);
+}
+
+void bringBackImage(const CanvasSources &sources, std::optional<ImageOfUndrawn> &kept)
+{
+    if (sources.options->affineImage())
+        kept.reset();
+    if (!kept)
+        return;
+    const std::vector<Triangle> &triangles = sources.document->scene().triangles;
+    const auto found = std::ranges::find(triangles, kept->triangle);
+    if (found == triangles.end())
+        return;
+    sources.options->setAffineImage(
+        AffineImage{std::size_t(found - triangles.begin()), kept->corners});
+    kept.reset();
 }
 
 void addImageHandles(CanvasScene &scene, const CanvasSources &sources, const CanvasView &view,

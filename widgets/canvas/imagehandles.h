@@ -23,8 +23,19 @@ std::optional<std::size_t> imageCornerAt(const QPointF &position, const CanvasSo
 void moveImageCorner(const CanvasSources &sources, AffineImage image, std::size_t corner,
                      const LatticePoint &target);
 
-/// Lets the image that is asked for go with its triangle, or go altogether where that goes.
-void followTriangle(const CanvasSources &sources, const TriangleRenumbering &numberAfter);
+/// The image that was asked for of a triangle which is not drawn now: hidden, or taken away.
+struct ImageOfUndrawn {
+    Triangle triangle;
+    Corners corners;
+};
+
+/// Lets the image that is asked for go with its triangle; where that goes altogether, what is left
+/// of it is kept.
+void followTriangle(const CanvasSources &sources, const TriangleRenumbering &numberAfter,
+                    std::optional<ImageOfUndrawn> &kept);
+
+/// Asks again for the image of a triangle that is drawn again, unless another was asked for since.
+void bringBackImage(const CanvasSources &sources, std::optional<ImageOfUndrawn> &kept);
 
 /// The image's corners, in the colours of the vertices whose images they are.
 void addImageHandles(CanvasScene &scene, const CanvasSources &sources, const CanvasView &view,
