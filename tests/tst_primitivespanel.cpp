@@ -229,12 +229,6 @@ private slots:
 
     void hidingChangesNoPlaceAndTheNumbersAreThoseOfTheRun()
     {
-        const auto textsOf = [this](PrimitiveListModel::Column column) {
-            QStringList texts;
-            for (int row = 0; row < m_model->rowCount(); ++row)
-                texts += m_model->index(row, column).data().toString();
-            return texts;
-        };
         QCOMPARE(textsOf(PrimitiveListModel::Place), QStringList({"1", "2", "3", "4"}));
         click(m_model->indexOfPrimitive(1));
         press("primitivesHide");
@@ -248,13 +242,38 @@ private slots:
                     .isEmpty()); // a vertex has none
     }
 
-    void theListSaysWhySolidsAreNotInIt()
+    void solidsAreHiddenAndShown()
     {
-        document().reset(sceneOf({solidOf(SolidKind::Sphere)}));
+        document().reset(
+            sceneOf({solidOf(SolidKind::Sphere), triangle3({-1, -1, 1}, {1, -1, 1}, {0, 1, 1})}));
         const QString told = named<QLabel>(*m_window, "primitivesSummary")->text();
-        QVERIFY2(told.startsWith("0 primitives and 1 solid, of which the camera makes"),
+        QVERIFY2(told.startsWith("0 primitives and 2 solids, of which the camera makes"),
                  qPrintable(told));
-        QCOMPARE(m_model->rowCount(), 0);
+        QCOMPARE(textsOf(PrimitiveListModel::Name),
+                 QStringList({"sphere, solid 0", "triangle3, solid 1"}));
+        Playhead &playhead = *m_window->parts().playhead;
+        QTRY_VERIFY(playhead.traced() && playhead.traced()->primitives.triangles.size() > 2);
+        const std::size_t all = playhead.traced()->primitives.triangles.size();
+
+        m_tree->setCurrentIndex(m_model->index(0, PrimitiveListModel::Name));
+        press("primitivesHide");
+
+        QCOMPARE(textsOf(PrimitiveListModel::Name),
+                 QStringList({"sphere, solid 0, hidden", "triangle3, solid 1"}));
+        QTRY_COMPARE(playhead.traced()->primitives.triangles.size(), std::size_t(1));
+        QCOMPARE(named<QAbstractButton>(*m_window, "primitivesHide")->text(),
+                 QStringLiteral("Show"));
+        const auto reading = readScene(writeScene(document().scene()));
+        QVERIFY(reading);
+        QCOMPARE(reading->scene, document().scene());
+        QVERIFY(m_model->setData(m_model->index(1, PrimitiveListModel::Name), Qt::Unchecked,
+                                 Qt::CheckStateRole));
+        QVERIFY(document().scene().isEmpty());
+        document().showAllHidden();
+        QTRY_COMPARE(playhead.traced()->primitives.triangles.size(), all);
+        document().undoStack()->undo();
+        document().undoStack()->undo();
+        QTRY_COMPARE(playhead.traced()->primitives.triangles.size(), std::size_t(1));
     }
 
     void hidingAndItsUndoKeepTheStepInHand()
@@ -470,6 +489,14 @@ private slots:
     }
 
 private:
+    QStringList textsOf(PrimitiveListModel::Column column) const
+    {
+        QStringList texts;
+        for (int row = 0; row < m_model->rowCount(); ++row)
+            texts += m_model->index(row, column).data().toString();
+        return texts;
+    }
+
     SceneDocument &document() { return *m_window->parts().document; }
     QAbstractButton *button(const char *name) { return named<QAbstractButton>(*m_window, name); }
     void press(const char *name) { QTest::mouseClick(button(name), Qt::LeftButton); }

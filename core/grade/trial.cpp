@@ -12,6 +12,7 @@ Result<StudentRun> runOn(const StudentProgram &student, const Scene &scene, cons
 {
     Scene drawn = scene;
     drawn.hidden.clear(); // which are none of the program's
+    std::erase_if(drawn.solids, [](const Solid &solid) { return solid.isHidden; });
     const Result<QByteArray> input
         = terms.input == ProgramInput::Json ? writeScene(drawn) : sceneLines(drawn);
     if (!input)

@@ -38,7 +38,7 @@ QString objectionToShapes(const Method &method, const Scene &scene)
 
 bool mayCallForEffects(const Scene &scene)
 {
-    return !scene.attributes.empty() || !scene.solids.empty()
+    return !scene.attributes.empty() || scene.hasSolids()
         || scene.appearance.antialiasing != Antialiasing::None
         || scene.appearance.forced != EffectForcing{};
 }

@@ -145,6 +145,7 @@ void PrimitiveReader::readSolid(const JsonNode &primitive, SolidKind kind)
                     QStringLiteral("a key \"camera\" of the scene: { \"eye\": [0, 0, 5], … }"));
     Solid solid = SolidReader(m_json, m_numbers, m_inHand.files, m_scene.appearance.materials)
                       .read(primitive, kind);
+    solid.isHidden = isHidden(primitive);
     if (m_json.hasFailed())
         return;
     m_inHand.solidTriangles += triangleCount(solid);

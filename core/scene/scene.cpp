@@ -4,6 +4,8 @@
 #include "core/scene/sceneprojection.h"
 #include "core/space/vertexlight.h"
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 namespace {
@@ -44,6 +46,13 @@ void shiftToSamples(Lattice offset, Primitives &primitives)
 }
 
 } // namespace
+
+bool Scene::hasSolids() const { return !std::ranges::all_of(solids, &Solid::isHidden); }
+
+std::size_t Scene::hiddenCount() const
+{
+    return hidden.size() + std::size_t(std::ranges::count_if(solids, &Solid::isHidden));
+}
 
 Primitives primitivesOnSamples(const Scene &scene)
 {

@@ -33,8 +33,10 @@ struct Scene {
     HiddenPrimitives hidden; ///< kept, and not drawn
     std::optional<Motion> motion; ///< of the triangles and shapes, which stand as at frame 0
 
+    bool hasSolids() const; ///< that are drawn
     /// Of its own, or of solids.
-    bool hasTriangles() const { return !triangles.empty() || !solids.empty(); }
+    bool hasTriangles() const { return !triangles.empty() || hasSolids(); }
+    std::size_t hiddenCount() const; ///< of primitives and solids
     bool isEmpty() const { return !hasTriangles() && shapes.empty(); }
 
     friend bool operator==(const Scene &, const Scene &) = default;

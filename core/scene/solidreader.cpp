@@ -23,7 +23,8 @@ const QString segmentsKey = QStringLiteral("segments");
 
 QStringList keysOf(SolidKind kind)
 {
-    const QStringList keys = {nameText(nameOf(kind)), solidMaterialKey, solidColourKey};
+    const QStringList keys
+        = {nameText(nameOf(kind)), solidMaterialKey, solidColourKey, QStringLiteral("hidden")};
     switch (kind) {
     case SolidKind::Triangle3:
     case SolidKind::Polygon3:

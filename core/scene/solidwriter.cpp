@@ -121,7 +121,8 @@ QByteArray primitiveText(const Solid &solid, const std::vector<Material> &materi
                          const QString &folder)
 {
     return "{ \"" + nameText(nameOf(solid.kind)).toUtf8() + "\": " + valueText(solid, folder)
-        + materialText(solid.material, materials) + " }";
+        + materialText(solid.material, materials)
+        + (solid.isHidden ? QByteArray(", \"hidden\": true") : QByteArray()) + " }";
 }
 
 QByteArray cameraText(const Camera &camera)

@@ -183,6 +183,8 @@ std::optional<ProjectedSolids> projectSolids(const SpaceScene &scene,
     const bool hasView = !CameraTransform<double>(scene.camera, scene.frame).right().isZero();
     for (std::size_t i = 0; i < scene.solids.size(); ++i) {
         const Solid &solid = scene.solids[i];
+        if (solid.isHidden)
+            continue;
         if (!hasView) {
             projected.lost.push_back({{std::uint32_t(i), 0, 0}, ProjectionLoss::NoView});
             continue;

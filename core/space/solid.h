@@ -56,6 +56,7 @@ struct Solid {
     /// Of a sphere, a patch, a plane and a mesh; white where the file gives it none.
     Colour colour = {{255, 255, 255}};
     std::uint8_t alpha = 255;
+    bool isHidden = false; ///< kept, and not drawn: it has no faces
 
     friend bool operator==(const Solid &a, const Solid &b)
     {
@@ -63,7 +64,7 @@ struct Solid {
         return sameMesh && a.kind == b.kind && a.corners == b.corners && a.radius == b.radius
             && a.segments == b.segments && a.at == b.at && a.scale == b.scale
             && a.rotate == b.rotate && a.material == b.material && a.colour == b.colour
-            && a.alpha == b.alpha;
+            && a.alpha == b.alpha && a.isHidden == b.isHidden;
     }
 };
 

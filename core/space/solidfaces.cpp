@@ -43,6 +43,8 @@ void takePatchFace(const Solid &solid, std::size_t face, std::vector<std::size_t
 
 std::size_t faceCount(const Solid &solid)
 {
+    if (solid.isHidden)
+        return 0;
     switch (solid.kind) {
     case SolidKind::Triangle3:
     case SolidKind::Polygon3:
@@ -82,6 +84,8 @@ void takeFace(const Solid &solid, std::size_t face, std::vector<std::size_t> &ve
 
 std::size_t vertexCount(const Solid &solid)
 {
+    if (solid.isHidden)
+        return 0;
     switch (solid.kind) {
     case SolidKind::Triangle3:
     case SolidKind::Polygon3:

@@ -210,21 +210,24 @@ void PrimitivesPanel::update()
         text += tr(", and %1 hidden that the numbers leave out").arg(hidden);
     if (solids > 0)
         text += (solids == 1 ? tr(" and 1 solid") : tr(" and %1 solids").arg(solids))
-            + tr(", of which the camera makes the triangles: they are neither hidden nor moved "
-                 "here, the Projection panel shows them");
+            + tr(", of which the camera makes the triangles: they are hidden here, but not moved; "
+                 "the Projection panel shows them");
     m_summary->setText(text);
     const std::optional<VertexRef> ref = refInHand();
     m_up->setEnabled(ref && m_document->canMovePrimitive(ref->primitive, -1));
     m_down->setEnabled(ref && m_document->canMovePrimitive(ref->primitive, 1));
     m_colour->setEnabled(ref.has_value());
     const bool isHidden = m_model->hiddenAt(m_tree->currentIndex()).has_value();
-    m_hide->setEnabled(ref || isHidden);
-    m_hide->setText(isHidden ? tr("Show") : tr("Hide"));
-    m_hide->setToolTip(
-        isHidden ? tr("Draw the primitive again, at its place; the others are numbered with it")
-                 : tr("Keep the primitive and do not draw it; the others are numbered without it. "
-                      "The box before its name shows it again"));
+    const std::optional<std::size_t> solid = m_model->solidAt(m_tree->currentIndex());
+    const bool showsAgain = isHidden || (solid && m_document->scene().solids[*solid].isHidden);
+    m_hide->setEnabled(ref || isHidden || solid);
     m_remove->setEnabled(ref || isHidden);
+    m_hide->setText(showsAgain ? tr("Show") : tr("Hide"));
+    m_hide->setToolTip(
+        showsAgain
+            ? tr("Draw the primitive again, at its place; the others are numbered with it")
+            : tr("Keep the primitive and do not draw it; the others are numbered without it. "
+                 "The box before its name shows it again"));
 }
 
 void PrimitivesPanel::moveBy(int places)

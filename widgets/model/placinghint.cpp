@@ -88,7 +88,7 @@ bool drawsAny(const Method &method, const Scene &scene)
 
 QString foreignSceneHint(const Scene &scene)
 {
-    if (scene.isEmpty() && !scene.hidden.empty())
+    if (scene.isEmpty() && scene.hiddenCount() > 0)
         return tr("All primitives are hidden: Edit ▸ Show all hidden primitives.");
     const Method *method = methodNamed(QString::fromStdString(scene.method));
     if (!method || scene.isEmpty() || drawsAny(*method, scene))

@@ -34,7 +34,7 @@ void Playhead::setTraced(std::shared_ptr<const TracedScene> traced)
     std::size_t position = 0;
     if (previous) {
         const std::size_t before = previous->primitives.size();
-        const bool isShownAgain = m_traced->scene.hidden.size() < previous->scene.hidden.size();
+        const bool isShownAgain = m_traced->scene.hiddenCount() < previous->scene.hiddenCount();
         const bool isNew = m_traced->primitives.size() > before && (!isShownAgain || before == 0);
         position = isNew ? m_traced->trace->stepCount()
                          : navigation().positionLike(*previous->trace, oldPosition);

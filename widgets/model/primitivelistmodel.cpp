@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/model/primitivelistmodel.h"
 
+#include "core/scan/choicenames.h"
+#include "core/scene/appearancenames.h"
 #include "core/scene/colourtext.h"
 #include "core/scene/coordinatetext.h"
 #include "core/scene/fileorder.h"
@@ -9,6 +11,7 @@
 #include <QGuiApplication>
 
 #include <algorithm>
+#include <limits>
 #include <span>
 
 namespace pixelplumb {
@@ -17,6 +20,8 @@ namespace {
 
 /// Of a primitive's row; a vertex's row has its primitive's row and one more, so that 0 is free.
 constexpr quintptr ofPrimitive = 0;
+/// In the place of a primitive's number.
+constexpr int ofSolid = std::numeric_limits<int>::min();
 
 int rowOf(const QModelIndex &vertex) { return int(vertex.internalId()) - 1; }
 
@@ -60,6 +65,8 @@ std::vector<PrimitiveListModel::Row> PrimitiveListModel::rowsOfScene() const
             rows.push_back({int(index), 3});
         },
         appendHidden);
+    for (std::size_t i = 0; i < scene.solids.size(); ++i)
+        rows.push_back({ofSolid, 0, i});
     visitShapes(
         scene,
         [&](std::size_t index) {
@@ -101,7 +108,12 @@ std::optional<VertexRef> PrimitiveListModel::refAt(const QModelIndex &index) con
 std::optional<int> PrimitiveListModel::hiddenAt(const QModelIndex &index) const
 {
     const int primitive = isPrimitive(index) ? m_rows[std::size_t(index.row())].primitive : 0;
-    return primitive < 0 ? std::optional(-1 - primitive) : std::nullopt;
+    return primitive < 0 && primitive != ofSolid ? std::optional(-1 - primitive) : std::nullopt;
+}
+
+std::optional<std::size_t> PrimitiveListModel::solidAt(const QModelIndex &index) const
+{
+    return isPrimitive(index) ? m_rows[std::size_t(index.row())].solid : std::nullopt;
 }
 
 QModelIndex PrimitiveListModel::indexOfPrimitive(int primitive) const
@@ -162,6 +174,8 @@ QVariant PrimitiveListModel::data(const QModelIndex &index, int role) const
         return int(Qt::AlignRight | Qt::AlignVCenter);
     if (role == Qt::DisplayRole && index.column() == Place)
         return isPrimitive(index) ? QString::number(index.row() + 1) : QString();
+    if (const std::optional<std::size_t> solid = solidAt(index))
+        return solidData(index.column(), role, *solid);
     if (const std::optional<int> hidden = hiddenAt(index))
         return hiddenData(index.column(), role, m_document->scene().hidden[std::size_t(*hidden)]);
     const VertexRef ref = *refAt(index);
@@ -194,6 +208,19 @@ QVariant PrimitiveListModel::data(const QModelIndex &index, int role) const
     return {};
 }
 
+QVariant PrimitiveListModel::solidData(int column, int role, std::size_t index) const
+{
+    const Solid &solid = m_document->scene().solids[index];
+    if (role == Qt::ForegroundRole && solid.isHidden)
+        return QGuiApplication::palette().brush(QPalette::PlaceholderText);
+    if (role == Qt::CheckStateRole && column == Name)
+        return solid.isHidden ? Qt::Unchecked : Qt::Checked;
+    if (role != Qt::DisplayRole || column != Name)
+        return {};
+    const QString name = tr("%1, solid %2").arg(nameText(nameOf(solid.kind))).arg(index);
+    return solid.isHidden ? tr("%1, hidden").arg(name) : name;
+}
+
 QVariant PrimitiveListModel::hiddenData(int column, int role, const HiddenPrimitive &hidden) const
 {
     const std::span<const Vertex> vertices = hidden.vertices();
@@ -215,7 +242,9 @@ bool PrimitiveListModel::setData(const QModelIndex &index, const QVariant &value
 {
     if (role == Qt::CheckStateRole && isPrimitive(index) && index.column() == Name) {
         const std::optional<int> hidden = hiddenAt(index);
-        if (hidden && value == Qt::Checked)
+        if (const std::optional<std::size_t> solid = solidAt(index))
+            m_document->setSolidShown(*solid, value == Qt::Checked);
+        else if (hidden && value == Qt::Checked)
             m_document->showHidden(*hidden);
         else if (!hidden && value == Qt::Unchecked)
             m_document->hidePrimitive(refAt(index)->primitive);

@@ -10,8 +10,8 @@ namespace pixelplumb {
 /// The document's triangles and shapes in drawing order, each with a box that shows or hides it,
 /// and below each its vertices in the file's order with their coordinates, which can be edited, and
 /// their colours. Hidden ones stand in their places, which no hiding changes, without a number and
-/// without vertices. A
-/// solid's triangles are none of the document's.
+/// without vertices. Solids stand between triangles and shapes; their own triangles are none of the
+/// document's.
 class PrimitiveListModel : public QAbstractItemModel {
     Q_OBJECT
 
@@ -22,11 +22,13 @@ public:
 
     explicit PrimitiveListModel(SceneDocument *document, QObject *parent = nullptr);
 
-    /// The vertex of a row; of a primitive's row its first; none of a hidden one's. Any column.
+    /// The vertex of a row; of a primitive's row its first; none of a hidden one's, nor of a
+    /// solid's. Any column.
     std::optional<VertexRef> refAt(const QModelIndex &index) const;
     /// The index among the hidden ones of a hidden primitive's row.
     std::optional<int> hiddenAt(const QModelIndex &index) const;
-    bool isPrimitive(const QModelIndex &index) const;
+    std::optional<std::size_t> solidAt(const QModelIndex &index) const; ///< its index
+    bool isPrimitive(const QModelIndex &index) const; ///< or a solid
     QModelIndex indexOf(const VertexRef &ref) const;
     QModelIndex indexOfPrimitive(int primitive) const;
 
@@ -44,12 +46,14 @@ private:
     struct Row {
         int primitive = 0; ///< of a hidden one: −1 − its index among the hidden
         int vertexCount = 0; ///< that can be edited
+        std::optional<std::size_t> solid = {}; ///< and no primitive
 
         friend bool operator==(const Row &, const Row &) = default;
     };
 
     void followScene();
     std::vector<Row> rowsOfScene() const;
+    QVariant solidData(int column, int role, std::size_t index) const;
     QVariant hiddenData(int column, int role, const HiddenPrimitive &hidden) const;
 
     SceneDocument *m_document;

@@ -29,7 +29,7 @@ public:
     ~SceneDocument() override;
 
     const Scene &scene() const { return m_scene; }
-    int hiddenCount() const { return int(m_scene.hidden.size()); }
+    int hiddenCount() const { return int(m_scene.hidden.size()); } ///< without solids
     /// The scene as it stands, for work beside the GUI thread. Made once a change, when asked for.
     std::shared_ptr<const Scene> snapshot() const;
     const std::vector<Vertex> &pendingVertices() const { return m_pending; }
@@ -106,6 +106,7 @@ public slots:
     /// Changes that share a drag number are one edit.
     void setCamera(const pixelplumb::Camera &camera, int drag);
     void setSolid(std::size_t index, const pixelplumb::Solid &solid, int drag);
+    void setSolidShown(std::size_t index, bool shown);
     void setAppearance(const pixelplumb::Appearance &appearance);
     void setMotion(const std::optional<pixelplumb::Motion> &motion);
     /// Of the rule off-screen-point. Moves that share a drag number are one edit.

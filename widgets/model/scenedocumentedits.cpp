@@ -160,7 +160,7 @@ void SceneDocument::discardPending()
 
 void SceneDocument::clear()
 {
-    if (m_pending.empty() && m_scene.isEmpty() && m_scene.hidden.empty())
+    if (m_pending.empty() && m_scene.isEmpty() && m_scene.hiddenCount() == 0)
         return;
     const ScenePiece before = wholePiece();
     ScenePiece after = before;

@@ -47,6 +47,8 @@ Scene allShown(const Scene &scene)
     all.triangles.clear();
     all.attributes.clear();
     all.shapes.clear();
+    for (Solid &solid : all.solids)
+        solid.isHidden = false;
     const auto appendTriangle = [&all](const Triangle &triangle, TriangleAttributes attributes) {
         attributes.triangle = 0;
         if (attributes != TriangleAttributes()) {
@@ -121,9 +123,19 @@ void SceneDocument::showHidden(int index)
 
 void SceneDocument::showAllHidden()
 {
-    if (m_scene.hidden.empty())
+    if (m_scene.hiddenCount() == 0)
         return;
     setScene(allShown(m_scene), tr("show all primitives"));
+}
+
+void SceneDocument::setSolidShown(std::size_t index, bool shown)
+{
+    if (index >= m_scene.solids.size() || m_scene.solids[index].isHidden != shown)
+        return;
+    const ScenePiece before = withPending(pieceWithSolid(m_scene, index));
+    ScenePiece after = before;
+    after.solids.front().isHidden = !shown;
+    edit(shown ? tr("show solid") : tr("hide solid"), before, after);
 }
 
 void SceneDocument::deleteHidden(int index)

@@ -36,7 +36,7 @@ double timeOfProjection(const Scene &scene)
 std::optional<Solid> studiedSolid(const Scene &scene)
 {
     for (const Solid &solid : scene.solids) {
-        if (solid.kind == SolidKind::Sphere || solid.kind == SolidKind::Patch)
+        if (!solid.isHidden && (solid.kind == SolidKind::Sphere || solid.kind == SolidKind::Patch))
             return solid;
     }
     return std::nullopt;

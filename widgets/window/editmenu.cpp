@@ -128,7 +128,8 @@ void EditMenu::addVertices(QWidget *window)
     QAction *show = addMenuAction(this, "showAllHidden", tr("Sho&w all hidden primitives"),
                                   Qt::CTRL | Qt::SHIFT | Qt::Key_H,
                                   [document] { document->showAllHidden(); });
-    const auto updateShow = [document, show] { show->setEnabled(document->hiddenCount() > 0); };
+    const auto updateShow
+        = [document, show] { show->setEnabled(document->scene().hiddenCount() > 0); };
     connect(document, &SceneDocument::sceneChanged, this, updateShow);
     updateShow();
     change->setToolTip(tr("The triangle of the selected vertex; where none is selected, the one "
