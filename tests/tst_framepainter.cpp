@@ -171,6 +171,24 @@ private slots:
         QVERIFY(taken.frame.plates().back().center().y() < view.center().y());
     }
 
+    void whereNoCornerIsFreeTheNoteCoversLeast()
+    {
+        Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
+        const QRectF within = view.adjusted(20, 15, -20, -15);
+        const auto put = [&](const QPointF &place) {
+            sheet.frame.drawHandle(sheet.mapping.latticeAt(place), {}, HandleState::Idle);
+        };
+        for (const QPointF &corner :
+             {within.bottomLeft(), within.bottomRight(), within.topRight()}) {
+            put(corner);
+            put(corner);
+        }
+        put(within.topLeft());
+        sheet.frame.drawCornerNote(QStringLiteral("a note"));
+        const QPointF place = sheet.frame.plates().back().center();
+        QVERIFY(place.x() < view.center().x() && place.y() < view.center().y());
+    }
+
     void thePointersNoteKeepsClearOfWhatItIsTold()
     {
         Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));

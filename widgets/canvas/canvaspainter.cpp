@@ -96,6 +96,8 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     drawSigns(frame, scene);
     drawVertices(frame, scene);
     drawPending(frame, scene);
+    for (const CanvasScene::Note &note : scene.notes)
+        frame.drawNote(note.text, note.anchor, note.side);
     if (!scene.layers.notes.isEmpty())
         frame.drawCornerNote(scene.layers.notes.join(u'\n'));
     // The last, so that they keep clear of all that has a name of its own.
@@ -103,8 +105,6 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
         omissions += m_layers.paintLabels(painter, scene.layers, surface, frame.plates());
     if (!omissions.isEmpty())
         frame.drawNote(omissions.join(u'\n'), area.topRight(), NoteSide::Below);
-    for (const CanvasScene::Note &note : scene.notes)
-        frame.drawNote(note.text, note.anchor, note.side);
     if (scene.readout)
         frame.drawPointerNote(scene.readout->text, scene.readout->pointer,
                               scene.layers.labels.empty() ? std::span<const QRectF>()

@@ -71,7 +71,8 @@ public:
     /// none of those places.
     void drawPointerNote(const QString &text, const QPointF &pointer,
                          std::span<const QRectF> places);
-    /// In the first corner of the view that is free of what has a place: from the lower left.
+    /// In the corner of the view where it covers least of what has a place; of equal ones the first
+    /// from the lower left.
     void drawCornerNote(const QString &text);
     /// Between two positions.
     void drawCased(const QLineF &line, const QColor &colour, double width,

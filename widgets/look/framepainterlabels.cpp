@@ -191,9 +191,12 @@ void FramePainter::drawCornerNote(const QString &text)
                                 Corner{m_view.topLeft(), NoteSide::BelowRight},
                                 Corner{m_view.topRight(), NoteSide::BelowRight}};
     const QSizeF size = noteSize(text);
-    const auto found = std::ranges::find_if(
-        corners, [&](const Corner &each) { return isFree(plateAt(size, each.anchor, each.side)); });
-    const Corner &corner = found != corners.end() ? *found : corners.front();
+    const auto covered = [&](const Corner &each) {
+        const QRectF plate = plateAt(size, each.anchor, each.side);
+        return std::ranges::count_if(
+            m_plates, [&plate](const QRectF &other) { return other.intersects(plate); });
+    };
+    const Corner &corner = *std::ranges::min_element(corners, {}, covered);
     drawNote(text, corner.anchor, corner.side);
 }
 
