@@ -10,6 +10,7 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QLabel>
+#include <QListWidget>
 #include <QScreen>
 #include <QTest>
 
@@ -185,6 +186,17 @@ private slots:
         action(*window, "visionOrdinary")->trigger();
         for (const QString &part : parts)
             QTRY_VERIFY2(onScreen(qPrintable(part)) == before[part], qPrintable(part));
+    }
+
+    void theExamplesAreSeenSoToo()
+    {
+        const auto window = openedWindow();
+        action(*window, "visionProtanopia")->trigger();
+        action(*window, "showExamples")->trigger();
+        const auto *list = named<QListWidget>(*window, "examplesList");
+        QVERIFY(list->graphicsEffect());
+        action(*window, "visionOrdinary")->trigger();
+        QVERIFY(!list->graphicsEffect());
     }
 
     void whatIsDrawnToldAndCopiedIsAsEver()

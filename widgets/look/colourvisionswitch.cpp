@@ -39,6 +39,7 @@ private:
 
 void ColourVisionSwitch::addPart(QWidget *part)
 {
+    std::erase_if(m_parts, [](const QPointer<QWidget> &gone) { return gone.isNull(); });
     m_parts.emplace_back(part);
     showPart(part);
 }

@@ -22,6 +22,7 @@ public:
     ExamplesDialog(const std::vector<Example> &examples, const std::vector<GalleryCase> &cases,
                    QWidget *parent = nullptr);
 
+    QWidget *list() const; ///< which holds the pictures
     int picturesLeft() const { return int(m_pictures.size()) - m_nextPicture; }
 
 signals:
