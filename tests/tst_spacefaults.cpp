@@ -153,7 +153,7 @@ private slots:
             "first: they are drawn before the others");
         row("unknown key of a solid", withSolid("{ 'sphere': [0, 0, 0], 'radii': 1 }"),
             "primitives[0].radii: unknown key “radii”; expected one of sphere, material, color, "
-            "radius, segments");
+            "radius, segments, hidden");
         row("radius below 0", withSolid("{ 'sphere': [0, 0, 0], 'radius': -1 }"),
             "primitives[0].radius: a radius of -1; expected more than 0");
         row("no radius", withSolid("{ 'sphere': [0, 0, 0] }"),

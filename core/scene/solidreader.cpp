@@ -23,8 +23,7 @@ const QString segmentsKey = QStringLiteral("segments");
 
 QStringList keysOf(SolidKind kind)
 {
-    const QStringList keys
-        = {nameText(nameOf(kind)), solidMaterialKey, solidColourKey, QStringLiteral("hidden")};
+    const QStringList keys = {nameText(nameOf(kind)), solidMaterialKey, solidColourKey};
     switch (kind) {
     case SolidKind::Triangle3:
     case SolidKind::Polygon3:
@@ -46,7 +45,7 @@ QStringList keysOf(SolidKind kind)
 
 Solid SolidReader::read(const JsonNode &primitive, SolidKind kind)
 {
-    m_json.expectObject(primitive, keysOf(kind));
+    m_json.expectObject(primitive, keysOf(kind) + QStringList{QStringLiteral("hidden")});
     Solid solid;
     solid.kind = kind;
     solid.material = readMaterialName(m_json, primitive[solidMaterialKey], m_materials);

@@ -81,6 +81,7 @@ signals:
     void notice(const QString &text);
 
 private:
+    static QString sceneFilter(); ///< of the dialogs
     QString folder() const;
     QString proposedPath() const;
     void setPath(const QString &path);

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scene/scenefile.h"
+#include "widgets/files/documentsfolder.h"
+#include "widgets/files/examplefolder.h"
+#include "widgets/files/recentfiles.h"
+#include "widgets/files/scenefiles.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QProgressDialog>
+
+#include <new>
+
+/// The document becomes a file.
+namespace pixelplumb {
+
+namespace {
+
+/// More primitives take longer to write than a person should wait (some 5 µs each).
+constexpr std::size_t mostWrittenAtOnce = 5'000;
+
+} // namespace
+
+bool SceneFiles::save()
+{
+    return m_path.isEmpty() || isExample(m_path) ? saveAs() : saveTo(m_path);
+}
+
+bool SceneFiles::saveAs()
+{
+    const QString proposal = proposedPath();
+    QFileDialog dialog(m_window, tr("Save the Scene"), proposal, sceneFilter());
+    dialog.setObjectName(QStringLiteral("saveDialog"));
+    dialog.setAcceptMode(QFileDialog::AcceptSave);
+    dialog.setDefaultSuffix(QStringLiteral("json"));
+    dialog.selectFile(proposal);
+    return dialog.exec() == QDialog::Accepted && saveTo(dialog.selectedFiles().constFirst());
+}
+
+bool SceneFiles::saveTo(const QString &path)
+{
+    if (!waitForSaving())
+        return false;
+    const std::shared_ptr<const Scene> scene = m_document->snapshot();
+    if (scene->triangles.size() + scene->solids.size() + scene->shapes.size() > mostWrittenAtOnce) {
+        startSaving(path, scene);
+        return true;
+    }
+    const std::optional<InputError> error = writeSceneFile(path, *scene);
+    takeSaved(path, scene, error);
+    return !error;
+}
+
+/// The file that was promised is written even when the window is gone meanwhile.
+void SceneFiles::startSaving(const QString &path, const std::shared_ptr<const Scene> &scene)
+{
+    m_saving.setTitle(tr("Saving %1").arg(QFileInfo(path).fileName()));
+    m_saving.start(
+        [path, scene](const ProgressListener &) -> std::optional<InputError> {
+            try {
+                return writeSceneFile(path, *scene);
+            } catch (const std::bad_alloc &) {
+                return InputError{path, tr("the scene's text does not fit into memory"), {}};
+            }
+        },
+        [this, path, scene](const std::optional<InputError> &error) {
+            takeSaved(path, scene, error);
+        });
+}
+
+void SceneFiles::takeSaved(const QString &path, const std::shared_ptr<const Scene> &scene,
+                           const std::optional<InputError> &error)
+{
+    if (error) {
+        emit complaint(tr("The scene was not saved: %1").arg(error->message()));
+        return;
+    }
+    if (m_document->snapshot() == scene) // else it was edited meanwhile
+        m_document->markSaved();
+    setPath(path);
+    m_recent->add(path);
+}
+
+/// Until the file that is being written is whole; false when the person would rather go on.
+bool SceneFiles::waitForSaving()
+{
+    if (!m_saving.isRunning())
+        return true;
+    QProgressDialog dialog(tr("Saving…"), tr("Go on working"), 0, 0, m_window);
+    dialog.setObjectName(QStringLiteral("savingDialog"));
+    dialog.setWindowModality(Qt::WindowModal);
+    connect(&m_saving, &Job::ended, &dialog, &QDialog::accept);
+    return dialog.exec() == QDialog::Accepted;
+}
+
+/// Where the scene came from, or beside the last file; never among the program's examples.
+QString SceneFiles::proposedPath() const
+{
+    const QString name
+        = m_path.isEmpty() ? QStringLiteral("scene.json") : QFileInfo(m_path).fileName();
+    const QString proposal = folder() + u'/' + name;
+    if (!isExample(proposal))
+        return proposal;
+    return documentsFolder() + u'/' + name;
+}
+
+} // namespace pixelplumb
