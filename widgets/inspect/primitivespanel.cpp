@@ -210,8 +210,9 @@ void PrimitivesPanel::update()
         text += tr(", and %1 hidden that the numbers leave out").arg(hidden);
     if (solids > 0)
         text += (solids == 1 ? tr(" and 1 solid") : tr(" and %1 solids").arg(solids))
-            + tr(", of which the camera makes the triangles: they are hidden here, but not moved; "
-                 "the Projection panel shows them");
+            + tr(". The camera makes the triangles of a solid, and the Projection panel shows "
+                 "them; "
+                 "here it can be hidden, not moved");
     m_summary->setText(text);
     const std::optional<VertexRef> ref = refInHand();
     m_up->setEnabled(ref && m_document->canMovePrimitive(ref->primitive, -1));

@@ -217,8 +217,8 @@ QVariant PrimitiveListModel::solidData(int column, int role, std::size_t index) 
         return solid.isHidden ? Qt::Unchecked : Qt::Checked;
     if (role != Qt::DisplayRole || column != Name)
         return {};
-    const QString name = tr("%1, solid %2").arg(nameText(nameOf(solid.kind))).arg(index);
-    return solid.isHidden ? tr("%1, hidden").arg(name) : name;
+    const QString kind = nameText(nameOf(solid.kind));
+    return solid.isHidden ? tr("%1, hidden").arg(kind) : tr("%1, solid %2").arg(kind).arg(index);
 }
 
 QVariant PrimitiveListModel::hiddenData(int column, int role, const HiddenPrimitive &hidden) const
