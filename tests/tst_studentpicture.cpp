@@ -16,12 +16,14 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QComboBox>
+#include <QDebug>
 #include <QDockWidget>
 #include <QDropEvent>
 #include <QLabel>
 #include <QListWidget>
 #include <QMimeData>
 #include <QPushButton>
+#include <QScrollArea>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
@@ -372,6 +374,21 @@ private slots:
         QVERIFY(!judgement(*window));
         QVERIFY(!isMarked(*window, extra, Sign::Extra));
         QCOMPARE(text(*window, "submissionName"), "No student's picture");
+    }
+
+    void theAnswerComesIntoViewInASmallWindow()
+    {
+        const auto window = windowWithDefect("rounding-truncate");
+        window->resize(1024, 640);
+        nameTheBug(*window);
+        const QWidget *view = named<QScrollArea>(*window, "submissionArea")->viewport();
+        const auto placeInView = [&](const char *part) {
+            const auto *widget = named<QWidget>(*window, part);
+            return QRect(widget->mapTo(view, QPoint()), widget->size());
+        };
+        for (const char *part : {"diagnosisVerdict", "diagnosisCandidates"})
+            QTRY_VERIFY2(view->rect().contains(placeInView(part)),
+                         qPrintable(QDebug::toString(placeInView(part))));
     }
 
     void theBugIsNamedInWordsForBoth()

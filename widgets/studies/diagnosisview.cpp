@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/diagnosisview.h"
 
+#include "widgets/look/elidingbox.h"
 #include "widgets/model/studentpicture.h"
 #include "widgets/studies/diagnosistext.h"
 
 #include <QBoxLayout>
-#include <QComboBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QProgressBar>
@@ -60,12 +60,13 @@ void DiagnosisView::addControls(QBoxLayout *layout)
     m_progress->setObjectName(QStringLiteral("diagnosisProgress"));
     m_progress->setAccessibleName(tr("Sets of defects that are tried"));
     m_progress->setTextVisible(false);
-    m_audience = new QComboBox(this);
+    m_audience = new ElidingBox(this);
+    m_audience->setMinimumContentsLength(5);
     m_audience->setObjectName(QStringLiteral("diagnosisAudience"));
     m_audience->setAccessibleName(tr("Whose words"));
-    m_audience->setToolTip(tr("For the student: where to look. For the assistant: what was done."));
-    m_audience->addItem(tr("for the student"));
-    m_audience->addItem(tr("for the assistant"));
+    m_audience->setToolTip(tr("For whom. Student: where to look. Assistant: what was done."));
+    m_audience->addItem(tr("student"));
+    m_audience->addItem(tr("assistant"));
     auto *row = new QHBoxLayout;
     row->setSpacing(4);
     row->addWidget(m_start);
@@ -96,6 +97,7 @@ void DiagnosisView::addResults(QBoxLayout *layout)
     m_candidates->setAccessibleName(tr("Sets of defects"));
     m_candidates->setWordWrap(true);
     m_candidates->setMinimumHeight(56);
+    m_candidates->setSizeAdjustPolicy(QAbstractScrollArea::AdjustToContents);
     layout->addWidget(m_candidates, 1);
     m_sentence = addLabel("diagnosisSentence", tr("What the chosen defects are"));
     m_open = pushButton("diagnosisOpen", tr("Open in the stepper"),
@@ -161,6 +163,18 @@ void DiagnosisView::take(const std::optional<Named> &found)
         return m_verdict->setText(tr("The diagnosis does not fit into memory."));
     m_verdict->setText(diagnosisText(found->diagnosis));
     showCandidates();
+    emit answered();
+}
+
+QRect DiagnosisView::answer() const
+{
+    QRect result;
+    const std::initializer_list<QWidget *> parts{m_verdict, m_candidates, m_sentence};
+    for (const QWidget *part : parts) {
+        if (part->isVisibleTo(this))
+            result |= part->geometry();
+    }
+    return result;
 }
 
 void DiagnosisView::forget()

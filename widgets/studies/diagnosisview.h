@@ -35,6 +35,7 @@ public:
     ~DiagnosisView() override;
 
     bool isRunning() const { return m_job.isRunning(); }
+    QRect answer() const; ///< the place of what is there of the verdict, the sets and the sentence
 
 public slots:
     void start();
@@ -42,6 +43,7 @@ public slots:
     void setLeaving(bool possible); ///< whether there is a candidate in the stepper
 
 signals:
+    void answered(); ///< the answer stands there
     void openRequested(const pixelplumb::DefectOpening &opening);
     void compareRequested(const pixelplumb::DefectOpening &opening);
     void leaveRequested();

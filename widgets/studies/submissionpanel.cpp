@@ -10,6 +10,7 @@
 #include "widgets/studies/submissionview.h"
 
 #include <QBoxLayout>
+#include <QCoreApplication>
 #include <QEvent>
 #include <QScrollArea>
 #include <QToolButton>
@@ -58,6 +59,13 @@ SubmissionPanel::SubmissionPanel(StudentPicture *student, Playhead *playhead, QW
     m_diagnosis = new DiagnosisView(student, m_content);
     layout->addWidget(m_diagnosis, 1);
     layout->addStretch();
+    // In a small window the answer would stand below what is in view. First it gets its height.
+    connect(m_diagnosis, &DiagnosisView::answered, area, [this, area] {
+        QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+        const QRect answer = m_diagnosis->answer().translated(m_diagnosis->pos());
+        area->ensureVisible(0, answer.bottom(), 0, 4);
+        area->ensureVisible(0, answer.top(), 0, 0);
+    });
     connect(student, &StudentPicture::taken, this, &SubmissionPanel::showJudgement);
     connect(student, &StudentPicture::taken, m_link, &CompareLink::fit);
     connect(student, &StudentPicture::judged, this, &SubmissionPanel::showJudgement);
