@@ -15,12 +15,14 @@
 #include <QAbstractButton>
 #include <QAbstractItemModelTester>
 #include <QApplication>
+#include <QColorDialog>
 #include <QContextMenuEvent>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
 #include <QRandomGenerator>
 #include <QTest>
+#include <QTimer>
 #include <QTreeView>
 
 #include <algorithm>
@@ -274,6 +276,50 @@ private slots:
         document().undoStack()->undo();
         document().undoStack()->undo();
         QTRY_COMPARE(playhead.traced()->primitives.triangles.size(), std::size_t(1));
+    }
+
+    void solidsAreMovedRecolouredAndDeleted()
+    {
+        const Scene scene
+            = sceneOf({solidOf(SolidKind::Sphere), triangle3({-1, -1, 1}, {1, -1, 1}, {0, 1, 1})});
+        document().reset(scene);
+        const auto takeAmber = [this] {
+            QTimer::singleShot(0, [] {
+                auto *dialog = qobject_cast<QColorDialog *>(QApplication::activeModalWidget());
+                QVERIFY(dialog);
+                dialog->setCurrentColor(QColor(255, 176, 0));
+                dialog->accept();
+            });
+            press("primitivesColour");
+        };
+        m_tree->setCurrentIndex(m_model->index(0, PrimitiveListModel::Name));
+        QVERIFY(!button("primitivesUp")->isEnabled());
+        press("primitivesDown");
+        QCOMPARE(document().scene().solids[1], scene.solids[0]);
+        QCOMPARE(m_tree->currentIndex().row(), 1); // it stays in hand
+        QVERIFY(!button("primitivesDown")->isEnabled());
+
+        takeAmber();
+        QCOMPARE(document().scene().solids[1].colour, (Colour{{255, 176, 0}}));
+        m_tree->setCurrentIndex(m_model->index(0, PrimitiveListModel::Name));
+        takeAmber();
+        for (const SolidCorner &corner : document().scene().solids[0].corners)
+            QCOMPARE(corner.colour, (Colour{{255, 176, 0}}));
+        const auto reading = readScene(writeScene(document().scene()));
+        QVERIFY(reading);
+        QCOMPARE(reading->scene, document().scene());
+
+        press("primitivesDelete");
+        QCOMPARE(textsOf(PrimitiveListModel::Name), QStringList({"sphere, solid 0"}));
+        press("primitivesDelete");
+        QVERIFY(document().scene().solids.empty());
+        QVERIFY(!button("primitivesDelete")->isEnabled());
+        while (document().undoStack()->canUndo())
+            document().undoStack()->undo();
+        QCOMPARE(document().scene(), scene);
+        document().moveSolid(0, 2); // there is no such place
+        document().deleteSolid(2); // nor such a solid
+        QCOMPARE(document().undoStack()->index(), 0);
     }
 
     void hidingAndItsUndoKeepTheStepInHand()

@@ -185,6 +185,8 @@ void PrimitivesPanel::remove()
         m_document->deletePrimitive(ref->primitive);
     else if (const std::optional<int> hidden = m_model->hiddenAt(m_tree->currentIndex()))
         m_document->deleteHidden(*hidden);
+    else if (const auto solid = m_model->solidAt(m_tree->currentIndex()))
+        m_document->deleteSolid(*solid);
 }
 
 /// No row is in hand that the document has not selected, but for a hidden one: the keys of the
@@ -210,19 +212,22 @@ void PrimitivesPanel::update()
         text += tr(", and %1 hidden that the numbers leave out").arg(hidden);
     if (solids > 0)
         text += (solids == 1 ? tr(" and 1 solid") : tr(" and %1 solids").arg(solids))
-            + tr(". The camera makes the triangles of a solid, and the Projection panel shows "
-                 "them; "
-                 "here it can be hidden, not moved");
+            + tr(". The camera makes the triangles of a solid; the Projection panel shows them and "
+                 "moves what stands in space");
     m_summary->setText(text);
     const std::optional<VertexRef> ref = refInHand();
-    m_up->setEnabled(ref && m_document->canMovePrimitive(ref->primitive, -1));
-    m_down->setEnabled(ref && m_document->canMovePrimitive(ref->primitive, 1));
-    m_colour->setEnabled(ref.has_value());
     const bool isHidden = m_model->hiddenAt(m_tree->currentIndex()).has_value();
     const std::optional<std::size_t> solid = m_model->solidAt(m_tree->currentIndex());
+    const auto canMove = [&](int places) {
+        return ref ? m_document->canMovePrimitive(ref->primitive, places)
+                   : solid && m_document->canMoveSolid(*solid, places);
+    };
+    m_up->setEnabled(canMove(-1));
+    m_down->setEnabled(canMove(1));
+    m_colour->setEnabled(ref || solid);
     const bool showsAgain = isHidden || (solid && m_document->scene().solids[*solid].isHidden);
     m_hide->setEnabled(ref || isHidden || solid);
-    m_remove->setEnabled(ref || isHidden);
+    m_remove->setEnabled(ref || isHidden || solid);
     m_hide->setText(showsAgain ? tr("Show") : tr("Hide"));
     m_hide->setToolTip(
         showsAgain
@@ -234,6 +239,11 @@ void PrimitivesPanel::update()
 void PrimitivesPanel::moveBy(int places)
 {
     const std::optional<VertexRef> ref = refInHand();
+    if (const auto solid = m_model->solidAt(m_tree->currentIndex())) {
+        const int row = m_tree->currentIndex().row();
+        m_document->moveSolid(*solid, places);
+        return m_tree->setCurrentIndex(m_model->index(row + places, PrimitiveListModel::Name));
+    }
     if (!ref || !m_document->canMovePrimitive(ref->primitive, places))
         return;
     const bool isWhole = m_model->isPrimitive(m_tree->currentIndex());
@@ -245,6 +255,8 @@ void PrimitivesPanel::moveBy(int places)
 
 void PrimitivesPanel::chooseColour()
 {
+    if (const auto solid = m_model->solidAt(m_tree->currentIndex()))
+        return chooseSolidColour(*solid);
     const std::optional<VertexRef> ref = refInHand();
     if (!ref)
         return;
@@ -258,6 +270,24 @@ void PrimitivesPanel::chooseColour()
         m_document->setPrimitiveColour(ref->primitive, *colour);
     else
         m_document->setVertexColour(*ref, *colour);
+}
+
+void PrimitivesPanel::chooseSolidColour(std::size_t index)
+{
+    Solid solid = m_document->scene().solids[index];
+    const bool isOfCorners
+        = solid.kind == SolidKind::Triangle3 || solid.kind == SolidKind::Polygon3;
+    const std::optional<Colour> colour = askForColour(
+        isOfCorners ? solid.corners.front().colour : solid.colour, tr("Colour of the Solid"), this);
+    if (!colour)
+        return;
+    if (isOfCorners) {
+        for (SolidCorner &corner : solid.corners)
+            corner.colour = *colour;
+    } else {
+        solid.colour = *colour;
+    }
+    m_document->setSolid(index, solid, m_document->newDrag());
 }
 
 } // namespace pixelplumb

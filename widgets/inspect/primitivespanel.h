@@ -40,6 +40,7 @@ private:
     void remove();
     void moveBy(int places);
     void chooseColour();
+    void chooseSolidColour(std::size_t index);
     /// What the row in hand stands for; none without one.
     std::optional<VertexRef> refInHand() const;
 

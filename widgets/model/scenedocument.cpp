@@ -248,6 +248,19 @@ ScenePiece SceneDocument::wholePiece() const
     return withPending(pixelplumb::wholePiece(m_scene));
 }
 
+namespace {
+
+/// Whether the triangles of solids keep their order: a change of one leaves it where it is, though
+/// another view of it may be cut into more.
+bool solidsStay(const ScenePiece &before, const ScenePiece &after)
+{
+    return before.solids == after.solids
+        || (before.solids.size() == 1 && after.solids.size() == 1
+            && before.solids.front().isHidden == after.solids.front().isHidden);
+}
+
+} // namespace
+
 /// The triangles of a run are the scene's and, behind them, those of its solids.
 void SceneDocument::tellRenumbering(const ScenePiece &before, const ScenePiece &after)
 {
@@ -255,7 +268,8 @@ void SceneDocument::tellRenumbering(const ScenePiece &before, const ScenePiece &
     const std::size_t countAfter = count - before.run.triangles.size() + after.run.triangles.size();
     emit trianglesRenumbered([&, count, countAfter](std::size_t triangle) {
         if (triangle >= count)
-            return std::optional(triangle - count + countAfter);
+            return solidsStay(before, after) ? std::optional(triangle - count + countAfter)
+                                             : std::nullopt;
         const auto ref = renamed(VertexRef{int(triangle), 0}, count, before, after);
         return ref && ref->primitive != VertexRef::pending
             ? std::optional(std::size_t(ref->primitive))
@@ -269,7 +283,7 @@ void SceneDocument::exchange(const ScenePiece &before, const ScenePiece &after, 
     const std::optional<VertexRef> selected = m_selected;
     if (m_selected)
         m_selected = renamed(*m_selected, m_scene.triangles.size(), before, after);
-    if (before.run.triangles != after.run.triangles)
+    if (before.run.triangles != after.run.triangles || !solidsStay(before, after))
         tellRenumbering(before, after);
     replace(m_scene, before, after);
     m_pending = after.pending;

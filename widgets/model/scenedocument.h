@@ -107,6 +107,10 @@ public slots:
     void setCamera(const pixelplumb::Camera &camera, int drag);
     void setSolid(std::size_t index, const pixelplumb::Solid &solid, int drag);
     void setSolidShown(std::size_t index, bool shown);
+    bool canMoveSolid(std::size_t index, int places) const;
+    /// In the drawing order, by so many places among the solids.
+    void moveSolid(std::size_t index, int places);
+    void deleteSolid(std::size_t index);
     void setAppearance(const pixelplumb::Appearance &appearance);
     void setMotion(const std::optional<pixelplumb::Motion> &motion);
     /// Of the rule off-screen-point. Moves that share a drag number are one edit.

@@ -213,17 +213,6 @@ void SceneDocument::setCamera(const Camera &camera, int drag)
         new SceneEdit(*this, tr("move camera"), before, after, Drag{VertexRef(), drag}));
 }
 
-void SceneDocument::setSolid(std::size_t index, const Solid &solid, int drag)
-{
-    if (index >= m_scene.solids.size() || m_scene.solids[index] == solid)
-        return;
-    const ScenePiece before = withPending(pieceWithSolid(m_scene, index));
-    ScenePiece after = before;
-    after.solids = {solid};
-    m_undoStack.push(
-        new SceneEdit(*this, tr("change solid"), before, after, Drag{VertexRef(), drag}));
-}
-
 void SceneDocument::setAppearance(const Appearance &appearance)
 {
     if (m_scene.appearance == appearance)

@@ -128,16 +128,6 @@ void SceneDocument::showAllHidden()
     setScene(allShown(m_scene), tr("show all primitives"));
 }
 
-void SceneDocument::setSolidShown(std::size_t index, bool shown)
-{
-    if (index >= m_scene.solids.size() || m_scene.solids[index].isHidden != shown)
-        return;
-    const ScenePiece before = withPending(pieceWithSolid(m_scene, index));
-    ScenePiece after = before;
-    after.solids.front().isHidden = !shown;
-    edit(shown ? tr("show solid") : tr("hide solid"), before, after);
-}
-
 void SceneDocument::deleteHidden(int index)
 {
     if (index < 0 || index >= hiddenCount())

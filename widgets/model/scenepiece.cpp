@@ -69,6 +69,7 @@ void ScenePiece::rotate(int by)
     };
     rotated(run.triangles);
     rotated(run.shapes);
+    rotated(solids);
     const std::size_t count = run.triangles.size();
     for (TriangleAttributes &each : run.attributes) {
         const std::size_t place = each.triangle - firstTriangle;
@@ -142,11 +143,12 @@ ScenePiece pieceWithRun(const Scene &scene, std::size_t first, std::size_t count
     return piece;
 }
 
-ScenePiece pieceWithSolid(const Scene &scene, std::size_t solid)
+ScenePiece pieceWithSolids(const Scene &scene, std::size_t first, std::size_t count)
 {
     ScenePiece piece = pieceAtEnd(scene);
-    piece.firstSolid = solid;
-    piece.solids = {scene.solids[solid]};
+    piece.firstSolid = first;
+    const auto begin = scene.solids.begin() + std::ptrdiff_t(first);
+    piece.solids.assign(begin, begin + std::ptrdiff_t(count));
     return piece;
 }
 

@@ -55,7 +55,7 @@ ScenePiece pieceAtEnd(const Scene &scene);
 ScenePiece pieceWith(const Scene &scene, std::size_t primitive);
 /// With some, triangles or shapes.
 ScenePiece pieceWithRun(const Scene &scene, std::size_t first, std::size_t count);
-ScenePiece pieceWithSolid(const Scene &scene, std::size_t solid);
+ScenePiece pieceWithSolids(const Scene &scene, std::size_t first, std::size_t count);
 /// With all primitives.
 ScenePiece wholePiece(const Scene &scene);
 
