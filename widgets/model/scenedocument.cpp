@@ -248,19 +248,6 @@ ScenePiece SceneDocument::wholePiece() const
     return withPending(pixelplumb::wholePiece(m_scene));
 }
 
-namespace {
-
-/// Whether the triangles of solids keep their order: a change of one leaves it where it is, though
-/// another view of it may be cut into more.
-bool solidsStay(const ScenePiece &before, const ScenePiece &after)
-{
-    return before.solids == after.solids
-        || (before.solids.size() == 1 && after.solids.size() == 1
-            && before.solids.front().isHidden == after.solids.front().isHidden);
-}
-
-} // namespace
-
 /// The triangles of a run are the scene's and, behind them, those of its solids.
 void SceneDocument::tellRenumbering(const ScenePiece &before, const ScenePiece &after)
 {

@@ -105,6 +105,13 @@ bool ScenePiece::hasSceneOf(const ScenePiece &other) const
         && appearance == other.appearance && motion == other.motion && hidden == other.hidden;
 }
 
+bool solidsStay(const ScenePiece &before, const ScenePiece &after)
+{
+    return before.solids == after.solids
+        || (before.solids.size() == 1 && after.solids.size() == 1
+            && before.solids.front().isHidden == after.solids.front().isHidden);
+}
+
 ScenePiece pieceAtEnd(const Scene &scene)
 {
     ScenePiece piece;

@@ -59,6 +59,10 @@ ScenePiece pieceWithSolids(const Scene &scene, std::size_t first, std::size_t co
 /// With all primitives.
 ScenePiece wholePiece(const Scene &scene);
 
+/// Whether the triangles of solids keep their order: a change of one solid leaves it where it is,
+/// though another view of it may be cut into more.
+bool solidsStay(const ScenePiece &before, const ScenePiece &after);
+
 /// Puts `after` where `before` stands.
 void replace(Scene &scene, const ScenePiece &before, const ScenePiece &after);
 
