@@ -20,13 +20,14 @@ std::optional<ExitCode> refusalOfSizes(const SizedInput &one, const SizedInput &
 {
     if (one.size == other.size)
         return std::nullopt;
-    sayLine(QStringLiteral("%1 has %2 × %3 pixels, %4 has %5 × %6")
+    sayLine(QStringLiteral("%1 has %2 × %3 pixels%7, %4 has %5 × %6%8")
                 .arg(one.path)
                 .arg(one.size.width())
                 .arg(one.size.height())
                 .arg(other.path)
                 .arg(other.size.width())
-                .arg(other.size.height()));
+                .arg(other.size.height())
+                .arg(enlargementText(one.size, other.size), enlargementText(other.size, one.size)));
     return ExitCode::SizesDiffer;
 }
 

@@ -209,6 +209,19 @@ void appendPictures(std::vector<Defect> &defects, const Scene &scene)
                            change.isFar,
                            change.kind});
     }
+    defects.push_back(
+        {QStringLiteral("nothing-drawn"),
+         QStringLiteral("Is the picture that is written the one that was drawn into?"),
+         QStringLiteral("Nothing is drawn: all of the picture is the background."),
+         {},
+         {},
+         [](const Picture &right, const Colour &background) {
+             Picture picture = right;
+             std::ranges::fill(picture.colours, background);
+             std::ranges::fill(picture.covered, std::uint8_t(0));
+             return picture;
+         },
+         true});
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 
 #include <QBuffer>
 #include <QImageReader>
+#include <QSize>
 
 #include <algorithm>
 #include <array>
@@ -103,6 +104,14 @@ Picture truePictureOf(const Scene &scene)
     takeColours(frame.image(), picture);
     coverAllBut(scene.frame.background, picture);
     return picture;
+}
+
+QString enlargementText(const QSize &size, const QSize &expected)
+{
+    const int times = size.width() / std::max(1, expected.width());
+    if (times < 2 || size != times * expected)
+        return {};
+    return QStringLiteral(", %1 times as many each way, as if enlarged").arg(times);
 }
 
 Result<Picture> parsePicture(const QByteArray &content, const QString &name)

@@ -10,6 +10,7 @@
 #include <vector>
 
 class QImage;
+class QSize;
 
 namespace pixelplumb {
 
@@ -50,5 +51,9 @@ Picture truePictureOf(const Scene &scene);
 /// A picture file of at most 2^28 pixels, or a raster of `#` and `.` (asciiRaster). Nothing is
 /// covered yet of a file with colours.
 Result<Picture> parsePicture(const QByteArray &content, const QString &name);
+
+/// Words to be added to a picture's size where it is a multiple of the expected one: it may be
+/// enlarged. Otherwise none.
+QString enlargementText(const QSize &size, const QSize &expected);
 
 } // namespace pixelplumb

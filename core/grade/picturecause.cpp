@@ -163,6 +163,43 @@ void appendLevels(std::vector<PictureChange> &changes)
     add(QStringLiteral("decoded from sRGB once too often"), linearLight);
 }
 
+/// A frame that was filled with another colour than the scene's before anything was drawn.
+void appendBackgrounds(const Colour &background, std::vector<PictureChange> &changes)
+{
+    const auto add = [&](const QString &name, const Colour &colour) {
+        if (colour == background)
+            return;
+        changes.push_back({name,
+                           [colour](const Picture &expected) {
+                               Picture picture = expected;
+                               for (std::size_t i = 0; i < picture.size(); ++i) {
+                                   if (picture.covered[i] == 0)
+                                       picture.colours[i] = colour;
+                                   picture.covered[i] = 1; // it is not the scene's background
+                               }
+                               return picture;
+                           },
+                           QStringLiteral("background")});
+    };
+    add(QStringLiteral("drawn on black"), {{0, 0, 0}});
+    add(QStringLiteral("drawn on white"), {{255, 255, 255}});
+}
+
+/// What is drawn is a mask.
+void appendMask(std::vector<PictureChange> &changes)
+{
+    changes.push_back({QStringLiteral("drawn in white alone"),
+                       [](const Picture &expected) {
+                           Picture picture = expected;
+                           for (std::size_t i = 0; i < picture.size(); ++i) {
+                               if (picture.covered[i] != 0)
+                                   picture.colours[i] = {{255, 255, 255}};
+                           }
+                           return picture;
+                       },
+                       QStringLiteral("mask")});
+}
+
 } // namespace
 
 std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colour &background)
@@ -175,6 +212,8 @@ std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colo
         return changes;
     appendChannels(changes);
     appendLevels(changes);
+    appendMask(changes);
+    appendBackgrounds(background, changes);
     return changes;
 }
 

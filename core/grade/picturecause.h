@@ -17,8 +17,8 @@ struct PictureChange {
 
 /// Of pictures like the expected one in size and in whether they have colours: shifts by up to 4 px
 /// each way, flips, rows stored a pixel too far apart or too near, the two coordinates exchanged
-/// (where the frame is square), channels exchanged, and the two ways between linear and sRGB
-/// levels.
+/// (where the frame is square), channels exchanged, the two ways between linear and sRGB levels,
+/// all that is drawn in white alone, and white or black for the background.
 std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colour &background);
 
 } // namespace pixelplumb

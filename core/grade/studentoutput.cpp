@@ -22,7 +22,8 @@ InputError otherSize(const QSize &size, const FrameSpec &frame)
 {
     const QString text = QStringLiteral("%1 × %2 pixels");
     return {QStringLiteral("the output"),
-            QStringLiteral("a picture of ") + text.arg(size.width()).arg(size.height()),
+            QStringLiteral("a picture of ") + text.arg(size.width()).arg(size.height())
+                + enlargementText(size, {frame.width, frame.height}),
             text.arg(frame.width).arg(frame.height)};
 }
 

@@ -119,12 +119,13 @@ QString StudentPicture::misfitOf(const Picture &picture) const
     const FrameSpec &frame = m_scene->frame;
     if (picture.width == frame.width && picture.height == frame.height)
         return {};
-    return tr("The picture is %1 × %2 pixels, the scene's frame %3 × %4; expected is a picture "
+    return tr("The picture is %1 × %2 pixels%5, the scene's frame %3 × %4; expected is a picture "
               "of that size, or a frame of the picture's (Edit ▸ Frame).")
         .arg(picture.width)
         .arg(picture.height)
         .arg(frame.width)
-        .arg(frame.height);
+        .arg(frame.height)
+        .arg(enlargementText({picture.width, picture.height}, {frame.width, frame.height}));
 }
 
 void StudentPicture::open(const QString &path) { openAs(path, QFileInfo(path).fileName()); }
