@@ -477,8 +477,10 @@ private slots:
 
     void whoDrawsNothingIsNotCalledRight()
     {
-        const PictureSource nobody{QStringLiteral("nobody"),
-                                   [](const Scene &) { return std::optional<Picture>(); }};
+        const PictureSource nobody{
+            QStringLiteral("nobody"), [](const Scene &) {
+                return Result<Picture>(InputError{{}, QStringLiteral("is away"), {}});
+            }};
         const Contender right{methodNamed(QStringLiteral("column-scan")), {}};
         const Scene conventions;
 
@@ -488,6 +490,8 @@ private slots:
         QVERIFY(!search.found);
         QCOMPARE(search.compared, 0);
         QCOMPARE(search.undrawn, 100); // and then it is enough
+        QCOMPARE(search.firstUndrawn->source, QStringLiteral("nobody"));
+        QCOMPARE(report.firstUndrawn->why.message(), QStringLiteral("is away"));
         QCOMPARE(report.checked, 0);
         QVERIFY(report.undrawn > 10);
     }

@@ -18,29 +18,6 @@ namespace pixelplumb::cli {
 
 namespace {
 
-QString placeText(const LatticePoint &place)
-{
-    const auto number
-        = [](Lattice coordinate) { return toText(Quantity::rational(coordinate, unitsPerPixel)); };
-    return QStringLiteral("(%1, %2)").arg(number(place.x), number(place.y));
-}
-
-QStringList primitiveLines(const Scene &scene)
-{
-    QStringList lines;
-    const auto add = [&](const QString &kind, std::span<const Vertex> vertices) {
-        QStringList places;
-        for (const Vertex &vertex : vertices)
-            places += placeText(vertex.position) + u' ' + colourText(vertex.colour);
-        lines += kind + u' ' + places.join(QStringLiteral(", "));
-    };
-    for (const Triangle &triangle : scene.triangles)
-        add(QStringLiteral("triangle"), triangle.vertices);
-    for (const Shape &shape : scene.shapes)
-        add(nameOf(shape.kind), shape.vertices);
-    return lines;
-}
-
 /// The place in the sources of the one that parts: not that which is right by proof.
 std::size_t partingSide(const Sides &sides)
 {
@@ -84,6 +61,15 @@ std::vector<DifferingPixel> differingPixelsOf(const CounterExample &example)
     return pixels;
 }
 
+QStringList undrawnLines(const CounterSearch &search)
+{
+    if (!search.firstUndrawn)
+        return {};
+    return {QStringLiteral("%1 could not be drawn; the first: %2")
+                .arg(search.undrawn)
+                .arg(undrawnText(*search.firstUndrawn))};
+}
+
 QStringList linesOf(const Sides &sides, const CounterSearch &search)
 {
     const auto &sources = sides.sources;
@@ -91,9 +77,7 @@ QStringList linesOf(const Sides &sides, const CounterSearch &search)
         QStringList lines = {QStringLiteral("none found: %1 and %2 draw the same in %3 scenes")
                                  .arg(sources[0].name, sources[1].name)
                                  .arg(search.compared)};
-        if (search.undrawn > 0)
-            lines += QStringLiteral("%1 could not be drawn").arg(search.undrawn);
-        return lines;
+        return lines + undrawnLines(search);
     }
     const CounterExample &example = *search.found;
     const FrameSpec &frame = example.scene.frame;
@@ -117,7 +101,7 @@ QStringList linesOf(const Sides &sides, const CounterSearch &search)
                      .arg(sources[partingSide(sides)].name)
                      .arg(step->step + 1)
                      .arg(step->heading, step->text);
-    return lines;
+    return lines + undrawnLines(search);
 }
 
 QJsonObject jsonOf(const Sides &sides, const CounterSearch &search)
@@ -128,6 +112,8 @@ QJsonObject jsonOf(const Sides &sides, const CounterSearch &search)
                        {QStringLiteral("compared"), qint64(search.compared)},
                        {QStringLiteral("undrawn"), qint64(search.undrawn)},
                        {QStringLiteral("found"), search.found.has_value()}};
+    if (search.firstUndrawn)
+        object.insert(QStringLiteral("firstUndrawn"), undrawnJson(*search.firstUndrawn));
     if (!search.found)
         return object;
     const Scene &scene = search.found->scene;
@@ -178,6 +164,8 @@ ExitCode counterExample(const Command &command, const QStringList &arguments)
                                "for none was drawn by both")
                     .arg(sides->sources[0].name, sides->sources[1].name)
                     .arg(search.undrawn));
+        if (search.firstUndrawn)
+            sayLine(QStringLiteral("the first: ") + undrawnText(*search.firstUndrawn));
         return ExitCode::FallsShort;
     }
     if (line.isSet(jsonOption))
@@ -188,7 +176,7 @@ ExitCode counterExample(const Command &command, const QStringList &arguments)
         if (const auto error = writeSceneFile(line.value(outputOption), search.found->scene))
             return line.refuse(*error);
     }
-    return search.found ? ExitCode::FallsShort : ExitCode::Done;
+    return search.found || search.undrawn > 0 ? ExitCode::FallsShort : ExitCode::Done;
 }
 
 } // namespace pixelplumb::cli

@@ -103,10 +103,12 @@ ExitCode invariants(const Command &command, const QStringList &arguments)
     const PictureSource &source = sides->sources.front();
     const InvariantReport report = checkInvariants(source, sides->conventions, *seed, pairs);
     if (report.undrawn > 0)
-        sayLine(QStringLiteral("%1 drew no picture of %2 of %3 pairs of triangles")
-                    .arg(source.name)
-                    .arg(report.undrawn)
-                    .arg(report.checked + report.undrawn));
+        sayLine(
+            QStringLiteral("%1 could not draw all of %2 of %3 pairs of triangles; the first: %4")
+                .arg(source.name)
+                .arg(report.undrawn)
+                .arg(report.checked + report.undrawn)
+                .arg(undrawnText(*report.firstUndrawn)));
     if (report.checked == 0)
         return ExitCode::FallsShort;
     Findings findings{report.broken, {}, *tolerance};

@@ -6,7 +6,10 @@
 #include "app/cli/sceneoptions.h"
 #include "app/cli/suggestion.h"
 #include "core/grade/probesheet.h"
+#include "core/scene/colourtext.h"
+#include "core/scene/scenefile.h"
 
+#include <QJsonDocument>
 #include <QProcess>
 
 #include <algorithm>
@@ -42,7 +45,44 @@ Result<StudentProgram> programNamed(const QString &place, const QString &word)
     return studentProgramOf(command);
 }
 
+QString placeText(const LatticePoint &place)
+{
+    const auto number
+        = [](Lattice coordinate) { return toText(Quantity::rational(coordinate, unitsPerPixel)); };
+    return QStringLiteral("(%1, %2)").arg(number(place.x), number(place.y));
+}
+
 } // namespace
+
+QStringList primitiveLines(const Scene &scene)
+{
+    QStringList lines;
+    const auto add = [&](const QString &kind, std::span<const Vertex> vertices) {
+        QStringList places;
+        for (const Vertex &vertex : vertices)
+            places += placeText(vertex.position) + u' ' + colourText(vertex.colour);
+        lines += kind + u' ' + places.join(QStringLiteral(", "));
+    };
+    for (const Triangle &triangle : scene.triangles)
+        add(QStringLiteral("triangle"), triangle.vertices);
+    for (const Shape &shape : scene.shapes)
+        add(nameOf(shape.kind), shape.vertices);
+    return lines;
+}
+
+QString undrawnText(const UndrawnScene &undrawn)
+{
+    return QStringLiteral("%1: %2: %3")
+        .arg(primitiveLines(undrawn.scene).join(QStringLiteral("; ")), undrawn.source,
+             undrawn.why.message());
+}
+
+QJsonObject undrawnJson(const UndrawnScene &undrawn)
+{
+    return {{QStringLiteral("scene"), QJsonDocument::fromJson(writeScene(undrawn.scene)).object()},
+            {QStringLiteral("source"), undrawn.source},
+            {QStringLiteral("why"), undrawn.why.message()}};
+}
 
 std::vector<Defect> defectsOfMethod(const Scene &conventions)
 {

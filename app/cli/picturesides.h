@@ -4,6 +4,8 @@
 #include "app/cli/commandline.h"
 #include "core/grade/counterexample.h"
 
+#include <QJsonObject>
+
 namespace pixelplumb::cli {
 
 /// The words of the command line that name who draws, and what they name.
@@ -14,6 +16,12 @@ struct Sides {
 
 /// The known defects that scenes of the conventions' method can have.
 std::vector<Defect> defectsOfMethod(const Scene &conventions);
+
+/// The kinds, corners and colours of a scene's primitives, a line each.
+QStringList primitiveLines(const Scene &scene);
+/// What could not be drawn, by whom and why.
+QString undrawnText(const UndrawnScene &undrawn);
+QJsonObject undrawnJson(const UndrawnScene &undrawn);
 
 /// What such a word may be.
 QString sideMeaning();

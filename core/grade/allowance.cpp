@@ -24,7 +24,7 @@ bool areNeighbours(const Colour &a, const Colour &b)
 PictureSource allowingFor(Arithmetic arithmetic, const PictureSource &source)
 {
     const auto draw = [arithmetic, drawn = source.draw](const Scene &scene) {
-        std::optional<Picture> picture = drawn(scene);
+        Result<Picture> picture = drawn(scene);
         const Picture truth = truePictureOf(scene);
         if (!picture || picture->size() != truth.size())
             return picture;

@@ -4,6 +4,7 @@
 #include "core/geometry/seededrandom.h"
 #include "core/grade/diagnosis.h"
 #include "core/grade/picturediff.h"
+#include "core/grade/showntext.h"
 #include "core/grade/studentoutput.h"
 #include "core/runs/sceneplan.h"
 #include "core/scene/scenefile.h"
@@ -108,14 +109,14 @@ PictureSource sourceOf(const Contender &contender)
         return drawn;
     };
     if (contender.isTruth())
-        return {contender.name(), [sceneOf](const Scene &scene) -> std::optional<Picture> {
+        return {contender.name(), [sceneOf](const Scene &scene) -> Result<Picture> {
                     return truePictureOf(sceneOf(scene));
                 }};
     return {contender.name(),
-            [sceneOf](const Scene &scene) -> std::optional<Picture> {
+            [sceneOf](const Scene &scene) -> Result<Picture> {
                 const Scene drawn = sceneOf(scene);
-                if (!objectionTo(drawn).isEmpty())
-                    return std::nullopt;
+                if (const QString objection = objectionTo(drawn); !objection.isEmpty())
+                    return InputError{{}, objection, {}};
                 return pictureOf(drawn);
             },
             [sceneOf](const Scene &scene) -> std::optional<DefectiveScene> {
@@ -134,12 +135,10 @@ PictureSource sourceOf(const QString &defect, const Contender &of)
         return std::nullopt;
     };
     return {of.name() + QStringLiteral(" with ") + defect,
-            [=](const Scene &scene) -> std::optional<Picture> {
+            [=](const Scene &scene) -> Result<Picture> {
                 const Scene right = sceneFor(scene, of);
                 const auto found = defectIn(right);
-                if (!found)
-                    return std::nullopt;
-                return pictureWith(right, std::span(&*found, 1));
+                return found ? pictureWith(right, std::span(&*found, 1)) : pictureOf(right);
             },
             [=](const Scene &scene) -> std::optional<DefectiveScene> {
                 const Scene right = sceneFor(scene, of);
@@ -150,14 +149,33 @@ PictureSource sourceOf(const QString &defect, const Contender &of)
             }};
 }
 
+namespace {
+
+/// How it ended, and the last line that it wrote to stderr.
+QString endText(const StudentRun &run)
+{
+    const QString said = shownText(run.messages).trimmed();
+    return said.isEmpty() ? run.told : run.told + QStringLiteral(": ") + said.section(u'\n', -1);
+}
+
+} // namespace
+
 PictureSource sourceOf(const StudentProgram &student, const TrialTerms &terms)
 {
-    return {student.path, [student, terms](const Scene &scene) -> std::optional<Picture> {
+    return {student.path, [student, terms](const Scene &scene) -> Result<Picture> {
                 const Result<StudentRun> run = runOn(student, scene, terms);
-                if (!run || run->end != ProgramEnd::Finished)
-                    return std::nullopt;
+                if (!run)
+                    return run.error();
+                if (run->end != ProgramEnd::Finished)
+                    return InputError{{}, endText(*run), {}};
                 Result<StudentOutput> output = readStudentOutput(run->output, scene);
-                return output ? std::move(output->picture) : std::nullopt;
+                if (!output)
+                    return output.error();
+                if (!output->picture)
+                    return InputError{QStringLiteral("the output"),
+                                      QStringLiteral("a trace without lines of pixels"),
+                                      QStringLiteral("a picture, or a line a pixel")};
+                return std::move(*output->picture);
             }};
 }
 
@@ -166,12 +184,15 @@ SceneTrial tryScene(const PictureSource &one, const PictureSource &other, Scene 
     if (hasDegenerate(scene))
         return {SceneOutcome::Degenerate, {}};
     fitFrame(scene);
+    const auto undrawn = [&scene](const PictureSource &source, const InputError &why) {
+        return SceneTrial{SceneOutcome::Undrawn, {}, UndrawnScene{scene, source.name, why}};
+    };
     auto pictureOfOne = one.draw(scene);
     if (!pictureOfOne)
-        return {SceneOutcome::Undrawn, {}};
+        return undrawn(one, pictureOfOne.error());
     auto pictureOfOther = other.draw(scene);
     if (!pictureOfOther)
-        return {SceneOutcome::Undrawn, {}};
+        return undrawn(other, pictureOfOther.error());
     if (differingPixels(*pictureOfOne, *pictureOfOther, 1) == 0)
         return {};
     return {SceneOutcome::Different,
@@ -190,7 +211,11 @@ CounterSearch findCounterExample(const PictureSource &one, const PictureSource &
         for (int i = 0; i < triesEach; ++i) {
             ++search.tried;
             SceneTrial trial = tryScene(one, other, grownScene(conventions, growth, random));
-            search.undrawn += trial.outcome == SceneOutcome::Undrawn ? 1 : 0;
+            if (trial.undrawn) {
+                ++search.undrawn;
+                if (!search.firstUndrawn)
+                    search.firstUndrawn = std::move(trial.undrawn);
+            }
             search.compared += trial.outcome == SceneOutcome::Same || trial.example ? 1 : 0;
             if (search.compared == 0 && search.undrawn == mostUndrawn)
                 return search;

@@ -19,14 +19,14 @@ struct DefectiveScene {
 /// Something that draws pictures of scenes, to be held against another.
 struct PictureSource {
     QString name;
-    std::function<std::optional<Picture>(const Scene &scene)> draw; ///< none: it cannot
+    std::function<Result<Picture>(const Scene &scene)> draw; ///< or why it cannot
     /// What its run is of; none where it is no run of a method.
     std::function<std::optional<DefectiveScene>(const Scene &scene)> runOf = {};
     bool isStable = false; ///< every picture is the truth, by proof
 };
 
 PictureSource sourceOf(const Contender &contender);
-/// What `of` draws with the defect, by its id.
+/// What `of` draws with the defect, by its id; a scene that cannot have it is drawn right.
 PictureSource sourceOf(const QString &defect, const Contender &of);
 /// What a program prints of the scene, as the terms give it; their tolerance is not asked.
 PictureSource sourceOf(const StudentProgram &student, const TrialTerms &terms = {});
@@ -37,11 +37,19 @@ struct CounterExample {
     Picture one, other;
 };
 
+/// A scene that a source could not draw.
+struct UndrawnScene {
+    Scene scene;
+    QString source; ///< its name
+    InputError why;
+};
+
 struct CounterSearch {
     std::optional<CounterExample> found;
     std::int64_t tried = 0; ///< scenes, without those of the shrinking
     std::int64_t compared = 0; ///< of them, those that both drew
     std::int64_t undrawn = 0; ///< those that a side could not
+    std::optional<UndrawnScene> firstUndrawn;
     bool wasEnded = false; ///< by the listener
 };
 
@@ -64,6 +72,7 @@ enum class SceneOutcome {
 struct SceneTrial {
     SceneOutcome outcome = SceneOutcome::Same;
     std::optional<CounterExample> example; ///< where they differ
+    std::optional<UndrawnScene> undrawn = {}; ///< where one of them cannot
 };
 SceneTrial tryScene(const PictureSource &one, const PictureSource &other, Scene scene);
 

@@ -157,16 +157,32 @@ public:
 
     void check(const Triangle &one, const Triangle &other)
     {
+        m_drewAll = true;
+        checkAll(one, other);
+        ++(m_drewAll ? m_report.checked : m_report.undrawn);
+    }
+    InvariantReport report() && { return std::move(m_report); }
+
+private:
+    std::optional<Picture> pictureOf(const Scene &scene)
+    {
+        Result<Picture> picture = m_source.draw(scene);
+        if (picture)
+            return std::move(*picture);
+        m_drewAll = false;
+        if (!m_report.firstUndrawn)
+            m_report.firstUndrawn = UndrawnScene{scene, m_source.name, picture.error()};
+        return std::nullopt;
+    }
+    void checkAll(const Triangle &one, const Triangle &other)
+    {
         const auto scene = sceneOf({one});
-        const auto picture = m_source.draw(scene);
-        const auto neighbour = m_source.draw(sceneOf({other}));
+        const auto picture = pictureOf(scene);
+        const auto neighbour = pictureOf(sceneOf({other}));
         const Scene both = sceneOf({one, other});
-        const auto whole = m_source.draw(both);
-        if (!picture || !neighbour || !whole) {
-            ++m_report.undrawn;
+        const auto whole = pictureOf(both);
+        if (!m_drewAll)
             return;
-        }
-        ++m_report.checked;
         const FillRule rule = m_conventions.settings.fillRule;
         const SampleView view(scene, *picture);
         note(Invariant::Runs, hasRuns(view), scene);
@@ -179,14 +195,11 @@ public:
         note(Invariant::Once, areOnce(view, SampleView(scene, *neighbour), one, rule), both);
         const auto &[a, b, c] = one.vertices;
         for (const Triangle &ordered : {Triangle{{b, c, a}}, Triangle{{b, a, c}}}) {
-            if (const auto same = m_source.draw(sceneOf({ordered})))
+            if (const auto same = pictureOf(sceneOf({ordered})))
                 note(Invariant::Order, same->colours == picture->colours, scene);
         }
         checkTranslation(one, view, scene);
     }
-    InvariantReport report() && { return std::move(m_report); }
-
-private:
     Scene sceneOf(const std::vector<Triangle> &triangles) const
     {
         Scene scene = m_conventions;
@@ -217,7 +230,7 @@ private:
             vertex.position.y += shift * unitsPerPixel;
         }
         const Scene movedScene = sceneOf({moved});
-        const auto picture = m_source.draw(movedScene);
+        const auto picture = pictureOf(movedScene);
         if (!picture)
             return;
         const SampleView there(movedScene, *picture);
@@ -241,6 +254,7 @@ private:
     const PictureSource &m_source;
     Scene m_conventions;
     InvariantReport m_report;
+    bool m_drewAll = true; ///< of the pair in hand
 };
 
 } // namespace

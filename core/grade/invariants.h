@@ -31,7 +31,8 @@ struct BrokenInvariant {
 struct InvariantReport {
     std::vector<BrokenInvariant> broken; ///< each invariant once
     int checked = 0; ///< pairs of triangles
-    int undrawn = 0; ///< pairs that the source could not draw
+    int undrawn = 0; ///< pairs of which the source could not draw all
+    std::optional<UndrawnScene> firstUndrawn;
 };
 
 /// Asks for so many random pairs of triangles that share an edge. The fill rule is that of the
