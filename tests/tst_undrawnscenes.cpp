@@ -44,6 +44,27 @@ private slots:
         QCOMPARE(search.firstUndrawn->why.message(), QStringLiteral("gave up"));
     }
 
+    void whoDrawsNothingIsNotCalledRight()
+    {
+        const PictureSource nobody{
+            QStringLiteral("nobody"), [](const Scene &) {
+                return Result<Picture>(InputError{{}, QStringLiteral("is away"), {}});
+            }};
+        const Contender right{methodNamed(QStringLiteral("column-scan")), {}};
+        const Scene conventions;
+
+        const CounterSearch search = findCounterExample(nobody, sourceOf(right), conventions, 1);
+        const InvariantReport report = checkInvariants(nobody, conventions, 1, 60);
+
+        QVERIFY(!search.found);
+        QCOMPARE(search.compared, 0);
+        QCOMPARE(search.undrawn, 100); // and then it is enough
+        QCOMPARE(search.firstUndrawn->source, QStringLiteral("nobody"));
+        QCOMPARE(report.firstUndrawn->why.message(), QStringLiteral("is away"));
+        QCOMPARE(report.checked, 0);
+        QVERIFY(report.undrawn > 10);
+    }
+
     void ofTwoThatDrawAllThereIsNone()
     {
         const CounterSearch search = findCounterExample(rightSource(), rightSource(), {}, 1);

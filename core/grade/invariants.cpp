@@ -3,132 +3,16 @@
 
 #include "core/frame/framebuffer.h"
 #include "core/geometry/seededrandom.h"
+#include "core/grade/sampleview.h"
 
 #include <algorithm>
-#include <numeric>
 
 namespace pixelplumb {
 
 namespace {
 
-constexpr int side = 32; // px
+constexpr int side = SampleView::side;
 constexpr int shift = 3; // px
-
-/// A picture by sample coordinates.
-class SampleView {
-public:
-    SampleView(const Scene &scene, const Picture &picture)
-        : m_frame(scene.frame)
-        , m_picture(picture)
-    {
-    }
-    bool covers(int x, int y) const
-    {
-        return x >= 0 && y >= 0 && x < side && y < side && m_picture.covered[placeOf(x, y)] != 0;
-    }
-    const Colour &colourAt(int x, int y) const { return m_picture.colours[placeOf(x, y)]; }
-
-private:
-    std::size_t placeOf(int x, int y) const
-    {
-        return m_picture.placeOf(x, pictureLine(m_frame, y));
-    }
-
-    const FrameSpec &m_frame;
-    const Picture &m_picture;
-};
-
-template <class Question>
-bool holdsEverywhere(const Question &question)
-{
-    for (int y = 0; y < side; ++y) {
-        for (int x = 0; x < side; ++x) {
-            if (!question(x, y))
-                return false;
-        }
-    }
-    return true;
-}
-
-bool hasRuns(const SampleView &picture)
-{
-    for (int line = 0; line < side; ++line) {
-        int columnStarts = 0;
-        int rowStarts = 0;
-        for (int place = 0; place < side; ++place) {
-            columnStarts += picture.covers(line, place) && !picture.covers(line, place - 1) ? 1 : 0;
-            rowStarts += picture.covers(place, line) && !picture.covers(place - 1, line) ? 1 : 0;
-        }
-        if (columnStarts > 1 || rowStarts > 1)
-            return false;
-    }
-    return true;
-}
-
-bool isInBounds(const SampleView &picture, const Triangle &triangle)
-{
-    const auto &[a, b, c] = triangle.vertices;
-    const auto [left, right] = std::minmax({a.position.x, b.position.x, c.position.x});
-    const auto [bottom, top] = std::minmax({a.position.y, b.position.y, c.position.y});
-    return holdsEverywhere(
-        [&, left = left, right = right, bottom = bottom, top = top](int x, int y) {
-            const LatticePoint sample = latticePixel(x, y);
-            return !picture.covers(x, y)
-                || (sample.x >= left && sample.x <= right && sample.y >= bottom && sample.y <= top);
-        });
-}
-
-bool isInRange(const SampleView &picture, const Triangle &triangle)
-{
-    const std::array<Vertex, 3> &vertices = triangle.vertices;
-    return holdsEverywhere([&](int x, int y) {
-        for (std::size_t i = 0; i < 3 && picture.covers(x, y); ++i) {
-            const auto [least, most]
-                = std::minmax({vertices[0].colour.channels[i], vertices[1].colour.channels[i],
-                               vertices[2].colour.channels[i]});
-            const std::uint8_t level = picture.colourAt(x, y).channels[i];
-            if (level < least || level > most)
-                return false;
-        }
-        return true;
-    });
-}
-
-bool hasCorners(const SampleView &picture, const Triangle &triangle)
-{
-    return std::ranges::all_of(triangle.vertices, [&](const Vertex &vertex) {
-        const int x = int(floorPixel(vertex.position.x));
-        const int y = int(floorPixel(vertex.position.y));
-        return latticePixel(x, y) != vertex.position || !picture.covers(x, y)
-            || picture.colourAt(x, y) == vertex.colour;
-    });
-}
-
-/// Of whole vertices: I + B samples under the closed rule, I under the open one, between them else.
-bool hasCount(const SampleView &picture, const Triangle &triangle, FillRule rule)
-{
-    std::int64_t boundary = 0;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const LatticePoint &from = triangle.vertices[i].position;
-        const LatticePoint &to = triangle.vertices[(i + 1) % 3].position;
-        if (from.x % unitsPerPixel != 0 || from.y % unitsPerPixel != 0)
-            return true;
-        boundary += std::gcd(to.x - from.x, to.y - from.y) / unitsPerPixel;
-    }
-    const Int128 area = doubledArea(triangle);
-    const auto doubled = std::int64_t((area < 0 ? -area : area) / (unitsPerPixel * unitsPerPixel));
-    const std::int64_t inside = (doubled - boundary) / 2 + 1;
-    std::int64_t drawn = 0;
-    holdsEverywhere([&](int x, int y) {
-        drawn += picture.covers(x, y) ? 1 : 0;
-        return true;
-    });
-    if (rule == FillRule::Closed)
-        return drawn == inside + boundary;
-    if (rule == FillRule::Open)
-        return drawn == inside;
-    return drawn > inside - 1 && drawn < inside + boundary;
-}
 
 /// Samples of both lie on the shared edge, which under a watertight rule none does.
 bool areOnce(const SampleView &one, const SampleView &other, const Triangle &triangle,
@@ -136,7 +20,7 @@ bool areOnce(const SampleView &one, const SampleView &other, const Triangle &tri
 {
     const LatticePoint &from = triangle.vertices[0].position;
     const LatticePoint &to = triangle.vertices[1].position;
-    return holdsEverywhere([&](int x, int y) {
+    return SampleView::holdsEverywhere([&](int x, int y) {
         const bool isOnEdge = doubledArea(from, to, latticePixel(x, y)) == 0;
         const bool isBoth = one.covers(x, y) && other.covers(x, y);
         return !isBoth || (rule == FillRule::Closed && isOnEdge);
@@ -185,13 +69,13 @@ private:
             return;
         const FillRule rule = m_conventions.settings.fillRule;
         const SampleView view(scene, *picture);
-        note(Invariant::Runs, hasRuns(view), scene);
+        note(Invariant::Runs, view.hasRuns(), scene);
         if (isConvex(one, other) && rule != FillRule::Open)
-            note(Invariant::Runs, hasRuns(SampleView(both, *whole)), both);
-        note(Invariant::Bounds, isInBounds(view, one), scene);
-        note(Invariant::Range, isInRange(view, one), scene);
-        note(Invariant::Corners, hasCorners(view, one), scene);
-        note(Invariant::Count, hasCount(view, one, rule), scene);
+            note(Invariant::Runs, SampleView(both, *whole).hasRuns(), both);
+        note(Invariant::Bounds, view.isWithinBoxOf(one), scene);
+        note(Invariant::Range, view.isWithinLevelsOf(one), scene);
+        note(Invariant::Corners, view.hasCornersOf(one), scene);
+        note(Invariant::Count, view.hasCountOf(one, rule), scene);
         note(Invariant::Once, areOnce(view, SampleView(scene, *neighbour), one, rule), both);
         const auto &[a, b, c] = one.vertices;
         for (const Triangle &ordered : {Triangle{{b, c, a}}, Triangle{{b, a, c}}}) {
@@ -234,7 +118,7 @@ private:
         if (!picture)
             return;
         const SampleView there(movedScene, *picture);
-        note(Invariant::Translation, holdsEverywhere([&](int x, int y) {
+        note(Invariant::Translation, SampleView::holdsEverywhere([&](int x, int y) {
                  if (x + shift >= side || y + shift >= side)
                      return true;
                  const bool covers = view.covers(x, y);
