@@ -3,6 +3,7 @@
 #include "core/methods/method.h"
 #include "core/scan/choicenames.h"
 #include "tests/support/programrun.h"
+#include "tests/support/sourcetree.h"
 
 #include <QProcess>
 #include <QTest>
@@ -11,7 +12,7 @@ using namespace pixelplumb;
 
 namespace {
 
-const QString folder = QStringLiteral(PIXELPLUMB_RESOURCES "/completions/");
+const QString folder = resource(QStringLiteral("/completions/"));
 
 QStringList linesOf(const QString &shell, const QStringList &arguments)
 {
@@ -72,7 +73,7 @@ QStringList layerNames()
 
 QString manualText()
 {
-    QFile file(QStringLiteral(PIXELPLUMB_RESOURCES "/man/pixelplumb-cli.1"));
+    QFile file(resource(QStringLiteral("/man/pixelplumb-cli.1")));
     return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
 }
 

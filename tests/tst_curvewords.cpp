@@ -5,6 +5,7 @@
 #include "core/runs/tracedscene.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/shapes.h"
+#include "tests/support/sourcetree.h"
 
 #include <QDir>
 #include <QRegularExpression>
@@ -222,7 +223,7 @@ private slots:
     {
         const auto isDecision
             = [](const NumberDescription &number) { return number.group == NumberGroup::Decision; };
-        const QDir folder(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes"));
+        const QDir folder(resource(QStringLiteral("/scenes")));
         for (const QString &name : folder.entryList({QStringLiteral("*.json")})) {
             Scene scene = readSceneFile(folder.filePath(name))->scene;
             for (const Method &method : methods()) {

@@ -3,6 +3,7 @@
 #include "core/scene/scenefile.h"
 #include "tests/support/probescenes.h"
 #include "tests/support/programrun.h"
+#include "tests/support/sourcetree.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
@@ -34,16 +35,15 @@ private slots:
             QSKIP("python3 is not there");
         QStringList words = {QStringLiteral("try"), QStringLiteral("--json")};
         for (const char *number : {"1", "2", "3"})
-            words += {QStringLiteral("--scene"),
-                      QStringLiteral(PIXELPLUMB_RESOURCES "/probes/column-scan-%1.json")
-                          .arg(QLatin1String(number))};
+            words += {
+                QStringLiteral("--scene"),
+                resource(QStringLiteral("/probes/column-scan-%1.json")).arg(QLatin1String(number))};
         const QString id = QString::fromLatin1(QTest::currentDataTag());
 
         const ProgramRun tried = run(
             words
-            + QStringList{
-                QStringLiteral("--"), QStringLiteral("python3"),
-                QStringLiteral(PIXELPLUMB_RESOURCES "/../tests/data/student/columnscan.py"), mode});
+            + QStringList{QStringLiteral("--"), QStringLiteral("python3"),
+                          resource(QStringLiteral("/../tests/data/student/columnscan.py")), mode});
 
         const QJsonDocument json = QJsonDocument::fromJson(tried.output);
         QCOMPARE(json[QStringLiteral("right")].toBool(), id.isEmpty());

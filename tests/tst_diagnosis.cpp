@@ -7,6 +7,7 @@
 #include "tests/support/probescenes.h"
 #include "tests/support/programrun.h"
 #include "tests/support/scanning.h"
+#include "tests/support/sourcetree.h"
 
 #include <QDir>
 #include <QJsonArray>
@@ -112,7 +113,7 @@ private slots:
     {
         QFETCH(int, fewest);
         const QString method = QString::fromLatin1(QTest::currentDataTag());
-        const QDir folder(QStringLiteral(PIXELPLUMB_RESOURCES "/probes"));
+        const QDir folder(resource(QStringLiteral("/probes")));
         std::vector<Scene> scenes;
         for (const QString &name : folder.entryList({method + QStringLiteral("-*.json")})) {
             const auto reading = readSceneFile(folder.filePath(name));
@@ -147,7 +148,7 @@ private slots:
         QCOMPARE(json[QStringLiteral("distinct")].toInt(),
                  json[QStringLiteral("defects")].toInt() + 1);
         QCOMPARE(*readFile(folder.path() + name),
-                 *readFile(QStringLiteral(PIXELPLUMB_RESOURCES "/probes") + name));
+                 *readFile(resource(QStringLiteral("/probes")) + name));
     }
 
     void oneTriangleLeavesDefectsAlike()

@@ -12,7 +12,7 @@ using namespace pixelplumb;
 
 namespace {
 
-const QString tree = QStringLiteral(PIXELPLUMB_RESOURCES "/../");
+const QString tree = resource(QStringLiteral("/../"));
 
 QString textOf(const QString &path)
 {
@@ -184,4 +184,5 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(TestDocuments)
+#include "tests/support/sourcetree.h"
 #include "tst_documents.moc"

@@ -9,6 +9,7 @@
 #include "tests/support/polygons.h"
 #include "tests/support/scenesformethods.h"
 #include "tests/support/shapes.h"
+#include "tests/support/sourcetree.h"
 #include "tests/support/spacescenes.h"
 #include "tests/support/spread.h"
 
@@ -39,7 +40,7 @@ QString runName(const QString &scene, const TracedScene &traced, std::size_t ste
 
 Scene exampleNamed(const QString &name)
 {
-    return readSceneFile(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/") + name)->scene;
+    return readSceneFile(resource(QStringLiteral("/scenes/")) + name)->scene;
 }
 
 /// A triangle in three colours with four texels a sample, as far from the eye everywhere.
@@ -90,7 +91,7 @@ std::vector<NamedScene> shadedScenes()
 std::vector<NamedScene> formulaScenes()
 {
     std::vector<NamedScene> scenes = scenesForEveryMethod();
-    const QDir folder(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes"));
+    const QDir folder(resource(QStringLiteral("/scenes")));
     for (const QString &name : folder.entryList({QStringLiteral("*.json")}))
         scenes.push_back(
             {name + QStringLiteral(", whole"), readSceneFile(folder.filePath(name))->scene});

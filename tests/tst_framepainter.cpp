@@ -2,6 +2,7 @@
 #include "core/runs/tracedscene.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/shapes.h"
+#include "tests/support/sourcetree.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/framepainter.h"
 
@@ -224,8 +225,7 @@ private slots:
     {
         QFETCH(QString, file);
         QFETCH(int, zoom);
-        const auto reading
-            = readSceneFile(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/%1.json").arg(file));
+        const auto reading = readSceneFile(resource(QStringLiteral("/scenes/%1.json")).arg(file));
         QVERIFY(reading);
         const auto traced = traceScene(reading->scene);
         const FrameSpec &spec = traced->scene.frame;

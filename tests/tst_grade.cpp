@@ -5,6 +5,7 @@
 #include "tests/support/programrun.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/scanning.h"
+#include "tests/support/sourcetree.h"
 #include "tests/support/submissions.h"
 
 #include <QDir>
@@ -399,8 +400,8 @@ private slots:
 
         const ProgramRun told
             = run({QStringLiteral("grade"), subs, QStringLiteral("--assignment"),
-                   QStringLiteral(PIXELPLUMB_RESOURCES "/assignments/column-scan.json"),
-                   QStringLiteral("-o"), folder.filePath(QStringLiteral("results"))});
+                   resource(QStringLiteral("/assignments/column-scan.json")), QStringLiteral("-o"),
+                   folder.filePath(QStringLiteral("results"))});
         QCOMPARE(told.exitCode, 0);
         QVERIFY2(told.messages.contains("begin with a dot: 1 (.git)"), told.messages.constData());
         const auto report = readGrades(folder.filePath(QStringLiteral("results")));
@@ -535,8 +536,7 @@ private slots:
         const QString subs = folder.filePath(QStringLiteral("subs"));
         const QStringList words
             = {QStringLiteral("grade"), subs, QStringLiteral("--assignment"),
-               QStringLiteral(PIXELPLUMB_RESOURCES "/assignments/column-scan.json"),
-               QStringLiteral("-o")};
+               resource(QStringLiteral("/assignments/column-scan.json")), QStringLiteral("-o")};
         const ProgramRun told = run(words + QStringList{folder.filePath(QStringLiteral("r"))});
         QCOMPARE(told.exitCode, 0);
         QVERIFY2(told.output.startsWith("2 submissions\n    2  " + defects.back().id.toUtf8()),

@@ -105,8 +105,8 @@ private slots:
 
     void theExampleCanBeRead()
     {
-        const auto assignment = readAssignmentFile(
-            QStringLiteral(PIXELPLUMB_RESOURCES "/assignments/column-scan.json"));
+        const auto assignment
+            = readAssignmentFile(resource(QStringLiteral("/assignments/column-scan.json")));
         QVERIFY2(assignment.isOk(), assignment ? "" : qPrintable(assignment.error().message()));
         QCOMPARE(assignment->scenes.size(), 4U);
     }
@@ -250,4 +250,5 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(TestGradeFiles)
+#include "tests/support/sourcetree.h"
 #include "tst_gradefiles.moc"

@@ -3,6 +3,7 @@
 #include "core/scene/fileaccess.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
+#include "tests/support/sourcetree.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
@@ -50,7 +51,7 @@ private slots:
         // Of each file, the cases with coordinates that are refused apart.
         for (const char *name :
              {"hard_cases.json", "more_cases.json", "shape_cases.json", "effect_cases.json"}) {
-            const QString path = QStringLiteral(PIXELPLUMB_RESOURCES "/../tests/data/") + name;
+            const QString path = resource(QStringLiteral("/../tests/data/")) + name;
             const auto cases = readHardCases(*readFile(path));
             QVERIFY(cases.isOk() && cases->size() >= 26);
             for (const HardCase &each : *cases)

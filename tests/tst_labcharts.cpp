@@ -4,6 +4,7 @@
 #include "core/lab/pareto.h"
 #include "core/lab/sizestudy.h"
 #include "tests/support/defaultscene.h"
+#include "tests/support/sourcetree.h"
 
 #include <QFile>
 #include <QTest>
@@ -293,7 +294,7 @@ private slots:
 
     void theManualPrintsTheOrder()
     {
-        QFile manual(QStringLiteral(PIXELPLUMB_RESOURCES "/man/pixelplumb-cli.1"));
+        QFile manual(resource(QStringLiteral("/man/pixelplumb-cli.1")));
         QVERIFY(manual.open(QIODevice::ReadOnly));
         QStringList printed;
         for (const QByteArray &line : manual.readAll().split('\n')) {

@@ -16,8 +16,7 @@ enum class LineMistake { None, NoDx, SortedNoDx, NoFirstPixel, NoLeastPixel, NoL
 
 Scene sheet()
 {
-    const auto reading
-        = readSceneFile(QStringLiteral(PIXELPLUMB_RESOURCES "/probes/line-bresenham-1.json"));
+    const auto reading = readSceneFile(resource(QStringLiteral("/probes/line-bresenham-1.json")));
     return reading ? reading->scene : Scene();
 }
 
@@ -148,4 +147,5 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(TestLineDefects)
+#include "tests/support/sourcetree.h"
 #include "tst_linedefects.moc"

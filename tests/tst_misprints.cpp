@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/tracedscene.h"
+#include "tests/support/sourcetree.h"
 #include "tests/support/trianglepictures.h"
 
 #include <QFile>
@@ -15,7 +16,7 @@ namespace {
 
 QString textOfTest(const QString &file)
 {
-    QFile source(QStringLiteral(PIXELPLUMB_RESOURCES "/../tests/") + file);
+    QFile source(resource(QStringLiteral("/../tests/")) + file);
     return source.open(QIODevice::ReadOnly) ? QString::fromUtf8(source.readAll()) : QString();
 }
 
@@ -29,7 +30,7 @@ class TestMisprints : public QObject {
 private slots:
     void everyMisprintOfTheListHasItsTest()
     {
-        QFile file(QStringLiteral(PIXELPLUMB_RESOURCES "/misprints.md"));
+        QFile file(resource(QStringLiteral("/misprints.md")));
         QVERIFY(file.open(QIODevice::ReadOnly));
         const QString list = QString::fromUtf8(file.readAll());
         // One of the slots here, or some in another file of tests.

@@ -6,6 +6,7 @@
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/programrun.h"
+#include "tests/support/sourcetree.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/studies/motionpanel.h"
 #include "widgets/studies/motionview.h"
@@ -26,7 +27,7 @@ namespace {
 
 Scene movingScene()
 {
-    return readSceneFile(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/moving-sliver.json"))->scene;
+    return readSceneFile(resource(QStringLiteral("/scenes/moving-sliver.json")))->scene;
 }
 
 Scene exactly(Scene scene)

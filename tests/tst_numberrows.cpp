@@ -20,7 +20,7 @@ namespace {
 std::vector<Scene> scenesWithEffects()
 {
     std::vector<Scene> all;
-    const QDir folder(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes"));
+    const QDir folder(resource(QStringLiteral("/scenes")));
     for (const QString &name : folder.entryList({QStringLiteral("*.json")})) {
         Scene scene = readSceneFile(folder.filePath(name))->scene;
         if (!planOf(scene).isPlain())
@@ -34,7 +34,7 @@ std::vector<Scene> scenesWithEffects()
 std::vector<Scene> scenes()
 {
     std::vector<Scene> all;
-    const QDir folder(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes"));
+    const QDir folder(resource(QStringLiteral("/scenes")));
     for (const QString &name : folder.entryList({QStringLiteral("*.json")}))
         if (Scene scene = readSceneFile(folder.filePath(name))->scene; planOf(scene).isPlain())
             all.push_back(std::move(scene));
@@ -309,4 +309,5 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(TestNumberRows)
+#include "tests/support/sourcetree.h"
 #include "tst_numberrows.moc"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/promisednames.h"
+#include "tests/support/sourcetree.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/dialogs/keysheet.h"
 #include "widgets/look/appearance.h"
@@ -206,7 +207,7 @@ private slots:
 private:
     static QString contentOf(const QString &path)
     {
-        QFile file(QStringLiteral(PIXELPLUMB_RESOURCES) + path);
+        QFile file(resource(path));
         return file.open(QIODevice::ReadOnly) ? QString::fromUtf8(file.readAll()) : QString();
     }
     QList<QAction *> menuActions() const

@@ -2,6 +2,7 @@
 #include "core/grade/diagnosis.h"
 #include "core/methods/method.h"
 #include "core/scene/scenefile.h"
+#include "tests/support/sourcetree.h"
 #include "tests/support/studentwalk.h"
 
 #include <QDir>
@@ -19,7 +20,7 @@ using Mistakes = std::set<WalkMistake>;
 
 std::vector<Scene> sheetOf(const QString &method)
 {
-    const QDir folder(QStringLiteral(PIXELPLUMB_RESOURCES "/probes"));
+    const QDir folder(resource(QStringLiteral("/probes")));
     std::vector<Scene> scenes;
     for (const QString &name : folder.entryList({method + QStringLiteral("-*.json")})) {
         if (const auto reading = readSceneFile(folder.filePath(name)))
@@ -30,7 +31,7 @@ std::vector<Scene> sheetOf(const QString &method)
 
 Scene defaultScene(const QString &method)
 {
-    const auto reading = readSceneFile(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/default.json"));
+    const auto reading = readSceneFile(resource(QStringLiteral("/scenes/default.json")));
     Scene scene = reading ? reading->scene : Scene();
     scene.method = method.toStdString();
     return scene;

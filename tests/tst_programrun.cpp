@@ -4,6 +4,7 @@
 #include "core/grade/studentoutput.h"
 #include "core/scene/fileaccess.h"
 #include "tests/support/programrun.h"
+#include "tests/support/sourcetree.h"
 
 #include <QBuffer>
 #include <QDir>
@@ -500,11 +501,10 @@ private slots:
         QFETCH(QStringList, make);
         QFETCH(QStringList, start);
         QTemporaryDir folder;
-        for (const char *source :
-             {PIXELPLUMB_RESOURCES "/adapters/adapter.py",
-              PIXELPLUMB_RESOURCES "/adapters/adapter.cpp", PIXELPLUMB_STUDENT "/scanconverter.py",
-              PIXELPLUMB_STUDENT "/scanconverter.h"}) {
-            const QString path = QString::fromUtf8(source);
+        for (const QString &path : {resource(QStringLiteral("/adapters/adapter.py")),
+                                    resource(QStringLiteral("/adapters/adapter.cpp")),
+                                    QStringLiteral(PIXELPLUMB_STUDENT "/scanconverter.py"),
+                                    QStringLiteral(PIXELPLUMB_STUDENT "/scanconverter.h")}) {
             QVERIFY(QFile::copy(path, folder.filePath(QFileInfo(path).fileName())));
         }
         if (!make.isEmpty()) {

@@ -4,6 +4,7 @@
 #include "core/scene/scenefile.h"
 #include "tests/support/scenesformethods.h"
 #include "tests/support/shapes.h"
+#include "tests/support/sourcetree.h"
 
 #include <QDir>
 #include <QtTest>
@@ -28,7 +29,7 @@ void addMethods()
 std::vector<NamedScene> scenesWithEffects()
 {
     std::vector<NamedScene> scenes;
-    const QDir folder(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes"));
+    const QDir folder(resource(QStringLiteral("/scenes")));
     for (const QString &name : folder.entryList({QStringLiteral("*.json")})) {
         Scene scene = readSceneFile(folder.filePath(name))->scene;
         if (planOf(scene).isPlain())

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/scenetext.h"
+#include "tests/support/sourcetree.h"
 
 #include <QDir>
 #include <QTest>
@@ -76,7 +77,7 @@ private slots:
     void opensEveryTeachingScene_data()
     {
         QTest::addColumn<QString>("path");
-        const QDir folder(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes"));
+        const QDir folder(resource(QStringLiteral("/scenes")));
         const QStringList names = folder.entryList({QStringLiteral("*.json")});
         QVERIFY(names.size() >= 5);
         for (const QString &name : names)

@@ -4,6 +4,7 @@
 #include "core/runs/tracedscene.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
+#include "tests/support/sourcetree.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/messagebar.h"
@@ -318,7 +319,7 @@ private slots:
     void aDroppedSceneIsOpened()
     {
         const auto window = openedWindow();
-        dropFile(*window, PIXELPLUMB_RESOURCES "/scenes/ties-at-tenths.json");
+        dropFile(*window, resource(QStringLiteral("/scenes/ties-at-tenths.json")));
         QTRY_VERIFY(window->windowTitle().startsWith("ties-at-tenths.json"));
         QVERIFY(!window->parts().student->isThere());
     }

@@ -3,6 +3,7 @@
 #include "core/scene/scenefile.h"
 #include "tests/support/sanitized.h"
 #include "tests/support/shapes.h"
+#include "tests/support/sourcetree.h"
 
 #include <QTest>
 
@@ -110,8 +111,7 @@ private slots:
 
     void theExampleSceneIsDrawnTrue()
     {
-        const auto reading
-            = readSceneFile(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/curves.json"));
+        const auto reading = readSceneFile(resource(QStringLiteral("/scenes/curves.json")));
         const auto traced = traceScene(reading->scene);
         QCOMPARE(traced->differences.count(Difference::Missing), std::int64_t(0));
         QCOMPARE(traced->differences.count(Difference::Extra), std::int64_t(0));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/traceexport.h"
 #include "core/scene/scenefile.h"
+#include "tests/support/sourcetree.h"
 #include "tests/support/spacescenes.h"
 
 #include <QBuffer>
@@ -18,7 +19,7 @@ namespace {
 
 Scene defaultScene(Arithmetic arithmetic = Arithmetic::Exact)
 {
-    Scene scene = readSceneFile(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/default.json"))->scene;
+    Scene scene = readSceneFile(resource(QStringLiteral("/scenes/default.json")))->scene;
     scene.settings.arithmetic = arithmetic;
     return scene;
 }

@@ -5,6 +5,7 @@
 #include "core/scene/scenefile.h"
 #include "tests/support/scenesformethods.h"
 #include "tests/support/shapes.h"
+#include "tests/support/sourcetree.h"
 #include "tests/support/tracereplay.h"
 #include "tests/support/trianglepictures.h"
 
@@ -358,8 +359,7 @@ private slots:
 
     void variantsDepartFromColoursAloneAndRefuseEffects()
     {
-        Scene scene
-            = readSceneFile(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/lit-sphere.json"))->scene;
+        Scene scene = readSceneFile(resource(QStringLiteral("/scenes/lit-sphere.json")))->scene;
         scene.method = "column-scan";
         QCOMPARE(objectionTo(scene), QString());
         scene.settings.variants = only(Variant::NoColourPreStep);

@@ -2,6 +2,7 @@
 #include "core/grade/diagnosis.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/programrun.h"
+#include "tests/support/sourcetree.h"
 
 #include <QSize>
 #include <QTemporaryDir>
@@ -18,8 +19,7 @@ std::vector<Scene> probes()
     std::vector<Scene> scenes;
     for (int i = 1; i <= 3; ++i)
         scenes.push_back(
-            readSceneFile(QStringLiteral(PIXELPLUMB_RESOURCES "/probes/column-scan-%1.json").arg(i))
-                ->scene);
+            readSceneFile(resource(QStringLiteral("/probes/column-scan-%1.json")).arg(i))->scene);
     return scenes;
 }
 
@@ -103,7 +103,7 @@ private slots:
         QTemporaryDir folder;
         const QString small = folder.filePath(QStringLiteral("small.png"));
         const QString large = folder.filePath(QStringLiteral("large.png"));
-        const QString scene = QStringLiteral(PIXELPLUMB_RESOURCES "/probes/column-scan-1.json");
+        const QString scene = resource(QStringLiteral("/probes/column-scan-1.json"));
         QCOMPARE(run({QStringLiteral("render"), scene, QStringLiteral("-o"), small}).exitCode, 0);
         QCOMPARE(run({QStringLiteral("render"), scene, QStringLiteral("--scale"),
                       QStringLiteral("3"), QStringLiteral("-o"), large})

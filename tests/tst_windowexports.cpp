@@ -2,6 +2,7 @@
 #include "core/scene/fileaccess.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
+#include "tests/support/sourcetree.h"
 #include "widgets/files/sceneexports.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/files/svgexport.h"
@@ -40,7 +41,7 @@ private slots:
         QFETCH(QString, target);
         const QTemporaryDir folder;
         const QString scene = folder.filePath(QStringLiteral("own.json"));
-        QVERIFY(QFile::copy(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/sliver.json"), scene));
+        QVERIFY(QFile::copy(resource(QStringLiteral("/scenes/sliver.json")), scene));
         QVERIFY(QFile::link(scene, folder.filePath(QStringLiteral("symlink"))));
         QVERIFY(::link(QFile::encodeName(scene).constData(),
                        QFile::encodeName(folder.filePath(QStringLiteral("hardlink"))).constData())

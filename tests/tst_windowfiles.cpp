@@ -4,6 +4,7 @@
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
+#include "tests/support/sourcetree.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/files/examplefolder.h"
 #include "widgets/files/scenefiles.h"
@@ -152,7 +153,7 @@ private slots:
         QVERIFY(!playhead.pickedPixel());
         QCOMPARE(playhead.position(), std::size_t(0));
 
-        window->parts().files->openFile(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/sliver.json"));
+        window->parts().files->openFile(resource(QStringLiteral("/scenes/sliver.json")));
         QVERIFY(playhead.position() > 0 && playhead.position() < playhead.end());
         QCOMPARE(playhead.pickedPixel(),
                  TraceNavigation(*playhead.traced()->trace).pixelOf(playhead.position() - 1));
@@ -163,7 +164,7 @@ private slots:
         const auto window = openedWindow();
         const Canvas &canvas = *window->parts().canvas;
         QVERIFY(canvas.tool() == CanvasTool::Draw);
-        const QString example = QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/sliver.json");
+        const QString example = resource(QStringLiteral("/scenes/sliver.json"));
         window->parts().files->openFile(example);
         QVERIFY(canvas.tool() == CanvasTool::Inspect);
         clickPixel(*window, {5, 5});
@@ -217,7 +218,7 @@ private slots:
 
     void savingAnExampleAsksForAnotherPlace()
     {
-        const QString example = QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/sliver.json");
+        const QString example = resource(QStringLiteral("/scenes/sliver.json"));
         const QByteArray before = *readFile(example);
         const auto window = openedWindow();
         QVERIFY(window->openScene(example));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/openwindow.h"
 
+#include "tests/support/sourcetree.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/look/appearance.h"
 #include "widgets/model/scenedocument.h"
@@ -41,7 +42,7 @@ std::unique_ptr<MainWindow> openedWindow(const Scene &scene)
 std::unique_ptr<MainWindow> openedWindow(const QString &sceneFile)
 {
     auto window = std::make_unique<MainWindow>();
-    if (!window->openScene(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/") + sceneFile))
+    if (!window->openScene(resource(QStringLiteral("/scenes/")) + sceneFile))
         QTest::qFail(qPrintable(sceneFile), __FILE__, __LINE__);
     show(*window);
     return window;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/programrun.h"
 
+#include "tests/support/sourcetree.h"
+
 #include <QProcess>
 
 #include <chrono>
@@ -17,10 +19,7 @@ constexpr auto longestRun = std::chrono::minutes(15);
 
 QString program() { return QStringLiteral(PIXELPLUMB_CLI); }
 
-QString sceneFile(const QString &name)
-{
-    return QStringLiteral(PIXELPLUMB_RESOURCES "/scenes/") + name;
-}
+QString sceneFile(const QString &name) { return resource(QStringLiteral("/scenes/")) + name; }
 
 ProgramRun run(const QStringList &arguments, const QByteArray &input)
 {

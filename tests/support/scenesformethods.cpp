@@ -5,6 +5,7 @@
 #include "core/scene/scenefile.h"
 #include "tests/support/polygons.h"
 #include "tests/support/shapes.h"
+#include "tests/support/sourcetree.h"
 
 #include <QDirIterator>
 
@@ -36,7 +37,7 @@ Scene sceneOfTriangles(const std::vector<Triangle> &triangles)
 std::vector<NamedScene> scenesForEveryMethod()
 {
     std::vector<NamedScene> scenes;
-    QDirIterator files(QStringLiteral(PIXELPLUMB_RESOURCES "/scenes"), {QStringLiteral("*.json")},
+    QDirIterator files(resource(QStringLiteral("/scenes")), {QStringLiteral("*.json")},
                        QDir::Files);
     while (files.hasNext()) {
         Scene scene = readSceneFile(files.next())->scene;

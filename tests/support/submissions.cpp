@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/submissions.h"
 
+#include "tests/support/sourcetree.h"
+
 #include <QDir>
 #include <QDirIterator>
 #include <QFile>
@@ -12,7 +14,7 @@ namespace pixelplumb {
 Assignment exampleAssignment()
 {
     const auto assignment
-        = readAssignmentFile(QStringLiteral(PIXELPLUMB_RESOURCES "/assignments/column-scan.json"));
+        = readAssignmentFile(resource(QStringLiteral("/assignments/column-scan.json")));
     return assignment ? *assignment : Assignment();
 }
 
