@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/layer.h"
+#include "tests/support/sourcetree.h"
 
 #include <QDirIterator>
 #include <QFile>
@@ -184,5 +185,4 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(TestDocuments)
-#include "tests/support/sourcetree.h"
 #include "tst_documents.moc"

@@ -2,6 +2,7 @@
 #include "core/grade/delivery.h"
 #include "core/grade/gradefile.h"
 #include "core/grade/submissionfolder.h"
+#include "tests/support/sourcetree.h"
 
 #include <QDir>
 #include <QTemporaryDir>
@@ -250,5 +251,4 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(TestGradeFiles)
-#include "tests/support/sourcetree.h"
 #include "tst_gradefiles.moc"

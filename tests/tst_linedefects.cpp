@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/diagnosis.h"
 #include "core/scene/scenefile.h"
+#include "tests/support/sourcetree.h"
 
 #include <QTest>
 
@@ -147,5 +148,4 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(TestLineDefects)
-#include "tests/support/sourcetree.h"
 #include "tst_linedefects.moc"

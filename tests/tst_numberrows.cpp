@@ -4,6 +4,7 @@
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/scenefile.h"
+#include "tests/support/sourcetree.h"
 
 #include <QDir>
 #include <QRegularExpression>
@@ -309,5 +310,4 @@ private slots:
 };
 
 QTEST_GUILESS_MAIN(TestNumberRows)
-#include "tests/support/sourcetree.h"
 #include "tst_numberrows.moc"
