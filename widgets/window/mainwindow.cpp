@@ -45,6 +45,7 @@
 
 #include <QBoxLayout>
 #include <QFileInfo>
+#include <QGuiApplication>
 #include <QLabel>
 #include <QMenu>
 #include <QMenuBar>
@@ -87,6 +88,7 @@ MainWindow::MainWindow(QWidget *parent)
     m_settings = std::make_unique<WindowSettings>(m_parts, this);
     if (!m_settings->restore())
         m_docks->reset();
+    connect(qGuiApp, &QGuiApplication::commitDataRequest, this, &MainWindow::commitData);
     updateTitle();
     explainParts(this);
     m_parts.canvas->setFocus();

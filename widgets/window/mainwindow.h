@@ -9,6 +9,8 @@
 #include <memory>
 #include <optional>
 
+class QSessionManager;
+
 namespace pixelplumb {
 
 class Autosave;
@@ -52,6 +54,7 @@ protected:
     void dropEvent(QDropEvent *event) override;
 
 private:
+    void commitData(QSessionManager &session);
     void makeParts();
     void makeCentre();
     void makeToolBars();

@@ -17,6 +17,7 @@
 #include <QLocale>
 #include <QMessageBox>
 #include <QPushButton>
+#include <QSessionManager>
 
 /// How scenes and grades come into the window, and what happens to them when it goes.
 namespace pixelplumb {
@@ -108,6 +109,19 @@ void MainWindow::closeEvent(QCloseEvent *event)
     }
     m_settings->store();
     event->accept();
+}
+
+/// The desktop's session ends. Where nobody may be asked, what the autosave kept is there, as after a
+/// crash.
+void MainWindow::commitData(QSessionManager &session)
+{
+    if (session.allowsInteraction()) {
+        const bool mayEnd = m_parts.files->mayReplace();
+        session.release();
+        if (!mayEnd)
+            return session.cancel();
+    }
+    m_settings->store();
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent *event)
