@@ -52,6 +52,10 @@ Result<VariantSet> chosenVariants(const CommandLine &line, VariantSet unset)
     if (list == noVariant)
         return variants;
     for (const QString &name : list.split(u',')) {
+        if (name.trimmed() == noVariant)
+            return InputError{QStringLiteral("--") + variantOption,
+                              QStringLiteral("“none” stands beside other names"),
+                              QStringLiteral("none alone, or variants alone")};
         const auto variant = variantNamed(name.trimmed().toStdString());
         if (!variant)
             return unknownName(QStringLiteral("--") + variantOption, QStringLiteral("name"), name,

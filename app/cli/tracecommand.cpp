@@ -121,6 +121,10 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const QSt
     reportRejections(path + QStringLiteral(", ") + traced->method->id,
                      rejectedPrimitives(traced->primitives, *traced->trace));
 
+    if (line.isSet(QStringLiteral("decimal")) && request.format != TableFormat::Text)
+        return line.refuse({QStringLiteral("--decimal"),
+                            QStringLiteral("only a table as text is printed in one kind of number"),
+                            QStringLiteral("--format text")});
     Output output(outputPath, {path});
     if (const auto error = output.open())
         return line.refuse(*error);

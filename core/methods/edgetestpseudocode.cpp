@@ -81,12 +81,17 @@ Pseudocode edgeTestPseudocode(const EdgeTestForm &form)
     if (form.inside == InsideTest::Signs)
         code.push_back(
             {0, QStringLiteral("flip those that are negative at the vertex opposite"), {SetUp}});
-    code.push_back({0,
-                    form.visited == VisitedSamples::Frame
-                        ? QStringLiteral("box ← the whole frame")
-                        : QStringLiteral("box ← from the smallest to the largest x and y of the "
-                                         "vertices, clipped to the frame"),
-                    {SetUp}});
+    if (form.visited == VisitedSamples::Frame)
+        code.push_back({0, QStringLiteral("box ← the whole frame"), {SetUp}});
+    else
+        code.push_back({0,
+                        QStringLiteral("box ← from the smallest to the largest x and y of the "
+                                       "vertices, clipped to the frame"),
+                        {SetUp},
+                        {},
+                        {{VariantSet().with(Variant::RoundedBox),
+                          QStringLiteral("box ← from (int)(x_min + ½) to (int)(x_max − ½), y "
+                                         "likewise, clipped to the frame")}}});
     code.push_back({0, QStringLiteral("if no sample is to be drawn: done"), {Rejected}});
     if (isIncremental)
         code.push_back(

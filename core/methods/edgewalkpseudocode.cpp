@@ -12,7 +12,10 @@ Pseudocode accumulatedBounds()
     return {{1,
              QStringLiteral("where an edge begins: its {a}, R, G and B in this {span}, from those "
                             "of its vertex"),
-             {Begin}},
+             {Begin},
+             {},
+             {{VariantSet().with(Variant::NoEdgePreStep),
+               QStringLiteral("where an edge begins: its {a}, R, G and B ← those of its vertex")}}},
             {1,
              QStringLiteral("else: {a}_{lo} ← {a}_{lo} + m_{lo}, {a}_{hi} ← {a}_{hi} + m_{hi}; R, "
                             "G and B of both likewise"),
@@ -25,15 +28,32 @@ Pseudocode edgeWalkPseudocode(const EdgeWalkForm &form)
 {
     using enum Moment;
     const bool isDirect = form.walk == WalkForm::Direct;
-    Pseudocode code
-        = {{0,
-            form.axis == SpanAxis::Row
-                ? QStringLiteral("sort the vertices by y, the highest first: P₀, P₁, P₂")
-                : QStringLiteral("sort the vertices by x: P₀, P₁, P₂"),
-            {SetUp}},
-           {0,
-            QStringLiteral("m and δR, δG, δB ← what each {span} adds along L₀₁, L₁₂ and L₀₂"),
-            {SetUp}}};
+    const QString sorted = form.axis == SpanAxis::Row
+        ? QStringLiteral("sort the vertices by y, the highest first: P₀, P₁, P₂")
+        : QStringLiteral("sort the vertices by x: P₀, P₁, P₂");
+    const QString added
+        = QStringLiteral("m and δR, δG, δB ← what each {span} adds along L₀₁, L₁₂ and L₀₂");
+    const VariantSet bothDivisors
+        = VariantSet().with(Variant::DivisorPlusOne).with(Variant::DivisorMinusOne);
+    const auto divided = [](Variant variant, QChar sign) {
+        return VariedLine{VariantSet().with(variant),
+                          QStringLiteral("m and δR, δG, δB ← the differences along L₀₁, L₁₂ and "
+                                         "L₀₂ over (their {span}s %1 1)")
+                              .arg(sign)};
+    };
+    Pseudocode code = {{0,
+                        sorted,
+                        {SetUp},
+                        {},
+                        {{VariantSet().with(Variant::UnsortedColours),
+                          sorted + QStringLiteral("; R, G, B stay in the order given")}}},
+                       {0,
+                        added,
+                        {SetUp},
+                        {},
+                        {divided(Variant::DivisorPlusOne, u'+'),
+                         divided(Variant::DivisorMinusOne, u'−'),
+                         {bothDivisors, added}}}};
     if (form.rate == ColourRate::Plane)
         code.push_back(
             {0, QStringLiteral("ΔR, ΔG, ΔB ← of the plane through the three vertices"), {SetUp}});
@@ -64,12 +84,18 @@ Pseudocode edgeWalkPseudocode(const EdgeWalkForm &form)
     code.push_back({2,
                     QStringLiteral("the first: R, G, B ← those at {a}_{lo}, moved on to this "
                                    "sample"),
-                    {First}});
+                    {First},
+                    {},
+                    {{VariantSet().with(Variant::NoColourPreStep),
+                      QStringLiteral("the first: R, G, B ← those at {a}_{lo}, as they are")}}});
     code.push_back({2, QStringLiteral("else: R ← R + ΔR, G ← G + ΔG, B ← B + ΔB"), {Next}});
     code.push_back({2, QStringLiteral("pixel (x, y) ← the bytes of R, G, B"), {First, Next}});
     const EdgeWalkNames names(form);
-    for (PseudocodeLine &line : code)
+    for (PseudocodeLine &line : code) {
         line.text = names.filled(line.text);
+        for (VariedLine &varied : line.varied)
+            varied.text = names.filled(varied.text);
+    }
     return code;
 }
 

@@ -5,6 +5,8 @@
 #include "core/methods/linewords.h"
 #include "core/trace/tracerecorder.h"
 
+#include <cmath>
+
 namespace pixelplumb {
 
 inline const LinePlace &placeIn(const BresenhamSpan &span) { return span.step.place; }
@@ -12,6 +14,24 @@ template <class Step>
 const LinePlace &placeIn(const Step &step)
 {
     return step.place;
+}
+
+/// Whether two pixels are equally near in the numbers of the kernel.
+inline bool isTie(const BresenhamSpan &span)
+{
+    return !span.step.isStart() && span.step.decision == 0;
+}
+inline bool isTie(const SymmetricStep &step) { return !step.isFirst && step.decision == 0; }
+template <class Step>
+bool isTie(const Step &step)
+{
+    if constexpr (requires { step.ordinate; }) {
+        const Quantity ordinate = quantityOf(step.ordinate);
+        return ordinate.isRational() ? ordinate.denominator() == 2
+                                     : std::abs(std::remainder(ordinate.toDouble(), 1)) == 0.5;
+    } else {
+        return false; // a point of P(t) has two coordinates to be rounded
+    }
 }
 
 /// How the one pixel of a line's step becomes records, whatever the method.
@@ -53,6 +73,7 @@ struct LineStepRecording : Numbers {
         const LinePlace &place = placeIn(step);
         record.firstSample = place.across;
         record.endSample = place.across + 1;
+        record.isTie = isTie(step);
         record.firstDrawn = place.across;
         record.endDrawn = place.across + (place.isInFrame ? 1 : 0);
     }

@@ -53,13 +53,27 @@ Method lineParametricMethod()
     method.id = QStringLiteral("line-parametric");
     method.title = QStringLiteral("Line: P(t)");
     method.source = QStringLiteral("Scan Conversion slides, “Lines and Curves: Parametric”");
+    const VariantSet twice = VariantSet().with(Variant::TwiceT);
+    const VariantSet five = VariantSet().with(Variant::FiveT);
+    const VariantSet both = twice.with(Variant::FiveT);
+    const QString range = QStringLiteral("for each t = i/N from 0 to 1/%1:");
+    const QString point = QStringLiteral("u ← x₀ + %1t·(x₁ − x₀), v ← y₀ + %1t·(y₁ − y₀); R, G and "
+                                         "B likewise");
     method.pseudocode
-        = {{0, QStringLiteral("N ← ⌈the larger of |x₁ − x₀| and |y₁ − y₀|⌉"), {Moment::SetUp}},
+        = {{0,
+            QStringLiteral("N ← ⌈the larger of |x₁ − x₀| and |y₁ − y₀|⌉, at least 1"),
+            {Moment::SetUp}},
            {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-           {0, QStringLiteral("for each t = i/N from 0 to 1/k:"), {Moment::Begin, Moment::Span}},
+           {0,
+            QStringLiteral("for each t = i/N from 0 to 1:"),
+            {Moment::Begin, Moment::Span},
+            {},
+            {{twice, range.arg(u'2')}, {five, range.arg(u'5')}, {both, range.arg("10")}}},
            {1,
-            QStringLiteral("u ← x₀ + k·t·(x₁ − x₀), v ← y₀ + k·t·(y₁ − y₀); R, G and B likewise"),
-            {Moment::Begin, Moment::Span}},
+            QStringLiteral("u ← x₀ + t·(x₁ − x₀), v ← y₀ + t·(y₁ − y₀); R, G and B likewise"),
+            {Moment::Begin, Moment::Span},
+            {},
+            {{twice, point.arg(u'2')}, {five, point.arg(u'5')}, {both, point.arg("10")}}},
            {1, QStringLiteral("pixel (⌊u + ½⌋, ⌊v + ½⌋) ← the bytes of R, G, B"), {Moment::First}}};
     method.summary = QStringLiteral("Computes P(t) = P₀ + t·(P₁ − P₀) for t in steps of one pixel "
                                     "of the longer side, or less, and writes the pixel nearest to "
@@ -75,16 +89,28 @@ Method lineDdaMethod()
     method.id = QStringLiteral("line-dda");
     method.title = QStringLiteral("Line: DDA");
     method.source = QStringLiteral("Rasterization slides, “DDA Line-Drawing Algorithm”");
-    method.pseudocode = {
-        {0,
-         QStringLiteral("u along the longer side, v across; the ends in the order of u"),
-         {Moment::SetUp}},
-        {0, QStringLiteral("m ← Δv/Δu"), {Moment::SetUp}},
-        {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
-        {0, QStringLiteral("for each u from ⌈u₀⌉ to ⌊u₁⌋:"), {Moment::Begin, Moment::Span}},
-        {1, QStringLiteral("the first: v ← v₀ + (u − u₀)·m; R, G and B likewise"), {Moment::Begin}},
-        {1, QStringLiteral("else: v ← v + m; R, G and B likewise"), {Moment::Span}},
-        {1, QStringLiteral("pixel (u, ⌊v + ½⌋) ← the bytes of R, G, B"), {Moment::First}}};
+    method.pseudocode
+        = {{0,
+            QStringLiteral("u along the longer side, v across; the ends in the order of u"),
+            {Moment::SetUp}},
+           {0,
+            QStringLiteral("m ← Δv/Δu"),
+            {Moment::SetUp},
+            {},
+            {{VariantSet().with(Variant::DivisorPlusOne), QStringLiteral("m ← Δv/(Δu + 1)")},
+             {VariantSet().with(Variant::DivisorMinusOne), QStringLiteral("m ← Δv/(Δu − 1)")},
+             {VariantSet().with(Variant::DivisorPlusOne).with(Variant::DivisorMinusOne),
+              QStringLiteral("m ← Δv/Δu")}}},
+           {0, QStringLiteral("if no sample is to be drawn: done"), {Moment::Rejected}},
+           {0, QStringLiteral("for each u from ⌈u₀⌉ to ⌊u₁⌋:"), {Moment::Begin, Moment::Span}},
+           {1,
+            QStringLiteral("the first: v ← v₀ + (u − u₀)·m; R, G and B likewise"),
+            {Moment::Begin},
+            {},
+            {{VariantSet().with(Variant::NoEdgePreStep),
+              QStringLiteral("the first: v ← v₀; R, G and B likewise")}}},
+           {1, QStringLiteral("else: v ← v + m; R, G and B likewise"), {Moment::Span}},
+           {1, QStringLiteral("pixel (u, ⌊v + ½⌋) ← the bytes of R, G, B"), {Moment::First}}};
     method.summary = QStringLiteral("Walks along the longer side and adds the slope at each step; "
                                     "the pixel is the nearest one.");
     method.arithmetics.assign(allArithmetics.begin(), allArithmetics.end());
@@ -110,8 +136,16 @@ Method lineBresenhamMethod()
         {0, QStringLiteral("(x, y) ← (x₀, y₀), p ← 2Δy − Δx"), {Moment::Begin}},
         {0,
          QStringLiteral("Δx + 1 pixels, with a step before each but the first:"),
-         {Moment::Begin, Moment::Stay, Moment::Cross}},
-        {1, QStringLiteral("if p < 0: x ← x + 1, p ← p + 2Δy"), {Moment::Stay}},
+         {Moment::Begin, Moment::Stay, Moment::Cross},
+         {},
+         {{VariantSet().with(Variant::OneStepShort),
+           QStringLiteral("Δx pixels, with a step before each but the first:")}}},
+        {1,
+         QStringLiteral("if p < 0: x ← x + 1, p ← p + 2Δy"),
+         {Moment::Stay},
+         {},
+         {{VariantSet().with(Variant::StayAtZero),
+           QStringLiteral("if p ≤ 0: x ← x + 1, p ← p + 2Δy")}}},
         {1, QStringLiteral("else: x ← x + 1, y a step across, p ← p + 2Δy − 2Δx"), {Moment::Cross}},
         {1, QStringLiteral("pixel (x, y) ← colour"), {Moment::First}}};
     method.summary = QStringLiteral(

@@ -5,6 +5,7 @@
 #include "core/methods/edgewalkform.h"
 #include "core/scan/edgetestform.h"
 #include "core/scan/interpolationnumbers.h"
+#include "core/scan/variants.h"
 #include "core/trace/stepwords.h"
 
 #include <optional>
@@ -12,12 +13,19 @@
 
 namespace pixelplumb {
 
+/// What a line says in a run with these variants.
+struct VariedLine {
+    VariantSet variants;
+    QString text;
+};
+
 /// A line of a method's pseudocode.
 struct PseudocodeLine {
     int depth = 0; ///< of its indentation
     QString text; ///< in the symbols of the method's numbers
     std::vector<Moment> moments; ///< the steps that do it; none of a line that only holds others
     std::optional<Effect> effect = {}; ///< the line is there where this runs
+    std::vector<VariedLine> varied = {}; ///< the last one whose variants the run has, holds
 };
 using Pseudocode = std::vector<PseudocodeLine>;
 

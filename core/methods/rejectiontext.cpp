@@ -34,7 +34,9 @@ QString rejectionText(const Rejection &rejection)
         return QStringLiteral(
             "It lies outside the frame, or between its samples. Nothing is drawn.");
     case PrimitiveRejection::NotRepresentable:
-        return QStringLiteral("A coordinate does not fit this arithmetic. Nothing is drawn.");
+        return QStringLiteral(
+            "A coordinate does not fit this arithmetic; of exact runs with variants "
+            "its products have room up to ±2¹⁵ px. Nothing is drawn.");
     case PrimitiveRejection::VerticalLine:
         return QStringLiteral("The line is vertical: y = m·x + b has no m. Nothing is drawn.");
     case PrimitiveRejection::NotOfThisMethod:

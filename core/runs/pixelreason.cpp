@@ -66,7 +66,8 @@ QString writtenText(const PixelAttempt &attempt)
 }
 
 /// Why the kernel passed over a sample that the truth covers.
-QString missedText(const PixelAttempt &attempt, const ScanTrace &trace)
+QString missedText(const PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x,
+                   std::int64_t y)
 {
     if (attempt.primitive >= trace.primitiveCount())
         return QStringLiteral("Not recorded: the recording ended at its limit before this pixel.");
@@ -77,6 +78,14 @@ QString missedText(const PixelAttempt &attempt, const ScanTrace &trace)
     if (!attempt.span)
         return QStringLiteral("Missing: the truth covers it, the kernel did not come here.");
     const SpanRecord &span = *attempt.span;
+    const std::int64_t place = span.place.axis == SpanAxis::Column ? y : x;
+    if (span.lower.isNone() && (place < span.firstSample || place >= span.endSample))
+        return QStringLiteral("Missing: the truth covers it, but of this %1 the kernel tests the "
+                              "samples %2 … %3 alone.")
+            .arg(span.place.axis == SpanAxis::Column ? QStringLiteral("column")
+                                                     : QStringLiteral("row"))
+            .arg(span.firstSample)
+            .arg(span.endSample - 1);
     if (span.lower.isNone())
         return QStringLiteral("Missing: the truth covers it, the kernel did not write it.");
     return QStringLiteral("Missing: the truth covers it, but the %1's bounds %2 and %3 give the "
@@ -111,10 +120,14 @@ QString shadedText(const PixelAttempt &attempt, const TracedScene &traced)
 /// To what a run that departs from the right algorithm may owe its wrong pixels; empty of others.
 QString variantText(const TracedScene &traced)
 {
-    const QStringList names = namesOf(variantsIn(traced.scene.settings.variants));
-    return names.isEmpty()
-        ? QString()
-        : QStringLiteral(" The run has the variant %1.").arg(names.join(QStringLiteral(", ")));
+    QString text;
+    for (const Variant variant : variantsIn(traced.scene.settings.variants)) {
+        const VariantWords &words = wordsOf(variant, traced.method->spanAxis);
+        text += QStringLiteral(" The run has the variant “%1”: %2 in place of %3. %4")
+                    .arg(nameText(words.title), nameText(words.printed), nameText(words.right),
+                         nameText(words.fault));
+    }
+    return text;
 }
 
 /// What a set-up made of its primitive that is not the very same; empty where it is.
@@ -165,7 +178,7 @@ QString reasonOf(const PixelAttempt &attempt, const TracedScene &traced, std::in
     const auto approximation = [&] { return approximationText(*traced.trace, attempt.primitive); };
     if (!attempt.written) {
         return attempt.verdict.covered
-            ? missedText(attempt, *traced.trace) + variantText(traced) + approximation()
+            ? missedText(attempt, *traced.trace, x, y) + variantText(traced) + approximation()
             : refusalText(attempt, traced, x, y);
     }
     QString text = writtenText(attempt);

@@ -32,6 +32,17 @@ EffectSet effectsOf(const EffectPlan &plan, std::size_t triangle)
     return batch != plan.batches.end() ? batch->effects : EffectSet{};
 }
 
+Pseudocode variedCode(Pseudocode code, VariantSet variants)
+{
+    for (PseudocodeLine &line : code) {
+        for (const VariedLine &varied : line.varied) {
+            if ((varied.variants.bits & ~variants.bits) == 0)
+                line.text = varied.text;
+        }
+    }
+    return code;
+}
+
 } // namespace
 
 Moment momentOf(const ScanTrace &trace, std::size_t stepIndex)
@@ -52,7 +63,7 @@ Moment momentOf(const ScanTrace &trace, std::size_t stepIndex)
 Pseudocode pseudocodeOf(const TracedScene &traced, std::size_t primitive)
 {
     if (!traced.plan || traced.method->shadedPseudocode.empty())
-        return traced.method->pseudocode;
+        return variedCode(traced.method->pseudocode, traced.scene.settings.variants);
     const EffectSet effects = effectsOf(*traced.plan, primitive);
     Pseudocode code = traced.method->shadedPseudocode;
     std::erase_if(code, [&effects](const PseudocodeLine &line) {

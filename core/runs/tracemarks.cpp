@@ -16,7 +16,18 @@ Triangle mirrored(Triangle triangle)
     return triangle;
 }
 
-/// The first and last span of each part, and the spans with a sample exactly on an edge.
+/// Whether a vertex of the triangle lies beside a span: where the frame ends a walk, none does.
+bool isAtVertex(const Triangle &triangle, const SpanPlace &place)
+{
+    const std::int64_t coordinate = place.coordinate * unitsPerPixel;
+    return std::ranges::any_of(triangle.vertices, [&](const Vertex &vertex) {
+        const std::int64_t along
+            = place.axis == SpanAxis::Row ? vertex.position.y : vertex.position.x;
+        return std::abs(along - coordinate) <= unitsPerPixel;
+    });
+}
+
+/// The first and last span of each part, and the spans with a tie.
 void appendSpanMarks(std::vector<TraceMark> &marks, const TracedScene &traced,
                      std::size_t primitive)
 {
@@ -26,17 +37,24 @@ void appendSpanMarks(std::vector<TraceMark> &marks, const TracedScene &traced,
     if (first == end)
         return;
     const bool isTriangle = traced.primitives.isTriangle(primitive);
+    const bool isLine = traced.primitives.kindOf(primitive) == PrimitiveKind::Line;
     const Triangle upright = isTriangle ? traced.primitives.triangles[primitive] : Triangle();
     const Triangle lying = mirrored(upright);
     int part = trace.placeOf(first).part;
     for (std::size_t span = first; span < end; ++span) {
         const SpanPlace &place = trace.placeOf(span);
-        if (span == first || place.part != part || span + 1 == end)
+        if ((span == first || place.part != part || span + 1 == end)
+            && (!isTriangle || isAtVertex(upright, place)))
             marks.push_back({trace.indexOfSpan(span), MarkKind::PartBegins});
         part = place.part;
-        if (!isTriangle || place.axis == SpanAxis::Free)
-            continue;
-        if (oracle::hasTie(place.axis == SpanAxis::Column ? upright : lying, place.coordinate))
+        const auto hasTie = [&] {
+            if (isLine)
+                return trace.span(span).isTie;
+            return isTriangle && place.axis != SpanAxis::Free
+                && oracle::hasTie(place.axis == SpanAxis::Column ? upright : lying,
+                                  place.coordinate);
+        };
+        if (hasTie())
             marks.push_back({trace.indexOfSpan(span), MarkKind::Tie});
     }
 }

@@ -51,6 +51,8 @@ struct SpanRecord {
     std::optional<LongEdge> longEdge;
     std::int64_t firstSample = 0, endSample = 0; ///< along the span, unclipped
     std::int64_t firstDrawn = 0, endDrawn = 0; ///< along the span, clipped to the frame
+    /// Of a line's step: it passes half-way between two pixels, of which a rule takes one.
+    bool isTie = false;
     std::vector<Quantity> cells; ///< by TraceNumbers::span
 
     std::int64_t drawnSamples() const { return std::max<std::int64_t>(0, endDrawn - firstDrawn); }

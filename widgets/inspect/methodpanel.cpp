@@ -35,16 +35,17 @@ QString lineHtml(const PseudocodeLine &line, bool isInHand, const QColor &tint)
         .arg(sentenceHtml(line.text));
 }
 
-/// The lines in which the run departs from them, and what that does.
+/// In what the run departs from that, and what it does to the picture.
 QString variantsHtml(VariantSet variants, SpanAxis axis)
 {
     QString html;
     const auto text = [](std::string_view part) { return sentenceHtml(nameText(part)); };
     for (const Variant variant : variantsIn(variants)) {
         const VariantWords &words = wordsOf(variant, axis);
-        html += QStringLiteral("<p><b>%1</b>: %2 %3 %4. %5</p>")
-                    .arg(text(words.title), text(words.printed), MethodPanel::tr("in place of"),
-                         text(words.right), text(words.fault));
+        html
+            += QStringLiteral("<p>%1 <b>%2</b>: %3 %4 %5. %6</p>")
+                   .arg(MethodPanel::tr("With the variant"), text(words.title), text(words.printed),
+                        MethodPanel::tr("in place of"), text(words.right), text(words.fault));
     }
     return html;
 }
@@ -109,10 +110,10 @@ void MethodPanel::present()
     }
     const Method &method = *traced->method;
     const int scrolled = m_text->verticalScrollBar()->value();
-    m_text->setHtml(QStringLiteral("<p><b>%1</b><br>%2</p><table cellspacing=0 cellpadding=2 "
-                                   "width=\"100%\">%3</table>%4<p><small>%5</small></p>")
-                        .arg(method.title.toHtmlEscaped(), sentenceHtml(method.summary), rows,
-                             variantsHtml(traced->scene.settings.variants, method.spanAxis),
+    m_text->setHtml(QStringLiteral("<p><b>%1</b><br>%2</p>%3<table cellspacing=0 cellpadding=2 "
+                                   "width=\"100%\">%4</table><p><small>%5</small></p>")
+                        .arg(method.title.toHtmlEscaped(), sentenceHtml(method.summary),
+                             variantsHtml(traced->scene.settings.variants, method.spanAxis), rows,
                              tr("From: %1.").arg(method.source).toHtmlEscaped()));
     m_text->verticalScrollBar()->setValue(scrolled);
     setAccessibleDescription(inHand.join(QStringLiteral("; ")));

@@ -55,7 +55,7 @@ QString markText(MarkKind kind)
     case MarkKind::PartBegins:
         return tr("here a part of the primitive begins or ends: a vertex");
     case MarkKind::Tie:
-        return tr("tie: a sample here lies exactly on an edge");
+        return tr("tie: a sample here lies exactly on an edge, or a line half-way between two");
     case MarkKind::Clamp:
         return tr("clamp: a colour level left 0 … 255");
     case MarkKind::FirstDifference:

@@ -88,7 +88,8 @@ void StatusFields::takeTrace()
             frame.origin == FrameOrigin::BottomLeft ? tr("y upward") : tr("y downward")};
         if (frame.pixelCentre == PixelCentre::Half)
             words += tr("samples at ½");
-        words += namesOf(variantsIn(settings.variants));
+        for (const Variant variant : variantsIn(settings.variants))
+            words += nameText(wordsOf(variant, traced->method->spanAxis).title);
         if (traced->trace->isCut())
             words += tr("recording cut at its limit");
         m_settings->setText(words.join(QStringLiteral(" · ")));
