@@ -66,7 +66,7 @@ QString paintedText(const QPoint &pixel, const TracedScene &traced, std::size_t 
     const std::optional<NearestEdge> nearest = edgeNearest(pixel, traced, primitive);
     if (!nearest)
         return name;
-    return QCoreApplication::translate("pixelplumb::PointerReadout", "%1 · %2 px from %3")
+    return PointerReadout::tr("%1 · %2 px from %3")
         .arg(name, distanceText(nearest->edge.distance), nameOfEdge(*nearest, *traced.trace));
 }
 
@@ -79,13 +79,11 @@ QString unpaintedText(const QPoint &pixel, const TracedScene &traced)
         if (edge && (!nearest || edge->edge.distance > nearest->edge.distance))
             nearest = edge;
     }
-    const auto tr = [](const char *text) {
-        return QCoreApplication::translate("pixelplumb::PointerReadout", text);
-    };
     if (!nearest || !traced.method->draws(PrimitiveKind::Triangle))
-        return tr("not painted");
-    const QString side = nearest->edge.distance >= 0 ? tr("not painted · %1 px inside %2 of %3")
-                                                     : tr("not painted · %1 px outside %2 of %3");
+        return PointerReadout::tr("not painted");
+    const QString side = nearest->edge.distance >= 0
+        ? PointerReadout::tr("not painted · %1 px inside %2 of %3")
+        : PointerReadout::tr("not painted · %1 px outside %2 of %3");
     return side.arg(
         distanceText(nearest->edge.distance), nameOfEdge(*nearest, *traced.trace),
         QStringLiteral("%1 %2").arg(nameOf(PrimitiveKind::Triangle)).arg(nearest->triangle));
@@ -99,7 +97,7 @@ QString studentText(const QPoint &pixel, const CanvasSources &sources)
     if (!place || judgement->diff.verdicts[*place] == PixelVerdict::Same)
         return {};
     const QString verdict = nameOf(judgement->diff.verdicts[*place]);
-    return QCoreApplication::translate("pixelplumb::PointerReadout", "student: %1")
+    return PointerReadout::tr("student: %1")
         .arg(judgement->found.hasColours
                  ? colourText(judgement->found.colours[*place]) + QStringLiteral(", ") + verdict
                  : verdict);
@@ -119,8 +117,7 @@ QString PointerReadout::text(const QPoint &pixel, const CanvasSources &sources,
     const QString place = QStringLiteral("(%1, %2)").arg(pixel.x()).arg(pixel.y());
     QStringList lines;
     if (hand.candidate && coordinateNote(*hand.candidate) != place)
-        lines += QCoreApplication::translate("pixelplumb::PointerReadout", "vertex %1")
-                     .arg(coordinateNote(*hand.candidate));
+        lines += PointerReadout::tr("vertex %1").arg(coordinateNote(*hand.candidate));
     if (!traced || isPreview || isBeyond)
         return (lines << place).join(u'\n');
     const bool isTruth = isTruthVisible(sources, hand);

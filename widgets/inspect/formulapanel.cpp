@@ -28,19 +28,18 @@ namespace {
 
 constexpr int leastFormulaLines = 1;
 constexpr float bannerTint = 0.18F;
-constexpr std::size_t measuredSpans = 6; // of a run, at even distances
 
 QString nounOf(SpanAxis axis)
 {
     switch (axis) {
     case SpanAxis::Column:
-        return FormulaPanel::tr("column");
+        return FormulaPanel::tr("a column");
     case SpanAxis::Row:
-        return FormulaPanel::tr("row");
+        return FormulaPanel::tr("a row");
     case SpanAxis::Free:
         break;
     }
-    return FormulaPanel::tr("step");
+    return FormulaPanel::tr("a step");
 }
 
 /// What the panel says where no step is in hand.
@@ -55,11 +54,13 @@ Explanation invitation(const Playhead &playhead)
     }
     explanation.heading = FormulaPanel::tr("Before the first step");
     explanation.sentence
-        = FormulaPanel::tr("Nothing is drawn yet. Step forward by a %1 or by a pixel: the buttons "
+        = FormulaPanel::tr("Nothing is drawn yet. Step forward by %1 or by a pixel: the buttons "
                            "above, or the Step menu with its keys.")
               .arg(nounOf(playhead.axis()));
     return explanation;
 }
+
+constexpr std::size_t measuredSpans = 6; // of a run, at even distances
 
 } // namespace
 

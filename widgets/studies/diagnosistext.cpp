@@ -7,21 +7,21 @@ namespace pixelplumb {
 
 QString diagnosisText(const Diagnosis &diagnosis)
 {
-    const auto tr = [](const char *text) { return DiagnosisView::tr(text); };
     if (diagnosis.verdict == DiagnosisVerdict::Right)
-        return tr("Right: no pixel differs, there is no bug to name.");
+        return DiagnosisView::tr("Right: no pixel differs, there is no bug to name.");
     const QString verdict = diagnosis.verdict == DiagnosisVerdict::Wrong
-        ? tr("Wrong.")
-        : tr("Undecidable: what differs lies on edges, where rules differ, or within what "
-             "rounding in float32 may do.");
+        ? DiagnosisView::tr("Wrong.")
+        : DiagnosisView::tr(
+            "Undecidable: what differs lies on edges, where rules differ, or within what "
+            "rounding in float32 may do.");
     if (diagnosis.candidates.empty())
-        return verdict + u' ' + tr("No known defect comes near.");
+        return verdict + u' ' + DiagnosisView::tr("No known defect comes near.");
     if (!diagnosis.isExplained())
-        return verdict + u' ' + tr("No known defect explains it; the nearest ones:");
+        return verdict + u' ' + DiagnosisView::tr("No known defect explains it; the nearest ones:");
     return verdict + u' '
         + (diagnosis.candidates.size() == 1
-               ? tr("One set of known defects draws this very picture:")
-               : tr("%1 sets of known defects draw this very picture:")
+               ? DiagnosisView::tr("One set of known defects draws this very picture:")
+               : DiagnosisView::tr("%1 sets of known defects draw this very picture:")
                      .arg(diagnosis.candidates.size()));
 }
 

@@ -10,7 +10,9 @@ namespace pixelplumb {
 
 namespace {
 
-QString translated(const char *text) { return QCoreApplication::translate("EffectsPanel", text); }
+struct EffectsText {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::EffectsText)
+};
 
 /// Whether forcing it on keeps the picture where it is not called for.
 bool isNeutral(Effect effect, const Appearance &appearance)
@@ -49,9 +51,9 @@ QString forcedWords(const EffectPlan &plan, Effect effect, Forcing forcing)
 {
     const QString name = nameText(nameOf(effect));
     if (forcing == Forcing::Off)
-        return translated("%1 off").arg(name);
-    return plan.runs(effect) ? translated("%1 on").arg(name)
-                             : translated("%1 on, where there is none to switch on").arg(name);
+        return EffectsText::tr("%1 off").arg(name);
+    return plan.runs(effect) ? EffectsText::tr("%1 on").arg(name)
+                             : EffectsText::tr("%1 on, where there is none to switch on").arg(name);
 }
 
 QString contradictionText(const EffectPlan &plan, const Appearance &appearance,
@@ -64,14 +66,16 @@ QString contradictionText(const EffectPlan &plan, const Appearance &appearance,
     const Verdict verdict = plan.verdicts[*effect].verdict;
     const bool isOff = appearance.forced[*effect] == Forcing::Off;
     if (isOff && verdict == Verdict::CalledFor && changed == 0)
-        return translated("No pixel needs %1 here: that it is called for is a defect of the plan, "
-                          "unless its values differ by less than a byte.")
+        return EffectsText::tr(
+                   "No pixel needs %1 here: that it is called for is a defect of the plan, "
+                   "unless its values differ by less than a byte.")
             .arg(name);
     if (isOff && verdict == Verdict::NotCalledFor && changed > 0)
-        return translated("A defect: %1 is not called for, and pixels change without it.")
+        return EffectsText::tr("A defect: %1 is not called for, and pixels change without it.")
             .arg(name);
     if (!isOff && verdict == Verdict::NotCalledFor && changed > 0 && isNeutral(*effect, appearance))
-        return translated("A defect: %1 is not called for, and pixels change with it.").arg(name);
+        return EffectsText::tr("A defect: %1 is not called for, and pixels change with it.")
+            .arg(name);
     return {};
 }
 
@@ -94,11 +98,12 @@ QString forcingText(const EffectPlan &plan, const Appearance &appearance, std::i
     }
     if (words.empty())
         return {};
-    const QString changes = changed == 0 ? translated("no pixel changes")
-        : changed == 1                   ? translated("1 pixel changes, marked on the canvas")
-                       : translated("%L1 pixels change, marked on the canvas").arg(changed);
-    return QStringList{translated("Forced: %1; %2.").arg(words.join(QStringLiteral(", ")), changes),
-                       contradictionText(plan, appearance, changed)}
+    const QString changes = changed == 0 ? EffectsText::tr("no pixel changes")
+        : changed == 1                   ? EffectsText::tr("1 pixel changes, marked on the canvas")
+                       : EffectsText::tr("%L1 pixels change, marked on the canvas").arg(changed);
+    return QStringList{
+        EffectsText::tr("Forced: %1; %2.").arg(words.join(QStringLiteral(", ")), changes),
+        contradictionText(plan, appearance, changed)}
         .join(u' ')
         .trimmed();
 }
