@@ -6,6 +6,8 @@
 
 #include <QString>
 
+#include <cstdint>
+
 namespace pixelplumb {
 
 /// Between the whole part and the fraction of a mixed number.
@@ -35,6 +37,11 @@ QString decimalBeside(const Quantity &quantity, Arithmetic arithmetic = Arithmet
 
 /// An error for the eye: "+2.3e-07", or "0" when the two are equal.
 QString displayError(const Quantity &used, const Quantity &exact);
+
+/// Large numbers that are counted or measured, in groups of thousands, which a narrow space that
+/// does not break keeps apart: no language takes it for a decimal sign.
+QString groupedText(std::int64_t number);
+QString groupedText(double number, int places);
 
 /// Index into displayText(used) of the first character that differs from the exact decimal, −1 if
 /// none: panels mark the number from there on. An exact decimal that ends in an ellipsis says

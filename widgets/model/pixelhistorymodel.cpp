@@ -261,8 +261,7 @@ QVariant PixelHistoryModel::data(const QModelIndex &index, int role) const
     if (isCountRow(index)) {
         if (role != Qt::DisplayRole || index.column() != WhatColumn)
             return {};
-        return m_unlisted == 1 ? tr("and 1 more that refuses it")
-                               : tr("and %1 more that refuse it").arg(m_unlisted);
+        return tr("and %n more that refuse it", nullptr, int(m_unlisted));
     }
     const bool isDetail = index.internalId() != topLevel;
     const std::size_t row

@@ -29,7 +29,7 @@ QString snapNote(const SnapReports &snaps)
     for (std::size_t i = 0; i < std::min(snaps.size(), mostLines); ++i)
         lines += snaps[i].message();
     if (snaps.size() > mostLines)
-        lines += RunNotes::tr("and %n more number(s) are taken as the nearest of 1/256 px or 2^-24",
+        lines += RunNotes::tr("and %n more numbers are taken as the nearest of 1/256 px or 2^-24",
                               nullptr, int(snaps.size() - mostLines));
     return lines.join(u'\n');
 }

@@ -179,7 +179,7 @@ QString ProjectionPanel::sceneSentence() const
                   "exact one.");
     }
     const QString triangles
-        = tr("The scene's solids become %n triangle(s).", "", int(m_projected.sources.size()));
+        = tr("The scene's solids become %n triangles.", nullptr, int(m_projected.sources.size()));
     return triangles + lossesText(m_projected.lost) + tr(" Step into one of them.");
 }
 

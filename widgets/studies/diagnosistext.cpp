@@ -19,10 +19,8 @@ QString diagnosisText(const Diagnosis &diagnosis)
     if (!diagnosis.isExplained())
         return verdict + u' ' + DiagnosisView::tr("No known defect explains it; the nearest ones:");
     return verdict + u' '
-        + (diagnosis.candidates.size() == 1
-               ? DiagnosisView::tr("One set of known defects draws this very picture:")
-               : DiagnosisView::tr("%1 sets of known defects draw this very picture:")
-                     .arg(diagnosis.candidates.size()));
+        + DiagnosisView::tr("%n sets of known defects draw this very picture:", nullptr,
+                            int(diagnosis.candidates.size()));
 }
 
 QString idsText(const DiagnosisCandidate &candidate)
@@ -47,9 +45,7 @@ QString distanceText(const DiagnosisCandidate &candidate)
 {
     if (candidate.distance == 0)
         return {};
-    return candidate.distance == 1
-        ? DiagnosisView::tr(" · 1 pixel is left")
-        : DiagnosisView::tr(" · %L1 pixels are left").arg(candidate.distance);
+    return DiagnosisView::tr(" · %n pixels are left", nullptr, int(candidate.distance));
 }
 
 } // namespace pixelplumb

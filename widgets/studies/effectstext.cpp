@@ -98,9 +98,9 @@ QString forcingText(const EffectPlan &plan, const Appearance &appearance, std::i
     }
     if (words.empty())
         return {};
-    const QString changes = changed == 0 ? EffectsText::tr("no pixel changes")
-        : changed == 1                   ? EffectsText::tr("1 pixel changes, marked on the canvas")
-                       : EffectsText::tr("%L1 pixels change, marked on the canvas").arg(changed);
+    const QString changes = changed == 0
+        ? EffectsText::tr("no pixel changes")
+        : EffectsText::tr("%n pixels change, marked on the canvas", nullptr, int(changed));
     return QStringList{
         EffectsText::tr("Forced: %1; %2.").arg(words.join(QStringLiteral(", ")), changes),
         contradictionText(plan, appearance, changed)}

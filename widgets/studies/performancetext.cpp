@@ -2,9 +2,9 @@
 #include "widgets/studies/performancetext.h"
 
 #include "widgets/look/blend.h"
+#include "widgets/look/numberformat.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <cmath>
 
@@ -16,23 +16,14 @@ struct PerformanceText {
     Q_DECLARE_TR_FUNCTIONS(pixelplumb::PerformanceText)
 };
 
-QLocale groupingLocale()
-{
-    QLocale locale = QLocale::c();
-    locale.setNumberOptions({});
-    return locale;
-}
-
 /// Three digits, groups of thousands.
 QString rounded(double value)
 {
     if (!(value > 0))
         return QStringLiteral("0");
     const int places = std::clamp(2 - int(std::floor(std::log10(value))), 0, 4);
-    return groupingLocale().toString(value, 'f', places);
+    return groupedText(value, places);
 }
-
-QString grouped(std::uint64_t number) { return groupingLocale().toString(qulonglong(number)); }
 
 QString cell(const QString &text) { return QStringLiteral("<td align='right'>%1</td>").arg(text); }
 
@@ -85,7 +76,7 @@ QString routesHtml(const FastReport &report, const QPalette &palette)
         QString kernel = QString::fromUtf8(nameOf(use.kernel));
         if (use.word != ColourWord::Other)
             kernel += PerformanceText::tr(", colours: %1").arg(QString::fromUtf8(nameOf(use.word)));
-        html += QStringLiteral("<tr>") + cell(grouped(use.triangles))
+        html += QStringLiteral("<tr>") + cell(groupedText(use.triangles))
             + QStringLiteral("<td>&nbsp;%1<br><span style='color:%2'>&nbsp;%3</span></td></tr>")
                   .arg(kernel, dim.name(),
                        QString::fromUtf8(pixelplumb::textOf(use.reason)).toHtmlEscaped());
@@ -99,12 +90,10 @@ QString measurementText(const SceneTiming &timing)
         return PerformanceText::tr("The scene has no triangles to draw.");
     if (timing.pixels == 0)
         return PerformanceText::tr("The scene's triangles cover no pixel of the frame.");
-    const QString triangles = timing.triangles == 1
-        ? PerformanceText::tr("1 triangle")
-        : PerformanceText::tr("%1 triangles").arg(grouped(timing.triangles));
-    const QString pixels = timing.pixels == 1
-        ? PerformanceText::tr("1 pixel")
-        : PerformanceText::tr("%1 pixels").arg(grouped(timing.pixels));
+    const QString triangles = PerformanceText::tr("%1 triangles", nullptr, int(timing.triangles))
+                                  .arg(groupedText(timing.triangles));
+    const QString pixels = PerformanceText::tr("%1 pixels", nullptr, int(timing.pixels))
+                               .arg(groupedText(timing.pixels));
     return PerformanceText::tr("Column scan, %1, %2: %3, %4 written. Medians of %5 rounds. %6")
         .arg(QString::fromUtf8(nameOf(timing.settings.arithmetic)),
              QString::fromUtf8(nameOf(timing.settings.fillRule)), triangles, pixels)

@@ -8,11 +8,7 @@ namespace pixelplumb {
 
 namespace {
 
-QString pixels(std::int64_t count)
-{
-    return count == 1 ? SubmissionPanel::tr("1 pixel")
-                      : SubmissionPanel::tr("%L1 pixels").arg(count);
-}
+QString pixels(std::int64_t count) { return SubmissionPanel::tr("%n pixels", nullptr, int(count)); }
 
 /// "#a06f30", "covered"
 QString contentOf(const Picture &picture, std::size_t place)
@@ -65,11 +61,12 @@ QString verdictText(const PictureDiff &diff)
 {
     const std::int64_t open = diff.count(PixelVerdict::Undecidable);
     if (diff.differing() > 0)
-        return SubmissionPanel::tr("Wrong: %1 differ.").arg(pixels(diff.differing()));
+        return SubmissionPanel::tr("Wrong: %n pixels differ.", nullptr, int(diff.differing()));
     if (open > 0)
-        return SubmissionPanel::tr("Undecidable: %1 on edges, where rules differ, or within what "
-                                   "rounding in float32 may do.")
-            .arg(pixels(open));
+        return SubmissionPanel::tr(
+            "Undecidable: %n pixels on edges, where rules differ, or within what "
+            "rounding in float32 may do.",
+            nullptr, int(open));
     return SubmissionPanel::tr("Right: no pixel differs.");
 }
 
