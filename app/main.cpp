@@ -3,6 +3,7 @@
 #include "core/methods/method.h"
 #include "version.h"
 #include "widgets/files/scenefiles.h"
+#include "widgets/look/numberformat.h"
 #include "widgets/look/paletteswitch.h"
 #include "widgets/look/translation.h"
 #include "widgets/model/scenedocument.h"
@@ -201,6 +202,7 @@ int main(int argc, char *argv[])
         isWindowless ? new QCoreApplication(argc, argv) : new QApplication(argc, argv));
     nameApplication();
     const Translation translation(QLocale::system().uiLanguages());
+    keepDecimalPoint();
     const Options options;
     QCommandLineParser parser;
     describe(parser, options);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/numberformat.h"
 #include "widgets/look/translation.h"
 
 #include <QCoreApplication>
@@ -14,6 +15,7 @@ void speakEnglish()
     static std::unique_ptr<pixelplumb::Translation> english;
     english = std::make_unique<pixelplumb::Translation>(QStringList(QStringLiteral("en")));
     qAddPostRoutine([] { english.reset(); });
+    pixelplumb::keepDecimalPoint();
 }
 
 } // namespace

@@ -162,6 +162,8 @@ QString displayError(const Quantity &used, const Quantity &exact)
     return error == 0 ? QStringLiteral("0") : withTrueMinus(QString::asprintf("%+.1e", error));
 }
 
+void keepDecimalPoint() { QLocale::setDefault(QLocale::c()); }
+
 QString groupedText(std::int64_t number)
 {
     return groupingLocale().toString(qlonglong(number)).replace(u',', narrowSpace);

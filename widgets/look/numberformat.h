@@ -15,6 +15,12 @@ inline constexpr QChar thinSpace(0x2009);
 /// Decimals in which a used number and the exact one are compared: more than a double has.
 inline constexpr int comparedPlaces = 20;
 
+/// Numbers have a decimal point in every language, and no signs between thousands: what a panel
+/// shows is compared with the course texts, with exports and with the command line, and is typed
+/// and copied back from there. It is called before the first widget, which keeps the locale of its
+/// moment.
+void keepDecimalPoint();
+
 /// A quantity for the eye: mixed numbers with a thin space ("17 3/8") while the denominator has at
 /// most six digits, else decimals with six places and an ellipsis; floating point by its shortest
 /// decimal; a true minus sign. Canonical text for copying and files is toText().
