@@ -6,6 +6,7 @@
 #include "core/scene/colourtext.h"
 #include "widgets/canvas/canvasoutlines.h"
 #include "widgets/canvas/canvasscene.h"
+#include "widgets/look/corewords.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenepreviewer.h"
 
@@ -59,8 +60,9 @@ QString nameOfEdge(const NearestEdge &nearest, const ScanTrace &trace)
 
 QString paintedText(const QPoint &pixel, const TracedScene &traced, std::size_t primitive)
 {
-    const QString name
-        = QStringLiteral("%1 %2").arg(nameOf(traced.primitives.kindOf(primitive))).arg(primitive);
+    const QString name = QStringLiteral("%1 %2")
+                             .arg(coreWord(nameOf(traced.primitives.kindOf(primitive))))
+                             .arg(primitive);
     if (!traced.primitives.isTriangle(primitive))
         return name;
     const std::optional<NearestEdge> nearest = edgeNearest(pixel, traced, primitive);
@@ -84,9 +86,10 @@ QString unpaintedText(const QPoint &pixel, const TracedScene &traced)
     const QString side = nearest->edge.distance >= 0
         ? PointerReadout::tr("not painted · %1 px inside %2 of %3")
         : PointerReadout::tr("not painted · %1 px outside %2 of %3");
-    return side.arg(
-        distanceText(nearest->edge.distance), nameOfEdge(*nearest, *traced.trace),
-        QStringLiteral("%1 %2").arg(nameOf(PrimitiveKind::Triangle)).arg(nearest->triangle));
+    return side.arg(distanceText(nearest->edge.distance), nameOfEdge(*nearest, *traced.trace),
+                    QStringLiteral("%1 %2")
+                        .arg(coreWord(nameOf(PrimitiveKind::Triangle)))
+                        .arg(nearest->triangle));
 }
 
 /// "student: #000000, missing"; empty where the student's pixel is the same.
@@ -96,7 +99,7 @@ QString studentText(const QPoint &pixel, const CanvasSources &sources)
     const auto place = judgement ? judgement->placeOf(pixel) : std::nullopt;
     if (!place || judgement->diff.verdicts[*place] == PixelVerdict::Same)
         return {};
-    const QString verdict = nameOf(judgement->diff.verdicts[*place]);
+    const QString verdict = coreWord(nameOf(judgement->diff.verdicts[*place]));
     return PointerReadout::tr("student: %1")
         .arg(judgement->found.hasColours
                  ? colourText(judgement->found.colours[*place]) + QStringLiteral(", ") + verdict

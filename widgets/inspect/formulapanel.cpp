@@ -3,6 +3,7 @@
 
 #include "core/runs/formulaexplanation.h"
 #include "widgets/look/blend.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/formulahtml.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/look/signs.h"
@@ -143,8 +144,9 @@ void FormulaPanel::present(const Explanation &explanation)
                                 blended(palette().color(QPalette::Window),
                                         signColour(Sign::ColumnInHand, palette()), bannerTint));
     m_heading->setPalette(headingPalette);
+    const QString heading = coreWords(explanation.heading, QStringLiteral(": "));
     m_heading->setText(QStringLiteral("<b>%1</b>%2")
-                           .arg(sentenceHtml(explanation.heading),
+                           .arg(sentenceHtml(heading),
                                 explanation.event.isEmpty() ? QString()
                                                             : QStringLiteral(" &nbsp;⚑ ")
                                         + sentenceHtml(explanation.event)));
@@ -155,8 +157,8 @@ void FormulaPanel::present(const Explanation &explanation)
     m_formulas->setHtml(stagesHtml(explanation, arithmetic(), palette())
                         + formulaHtml(explanation, arithmetic(), palette()));
     m_formulas->verticalScrollBar()->setValue(scrolled);
-    setAccessibleDescription(explanation.heading + QStringLiteral(". ") + explanation.sentence
-                             + u'\n' + formulaText(explanation, arithmetic()));
+    setAccessibleDescription(heading + QStringLiteral(". ") + explanation.sentence + u'\n'
+                             + formulaText(explanation, arithmetic()));
     // Stages are many, and are scrolled to.
     if (explanation.stages.empty())
         growTo(int(std::ceil(m_formulas->document()->size().height())));

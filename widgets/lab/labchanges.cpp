@@ -2,6 +2,7 @@
 #include "widgets/lab/labchanges.h"
 
 #include "widgets/lab/labtext.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/numberlayout.h"
 
 #include <QHeaderView>
@@ -27,14 +28,14 @@ QString changeText(LabChange change)
 {
     switch (change) {
     case LabChange::Faster:
-        return QStringLiteral("▼ ") + nameOf(change);
+        return QStringLiteral("▼ ") + coreWord(nameOf(change));
     case LabChange::Slower:
-        return QStringLiteral("▲ ") + nameOf(change);
+        return QStringLiteral("▲ ") + coreWord(nameOf(change));
     case LabChange::WithinSpread:
     case LabChange::NotComparable:
         break;
     }
-    return nameOf(change);
+    return coreWord(nameOf(change));
 }
 
 } // namespace

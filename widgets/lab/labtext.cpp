@@ -3,6 +3,7 @@
 
 #include "core/measure/timeleft.h"
 #include "core/scan/choicenames.h"
+#include "widgets/look/corewords.h"
 
 #include <QCoreApplication>
 #include <QTextDocumentFragment>
@@ -156,8 +157,8 @@ QString straightLoopText()
 
 QString errorLabel(const ErrorAxis &axis, LabelLength length)
 {
-    const QString unit = QString::fromUtf8(axis.unit);
-    const QString title = QString::fromUtf8(axis.title);
+    const QString unit = coreWord(std::string_view(axis.unit));
+    const QString title = coreWord(std::string_view(axis.title));
     if (unit == QStringLiteral("ppm"))
         return length == LabelLength::Short ? LabText::tr("of a million")
                                             : LabText::tr("%1 of a million").arg(title);
@@ -244,7 +245,7 @@ QString invitationText(StudyExtent extent, double seconds)
     const QString howLong = extent == StudyExtent::Quick
         ? LabText::tr("The quick study takes fifteen contenders and %1.")
         : LabText::tr("The full study takes every method in every arithmetic and %1.");
-    return what + u' ' + howLong.arg(aboutText(seconds));
+    return what + u' ' + howLong.arg(coreWord(aboutText(seconds)));
 }
 
 } // namespace pixelplumb

@@ -2,6 +2,7 @@
 #include "widgets/model/pixelhistorymodel.h"
 
 #include "core/runs/pixelreason.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/numberformat.h"
 
 #include <QColor>
@@ -19,8 +20,8 @@ constexpr int edgeRows = 3;
 /// "△ 2", "line 0".
 QString nameText(const PixelAttempt &attempt)
 {
-    const QString kind
-        = attempt.kind == PrimitiveKind::Triangle ? QStringLiteral("△") : nameOf(attempt.kind);
+    const QString kind = attempt.kind == PrimitiveKind::Triangle ? QStringLiteral("△")
+                                                                 : coreWord(nameOf(attempt.kind));
     return QStringLiteral("%1 %2").arg(kind).arg(attempt.primitive);
 }
 

@@ -5,6 +5,7 @@
 #include "core/runs/rejectedprimitives.h"
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
+#include "widgets/look/corewords.h"
 #include "widgets/model/placinghint.h"
 
 #include <QCoreApplication>
@@ -45,7 +46,7 @@ QString rejectionNote(const TracedScene &traced)
     if (rejected.empty())
         return {};
     const RejectedPrimitive &first = rejected.front();
-    const QString kind = nameOf(first.kind);
+    const QString kind = coreWord(nameOf(first.kind));
     const QString text = QStringLiteral("%1 %2: %3")
                              .arg(kind.left(1).toUpper() + kind.sliced(1))
                              .arg(first.primitive)

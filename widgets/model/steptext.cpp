@@ -2,6 +2,7 @@
 #include "widgets/model/steptext.h"
 
 #include "core/runs/spanheadings.h"
+#include "widgets/look/corewords.h"
 
 #include <QCoreApplication>
 
@@ -17,14 +18,14 @@ struct StepText {
 QString spanText(const TracedScene &traced, std::size_t span)
 {
     const QString heading = spanHeading(*traced.trace, span);
-    return heading.left(1).toLower() + heading.sliced(1);
+    return coreWord(heading.left(1).toLower() + heading.sliced(1));
 }
 
 QString primitiveText(const TracedScene &traced, std::size_t primitive)
 {
     const bool refused = traced.trace->setUp(primitive).rejection.has_value();
     return (refused ? StepText::tr("%1 %2 draws nothing") : StepText::tr("%1 %2 set up"))
-        .arg(nameOf(traced.primitives.kindOf(primitive)))
+        .arg(coreWord(nameOf(traced.primitives.kindOf(primitive))))
         .arg(primitive);
 }
 

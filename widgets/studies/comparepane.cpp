@@ -3,6 +3,7 @@
 
 #include "core/lab/livefigures.h"
 #include "core/scan/choicenames.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/elidingbox.h"
 #include "widgets/look/framepainter.h"
 #include "widgets/model/playhead.h"
@@ -206,8 +207,9 @@ void ComparePane::showFigures(const LiveFigures &figures)
 {
     if (!figures.perPixel)
         return;
-    m_result->setText(m_result->text() + QStringLiteral(" · ") + figures.timeText());
-    m_result->setToolTip(figures.details());
+    const QString separator = QStringLiteral(" · ");
+    m_result->setText(m_result->text() + separator + coreWord(figures.timeText()));
+    m_result->setToolTip(coreWords(figures.details(), separator));
 }
 
 CompareView *ComparePane::view() const { return m_view; }

@@ -2,6 +2,7 @@
 #include "widgets/studies/comparetext.h"
 
 #include "core/scene/colourtext.h"
+#include "widgets/look/corewords.h"
 #include "widgets/studies/agreementview.h"
 #include "widgets/studies/comparepanel.h"
 
@@ -43,7 +44,7 @@ QString pixelText(const Contest &contest, const std::optional<QPoint> &picked)
                              .arg(picked->y())
                              .arg(pixel.agreeing)
                              .arg(all)
-                             .arg(nameOf(pixel.reason), textOf(pixel.reason))};
+                             .arg(coreWord(nameOf(pixel.reason)), textOf(pixel.reason))};
     QStringList right;
     for (std::size_t i = 0; i < pixel.opinions.size(); ++i) {
         const PixelOpinion &opinion = pixel.opinions[i];

@@ -2,6 +2,7 @@
 #include "widgets/studies/effectstext.h"
 
 #include "core/scan/choicenames.h"
+#include "widgets/look/corewords.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -49,7 +50,7 @@ std::optional<Effect> onlyForced(const EffectForcing &forced)
 
 QString forcedWords(const EffectPlan &plan, Effect effect, Forcing forcing)
 {
-    const QString name = nameText(nameOf(effect));
+    const QString name = coreWord(nameOf(effect));
     if (forcing == Forcing::Off)
         return EffectsText::tr("%1 off").arg(name);
     return plan.runs(effect) ? EffectsText::tr("%1 on").arg(name)
@@ -62,7 +63,7 @@ QString contradictionText(const EffectPlan &plan, const Appearance &appearance,
     const std::optional<Effect> effect = onlyForced(appearance.forced);
     if (!effect)
         return {};
-    const QString name = nameText(nameOf(*effect));
+    const QString name = coreWord(nameOf(*effect));
     const Verdict verdict = plan.verdicts[*effect].verdict;
     const bool isOff = appearance.forced[*effect] == Forcing::Off;
     if (isOff && verdict == Verdict::CalledFor && changed == 0)
@@ -86,7 +87,7 @@ QString verdictText(Verdict verdict)
     const QString glyph = verdict == Verdict::CalledFor ? QStringLiteral("● ")
         : verdict == Verdict::NotCalledFor              ? QStringLiteral("○ ")
                                                         : QStringLiteral("? ");
-    return glyph + nameText(nameOf(verdict));
+    return glyph + coreWord(nameOf(verdict));
 }
 
 QString forcingText(const EffectPlan &plan, const Appearance &appearance, std::int64_t changed)

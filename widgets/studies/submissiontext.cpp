@@ -2,6 +2,7 @@
 #include "widgets/studies/submissiontext.h"
 
 #include "core/scene/colourtext.h"
+#include "widgets/look/corewords.h"
 #include "widgets/studies/submissionpanel.h"
 
 namespace pixelplumb {
@@ -107,7 +108,8 @@ QString pixelText(const PictureJudgement &judgement, const QPoint &pixel)
               .arg(pixel.x())
               .arg(pixel.y())
               .arg(contentOf(judgement.found, *place), contentOf(judgement.expected, *place));
-    return verdict == PixelVerdict::Same ? text : text + QStringLiteral(" — ") + nameOf(verdict);
+    return verdict == PixelVerdict::Same ? text
+                                         : text + QStringLiteral(" — ") + coreWord(nameOf(verdict));
 }
 
 } // namespace pixelplumb
