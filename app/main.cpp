@@ -3,7 +3,9 @@
 #include "core/methods/method.h"
 #include "version.h"
 #include "widgets/files/scenefiles.h"
+#include "widgets/look/numberformat.h"
 #include "widgets/look/paletteswitch.h"
+#include "widgets/look/translation.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/window/mainwindow.h"
 
@@ -11,11 +13,13 @@
 #include <QCommandLineParser>
 #include <QFileInfo>
 #include <QIcon>
+#include <QLocale>
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
 #include <cstdlib>
+#include <memory>
 #include <string_view>
 
 #if defined(__GLIBC__)
@@ -193,19 +197,18 @@ int main(int argc, char *argv[])
     // dropped, instead of piling up in the workers' heaps.
     mallopt(M_MMAP_THRESHOLD, 1 << 16);
 #endif
+    const bool isWindowless = asksForWordsAlone(argc, argv);
+    const std::unique_ptr<QCoreApplication> application(
+        isWindowless ? new QCoreApplication(argc, argv) : new QApplication(argc, argv));
+    nameApplication();
+    const Translation translation(QLocale::system().uiLanguages());
+    keepDecimalPoint();
     const Options options;
     QCommandLineParser parser;
     describe(parser, options);
-    if (asksForWordsAlone(argc, argv)) {
-        QCoreApplication application(argc, argv);
-        nameApplication();
-        parser.process(application); // prints and ends the program
-    }
-    QApplication application(argc, argv);
-    nameApplication();
+    parser.process(*application); // prints help and the version, and ends the program
     QApplication::setDesktopFileName(QStringLiteral("org.pixelplumb.Pixelplumb"));
     QApplication::setWindowIcon(QIcon(QStringLiteral(":/icons/pixelplumb.svg")));
-    parser.process(application);
     const auto palette = paletteNamed(parser.value(options.palette));
     if (parser.isSet(options.palette) && !palette)
         refuse(QStringLiteral("palette"), parser.value(options.palette),

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # SPDX-License-Identifier: GPL-3.0-or-later
 # screenshot.sh [--steps COUNT] [--keys "KEY KEY ..."] [--wait SECONDS] [--output PICTURE]
-#               [--size WIDTHxHEIGHT] [--] [ARGUMENT...]
+#               [--size WIDTHxHEIGHT] [--language LANGUAGE] [--] [ARGUMENT...]
 #
 # Starts the window of the release build on a screen of its own, steps some columns by F10, presses
 # the keys (by their names for xdotool), waits, and takes a picture of it into
@@ -18,6 +18,7 @@ size=1440x960
 steps=3
 keys=
 pause=1
+language=en
 
 while [[ $# -gt 0 ]]; do
     case $1 in
@@ -26,6 +27,7 @@ while [[ $# -gt 0 ]]; do
         --wait) pause=$2 && shift 2 ;;
         --output) picture=$2 && shift 2 ;;
         --size) size=$2 && shift 2 ;;
+        --language) language=$2 && shift 2 ;;
         --) shift && break ;;
         *) break ;;
     esac
@@ -45,7 +47,7 @@ if [[ ${PIXELPLUMB_SCREEN:-} != own ]]; then
     export PIXELPLUMB_SCREEN=own
     exec xvfb-run --auto-servernum --server-args="-screen 0 ${width}x${height}x24 -nolisten tcp" \
         "${BASH_SOURCE[0]}" --steps "$steps" --keys "$keys" --wait "$pause" --output "$picture" \
-        --size "$size" -- "$@"
+        --size "$size" --language "$language" -- "$@"
 fi
 
 # No settings of the person's: the window looks the same everywhere.
@@ -57,7 +59,7 @@ cleanup() {
 }
 trap cleanup EXIT
 
-XDG_CONFIG_HOME=$settings XDG_DATA_HOME=$settings XDG_RUNTIME_DIR=$settings LC_ALL=C.UTF-8 QT_QPA_PLATFORM=xcb \
+XDG_CONFIG_HOME=$settings XDG_DATA_HOME=$settings XDG_RUNTIME_DIR=$settings LC_ALL=C.UTF-8 LANGUAGE=$language QT_QPA_PLATFORM=xcb \
     "$program" "$@" &
 window_process=$!
 

@@ -3,6 +3,7 @@
 
 #include "widgets/canvas/canvas.h"
 #include "widgets/canvas/imagehandles.h"
+#include "widgets/look/corewords.h"
 #include "widgets/model/playhead.h"
 
 #include <QAccessibleWidget>
@@ -42,7 +43,7 @@ QString spokenState(const CanvasSources &sources, const CanvasHand &hand)
         if (ref->primitive == VertexRef::pending)
             return Canvas::tr("waiting vertex %1 at %2").arg(QString::number(ref->vertex), place);
         return Canvas::tr("vertex %1 of %2 %3 at %4")
-            .arg(QString::number(ref->vertex), nameOf(document.kindOf(ref->primitive)),
+            .arg(QString::number(ref->vertex), coreWord(nameOf(document.kindOf(ref->primitive))),
                  QString::number(ref->primitive), place);
     }
     if (const auto image = hand.chosenCorner ? imageInView(sources) : std::nullopt)

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/canvas/canvasmenu.h"
 
+#include "widgets/look/corewords.h"
+
 #include <QInputDialog>
 
 namespace pixelplumb {
@@ -16,10 +18,10 @@ CanvasMenu::CanvasMenu(SceneDocument *document, const VertexRef &ref, QWidget *p
     if (!isPending && document->kindOf(ref.primitive) == PrimitiveKind::Text)
         addAction(tr("&Text…"), this, [this, document, ref] { askForText(document, ref); });
     if (!isPending)
-        addAction(tr("&Hide %1").arg(nameOf(document->kindOf(ref.primitive))), this,
+        addAction(tr("&Hide %1").arg(coreWord(nameOf(document->kindOf(ref.primitive)))), this,
                   [document, ref] { document->hidePrimitive(ref.primitive); });
     addAction(isPending ? tr("&Delete vertex")
-                        : tr("&Delete %1").arg(nameOf(document->kindOf(ref.primitive))),
+                        : tr("&Delete %1").arg(coreWord(nameOf(document->kindOf(ref.primitive)))),
               this, [document, ref] { document->deleteVertex(ref); });
 }
 

@@ -123,7 +123,7 @@ QString vertexName(std::size_t rank, std::size_t inFile)
     const QString name = QStringLiteral("P%1").arg(rank);
     return rank == inFile
         ? name
-        : QCoreApplication::translate("Canvas", "%1 (vertex %2)").arg(name).arg(inFile);
+        : QCoreApplication::translate("pixelplumb::Canvas", "%1 (vertex %2)").arg(name).arg(inFile);
 }
 
 /// P0, P1, P2 of a triangle in the order in which the method sorts them, of a shape as they stand.

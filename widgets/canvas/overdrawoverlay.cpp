@@ -68,13 +68,10 @@ QString OverdrawOverlay::summary() const
         return tr("Overdraw: the scene is being drawn");
     if (m_map.overdrawnPixels() == 0 && m_map.gaps() == 0)
         return tr("Overdraw: every pixel once, no gap");
-    const auto counted = [](const QString &one, const QString &several, std::int64_t count) {
-        return count == 1 ? one : several.arg(count);
-    };
     return tr("Overdraw: %1 twice or more, %2 at most; %3")
-        .arg(counted(tr("1 pixel"), tr("%1 pixels"), m_map.overdrawnPixels()),
-             counted(tr("once"), tr("%1 times"), m_map.mostWrites()),
-             counted(tr("1 gap"), tr("%1 gaps"), m_map.gaps()));
+        .arg(tr("%n pixels", nullptr, int(m_map.overdrawnPixels())),
+             tr("%n times", nullptr, int(m_map.mostWrites())),
+             tr("%n gaps", nullptr, int(m_map.gaps())));
 }
 
 void OverdrawOverlay::paintEvent(QPaintEvent *)

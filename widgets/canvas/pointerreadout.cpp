@@ -6,6 +6,7 @@
 #include "core/scene/colourtext.h"
 #include "widgets/canvas/canvasoutlines.h"
 #include "widgets/canvas/canvasscene.h"
+#include "widgets/look/corewords.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenepreviewer.h"
 
@@ -59,14 +60,15 @@ QString nameOfEdge(const NearestEdge &nearest, const ScanTrace &trace)
 
 QString paintedText(const QPoint &pixel, const TracedScene &traced, std::size_t primitive)
 {
-    const QString name
-        = QStringLiteral("%1 %2").arg(nameOf(traced.primitives.kindOf(primitive))).arg(primitive);
+    const QString name = QStringLiteral("%1 %2")
+                             .arg(coreWord(nameOf(traced.primitives.kindOf(primitive))))
+                             .arg(primitive);
     if (!traced.primitives.isTriangle(primitive))
         return name;
     const std::optional<NearestEdge> nearest = edgeNearest(pixel, traced, primitive);
     if (!nearest)
         return name;
-    return QCoreApplication::translate("pixelplumb::PointerReadout", "%1 · %2 px from %3")
+    return PointerReadout::tr("%1 · %2 px from %3")
         .arg(name, distanceText(nearest->edge.distance), nameOfEdge(*nearest, *traced.trace));
 }
 
@@ -79,16 +81,15 @@ QString unpaintedText(const QPoint &pixel, const TracedScene &traced)
         if (edge && (!nearest || edge->edge.distance > nearest->edge.distance))
             nearest = edge;
     }
-    const auto tr = [](const char *text) {
-        return QCoreApplication::translate("pixelplumb::PointerReadout", text);
-    };
     if (!nearest || !traced.method->draws(PrimitiveKind::Triangle))
-        return tr("not painted");
-    const QString side = nearest->edge.distance >= 0 ? tr("not painted · %1 px inside %2 of %3")
-                                                     : tr("not painted · %1 px outside %2 of %3");
-    return side.arg(
-        distanceText(nearest->edge.distance), nameOfEdge(*nearest, *traced.trace),
-        QStringLiteral("%1 %2").arg(nameOf(PrimitiveKind::Triangle)).arg(nearest->triangle));
+        return PointerReadout::tr("not painted");
+    const QString side = nearest->edge.distance >= 0
+        ? PointerReadout::tr("not painted · %1 px inside %2 of %3")
+        : PointerReadout::tr("not painted · %1 px outside %2 of %3");
+    return side.arg(distanceText(nearest->edge.distance), nameOfEdge(*nearest, *traced.trace),
+                    QStringLiteral("%1 %2")
+                        .arg(coreWord(nameOf(PrimitiveKind::Triangle)))
+                        .arg(nearest->triangle));
 }
 
 /// "student: #000000, missing"; empty where the student's pixel is the same.
@@ -98,8 +99,8 @@ QString studentText(const QPoint &pixel, const CanvasSources &sources)
     const auto place = judgement ? judgement->placeOf(pixel) : std::nullopt;
     if (!place || judgement->diff.verdicts[*place] == PixelVerdict::Same)
         return {};
-    const QString verdict = nameOf(judgement->diff.verdicts[*place]);
-    return QCoreApplication::translate("pixelplumb::PointerReadout", "student: %1")
+    const QString verdict = coreWord(nameOf(judgement->diff.verdicts[*place]));
+    return PointerReadout::tr("student: %1")
         .arg(judgement->found.hasColours
                  ? colourText(judgement->found.colours[*place]) + QStringLiteral(", ") + verdict
                  : verdict);
@@ -119,8 +120,7 @@ QString PointerReadout::text(const QPoint &pixel, const CanvasSources &sources,
     const QString place = QStringLiteral("(%1, %2)").arg(pixel.x()).arg(pixel.y());
     QStringList lines;
     if (hand.candidate && coordinateNote(*hand.candidate) != place)
-        lines += QCoreApplication::translate("pixelplumb::PointerReadout", "vertex %1")
-                     .arg(coordinateNote(*hand.candidate));
+        lines += PointerReadout::tr("vertex %1").arg(coordinateNote(*hand.candidate));
     if (!traced || isPreview || isBeyond)
         return (lines << place).join(u'\n');
     const bool isTruth = isTruthVisible(sources, hand);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QCoreApplication>
 #include <QPoint>
 #include <QString>
 
@@ -18,6 +19,8 @@ struct TracedScene;
 /// that painted it last, and the nearest edge of that triangle; where nothing is painted, the edge
 /// that keeps the pixel out of the nearest triangle. Distances are square to the edge's line.
 class PointerReadout {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::PointerReadout)
+
 public:
     /// "(27, 19) #a06f30" and "triangle 0 · 3.25 px from L₀₂", a line each; before them the place
     /// of the vertex that a click would place, where that is no pixel. Of the truth, where that is

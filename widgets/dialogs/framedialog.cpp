@@ -2,13 +2,13 @@
 #include "widgets/dialogs/framedialog.h"
 
 #include "widgets/look/colourbutton.h"
+#include "widgets/look/numberformat.h"
 
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFormLayout>
 #include <QLabel>
-#include <QLocale>
 #include <QPushButton>
 #include <QSpinBox>
 
@@ -90,11 +90,9 @@ void FrameDialog::judge()
 {
     const std::int64_t area = std::int64_t(m_width->value()) * m_height->value();
     const bool fits = area <= largestFrameArea;
-    const QLocale locale;
-    m_verdict->setText(fits ? tr("%1 pixels").arg(locale.toString(qlonglong(area)))
+    m_verdict->setText(fits ? tr("%1 pixels", nullptr, int(area)).arg(groupedText(area))
                             : tr("%1 pixels are too many: at most %2 fit. Make a side smaller.")
-                                  .arg(locale.toString(qlonglong(area)),
-                                       locale.toString(qlonglong(largestFrameArea))));
+                                  .arg(groupedText(area), groupedText(largestFrameArea)));
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(fits);
 }
 

@@ -46,21 +46,21 @@ QString rowsOf(const QMenu *menu)
 /// What the mouse does on the canvas, which no menu shows.
 QString mouseRows()
 {
-    using Sheet = KeySheet;
-    return row(Sheet::tr("Point"), Sheet::tr("Read the pixel, its painter and the nearest edge"))
-        + row(Sheet::tr("Click"), Sheet::tr("Place a vertex"), Sheet::tr("Draw"))
-        + row(Sheet::tr("Drag a vertex"), Sheet::tr("Move it"), Sheet::tr("Draw"))
-        + row(Sheet::tr("Double click on a vertex"), Sheet::tr("Choose its colour"),
-              Sheet::tr("Draw"))
-        + row(Sheet::tr("Click, drag"), Sheet::tr("Pick the pixel"), Sheet::tr("Inspect"))
-        + row(Sheet::tr("Right click"), Sheet::tr("Pick the pixel; on a vertex, its menu"))
-        + row(Sheet::tr("Wheel"), Sheet::tr("Zoom"))
-        + row(Sheet::tr("Middle drag, Ctrl+drag"), Sheet::tr("Move the view"))
-        + row(Sheet::tr("Click, drag on the ruler"), Sheet::tr("Go to the column"))
-        + row(Sheet::tr("Right or double click on the ruler"),
-              Sheet::tr("Breakpoint on the column"))
-        + row(Sheet::tr("Hold Shift"), Sheet::tr("See the truth"))
-        + row(Sheet::tr("Esc"), Sheet::tr("Give up the drag, or the vertices that wait"));
+    return row(KeySheet::tr("Point"),
+               KeySheet::tr("Read the pixel, its painter and the nearest edge"))
+        + row(KeySheet::tr("Click"), KeySheet::tr("Place a vertex"), KeySheet::tr("Draw"))
+        + row(KeySheet::tr("Drag a vertex"), KeySheet::tr("Move it"), KeySheet::tr("Draw"))
+        + row(KeySheet::tr("Double click on a vertex"), KeySheet::tr("Choose its colour"),
+              KeySheet::tr("Draw"))
+        + row(KeySheet::tr("Click, drag"), KeySheet::tr("Pick the pixel"), KeySheet::tr("Inspect"))
+        + row(KeySheet::tr("Right click"), KeySheet::tr("Pick the pixel; on a vertex, its menu"))
+        + row(KeySheet::tr("Wheel"), KeySheet::tr("Zoom"))
+        + row(KeySheet::tr("Middle drag, Ctrl+drag"), KeySheet::tr("Move the view"))
+        + row(KeySheet::tr("Click, drag on the ruler"), KeySheet::tr("Go to the column"))
+        + row(KeySheet::tr("Right or double click on the ruler"),
+              KeySheet::tr("Breakpoint on the column"))
+        + row(KeySheet::tr("Hold Shift"), KeySheet::tr("See the truth"))
+        + row(KeySheet::tr("Esc"), KeySheet::tr("Give up the drag, or the vertices that wait"));
 }
 
 } // namespace

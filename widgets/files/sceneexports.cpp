@@ -177,7 +177,7 @@ void SceneExports::copyPickedPixel()
                      .arg(attempt.primitive)
                      .arg(attempt.reason);
     if (history.furtherRefusals > 0)
-        cells += tr("%n more primitive(s) leave it alone", nullptr, int(history.furtherRefusals));
+        cells += tr("%n more primitives leave it alone", nullptr, int(history.furtherRefusals));
     QApplication::clipboard()->setText(cells.join(QLatin1Char('\t')));
     emit notice(tr("Pixel (%1, %2) is on the clipboard.").arg(pixel->x()).arg(pixel->y()));
 }

@@ -201,10 +201,11 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
 QString exportSvg(const QString &path, const Playhead &playhead, const DisplayOptions &options)
 {
     if (!playhead.traced())
-        return QCoreApplication::translate("SvgExport", "There is nothing drawn yet to export.");
+        return QCoreApplication::translate("pixelplumb::SvgExport",
+                                           "There is nothing drawn yet to export.");
     const FrameSpec &frame = playhead.traced()->scene.frame;
     if (std::int64_t(frame.width) * frame.height > largestSvgArea)
-        return QCoreApplication::translate("SvgExport",
+        return QCoreApplication::translate("pixelplumb::SvgExport",
                                            "A frame of %1 × %2 pixels is too large for a figure of "
                                            "cells, which holds at most "
                                            "%3 of them. Export a PNG, or make the frame smaller.")

@@ -8,14 +8,17 @@ namespace pixelplumb {
 
 namespace {
 
+struct ChangesQuestion {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::UnsavedChanges)
+};
+
 UnsavedChanges ask(const QString &name, QMessageBox::StandardButtons answers, QWidget *window)
 {
-    const auto tr
-        = [](const char *text) { return QCoreApplication::translate("UnsavedChanges", text); };
-    QMessageBox box(QMessageBox::Question, tr("Unsaved Changes"),
-                    tr("“%1” has changes that are not saved.").arg(name), answers, window);
+    QMessageBox box(QMessageBox::Question, ChangesQuestion::tr("Unsaved Changes"),
+                    ChangesQuestion::tr("“%1” has changes that are not saved.").arg(name), answers,
+                    window);
     box.setObjectName(QStringLiteral("unsavedChanges"));
-    box.setInformativeText(tr("Without saving they are lost."));
+    box.setInformativeText(ChangesQuestion::tr("Without saving they are lost."));
     box.setDefaultButton(answers & QMessageBox::Save ? QMessageBox::Save : QMessageBox::Cancel);
     switch (box.exec()) {
     case QMessageBox::Save:

@@ -92,30 +92,17 @@ QString titleOf(SpanAxis axis)
     return ColumnTablePanel::tr("Steps");
 }
 
-QString oneSpan(SpanAxis axis)
+QString countText(SpanAxis axis, int count)
 {
     switch (axis) {
     case SpanAxis::Column:
-        return ColumnTablePanel::tr("1 column");
+        return ColumnTablePanel::tr("%n columns", nullptr, count);
     case SpanAxis::Row:
-        return ColumnTablePanel::tr("1 row");
+        return ColumnTablePanel::tr("%n rows", nullptr, count);
     case SpanAxis::Free:
         break;
     }
-    return ColumnTablePanel::tr("1 step");
-}
-
-QString severalSpans(SpanAxis axis)
-{
-    switch (axis) {
-    case SpanAxis::Column:
-        return ColumnTablePanel::tr("%1 columns");
-    case SpanAxis::Row:
-        return ColumnTablePanel::tr("%1 rows");
-    case SpanAxis::Free:
-        break;
-    }
-    return ColumnTablePanel::tr("%1 steps");
+    return ColumnTablePanel::tr("%n steps", nullptr, count);
 }
 
 } // namespace
@@ -132,12 +119,11 @@ void ColumnTablePanel::describe()
         return;
     }
     const ScanTrace &trace = *traced->trace;
-    QString text
-        = trace.spanCount() == 1 ? oneSpan(axis) : severalSpans(axis).arg(trace.spanCount());
+    QString text = countText(axis, int(trace.spanCount()));
     if (m_table->shownRows() != int(trace.spanCount()))
         text = tr("%1 of %2").arg(m_table->shownRows()).arg(text);
     if (trace.primitiveCount() > 1)
-        text += QStringLiteral(" · ") + tr("%1 primitives").arg(trace.primitiveCount());
+        text += QStringLiteral(" · ") + tr("%n primitives", nullptr, int(trace.primitiveCount()));
     if (trace.isCut())
         text += QStringLiteral(" · ") + tr("recording ended at its limit");
     m_summary->setWholeText(text);

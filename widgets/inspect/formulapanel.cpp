@@ -3,6 +3,7 @@
 
 #include "core/runs/formulaexplanation.h"
 #include "widgets/look/blend.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/formulahtml.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/look/signs.h"
@@ -28,19 +29,18 @@ namespace {
 
 constexpr int leastFormulaLines = 1;
 constexpr float bannerTint = 0.18F;
-constexpr std::size_t measuredSpans = 6; // of a run, at even distances
 
 QString nounOf(SpanAxis axis)
 {
     switch (axis) {
     case SpanAxis::Column:
-        return FormulaPanel::tr("column");
+        return FormulaPanel::tr("a column");
     case SpanAxis::Row:
-        return FormulaPanel::tr("row");
+        return FormulaPanel::tr("a row");
     case SpanAxis::Free:
         break;
     }
-    return FormulaPanel::tr("step");
+    return FormulaPanel::tr("a step");
 }
 
 /// What the panel says where no step is in hand.
@@ -55,11 +55,13 @@ Explanation invitation(const Playhead &playhead)
     }
     explanation.heading = FormulaPanel::tr("Before the first step");
     explanation.sentence
-        = FormulaPanel::tr("Nothing is drawn yet. Step forward by a %1 or by a pixel: the buttons "
+        = FormulaPanel::tr("Nothing is drawn yet. Step forward by %1 or by a pixel: the buttons "
                            "above, or the Step menu with its keys.")
               .arg(nounOf(playhead.axis()));
     return explanation;
 }
+
+constexpr std::size_t measuredSpans = 6; // of a run, at even distances
 
 } // namespace
 
@@ -142,8 +144,9 @@ void FormulaPanel::present(const Explanation &explanation)
                                 blended(palette().color(QPalette::Window),
                                         signColour(Sign::ColumnInHand, palette()), bannerTint));
     m_heading->setPalette(headingPalette);
+    const QString heading = coreWords(explanation.heading, QStringLiteral(": "));
     m_heading->setText(QStringLiteral("<b>%1</b>%2")
-                           .arg(sentenceHtml(explanation.heading),
+                           .arg(sentenceHtml(heading),
                                 explanation.event.isEmpty() ? QString()
                                                             : QStringLiteral(" &nbsp;⚑ ")
                                         + sentenceHtml(explanation.event)));
@@ -154,8 +157,8 @@ void FormulaPanel::present(const Explanation &explanation)
     m_formulas->setHtml(stagesHtml(explanation, arithmetic(), palette())
                         + formulaHtml(explanation, arithmetic(), palette()));
     m_formulas->verticalScrollBar()->setValue(scrolled);
-    setAccessibleDescription(explanation.heading + QStringLiteral(". ") + explanation.sentence
-                             + u'\n' + formulaText(explanation, arithmetic()));
+    setAccessibleDescription(heading + QStringLiteral(". ") + explanation.sentence + u'\n'
+                             + formulaText(explanation, arithmetic()));
     // Stages are many, and are scrolled to.
     if (explanation.stages.empty())
         growTo(int(std::ceil(m_formulas->document()->size().height())));

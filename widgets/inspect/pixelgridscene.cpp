@@ -43,9 +43,9 @@ QString nameAmongCells(const SpanPlace &place, const PixelGridMapping &mapping)
 {
     const std::int64_t at = place.coordinate;
     if (place.axis == SpanAxis::Column && at >= mapping.firstColumn() && at < mapping.endColumn())
-        return QCoreApplication::translate("PixelGrid", "column %1").arg(at);
+        return QCoreApplication::translate("pixelplumb::PixelGrid", "column %1").arg(at);
     if (place.axis == SpanAxis::Row && at >= mapping.firstRow() && at < mapping.endRow())
-        return QCoreApplication::translate("PixelGrid", "row %1").arg(at);
+        return QCoreApplication::translate("pixelplumb::PixelGrid", "row %1").arg(at);
     return {};
 }
 

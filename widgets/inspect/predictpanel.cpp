@@ -3,6 +3,7 @@
 
 #include "core/methods/formulatext.h"
 #include "core/runs/tracedscene.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/formulahtml.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
@@ -177,7 +178,8 @@ void PredictPanel::ask()
     m_verdict->clear();
     const Prediction *asked = prediction();
     if (asked)
-        m_question->setText(sentenceHtml(tr("%1: what is %2?").arg(asked->place, asked->title)));
+        m_question->setText(
+            sentenceHtml(tr("%1: what is %2?").arg(coreWord(asked->place), asked->title)));
     else if (asksForPixel())
         m_question->setText(
             tr("Which pixel is written next? Right-click it, or go there with the arrow keys "

@@ -207,11 +207,11 @@ void PrimitivesPanel::update()
 {
     const int count = m_document->primitiveCount();
     const std::size_t solids = m_document->scene().solids.size();
-    QString text = count == 1 ? tr("1 primitive") : tr("%1 primitives").arg(count);
+    QString text = tr("%n primitives", nullptr, count);
     if (const int hidden = m_document->hiddenCount(); hidden > 0)
-        text += tr(", and %1 hidden that the numbers leave out").arg(hidden);
+        text += tr(", and %n hidden that the numbers leave out", nullptr, hidden);
     if (solids > 0)
-        text += (solids == 1 ? tr(" and 1 solid") : tr(" and %1 solids").arg(solids))
+        text += tr(" and %n solids", nullptr, int(solids))
             + tr(". The camera makes the triangles of a solid; the Projection panel shows them and "
                  "moves what stands in space");
     m_summary->setText(text);

@@ -58,7 +58,7 @@ QString DriftPlot::textAt(const QPointF &position) const
     }
     if (lines.isEmpty())
         return {};
-    lines.prepend(tr("<b>after %1 columns</b>").arg(column));
+    lines.prepend(tr("<b>after %n columns</b>", nullptr, int(column)));
     return lines.join(QStringLiteral("<br>"));
 }
 

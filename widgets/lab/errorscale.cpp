@@ -64,10 +64,11 @@ double ErrorScale::errorAt(double axis) const
 std::vector<ErrorScale::Tick> ErrorScale::ticks(int most) const
 {
     std::vector<Tick> ticks
-        = {{provedRow, QCoreApplication::translate("ErrorScale", "0, proved")},
-           {observedRow(), QCoreApplication::translate("ErrorScale", "0, observed")}};
+        = {{provedRow, QCoreApplication::translate("pixelplumb::ErrorScale", "0, proved")},
+           {observedRow(), QCoreApplication::translate("pixelplumb::ErrorScale", "0, observed")}};
     if (m_hasTested)
-        ticks.push_back({testedRow(), QCoreApplication::translate("ErrorScale", "0, tested")});
+        ticks.push_back(
+            {testedRow(), QCoreApplication::translate("pixelplumb::ErrorScale", "0, tested")});
     const int stride = std::max(1, (m_largest - m_least + most) / std::max(1, most));
     for (int exponent = m_largest; exponent >= m_least; exponent -= stride)
         ticks.push_back({decades() + exponent - m_least, powerOfTenText(exponent)});

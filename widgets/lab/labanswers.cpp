@@ -2,6 +2,7 @@
 #include "widgets/lab/labanswers.h"
 
 #include "widgets/lab/labtext.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/numberlayout.h"
 
 #include <QHeaderView>
@@ -93,7 +94,7 @@ void LabAnswers::show(const Study &study, const QString &family)
             cell->setToolTip(text);
             setItem(row, column, cell);
         };
-        put(BudgetColumn, textOf(answer.budget));
+        put(BudgetColumn, coreWord(textOf(answer.budget)));
         put(ContenderColumn, contender ? contender->label : answer.contender);
         put(GroundColumn, groundText(answer));
         put(TimeColumn,

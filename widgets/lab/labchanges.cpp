@@ -2,6 +2,7 @@
 #include "widgets/lab/labchanges.h"
 
 #include "widgets/lab/labtext.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/numberlayout.h"
 
 #include <QHeaderView>
@@ -27,14 +28,14 @@ QString changeText(LabChange change)
 {
     switch (change) {
     case LabChange::Faster:
-        return QStringLiteral("▼ ") + nameOf(change);
+        return QStringLiteral("▼ ") + coreWord(nameOf(change));
     case LabChange::Slower:
-        return QStringLiteral("▲ ") + nameOf(change);
+        return QStringLiteral("▲ ") + coreWord(nameOf(change));
     case LabChange::WithinSpread:
     case LabChange::NotComparable:
         break;
     }
-    return nameOf(change);
+    return coreWord(nameOf(change));
 }
 
 } // namespace
@@ -80,9 +81,9 @@ void LabChanges::show(const Study &before, const Study &after, const QString &be
         = std::ranges::count_if(comparison.rows, &LabRowComparison::isAccuracyChanged);
     summary += u' '
         + (changed == 0 ? tr("No accuracy changed.")
-                        : tr("≠ Accuracy changed in %1 rows.").arg(changed));
+                        : tr("≠ Accuracy changed in %n rows.", nullptr, int(changed)));
     if (const std::int64_t missing = comparison.countMissing(); missing > 0)
-        summary += u' ' + tr("%1 rows are missing.").arg(missing);
+        summary += u' ' + tr("%n rows are missing.", nullptr, int(missing));
     for (const QString &remark : comparison.remarks)
         summary += QStringLiteral(" ⚠ ") + remark;
     m_summary->setText(summary);

@@ -12,6 +12,7 @@
 #include "widgets/lab/missplot.h"
 #include "widgets/lab/paretoplot.h"
 #include "widgets/lab/scalingplot.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/elidedlabel.h"
 #include "widgets/look/elidingbox.h"
 
@@ -133,7 +134,7 @@ LabCharts::LabCharts(QWidget *parent)
     addPage(nullptr, m_changes, tr("Changes"), tr("Before and after"));
     forgetChanges();
     for (const SizeAxis axis : allSizeAxes)
-        m_sizeAxis->addItem(nameOf(axis), int(axis));
+        m_sizeAxis->addItem(coreWord(nameOf(axis)), int(axis));
 
     connect(m_pareto, &ParetoPlot::contenderClicked, this, [this](const QString &contender) {
         select(contender);

@@ -2,6 +2,7 @@
 #include "widgets/lab/labcontrols.h"
 
 #include "widgets/lab/labrun.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/elidingbox.h"
 
 #include <QBoxLayout>
@@ -41,7 +42,7 @@ LabControls::LabControls(const LabRun *run, QWidget *parent)
                          "never averaged"));
     m_error = addBox(row, "labError", tr("Error"), tr("Which error the chart shows"));
     for (const ErrorAxis &axis : errorAxes())
-        m_error->addItem(QString::fromUtf8(axis.title), QString::fromUtf8(axis.id));
+        m_error->addItem(coreWord(std::string_view(axis.title)), QString::fromUtf8(axis.id));
     row->setStretch(row->indexOf(m_family), 3);
     row->setStretch(row->indexOf(m_error), 2);
     addFileMenu(row);
@@ -145,7 +146,7 @@ void LabControls::setFamilies(const std::vector<StudyFamily> &families)
     const QSignalBlocker blocker(m_family);
     m_family->clear();
     for (const StudyFamily &each : families) {
-        m_family->addItem(each.title, each.id);
+        m_family->addItem(coreWord(each.title), each.id);
         m_family->setItemData(m_family->count() - 1, each.stresses, Qt::ToolTipRole);
     }
     m_family->setCurrentIndex(std::max(0, m_family->findData(kept)));
@@ -176,8 +177,9 @@ void LabControls::tellProgress()
     const TimeLeft &left = m_run->timeLeft();
     m_progress->setRange(0, progressSteps);
     m_progress->setValue(int(left.share() * progressSteps));
-    m_progress->setFormat(left.text());
-    m_progress->setToolTip(left.text());
+    const QString text = coreWords(left.text(), QStringLiteral(": "));
+    m_progress->setFormat(text);
+    m_progress->setToolTip(text);
 }
 
 } // namespace pixelplumb

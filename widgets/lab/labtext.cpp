@@ -3,6 +3,7 @@
 
 #include "core/measure/timeleft.h"
 #include "core/scan/choicenames.h"
+#include "widgets/look/corewords.h"
 
 #include <QCoreApplication>
 #include <QTextDocumentFragment>
@@ -11,7 +12,9 @@ namespace pixelplumb {
 
 namespace {
 
-QString translated(const char *text) { return QCoreApplication::translate("AccuracyLab", text); }
+struct LabText {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::LabText)
+};
 
 } // namespace
 
@@ -35,17 +38,17 @@ QString spreadText(const Spread &spread)
 QString wrongText(const AccuracyFigures &figures)
 {
     QString text
-        = translated("%1 of %2 pixels wrong").arg(figures.wrongPixels()).arg(figures.pixels);
+        = LabText::tr("%1 of %2 pixels wrong").arg(figures.wrongPixels()).arg(figures.pixels);
     if (figures.wrongPixels() == 0)
         return text;
-    text += translated(": %1 missing, %2 extra, ties %3 missing and %4 extra, %5 in another byte")
+    text += LabText::tr(": %1 missing, %2 extra, ties %3 missing and %4 extra, %5 in another byte")
                 .arg(figures.missing)
                 .arg(figures.extra)
                 .arg(figures.tiesMissing)
                 .arg(figures.tiesExtra)
                 .arg(figures.wrongBytes);
     if (figures.wrongBytes > 0)
-        text += translated(" (off by %1 at most)").arg(figures.largestByteError);
+        text += LabText::tr(" (off by %1 at most)").arg(figures.largestByteError);
     return text;
 }
 
@@ -60,15 +63,15 @@ QStringList errorLines(const Study &study, const ParetoPoint &point, const LabRo
     const StudyContender *contender = study.contender(point.contender);
     switch (point.errorClass) {
     case ErrorClass::ZeroProved:
-        lines.append(translated("no error, by proof: %1").arg(contender->domain.toHtmlEscaped()));
+        lines.append(LabText::tr("no error, by proof: %1").arg(contender->domain.toHtmlEscaped()));
         break;
     case ErrorClass::ZeroTested:
-        lines.append(translated("no error: proved of the plain kernel; that this SIMD kernel "
-                                "writes the same bytes is tested, not proved"));
+        lines.append(LabText::tr("no error: proved of the plain kernel; that this SIMD kernel "
+                                 "writes the same bytes is tested, not proved"));
         break;
     case ErrorClass::ZeroObserved:
         lines.append(
-            translated("no error observed over %1 pixels; nothing is proved").arg(point.pixels));
+            LabText::tr("no error observed over %1 pixels; nothing is proved").arg(point.pixels));
         break;
     case ErrorClass::Positive:
         break;
@@ -79,10 +82,11 @@ QStringList errorLines(const Study &study, const ParetoPoint &point, const LabRo
 QString joinedLines(QStringList lines, const LabRow *row)
 {
     if (row && row->firstMiss)
-        lines.append(translated("Click: opens the scene of its first wrong pixel (%1, %2) here and "
-                                "in Compare; unsaved changes are asked about first")
-                         .arg(row->firstMiss->x)
-                         .arg(row->firstMiss->y));
+        lines.append(
+            LabText::tr("Click: opens the scene of its first wrong pixel (%1, %2) here and "
+                        "in Compare; unsaved changes are asked about first")
+                .arg(row->firstMiss->x)
+                .arg(row->firstMiss->y));
     return lines.join(QStringLiteral("<br>"));
 }
 
@@ -92,20 +96,20 @@ QString pointHtml(const Study &study, const ParetoPoint &point, const QString &f
 {
     const LabRow *row = study.row(point.contender, family);
     QStringList lines = errorLines(study, point, row);
-    QString cost = translated("%1 ns a pixel").arg(spreadText(point.cost));
+    QString cost = LabText::tr("%1 ns a pixel").arg(spreadText(point.cost));
     if (point.timesReference)
-        cost += translated(", ×%1 the assignment's method").arg(figureText(*point.timesReference));
+        cost += LabText::tr(", ×%1 the assignment's method").arg(figureText(*point.timesReference));
     lines.append(cost);
     if (point.straight)
         lines.append(
-            translated("its straight loop: %1 ns a pixel").arg(spreadText(*point.straight)));
+            LabText::tr("its straight loop: %1 ns a pixel").arg(spreadText(*point.straight)));
     if (point.missesStraight)
-        lines.append(translated("<b>!</b> %1 times its straight loop: more than the fair 1.3")
+        lines.append(LabText::tr("<b>!</b> %1 times its straight loop: more than the fair 1.3")
                          .arg(figureText(*point.missesStraight)));
     if (point.isOnFrontier)
         lines.append(point.kernel == LabKernel::Plain
-                         ? translated("of the plain kernels shown none is as exact for less time")
-                         : translated("of the SIMD kernels shown none is as exact for less time"));
+                         ? LabText::tr("of the plain kernels shown none is as exact for less time")
+                         : LabText::tr("of the SIMD kernels shown none is as exact for less time"));
     return joinedLines(lines, row);
 }
 
@@ -117,11 +121,11 @@ QString untimedHtml(const Study &study, const ParetoPoint &point, const QString 
     if (row && !row->remark.isEmpty())
         lines.append(row->remark.toHtmlEscaped());
     else if (drawn && drawn->timedPixels == 0)
-        lines.append(translated("these triangles are judged and not timed"));
+        lines.append(LabText::tr("these triangles are judged and not timed"));
     else
         lines.append(study.isComplete
-                         ? translated("not timed")
-                         : translated("its time comes when all of this family are judged"));
+                         ? LabText::tr("not timed")
+                         : LabText::tr("its time comes when all of this family are judged"));
     return joinedLines(lines, row);
 }
 
@@ -131,32 +135,33 @@ QString errorClassText(ErrorClass errorClass)
     case ErrorClass::Positive:
         break;
     case ErrorClass::ZeroObserved:
-        return translated("No error was seen over the pixels that were drawn. There may be some "
-                          "elsewhere.");
+        return LabText::tr("No error was seen over the pixels that were drawn. There may be some "
+                           "elsewhere.");
     case ErrorClass::ZeroTested:
-        return translated("SIMD kernels of methods that are proved to make no error: that the SIMD "
-                          "kernel writes the same bytes as the proved plain one is tested.");
+        return LabText::tr(
+            "SIMD kernels of methods that are proved to make no error: that the SIMD "
+            "kernel writes the same bytes as the proved plain one is tested.");
     case ErrorClass::ZeroProved:
-        return translated("That there is no error anywhere is proved, for the triangles that the "
-                          "dot names.");
+        return LabText::tr("That there is no error anywhere is proved, for the triangles that the "
+                           "dot names.");
     }
     return {};
 }
 
 QString straightLoopText()
 {
-    return translated("The shortest loop that draws the same pixels in the same arithmetic, "
-                      "written out by hand. A method whose dot is near its loop costs what its "
-                      "arithmetic costs.");
+    return LabText::tr("The shortest loop that draws the same pixels in the same arithmetic, "
+                       "written out by hand. A method whose dot is near its loop costs what its "
+                       "arithmetic costs.");
 }
 
 QString errorLabel(const ErrorAxis &axis, LabelLength length)
 {
-    const QString unit = QString::fromUtf8(axis.unit);
-    const QString title = QString::fromUtf8(axis.title);
+    const QString unit = coreWord(std::string_view(axis.unit));
+    const QString title = coreWord(std::string_view(axis.title));
     if (unit == QStringLiteral("ppm"))
-        return length == LabelLength::Short ? translated("of a million")
-                                            : translated("%1 of a million").arg(title);
+        return length == LabelLength::Short ? LabText::tr("of a million")
+                                            : LabText::tr("%1 of a million").arg(title);
     return length == LabelLength::Short ? unit : QStringLiteral("%1, %2").arg(title, unit);
 }
 
@@ -181,13 +186,13 @@ QString outcomeText(const LabRow &row)
     case LabOutcome::Measured:
         return {};
     case LabOutcome::Pending:
-        return translated("not measured");
+        return LabText::tr("not measured");
     case LabOutcome::Refused:
-        return translated("refused: %1").arg(row.remark);
+        return LabText::tr("refused: %1").arg(row.remark);
     case LabOutcome::TookTooLong:
-        return translated("took too long: %1").arg(row.remark);
+        return LabText::tr("took too long: %1").arg(row.remark);
     case LabOutcome::Failed:
-        return translated("failed: %1").arg(row.remark);
+        return LabText::tr("failed: %1").arg(row.remark);
     }
     return {};
 }
@@ -195,7 +200,7 @@ QString outcomeText(const LabRow &row)
 QStringList originOf(const Study &study)
 {
     return {summaryOf(study.conditions),
-            study.command.isEmpty() ? translated("(save the scene to get its command)")
+            study.command.isEmpty() ? LabText::tr("(save the scene to get its command)")
                                     : study.command};
 }
 
@@ -221,26 +226,26 @@ QString priceText(const Study &study, const QString &family)
         const LabRow *row = study.row(id, family);
         if (row == reference || !row || !row->accuracy || !study.perPixel(*row))
             continue;
-        prices << translated("%1 ×%2, %3")
+        prices << LabText::tr("%1 ×%2, %3")
                       .arg(nameText(nameOf(arithmetic)),
                            figureText(*study.perPixel(*row) / *study.perPixel(*reference)),
                            wrongOf(*row->accuracy));
     }
     if (prices.isEmpty())
         return {};
-    return translated("Column scan beside float32 (%1 wrong of a million): %2.")
+    return LabText::tr("Column scan beside float32 (%1 wrong of a million): %2.")
         .arg(wrongOf(*reference->accuracy), prices.join(QStringLiteral("; ")));
 }
 
 QString invitationText(StudyExtent extent, double seconds)
 {
-    const QString what = translated("Run draws the same triangles by every contender, counts the "
-                                    "pixels that differ from the truth, and times all of them in "
-                                    "turn, beside straight loops that do the same work.");
+    const QString what = LabText::tr("Run draws the same triangles by every contender, counts the "
+                                     "pixels that differ from the truth, and times all of them in "
+                                     "turn, beside straight loops that do the same work.");
     const QString howLong = extent == StudyExtent::Quick
-        ? translated("The quick study takes fifteen contenders and %1.")
-        : translated("The full study takes every method in every arithmetic and %1.");
-    return what + u' ' + howLong.arg(aboutText(seconds));
+        ? LabText::tr("The quick study takes fifteen contenders and %1.")
+        : LabText::tr("The full study takes every method in every arithmetic and %1.");
+    return what + u' ' + howLong.arg(coreWord(aboutText(seconds)));
 }
 
 } // namespace pixelplumb

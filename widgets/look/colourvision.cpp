@@ -87,24 +87,25 @@ QRgb transformed(const ConeMatrix &matrix, QRgb colour)
     return qRgba(channel(matrix[0]), channel(matrix[1]), channel(matrix[2]), qAlpha(colour));
 }
 
+struct VisionNames {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::ColourVision)
+};
+
 } // namespace
 
 QString nameOf(ColourVision vision)
 {
-    const auto tr = [](const char *text) {
-        return QCoreApplication::translate("pixelplumb::ColourVision", text);
-    };
     switch (vision) {
     case ColourVision::Ordinary:
         break;
     case ColourVision::Protanopia:
-        return tr("protanopia");
+        return VisionNames::tr("protanopia");
     case ColourVision::Deuteranopia:
-        return tr("deuteranopia");
+        return VisionNames::tr("deuteranopia");
     case ColourVision::Tritanopia:
-        return tr("tritanopia");
+        return VisionNames::tr("tritanopia");
     }
-    return tr("ordinary vision");
+    return VisionNames::tr("ordinary vision");
 }
 
 QRgb seenWith(ColourVision vision, QRgb colour)

@@ -23,19 +23,21 @@ constexpr std::array otherSubjects
     = {NumberSubject::General, NumberSubject::LowerEdge, NumberSubject::UpperEdge,
        NumberSubject::LeftEdge, NumberSubject::RightEdge};
 
-QString tr(const char *text) { return QCoreApplication::translate("FormulaPanel", text); }
+struct FormulaHtml {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::FormulaHtml)
+};
 
 /// What a group's first line begins with.
 QString titleOf(NumberSubject subject)
 {
     if (subject == NumberSubject::LowerEdge)
-        return tr("lower edge");
+        return FormulaHtml::tr("lower edge");
     if (subject == NumberSubject::UpperEdge)
-        return tr("upper edge");
+        return FormulaHtml::tr("upper edge");
     if (subject == NumberSubject::LeftEdge)
-        return tr("left edge");
+        return FormulaHtml::tr("left edge");
     if (subject == NumberSubject::RightEdge)
-        return tr("right edge");
+        return FormulaHtml::tr("right edge");
     return {};
 }
 
@@ -94,7 +96,7 @@ QString usedHtml(const FormulaLine &line, Arithmetic arithmetic)
 
 QString exactText(const FormulaLine &line)
 {
-    QString text = tr("exact %1").arg(displayText(line.exact));
+    QString text = FormulaHtml::tr("exact %1").arg(displayText(line.exact));
     if (!line.exact.isInteger() && line.exact.denominator() <= 999999)
         text += QStringLiteral(" = ") + displayDecimal(line.exact);
     return text;
@@ -102,7 +104,7 @@ QString exactText(const FormulaLine &line)
 
 QString errorText(const FormulaLine &line)
 {
-    return tr("error %1").arg(displayError(line.used, line.exact));
+    return FormulaHtml::tr("error %1").arg(displayError(line.used, line.exact));
 }
 
 class HtmlWriter {

@@ -207,7 +207,7 @@ void FramePainter::drawOffScreenPoint(const LatticePoint &point)
               QLineF(place + across, place - up), QLineF(place - up, place - across)})
             drawCased(side, colour, outlineWidth);
     }
-    drawNote(QCoreApplication::translate("FramePainter", "off-screen point"),
+    drawNote(QCoreApplication::translate("pixelplumb::FramePainter", "off-screen point"),
              shown + QPointF(offScreenSize, 0), NoteSide::AboveRight);
 }
 

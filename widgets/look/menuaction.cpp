@@ -22,7 +22,7 @@ QString withoutMnemonic(QString text)
     text.remove(QLatin1Char('&'));
     if (text.endsWith(QChar(0x2026))) // …
         text.chop(1);
-    return text;
+    return text.trimmed(); // some languages set it apart
 }
 
 QString tipWithKey(const QString &tip, const QKeySequence &key)

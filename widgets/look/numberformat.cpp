@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/numberformat.h"
 
+#include <QLocale>
+
 #include <algorithm>
 #include <array>
 #include <charconv>
@@ -12,11 +14,19 @@ namespace {
 
 constexpr QChar minusSign(0x2212);
 constexpr QChar ellipsis(0x2026);
+constexpr QChar narrowSpace(0x202f); // does not break
 constexpr Int128 largestShownDenominator = 999999;
 constexpr int defaultPlaces = 6;
 // Enough to tell neighbours apart: 2^-16 > 10^-5, 2^-32 > 10^-10.
 constexpr int fixed16Places = 6;
 constexpr int fixed32Places = 11;
+
+QLocale groupingLocale()
+{
+    QLocale locale = QLocale::c();
+    locale.setNumberOptions({});
+    return locale;
+}
 
 QString withTrueMinus(QString text)
 {
@@ -150,6 +160,18 @@ QString displayError(const Quantity &used, const Quantity &exact)
     if (used.isInteger() && exact.isInteger() && std::abs(error) < 1e6)
         return error == 0 ? QStringLiteral("0") : withTrueMinus(QString::asprintf("%+.0f", error));
     return error == 0 ? QStringLiteral("0") : withTrueMinus(QString::asprintf("%+.1e", error));
+}
+
+void keepDecimalPoint() { QLocale::setDefault(QLocale::c()); }
+
+QString groupedText(std::int64_t number)
+{
+    return groupingLocale().toString(qlonglong(number)).replace(u',', narrowSpace);
+}
+
+QString groupedText(double number, int places)
+{
+    return groupingLocale().toString(number, 'f', places).replace(u',', narrowSpace);
 }
 
 int firstDifferingDigit(const QString &used, const QString &exactDecimal)

@@ -6,12 +6,20 @@
 
 #include <QString>
 
+#include <cstdint>
+
 namespace pixelplumb {
 
 /// Between the whole part and the fraction of a mixed number.
 inline constexpr QChar thinSpace(0x2009);
 /// Decimals in which a used number and the exact one are compared: more than a double has.
 inline constexpr int comparedPlaces = 20;
+
+/// Numbers have a decimal point in every language, and no signs between thousands: what a panel
+/// shows is compared with the course texts, with exports and with the command line, and is typed
+/// and copied back from there. It is called before the first widget, which keeps the locale of its
+/// moment.
+void keepDecimalPoint();
 
 /// A quantity for the eye: mixed numbers with a thin space ("17 3/8") while the denominator has at
 /// most six digits, else decimals with six places and an ellipsis; floating point by its shortest
@@ -35,6 +43,11 @@ QString decimalBeside(const Quantity &quantity, Arithmetic arithmetic = Arithmet
 
 /// An error for the eye: "+2.3e-07", or "0" when the two are equal.
 QString displayError(const Quantity &used, const Quantity &exact);
+
+/// Large numbers that are counted or measured, in groups of thousands, which a narrow space that
+/// does not break keeps apart: no language takes it for a decimal sign.
+QString groupedText(std::int64_t number);
+QString groupedText(double number, int places);
 
 /// Index into displayText(used) of the first character that differs from the exact decimal, −1 if
 /// none: panels mark the number from there on. An exact decimal that ends in an ellipsis says

@@ -11,7 +11,9 @@ namespace pixelplumb {
 
 namespace {
 
-QString translated(const char *text) { return QCoreApplication::translate("NumberToolTip", text); }
+struct NumberToolTip {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::NumberToolTip)
+};
 
 void appendDecimal(QStringList &lines, const Quantity &quantity, Arithmetic arithmetic)
 {
@@ -29,7 +31,7 @@ QString numberToolTip(const NumberDescription &number)
     if (!number.formula.isEmpty())
         lines.append(number.formula);
     if (!number.unit.isEmpty())
-        lines.append(translated("unit: %1").arg(number.unit));
+        lines.append(NumberToolTip::tr("unit: %1").arg(number.unit));
     return toolTipHtml(lines);
 }
 
@@ -40,9 +42,9 @@ QString numberToolTip(const NumberDescription &number, const Quantity &used, con
                       + (number.unit.isEmpty() ? QString() : u' ' + number.unit));
     appendDecimal(lines, used, arithmetic);
     if (!exact.isNone()) {
-        lines.append(translated("exact %1").arg(displayText(exact)));
+        lines.append(NumberToolTip::tr("exact %1").arg(displayText(exact)));
         appendDecimal(lines, exact, Arithmetic::Exact);
-        lines.append(translated("error %1").arg(displayError(used, exact)));
+        lines.append(NumberToolTip::tr("error %1").arg(displayError(used, exact)));
     }
     lines.append(number.toolTip);
     if (!number.formula.isEmpty())

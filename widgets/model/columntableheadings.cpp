@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/tracetable.h"
 #include "core/runs/spanheadings.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/numbertooltip.h"
 #include "widgets/model/columntablemodel.h"
 
@@ -15,7 +16,7 @@ QString markText(const TracedScene &traced, std::size_t span)
     const std::size_t primitive = traced.trace->primitiveOf(span);
     const QString kind = traced.primitives.isTriangle(primitive)
         ? QStringLiteral("△")
-        : nameOf(traced.primitives.kindOf(primitive));
+        : coreWord(nameOf(traced.primitives.kindOf(primitive)));
     return QStringLiteral("%1 %2").arg(kind).arg(primitive);
 }
 
@@ -25,7 +26,7 @@ QString partText(const TracedScene &traced, std::size_t span)
 {
     if (traced.primitives.isTriangle(traced.trace->primitiveOf(span)))
         return QStringLiteral("L₁₂");
-    return partName(*traced.trace, span);
+    return coreWord(partName(*traced.trace, span));
 }
 
 } // namespace

@@ -20,8 +20,8 @@ QThreadPool *measuringPool()
 QString measuringNote()
 {
     return measuringPool()->activeThreadCount() > 0
-        ? QCoreApplication::translate("Measuring", "Waiting for another measurement …")
-        : QCoreApplication::translate("Measuring", "Measuring …");
+        ? QCoreApplication::translate("pixelplumb::Measuring", "Waiting for another measurement …")
+        : QCoreApplication::translate("pixelplumb::Measuring", "Measuring …");
 }
 
 } // namespace pixelplumb

@@ -2,6 +2,7 @@
 #include "widgets/model/pixelhistorymodel.h"
 
 #include "core/runs/pixelreason.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/numberformat.h"
 
 #include <QColor>
@@ -19,8 +20,8 @@ constexpr int edgeRows = 3;
 /// "△ 2", "line 0".
 QString nameText(const PixelAttempt &attempt)
 {
-    const QString kind
-        = attempt.kind == PrimitiveKind::Triangle ? QStringLiteral("△") : nameOf(attempt.kind);
+    const QString kind = attempt.kind == PrimitiveKind::Triangle ? QStringLiteral("△")
+                                                                 : coreWord(nameOf(attempt.kind));
     return QStringLiteral("%1 %2").arg(kind).arg(attempt.primitive);
 }
 
@@ -261,8 +262,7 @@ QVariant PixelHistoryModel::data(const QModelIndex &index, int role) const
     if (isCountRow(index)) {
         if (role != Qt::DisplayRole || index.column() != WhatColumn)
             return {};
-        return m_unlisted == 1 ? tr("and 1 more that refuses it")
-                               : tr("and %1 more that refuse it").arg(m_unlisted);
+        return tr("and %n more that refuse it", nullptr, int(m_unlisted));
     }
     const bool isDetail = index.internalId() != topLevel;
     const std::size_t row

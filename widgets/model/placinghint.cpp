@@ -13,30 +13,29 @@ namespace pixelplumb {
 
 namespace {
 
-QString tr(const char *text)
-{
-    return QCoreApplication::translate("pixelplumb::PlacingHint", text);
-}
+struct PlacingHint {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::PlacingHint)
+};
 
 QString invitation(PrimitiveKind kind)
 {
     switch (kind) {
     case PrimitiveKind::Triangle:
-        return tr("Click three points on the canvas to draw a triangle");
+        return PlacingHint::tr("Click three points on the canvas to draw a triangle");
     case PrimitiveKind::Point:
-        return tr("Click to draw a point");
+        return PlacingHint::tr("Click to draw a point");
     case PrimitiveKind::Line:
-        return tr("Click two points to draw a line");
+        return PlacingHint::tr("Click two points to draw a line");
     case PrimitiveKind::Circle:
-        return tr("Click the centre and a corner of the square around the circle");
+        return PlacingHint::tr("Click the centre and a corner of the square around the circle");
     case PrimitiveKind::Ellipse:
-        return tr("Click the centre and a corner of the box around the ellipse");
+        return PlacingHint::tr("Click the centre and a corner of the box around the ellipse");
     case PrimitiveKind::Bezier:
-        return tr("Click four control points to draw a curve");
+        return PlacingHint::tr("Click four control points to draw a curve");
     case PrimitiveKind::Polygon:
-        return tr("Click the corners of a polygon, then its first corner again");
+        return PlacingHint::tr("Click the corners of a polygon, then its first corner again");
     case PrimitiveKind::Text:
-        return tr("Click where the text begins");
+        return PlacingHint::tr("Click where the text begins");
     }
     return {};
 }
@@ -45,21 +44,21 @@ QString pluralOf(PrimitiveKind kind)
 {
     switch (kind) {
     case PrimitiveKind::Triangle:
-        return tr("triangles");
+        return PlacingHint::tr("triangles");
     case PrimitiveKind::Point:
-        return tr("points");
+        return PlacingHint::tr("points");
     case PrimitiveKind::Line:
-        return tr("lines");
+        return PlacingHint::tr("lines");
     case PrimitiveKind::Circle:
-        return tr("circles");
+        return PlacingHint::tr("circles");
     case PrimitiveKind::Ellipse:
-        return tr("ellipses");
+        return PlacingHint::tr("ellipses");
     case PrimitiveKind::Bezier:
-        return tr("curves");
+        return PlacingHint::tr("curves");
     case PrimitiveKind::Polygon:
-        return tr("polygons");
+        return PlacingHint::tr("polygons");
     case PrimitiveKind::Text:
-        return tr("texts");
+        return PlacingHint::tr("texts");
     }
     return {};
 }
@@ -70,11 +69,11 @@ QString drawnBy(const Method &method)
     QStringList kinds;
     for (const PrimitiveKind kind : method.kinds)
         kinds += pluralOf(kind);
-    const QString names = kinds.join(tr(" and "));
+    const QString names = kinds.join(PlacingHint::tr(" and "));
     if (method.fills.empty())
         return names;
     const bool outlines = std::ranges::find(method.fills, ShapeFill::Outline) != method.fills.end();
-    return (outlines ? tr("outlined %1") : tr("filled %1")).arg(names);
+    return (outlines ? PlacingHint::tr("outlined %1") : PlacingHint::tr("filled %1")).arg(names);
 }
 
 bool drawsAny(const Method &method, const Scene &scene)
@@ -89,14 +88,14 @@ bool drawsAny(const Method &method, const Scene &scene)
 QString foreignSceneHint(const Scene &scene)
 {
     if (scene.isEmpty() && scene.hiddenCount() > 0)
-        return tr("All primitives are hidden: Edit ▸ Show all hidden primitives.");
+        return PlacingHint::tr("All primitives are hidden: Edit ▸ Show all hidden primitives.");
     const Method *method = methodNamed(QString::fromStdString(scene.method));
     if (!method || scene.isEmpty() || drawsAny(*method, scene))
         return {};
     const Method &other = scene.hasTriangles()
         ? firstMethodFor(PrimitiveKind::Triangle)
         : firstMethodFor(scene.shapes.front(), scene.appearance);
-    return tr("%1 draws %2; this scene has none. %3 draws what is here.")
+    return PlacingHint::tr("%1 draws %2; this scene has none. %3 draws what is here.")
         .arg(method->title, drawnBy(*method), other.title);
 }
 
@@ -107,9 +106,10 @@ QString emptyRunText(const TracedScene *traced)
         return foreign;
     if (!traced || traced->primitives.size() == 0) {
         const PrimitiveKind kind = traced ? traced->method->kinds.front() : PrimitiveKind::Triangle;
-        return tr("%1. Every number of every step appears here.").arg(invitation(kind));
+        return PlacingHint::tr("%1. Every number of every step appears here.")
+            .arg(invitation(kind));
     }
-    return tr("The method drew nothing of this scene.");
+    return PlacingHint::tr("The method drew nothing of this scene.");
 }
 
 QString placingHint(PrimitiveKind kind, std::size_t pendingVertices, FrameContent content)
@@ -117,20 +117,20 @@ QString placingHint(PrimitiveKind kind, std::size_t pendingVertices, FrameConten
     if (pendingVertices == 0)
         return content == FrameContent::Empty ? invitation(kind) : QString();
     if (kind == PrimitiveKind::Circle || kind == PrimitiveKind::Ellipse)
-        return tr("Click the corner of the box around it");
+        return PlacingHint::tr("Click the corner of the box around it");
     if (kind == PrimitiveKind::Polygon && pendingVertices >= 3)
-        return tr("Click the next corner, or the first one to close the polygon");
+        return PlacingHint::tr("Click the next corner, or the first one to close the polygon");
     switch (pendingVertices) {
     case 1:
-        return tr("Click the second point");
+        return PlacingHint::tr("Click the second point");
     case 2:
-        return tr("Click the third point");
+        return PlacingHint::tr("Click the third point");
     case 3:
-        return tr("Click the fourth point");
+        return PlacingHint::tr("Click the fourth point");
     default:
         break;
     }
-    return tr("Click the next point");
+    return PlacingHint::tr("Click the next point");
 }
 
 } // namespace pixelplumb

@@ -7,6 +7,7 @@
 #include "core/scene/coordinatetext.h"
 #include "core/scene/fileorder.h"
 #include "widgets/look/colourbutton.h"
+#include "widgets/look/corewords.h"
 
 #include <QGuiApplication>
 
@@ -193,7 +194,7 @@ QVariant PrimitiveListModel::data(const QModelIndex &index, int role) const
     switch (Column(index.column())) {
     case Name:
         return isWhole ? QStringLiteral("%1 %2")
-                             .arg(nameOf(m_document->kindOf(ref.primitive)))
+                             .arg(coreWord(nameOf(m_document->kindOf(ref.primitive))))
                              .arg(ref.primitive)
                        : tr("vertex %1").arg(ref.vertex);
     case X:
@@ -217,7 +218,7 @@ QVariant PrimitiveListModel::solidData(int column, int role, std::size_t index) 
         return solid.isHidden ? Qt::Unchecked : Qt::Checked;
     if (role != Qt::DisplayRole || column != Name)
         return {};
-    const QString kind = nameText(nameOf(solid.kind));
+    const QString kind = coreWord(nameOf(solid.kind));
     return solid.isHidden ? tr("%1, hidden").arg(kind) : tr("%1, solid %2").arg(kind).arg(index);
 }
 
@@ -233,7 +234,7 @@ QVariant PrimitiveListModel::hiddenData(int column, int role, const HiddenPrimit
     if (role != Qt::DisplayRole)
         return {};
     if (column == Name)
-        return tr("%1, hidden").arg(nameOf(hidden.kind()));
+        return tr("%1, hidden").arg(coreWord(nameOf(hidden.kind())));
     const LatticePoint &first = vertices.front().position; // to tell them apart
     return coordinateText(column == X ? first.x : first.y);
 }

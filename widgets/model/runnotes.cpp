@@ -5,6 +5,7 @@
 #include "core/runs/rejectedprimitives.h"
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
+#include "widgets/look/corewords.h"
 #include "widgets/model/placinghint.h"
 
 #include <QCoreApplication>
@@ -14,6 +15,14 @@
 
 namespace pixelplumb {
 
+namespace {
+
+struct RunNotes {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::RunNotes)
+};
+
+} // namespace
+
 QString snapNote(const SnapReports &snaps)
 {
     constexpr std::size_t mostLines = 3;
@@ -21,15 +30,13 @@ QString snapNote(const SnapReports &snaps)
     for (std::size_t i = 0; i < std::min(snaps.size(), mostLines); ++i)
         lines += snaps[i].message();
     if (snaps.size() > mostLines)
-        lines += QCoreApplication::translate(
-            "RunNotes", "and %n more number(s) are taken as the nearest of 1/256 px or 2^-24",
-            nullptr, int(snaps.size() - mostLines));
+        lines += RunNotes::tr("and %n more numbers are taken as the nearest of 1/256 px or 2^-24",
+                              nullptr, int(snaps.size() - mostLines));
     return lines.join(u'\n');
 }
 
 QString rejectionNote(const TracedScene &traced)
 {
-    const auto tr = [](const char *text) { return QCoreApplication::translate("RunNotes", text); };
     if (!foreignSceneHint(traced.scene).isEmpty())
         return {};
     std::vector<RejectedPrimitive> rejected = rejectedPrimitives(traced.primitives, *traced.trace);
@@ -39,41 +46,42 @@ QString rejectionNote(const TracedScene &traced)
     if (rejected.empty())
         return {};
     const RejectedPrimitive &first = rejected.front();
-    const QString kind = nameOf(first.kind);
+    const QString kind = coreWord(nameOf(first.kind));
     const QString text = QStringLiteral("%1 %2: %3")
                              .arg(kind.left(1).toUpper() + kind.sliced(1))
                              .arg(first.primitive)
                              .arg(rejectionText(first.rejection));
-    return rejected.size() == 1
-        ? text
-        : tr("%L1 primitives are not drawn. The first: %2").arg(rejected.size()).arg(text);
+    return rejected.size() == 1 ? text
+                                : RunNotes::tr("%L1 primitives are not drawn. The first: %2")
+                                      .arg(rejected.size())
+                                      .arg(text);
 }
 
 QString adaptationNote(const Method &method, const ScanSettings &asked)
 {
-    const auto tr = [](const char *text) { return QCoreApplication::translate("RunNotes", text); };
     const ScanSettings drawn = method.adapted(asked);
     QStringList objections;
     QStringList changes;
     ScanSettings settings = asked; // an objection names the first thing that is in the way
     if (drawn.arithmetic != asked.arithmetic) {
         objections += method.objection(settings);
-        changes += tr("the arithmetic %1").arg(nameText(nameOf(drawn.arithmetic)));
+        changes += RunNotes::tr("the arithmetic %1").arg(nameText(nameOf(drawn.arithmetic)));
         settings.arithmetic = drawn.arithmetic;
     }
     if (drawn.fillRule != asked.fillRule) {
         objections += method.objection(settings);
-        changes += tr("the fill rule %1").arg(nameText(nameOf(drawn.fillRule)));
+        changes += RunNotes::tr("the fill rule %1").arg(nameText(nameOf(drawn.fillRule)));
         settings.fillRule = drawn.fillRule;
     }
     if (drawn.variants != asked.variants) {
         objections += method.objection(settings);
-        changes += tr("what it knows of the variants");
+        changes += RunNotes::tr("what it knows of the variants");
     }
     if (changes.empty())
         return {};
-    return tr("%1 %2. Changed to %3.")
-        .arg(method.title, withTitles(objections.join(tr(", and "))), changes.join(tr(" and ")));
+    return RunNotes::tr("%1 %2. Changed to %3.")
+        .arg(method.title, withTitles(objections.join(RunNotes::tr(", and "))),
+             changes.join(RunNotes::tr(" and ")));
 }
 
 QString withTitles(const QString &text)
@@ -92,8 +100,7 @@ QString withTitles(const QString &text)
 
 QString cutRunNote(const TracedScene &traced)
 {
-    return QCoreApplication::translate(
-               "RunNotes",
+    return RunNotes::tr(
                "Recorded are the first %L1 steps, into primitive %L2 of %L3: stepping and the "
                "panels "
                "end there. At the end the canvas shows the finished picture. To record the whole "
@@ -105,8 +112,7 @@ QString cutRunNote(const TracedScene &traced)
 
 QString cancelledRunNote()
 {
-    return QCoreApplication::translate(
-        "RunNotes",
+    return RunNotes::tr(
         "Tracing was cancelled: the panels show the run before. Undo the change, or change the "
         "scene again to trace it.");
 }

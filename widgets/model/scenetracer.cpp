@@ -34,8 +34,7 @@ QString tooLargeForMemory(const Scene &scene)
                            "%3. Make the frame or the triangles smaller.")
         .arg(scene.frame.width)
         .arg(scene.frame.height)
-        .arg(triangles == 1 ? SceneTracer::tr("1 triangle")
-                            : SceneTracer::tr("%1 triangles").arg(triangles));
+        .arg(SceneTracer::tr("%n triangles", nullptr, int(triangles)));
 }
 
 std::shared_ptr<const TracedScene> tracedOrNull(const Scene &scene)

@@ -2,6 +2,7 @@
 #include "widgets/model/steptext.h"
 
 #include "core/runs/spanheadings.h"
+#include "widgets/look/corewords.h"
 
 #include <QCoreApplication>
 
@@ -9,20 +10,22 @@ namespace pixelplumb {
 
 namespace {
 
-QString tr(const char *text) { return QCoreApplication::translate("pixelplumb::StepText", text); }
+struct StepText {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::StepText)
+};
 
 /// "column 27, second half".
 QString spanText(const TracedScene &traced, std::size_t span)
 {
     const QString heading = spanHeading(*traced.trace, span);
-    return heading.left(1).toLower() + heading.sliced(1);
+    return coreWord(heading.left(1).toLower() + heading.sliced(1));
 }
 
 QString primitiveText(const TracedScene &traced, std::size_t primitive)
 {
     const bool refused = traced.trace->setUp(primitive).rejection.has_value();
-    return (refused ? tr("%1 %2 draws nothing") : tr("%1 %2 set up"))
-        .arg(nameOf(traced.primitives.kindOf(primitive)))
+    return (refused ? StepText::tr("%1 %2 draws nothing") : StepText::tr("%1 %2 set up"))
+        .arg(coreWord(nameOf(traced.primitives.kindOf(primitive))))
         .arg(primitive);
 }
 
@@ -32,16 +35,17 @@ QString stepText(const TracedScene &traced, std::size_t position)
 {
     const ScanTrace &trace = *traced.trace;
     if (position == 0)
-        return tr("nothing drawn yet");
+        return StepText::tr("nothing drawn yet");
     const TraceStep step = trace.stepAt(position - 1);
     switch (step.kind) {
     case StepKind::SetUp:
         return primitiveText(traced, step.primitive);
     case StepKind::Span:
-        return tr("%1 entered").arg(spanText(traced, step.span));
+        return StepText::tr("%1 entered").arg(spanText(traced, step.span));
     case StepKind::Sample: {
         const PixelChange &change = trace.changes()[step.sample];
-        return (change.isWritten() ? tr("pixel (%1, %2) written") : tr("sample (%1, %2) refused"))
+        return (change.isWritten() ? StepText::tr("pixel (%1, %2) written")
+                                   : StepText::tr("sample (%1, %2) refused"))
             .arg(change.x)
             .arg(change.y);
     }
@@ -53,13 +57,14 @@ QString markText(MarkKind kind)
 {
     switch (kind) {
     case MarkKind::PartBegins:
-        return tr("here a part of the primitive begins or ends: a vertex");
+        return StepText::tr("here a part of the primitive begins or ends: a vertex");
     case MarkKind::Tie:
-        return tr("tie: a sample here lies exactly on an edge, or a line half-way between two");
+        return StepText::tr(
+            "tie: a sample here lies exactly on an edge, or a line half-way between two");
     case MarkKind::Clamp:
-        return tr("clamp: a colour level left 0 … 255");
+        return StepText::tr("clamp: a colour level left 0 … 255");
     case MarkKind::FirstDifference:
-        return tr("the first pixel that differs from the truth");
+        return StepText::tr("the first pixel that differs from the truth");
     }
     return {};
 }
@@ -67,7 +72,7 @@ QString markText(MarkKind kind)
 QString columnText(const TracedScene &traced, std::size_t position)
 {
     if (position == 0)
-        return tr("before the first step");
+        return StepText::tr("before the first step");
     const TraceStep step = traced.trace->stepAt(position - 1);
     return step.kind == StepKind::SetUp ? primitiveText(traced, step.primitive)
                                         : spanText(traced, step.span);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/space/projectionpanel.h"
 
+#include "widgets/look/corewords.h"
 #include "widgets/model/playhead.h"
 #include "widgets/space/sideview.h"
 #include "widgets/space/stagetree.h"
@@ -44,7 +45,7 @@ QString lossesText(const std::vector<LostTriangle> &lost)
         ++counts[each.loss];
     QStringList reasons;
     for (const auto &[loss, count] : counts)
-        reasons += ProjectionPanel::tr("%1: each %2").arg(count).arg(nameOf(loss));
+        reasons += ProjectionPanel::tr("%1: each %2").arg(count).arg(coreWord(nameOf(loss)));
     if (reasons.isEmpty())
         return {};
     return ProjectionPanel::tr(" Not drawn are %1.").arg(reasons.join(QStringLiteral(", ")));
@@ -179,7 +180,7 @@ QString ProjectionPanel::sceneSentence() const
                   "exact one.");
     }
     const QString triangles
-        = tr("The scene's solids become %n triangle(s).", "", int(m_projected.sources.size()));
+        = tr("The scene's solids become %n triangles.", nullptr, int(m_projected.sources.size()));
     return triangles + lossesText(m_projected.lost) + tr(" Step into one of them.");
 }
 

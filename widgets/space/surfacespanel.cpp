@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/space/surfacespanel.h"
 
+#include "widgets/look/corewords.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/look/symboltext.h"
@@ -77,7 +78,7 @@ QString formsHtml(SurfaceKind kind, const Scene &scene, double s, double t)
     const std::optional<Surface> own = surfaceOf(kind, scene);
     const Surface surface = own.value_or(exampleOf(kind));
     QString row = QStringLiteral("<tr><td><b>%1</b>%2<br>%3</td>")
-                      .arg(nameOf(kind),
+                      .arg(coreWord(nameOf(kind)),
                            own ? QString()
                                : QStringLiteral("<br><i>%1</i>")
                                      .arg(SurfacesPanel::tr("an example: the scene has none")),

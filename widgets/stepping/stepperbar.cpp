@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/stepping/stepperbar.h"
 
+#include "widgets/look/decimalbox.h"
 #include "widgets/stepping/stepbutton.h"
 
 #include <QBoxLayout>
 #include <QComboBox>
-#include <QDoubleSpinBox>
 #include <QFontMetrics>
 #include <QLabel>
 #include <QSignalBlocker>
@@ -102,7 +102,7 @@ void StepperBar::addSpeed()
             [playhead = m_playhead](int notch) { playhead->setStepsPerSecond(speedOf(notch)); });
     m_layout->addWidget(m_speedSlider);
 
-    m_speedBox = new QDoubleSpinBox(this);
+    m_speedBox = new DecimalBox(this);
     m_speedBox->setObjectName(QStringLiteral("speedBox"));
     m_speedBox->setAccessibleName(tr("Speed of playing, steps per second"));
     m_speedBox->setToolTip(tr("Speed of playing, steps per second"));

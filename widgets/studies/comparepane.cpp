@@ -3,6 +3,7 @@
 
 #include "core/lab/livefigures.h"
 #include "core/scan/choicenames.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/elidingbox.h"
 #include "widgets/look/framepainter.h"
 #include "widgets/model/playhead.h"
@@ -177,11 +178,12 @@ void ComparePane::show(const std::shared_ptr<const Contest> &contest, std::size_
     if (shown.tally.written == 0 && !shown.contender.isTruth())
         m_result->setText(tr("Draws nothing of this scene."));
     else if (shown.contender.isTruth())
-        m_result->setText(tr("%1 pixels, shown finished").arg(shown.tally.written));
+        m_result->setText(tr("%n pixels, shown finished", nullptr, int(shown.tally.written)));
     else
-        m_result->setText(tr("%1 pixels: %2 missing, %3 extra, %4 in another colour")
-                              .arg(QString::number(shown.tally.written), count(Difference::Missing),
-                                   count(Difference::Extra), count(Difference::Colour)));
+        m_result->setText(tr("%n pixels: %1 missing, %2 extra, %3 in another colour", nullptr,
+                             int(shown.tally.written))
+                              .arg(count(Difference::Missing), count(Difference::Extra),
+                                   count(Difference::Colour)));
     if (shown.tally.undrawn > 0)
         m_result->setText(m_result->text()
                           + tr("; %1 undrawn, of other kinds").arg(shown.tally.undrawn));
@@ -205,8 +207,9 @@ void ComparePane::showFigures(const LiveFigures &figures)
 {
     if (!figures.perPixel)
         return;
-    m_result->setText(m_result->text() + QStringLiteral(" · ") + figures.timeText());
-    m_result->setToolTip(figures.details());
+    const QString separator = QStringLiteral(" · ");
+    m_result->setText(m_result->text() + separator + coreWord(figures.timeText()));
+    m_result->setToolTip(coreWords(figures.details(), separator));
 }
 
 CompareView *ComparePane::view() const { return m_view; }

@@ -2,6 +2,7 @@
 #include "widgets/studies/comparetext.h"
 
 #include "core/scene/colourtext.h"
+#include "widgets/look/corewords.h"
 #include "widgets/studies/agreementview.h"
 #include "widgets/studies/comparepanel.h"
 
@@ -23,31 +24,33 @@ QString agreementLegend(const AgreementMap &agreement, const QPalette &palette)
 
 QString pixelText(const Contest &contest, const std::optional<QPoint> &picked)
 {
-    const auto tr = [](const char *text) { return ComparePanel::tr(text); };
     if (contest.agreement.differing() == 0)
-        return tr("All agree on every pixel.");
+        return ComparePanel::tr("All agree on every pixel.");
     if (!picked || !contest.runs.front().picture.view().contains(picked->x(), picked->y()))
-        return tr("Pixels that differ: %1. Click one in the agreement map to see why.")
+        return ComparePanel::tr(
+                   "Pixels that differ: %1. Click one in the agreement map to see why.")
             .arg(contest.agreement.differing());
     const PixelComparison pixel = comparePixel(contest, picked->x(), picked->y());
     const int all = contest.agreement.contenderCount();
     if (pixel.agreeing == all)
-        return tr("Pixel (%1, %2): all agree. Pixels that differ: %3; click one in the agreement "
-                  "map to see why.")
+        return ComparePanel::tr(
+                   "Pixel (%1, %2): all agree. Pixels that differ: %3; click one in the agreement "
+                   "map to see why.")
             .arg(picked->x())
             .arg(picked->y())
             .arg(contest.agreement.differing());
-    QStringList lines = {tr("Pixel (%1, %2): %3 of %4 agree. %5: %6")
+    QStringList lines = {ComparePanel::tr("Pixel (%1, %2): %3 of %4 agree. %5: %6")
                              .arg(picked->x())
                              .arg(picked->y())
                              .arg(pixel.agreeing)
                              .arg(all)
-                             .arg(nameOf(pixel.reason), textOf(pixel.reason))};
+                             .arg(coreWord(nameOf(pixel.reason)), textOf(pixel.reason))};
     QStringList right;
     for (std::size_t i = 0; i < pixel.opinions.size(); ++i) {
         const PixelOpinion &opinion = pixel.opinions[i];
-        const QString value = opinion.written ? colourText(opinion.colour) : tr("not drawn");
-        const QString text = tr("%1: %2").arg(i + 1).arg(value);
+        const QString value
+            = opinion.written ? colourText(opinion.colour) : ComparePanel::tr("not drawn");
+        const QString text = ComparePanel::tr("%1: %2").arg(i + 1).arg(value);
         if (opinion.words.isEmpty())
             right.append(text);
         else

@@ -7,22 +7,20 @@ namespace pixelplumb {
 
 QString diagnosisText(const Diagnosis &diagnosis)
 {
-    const auto tr = [](const char *text) { return DiagnosisView::tr(text); };
     if (diagnosis.verdict == DiagnosisVerdict::Right)
-        return tr("Right: no pixel differs, there is no bug to name.");
+        return DiagnosisView::tr("Right: no pixel differs, there is no bug to name.");
     const QString verdict = diagnosis.verdict == DiagnosisVerdict::Wrong
-        ? tr("Wrong.")
-        : tr("Undecidable: what differs lies on edges, where rules differ, or within what "
-             "rounding in float32 may do.");
+        ? DiagnosisView::tr("Wrong.")
+        : DiagnosisView::tr(
+            "Undecidable: what differs lies on edges, where rules differ, or within what "
+            "rounding in float32 may do.");
     if (diagnosis.candidates.empty())
-        return verdict + u' ' + tr("No known defect comes near.");
+        return verdict + u' ' + DiagnosisView::tr("No known defect comes near.");
     if (!diagnosis.isExplained())
-        return verdict + u' ' + tr("No known defect explains it; the nearest ones:");
+        return verdict + u' ' + DiagnosisView::tr("No known defect explains it; the nearest ones:");
     return verdict + u' '
-        + (diagnosis.candidates.size() == 1
-               ? tr("One set of known defects draws this very picture:")
-               : tr("%1 sets of known defects draw this very picture:")
-                     .arg(diagnosis.candidates.size()));
+        + DiagnosisView::tr("%n sets of known defects draw this very picture:", nullptr,
+                            int(diagnosis.candidates.size()));
 }
 
 QString idsText(const DiagnosisCandidate &candidate)
@@ -47,9 +45,7 @@ QString distanceText(const DiagnosisCandidate &candidate)
 {
     if (candidate.distance == 0)
         return {};
-    return candidate.distance == 1
-        ? DiagnosisView::tr(" · 1 pixel is left")
-        : DiagnosisView::tr(" · %L1 pixels are left").arg(candidate.distance);
+    return DiagnosisView::tr(" · %n pixels are left", nullptr, int(candidate.distance));
 }
 
 } // namespace pixelplumb

@@ -4,6 +4,7 @@
 #include "core/methods/method.h"
 #include "core/runs/sceneplan.h"
 #include "core/scan/choicenames.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/model/effectswitches.h"
 #include "widgets/model/measuringpool.h"
@@ -129,7 +130,7 @@ void EffectsPanel::makeTable()
                 item->setTextAlignment(Qt::AlignRight | Qt::AlignVCenter);
             m_table->setItem(row, column, item);
         }
-        m_table->item(row, EffectName)->setText(nameText(nameOf(effect)));
+        m_table->item(row, EffectName)->setText(coreWord(nameOf(effect)));
         addSwitch(row, effect);
     }
 }
@@ -146,7 +147,7 @@ void EffectsPanel::addSwitch(int row, Effect effect)
     }
     auto *box = new QComboBox(m_table);
     box->setObjectName(objectNameOf(effect));
-    box->setAccessibleName(tr("Switch of %1").arg(nameText(nameOf(effect))));
+    box->setAccessibleName(tr("Switch of %1").arg(coreWord(nameOf(effect))));
     box->addItems({tr("as called for"), tr("on"), tr("off")}); // the order of Forcing
     m_table->setCellWidget(row, EffectSwitch, box);
     m_boxes[effect] = box;

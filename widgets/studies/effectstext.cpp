@@ -2,6 +2,7 @@
 #include "widgets/studies/effectstext.h"
 
 #include "core/scan/choicenames.h"
+#include "widgets/look/corewords.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -10,7 +11,9 @@ namespace pixelplumb {
 
 namespace {
 
-QString translated(const char *text) { return QCoreApplication::translate("EffectsPanel", text); }
+struct EffectsText {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::EffectsText)
+};
 
 /// Whether forcing it on keeps the picture where it is not called for.
 bool isNeutral(Effect effect, const Appearance &appearance)
@@ -47,11 +50,11 @@ std::optional<Effect> onlyForced(const EffectForcing &forced)
 
 QString forcedWords(const EffectPlan &plan, Effect effect, Forcing forcing)
 {
-    const QString name = nameText(nameOf(effect));
+    const QString name = coreWord(nameOf(effect));
     if (forcing == Forcing::Off)
-        return translated("%1 off").arg(name);
-    return plan.runs(effect) ? translated("%1 on").arg(name)
-                             : translated("%1 on, where there is none to switch on").arg(name);
+        return EffectsText::tr("%1 off").arg(name);
+    return plan.runs(effect) ? EffectsText::tr("%1 on").arg(name)
+                             : EffectsText::tr("%1 on, where there is none to switch on").arg(name);
 }
 
 QString contradictionText(const EffectPlan &plan, const Appearance &appearance,
@@ -60,18 +63,20 @@ QString contradictionText(const EffectPlan &plan, const Appearance &appearance,
     const std::optional<Effect> effect = onlyForced(appearance.forced);
     if (!effect)
         return {};
-    const QString name = nameText(nameOf(*effect));
+    const QString name = coreWord(nameOf(*effect));
     const Verdict verdict = plan.verdicts[*effect].verdict;
     const bool isOff = appearance.forced[*effect] == Forcing::Off;
     if (isOff && verdict == Verdict::CalledFor && changed == 0)
-        return translated("No pixel needs %1 here: that it is called for is a defect of the plan, "
-                          "unless its values differ by less than a byte.")
+        return EffectsText::tr(
+                   "No pixel needs %1 here: that it is called for is a defect of the plan, "
+                   "unless its values differ by less than a byte.")
             .arg(name);
     if (isOff && verdict == Verdict::NotCalledFor && changed > 0)
-        return translated("A defect: %1 is not called for, and pixels change without it.")
+        return EffectsText::tr("A defect: %1 is not called for, and pixels change without it.")
             .arg(name);
     if (!isOff && verdict == Verdict::NotCalledFor && changed > 0 && isNeutral(*effect, appearance))
-        return translated("A defect: %1 is not called for, and pixels change with it.").arg(name);
+        return EffectsText::tr("A defect: %1 is not called for, and pixels change with it.")
+            .arg(name);
     return {};
 }
 
@@ -82,7 +87,7 @@ QString verdictText(Verdict verdict)
     const QString glyph = verdict == Verdict::CalledFor ? QStringLiteral("● ")
         : verdict == Verdict::NotCalledFor              ? QStringLiteral("○ ")
                                                         : QStringLiteral("? ");
-    return glyph + nameText(nameOf(verdict));
+    return glyph + coreWord(nameOf(verdict));
 }
 
 QString forcingText(const EffectPlan &plan, const Appearance &appearance, std::int64_t changed)
@@ -94,11 +99,12 @@ QString forcingText(const EffectPlan &plan, const Appearance &appearance, std::i
     }
     if (words.empty())
         return {};
-    const QString changes = changed == 0 ? translated("no pixel changes")
-        : changed == 1                   ? translated("1 pixel changes, marked on the canvas")
-                       : translated("%L1 pixels change, marked on the canvas").arg(changed);
-    return QStringList{translated("Forced: %1; %2.").arg(words.join(QStringLiteral(", ")), changes),
-                       contradictionText(plan, appearance, changed)}
+    const QString changes = changed == 0
+        ? EffectsText::tr("no pixel changes")
+        : EffectsText::tr("%n pixels change, marked on the canvas", nullptr, int(changed));
+    return QStringList{
+        EffectsText::tr("Forced: %1; %2.").arg(words.join(QStringLiteral(", ")), changes),
+        contradictionText(plan, appearance, changed)}
         .join(u' ')
         .trimmed();
 }

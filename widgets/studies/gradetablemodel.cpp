@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/gradetablemodel.h"
 
+#include "widgets/look/corewords.h"
 #include "widgets/studies/gradebook.h"
 
 namespace pixelplumb {
@@ -68,7 +69,7 @@ QString GradeTableModel::textOf(std::size_t row, int column) const
             .arg(submission.points())
             .arg(m_book->report().assignment.points());
     case Verdict:
-        return nameOf(submission.verdict);
+        return coreWord(nameOf(submission.verdict));
     case Cause:
         return m_book->clusters()[m_book->clusterOf(row)].title;
     case State:

@@ -210,10 +210,10 @@ void GradingPanel::showSummary()
     m_summary->setWholeText(
         m_book->results().isEmpty()
             ? tr("Open a folder of results, or grade a folder of submissions.")
-            : tr("%1: %2 submissions, %3 accepted%4. J and K: next and previous; A: accept; C: "
-                 "comment; Enter: the picture.")
+            : tr("%1: %n submissions, %2 accepted%3. J and K: next and previous; A: accept; C: "
+                 "comment; Enter: the picture.",
+                 nullptr, int(report.submissions.size()))
                   .arg(report.assignment.name)
-                  .arg(report.submissions.size())
                   .arg(accepted)
                   .arg(report.missing.isEmpty()
                            ? QString()

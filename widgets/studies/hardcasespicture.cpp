@@ -72,7 +72,9 @@ QImage crop(const WrittenFrame &written, const FrameSpec &frame, const QRect &pa
     return picture;
 }
 
-QString tell(const char *text) { return QCoreApplication::translate("HardCases", text); }
+struct CaseVerdict {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::HardCasePicture)
+};
 
 } // namespace
 
@@ -80,12 +82,12 @@ QString HardCasePicture::verdict() const
 {
     QStringList parts;
     if (missing > 0)
-        parts.append(tell("%1 missing").arg(missing));
+        parts.append(CaseVerdict::tr("%1 missing").arg(missing));
     if (extra > 0)
-        parts.append(tell("%1 extra").arg(extra));
+        parts.append(CaseVerdict::tr("%1 extra").arg(extra));
     if (otherColour > 0)
-        parts.append(tell("%1 in another colour").arg(otherColour));
-    return parts.isEmpty() ? tell("right") : parts.join(QStringLiteral(", "));
+        parts.append(CaseVerdict::tr("%1 in another colour").arg(otherColour));
+    return parts.isEmpty() ? CaseVerdict::tr("right") : parts.join(QStringLiteral(", "));
 }
 
 HardCasePicture pictureOf(const HardCase &hardCase, const Method &method,

@@ -239,8 +239,7 @@ void MotionPanel::take(std::optional<MotionStudy> study)
 
 void MotionPanel::tell()
 {
-    const auto timesText
-        = [](std::int64_t count) { return count == 1 ? tr("once") : tr("%1 times").arg(count); };
+    const auto timesText = [](std::int64_t count) { return tr("%n times", nullptr, int(count)); };
     QString text;
     if (!m_document->scene().motion)
         text = tr("The scene stands still. Move it by a few pixels in many frames, and what comes "

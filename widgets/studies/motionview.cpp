@@ -26,7 +26,7 @@ MotionView::MotionView(QWidget *parent)
 void MotionView::setPicture(const MotionPicture &picture)
 {
     m_picture = picture;
-    setAccessibleDescription(tr("%1 pixels came or went").arg(picture.toggled.size()));
+    setAccessibleDescription(tr("%n pixels came or went", nullptr, int(picture.toggled.size())));
     update();
 }
 

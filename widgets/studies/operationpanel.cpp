@@ -5,6 +5,7 @@
 #include "core/lab/operationtable.h"
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/model/playhead.h"
 
@@ -102,11 +103,11 @@ void OperationPanel::take(std::optional<OperationCounts> counts)
         tell(tr("The count does not fit into memory. Make the frame smaller."));
     } else {
         const Arithmetic arithmetic = traced->scene.settings.arithmetic;
-        tell(QStringList{
-            tr("%1 in %2: %3; the set-up is %4 % of them.")
-                .arg(traced->method->title, nameText(nameOf(arithmetic)), countsText(*m_counts))
-                .arg(100 * m_counts->setUpShare(), 0, 'f', 1),
-            countingGap(*traced->method, arithmetic)}
+        const QString counted = coreWords(countsText(*m_counts), QStringLiteral(", "));
+        tell(QStringList{tr("%1 in %2: %3; the set-up is %4 % of them.")
+                             .arg(traced->method->title, nameText(nameOf(arithmetic)), counted)
+                             .arg(100 * m_counts->setUpShare(), 0, 'f', 1),
+                         countingGap(*traced->method, arithmetic)}
                  .join(u' ')
                  .trimmed());
     }
@@ -120,7 +121,7 @@ void OperationPanel::fillTable()
     m_table->setRowCount(int(rows.size()));
     for (int row = 0; row < int(rows.size()); ++row) {
         const OperationTableRow &shown = rows[std::size_t(row)];
-        m_table->setVerticalHeaderItem(row, new QTableWidgetItem(shown.name));
+        m_table->setVerticalHeaderItem(row, new QTableWidgetItem(coreWord(shown.name)));
         for (int stage = 0; stage < int(shown.each.size()); ++stage)
             m_table->setItem(row, stage, figureItem(operationText(shown.each[std::size_t(stage)])));
         m_table->setItem(row, 3, figureItem(QString::number(shown.all)));

@@ -2,9 +2,9 @@
 #include "widgets/studies/performancecachelines.h"
 
 #include "widgets/look/blend.h"
+#include "widgets/look/numberformat.h"
 #include "widgets/look/signs.h"
 
-#include <QLocale>
 #include <QPainter>
 
 #include <algorithm>
@@ -20,13 +20,6 @@ constexpr double largestCell = 16;
 constexpr int setsPerRow = 32;
 constexpr double setHeight = 10;
 constexpr double setSpacing = 2;
-
-QString grouped(std::int64_t number)
-{
-    QLocale locale = QLocale::c();
-    locale.setNumberOptions({}); // thousands in groups
-    return locale.toString(qlonglong(number));
-}
 
 } // namespace
 
@@ -118,9 +111,10 @@ void PerformanceCacheLines::paintWalk(QPainter &painter, const QRectF &area, Wal
     paintLines(painter, corner, side);
     paintPath(painter, corner, side, order);
 
-    const QStringList counts = {tr("%1 changes of line").arg(grouped(taken.changes)),
-                                tr("%1 misses").arg(grouped(taken.misses)),
-                                tr("%1 lines in all").arg(grouped(taken.lines))};
+    const QStringList counts
+        = {tr("%1 changes of line", nullptr, int(taken.changes)).arg(groupedText(taken.changes)),
+           tr("%1 misses", nullptr, int(taken.misses)).arg(groupedText(taken.misses)),
+           tr("%1 lines in all", nullptr, int(taken.lines)).arg(groupedText(taken.lines))};
     painter.setPen(palette().color(QPalette::WindowText));
     double top = corner.y() + 4;
     for (const QString &count : counts) {
@@ -204,7 +198,7 @@ void PerformanceCacheLines::paintSets(QPainter &painter, const QRectF &area) con
     const int most = *std::ranges::max_element(m_stripWalk.linesOfSet);
     painter.setPen(palette().color(QPalette::WindowText));
     painter.drawText(QRectF(area.left(), area.top(), area.width(), line), Qt::AlignLeft,
-                     tr("%1 of %2 sets, at most %3 lines in one (%4 fit)")
+                     tr("%1 of %2 sets, at most %3 lines in one (%4 fit)", nullptr, most)
                          .arg(m_stripWalk.usedSets())
                          .arg(m_cache.sets)
                          .arg(most)

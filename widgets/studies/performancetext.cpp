@@ -2,9 +2,9 @@
 #include "widgets/studies/performancetext.h"
 
 #include "widgets/look/blend.h"
+#include "widgets/look/numberformat.h"
 
 #include <QCoreApplication>
-#include <QLocale>
 
 #include <cmath>
 
@@ -12,14 +12,9 @@ namespace pixelplumb {
 
 namespace {
 
-QString tr(const char *text) { return QCoreApplication::translate("PerformancePanel", text); }
-
-QLocale groupingLocale()
-{
-    QLocale locale = QLocale::c();
-    locale.setNumberOptions({});
-    return locale;
-}
+struct PerformanceText {
+    Q_DECLARE_TR_FUNCTIONS(pixelplumb::PerformanceText)
+};
 
 /// Three digits, groups of thousands.
 QString rounded(double value)
@@ -27,10 +22,8 @@ QString rounded(double value)
     if (!(value > 0))
         return QStringLiteral("0");
     const int places = std::clamp(2 - int(std::floor(std::log10(value))), 0, 4);
-    return groupingLocale().toString(value, 'f', places);
+    return groupedText(value, places);
 }
-
-QString grouped(std::uint64_t number) { return groupingLocale().toString(qulonglong(number)); }
 
 QString cell(const QString &text) { return QStringLiteral("<td align='right'>%1</td>").arg(text); }
 
@@ -57,17 +50,20 @@ QString timesHtml(const SceneTiming &timing)
     QString html
         = QStringLiteral("<table width='100%' cellspacing='0' cellpadding='2'><tr><td></td>");
     for (const QString &heading :
-         {tr("ns a pixel"), tr("ns a triangle"), tr("quartiles"), tr("speed"), tr("of memory")})
+         {PerformanceText::tr("ns a pixel"), PerformanceText::tr("ns a triangle"),
+          PerformanceText::tr("quartiles"), PerformanceText::tr("speed"),
+          PerformanceText::tr("of memory")})
         html += cell(heading);
     html += QStringLiteral("</tr>");
-    html += timeRow(tr("plain kernel"), timing.plain, timing);
-    html += timeRow(tr("fast, %1").arg(QString::fromUtf8(nameOf(timing.report.instructionSet))),
+    html += timeRow(PerformanceText::tr("plain kernel"), timing.plain, timing);
+    html += timeRow(PerformanceText::tr("fast, %1")
+                        .arg(QString::fromUtf8(nameOf(timing.report.instructionSet))),
                     timing.fast, timing);
     if (timing.parallel) {
-        html += timeRow(tr("fast, %1 threads").arg(timing.parallel->threads), *timing.parallel,
-                        timing);
+        html += timeRow(PerformanceText::tr("fast, %1 threads").arg(timing.parallel->threads),
+                        *timing.parallel, timing);
     }
-    html += timeRow(tr("memory: memset"), timing.memory, timing);
+    html += timeRow(PerformanceText::tr("memory: memset"), timing.memory, timing);
     return html + QStringLiteral("</table>");
 }
 
@@ -79,8 +75,8 @@ QString routesHtml(const FastReport &report, const QPalette &palette)
     for (const FastRouteUse &use : report.uses) {
         QString kernel = QString::fromUtf8(nameOf(use.kernel));
         if (use.word != ColourWord::Other)
-            kernel += tr(", colours: %1").arg(QString::fromUtf8(nameOf(use.word)));
-        html += QStringLiteral("<tr>") + cell(grouped(use.triangles))
+            kernel += PerformanceText::tr(", colours: %1").arg(QString::fromUtf8(nameOf(use.word)));
+        html += QStringLiteral("<tr>") + cell(groupedText(use.triangles))
             + QStringLiteral("<td>&nbsp;%1<br><span style='color:%2'>&nbsp;%3</span></td></tr>")
                   .arg(kernel, dim.name(),
                        QString::fromUtf8(pixelplumb::textOf(use.reason)).toHtmlEscaped());
@@ -91,20 +87,19 @@ QString routesHtml(const FastReport &report, const QPalette &palette)
 QString measurementText(const SceneTiming &timing)
 {
     if (timing.triangles == 0)
-        return tr("The scene has no triangles to draw.");
+        return PerformanceText::tr("The scene has no triangles to draw.");
     if (timing.pixels == 0)
-        return tr("The scene's triangles cover no pixel of the frame.");
-    const QString triangles = timing.triangles == 1
-        ? tr("1 triangle")
-        : tr("%1 triangles").arg(grouped(timing.triangles));
-    const QString pixels
-        = timing.pixels == 1 ? tr("1 pixel") : tr("%1 pixels").arg(grouped(timing.pixels));
-    return tr("Column scan, %1, %2: %3, %4 written. Medians of %5 rounds. %6")
+        return PerformanceText::tr("The scene's triangles cover no pixel of the frame.");
+    const QString triangles = PerformanceText::tr("%1 triangles", nullptr, int(timing.triangles))
+                                  .arg(groupedText(timing.triangles));
+    const QString pixels = PerformanceText::tr("%1 pixels", nullptr, int(timing.pixels))
+                               .arg(groupedText(timing.pixels));
+    return PerformanceText::tr("Column scan, %1, %2: %3, %4 written. Medians of %5 rounds. %6")
         .arg(QString::fromUtf8(nameOf(timing.settings.arithmetic)),
              QString::fromUtf8(nameOf(timing.settings.fillRule)), triangles, pixels)
         .arg(timing.rounds)
-        .arg(timing.sameBytes ? tr("Both kernels draw the same bytes.")
-                              : tr("The kernels draw different bytes!"));
+        .arg(timing.sameBytes ? PerformanceText::tr("Both kernels draw the same bytes.")
+                              : PerformanceText::tr("The kernels draw different bytes!"));
 }
 
 } // namespace pixelplumb

@@ -2,17 +2,14 @@
 #include "widgets/studies/submissiontext.h"
 
 #include "core/scene/colourtext.h"
+#include "widgets/look/corewords.h"
 #include "widgets/studies/submissionpanel.h"
 
 namespace pixelplumb {
 
 namespace {
 
-QString pixels(std::int64_t count)
-{
-    return count == 1 ? SubmissionPanel::tr("1 pixel")
-                      : SubmissionPanel::tr("%L1 pixels").arg(count);
-}
+QString pixels(std::int64_t count) { return SubmissionPanel::tr("%n pixels", nullptr, int(count)); }
 
 /// "#a06f30", "covered"
 QString contentOf(const Picture &picture, std::size_t place)
@@ -65,11 +62,12 @@ QString verdictText(const PictureDiff &diff)
 {
     const std::int64_t open = diff.count(PixelVerdict::Undecidable);
     if (diff.differing() > 0)
-        return SubmissionPanel::tr("Wrong: %1 differ.").arg(pixels(diff.differing()));
+        return SubmissionPanel::tr("Wrong: %n pixels differ.", nullptr, int(diff.differing()));
     if (open > 0)
-        return SubmissionPanel::tr("Undecidable: %1 on edges, where rules differ, or within what "
-                                   "rounding in float32 may do.")
-            .arg(pixels(open));
+        return SubmissionPanel::tr(
+            "Undecidable: %n pixels on edges, where rules differ, or within what "
+            "rounding in float32 may do.",
+            nullptr, int(open));
     return SubmissionPanel::tr("Right: no pixel differs.");
 }
 
@@ -110,7 +108,8 @@ QString pixelText(const PictureJudgement &judgement, const QPoint &pixel)
               .arg(pixel.x())
               .arg(pixel.y())
               .arg(contentOf(judgement.found, *place), contentOf(judgement.expected, *place));
-    return verdict == PixelVerdict::Same ? text : text + QStringLiteral(" — ") + nameOf(verdict);
+    return verdict == PixelVerdict::Same ? text
+                                         : text + QStringLiteral(" — ") + coreWord(nameOf(verdict));
 }
 
 } // namespace pixelplumb

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/jobbar.h"
 
+#include "widgets/look/corewords.h"
 #include "widgets/model/job.h"
 
 #include <QBoxLayout>
@@ -49,8 +50,7 @@ void JobBar::begin(const QString &title)
 /// Each phase counts from the start; its name is told to whoever asks.
 void JobBar::tell(const JobProgress &progress)
 {
-    const std::string_view phase = nameOf(progress.phase);
-    m_bar->setToolTip(QString::fromUtf8(phase.data(), qsizetype(phase.size())));
+    m_bar->setToolTip(coreWord(nameOf(progress.phase)));
     m_bar->setRange(0, progress.total > 0 ? 100 : 0);
     if (progress.total > 0)
         m_bar->setValue(int(100 * progress.done / progress.total));

@@ -2,6 +2,7 @@
 #include "widgets/window/layersmenu.h"
 
 #include "core/layers/layer.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/menuaction.h"
 #include "widgets/model/scenedocument.h"
@@ -36,7 +37,7 @@ void LayersMenu::addLayer(const Layer &layer, const WindowParts &parts)
 {
     DisplayOptions *options = parts.options;
     const SceneDocument *document = parts.document;
-    QAction *action = addMenuAction(this, "", layer.title, {},
+    QAction *action = addMenuAction(this, "", coreWord(layer.title), {},
                                     [options, &layer] { options->toggleLayer(layer.id); });
     action->setObjectName(QStringLiteral("layer-") + layer.id);
     action->setCheckable(true);

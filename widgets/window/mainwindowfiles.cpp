@@ -26,7 +26,7 @@ namespace {
 
 QString textOf(const UnsavedScene &left)
 {
-    const QString time = QLocale().toString(left.time, QLocale::ShortFormat);
+    const QString time = QLocale::system().toString(left.time, QLocale::ShortFormat);
     return left.sceneFile.isEmpty()
         ? MainWindow::tr("The program ended without saving a scene, last changed %1.").arg(time)
         : MainWindow::tr("The program ended without saving “%1”, last changed %2.")

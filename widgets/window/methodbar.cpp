@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/window/methodbar.h"
 
+#include "widgets/look/corewords.h"
 #include "widgets/look/elidingbox.h"
 #include "widgets/look/symboltext.h"
 #include "widgets/model/runnotes.h"
@@ -148,7 +149,7 @@ void MethodBar::addMethods()
         family = method.family;
         m_method->addItem(method.title, method.id);
         m_method->setItemData(m_method->count() - 1,
-                              titleOf(method.family) + u'\n' + method.summary + u'\n'
+                              coreWord(titleOf(method.family)) + u'\n' + method.summary + u'\n'
                                   + method.source,
                               Qt::ToolTipRole);
     }

@@ -4,6 +4,7 @@
 #include "core/methods/method.h"
 #include "core/scan/choicenames.h"
 #include "widgets/canvas/canvas.h"
+#include "widgets/look/corewords.h"
 #include "widgets/look/menuaction.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
@@ -81,7 +82,7 @@ void MethodMenu::addMethods(Canvas *canvas)
     std::optional<MethodFamily> family;
     for (const Method &method : methods()) {
         if (family != method.family)
-            addSection(titleOf(method.family));
+            addSection(coreWord(titleOf(method.family)));
         family = method.family;
         const std::string id = method.id.toStdString();
         const QKeySequence key = ++digit <= 9 ? QKeySequence(Qt::Key_0 + digit) : QKeySequence();

@@ -2,6 +2,7 @@
 #include "widgets/window/statusfigures.h"
 
 #include "core/lab/livefigures.h"
+#include "widgets/look/corewords.h"
 #include "widgets/model/measuringpool.h"
 #include "widgets/model/playhead.h"
 
@@ -47,9 +48,10 @@ void StatusFigures::measure()
         [traced](const ProgressListener &listener) { return liveFiguresOf(traced, listener); },
         [this, isForced = traced->scene.appearance.forced != EffectForcing{}](
             const std::optional<LiveFigures> &figures) {
-            const QString text = figures ? figures->text() : QString();
+            const QString separator = QStringLiteral(" · ");
+            const QString text = figures ? coreWords(figures->text(), separator) : QString();
             setWholeText(isForced ? tr("as forced: %1").arg(text) : text);
-            setToolTip(figures ? figures->details() : QString());
+            setToolTip(figures ? coreWords(figures->details(), separator) : QString());
         });
 }
 

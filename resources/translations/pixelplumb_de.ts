@@ -1,0 +1,6900 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de">
+<context>
+    <name>main</name>
+    <message>
+        <source>Colours: light, dark or system.</source>
+        <translation>Farben: light (hell), dark (dunkel) oder system.</translation>
+    </message>
+    <message>
+        <source>Start with the first &lt;steps&gt; steps done.</source>
+        <translation>Mit den ersten &lt;steps&gt; Schritten beginnen.</translation>
+    </message>
+    <message>
+        <source>Start as column &lt;x&gt; is entered.</source>
+        <translation>Beim Betreten der Spalte &lt;x&gt; beginnen.</translation>
+    </message>
+    <message>
+        <source>Draw by this method.</source>
+        <translation>Mit diesem Verfahren zeichnen.</translation>
+    </message>
+    <message>
+        <source>exact, float32, float64, fixed16.16 or fixed32.32, instead of the scene&apos;s.</source>
+        <translation>exact, float32, float64, fixed16.16 oder fixed32.32 anstelle dessen, was die Szene sagt.</translation>
+    </message>
+    <message>
+        <source>closed, half-open-column, top-left, off-screen-point or open, instead of the scene&apos;s.</source>
+        <translation>closed, half-open-column, top-left, off-screen-point oder open anstelle dessen, was die Szene sagt.</translation>
+    </message>
+    <message>
+        <source>See and step through triangle scan conversion.</source>
+        <translation>Die Rasterung von Dreiecken sehen und Schritt für Schritt durchgehen.</translation>
+    </message>
+    <message>
+        <source>A scene file to open, or a folder of results of pixelplumb-cli grade, to look through in Grading.</source>
+        <translation>Eine Szenendatei, die geöffnet wird, oder ein Ordner mit Ergebnissen von pixelplumb-cli grade, der in „Bewertung“ durchgesehen wird.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::AccuracyLab</name>
+    <message>
+        <source>Accuracy lab</source>
+        <translation>Genauigkeitslabor</translation>
+    </message>
+    <message>
+        <source>Warnings</source>
+        <translation>Warnungen</translation>
+    </message>
+    <message>
+        <source>Machine, compiler, and the command that does it again</source>
+        <translation>Rechner, Compiler und der Befehl, der es wiederholt</translation>
+    </message>
+    <message>
+        <source>Open Results</source>
+        <translation>Ergebnisse öffnen</translation>
+    </message>
+    <message>
+        <source>Compare with Earlier Results</source>
+        <translation>Mit früheren Ergebnissen vergleichen</translation>
+    </message>
+    <message>
+        <source>Save the Results</source>
+        <translation>Ergebnisse speichern</translation>
+    </message>
+    <message>
+        <source>Results of the lab (*.json)</source>
+        <translation>Ergebnisse des Labors (*.json)</translation>
+    </message>
+    <message>
+        <source>Save the Table</source>
+        <translation>Tabelle speichern</translation>
+    </message>
+    <message>
+        <source>CSV tables (*.csv)</source>
+        <translation>CSV-Tabellen (*.csv)</translation>
+    </message>
+    <message>
+        <source>There is no command: the scene was in no file when it was measured. Save it and run the lab again.</source>
+        <translation>Es gibt keinen Befehl: Die Szene war in keiner Datei, als gemessen wurde. Erst speichern, dann noch einmal messen.</translation>
+    </message>
+    <message>
+        <source>The command is on the clipboard.</source>
+        <translation>Der Befehl ist in der Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>Cancelled before anything was timed: the results before it stay.</source>
+        <translation>Abgebrochen, bevor etwas gemessen war: Die vorigen Ergebnisse bleiben.</translation>
+    </message>
+    <message>
+        <source>Cancelled. Those before are under Files, Results before these.</source>
+        <translation>Abgebrochen. Die vorigen stehen unter Dateien, Ergebnisse davor.</translation>
+    </message>
+    <message>
+        <source>The first pictures are being judged.</source>
+        <translation>Die ersten Bilder werden beurteilt.</translation>
+    </message>
+    <message>
+        <source>Results before this run, until it has times of this family.</source>
+        <translation>Ergebnisse von vor diesem Lauf, bis er Zeiten dieser Familie hat.</translation>
+    </message>
+    <message>
+        <source>There is no wrong pixel to look at here.</source>
+        <translation>Hier gibt es kein falsches Pixel anzusehen.</translation>
+    </message>
+    <message>
+        <source>A table stands in front: choose the tab of a chart.</source>
+        <translation>Vorn steht eine Tabelle: erst den Reiter eines Diagramms wählen.</translation>
+    </message>
+    <message>
+        <source>Save the Chart</source>
+        <translation>Diagramm speichern</translation>
+    </message>
+    <message>
+        <source>SVG drawings (*.svg);;PNG pictures (*.png);;Numbers, CSV (*.csv)</source>
+        <translation>SVG-Zeichnungen (*.svg);;PNG-Bilder (*.png);;Zahlen, CSV (*.csv)</translation>
+    </message>
+    <message>
+        <source>Nothing is measured yet that %1 could be compared with: press Run or open results first.</source>
+        <translation>Noch ist nichts gemessen, womit %1 verglichen werden könnte: erst messen oder Ergebnisse öffnen.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::AgreementView</name>
+    <message>
+        <source>Agreement map</source>
+        <translation>Karte der Übereinstimmung</translation>
+    </message>
+    <message>
+        <source>How many agree on each pixel. A click tells the reason.</source>
+        <translation>Wie viele bei jedem Pixel übereinstimmen. Ein Klick nennt den Grund.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::Canvas</name>
+    <message>
+        <source>Canvas</source>
+        <translation>Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>The frame with its triangles. A click places a vertex or, with the tool Inspect, picks a pixel. Arrows move the picked pixel, Enter places a vertex there, brackets choose a vertex, Control with arrows moves it, C changes its colour.</source>
+        <translation>Die Bildfläche mit ihren Dreiecken. Ein Klick setzt einen Eckpunkt oder wählt mit dem Werkzeug Prüfen ein Pixel. Pfeiltasten bewegen das gewählte Pixel, die Eingabetaste setzt dort einen Eckpunkt, eckige Klammern wählen einen Eckpunkt, Strg mit Pfeiltasten bewegt ihn, C ändert seine Farbe.</translation>
+    </message>
+    <message>
+        <source>1:%1</source>
+        <translation>1:%1</translation>
+    </message>
+    <message>
+        <source>%1×</source>
+        <translation>%1×</translation>
+    </message>
+    <message>
+        <source>waiting vertex %1 at %2</source>
+        <translation>wartender Eckpunkt %1 bei %2</translation>
+    </message>
+    <message>
+        <source>vertex %1 of %2 %3 at %4</source>
+        <translation>Eckpunkt %1 von %2 %3 bei %4</translation>
+    </message>
+    <message>
+        <source>image of vertex %1 at %2</source>
+        <translation>Bild des Eckpunkts %1 bei %2</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2)</source>
+        <translation>Pixel (%1, %2)</translation>
+    </message>
+    <message>
+        <source>no pixel is picked</source>
+        <translation>kein Pixel ist gewählt</translation>
+    </message>
+    <message>
+        <source>%1 (vertex %2)</source>
+        <translation>%1 (Eckpunkt %2)</translation>
+    </message>
+    <message>
+        <source>Still the picture of %1</source>
+        <translation>Noch das Bild von %1</translation>
+    </message>
+    <message>
+        <source>Truth: the exact picture</source>
+        <translation>Wahrheit: das exakte Bild</translation>
+    </message>
+    <message>
+        <source>Marked: the student&apos;s picture</source>
+        <translation>Markiert: das abgegebene Bild</translation>
+    </message>
+    <message>
+        <source>Finished picture; the first %L1 steps are recorded</source>
+        <translation>Fertiges Bild; aufgezeichnet sind die ersten %L1 Schritte</translation>
+    </message>
+    <message>
+        <source>Outlines and handles only under the pointer and in hand: over %1 in view</source>
+        <translation>Umrisse und Griffe nur unter dem Zeiger und beim aktuellen: über %1 im Blick</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::CanvasMenu</name>
+    <message>
+        <source>Vertex &amp;colour…</source>
+        <translation>&amp;Farbe des Eckpunkts …</translation>
+    </message>
+    <message>
+        <source>&amp;Coordinates…</source>
+        <translation>&amp;Koordinaten …</translation>
+    </message>
+    <message>
+        <source>&amp;Text…</source>
+        <translation>&amp;Text …</translation>
+    </message>
+    <message>
+        <source>&amp;Hide %1</source>
+        <translation>%1 &amp;ausblenden</translation>
+    </message>
+    <message>
+        <source>&amp;Delete vertex</source>
+        <translation>Eckpunkt &amp;löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Delete %1</source>
+        <translation>%1 &amp;löschen</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>The characters that are drawn:</source>
+        <translation>Die Zeichen, die gezeichnet werden:</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::ColourButton</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::ColourVision</name>
+    <message>
+        <source>protanopia</source>
+        <translation>Protanopie</translation>
+    </message>
+    <message>
+        <source>deuteranopia</source>
+        <translation>Deuteranopie</translation>
+    </message>
+    <message>
+        <source>tritanopia</source>
+        <translation>Tritanopie</translation>
+    </message>
+    <message>
+        <source>ordinary vision</source>
+        <translation>gewöhnliches Sehen</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::ColumnTable</name>
+    <message>
+        <source>Columns of the scan</source>
+        <translation>Spalten der Rasterung</translation>
+    </message>
+    <message>
+        <source>A row for each column; the current row is the column in hand.</source>
+        <translation>Je Spalte eine Zeile; die markierte Zeile ist die aktuelle Spalte.</translation>
+    </message>
+    <message>
+        <source>No row is of the chosen kind.</source>
+        <translation>Keine Zeile ist von der gewählten Art.</translation>
+    </message>
+    <message>
+        <source>Position</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Show the column and its half</source>
+        <translation>Die Spalte und ihre Hälfte zeigen</translation>
+    </message>
+    <message>
+        <source>Span</source>
+        <translation>Spanne</translation>
+    </message>
+    <message>
+        <source>Show where the edges meet the column, and its rows</source>
+        <translation>Zeigen, wo die Kanten die Spalte treffen, und ihre Zeilen</translation>
+    </message>
+    <message>
+        <source>Decision</source>
+        <translation>Entscheidung</translation>
+    </message>
+    <message>
+        <source>Show the numbers that decide the samples</source>
+        <translation>Die Zahlen zeigen, die über die Abtastpunkte entscheiden</translation>
+    </message>
+    <message>
+        <source>Edge colours</source>
+        <translation>Kantenfarben</translation>
+    </message>
+    <message>
+        <source>Show the levels at both edges</source>
+        <translation>Die Farbwerte an beiden Kanten zeigen</translation>
+    </message>
+    <message>
+        <source>ΔR ΔG ΔB</source>
+        <translation>ΔR ΔG ΔB</translation>
+    </message>
+    <message>
+        <source>Show the change for each upward move</source>
+        <translation>Die Änderung je Schritt nach oben zeigen</translation>
+    </message>
+    <message>
+        <source>First R G B</source>
+        <translation>Erste R G B</translation>
+    </message>
+    <message>
+        <source>Show the levels at the first pixel</source>
+        <translation>Die Farbwerte am ersten Pixel zeigen</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exakt</translation>
+    </message>
+    <message>
+        <source>Show the exact number beside each</source>
+        <translation>Die exakte Zahl neben jeder zeigen</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Show used minus exact beside each</source>
+        <translation>Neben jeder die benutzte minus die exakte zeigen</translation>
+    </message>
+    <message>
+        <source>Copy rows</source>
+        <translation>Zeilen kopieren</translation>
+    </message>
+    <message>
+        <source>Copy all rows shown</source>
+        <translation>Alle gezeigten Zeilen kopieren</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Beside each number</source>
+        <translation>Neben jeder Zahl</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::ColumnTableModel</name>
+    <message>
+        <source>%1 exact</source>
+        <translation>%1 exakt</translation>
+    </message>
+    <message>
+        <source>%1 error</source>
+        <translation>%1 Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::ColumnTablePanel</name>
+    <message>
+        <source>Rows of the table</source>
+        <translation>Zeilen der Tabelle</translation>
+    </message>
+    <message>
+        <source>Show all rows, or those in which a sample lies on an edge (=), a level left 0 … 255 (^), or a pixel differs from the truth (?, !, c)</source>
+        <translation>Alle Zeilen zeigen oder nur die, in denen ein Abtastpunkt auf einer Kante liegt (=), ein Farbwert 0 … 255 verließ (^) oder ein Pixel von der Wahrheit abweicht (?, !, c)</translation>
+    </message>
+    <message>
+        <source>all rows</source>
+        <translation>alle Zeilen</translation>
+    </message>
+    <message>
+        <source>ties =</source>
+        <translation>Grenzfälle =</translation>
+    </message>
+    <message>
+        <source>clamps ^</source>
+        <translation>begrenzt ^</translation>
+    </message>
+    <message>
+        <source>errors ? ! c</source>
+        <translation>Fehler ? ! c</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Rows</source>
+        <translation>Zeilen</translation>
+    </message>
+    <message>
+        <source>Steps</source>
+        <translation>Schritte</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n columns</source>
+        <translation>
+            <numerusform>%n Spalte</numerusform>
+            <numerusform>%n Spalten</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows</source>
+        <translation>
+            <numerusform>%n Zeile</numerusform>
+            <numerusform>%n Zeilen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n steps</source>
+        <translation>
+            <numerusform>%n Schritt</numerusform>
+            <numerusform>%n Schritte</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n primitives</source>
+        <translation>
+            <numerusform>%n Primitiv</numerusform>
+            <numerusform>%n Primitive</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>recording ended at its limit</source>
+        <translation>Aufzeichnung endete an ihrer Grenze</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::ComparePane</name>
+    <message>
+        <source>Method of pane %1</source>
+        <translation>Verfahren der Ansicht %1</translation>
+    </message>
+    <message>
+        <source>Arithmetic of pane %1</source>
+        <translation>Arithmetik der Ansicht %1</translation>
+    </message>
+    <message>
+        <source>Fill rule of pane %1</source>
+        <translation>Füllregel der Ansicht %1</translation>
+    </message>
+    <message>
+        <source>Truth</source>
+        <translation>Wahrheit</translation>
+    </message>
+    <message>
+        <source>Picture of pane %1</source>
+        <translation>Bild der Ansicht %1</translation>
+    </message>
+    <message>
+        <source>Draws nothing of this scene.</source>
+        <translation>Zeichnet nichts von dieser Szene.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pixels, shown finished</source>
+        <translation>
+            <numerusform>%n Pixel, fertig gezeigt</numerusform>
+            <numerusform>%n Pixel, fertig gezeigt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pixels: %1 missing, %2 extra, %3 in another colour</source>
+        <translation>
+            <numerusform>%n Pixel: %1 fehlen, %2 überzählig, %3 in anderer Farbe</numerusform>
+            <numerusform>%n Pixel: %1 fehlen, %2 überzählig, %3 in anderer Farbe</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>; %1 undrawn, of other kinds</source>
+        <translation>; %1 ungezeichnet, von anderer Art</translation>
+    </message>
+    <message>
+        <source>; with %1</source>
+        <translation>; mit %1</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::ComparePanel</name>
+    <message>
+        <source>Why the picked pixel differs</source>
+        <translation>Warum das gewählte Pixel abweicht</translation>
+    </message>
+    <message>
+        <source>− pane</source>
+        <translation>− Ansicht</translation>
+    </message>
+    <message>
+        <source>Take the last pane away</source>
+        <translation>Die letzte Ansicht entfernen</translation>
+    </message>
+    <message>
+        <source>+ pane</source>
+        <translation>+ Ansicht</translation>
+    </message>
+    <message>
+        <source>Add a pane, four at most</source>
+        <translation>Eine Ansicht hinzufügen, höchstens vier</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Show the whole frame in every pane</source>
+        <translation>In jeder Ansicht die ganze Bildfläche zeigen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Agreement</source>
+        <translation>Übereinstimmung</translation>
+    </message>
+    <message>
+        <source>The comparison was cancelled. Change a pane or the scene to start it again.</source>
+        <translation>Der Vergleich wurde abgebrochen. Er beginnt neu, wenn sich eine Ansicht oder die Szene ändert.</translation>
+    </message>
+    <message>
+        <source>The scene is being drawn.</source>
+        <translation>Die Szene wird gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The comparison does not fit into memory. Make the frame smaller.</source>
+        <translation>Der Vergleich passt nicht in den Speicher. Eine kleinere Bildfläche passt eher.</translation>
+    </message>
+    <message>
+        <source>Nothing is compared yet.</source>
+        <translation>Noch ist nichts verglichen.</translation>
+    </message>
+    <message>
+        <source>%1 agree: %2</source>
+        <translation>%1 einig: %2</translation>
+    </message>
+    <message>
+        <source>All agree on every pixel.</source>
+        <translation>Bei jedem Pixel stimmen alle überein.</translation>
+    </message>
+    <message>
+        <source>Pixels that differ: %1. Click one in the agreement map to see why.</source>
+        <translation>Abweichende Pixel: %1. Ein Klick auf eines in der Karte der Übereinstimmung nennt den Grund.</translation>
+    </message>
+    <message>
+        <source>Pixel (%1, %2): all agree. Pixels that differ: %3; click one in the agreement map to see why.</source>
+        <translation>Pixel (%1, %2): Alle stimmen überein. Abweichende Pixel: %3; ein Klick auf eines in der Karte der Übereinstimmung nennt den Grund.</translation>
+    </message>
+    <message>
+        <source>Pixel (%1, %2): %3 of %4 agree. %5: %6</source>
+        <translation>Pixel (%1, %2): %3 von %4 stimmen überein. %5: %6</translation>
+    </message>
+    <message>
+        <source>not drawn</source>
+        <translation>nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::CoreWords</name>
+    <message>
+        <source>triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>line</source>
+        <translation>Linie</translation>
+    </message>
+    <message>
+        <source>circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>bezier</source>
+        <translation>Bézierkurve</translation>
+    </message>
+    <message>
+        <source>polygon</source>
+        <translation>Polygon</translation>
+    </message>
+    <message>
+        <source>text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>triangle3</source>
+        <translation>3D-Dreieck</translation>
+    </message>
+    <message>
+        <source>polygon3</source>
+        <translation>3D-Polygon</translation>
+    </message>
+    <message>
+        <source>plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>sphere</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>patch</source>
+        <translation>Flächenstück</translation>
+    </message>
+    <message>
+        <source>mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>Column %1, first half</source>
+        <translation>Spalte %1, erste Hälfte</translation>
+    </message>
+    <message>
+        <source>Column %1, second half</source>
+        <translation>Spalte %1, zweite Hälfte</translation>
+    </message>
+    <message>
+        <source>Column %1, part %2</source>
+        <translation>Spalte %1, Teil %2</translation>
+    </message>
+    <message>
+        <source>Row %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>Row %1, first trapezoid</source>
+        <translation>Zeile %1, erstes Trapez</translation>
+    </message>
+    <message>
+        <source>Row %1, second trapezoid</source>
+        <translation>Zeile %1, zweites Trapez</translation>
+    </message>
+    <message>
+        <source>Row %1, part %2</source>
+        <translation>Zeile %1, Teil %2</translation>
+    </message>
+    <message>
+        <source>Row %1, triangle %2</source>
+        <translation>Zeile %1, Dreieck %2</translation>
+    </message>
+    <message>
+        <source>Step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>Step %1, part %2</source>
+        <translation>Schritt %1, Teil %2</translation>
+    </message>
+    <message>
+        <source>Step %1, edge %2</source>
+        <translation>Schritt %1, Kante %2</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>column %1, first half</source>
+        <translation>Spalte %1, erste Hälfte</translation>
+    </message>
+    <message>
+        <source>column %1, second half</source>
+        <translation>Spalte %1, zweite Hälfte</translation>
+    </message>
+    <message>
+        <source>column %1, part %2</source>
+        <translation>Spalte %1, Teil %2</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+    <message>
+        <source>row %1, first trapezoid</source>
+        <translation>Zeile %1, erstes Trapez</translation>
+    </message>
+    <message>
+        <source>row %1, second trapezoid</source>
+        <translation>Zeile %1, zweites Trapez</translation>
+    </message>
+    <message>
+        <source>row %1, part %2</source>
+        <translation>Zeile %1, Teil %2</translation>
+    </message>
+    <message>
+        <source>row %1, triangle %2</source>
+        <translation>Zeile %1, Dreieck %2</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>step %1, part %2</source>
+        <translation>Schritt %1, Teil %2</translation>
+    </message>
+    <message>
+        <source>step %1, edge %2</source>
+        <translation>Schritt %1, Kante %2</translation>
+    </message>
+    <message>
+        <source>part %1</source>
+        <translation>Teil %1</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>Kante %1</translation>
+    </message>
+    <message>
+        <source>triangle %1</source>
+        <translation>Dreieck %1</translation>
+    </message>
+    <message>
+        <source>same</source>
+        <translation>gleich</translation>
+    </message>
+    <message>
+        <source>missing</source>
+        <translation>fehlt</translation>
+    </message>
+    <message>
+        <source>extra</source>
+        <translation>überzählig</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>undecidable</source>
+        <translation>unentscheidbar</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>richtig</translation>
+    </message>
+    <message>
+        <source>wrong</source>
+        <translation>falsch</translation>
+    </message>
+    <message>
+        <source>nothing</source>
+        <translation>nichts</translation>
+    </message>
+    <message>
+        <source>within spread</source>
+        <translation>in der Streuung</translation>
+    </message>
+    <message>
+        <source>faster</source>
+        <translation>schneller</translation>
+    </message>
+    <message>
+        <source>slower</source>
+        <translation>langsamer</translation>
+    </message>
+    <message>
+        <source>not comparable</source>
+        <translation>nicht vergleichbar</translation>
+    </message>
+    <message>
+        <source>smooth colour</source>
+        <translation>Farbverlauf</translation>
+    </message>
+    <message>
+        <source>clipping</source>
+        <translation>Clipping</translation>
+    </message>
+    <message>
+        <source>depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>perspective</source>
+        <translation>Perspektive</translation>
+    </message>
+    <message>
+        <source>texture</source>
+        <translation>Textur</translation>
+    </message>
+    <message>
+        <source>light</source>
+        <translation>Licht</translation>
+    </message>
+    <message>
+        <source>blending</source>
+        <translation>Überblendung</translation>
+    </message>
+    <message>
+        <source>antialiasing</source>
+        <translation>Kantenglättung</translation>
+    </message>
+    <message>
+        <source>called for</source>
+        <translation>gefordert</translation>
+    </message>
+    <message>
+        <source>not called for</source>
+        <translation>nicht gefordert</translation>
+    </message>
+    <message>
+        <source>not ruled out</source>
+        <translation>nicht ausgeschlossen</translation>
+    </message>
+    <message>
+        <source>tie rule</source>
+        <translation>Grenzfallregel</translation>
+    </message>
+    <message>
+        <source>kind not drawn</source>
+        <translation>Art nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>rounding</source>
+        <translation>Rundung</translation>
+    </message>
+    <message>
+        <source>drift</source>
+        <translation>Drift</translation>
+    </message>
+    <message>
+        <source>precision</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>not recorded</source>
+        <translation>nicht aufgezeichnet</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>Triangles, stable forms</source>
+        <translation>Dreiecke, stabile Formen</translation>
+    </message>
+    <message>
+        <source>Interpolation</source>
+        <translation>Interpolation</translation>
+    </message>
+    <message>
+        <source>Lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>Curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>Polygons</source>
+        <translation>Polygone</translation>
+    </message>
+    <message>
+        <source>Points and text</source>
+        <translation>Punkte und Text</translation>
+    </message>
+    <message>
+        <source>Vertices and edges</source>
+        <translation>Eckpunkte und Kanten</translation>
+    </message>
+    <message>
+        <source>Bounding box</source>
+        <translation>Umgebendes Rechteck</translation>
+    </message>
+    <message>
+        <source>Half-planes and normals</source>
+        <translation>Halbebenen und Normalen</translation>
+    </message>
+    <message>
+        <source>Half-plane of E₀</source>
+        <translation>Halbebene von E₀</translation>
+    </message>
+    <message>
+        <source>Half-plane of E₁</source>
+        <translation>Halbebene von E₁</translation>
+    </message>
+    <message>
+        <source>Half-plane of E₂</source>
+        <translation>Halbebene von E₂</translation>
+    </message>
+    <message>
+        <source>Weights in the cells</source>
+        <translation>Gewichte in den Zellen</translation>
+    </message>
+    <message>
+        <source>R G B in the cells</source>
+        <translation>R G B in den Zellen</translation>
+    </message>
+    <message>
+        <source>Barycentric axes and points</source>
+        <translation>Baryzentrische Achsen und Punkte</translation>
+    </message>
+    <message>
+        <source>Affine map: weights stay</source>
+        <translation>Affine Abbildung: Gewichte bleiben</translation>
+    </message>
+    <message>
+        <source>Contour lines of R</source>
+        <translation>Höhenlinien von R</translation>
+    </message>
+    <message>
+        <source>Contour lines of G</source>
+        <translation>Höhenlinien von G</translation>
+    </message>
+    <message>
+        <source>Contour lines of B</source>
+        <translation>Höhenlinien von B</translation>
+    </message>
+    <message>
+        <source>Triangles of a polygon</source>
+        <translation>Dreiecke eines Polygons</translation>
+    </message>
+    <message>
+        <source>Edge table</source>
+        <translation>Kantentabelle</translation>
+    </message>
+    <message>
+        <source>Decision of the step</source>
+        <translation>Entscheidung des Schritts</translation>
+    </message>
+    <message>
+        <source>Sampling points</source>
+        <translation>Abtastpunkte</translation>
+    </message>
+    <message>
+        <source>Addresses in memory</source>
+        <translation>Adressen im Speicher</translation>
+    </message>
+    <message>
+        <source>reading</source>
+        <translation>Lesen</translation>
+    </message>
+    <message>
+        <source>projecting</source>
+        <translation>Projizieren</translation>
+    </message>
+    <message>
+        <source>drawing</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>recording</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+    <message>
+        <source>recording in exact numbers</source>
+        <translation>Aufzeichnen in exakten Zahlen</translation>
+    </message>
+    <message>
+        <source>judging</source>
+        <translation>Beurteilen</translation>
+    </message>
+    <message>
+        <source>explaining</source>
+        <translation>Erklären</translation>
+    </message>
+    <message>
+        <source>measuring</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>writing</source>
+        <translation>Schreiben</translation>
+    </message>
+    <message>
+        <source>checking</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>divisions</source>
+        <translation>Divisionen</translation>
+    </message>
+    <message>
+        <source>roundings</source>
+        <translation>Rundungen</translation>
+    </message>
+    <message>
+        <source>float additions</source>
+        <translation>Gleitkomma-Additionen</translation>
+    </message>
+    <message>
+        <source>integer additions</source>
+        <translation>ganzzahlige Additionen</translation>
+    </message>
+    <message>
+        <source>multiplications</source>
+        <translation>Multiplikationen</translation>
+    </message>
+    <message>
+        <source>comparisons</source>
+        <translation>Vergleiche</translation>
+    </message>
+    <message>
+        <source>conversions</source>
+        <translation>Umwandlungen</translation>
+    </message>
+    <message>
+        <source>functions</source>
+        <translation>Funktionen</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>%1 set-up</source>
+        <translation>%1 Vorbereitung</translation>
+    </message>
+    <message>
+        <source>%1 set-ups</source>
+        <translation>%1 Vorbereitungen</translation>
+    </message>
+    <message>
+        <source>%1 span</source>
+        <translation>%1 Spanne</translation>
+    </message>
+    <message>
+        <source>%1 spans</source>
+        <translation>%1 Spannen</translation>
+    </message>
+    <message>
+        <source>%1 pixel</source>
+        <translation>%1 Pixel</translation>
+    </message>
+    <message>
+        <source>%1 pixels</source>
+        <translation>%1 Pixel</translation>
+    </message>
+    <message>
+        <source>%1 sample refused</source>
+        <translation>%1 Abtastpunkt abgewiesen</translation>
+    </message>
+    <message>
+        <source>%1 samples refused</source>
+        <translation>%1 Abtastpunkte abgewiesen</translation>
+    </message>
+    <message>
+        <source>%1 operation</source>
+        <translation>%1 Operation</translation>
+    </message>
+    <message>
+        <source>%1 operations</source>
+        <translation>%1 Operationen</translation>
+    </message>
+    <message>
+        <source>wrong pixels</source>
+        <translation>falsche Pixel</translation>
+    </message>
+    <message>
+        <source>wrong coverage</source>
+        <translation>falsche Überdeckung</translation>
+    </message>
+    <message>
+        <source>wrong colours</source>
+        <translation>falsche Farben</translation>
+    </message>
+    <message>
+        <source>largest error of a byte</source>
+        <translation>größter Fehler eines Bytes</translation>
+    </message>
+    <message>
+        <source>largest error before rounding</source>
+        <translation>größter Fehler vor dem Runden</translation>
+    </message>
+    <message>
+        <source>RMS error before rounding</source>
+        <translation>mittlerer quadratischer Fehler vor dem Runden</translation>
+    </message>
+    <message>
+        <source>farthest missed sample</source>
+        <translation>fernster verfehlter Abtastpunkt</translation>
+    </message>
+    <message>
+        <source>levels</source>
+        <translation>Stufen</translation>
+    </message>
+    <message>
+        <source>Random, whole pixels</source>
+        <translation>Zufällig, ganze Pixel</translation>
+    </message>
+    <message>
+        <source>Random, %1/%2 px</source>
+        <translation>Zufällig, %1/%2 px</translation>
+    </message>
+    <message>
+        <source>Slivers</source>
+        <translation>Splitter</translation>
+    </message>
+    <message>
+        <source>Ties</source>
+        <translation>Grenzfälle</translation>
+    </message>
+    <message>
+        <source>Far from the origin</source>
+        <translation>Fern vom Ursprung</translation>
+    </message>
+    <message>
+        <source>Small triangles</source>
+        <translation>Kleine Dreiecke</translation>
+    </message>
+    <message>
+        <source>Large triangles</source>
+        <translation>Große Dreiecke</translation>
+    </message>
+    <message>
+        <source>Mesh</source>
+        <translation>Netz</translation>
+    </message>
+    <message>
+        <source>Own scene</source>
+        <translation>Eigene Szene</translation>
+    </message>
+    <message>
+        <source>Hard cases</source>
+        <translation>Schwierige Fälle</translation>
+    </message>
+    <message>
+        <source>width</source>
+        <translation>Breite</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>at most one level</source>
+        <translation>höchstens eine Stufe</translation>
+    </message>
+    <message>
+        <source>at most %1 wrong pixels per million</source>
+        <translation>höchstens %1 falsche Pixel von einer Million</translation>
+    </message>
+    <message>
+        <source>%1 ms a frame</source>
+        <translation>%1 ms je Bild</translation>
+    </message>
+    <message>
+        <source>nothing to measure yet</source>
+        <translation>noch nichts zu messen</translation>
+    </message>
+    <message>
+        <source>truth not known</source>
+        <translation>Wahrheit nicht bekannt</translation>
+    </message>
+    <message>
+        <source>%1 wrong, proved</source>
+        <translation>%1 falsch, bewiesen</translation>
+    </message>
+    <message>
+        <source>%1 wrong px, truth %2 px</source>
+        <translation>%1 px falsch, Wahrheit %2 px</translation>
+    </message>
+    <message>
+        <source>plain kernel %1 ns a pixel</source>
+        <translation>einfach %1 ns je Pixel</translation>
+    </message>
+    <message>
+        <source>The time is that of the plain kernel, the one that is stepped through, on one thread:</source>
+        <translation>Die Zeit ist die des einfachen Kerns, den die Schritte durchgehen, auf einem Thread:</translation>
+    </message>
+    <message>
+        <source>median of %1 rounds %2 ns a pixel, the middle half %3 … %4, over %5 px of triangles, each as often as it is written.</source>
+        <translation>Median von %1 Runden %2 ns je Pixel, mittlere Hälfte %3 … %4, über %5 px von Dreiecken, jedes so oft gezählt, wie es geschrieben wird.</translation>
+    </message>
+    <message>
+        <source>waiting</source>
+        <translation>wartet</translation>
+    </message>
+    <message>
+        <source>about %1 s</source>
+        <translation>etwa %1 s</translation>
+    </message>
+    <message>
+        <source>about %1 min</source>
+        <translation>etwa %1 min</translation>
+    </message>
+    <message>
+        <source>%1 %, about %2 s left</source>
+        <translation>%1 %, noch etwa %2 s</translation>
+    </message>
+    <message>
+        <source>%1 %, about %2 min left</source>
+        <translation>%1 %, noch etwa %2 min</translation>
+    </message>
+    <message>
+        <source>Triangle %1</source>
+        <translation>Dreieck %1</translation>
+    </message>
+    <message>
+        <source>Point %1</source>
+        <translation>Punkt %1</translation>
+    </message>
+    <message>
+        <source>Line %1</source>
+        <translation>Linie %1</translation>
+    </message>
+    <message>
+        <source>Circle %1</source>
+        <translation>Kreis %1</translation>
+    </message>
+    <message>
+        <source>Ellipse %1</source>
+        <translation>Ellipse %1</translation>
+    </message>
+    <message>
+        <source>Bezier %1</source>
+        <translation>Bézierkurve %1</translation>
+    </message>
+    <message>
+        <source>Polygon %1</source>
+        <translation>Polygon %1</translation>
+    </message>
+    <message>
+        <source>Text %1</source>
+        <translation>Text %1</translation>
+    </message>
+    <message>
+        <source>set-up</source>
+        <translation>Vorbereitung</translation>
+    </message>
+    <message>
+        <source>Pixel (%1, %2)</source>
+        <translation>Pixel (%1, %2)</translation>
+    </message>
+    <message>
+        <source>Sample (%1, %2), refused</source>
+        <translation>Abtastpunkt (%1, %2), abgewiesen</translation>
+    </message>
+    <message>
+        <source>is not seen: the camera&apos;s eye is at its target, or up is where it looks</source>
+        <translation>wird nicht gesehen: Das Auge der Kamera ist an ihrem Ziel, oder oben ist, wohin sie blickt</translation>
+    </message>
+    <message>
+        <source>lies wholly before the near plane</source>
+        <translation>liegt ganz vor der vorderen Ebene</translation>
+    </message>
+    <message>
+        <source>has a corner that the camera takes nowhere</source>
+        <translation>hat eine Ecke, die die Kamera nirgendwohin bringt</translation>
+    </message>
+    <message>
+        <source>has a corner beyond ±%1^%2 px</source>
+        <translation>hat eine Ecke jenseits von ±%1^%2 px</translation>
+    </message>
+    <message>
+        <source>has a corner with a number beyond ±%1^%2</source>
+        <translation>hat eine Ecke mit einer Zahl jenseits von ±%1^%2</translation>
+    </message>
+    <message>
+        <source>agreed</source>
+        <translation>einig</translation>
+    </message>
+    <message>
+        <source>Column %1, edge %2</source>
+        <translation>Spalte %1, Kante %2</translation>
+    </message>
+    <message>
+        <source>Column %1, triangle %2</source>
+        <translation>Spalte %1, Dreieck %2</translation>
+    </message>
+    <message>
+        <source>Row %1, edge %2</source>
+        <translation>Zeile %1, Kante %2</translation>
+    </message>
+    <message>
+        <source>Step %1, triangle %2</source>
+        <translation>Schritt %1, Dreieck %2</translation>
+    </message>
+    <message>
+        <source>column %1, edge %2</source>
+        <translation>Spalte %1, Kante %2</translation>
+    </message>
+    <message>
+        <source>column %1, triangle %2</source>
+        <translation>Spalte %1, Dreieck %2</translation>
+    </message>
+    <message>
+        <source>row %1, edge %2</source>
+        <translation>Zeile %1, Kante %2</translation>
+    </message>
+    <message>
+        <source>step %1, triangle %2</source>
+        <translation>Schritt %1, Dreieck %2</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::CostStack</name>
+    <message>
+        <source>Cost of set-up, columns and pixels</source>
+        <translation>Kosten von Vorbereitung, Spalten und Pixeln</translation>
+    </message>
+    <message>
+        <source>ns a pixel</source>
+        <translation>ns je Pixel</translation>
+    </message>
+    <message>
+        <source>Set-up, columns and pixels stand apart when several families are timed.</source>
+        <translation>Vorbereitung, Spalten und Pixel stehen getrennt, wenn mehrere Familien gemessen sind.</translation>
+    </message>
+    <message>
+        <source>set-up</source>
+        <translation>Vorbereitung</translation>
+    </message>
+    <message>
+        <source>What a triangle takes before its first column, shared out among its pixels</source>
+        <translation>Was ein Dreieck vor seiner ersten Spalte braucht, auf seine Pixel verteilt</translation>
+    </message>
+    <message>
+        <source>columns or rows</source>
+        <translation>Spalten oder Zeilen</translation>
+    </message>
+    <message>
+        <source>What a column or a row takes, shared out among its pixels</source>
+        <translation>Was eine Spalte oder Zeile braucht, auf ihre Pixel verteilt</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>What a pixel takes by itself</source>
+        <translation>Was ein Pixel selbst braucht</translation>
+    </message>
+    <message>
+        <source>measured</source>
+        <translation>gemessen</translation>
+    </message>
+    <message>
+        <source>The middle half of the measured times. The parts come from a fit over all families and need not add up to it.</source>
+        <translation>Die mittlere Hälfte der gemessenen Zeiten. Die Teile stammen aus einem Ausgleich über alle Familien und müssen sich nicht dazu summieren.</translation>
+    </message>
+    <message>
+        <source>of a pixel&apos;s time, set-up %1 ns, columns or rows %2 ns, the pixel itself %3 ns</source>
+        <translation>von der Zeit eines Pixels die Vorbereitung %1 ns, Spalten oder Zeilen %2 ns, das Pixel selbst %3 ns</translation>
+    </message>
+    <message>
+        <source>measured: %1 ns</source>
+        <translation>gemessen: %1 ns</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::DefectStepper</name>
+    <message>
+        <source>defect %1</source>
+        <translation>Defekt %1</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::DiagnosisView</name>
+    <message>
+        <source>Right: no pixel differs, there is no bug to name.</source>
+        <translation>Richtig: Kein Pixel weicht ab, es gibt keinen Programmfehler zu benennen.</translation>
+    </message>
+    <message>
+        <source>Wrong.</source>
+        <translation>Falsch.</translation>
+    </message>
+    <message>
+        <source>Undecidable: what differs lies on edges, where rules differ, or within what rounding in float32 may do.</source>
+        <translation>Unentscheidbar: Was abweicht, liegt auf Kanten, wo Regeln verschieden sind, oder in dem, was Rundung in float32 bewirken darf.</translation>
+    </message>
+    <message>
+        <source>No known defect comes near.</source>
+        <translation>Kein bekannter Defekt kommt in die Nähe.</translation>
+    </message>
+    <message>
+        <source>No known defect explains it; the nearest ones:</source>
+        <translation>Kein bekannter Defekt erklärt es; die nächsten:</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n sets of known defects draw this very picture:</source>
+        <translation>
+            <numerusform>Eine Menge bekannter Defekte zeichnet genau dieses Bild:</numerusform>
+            <numerusform>%n Mengen bekannter Defekte zeichnen genau dieses Bild:</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+    <message numerus="yes">
+        <source> · %n pixels are left</source>
+        <translation>
+            <numerusform> · %n Pixel bleibt</numerusform>
+            <numerusform> · %n Pixel bleiben</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Naming the bug</source>
+        <translation>Benennen des Fehlers</translation>
+    </message>
+    <message>
+        <source>Name the &amp;bug</source>
+        <translation>&amp;Fehler benennen</translation>
+    </message>
+    <message>
+        <source>Find the known defects, one or two, that draw this very picture</source>
+        <translation>Die bekannten Defekte finden, einen oder zwei, die genau dieses Bild zeichnen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop looking for defects</source>
+        <translation>Die Suche nach Defekten beenden</translation>
+    </message>
+    <message>
+        <source>Sets of defects that are tried</source>
+        <translation>Mengen von Defekten, die erprobt werden</translation>
+    </message>
+    <message>
+        <source>Whose words</source>
+        <translation>Wessen Worte</translation>
+    </message>
+    <message>
+        <source>For whom. Student: where to look. Assistant: what was done.</source>
+        <translation>Für wen. Studierende: wo zu suchen ist. Betreuung: was getan wurde.</translation>
+    </message>
+    <message>
+        <source>student</source>
+        <translation>Studierende</translation>
+    </message>
+    <message>
+        <source>assistant</source>
+        <translation>Betreuung</translation>
+    </message>
+    <message>
+        <source>What the diagnosis says</source>
+        <translation>Was die Diagnose sagt</translation>
+    </message>
+    <message>
+        <source>Sets of defects</source>
+        <translation>Mengen von Defekten</translation>
+    </message>
+    <message>
+        <source>What the chosen defects are</source>
+        <translation>Was die gewählten Defekte sind</translation>
+    </message>
+    <message>
+        <source>Open in the stepper</source>
+        <translation>Im Schrittablauf öffnen</translation>
+    </message>
+    <message>
+        <source>Run the scene with these defects, at the first step that parts from the right run; where no run has them, the right run at that step</source>
+        <translation>Die Szene mit diesen Defekten laufen lassen, beim ersten Schritt, der vom richtigen Lauf abweicht; wo kein Lauf sie hat, den richtigen Lauf bei diesem Schritt</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>The same, with the right run beside it in Compare</source>
+        <translation>Dasselbe mit dem richtigen Lauf daneben im Vergleich</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Back to the scene without defects</source>
+        <translation>Zurück zur Szene ohne Defekte</translation>
+    </message>
+    <message>
+        <source>Cancelled.</source>
+        <translation>Abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The diagnosis does not fit into memory.</source>
+        <translation>Die Diagnose passt nicht in den Speicher.</translation>
+    </message>
+    <message>
+        <source>Parts at step %1, %2: %3.</source>
+        <translation>Weicht ab bei Schritt %1, %2: %3.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::DifferenceOpening</name>
+    <message>
+        <source>Drawn to the end: every pixel is as in the truth.</source>
+        <translation>Bis zum Ende gezeichnet: Jedes Pixel ist wie in der Wahrheit.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::DriftPlot</name>
+    <message>
+        <source>Drift of increments over the columns</source>
+        <translation>Drift von Inkrementen über die Spalten</translation>
+    </message>
+    <message>
+        <source>%1: %2 px, at most %3 px by proof</source>
+        <translation>%1: %2 px, nach Beweis höchstens %3 px</translation>
+    </message>
+    <message numerus="yes">
+        <source>&lt;b&gt;after %n columns&lt;/b&gt;</source>
+        <translation>
+            <numerusform>&lt;b&gt;nach %n Spalte&lt;/b&gt;</numerusform>
+            <numerusform>&lt;b&gt;nach %n Spalten&lt;/b&gt;</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>columns walked</source>
+        <translation>gegangene Spalten</translation>
+    </message>
+    <message>
+        <source>px</source>
+        <translation>px</translation>
+    </message>
+    <message>
+        <source>error of a bound, px</source>
+        <translation>Fehler einer Grenze, px</translation>
+    </message>
+    <message>
+        <source>Drift is computed at the end of a study.</source>
+        <translation>Die Drift wird am Ende einer Studie berechnet.</translation>
+    </message>
+    <message>
+        <source>limit by proof</source>
+        <translation>bewiesene Schranke</translation>
+    </message>
+    <message>
+        <source>No error of this arithmetic can be larger: its curve stays below the dotted one of its colour.</source>
+        <translation>Kein Fehler dieser Arithmetik kann größer sein: Ihre Kurve bleibt unter der punktierten in ihrer Farbe.</translation>
+    </message>
+    <message>
+        <source>½ px</source>
+        <translation>½ px</translation>
+    </message>
+    <message>
+        <source>From here on a bound is off by half a pixel and more.</source>
+        <translation>Von hier an liegt eine Grenze um ein halbes Pixel und mehr daneben.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::EditMenu</name>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;Undo</source>
+        <translation>&amp;Rückgängig</translation>
+    </message>
+    <message>
+        <source>&amp;Redo</source>
+        <translation>Wieder&amp;holen</translation>
+    </message>
+    <message>
+        <source>Dra&amp;w</source>
+        <translation>&amp;Zeichnen</translation>
+    </message>
+    <message>
+        <source>draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>A click places a vertex, a drag moves one (P)</source>
+        <translation>Ein Klick setzt einen Eckpunkt, Ziehen bewegt einen (P)</translation>
+    </message>
+    <message>
+        <source>&amp;Inspect</source>
+        <translation>&amp;Prüfen</translation>
+    </message>
+    <message>
+        <source>inspect</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>A click picks the pixel and leaves the scene alone (V)</source>
+        <translation>Ein Klick wählt das Pixel und lässt die Szene, wie sie ist (V)</translation>
+    </message>
+    <message>
+        <source>&amp;Copy the picked pixel</source>
+        <translation>Gewähltes Pixel &amp;kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the &amp;raster (ASCII)</source>
+        <translation>R&amp;aster kopieren (ASCII)</translation>
+    </message>
+    <message>
+        <source>&amp;Paste a student&apos;s picture</source>
+        <translation>Abgegebenes Bild &amp;einfügen</translation>
+    </message>
+    <message>
+        <source>Marks on the canvas what differs in a picture or a raster of # and . from the clipboard (Ctrl+V)</source>
+        <translation>Markiert auf der Zeichenfläche, was in einem Bild oder einem Raster aus # und . aus der Zwischenablage abweicht (Strg+V)</translation>
+    </message>
+    <message>
+        <source>Add a &amp;triangle…</source>
+        <translation>&amp;Dreieck hinzufügen …</translation>
+    </message>
+    <message>
+        <source>C&amp;hange the triangle in hand…</source>
+        <translation>Aktuelles Dreieck ä&amp;ndern …</translation>
+    </message>
+    <message>
+        <source>Close the &amp;polygon</source>
+        <translation>P&amp;olygon schließen</translation>
+    </message>
+    <message>
+        <source>Colour of the &amp;next vertex…</source>
+        <translation>Farbe des nä&amp;chsten Eckpunkts …</translation>
+    </message>
+    <message>
+        <source>Colour of the &amp;selected vertex…</source>
+        <translation>&amp;Farbe des gewählten Eckpunkts …</translation>
+    </message>
+    <message>
+        <source>&amp;Delete the selected primitive</source>
+        <translation>Gewähltes Primitiv &amp;löschen</translation>
+    </message>
+    <message>
+        <source>&amp;Hide the selected primitive</source>
+        <translation>Gewähltes Primitiv au&amp;sblenden</translation>
+    </message>
+    <message>
+        <source>Keeps the primitive and does not draw it (the Primitives panel shows it again)</source>
+        <translation>Behält das Primitiv und zeichnet es nicht (der Bereich Primitive blendet es wieder ein)</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w all hidden primitives</source>
+        <translation>Alle ausgeblendeten Primitive zei&amp;gen</translation>
+    </message>
+    <message>
+        <source>The triangle of the selected vertex; where none is selected, the one that the step in hand draws</source>
+        <translation>Das Dreieck des gewählten Eckpunkts; ist keiner gewählt, das, das der aktuelle Schritt zeichnet</translation>
+    </message>
+    <message>
+        <source>C&amp;lear all primitives</source>
+        <translation>Alle Primi&amp;tive entfernen</translation>
+    </message>
+    <message>
+        <source>Triangle %1</source>
+        <translation>Dreieck %1</translation>
+    </message>
+    <message>
+        <source>&amp;Frame…</source>
+        <translation>&amp;Bildfläche …</translation>
+    </message>
+    <message>
+        <source>&amp;Snap to</source>
+        <translation>E&amp;inrasten auf</translation>
+    </message>
+    <message>
+        <source>whole &amp;pixels</source>
+        <translation>ganze &amp;Pixel</translation>
+    </message>
+    <message>
+        <source>&amp;sixteenths of a pixel</source>
+        <translation>&amp;sechzehntel Pixel</translation>
+    </message>
+    <message>
+        <source>1/&amp;256 pixel</source>
+        <translation>1/&amp;256 Pixel</translation>
+    </message>
+    <message>
+        <source>Colour of the Vertex</source>
+        <translation>Farbe des Eckpunkts</translation>
+    </message>
+    <message>
+        <source>Colour of the Next Vertex</source>
+        <translation>Farbe des nächsten Eckpunkts</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::EffectsPanel</name>
+    <message>
+        <source>Effects</source>
+        <translation>Effekte</translation>
+    </message>
+    <message>
+        <source>What is forced, and what that changes</source>
+        <translation>Was erzwungen ist und was das ändert</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Draw the scene again and again with each effect on and off, all others as called for, by the plain kernels</source>
+        <translation>Die Szene wieder und wieder mit jedem Effekt an und aus zeichnen, alle anderen wie gefordert, mit den einfachen Kernen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>effect</source>
+        <translation>Effekt</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>switch</source>
+        <translation>Schalter</translation>
+    </message>
+    <message>
+        <source>primitives</source>
+        <translation>Primitive</translation>
+    </message>
+    <message>
+        <source>pixels ≤</source>
+        <translation>Pixel ≤</translation>
+    </message>
+    <message>
+        <source>ns a pixel</source>
+        <translation>ns je Pixel</translation>
+    </message>
+    <message>
+        <source>operations a pixel</source>
+        <translation>Operationen je Pixel</translation>
+    </message>
+    <message>
+        <source>times as long</source>
+        <translation>mal so lange</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>How much longer drawing takes with it than without it, for each pixel written</source>
+        <translation>Wie viel länger das Zeichnen mit ihm dauert als ohne, je geschriebenes Pixel</translation>
+    </message>
+    <message>
+        <source>With it on, for each pixel written: depths read and written, divisions by 1/w, texels read, normals made unit length, blends, samples</source>
+        <translation>Mit ihm, je geschriebenes Pixel: Tiefen gelesen und geschrieben, Divisionen durch 1/w, Texel gelesen, Normalen auf Länge 1 gebracht, Überblendungen, Abtastpunkte</translation>
+    </message>
+    <message>
+        <source>With it against without it, and between which a half of the measurements lies</source>
+        <translation>Mit ihm gegenüber ohne ihn, und wozwischen eine Hälfte der Messungen liegt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>The frame&apos;s border bounds every loop, at no cost; what lies before the near plane has no place in the frame</source>
+        <translation>Der Rand der Bildfläche begrenzt jede Schleife, ohne Kosten; was vor der vorderen Ebene liegt, hat in der Bildfläche keinen Platz</translation>
+    </message>
+    <message>
+        <source>Switch of %1</source>
+        <translation>Schalter für %1</translation>
+    </message>
+    <message>
+        <source>as called for</source>
+        <translation>wie gefordert</translation>
+    </message>
+    <message>
+        <source>on</source>
+        <translation>an</translation>
+    </message>
+    <message>
+        <source>off</source>
+        <translation>aus</translation>
+    </message>
+    <message>
+        <source>The plan does not fit into memory.</source>
+        <translation>Der Plan passt nicht in den Speicher.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::EffectsText</name>
+    <message>
+        <source>%1 off</source>
+        <translation>%1 aus</translation>
+    </message>
+    <message>
+        <source>%1 on</source>
+        <translation>%1 an</translation>
+    </message>
+    <message>
+        <source>%1 on, where there is none to switch on</source>
+        <translation>%1 an, wo es nichts anzuschalten gibt</translation>
+    </message>
+    <message>
+        <source>No pixel needs %1 here: that it is called for is a defect of the plan, unless its values differ by less than a byte.</source>
+        <translation>Kein Pixel braucht hier %1: Dass es gefordert ist, ist ein Defekt des Plans, es sei denn, seine Werte unterscheiden sich um weniger als ein Byte.</translation>
+    </message>
+    <message>
+        <source>A defect: %1 is not called for, and pixels change without it.</source>
+        <translation>Ein Defekt: %1 ist nicht gefordert, und ohne ändern sich Pixel.</translation>
+    </message>
+    <message>
+        <source>A defect: %1 is not called for, and pixels change with it.</source>
+        <translation>Ein Defekt: %1 ist nicht gefordert, und damit ändern sich Pixel.</translation>
+    </message>
+    <message>
+        <source>no pixel changes</source>
+        <translation>kein Pixel ändert sich</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pixels change, marked on the canvas</source>
+        <translation>
+            <numerusform>%n Pixel ändert sich, auf der Zeichenfläche markiert</numerusform>
+            <numerusform>%n Pixel ändern sich, auf der Zeichenfläche markiert</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Forced: %1; %2.</source>
+        <translation>Erzwungen: %1; %2.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::ErrorScale</name>
+    <message>
+        <source>0, proved</source>
+        <translation>0, bewiesen</translation>
+    </message>
+    <message>
+        <source>0, observed</source>
+        <translation>0, beobachtet</translation>
+    </message>
+    <message>
+        <source>0, tested</source>
+        <translation>0, getestet</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::Examples</name>
+    <message>
+        <source>Circles and ellipses by the midpoint</source>
+        <translation>Kreise und Ellipsen mit dem Mittelpunktverfahren</translation>
+    </message>
+    <message>
+        <source>Two triangles through each other: depth decides pixel by pixel</source>
+        <translation>Zwei Dreiecke durcheinander: Die Tiefe entscheidet Pixel für Pixel</translation>
+    </message>
+    <message>
+        <source>Bézier curves, halved until their pieces are straight</source>
+        <translation>Bézierkurven, halbiert, bis ihre Stücke gerade sind</translation>
+    </message>
+    <message>
+        <source>The assignment: one triangle, column by column</source>
+        <translation>Die Aufgabe: ein Dreieck, Spalte für Spalte</translation>
+    </message>
+    <message>
+        <source>Lines in all directions that are equally bright: strokes by area</source>
+        <translation>Linien in allen Richtungen, die gleich hell sind: Striche nach Fläche</translation>
+    </message>
+    <message>
+        <source>Closed paths of Bézier curves, filled along their chords</source>
+        <translation>Geschlossene Wege aus Bézierkurven, entlang ihrer Sehnen gefüllt</translation>
+    </message>
+    <message>
+        <source>See-through triangles: the order of drawing is seen</source>
+        <translation>Durchsichtige Dreiecke: Die Reihenfolge des Zeichnens ist zu sehen</translation>
+    </message>
+    <message>
+        <source>Bresenham&apos;s line in every octant, and the course&apos;s own example from (20, 41) to (30, 44)</source>
+        <translation>Bresenhams Linie in jedem Oktanten, und das Beispiel des Kurses von (20, 41) nach (30, 44)</translation>
+    </message>
+    <message>
+        <source>A sphere of triangles in the light of two lamps: Phong</source>
+        <translation>Eine Kugel aus Dreiecken im Licht zweier Lampen: Phong</translation>
+    </message>
+    <message>
+        <source>An icosahedron from an OBJ file, flatly shaded</source>
+        <translation>Ein Ikosaeder aus einer OBJ-Datei, flach schattiert</translation>
+    </message>
+    <message>
+        <source>A sliver that moves: float32 lets its pixels flicker otherwise than truth</source>
+        <translation>Ein Splitter, der sich bewegt: float32 lässt seine Pixel anders flimmern als die Wahrheit</translation>
+    </message>
+    <message>
+        <source>A free-form surface, cut into triangles as finely as needed</source>
+        <translation>Eine Freiformfläche, so fein wie nötig in Dreiecke zerlegt</translation>
+    </message>
+    <message>
+        <source>The edges of polygons as Bresenham&apos;s lines</source>
+        <translation>Die Kanten von Polygonen als Bresenhams Linien</translation>
+    </message>
+    <message>
+        <source>A star that crosses itself: even-odd beside non-zero</source>
+        <translation>Ein Stern, der sich selbst kreuzt: gerade-ungerade neben ungleich null</translation>
+    </message>
+    <message>
+        <source>One triangle in space: each step of its way to the screen</source>
+        <translation>Ein Dreieck im Raum: jeder Schritt seines Weges auf den Bildschirm</translation>
+    </message>
+    <message>
+        <source>Two triangles on one edge: who owns its pixels under which fill rule</source>
+        <translation>Zwei Dreiecke an einer Kante: wem ihre Pixel nach welcher Füllregel gehören</translation>
+    </message>
+    <message>
+        <source>A triangle thinner than a pixel in float32: gaps and extras</source>
+        <translation>Ein Dreieck, dünner als ein Pixel, in float32: Lücken und Überzähliges</translation>
+    </message>
+    <message>
+        <source>Thin triangles, whole by sixteen samples a pixel</source>
+        <translation>Dünne Dreiecke, ganz durch sechzehn Abtastpunkte je Pixel</translation>
+    </message>
+    <message>
+        <source>Far from the origin float32&apos;s increments stand still</source>
+        <translation>Fern vom Ursprung stehen die Inkremente von float32 still</translation>
+    </message>
+    <message>
+        <source>Steep lines by y = mx + b: gaps, and the reason for octants</source>
+        <translation>Steile Linien mit y = mx + b: Lücken, und wozu es Oktanten gibt</translation>
+    </message>
+    <message>
+        <source>Letters are polygons: outlines filled by parity</source>
+        <translation>Buchstaben sind Polygone: Umrisse, nach Parität gefüllt</translation>
+    </message>
+    <message>
+        <source>A chequered plane: what perspective correction mends</source>
+        <translation>Eine karierte Ebene: was die Perspektivkorrektur verbessert</translation>
+    </message>
+    <message>
+        <source>Samples exactly on an edge whose slope is no binary fraction</source>
+        <translation>Abtastpunkte genau auf einer Kante, deren Steigung kein Binärbruch ist</translation>
+    </message>
+    <message>
+        <source>Vertical and level edges, where quotients have no value</source>
+        <translation>Senkrechte und waagrechte Kanten, bei denen Quotienten keinen Wert haben</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::ExamplesDialog</name>
+    <message>
+        <source>Examples</source>
+        <translation>Beispiele</translation>
+    </message>
+    <message>
+        <source>Hard case: %1</source>
+        <translation>Schwieriger Fall: %1</translation>
+    </message>
+    <message>
+        <source>Hard cases: %1 (%2)</source>
+        <translation>Schwierige Fälle: %1 (%2)</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::FileMenu</name>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;New</source>
+        <translation>&amp;Neu</translation>
+    </message>
+    <message>
+        <source>&amp;Open…</source>
+        <translation>Ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Exa&amp;mples…</source>
+        <translation>&amp;Beispiele …</translation>
+    </message>
+    <message>
+        <source>Open the &amp;first scene</source>
+        <translation>&amp;Erste Szene öffnen</translation>
+    </message>
+    <message>
+        <source>Open student&apos;s p&amp;icture…</source>
+        <translation>&amp;Abgegebenes Bild öffnen …</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Save &amp;as…</source>
+        <translation>Speichern &amp;unter …</translation>
+    </message>
+    <message>
+        <source>Re&amp;vert to the file</source>
+        <translation>Auf Datei &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Quit</source>
+        <translation>Been&amp;den</translation>
+    </message>
+    <message>
+        <source>&amp;Export</source>
+        <translation>Ex&amp;portieren</translation>
+    </message>
+    <message>
+        <source>&amp;Picture (PNG)…</source>
+        <translation>&amp;Bild (PNG) …</translation>
+    </message>
+    <message>
+        <source>&amp;Annotated grid (SVG)…</source>
+        <translation>Beschriftetes &amp;Gitter (SVG) …</translation>
+    </message>
+    <message>
+        <source>&amp;Columns (CSV)…</source>
+        <translation>&amp;Spalten (CSV) …</translation>
+    </message>
+    <message>
+        <source>Columns (&amp;JSON)…</source>
+        <translation>Spalten (&amp;JSON) …</translation>
+    </message>
+    <message>
+        <source>Pi&amp;xels (CSV)…</source>
+        <translation>&amp;Pixel (CSV) …</translation>
+    </message>
+    <message>
+        <source>Pixels (JS&amp;ON)…</source>
+        <translation>Pixel (JS&amp;ON) …</translation>
+    </message>
+    <message>
+        <source>&amp;Raster (ASCII text)…</source>
+        <translation>&amp;Raster (ASCII-Text) …</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::FormulaHtml</name>
+    <message>
+        <source>lower edge</source>
+        <translation>untere Kante</translation>
+    </message>
+    <message>
+        <source>upper edge</source>
+        <translation>obere Kante</translation>
+    </message>
+    <message>
+        <source>left edge</source>
+        <translation>linke Kante</translation>
+    </message>
+    <message>
+        <source>right edge</source>
+        <translation>rechte Kante</translation>
+    </message>
+    <message>
+        <source>exact %1</source>
+        <translation>exakt %1</translation>
+    </message>
+    <message>
+        <source>error %1</source>
+        <translation>Fehler %1</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::FormulaPanel</name>
+    <message>
+        <source>a column</source>
+        <translation>eine Spalte</translation>
+    </message>
+    <message>
+        <source>a row</source>
+        <translation>eine Zeile</translation>
+    </message>
+    <message>
+        <source>a step</source>
+        <translation>einen Schritt</translation>
+    </message>
+    <message>
+        <source>Nothing is drawn</source>
+        <translation>Nichts ist gezeichnet</translation>
+    </message>
+    <message>
+        <source>Before the first step</source>
+        <translation>Vor dem ersten Schritt</translation>
+    </message>
+    <message>
+        <source>Nothing is drawn yet. Step forward by %1 or by a pixel: the buttons above, or the Step menu with its keys.</source>
+        <translation>Noch ist nichts gezeichnet. Um %1 oder um ein Pixel vorgehen: mit den Knöpfen oben oder im Menü Schritt mit seinen Tasten.</translation>
+    </message>
+    <message>
+        <source>Formulas of the step in hand</source>
+        <translation>Formeln des aktuellen Schritts</translation>
+    </message>
+    <message>
+        <source>Formulas</source>
+        <translation>Formeln</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::FrameDialog</name>
+    <message>
+        <source>Frame</source>
+        <translation>Bildfläche</translation>
+    </message>
+    <message>
+        <source>&amp;Width</source>
+        <translation>&amp;Breite</translation>
+    </message>
+    <message>
+        <source>&amp;Height</source>
+        <translation>&amp;Höhe</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>&amp;Background</source>
+        <translation>H&amp;intergrund</translation>
+    </message>
+    <message>
+        <source>lower left, y upward</source>
+        <translation>unten links, y nach oben</translation>
+    </message>
+    <message>
+        <source>upper left, y downward</source>
+        <translation>oben links, y nach unten</translation>
+    </message>
+    <message>
+        <source>&amp;Origin</source>
+        <translation>&amp;Ursprung</translation>
+    </message>
+    <message>
+        <source>at (x, y)</source>
+        <translation>bei (x, y)</translation>
+    </message>
+    <message>
+        <source>at (x + ½, y + ½)</source>
+        <translation>bei (x + ½, y + ½)</translation>
+    </message>
+    <message>
+        <source>&amp;Pixels are sampled</source>
+        <translation>&amp;Pixel werden abgetastet</translation>
+    </message>
+    <message>
+        <source> px</source>
+        <translation> px</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 pixels</source>
+        <translation>
+            <numerusform>%1 Pixel</numerusform>
+            <numerusform>%1 Pixel</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%1 pixels are too many: at most %2 fit. Make a side smaller.</source>
+        <translation>%1 Pixel sind zu viele: höchstens %2 passen. Eine Seite muss kürzer werden.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::FramePainter</name>
+    <message>
+        <source>off-screen point</source>
+        <translation>Punkt außerhalb</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::GoToDialog</name>
+    <message>
+        <source>&amp;Pixel, row or step</source>
+        <translation>&amp;Pixel, Zeile oder Schritt</translation>
+    </message>
+    <message>
+        <source>27 19   a pixel;   27   a row;   #611   a step</source>
+        <translation>27 19   ein Pixel;   27   eine Zeile;   #611   ein Schritt</translation>
+    </message>
+    <message>
+        <source>Type two numbers for a pixel, one for a row, # and one for a step.</source>
+        <translation>Zwei Zahlen stehen für ein Pixel, eine für eine Zeile, # mit einer für einen Schritt.</translation>
+    </message>
+    <message>
+        <source>Nothing has a row %1.</source>
+        <translation>Nichts hat eine Zeile %1.</translation>
+    </message>
+    <message>
+        <source>Goes to row %1.</source>
+        <translation>Geht zu Zeile %1.</translation>
+    </message>
+    <message>
+        <source>&amp;Pixel, step of the shape or step of the run</source>
+        <translation>&amp;Pixel, Schritt der Form oder Schritt des Laufs</translation>
+    </message>
+    <message>
+        <source>27 19   a pixel;   27   a shape&apos;s step;   #611   a step</source>
+        <translation>27 19   ein Pixel;   27   ein Schritt der Form;   #611   ein Schritt</translation>
+    </message>
+    <message>
+        <source>Type two numbers for a pixel, one for a shape&apos;s step, # and one for a step of the run.</source>
+        <translation>Zwei Zahlen stehen für ein Pixel, eine für einen Schritt der Form, # mit einer für einen Schritt des Laufs.</translation>
+    </message>
+    <message>
+        <source>Nothing has a step %1 of its own.</source>
+        <translation>Nichts hat einen eigenen Schritt %1.</translation>
+    </message>
+    <message>
+        <source>Goes to the shape&apos;s step %1.</source>
+        <translation>Geht zum Schritt %1 der Form.</translation>
+    </message>
+    <message>
+        <source>&amp;Pixel, column or step</source>
+        <translation>&amp;Pixel, Spalte oder Schritt</translation>
+    </message>
+    <message>
+        <source>27 19   a pixel;   27   a column;   #611   a step</source>
+        <translation>27 19   ein Pixel;   27   eine Spalte;   #611   ein Schritt</translation>
+    </message>
+    <message>
+        <source>Type two numbers for a pixel, one for a column, # and one for a step.</source>
+        <translation>Zwei Zahlen stehen für ein Pixel, eine für eine Spalte, # mit einer für einen Schritt.</translation>
+    </message>
+    <message>
+        <source>Nothing has a column %1.</source>
+        <translation>Nichts hat eine Spalte %1.</translation>
+    </message>
+    <message>
+        <source>Goes to column %1.</source>
+        <translation>Geht zu Spalte %1.</translation>
+    </message>
+    <message>
+        <source>Go To</source>
+        <translation>Gehe zu</translation>
+    </message>
+    <message>
+        <source>Go</source>
+        <translation>Los</translation>
+    </message>
+    <message>
+        <source>There is no run yet.</source>
+        <translation>Noch gibt es keinen Lauf.</translation>
+    </message>
+    <message>
+        <source>The frame&apos;s pixels are (%1, %2) … (%3, %4).</source>
+        <translation>Die Pixel der Bildfläche sind (%1, %2) … (%3, %4).</translation>
+    </message>
+    <message>
+        <source>The last step is %1.</source>
+        <translation>Der letzte Schritt ist %1.</translation>
+    </message>
+    <message>
+        <source>Picks pixel (%1, %2); time stands still.</source>
+        <translation>Wählt Pixel (%1, %2); die Zeit steht still.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::GradeDialog</name>
+    <message>
+        <source>Grade a Folder</source>
+        <translation>Einen Ordner bewerten</translation>
+    </message>
+    <message>
+        <source>&amp;Submissions, a folder</source>
+        <translation>&amp;Abgaben, ein Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Assignment, a file</source>
+        <translation>Auf&amp;gabe, eine Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Results, a folder</source>
+        <translation>&amp;Ergebnisse, ein Ordner</translation>
+    </message>
+    <message>
+        <source>&amp;Grade</source>
+        <translation>&amp;Bewerten</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen …</translation>
+    </message>
+    <message>
+        <source>Choose: %1</source>
+        <translation>Wählen: %1</translation>
+    </message>
+    <message>
+        <source>The Assignment</source>
+        <translation>Die Aufgabe</translation>
+    </message>
+    <message>
+        <source>Assignments (*.json);;All files (*)</source>
+        <translation>Aufgaben (*.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>A Folder</source>
+        <translation>Ein Ordner</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::GradeReviewPane</name>
+    <message>
+        <source>The scene whose picture is shown</source>
+        <translation>Die Szene, deren Bild gezeigt wird</translation>
+    </message>
+    <message>
+        <source>What the student is told</source>
+        <translation>Was die Studierenden erfahren</translation>
+    </message>
+    <message>
+        <source>Your comment, for the student; it is saved as you leave the field</source>
+        <translation>Der eigene Kommentar zur Abgabe; er wird beim Verlassen des Feldes gespeichert</translation>
+    </message>
+    <message>
+        <source>comment (C); Escape: back to the table</source>
+        <translation>Kommentar (C); Escape: zurück zur Tabelle</translation>
+    </message>
+    <message>
+        <source>Accept (A)</source>
+        <translation>Annehmen (A)</translation>
+    </message>
+    <message>
+        <source>This grade is reviewed and goes out as it is (A)</source>
+        <translation>Diese Bewertung ist geprüft und geht so hinaus (A)</translation>
+    </message>
+    <message>
+        <source>For this cause</source>
+        <translation>Für diese Ursache</translation>
+    </message>
+    <message>
+        <source>Give every submission of the same cause this comment</source>
+        <translation>Jeder Abgabe mit derselben Ursache diesen Kommentar geben</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::GradeTableModel</name>
+    <message>
+        <source>accepted</source>
+        <translation>angenommen</translation>
+    </message>
+    <message>
+        <source>name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>defects</source>
+        <translation>Defekte</translation>
+    </message>
+    <message>
+        <source>comment</source>
+        <translation>Kommentar</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>offen</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::Gradebook</name>
+    <message>
+        <source>Reading grades</source>
+        <translation>Lesen der Bewertungen</translation>
+    </message>
+    <message>
+        <source>The grades do not fit into memory.</source>
+        <translation>Die Bewertungen passen nicht in den Speicher.</translation>
+    </message>
+    <message>
+        <source>No grades: %1</source>
+        <translation>Keine Bewertungen: %1</translation>
+    </message>
+    <message>
+        <source>Grading</source>
+        <translation>Bewerten</translation>
+    </message>
+    <message>
+        <source>The grading does not fit into memory.</source>
+        <translation>Die Bewertung passt nicht in den Speicher.</translation>
+    </message>
+    <message>
+        <source>Nothing is graded: %1</source>
+        <translation>Nichts ist bewertet: %1</translation>
+    </message>
+    <message>
+        <source>Writing reports</source>
+        <translation>Schreiben der Berichte</translation>
+    </message>
+    <message>
+        <source>The reports were not written: %1</source>
+        <translation>Die Berichte wurden nicht geschrieben: %1</translation>
+    </message>
+    <message>
+        <source>The reports in %1 have the comments.</source>
+        <translation>Die Berichte in %1 enthalten die Kommentare.</translation>
+    </message>
+    <message>
+        <source>Cancelled; what is graded stays, and grading goes on from there.</source>
+        <translation>Abgebrochen; was bewertet ist, bleibt, und die Bewertung geht von dort weiter.</translation>
+    </message>
+    <message>
+        <source>What you said is not saved: %1</source>
+        <translation>Was gesagt wurde, ist nicht gespeichert: %1</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::GradingPanel</name>
+    <message>
+        <source>Open results…</source>
+        <translation>Ergebnisse öffnen …</translation>
+    </message>
+    <message>
+        <source>Open a folder of results of pixelplumb-cli grade</source>
+        <translation>Einen Ordner mit Ergebnissen von pixelplumb-cli grade öffnen</translation>
+    </message>
+    <message>
+        <source>Grade a folder…</source>
+        <translation>Ordner bewerten …</translation>
+    </message>
+    <message>
+        <source>Grade the submissions of a folder by an assignment</source>
+        <translation>Die Abgaben eines Ordners nach einer Aufgabe bewerten</translation>
+    </message>
+    <message>
+        <source>Write reports</source>
+        <translation>Berichte schreiben</translation>
+    </message>
+    <message>
+        <source>Write the reports for Gradescope and others, the table and the page anew, with the comments</source>
+        <translation>Die Berichte für Gradescope und andere, die Tabelle und die Seite mit den Kommentaren neu schreiben</translation>
+    </message>
+    <message>
+        <source>Submissions that are graded</source>
+        <translation>Abgaben, die bewertet sind</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Stop; what is graded stays</source>
+        <translation>Anhalten; was bewertet ist, bleibt</translation>
+    </message>
+    <message>
+        <source>Show the submissions in which these words stand</source>
+        <translation>Die Abgaben zeigen, in denen diese Wörter stehen</translation>
+    </message>
+    <message>
+        <source>filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>Show one cause&apos;s submissions</source>
+        <translation>Die Abgaben mit einer Ursache zeigen</translation>
+    </message>
+    <message>
+        <source>Submissions</source>
+        <translation>Abgaben</translation>
+    </message>
+    <message>
+        <source>Open Results</source>
+        <translation>Ergebnisse öffnen</translation>
+    </message>
+    <message>
+        <source>all causes</source>
+        <translation>alle Ursachen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>Open a folder of results, or grade a folder of submissions.</source>
+        <translation>Einen Ordner mit Ergebnissen öffnen oder einen Ordner mit Abgaben bewerten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1: %n submissions, %2 accepted%3. J and K: next and previous; A: accept; C: comment; Enter: the picture.</source>
+        <translation>
+            <numerusform>%1: %n Abgabe, %2 angenommen%3. J und K: nächste und vorige; A: annehmen; C: kommentieren; Eingabetaste: das Bild.</numerusform>
+            <numerusform>%1: %n Abgaben, %2 angenommen%3. J und K: nächste und vorige; A: annehmen; C: kommentieren; Eingabetaste: das Bild.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>, %1 more without a grade</source>
+        <translation>, %1 weitere ohne Bewertung</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::HardCasePicture</name>
+    <message>
+        <source>%1 missing</source>
+        <translation>%1 fehlen</translation>
+    </message>
+    <message>
+        <source>%1 extra</source>
+        <translation>%1 überzählig</translation>
+    </message>
+    <message>
+        <source>%1 in another colour</source>
+        <translation>%1 in anderer Farbe</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>richtig</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::HardCasesDetails</name>
+    <message>
+        <source>The chosen case</source>
+        <translation>Der gewählte Fall</translation>
+    </message>
+    <message>
+        <source>Name of the case</source>
+        <translation>Name des Falls</translation>
+    </message>
+    <message>
+        <source>Choose a case.</source>
+        <translation>Einen Fall wählen.</translation>
+    </message>
+    <message>
+        <source>A click opens the case at the first pixel that differs.</source>
+        <translation>Ein Klick öffnet den Fall beim ersten Pixel, das abweicht.</translation>
+    </message>
+    <message>
+        <source>Open at the first pixel that differs</source>
+        <translation>Beim ersten abweichenden Pixel öffnen</translation>
+    </message>
+    <message>
+        <source>Whose pictures they are</source>
+        <translation>Wessen Bilder es sind</translation>
+    </message>
+    <message>
+        <source>What the case stresses, and why it goes wrong</source>
+        <translation>Was der Fall beansprucht und warum er misslingt</translation>
+    </message>
+    <message>
+        <source>%v of %m methods</source>
+        <translation>%v von %m Verfahren</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>About the chosen case</source>
+        <translation>Über den gewählten Fall</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Opens the case at the first pixel that differs</source>
+        <translation>Öffnet den Fall beim ersten Pixel, das abweicht</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleichen</translation>
+    </message>
+    <message>
+        <source>Opens the case and compares exact, float32 and float64</source>
+        <translation>Öffnet den Fall und vergleicht exact, float32 und float64</translation>
+    </message>
+    <message>
+        <source>Precision</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Opens the case and plots the error of the bounds</source>
+        <translation>Öffnet den Fall und zeichnet den Fehler der Grenzen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Stresses:&lt;/b&gt; %1.</source>
+        <translation>&lt;b&gt;Beansprucht:&lt;/b&gt; %1.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Why:&lt;/b&gt; %1</source>
+        <translation>&lt;b&gt;Warum:&lt;/b&gt; %1</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Seen to fail:&lt;/b&gt; %1.</source>
+        <translation>&lt;b&gt;Misslingen gesehen bei:&lt;/b&gt; %1.</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;Note:&lt;/b&gt; %1.</source>
+        <translation>&lt;b&gt;Anmerkung:&lt;/b&gt; %1.</translation>
+    </message>
+    <message>
+        <source>Being drawn by the method in hand.</source>
+        <translation>Wird mit dem aktuellen Verfahren gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Left: %1, %2. Right: the truth.</source>
+        <translation>Links: %1, %2. Rechts: die Wahrheit.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::HardCasesPanel</name>
+    <message>
+        <source>Hard cases by family</source>
+        <translation>Schwierige Fälle nach Familien</translation>
+    </message>
+    <message>
+        <source>method in hand | truth</source>
+        <translation>aktuelles Verfahren | Wahrheit</translation>
+    </message>
+    <message>
+        <source>case</source>
+        <translation>Fall</translation>
+    </message>
+    <message>
+        <source>The file of hard cases %1 is not part of this program.</source>
+        <translation>Die Datei der schwierigen Fälle %1 ist nicht Teil dieses Programms.</translation>
+    </message>
+    <message>
+        <source>not drawn yet</source>
+        <translation>noch nicht gezeichnet</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::HardCasesVerdicts</name>
+    <message>
+        <source>the case has no facts under its rules</source>
+        <translation>der Fall kennt unter seinen Regeln keine Tatsachen</translation>
+    </message>
+    <message>
+        <source>right under every rule that the case knows</source>
+        <translation>richtig unter jeder Regel, die der Fall kennt</translation>
+    </message>
+    <message>
+        <source>How every method does at the case</source>
+        <translation>Wie jedes Verfahren bei dem Fall abschneidet</translation>
+    </message>
+    <message>
+        <source>method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>the method does not compute in it</source>
+        <translation>das Verfahren rechnet nicht darin</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::HelpMenu</name>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>&amp;Keys and mouse</source>
+        <translation>&amp;Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>&amp;What&apos;s This?</source>
+        <translation>&amp;Was ist das?</translation>
+    </message>
+    <message>
+        <source>The next click tells what it hits is for (Shift+F1)</source>
+        <translation>Der nächste Klick sagt, wozu da ist, was er trifft (Umschalt+F1)</translation>
+    </message>
+    <message>
+        <source>&amp;Change keys…</source>
+        <translation>Tasten ä&amp;ndern …</translation>
+    </message>
+    <message>
+        <source>&amp;About Pixelplumb</source>
+        <translation>Ü&amp;ber Pixelplumb</translation>
+    </message>
+    <message>
+        <source>About Pixelplumb</source>
+        <translation>Über Pixelplumb</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Pixelplumb %1&lt;/h3&gt;&lt;p&gt;See, step through, measure and grade triangle scan conversion.&lt;/p&gt;&lt;p&gt;Qt %2, %3, %4&lt;/p&gt;&lt;p&gt;Licence: GPL-3.0-or-later. It uses no network and sends nothing.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Pixelplumb %1&lt;/h3&gt;&lt;p&gt;Die Rasterung von Dreiecken sehen, Schritt für Schritt durchgehen, messen und bewerten.&lt;/p&gt;&lt;p&gt;Qt %2, %3, %4&lt;/p&gt;&lt;p&gt;Lizenz: GPL-3.0-or-later. Es benutzt kein Netz und sendet nichts.&lt;/p&gt;</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::JobBar</name>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::KeySheet</name>
+    <message>
+        <source>in the canvas</source>
+        <translation>auf der Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Read the pixel, its painter and the nearest edge</source>
+        <translation>Das Pixel, seinen Urheber und die nächste Kante ablesen</translation>
+    </message>
+    <message>
+        <source>Click</source>
+        <translation>Klicken</translation>
+    </message>
+    <message>
+        <source>Place a vertex</source>
+        <translation>Einen Eckpunkt setzen</translation>
+    </message>
+    <message>
+        <source>Draw</source>
+        <translation>Zeichnen</translation>
+    </message>
+    <message>
+        <source>Drag a vertex</source>
+        <translation>Einen Eckpunkt ziehen</translation>
+    </message>
+    <message>
+        <source>Move it</source>
+        <translation>Ihn bewegen</translation>
+    </message>
+    <message>
+        <source>Double click on a vertex</source>
+        <translation>Doppelklick auf einen Eckpunkt</translation>
+    </message>
+    <message>
+        <source>Choose its colour</source>
+        <translation>Seine Farbe wählen</translation>
+    </message>
+    <message>
+        <source>Click, drag</source>
+        <translation>Klicken, ziehen</translation>
+    </message>
+    <message>
+        <source>Pick the pixel</source>
+        <translation>Das Pixel wählen</translation>
+    </message>
+    <message>
+        <source>Inspect</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Right click</source>
+        <translation>Rechtsklick</translation>
+    </message>
+    <message>
+        <source>Pick the pixel; on a vertex, its menu</source>
+        <translation>Das Pixel wählen; auf einem Eckpunkt dessen Menü</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Mausrad</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Vergrößern und verkleinern</translation>
+    </message>
+    <message>
+        <source>Middle drag, Ctrl+drag</source>
+        <translation>Mit der mittleren Taste oder Strg ziehen</translation>
+    </message>
+    <message>
+        <source>Move the view</source>
+        <translation>Den Ausschnitt bewegen</translation>
+    </message>
+    <message>
+        <source>Click, drag on the ruler</source>
+        <translation>Auf dem Lineal klicken, ziehen</translation>
+    </message>
+    <message>
+        <source>Go to the column</source>
+        <translation>Zur Spalte gehen</translation>
+    </message>
+    <message>
+        <source>Right or double click on the ruler</source>
+        <translation>Rechts- oder Doppelklick auf das Lineal</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the column</source>
+        <translation>Haltepunkt auf der Spalte</translation>
+    </message>
+    <message>
+        <source>Hold Shift</source>
+        <translation>Umschalt halten</translation>
+    </message>
+    <message>
+        <source>See the truth</source>
+        <translation>Die Wahrheit sehen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Give up the drag, or the vertices that wait</source>
+        <translation>Das Ziehen aufgeben, oder die wartenden Eckpunkte</translation>
+    </message>
+    <message>
+        <source>Keys and mouse</source>
+        <translation>Tasten und Maus</translation>
+    </message>
+    <message>
+        <source>Mouse, in the canvas</source>
+        <translation>Maus, auf der Zeichenfläche</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::KeysDialog</name>
+    <message>
+        <source>Actions and their keys</source>
+        <translation>Aktionen und ihre Tasten</translation>
+    </message>
+    <message>
+        <source>Press the key that the action in hand shall have</source>
+        <translation>Die Taste drücken, die die aktuelle Aktion haben soll</translation>
+    </message>
+    <message>
+        <source>Change keys</source>
+        <translation>Tasten ändern</translation>
+    </message>
+    <message>
+        <source>Show the actions with these words</source>
+        <translation>Die Aktionen mit diesen Wörtern zeigen</translation>
+    </message>
+    <message>
+        <source>find an action or a key</source>
+        <translation>eine Aktion oder Taste suchen</translation>
+    </message>
+    <message>
+        <source>action</source>
+        <translation>Aktion</translation>
+    </message>
+    <message>
+        <source>key</source>
+        <translation>Taste</translation>
+    </message>
+    <message>
+        <source>No key</source>
+        <translation>Keine Taste</translation>
+    </message>
+    <message>
+        <source>The action has no key</source>
+        <translation>Die Aktion hat keine Taste</translation>
+    </message>
+    <message>
+        <source>Default</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>The key that the action had first</source>
+        <translation>Die Taste, die die Aktion zuerst hatte</translation>
+    </message>
+    <message>
+        <source>All defaults</source>
+        <translation>Alle Vorgaben</translation>
+    </message>
+    <message>
+        <source>Every action has the key that it had first</source>
+        <translation>Jede Aktion hat die Taste, die sie zuerst hatte</translation>
+    </message>
+    <message>
+        <source>Every action has the key that it had first.</source>
+        <translation>Jede Aktion hat die Taste, die sie zuerst hatte.</translation>
+    </message>
+    <message>
+        <source>%1 ▸ %2</source>
+        <translation>%1 ▸ %2</translation>
+    </message>
+    <message>
+        <source>%1 is a key of the canvas and of the fields themselves: take another.</source>
+        <translation>%1 ist eine Taste der Zeichenfläche und der Felder selbst: eine andere nehmen.</translation>
+    </message>
+    <message>
+        <source>%1 is the key of “%2”: take another, or take that one&apos;s key away first.</source>
+        <translation>%1 ist die Taste von „%2“: eine andere nehmen oder jener erst ihre wegnehmen.</translation>
+    </message>
+    <message>
+        <source>“%1” has no key.</source>
+        <translation>„%1“ hat keine Taste.</translation>
+    </message>
+    <message>
+        <source>“%1” has the key %2.</source>
+        <translation>„%1“ hat die Taste %2.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::LabAnswers</name>
+    <message>
+        <source>proof</source>
+        <translation>Beweis</translation>
+    </message>
+    <message>
+        <source>proof and test</source>
+        <translation>Beweis und Test</translation>
+    </message>
+    <message>
+        <source>measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>nobody</source>
+        <translation>niemand</translation>
+    </message>
+    <message>
+        <source>The cheapest contender for each budget</source>
+        <translation>Der billigste Kandidat für jede Vorgabe</translation>
+    </message>
+    <message>
+        <source>budget</source>
+        <translation>Vorgabe</translation>
+    </message>
+    <message>
+        <source>cheapest contender</source>
+        <translation>billigster Kandidat</translation>
+    </message>
+    <message>
+        <source>known by</source>
+        <translation>bekannt durch</translation>
+    </message>
+    <message>
+        <source>ns a pixel</source>
+        <translation>ns je Pixel</translation>
+    </message>
+    <message>
+        <source>reason</source>
+        <translation>Grund</translation>
+    </message>
+    <message>
+        <source>What is asked for</source>
+        <translation>Was verlangt ist</translation>
+    </message>
+    <message>
+        <source>Who gives it for the least time on this family of triangles</source>
+        <translation>Wer es auf dieser Familie von Dreiecken in der kürzesten Zeit gibt</translation>
+    </message>
+    <message>
+        <source>Whether it is proved, or was only never seen otherwise in this study. A SIMD kernel is tested to write what the proved plain one does</source>
+        <translation>Ob es bewiesen ist oder in dieser Studie nur nie anders gesehen wurde. Von einem SIMD-Kern ist getestet, dass er schreibt, was der bewiesene einfache schreibt</translation>
+    </message>
+    <message>
+        <source>The median of all rounds</source>
+        <translation>Der Median aller Runden</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::LabChanges</name>
+    <message>
+        <source>What changed</source>
+        <translation>Was sich geändert hat</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
+    </message>
+    <message>
+        <source>contender</source>
+        <translation>Kandidat</translation>
+    </message>
+    <message>
+        <source>family</source>
+        <translation>Familie</translation>
+    </message>
+    <message>
+        <source>before, ns a pixel</source>
+        <translation>vorher, ns je Pixel</translation>
+    </message>
+    <message>
+        <source>after, ns a pixel</source>
+        <translation>nachher, ns je Pixel</translation>
+    </message>
+    <message>
+        <source>×</source>
+        <translation>×</translation>
+    </message>
+    <message>
+        <source>time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>wrong before, ppm</source>
+        <translation>falsch vorher, ppm</translation>
+    </message>
+    <message>
+        <source>wrong after, ppm</source>
+        <translation>falsch nachher, ppm</translation>
+    </message>
+    <message>
+        <source>Before: %1. %2 faster, %3 slower, %4 within their spread.</source>
+        <translation>Vorher: %1. %2 schneller, %3 langsamer, %4 innerhalb ihrer Streuung.</translation>
+    </message>
+    <message>
+        <source>No accuracy changed.</source>
+        <translation>Keine Genauigkeit hat sich geändert.</translation>
+    </message>
+    <message numerus="yes">
+        <source>≠ Accuracy changed in %n rows.</source>
+        <translation>
+            <numerusform>≠ Die Genauigkeit hat sich in %n Zeile geändert.</numerusform>
+            <numerusform>≠ Die Genauigkeit hat sich in %n Zeilen geändert.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows are missing.</source>
+        <translation>
+            <numerusform>%n Zeile fehlt.</numerusform>
+            <numerusform>%n Zeilen fehlen.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::LabCharts</name>
+    <message>
+        <source>Whose misses</source>
+        <translation>Wessen Verfehltes</translation>
+    </message>
+    <message>
+        <source>Which size grows</source>
+        <translation>Welche Größe wächst</translation>
+    </message>
+    <message>
+        <source>What accuracy costs here</source>
+        <translation>Was Genauigkeit hier kostet</translation>
+    </message>
+    <message>
+        <source>Charts of the lab</source>
+        <translation>Diagramme des Labors</translation>
+    </message>
+    <message>
+        <source>Cost and error</source>
+        <translation>Kosten und Fehler</translation>
+    </message>
+    <message>
+        <source>Every contender by what it costs and what it gets wrong</source>
+        <translation>Jeder Kandidat nach dem, was er kostet, und dem, was er falsch macht</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>The same in figures, sorted by any column</source>
+        <translation>Dasselbe in Zahlen, nach jeder Spalte sortierbar</translation>
+    </message>
+    <message>
+        <source>Budgets</source>
+        <translation>Vorgaben</translation>
+    </message>
+    <message>
+        <source>The cheapest contender that is accurate enough</source>
+        <translation>Der billigste Kandidat, der genau genug ist</translation>
+    </message>
+    <message>
+        <source>Misses</source>
+        <translation>Verfehltes</translation>
+    </message>
+    <message>
+        <source>How far missed samples lie from the boundary</source>
+        <translation>Wie weit verfehlte Abtastpunkte vom Rand liegen</translation>
+    </message>
+    <message>
+        <source>Parts of the cost</source>
+        <translation>Teile der Kosten</translation>
+    </message>
+    <message>
+        <source>Parts</source>
+        <translation>Teile</translation>
+    </message>
+    <message>
+        <source>What set-up, columns and pixels take</source>
+        <translation>Was Vorbereitung, Spalten und Pixel brauchen</translation>
+    </message>
+    <message>
+        <source>Growth</source>
+        <translation>Wachstum</translation>
+    </message>
+    <message>
+        <source>How times grow with sizes</source>
+        <translation>Wie Zeiten mit Größen wachsen</translation>
+    </message>
+    <message>
+        <source>Drift</source>
+        <translation>Drift</translation>
+    </message>
+    <message>
+        <source>How errors of increments grow with the columns</source>
+        <translation>Wie Fehler von Inkrementen mit den Spalten wachsen</translation>
+    </message>
+    <message>
+        <source>Effects</source>
+        <translation>Effekte</translation>
+    </message>
+    <message>
+        <source>What effects cost and what they mend</source>
+        <translation>Was Effekte kosten und was sie verbessern</translation>
+    </message>
+    <message>
+        <source>Changes</source>
+        <translation>Änderungen</translation>
+    </message>
+    <message>
+        <source>Before and after</source>
+        <translation>Vorher und nachher</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::LabControls</name>
+    <message>
+        <source>&amp;Run</source>
+        <translation>&amp;Messen</translation>
+    </message>
+    <message>
+        <source>Judge and time every contender</source>
+        <translation>Jeden Kandidaten beurteilen und messen</translation>
+    </message>
+    <message>
+        <source>Extent of the study</source>
+        <translation>Umfang der Studie</translation>
+    </message>
+    <message>
+        <source>Quick: fifteen contenders, 20 seconds. Full: every method in every arithmetic, five minutes</source>
+        <translation>Schnell: fünfzehn Kandidaten, 20 Sekunden. Ganz: jedes Verfahren in jeder Arithmetik, fünf Minuten</translation>
+    </message>
+    <message>
+        <source>quick</source>
+        <translation>schnell</translation>
+    </message>
+    <message>
+        <source>full</source>
+        <translation>ganz</translation>
+    </message>
+    <message>
+        <source>Family of triangles</source>
+        <translation>Familie von Dreiecken</translation>
+    </message>
+    <message>
+        <source>Which triangles: each kind ranks the methods differently, so they are never averaged</source>
+        <translation>Welche Dreiecke: Jede Art reiht die Verfahren anders, darum werden sie nie gemittelt</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Which error the chart shows</source>
+        <translation>Welchen Fehler das Diagramm zeigt</translation>
+    </message>
+    <message>
+        <source>Files</source>
+        <translation>Dateien</translation>
+    </message>
+    <message>
+        <source>Files of the lab</source>
+        <translation>Dateien des Labors</translation>
+    </message>
+    <message>
+        <source>Save, open and compare results; charts as figures</source>
+        <translation>Ergebnisse speichern, öffnen und vergleichen; Diagramme als Abbildungen</translation>
+    </message>
+    <message>
+        <source>&amp;Open results …</source>
+        <translation>Ergebnisse ö&amp;ffnen …</translation>
+    </message>
+    <message>
+        <source>Results &amp;before these</source>
+        <translation>Ergebnisse &amp;davor</translation>
+    </message>
+    <message>
+        <source>What a run or a file took the place of</source>
+        <translation>Was ein Lauf oder eine Datei ersetzt hat</translation>
+    </message>
+    <message>
+        <source>&amp;Save results …</source>
+        <translation>Ergebnisse &amp;speichern …</translation>
+    </message>
+    <message>
+        <source>Save as a &amp;table, CSV …</source>
+        <translation>Als &amp;Tabelle speichern, CSV …</translation>
+    </message>
+    <message>
+        <source>&amp;Compare with earlier results …</source>
+        <translation>Mit früheren Ergebnissen &amp;vergleichen …</translation>
+    </message>
+    <message>
+        <source>Save the chart, SVG, &amp;PNG or CSV …</source>
+        <translation>Diagramm speichern, SVG, &amp;PNG oder CSV …</translation>
+    </message>
+    <message>
+        <source>Copy the co&amp;mmand that does it again</source>
+        <translation>&amp;Befehl kopieren, der es wiederholt</translation>
+    </message>
+    <message>
+        <source>Progress of the study</source>
+        <translation>Fortschritt der Studie</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>End the study and keep what it has</source>
+        <translation>Die Studie beenden und behalten, was sie hat</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::LabEffects</name>
+    <message>
+        <source>%1 to %2 in the middle half of the rounds</source>
+        <translation>%1 bis %2 in der mittleren Hälfte der Runden</translation>
+    </message>
+    <message>
+        <source>What effects cost and what they mend</source>
+        <translation>Was Effekte kosten und was sie verbessern</translation>
+    </message>
+    <message>
+        <source>scene, and how it is drawn</source>
+        <translation>Szene, und wie sie gezeichnet ist</translation>
+    </message>
+    <message>
+        <source>arithmetic</source>
+        <translation>Arithmetik</translation>
+    </message>
+    <message>
+        <source>ns a pixel</source>
+        <translation>ns je Pixel</translation>
+    </message>
+    <message>
+        <source>× first</source>
+        <translation>× erste</translation>
+    </message>
+    <message>
+        <source>error, levels</source>
+        <translation>Fehler, Stufen</translation>
+    </message>
+    <message>
+        <source>wrong pixels</source>
+        <translation>falsche Pixel</translation>
+    </message>
+    <message>
+        <source>off the surface</source>
+        <translation>von der Fläche</translation>
+    </message>
+    <message>
+        <source>brightness</source>
+        <translation>Helligkeit</translation>
+    </message>
+    <message>
+        <source>The median of all rounds, by the plain kernels</source>
+        <translation>Der Median aller Runden, mit den einfachen Kernen</translation>
+    </message>
+    <message>
+        <source>Beside the first row of the scene in the same arithmetic</source>
+        <translation>Neben der ersten Zeile der Szene in derselben Arithmetik</translation>
+    </message>
+    <message>
+        <source>Root of the mean square over pixels and channels, from the exact area or from the truth of all effects</source>
+        <translation>Wurzel aus dem mittleren Quadrat über Pixel und Kanäle, gegen die exakte Fläche oder die Wahrheit aller Effekte</translation>
+    </message>
+    <message>
+        <source>Pixels in other bytes than that</source>
+        <translation>Pixel mit anderen Bytes als dort</translation>
+    </message>
+    <message>
+        <source>Largest distance of the triangles from the surface</source>
+        <translation>Größter Abstand der Dreiecke von der Fläche</translation>
+    </message>
+    <message>
+        <source>How bright a line is for each pixel of its length: 1 is one pixel of white; beside the lines&apos; heading, least to greatest of all directions</source>
+        <translation>Wie hell eine Linie je Pixel ihrer Länge ist: 1 ist ein weißes Pixel; neben der Überschrift der Linien das Geringste bis Größte aller Richtungen</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>%1, over %2</source>
+        <translation>%1, über %2</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::LabFiles</name>
+    <message>
+        <source>%1 was not opened: %2</source>
+        <translation>%1 wurde nicht geöffnet: %2</translation>
+    </message>
+    <message>
+        <source>%1 was not written: it was read, and would be replaced.</source>
+        <translation>%1 wurde nicht geschrieben: Es wurde gelesen und würde ersetzt.</translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2</source>
+        <translation>%1 wurde nicht geschrieben: %2</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>Results of the lab (*.json);;All files (*)</source>
+        <translation>Ergebnisse des Labors (*.json);;Alle Dateien (*)</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::LabFilterMenu</name>
+    <message>
+        <source>plain kernels</source>
+        <translation>einfache Kerne</translation>
+    </message>
+    <message>
+        <source>SIMD kernels</source>
+        <translation>SIMD-Kerne</translation>
+    </message>
+    <message>
+        <source>other renderers</source>
+        <translation>andere Programme</translation>
+    </message>
+    <message>
+        <source>Who is shown</source>
+        <translation>Wer gezeigt wird</translation>
+    </message>
+    <message>
+        <source>Choose whom charts and table show: arithmetics, kernels, methods. Best is who is best of those shown.</source>
+        <translation>Wählt, wen Diagramme und Tabelle zeigen: Arithmetiken, Kerne, Verfahren. Bester ist der beste der gezeigten.</translation>
+    </message>
+    <message>
+        <source>straight loops</source>
+        <translation>schlichte Schleifen</translation>
+    </message>
+    <message>
+        <source>Show: all</source>
+        <translation>Zeigen: alle</translation>
+    </message>
+    <message>
+        <source>Show: some</source>
+        <translation>Zeigen: einige</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::LabPlot</name>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::LabTable</name>
+    <message>
+        <source>Contenders</source>
+        <translation>Kandidaten</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::LabTableModel</name>
+    <message>
+        <source>wrong of a million</source>
+        <translation>falsch von einer Million</translation>
+    </message>
+    <message>
+        <source>wrong pixels of a million: those that differ from the truth</source>
+        <translation>falsche Pixel von einer Million: die von der Wahrheit abweichen</translation>
+    </message>
+    <message>
+        <source>ns a pixel</source>
+        <translation>ns je Pixel</translation>
+    </message>
+    <message>
+        <source>the median of all rounds</source>
+        <translation>der Median aller Runden</translation>
+    </message>
+    <message>
+        <source>times assignment&apos;s</source>
+        <translation>mal Aufgabe</translation>
+    </message>
+    <message>
+        <source>how many times what the assignment&apos;s method takes, the column scan in float32</source>
+        <translation>wie viele Male die Zeit des Verfahrens der Aufgabe, der Spaltenrasterung in float32</translation>
+    </message>
+    <message>
+        <source>times straight loop</source>
+        <translation>mal schlichte Schleife</translation>
+    </message>
+    <message>
+        <source>how many times what the shortest loop takes that is written out by hand for the same pixels; up to 1.3 is fair</source>
+        <translation>wie viele Male die Zeit der kürzesten von Hand geschriebenen Schleife für dieselben Pixel; bis 1.3 ist angemessen</translation>
+    </message>
+    <message>
+        <source>spread, %</source>
+        <translation>Streuung, %</translation>
+    </message>
+    <message>
+        <source>the middle half of all rounds, of their median</source>
+        <translation>die mittlere Hälfte aller Runden, von ihrem Median</translation>
+    </message>
+    <message>
+        <source>missing ?</source>
+        <translation>fehlend ?</translation>
+    </message>
+    <message>
+        <source>samples inside that are not painted</source>
+        <translation>Abtastpunkte innen, die nicht gezeichnet sind</translation>
+    </message>
+    <message>
+        <source>extra !</source>
+        <translation>überzählig !</translation>
+    </message>
+    <message>
+        <source>samples outside that are painted</source>
+        <translation>Abtastpunkte außen, die gezeichnet sind</translation>
+    </message>
+    <message>
+        <source>ties =</source>
+        <translation>Grenzfälle =</translation>
+    </message>
+    <message>
+        <source>samples exactly on the boundary that are missing or extra</source>
+        <translation>Abtastpunkte genau auf dem Rand, die fehlen oder überzählig sind</translation>
+    </message>
+    <message>
+        <source>colours c</source>
+        <translation>Farben c</translation>
+    </message>
+    <message>
+        <source>pixels that are there in another colour</source>
+        <translation>Pixel, die da sind, in anderer Farbe</translation>
+    </message>
+    <message>
+        <source>levels off</source>
+        <translation>Stufen daneben</translation>
+    </message>
+    <message>
+        <source>the largest error of a byte</source>
+        <translation>der größte Fehler eines Bytes</translation>
+    </message>
+    <message>
+        <source>method, arithmetic, kernel</source>
+        <translation>Verfahren, Arithmetik, Kern</translation>
+    </message>
+    <message>
+        <source>remark</source>
+        <translation>Bemerkung</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::LabText</name>
+    <message>
+        <source>%1 of %2 pixels wrong</source>
+        <translation>%1 von %2 Pixeln falsch</translation>
+    </message>
+    <message>
+        <source>: %1 missing, %2 extra, ties %3 missing and %4 extra, %5 in another byte</source>
+        <translation>: %1 fehlend, %2 überzählig, Grenzfälle %3 fehlend und %4 überzählig, %5 mit anderem Byte</translation>
+    </message>
+    <message>
+        <source> (off by %1 at most)</source>
+        <translation> (höchstens %1 daneben)</translation>
+    </message>
+    <message>
+        <source>no error, by proof: %1</source>
+        <translation>kein Fehler, nach Beweis: %1</translation>
+    </message>
+    <message>
+        <source>no error: proved of the plain kernel; that this SIMD kernel writes the same bytes is tested, not proved</source>
+        <translation>kein Fehler: bewiesen vom einfachen Kern; dass dieser SIMD-Kern dieselben Bytes schreibt, ist getestet, nicht bewiesen</translation>
+    </message>
+    <message>
+        <source>no error observed over %1 pixels; nothing is proved</source>
+        <translation>kein Fehler über %1 Pixel beobachtet; nichts ist bewiesen</translation>
+    </message>
+    <message>
+        <source>Click: opens the scene of its first wrong pixel (%1, %2) here and in Compare; unsaved changes are asked about first</source>
+        <translation>Klick: öffnet die Szene seines ersten falschen Pixels (%1, %2) hier und im Vergleich; nach ungespeicherten Änderungen wird erst gefragt</translation>
+    </message>
+    <message>
+        <source>%1 ns a pixel</source>
+        <translation>%1 ns je Pixel</translation>
+    </message>
+    <message>
+        <source>, ×%1 the assignment&apos;s method</source>
+        <translation>, ×%1 das Verfahren der Aufgabe</translation>
+    </message>
+    <message>
+        <source>its straight loop: %1 ns a pixel</source>
+        <translation>seine schlichte Schleife: %1 ns je Pixel</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;!&lt;/b&gt; %1 times its straight loop: more than the fair 1.3</source>
+        <translation>&lt;b&gt;!&lt;/b&gt; %1 mal seine schlichte Schleife: mehr als die angemessenen 1.3</translation>
+    </message>
+    <message>
+        <source>of the plain kernels shown none is as exact for less time</source>
+        <translation>keiner der gezeigten einfachen Kerne ist für weniger Zeit so genau</translation>
+    </message>
+    <message>
+        <source>of the SIMD kernels shown none is as exact for less time</source>
+        <translation>keiner der gezeigten SIMD-Kerne ist für weniger Zeit so genau</translation>
+    </message>
+    <message>
+        <source>these triangles are judged and not timed</source>
+        <translation>diese Dreiecke werden beurteilt und nicht gemessen</translation>
+    </message>
+    <message>
+        <source>not timed</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>its time comes when all of this family are judged</source>
+        <translation>seine Zeit kommt, wenn alle dieser Familie beurteilt sind</translation>
+    </message>
+    <message>
+        <source>No error was seen over the pixels that were drawn. There may be some elsewhere.</source>
+        <translation>Über den gezeichneten Pixeln wurde kein Fehler gesehen. Anderswo kann es welche geben.</translation>
+    </message>
+    <message>
+        <source>SIMD kernels of methods that are proved to make no error: that the SIMD kernel writes the same bytes as the proved plain one is tested.</source>
+        <translation>SIMD-Kerne von Verfahren, die bewiesen keinen Fehler machen: Dass der SIMD-Kern dieselben Bytes schreibt wie der bewiesene einfache, ist getestet.</translation>
+    </message>
+    <message>
+        <source>That there is no error anywhere is proved, for the triangles that the dot names.</source>
+        <translation>Dass es nirgends einen Fehler gibt, ist bewiesen, für die Dreiecke, die der Punkt nennt.</translation>
+    </message>
+    <message>
+        <source>The shortest loop that draws the same pixels in the same arithmetic, written out by hand. A method whose dot is near its loop costs what its arithmetic costs.</source>
+        <translation>Die kürzeste von Hand geschriebene Schleife, die dieselben Pixel in derselben Arithmetik zeichnet. Ein Verfahren, dessen Punkt nahe bei seiner Schleife liegt, kostet, was seine Arithmetik kostet.</translation>
+    </message>
+    <message>
+        <source>of a million</source>
+        <translation>von einer Million</translation>
+    </message>
+    <message>
+        <source>%1 of a million</source>
+        <translation>%1 von einer Million</translation>
+    </message>
+    <message>
+        <source>not measured</source>
+        <translation>nicht gemessen</translation>
+    </message>
+    <message>
+        <source>refused: %1</source>
+        <translation>abgelehnt: %1</translation>
+    </message>
+    <message>
+        <source>took too long: %1</source>
+        <translation>dauerte zu lange: %1</translation>
+    </message>
+    <message>
+        <source>failed: %1</source>
+        <translation>misslungen: %1</translation>
+    </message>
+    <message>
+        <source>(save the scene to get its command)</source>
+        <translation>(erst die Szene speichern, dann gibt es ihren Befehl)</translation>
+    </message>
+    <message>
+        <source>%1 ×%2, %3</source>
+        <translation>%1 ×%2, %3</translation>
+    </message>
+    <message>
+        <source>Column scan beside float32 (%1 wrong of a million): %2.</source>
+        <translation>Spaltenrasterung neben float32 (%1 von einer Million falsch): %2.</translation>
+    </message>
+    <message>
+        <source>Run draws the same triangles by every contender, counts the pixels that differ from the truth, and times all of them in turn, beside straight loops that do the same work.</source>
+        <translation>Messen zeichnet dieselben Dreiecke mit jedem Kandidaten, zählt die Pixel, die von der Wahrheit abweichen, und misst alle reihum, neben schlichten Schleifen, die dieselbe Arbeit tun.</translation>
+    </message>
+    <message>
+        <source>The quick study takes fifteen contenders and %1.</source>
+        <translation>Die schnelle Studie umfasst fünfzehn Kandidaten und dauert %1.</translation>
+    </message>
+    <message>
+        <source>The full study takes every method in every arithmetic and %1.</source>
+        <translation>Die ganze Studie umfasst jedes Verfahren in jeder Arithmetik und dauert %1.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::LayersMenu</name>
+    <message>
+        <source>&amp;Layers</source>
+        <translation>Über&amp;lagerungen</translation>
+    </message>
+    <message>
+        <source>&amp;Hide all layers</source>
+        <translation>Alle Überlagerungen &amp;ausblenden</translation>
+    </message>
+    <message>
+        <source>&amp;First affine map again</source>
+        <translation>&amp;Erste affine Abbildung wieder</translation>
+    </message>
+    <message>
+        <source>Nothing to show: %1.</source>
+        <translation>Nichts zu zeigen: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::MainWindow</name>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>View</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>Next vertex</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Colour of the next vertex</source>
+        <translation>Farbe des nächsten Eckpunkts</translation>
+    </message>
+    <message>
+        <source>Tools and stepper</source>
+        <translation>Werkzeuge und Schritte</translation>
+    </message>
+    <message>
+        <source>Colour of the Vertex</source>
+        <translation>Farbe des Eckpunkts</translation>
+    </message>
+    <message>
+        <source>%1[*] — Pixelplumb</source>
+        <translation>%1[*] — Pixelplumb</translation>
+    </message>
+    <message>
+        <source>The program ended without saving a scene, last changed %1.</source>
+        <translation>Das Programm endete, ohne eine Szene zu speichern, zuletzt geändert %1.</translation>
+    </message>
+    <message>
+        <source>The program ended without saving “%1”, last changed %2.</source>
+        <translation>Das Programm endete, ohne „%1“ zu speichern, zuletzt geändert %2.</translation>
+    </message>
+    <message>
+        <source>Unsaved Scene</source>
+        <translation>Nicht gespeicherte Szene</translation>
+    </message>
+    <message>
+        <source>Recovered, it is a scene without a file until it is saved.</source>
+        <translation>Wiederhergestellt ist sie eine Szene ohne Datei, bis sie gespeichert wird.</translation>
+    </message>
+    <message>
+        <source>&amp;Recover</source>
+        <translation>&amp;Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Later</source>
+        <translation>&amp;Später</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::Measuring</name>
+    <message>
+        <source>Waiting for another measurement …</source>
+        <translation>Wartet auf eine andere Messung …</translation>
+    </message>
+    <message>
+        <source>Measuring …</source>
+        <translation>Misst …</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::MessageBar</name>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>No message</source>
+        <translation>Keine Meldung</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Close the message</source>
+        <translation>Die Meldung schließen</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Hinweis</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::MethodBar</name>
+    <message>
+        <source>The method %1</source>
+        <translation>Das Verfahren: %1</translation>
+    </message>
+    <message>
+        <source>Integer quotient and remainder: nothing is rounded before the byte</source>
+        <translation>Ganzzahliger Quotient und Rest: Vor dem Byte wird nichts gerundet</translation>
+    </message>
+    <message>
+        <source>Binary floating point, 24 bits of precision</source>
+        <translation>Binäres Gleitkomma, 24 Bit Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Binary floating point, 53 bits of precision</source>
+        <translation>Binäres Gleitkomma, 53 Bit Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Fixed point in 32 bits, 16 after the point</source>
+        <translation>Festkomma in 32 Bit, 16 nach dem Punkt</translation>
+    </message>
+    <message>
+        <source>Fixed point in 64 bits, 32 after the point</source>
+        <translation>Festkomma in 64 Bit, 32 nach dem Punkt</translation>
+    </message>
+    <message>
+        <source>A sample on an edge belongs to the triangle: ⌈y_B⌉ … ⌊y_T⌋</source>
+        <translation>Ein Abtastpunkt auf einer Kante gehört zum Dreieck: ⌈y_B⌉ … ⌊y_T⌋</translation>
+    </message>
+    <message>
+        <source>Watertight: ⌈y_B⌉ … ⌈y_T⌉−1, columns ⌈x₀⌉ … ⌈x₂⌉−1</source>
+        <translation>Lückenlos: ⌈y_B⌉ … ⌈y_T⌉−1, Spalten ⌈x₀⌉ … ⌈x₂⌉−1</translation>
+    </message>
+    <message>
+        <source>A sample on a top or left edge belongs to the triangle (Direct3D)</source>
+        <translation>Ein Abtastpunkt auf einer oberen oder linken Kante gehört zum Dreieck (Direct3D)</translation>
+    </message>
+    <message>
+        <source>A sample on an edge belongs to the side of an off-screen point</source>
+        <translation>Ein Abtastpunkt auf einer Kante gehört zur Seite eines Punkts außerhalb</translation>
+    </message>
+    <message>
+        <source>A sample on an edge belongs to nobody: ⌊y_B⌋+1 … ⌈y_T⌉−1</source>
+        <translation>Ein Abtastpunkt auf einer Kante gehört niemandem: ⌊y_B⌋+1 … ⌈y_T⌉−1</translation>
+    </message>
+    <message>
+        <source>The byte of a colour level v is ⌊v + ½⌋</source>
+        <translation>Das Byte eines Farbwerts v ist ⌊v + ½⌋</translation>
+    </message>
+    <message>
+        <source>The byte of a colour level v is ⌊v⌋</source>
+        <translation>Das Byte eines Farbwerts v ist ⌊v⌋</translation>
+    </message>
+    <message>
+        <source>Method</source>
+        <translation>Verfahren</translation>
+    </message>
+    <message>
+        <source>Arithmetic</source>
+        <translation>Arithmetik</translation>
+    </message>
+    <message>
+        <source>What the increments are computed in</source>
+        <translation>Worin die Inkremente berechnet werden</translation>
+    </message>
+    <message>
+        <source>Fill rule</source>
+        <translation>Füllregel</translation>
+    </message>
+    <message>
+        <source>Who owns a sample that lies exactly on an edge</source>
+        <translation>Wem ein Abtastpunkt gehört, der genau auf einer Kante liegt</translation>
+    </message>
+    <message>
+        <source>Rounding</source>
+        <translation>Rundung</translation>
+    </message>
+    <message>
+        <source>How a colour level becomes a byte</source>
+        <translation>Wie ein Farbwert zu einem Byte wird</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::MethodMenu</name>
+    <message>
+        <source>The method %1</source>
+        <translation>Das Verfahren: %1</translation>
+    </message>
+    <message>
+        <source>&amp;Method</source>
+        <translation>&amp;Verfahren</translation>
+    </message>
+    <message>
+        <source>&amp;Arithmetic</source>
+        <translation>&amp;Arithmetik</translation>
+    </message>
+    <message>
+        <source>&amp;Fill rule</source>
+        <translation>&amp;Füllregel</translation>
+    </message>
+    <message>
+        <source>&amp;Rounding</source>
+        <translation>&amp;Rundung</translation>
+    </message>
+    <message>
+        <source>&amp;Variants, as printed</source>
+        <translation>&amp;Varianten, wie gedruckt</translation>
+    </message>
+    <message>
+        <source>%1, in place of %2. %3
+%4</source>
+        <translation>%1 anstelle von %2. %3
+%4</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::MethodPanel</name>
+    <message>
+        <source>in place of</source>
+        <translation>anstelle von</translation>
+    </message>
+    <message>
+        <source>This method</source>
+        <translation>Dieses Verfahren</translation>
+    </message>
+    <message>
+        <source>What the method does, line by line</source>
+        <translation>Was das Verfahren tut, Zeile für Zeile</translation>
+    </message>
+    <message>
+        <source>From: %1.</source>
+        <translation>Aus: %1.</translation>
+    </message>
+    <message>
+        <source>With the variant</source>
+        <translation>Mit der Variante</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::MissPlot</name>
+    <message>
+        <source>nearer than %1 px</source>
+        <translation>näher als %1 px</translation>
+    </message>
+    <message>
+        <source>farther than %1 px</source>
+        <translation>ferner als %1 px</translation>
+    </message>
+    <message>
+        <source>%1 to %2 px</source>
+        <translation>%1 bis %2 px</translation>
+    </message>
+    <message>
+        <source>Distances of missed samples from the boundary</source>
+        <translation>Abstände verfehlter Abtastpunkte vom Rand</translation>
+    </message>
+    <message>
+        <source>missing, %1 inside</source>
+        <translation>fehlend, %1 innen</translation>
+    </message>
+    <message>
+        <source>extra, %1 outside</source>
+        <translation>überzählig, %1 außen</translation>
+    </message>
+    <message>
+        <source>ties, missing: exactly on the boundary</source>
+        <translation>Grenzfälle, fehlend: genau auf dem Rand</translation>
+    </message>
+    <message>
+        <source>ties, extra: exactly on the boundary</source>
+        <translation>Grenzfälle, überzählig: genau auf dem Rand</translation>
+    </message>
+    <message>
+        <source>? px inside   ←   =   →   ! px outside</source>
+        <translation>? px innen   ←   =   →   ! px außen</translation>
+    </message>
+    <message>
+        <source>? missing, px inside   ←   = on the boundary   →   ! extra, px outside</source>
+        <translation>? fehlend, px innen   ←   = auf dem Rand   →   ! überzählig, px außen</translation>
+    </message>
+    <message>
+        <source>samples</source>
+        <translation>Abtastpunkte</translation>
+    </message>
+    <message>
+        <source>Nothing is known about this contender here.</source>
+        <translation>Hier ist über diesen Kandidaten nichts bekannt.</translation>
+    </message>
+    <message>
+        <source>No sample is missed.</source>
+        <translation>Kein Abtastpunkt ist verfehlt.</translation>
+    </message>
+    <message>
+        <source>? missing</source>
+        <translation>? fehlend</translation>
+    </message>
+    <message>
+        <source>= ties</source>
+        <translation>= Grenzfälle</translation>
+    </message>
+    <message>
+        <source>! extra</source>
+        <translation>! überzählig</translation>
+    </message>
+    <message>
+        <source>%1; %2</source>
+        <translation>%1; %2</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::MotionPanel</name>
+    <message>
+        <source>Motion along x, px</source>
+        <translation>Bewegung in x, px</translation>
+    </message>
+    <message>
+        <source>Motion along y, px</source>
+        <translation>Bewegung in y, px</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Einzelbilder</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>Let the scene move</source>
+        <translation>Die Szene sich bewegen lassen</translation>
+    </message>
+    <message>
+        <source>Stand still</source>
+        <translation>Stillstehen</translation>
+    </message>
+    <message>
+        <source>Let the scene stand still</source>
+        <translation>Die Szene stillstehen lassen</translation>
+    </message>
+    <message>
+        <source>Frame in hand</source>
+        <translation>Aktuelles Einzelbild</translation>
+    </message>
+    <message>
+        <source>Play the motion</source>
+        <translation>Die Bewegung abspielen</translation>
+    </message>
+    <message>
+        <source>What flickers</source>
+        <translation>Was flimmert</translation>
+    </message>
+    <message>
+        <source>Pixels frame by frame</source>
+        <translation>Pixel Bild für Bild</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>All triangles and shapes move by (x, y) px from the first frame to the last; saved with the scene</source>
+        <translation>Alle Dreiecke und Formen bewegen sich vom ersten bis zum letzten Bild um (x, y) px; mit der Szene gespeichert</translation>
+    </message>
+    <message>
+        <source>Move by x</source>
+        <translation>Bewegen um x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>px in</source>
+        <translation>px in</translation>
+    </message>
+    <message>
+        <source>frames</source>
+        <translation>Bildern</translation>
+    </message>
+    <message>
+        <source>▶ play</source>
+        <translation>▶ abspielen</translation>
+    </message>
+    <message>
+        <source>Show one frame after the other, over and over</source>
+        <translation>Ein Bild nach dem anderen zeigen, immer wieder</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>in truth</source>
+        <translation>in Wahrheit</translation>
+    </message>
+    <message>
+        <source>came or went</source>
+        <translation>Wechsel</translation>
+    </message>
+    <message>
+        <source>⏸ pause</source>
+        <translation>⏸ anhalten</translation>
+    </message>
+    <message>
+        <source>“%1” is no distance: expected px, such as 4, 0.5 or 1/3.</source>
+        <translation>„%1“ ist kein Abstand: Erwartet werden px wie 4, 0.5 oder 1/3.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n times</source>
+        <translation>
+            <numerusform>einmal</numerusform>
+            <numerusform>%n Mal</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>The scene stands still. Move it by a few pixels in many frames, and what comes and goes without reason is seen.</source>
+        <translation>Die Szene steht still. Bewegt sie sich um einige Pixel in vielen Bildern, ist zu sehen, was ohne Grund kommt und geht.</translation>
+    </message>
+    <message>
+        <source>The method %1.</source>
+        <translation>Das Verfahren: %1.</translation>
+    </message>
+    <message>
+        <source>The frames are being drawn.</source>
+        <translation>Die Bilder werden gezeichnet.</translation>
+    </message>
+    <message>
+        <source>In %1 frames pixels come or go %2, in truth %3.</source>
+        <translation>In %1 Bildern kommen oder gehen Pixel %2, in Wahrheit %3.</translation>
+    </message>
+    <message>
+        <source>frame %1 of %2</source>
+        <translation>Bild %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::MotionView</name>
+    <message>
+        <source>The frame in hand</source>
+        <translation>Das aktuelle Einzelbild</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pixels came or went</source>
+        <translation>
+            <numerusform>%n Pixel kam oder ging</numerusform>
+            <numerusform>%n Pixel kamen oder gingen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::NumberToolTip</name>
+    <message>
+        <source>unit: %1</source>
+        <translation>Einheit: %1</translation>
+    </message>
+    <message>
+        <source>exact %1</source>
+        <translation>exakt %1</translation>
+    </message>
+    <message>
+        <source>error %1</source>
+        <translation>Fehler %1</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::OperationPanel</name>
+    <message>
+        <source>Operations</source>
+        <translation>Operationen</translation>
+    </message>
+    <message>
+        <source>What was counted</source>
+        <translation>Was gezählt wurde</translation>
+    </message>
+    <message>
+        <source>Operations by kind</source>
+        <translation>Operationen nach Art</translation>
+    </message>
+    <message>
+        <source>What the method&apos;s numbers do, counted while they draw this scene: on the average of a set-up, a span and a sample, and all together. Whole pixel coordinates and the clamp to a byte are not counted.</source>
+        <translation>Was die Zahlen des Verfahrens tun, gezählt, während sie diese Szene zeichnen: im Mittel einer Vorbereitung, einer Spanne und eines Abtastpunkts, und alle zusammen. Ganze Pixelkoordinaten und die Begrenzung auf ein Byte sind nicht gezählt.</translation>
+    </message>
+    <message>
+        <source>a set-up</source>
+        <translation>je Vorbereitung</translation>
+    </message>
+    <message>
+        <source>a span</source>
+        <translation>je Spanne</translation>
+    </message>
+    <message>
+        <source>a sample</source>
+        <translation>je Abtastpunkt</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>The scene is being drawn.</source>
+        <translation>Die Szene wird gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The count does not fit into memory. Make the frame smaller.</source>
+        <translation>Die Zählung passt nicht in den Speicher. Eine kleinere Bildfläche passt eher.</translation>
+    </message>
+    <message>
+        <source>%1 in %2: %3; the set-up is %4 % of them.</source>
+        <translation>%1 in %2: %3; davon Vorbereitung %4 %.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::OverdrawOverlay</name>
+    <message>
+        <source>Overdraw: the scene is being drawn</source>
+        <translation>Mehrfachzeichnung: Die Szene wird gezeichnet</translation>
+    </message>
+    <message>
+        <source>Overdraw: every pixel once, no gap</source>
+        <translation>Mehrfachzeichnung: jedes Pixel einmal, keine Lücke</translation>
+    </message>
+    <message>
+        <source>Overdraw: %1 twice or more, %2 at most; %3</source>
+        <translation>Mehrfachzeichnung: %1 zweimal oder öfter, höchstens %2; %3</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pixels</source>
+        <translation>
+            <numerusform>%n Pixel</numerusform>
+            <numerusform>%n Pixel</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n times</source>
+        <translation>
+            <numerusform>einmal</numerusform>
+            <numerusform>%n Mal</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n gaps</source>
+        <translation>
+            <numerusform>%n Lücke</numerusform>
+            <numerusform>%n Lücken</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::ParetoPlot</name>
+    <message>
+        <source>Nothing is judged here yet.</source>
+        <translation>Noch ist hier nichts beurteilt.</translation>
+    </message>
+    <message>
+        <source>%1 ns</source>
+        <translation>%1 ns</translation>
+    </message>
+    <message>
+        <source>cost, ns a pixel: not known yet</source>
+        <translation>Kosten, ns je Pixel: noch nicht bekannt</translation>
+    </message>
+    <message>
+        <source>cost, ns a pixel</source>
+        <translation>Kosten, ns je Pixel</translation>
+    </message>
+    <message>
+        <source>times the assignment&apos;s method (column scan, float32)</source>
+        <translation>mal das Verfahren der Aufgabe (Spaltenrasterung, float32)</translation>
+    </message>
+    <message>
+        <source>best plain kernels</source>
+        <translation>beste einfache Kerne</translation>
+    </message>
+    <message>
+        <source>best SIMD kernels</source>
+        <translation>beste SIMD-Kerne</translation>
+    </message>
+    <message>
+        <source>The frontier: of plain kernels, which draw a pixel at a time, none is as exact for less time than those on this line.</source>
+        <translation>Die Front: Von den einfachen Kernen, die ein Pixel nach dem anderen zeichnen, ist keiner für weniger Zeit so genau wie die auf dieser Linie.</translation>
+    </message>
+    <message>
+        <source>The frontier of the SIMD kernels, which draw several pixels at once. They are compared among themselves: they are faster by how they are programmed, not by what they compute.</source>
+        <translation>Die Front der SIMD-Kerne, die mehrere Pixel auf einmal zeichnen. Sie werden unter sich verglichen: Schneller macht sie, wie sie programmiert sind, nicht, was sie berechnen.</translation>
+    </message>
+    <message>
+        <source>SIMD kernel</source>
+        <translation>SIMD-Kern</translation>
+    </message>
+    <message>
+        <source>A kernel that draws several pixels at once, by SIMD instructions. It is tested to write the same bytes as the plain kernel.</source>
+        <translation>Ein Kern, der mit SIMD-Befehlen mehrere Pixel auf einmal zeichnet. Es ist getestet, dass er dieselben Bytes schreibt wie der einfache Kern.</translation>
+    </message>
+    <message>
+        <source>another renderer</source>
+        <translation>ein anderes Programm</translation>
+    </message>
+    <message>
+        <source>Code of others, measured beside ours by the benchmark.</source>
+        <translation>Code anderer, vom Benchmark neben unserem gemessen.</translation>
+    </message>
+    <message>
+        <source>straight loop</source>
+        <translation>schlichte Schleife</translation>
+    </message>
+    <message>
+        <source>over 1.3 × its loop</source>
+        <translation>über 1.3 × seine Schleife</translation>
+    </message>
+    <message>
+        <source>Takes more than 1.3 times what its straight loop takes: a part of its cost is how it is programmed, not what it computes.</source>
+        <translation>Braucht mehr als 1.3-mal die Zeit seiner schlichten Schleife: Ein Teil seiner Kosten ist, wie er programmiert ist, nicht, was er berechnet.</translation>
+    </message>
+    <message>
+        <source>not timed (yet)</source>
+        <translation>(noch) nicht gemessen</translation>
+    </message>
+    <message>
+        <source>Its error is known, its time is not: it waits at the left.</source>
+        <translation>Sein Fehler ist bekannt, seine Zeit nicht: Er wartet links.</translation>
+    </message>
+    <message>
+        <source>Cost against error</source>
+        <translation>Kosten gegen Fehler</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PerformanceCacheLines</name>
+    <message>
+        <source>Cache lines that a column walk and a strip walk touch</source>
+        <translation>Cachezeilen, die ein Gang die Spalten hinauf und ein Gang entlang des Streifens berühren</translation>
+    </message>
+    <message>
+        <source>Up the columns: %1 changes of line, %2 misses. Along the strip: %3 changes, %4 misses. %5 lines fall on %6 of %7 sets.</source>
+        <translation>Die Spalten hinauf: %1 Wechsel der Cachezeile, %2 Fehlzugriffe. Entlang des Streifens: %3 Wechsel, %4 Fehlzugriffe. %5 Cachezeilen fallen auf %6 von %7 Sätzen.</translation>
+    </message>
+    <message>
+        <source>column walk</source>
+        <translation>die Spalten hinauf</translation>
+    </message>
+    <message>
+        <source>strip walk</source>
+        <translation>entlang des Streifens</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 changes of line</source>
+        <translation>
+            <numerusform>%1 Wechsel der Cachezeile</numerusform>
+            <numerusform>%1 Wechsel der Cachezeile</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 misses</source>
+        <translation>
+            <numerusform>%1 Fehlzugriff</numerusform>
+            <numerusform>%1 Fehlzugriffe</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 lines in all</source>
+        <translation>
+            <numerusform>%1 Cachezeile insgesamt</numerusform>
+            <numerusform>%1 Cachezeilen insgesamt</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 sets, at most %3 lines in one (%4 fit)</source>
+        <translation>
+            <numerusform>%1 von %2 Sätzen, höchstens %3 Zeile in einem (%4 passen)</numerusform>
+            <numerusform>%1 von %2 Sätzen, höchstens %3 Zeilen in einem (%4 passen)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PerformancePanel</name>
+    <message>
+        <source>Performance</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Measurement</source>
+        <translation>Messung</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Draw the scene again and again by the plain and the fast kernels in turn, beside memset</source>
+        <translation>Die Szene wieder und wieder mit den einfachen und den schnellen Kernen im Wechsel zeichnen, neben memset</translation>
+    </message>
+    <message>
+        <source>Progress of the measurement</source>
+        <translation>Fortschritt der Messung</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Times</source>
+        <translation>Zeiten</translation>
+    </message>
+    <message>
+        <source>speed: times that of the plain kernel; of memory: how near the time is to that of memset over as many pixels</source>
+        <translation>Tempo: wie viele Male das des einfachen Kerns; vom Speicher: wie nahe die Zeit der von memset über ebenso viele Pixel kommt</translation>
+    </message>
+    <message>
+        <source>Fast kernels used</source>
+        <translation>Benutzte schnelle Kerne</translation>
+    </message>
+    <message>
+        <source>Distance of the rows</source>
+        <translation>Abstand der Zeilen</translation>
+    </message>
+    <message>
+        <source>The lowest rows of the strip through the picked pixel; each bar is a line of the cache, each dot asks for another one. Below: how many of the strip&apos;s lines, from the lowest row to the highest, fall on each set of the first-level cache.</source>
+        <translation>Die untersten Zeilen des Streifens durch das gewählte Pixel; jeder Balken ist eine Cachezeile, jeder Punkt verlangt eine andere. Darunter: wie viele Cachezeilen des Streifens, von der untersten bis zur obersten Bildzeile, auf jeden Satz des Caches der ersten Stufe fallen.</translation>
+    </message>
+    <message>
+        <source>Fast kernels, and why</source>
+        <translation>Schnelle Kerne, und warum</translation>
+    </message>
+    <message>
+        <source>What a strip of columns asks of the cache</source>
+        <translation>Was ein Streifen von Spalten vom Cache verlangt</translation>
+    </message>
+    <message>
+        <source>The measurement was cancelled.</source>
+        <translation>Die Messung wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Measure draws this scene for a second or so.</source>
+        <translation>Messen zeichnet diese Szene etwa eine Sekunde lang.</translation>
+    </message>
+    <message>
+        <source>The scene is being drawn.</source>
+        <translation>Die Szene wird gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The measurement does not fit into memory. Make the frame smaller.</source>
+        <translation>Die Messung passt nicht in den Speicher. Eine kleinere Bildfläche passt eher.</translation>
+    </message>
+    <message>
+        <source>Known after a measurement.</source>
+        <translation>Nach einer Messung bekannt.</translation>
+    </message>
+    <message>
+        <source>rows as they are, %1 bytes apart</source>
+        <translation>Zeilen, wie sie sind, im Abstand von %1 Bytes</translation>
+    </message>
+    <message>
+        <source>rows without padding, %1 bytes apart</source>
+        <translation>Zeilen ohne Auffüllung, im Abstand von %1 Bytes</translation>
+    </message>
+    <message>
+        <source>rows at a power of two, %1 bytes apart</source>
+        <translation>Zeilen bei einer Zweierpotenz, im Abstand von %1 Bytes</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PerformanceText</name>
+    <message>
+        <source>ns a pixel</source>
+        <translation>ns je Pixel</translation>
+    </message>
+    <message>
+        <source>ns a triangle</source>
+        <translation>ns je Dreieck</translation>
+    </message>
+    <message>
+        <source>quartiles</source>
+        <translation>Quartile</translation>
+    </message>
+    <message>
+        <source>speed</source>
+        <translation>Tempo</translation>
+    </message>
+    <message>
+        <source>of memory</source>
+        <translation>vom Speicher</translation>
+    </message>
+    <message>
+        <source>plain kernel</source>
+        <translation>einfacher Kern</translation>
+    </message>
+    <message>
+        <source>fast, %1</source>
+        <translation>schnell, %1</translation>
+    </message>
+    <message>
+        <source>fast, %1 threads</source>
+        <translation>schnell, %1 Threads</translation>
+    </message>
+    <message>
+        <source>memory: memset</source>
+        <translation>Speicher: memset</translation>
+    </message>
+    <message>
+        <source>, colours: %1</source>
+        <translation>, Farben: %1</translation>
+    </message>
+    <message>
+        <source>The scene has no triangles to draw.</source>
+        <translation>Die Szene hat keine Dreiecke zu zeichnen.</translation>
+    </message>
+    <message>
+        <source>The scene&apos;s triangles cover no pixel of the frame.</source>
+        <translation>Die Dreiecke der Szene überdecken kein Pixel der Bildfläche.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 triangles</source>
+        <translation>
+            <numerusform>%1 Dreieck</numerusform>
+            <numerusform>%1 Dreiecke</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 pixels</source>
+        <translation>
+            <numerusform>%1 Pixel</numerusform>
+            <numerusform>%1 Pixel</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Column scan, %1, %2: %3, %4 written. Medians of %5 rounds. %6</source>
+        <translation>Spaltenrasterung, %1, %2: %3, %4 geschrieben. Mediane von %5 Runden. %6</translation>
+    </message>
+    <message>
+        <source>Both kernels draw the same bytes.</source>
+        <translation>Beide Kerne zeichnen dieselben Bytes.</translation>
+    </message>
+    <message>
+        <source>The kernels draw different bytes!</source>
+        <translation>Die Kerne zeichnen verschiedene Bytes!</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PixelGrid</name>
+    <message>
+        <source>Pixel grid</source>
+        <translation>Pixelraster</translation>
+    </message>
+    <message>
+        <source>The pixels around the picked one appear here.</source>
+        <translation>Hier erscheinen die Pixel um das gewählte.</translation>
+    </message>
+    <message>
+        <source>Pixel (%1, %2)</source>
+        <translation>Pixel (%1, %2)</translation>
+    </message>
+    <message>
+        <source>outside the frame</source>
+        <translation>außerhalb der Bildfläche</translation>
+    </message>
+    <message>
+        <source>shown %1</source>
+        <translation>gezeigt %1</translation>
+    </message>
+    <message>
+        <source>truth %1, when all is drawn</source>
+        <translation>Wahrheit %1, wenn alles gezeichnet ist</translation>
+    </message>
+    <message>
+        <source>not covered by triangle %1</source>
+        <translation>nicht von Dreieck %1 überdeckt</translation>
+    </message>
+    <message>
+        <source>exact levels in triangle %1:</source>
+        <translation>exakte Farbwerte in Dreieck %1:</translation>
+    </message>
+    <message>
+        <source>column %1</source>
+        <translation>Spalte %1</translation>
+    </message>
+    <message>
+        <source>row %1</source>
+        <translation>Zeile %1</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PixelHistoryModel</name>
+    <message>
+        <source>%1 wrote it</source>
+        <translation>%1 schrieb es</translation>
+    </message>
+    <message>
+        <source>%1 will write it</source>
+        <translation>%1 wird es schreiben</translation>
+    </message>
+    <message>
+        <source>%1 is hidden or refused</source>
+        <translation>%1 ist verdeckt oder abgewiesen</translation>
+    </message>
+    <message>
+        <source>%1 missed it</source>
+        <translation>%1 verfehlte es</translation>
+    </message>
+    <message>
+        <source>%1 refuses it</source>
+        <translation>%1 weist es ab</translation>
+    </message>
+    <message>
+        <source>%1 → %2</source>
+        <translation>%1 → %2</translation>
+    </message>
+    <message>
+        <source>step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>covered in part</source>
+        <translation>teilweise überdeckt</translation>
+    </message>
+    <message>
+        <source>not covered</source>
+        <translation>nicht überdeckt</translation>
+    </message>
+    <message>
+        <source>base %1</source>
+        <translation>Grundfarbe %1</translation>
+    </message>
+    <message>
+        <source>→ %1</source>
+        <translation>→ %1</translation>
+    </message>
+    <message>
+        <source>→ %1 clamped to %2</source>
+        <translation>→ %1 auf %2 begrenzt</translation>
+    </message>
+    <message>
+        <source>exact %1, error %2</source>
+        <translation>exakt %1, Fehler %2</translation>
+    </message>
+    <message>
+        <source>edge %1</source>
+        <translation>Kante %1</translation>
+    </message>
+    <message>
+        <source>%1 px along column</source>
+        <translation>%1 px entlang der Spalte</translation>
+    </message>
+    <message>
+        <source>%1 px along row</source>
+        <translation>%1 px entlang der Zeile</translation>
+    </message>
+    <message>
+        <source>on it: accepts</source>
+        <translation>auf ihr: nimmt an</translation>
+    </message>
+    <message>
+        <source>on it: refuses</source>
+        <translation>auf ihr: weist ab</translation>
+    </message>
+    <message>
+        <source>accepts</source>
+        <translation>nimmt an</translation>
+    </message>
+    <message>
+        <source>refuses</source>
+        <translation>weist ab</translation>
+    </message>
+    <message>
+        <source>%1 px square to it</source>
+        <translation>%1 px senkrecht zu ihr</translation>
+    </message>
+    <message numerus="yes">
+        <source>and %n more that refuse it</source>
+        <translation>
+            <numerusform>und %n weiteres, das es abweist</numerusform>
+            <numerusform>und %n weitere, die es abweisen</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PixelHistoryPanel</name>
+    <message>
+        <source>History of the picked pixel</source>
+        <translation>Geschichte des gewählten Pixels</translation>
+    </message>
+    <message>
+        <source>◀ Write</source>
+        <translation>◀ Schreiben</translation>
+    </message>
+    <message>
+        <source>Run back to the previous write of the picked pixel</source>
+        <translation>Zurück zum vorigen Schreiben des gewählten Pixels laufen</translation>
+    </message>
+    <message>
+        <source>Write ▶</source>
+        <translation>Schreiben ▶</translation>
+    </message>
+    <message>
+        <source>Run on to the next write of the picked pixel</source>
+        <translation>Vor zum nächsten Schreiben des gewählten Pixels laufen</translation>
+    </message>
+    <message>
+        <source>Attempts of the triangles</source>
+        <translation>Versuche der Dreiecke</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;No pixel is picked&lt;/b&gt;: click one in the pixel grid or on the canvas</source>
+        <translation>&lt;b&gt;Kein Pixel ist gewählt&lt;/b&gt;: eines im Pixelraster oder auf der Zeichenfläche anklicken</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;(%1, %2)&lt;/b&gt; is still ahead: predict it</source>
+        <translation>&lt;b&gt;(%1, %2)&lt;/b&gt; steht noch bevor: Es kann vorhergesagt werden</translation>
+    </message>
+    <message>
+        <source>truth %1</source>
+        <translation>Wahrheit %1</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PlacingHint</name>
+    <message>
+        <source>Click three points on the canvas to draw a triangle</source>
+        <translation>Drei Punkte auf der Zeichenfläche anklicken, um ein Dreieck zu zeichnen</translation>
+    </message>
+    <message>
+        <source>Click to draw a point</source>
+        <translation>Klicken, um einen Punkt zu zeichnen</translation>
+    </message>
+    <message>
+        <source>Click two points to draw a line</source>
+        <translation>Zwei Punkte anklicken, um eine Linie zu zeichnen</translation>
+    </message>
+    <message>
+        <source>Click the centre and a corner of the square around the circle</source>
+        <translation>Den Mittelpunkt und eine Ecke des Quadrats um den Kreis anklicken</translation>
+    </message>
+    <message>
+        <source>Click the centre and a corner of the box around the ellipse</source>
+        <translation>Den Mittelpunkt und eine Ecke des Rechtecks um die Ellipse anklicken</translation>
+    </message>
+    <message>
+        <source>Click four control points to draw a curve</source>
+        <translation>Vier Kontrollpunkte anklicken, um eine Kurve zu zeichnen</translation>
+    </message>
+    <message>
+        <source>Click the corners of a polygon, then its first corner again</source>
+        <translation>Die Ecken eines Polygons anklicken, dann die erste noch einmal</translation>
+    </message>
+    <message>
+        <source>Click where the text begins</source>
+        <translation>Dort klicken, wo der Text beginnt</translation>
+    </message>
+    <message>
+        <source>triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>points</source>
+        <translation>Punkte</translation>
+    </message>
+    <message>
+        <source>lines</source>
+        <translation>Linien</translation>
+    </message>
+    <message>
+        <source>circles</source>
+        <translation>Kreise</translation>
+    </message>
+    <message>
+        <source>ellipses</source>
+        <translation>Ellipsen</translation>
+    </message>
+    <message>
+        <source>curves</source>
+        <translation>Kurven</translation>
+    </message>
+    <message>
+        <source>polygons</source>
+        <translation>Polygone</translation>
+    </message>
+    <message>
+        <source>texts</source>
+        <translation>Texte</translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source>outlined %1</source>
+        <translation>Umrisse: %1</translation>
+    </message>
+    <message>
+        <source>filled %1</source>
+        <translation>gefüllte %1</translation>
+    </message>
+    <message>
+        <source>All primitives are hidden: Edit ▸ Show all hidden primitives.</source>
+        <translation>Alle Primitive sind ausgeblendet: Bearbeiten ▸ Alle ausgeblendeten Primitive zeigen.</translation>
+    </message>
+    <message>
+        <source>%1 draws %2; this scene has none. %3 draws what is here.</source>
+        <translation>%1 zeichnet %2; diese Szene hat keine. %3 zeichnet, was da ist.</translation>
+    </message>
+    <message>
+        <source>%1. Every number of every step appears here.</source>
+        <translation>%1. Jede Zahl jedes Schritts erscheint hier.</translation>
+    </message>
+    <message>
+        <source>The method drew nothing of this scene.</source>
+        <translation>Das Verfahren hat von dieser Szene nichts gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Click the corner of the box around it</source>
+        <translation>Die Ecke des Rechtecks darum anklicken</translation>
+    </message>
+    <message>
+        <source>Click the next corner, or the first one to close the polygon</source>
+        <translation>Die nächste Ecke anklicken, oder die erste, um das Polygon zu schließen</translation>
+    </message>
+    <message>
+        <source>Click the second point</source>
+        <translation>Den zweiten Punkt anklicken</translation>
+    </message>
+    <message>
+        <source>Click the third point</source>
+        <translation>Den dritten Punkt anklicken</translation>
+    </message>
+    <message>
+        <source>Click the fourth point</source>
+        <translation>Den vierten Punkt anklicken</translation>
+    </message>
+    <message>
+        <source>Click the next point</source>
+        <translation>Den nächsten Punkt anklicken</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::Playhead</name>
+    <message>
+        <source>No pixel is picked: click one in the pixel grid or press an arrow key.</source>
+        <translation>Kein Pixel ist gewählt: eines im Pixelraster anklicken oder eine Pfeiltaste drücken.</translation>
+    </message>
+    <message>
+        <source>No later step writes pixel (%1, %2).</source>
+        <translation>Kein späterer Schritt schreibt Pixel (%1, %2).</translation>
+    </message>
+    <message>
+        <source>No earlier step writes pixel (%1, %2).</source>
+        <translation>Kein früherer Schritt schreibt Pixel (%1, %2).</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PointerReadout</name>
+    <message>
+        <source>%1 · %2 px from %3</source>
+        <translation>%1 · %2 px von %3</translation>
+    </message>
+    <message>
+        <source>not painted</source>
+        <translation>nicht gezeichnet</translation>
+    </message>
+    <message>
+        <source>not painted · %1 px inside %2 of %3</source>
+        <translation>nicht gezeichnet · %1 px innerhalb von %2, %3</translation>
+    </message>
+    <message>
+        <source>not painted · %1 px outside %2 of %3</source>
+        <translation>nicht gezeichnet · %1 px außerhalb von %2, %3</translation>
+    </message>
+    <message>
+        <source>student: %1</source>
+        <translation>Abgabe: %1</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>Eckpunkt %1</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PrecisionPanel</name>
+    <message>
+        <source>Bound</source>
+        <translation>Grenze</translation>
+    </message>
+    <message>
+        <source>Which bound&apos;s error is plotted</source>
+        <translation>Der Fehler welcher Grenze gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>lower bound y_B</source>
+        <translation>untere Grenze y_B</translation>
+    </message>
+    <message>
+        <source>upper bound y_T</source>
+        <translation>obere Grenze y_T</translation>
+    </message>
+    <message>
+        <source>Show %1</source>
+        <translation>%1 zeigen</translation>
+    </message>
+    <message>
+        <source>Show or hide the curve of %1</source>
+        <translation>Die Kurve von %1 zeigen oder ausblenden</translation>
+    </message>
+    <message>
+        <source>Dotted: what rounding may add up to, n·ulp/2 in floating point, n·2⁻¹⁷ in 16.16, n·2⁻³³ in 32.32 after n additions. ≠: the first column that covers other samples than it should. A click goes there.</source>
+        <translation>Punktiert: was Rundung aufsummieren kann, n·ulp/2 in Gleitkomma, n·2⁻¹⁷ in 16.16, n·2⁻³³ in 32.32 nach n Additionen. ≠: die erste Spalte, die andere Abtastpunkte überdeckt, als sie soll. Ein Klick geht dorthin.</translation>
+    </message>
+    <message>
+        <source>left bound x_L</source>
+        <translation>linke Grenze x_L</translation>
+    </message>
+    <message>
+        <source>right bound x_R</source>
+        <translation>rechte Grenze x_R</translation>
+    </message>
+    <message>
+        <source>The scene is being drawn.</source>
+        <translation>Die Szene wird gezeichnet.</translation>
+    </message>
+    <message>
+        <source>The method “%1” has no bounds that could be off here: it tests every sample, computes in exact arithmetic alone, or draws no triangle of this scene.</source>
+        <translation>Das Verfahren „%1“ hat hier keine Grenzen, die danebenliegen könnten: Es prüft jeden Abtastpunkt, rechnet nur exakt oder zeichnet kein Dreieck dieser Szene.</translation>
+    </message>
+    <message>
+        <source>%1: at most %2 px</source>
+        <translation>%1: höchstens %2 px</translation>
+    </message>
+    <message>
+        <source>, rows wrong: %1, the first at y = %2</source>
+        <translation>, falsche Zeilen: %1, die erste bei y = %2</translation>
+    </message>
+    <message>
+        <source>, columns wrong: %1, the first at x = %2</source>
+        <translation>, falsche Spalten: %1, die erste bei x = %2</translation>
+    </message>
+    <message>
+        <source>, none wrong</source>
+        <translation>, keine falsch</translation>
+    </message>
+    <message>
+        <source>Triangle %1. </source>
+        <translation>Dreieck %1. </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PrecisionPlot</name>
+    <message>
+        <source>Error of a bound over the columns</source>
+        <translation>Fehler einer Grenze über die Spalten</translation>
+    </message>
+    <message>
+        <source>row y</source>
+        <translation>Zeile y</translation>
+    </message>
+    <message>
+        <source>column x</source>
+        <translation>Spalte x</translation>
+    </message>
+    <message>
+        <source>error, px</source>
+        <translation>Fehler, px</translation>
+    </message>
+    <message>
+        <source>−½ px</source>
+        <translation>−½ px</translation>
+    </message>
+    <message>
+        <source>½ px</source>
+        <translation>½ px</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PredictPanel</name>
+    <message>
+        <source>The question</source>
+        <translation>Die Frage</translation>
+    </message>
+    <message>
+        <source>Check</source>
+        <translation>Prüfen</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Zeigen</translation>
+    </message>
+    <message>
+        <source>Next</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>What is said of the answer</source>
+        <translation>Was zur Antwort gesagt wird</translation>
+    </message>
+    <message>
+        <source>Score</source>
+        <translation>Punktestand</translation>
+    </message>
+    <message>
+        <source>Predict</source>
+        <translation>Vorhersagen</translation>
+    </message>
+    <message>
+        <source>What is asked for</source>
+        <translation>Wonach gefragt wird</translation>
+    </message>
+    <message>
+        <source>Your answer</source>
+        <translation>Die eigene Antwort</translation>
+    </message>
+    <message>
+        <source>9, 8.63, 53/2 or 8 10/27</source>
+        <translation>9, 8.63, 53/2 oder 8 10/27</translation>
+    </message>
+    <message>
+        <source>Compare the answer with what the kernel computes (Enter)</source>
+        <translation>Die Antwort mit dem vergleichen, was der Kern berechnet (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>Give up this question and see how the number comes about</source>
+        <translation>Diese Frage aufgeben und sehen, wie die Zahl zustande kommt</translation>
+    </message>
+    <message>
+        <source>Step on and ask again (Enter)</source>
+        <translation>Weitergehen und wieder fragen (Eingabetaste)</translation>
+    </message>
+    <message>
+        <source>Ask for</source>
+        <translation>Fragen nach</translation>
+    </message>
+    <message>
+        <source>the next pixel</source>
+        <translation>das nächste Pixel</translation>
+    </message>
+    <message>
+        <source>%1: what is %2?</source>
+        <translation>%1: Was ist %2?</translation>
+    </message>
+    <message>
+        <source>Which pixel is written next? Right-click it, or go there with the arrow keys and press Check.</source>
+        <translation>Welches Pixel wird als nächstes geschrieben? Es mit rechts anklicken, oder mit den Pfeiltasten hingehen und Prüfen drücken.</translation>
+    </message>
+    <message>
+        <source>Nothing lies ahead: step back, or run to the start.</source>
+        <translation>Es liegt nichts voraus: zurückgehen oder zum Anfang laufen.</translation>
+    </message>
+    <message>
+        <source>(%1, %2)</source>
+        <translation>(%1, %2)</translation>
+    </message>
+    <message>
+        <source>Right, %1. %2</source>
+        <translation>Richtig, %1. %2</translation>
+    </message>
+    <message>
+        <source>Not %1. %2 Try again, or have it shown.</source>
+        <translation>Nicht %1. %2 Noch einmal versuchen oder zeigen lassen.</translation>
+    </message>
+    <message>
+        <source>%1 = %2</source>
+        <translation>%1 = %2</translation>
+    </message>
+    <message>
+        <source>It is (%1, %2). %3</source>
+        <translation>Es ist (%1, %2). %3</translation>
+    </message>
+    <message>
+        <source>Right at the first try: %1 of %2</source>
+        <translation>Beim ersten Versuch richtig: %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PrimitiveListModel</name>
+    <message>
+        <source>several</source>
+        <translation>mehrere</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>Eckpunkt %1</translation>
+    </message>
+    <message>
+        <source>%1, hidden</source>
+        <translation>%1, ausgeblendet</translation>
+    </message>
+    <message>
+        <source>%1, solid %2</source>
+        <translation>%1, Körper %2</translation>
+    </message>
+    <message>
+        <source>The number that it has wherever it is told: of those that are drawn, from 0</source>
+        <translation>Die Nummer, die es überall hat: unter denen, die gezeichnet werden, ab 0</translation>
+    </message>
+    <message>
+        <source>The place in the drawing order, hidden ones counted, from 1; hiding changes none</source>
+        <translation>Der Platz in der Zeichenreihenfolge, ausgeblendete mitgezählt, ab 1; Ausblenden ändert keinen</translation>
+    </message>
+    <message>
+        <source>primitive</source>
+        <translation>Primitiv</translation>
+    </message>
+    <message>
+        <source>place</source>
+        <translation>Platz</translation>
+    </message>
+    <message>
+        <source>x, px</source>
+        <translation>x, px</translation>
+    </message>
+    <message>
+        <source>y, px</source>
+        <translation>y, px</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>Farbe</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PrimitivesPanel</name>
+    <message>
+        <source>Primitives in drawing order</source>
+        <translation>Primitive in Zeichenreihenfolge</translation>
+    </message>
+    <message>
+        <source>Earlier</source>
+        <translation>Früher</translation>
+    </message>
+    <message>
+        <source>Draw it before the one above</source>
+        <translation>Vor dem darüber zeichnen</translation>
+    </message>
+    <message>
+        <source>Later</source>
+        <translation>Später</translation>
+    </message>
+    <message>
+        <source>Draw it after the one below</source>
+        <translation>Nach dem darunter zeichnen</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Farbe …</translation>
+    </message>
+    <message>
+        <source>The colour of the vertex, or of all vertices of the primitive</source>
+        <translation>Die Farbe des Eckpunkts, oder aller Eckpunkte des Primitivs</translation>
+    </message>
+    <message>
+        <source>Delete</source>
+        <translation>Löschen</translation>
+    </message>
+    <message>
+        <source>Delete the primitive</source>
+        <translation>Das Primitiv löschen</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n primitives</source>
+        <translation>
+            <numerusform>%n Primitiv</numerusform>
+            <numerusform>%n Primitive</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, and %n hidden that the numbers leave out</source>
+        <translation>
+            <numerusform>, und %n ausgeblendetes, das die Nummern auslassen</numerusform>
+            <numerusform>, und %n ausgeblendete, die die Nummern auslassen</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source> and %n solids</source>
+        <translation>
+            <numerusform> und %n Körper</numerusform>
+            <numerusform> und %n Körper</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>. The camera makes the triangles of a solid; the Projection panel shows them and moves what stands in space</source>
+        <translation>. Die Kamera macht die Dreiecke eines Körpers; der Bereich Projektion zeigt sie und bewegt, was im Raum steht</translation>
+    </message>
+    <message>
+        <source>Show</source>
+        <translation>Einblenden</translation>
+    </message>
+    <message>
+        <source>Hide</source>
+        <translation>Ausblenden</translation>
+    </message>
+    <message>
+        <source>Draw the primitive again, at its place; the others are numbered with it</source>
+        <translation>Das Primitiv wieder zeichnen, an seinem Platz; die anderen werden mit ihm nummeriert</translation>
+    </message>
+    <message>
+        <source>Keep the primitive and do not draw it; the others are numbered without it. The box before its name shows it again</source>
+        <translation>Das Primitiv behalten und nicht zeichnen; die anderen werden ohne es nummeriert. Das Kästchen vor seinem Namen blendet es wieder ein</translation>
+    </message>
+    <message>
+        <source>Colour of the Primitive</source>
+        <translation>Farbe des Primitivs</translation>
+    </message>
+    <message>
+        <source>Colour of the Vertex</source>
+        <translation>Farbe des Eckpunkts</translation>
+    </message>
+    <message>
+        <source>Colour of the Solid</source>
+        <translation>Farbe des Körpers</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::ProjectionPanel</name>
+    <message>
+        <source>a triangle</source>
+        <translation>ein Dreieck</translation>
+    </message>
+    <message>
+        <source>a polygon</source>
+        <translation>ein Polygon</translation>
+    </message>
+    <message>
+        <source>a plane</source>
+        <translation>eine Ebene</translation>
+    </message>
+    <message>
+        <source>a sphere</source>
+        <translation>eine Kugel</translation>
+    </message>
+    <message>
+        <source>a patch</source>
+        <translation>ein Flächenstück</translation>
+    </message>
+    <message>
+        <source>a mesh</source>
+        <translation>ein Netz</translation>
+    </message>
+    <message>
+        <source>%1: each %2</source>
+        <translation>%1: jedes %2</translation>
+    </message>
+    <message>
+        <source> Not drawn are %1.</source>
+        <translation> Nicht gezeichnet sind %1.</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>The triangle in hand</source>
+        <translation>Das aktuelle Dreieck</translation>
+    </message>
+    <message>
+        <source>Projection and surfaces</source>
+        <translation>Projektion und Flächen</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>The scene is being drawn.</source>
+        <translation>Die Szene wird gezeichnet.</translation>
+    </message>
+    <message>
+        <source>This scene has no solids. Of a face of a sphere, a plane, a patch, a mesh or a polygon in space, here stands how the camera takes it to the frame: from its vertices to the eye&apos;s axes, clip coordinates, the polygon that the near plane leaves, the division by w, pixels and the lattice, each number beside the exact one.</source>
+        <translation>Diese Szene hat keine Körper. Von einer Seitenfläche einer Kugel, einer Ebene, eines Flächenstücks, eines Netzes oder eines Polygons im Raum steht hier, wie die Kamera sie auf die Bildfläche bringt: von ihren Eckpunkten zu den Achsen des Auges, den Clip-Koordinaten, dem Polygon, das die vordere Ebene übrig lässt, der Division durch w, Pixeln und Koordinatengitter, jede Zahl neben der exakten.</translation>
+    </message>
+    <message numerus="yes">
+        <source>The scene&apos;s solids become %n triangles.</source>
+        <translation>
+            <numerusform>Die Körper der Szene werden zu %n Dreieck.</numerusform>
+            <numerusform>Die Körper der Szene werden zu %n Dreiecken.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source> Step into one of them.</source>
+        <translation> Ein Schritt hinein zeigt eines davon.</translation>
+    </message>
+    <message>
+        <source>The triangle in hand is %1 %2 %3 of face %4 of solid %5, %6.</source>
+        <translation>Das aktuelle Dreieck ist %1 %2 %3 der Seitenfläche %4 des Körpers %5 (%6).</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::RecentFiles</name>
+    <message>
+        <source>Open &amp;recent</source>
+        <translation>Zu&amp;letzt geöffnet</translation>
+    </message>
+    <message>
+        <source>&amp;Clear the list</source>
+        <translation>&amp;Liste leeren</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::RunNotes</name>
+    <message numerus="yes">
+        <source>and %n more numbers are taken as the nearest of 1/256 px or 2^-24</source>
+        <translation>
+            <numerusform>und %n weitere Zahl wird auf das nächste 1/256 px oder 2^-24 gelegt</numerusform>
+            <numerusform>und %n weitere Zahlen werden auf das nächste 1/256 px oder 2^-24 gelegt</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>%L1 primitives are not drawn. The first: %2</source>
+        <translation>%L1 Primitive sind nicht gezeichnet. Das erste: %2</translation>
+    </message>
+    <message>
+        <source>the arithmetic %1</source>
+        <translation>die Arithmetik %1</translation>
+    </message>
+    <message>
+        <source>the fill rule %1</source>
+        <translation>die Füllregel %1</translation>
+    </message>
+    <message>
+        <source>what it knows of the variants</source>
+        <translation>was es von den Varianten kennt</translation>
+    </message>
+    <message>
+        <source>%1 %2. Changed to %3.</source>
+        <translation>%1 %2. Geändert zu: %3.</translation>
+    </message>
+    <message>
+        <source>, and </source>
+        <translation>, und </translation>
+    </message>
+    <message>
+        <source> and </source>
+        <translation> und </translation>
+    </message>
+    <message>
+        <source>Recorded are the first %L1 steps, into primitive %L2 of %L3: stepping and the panels end there. At the end the canvas shows the finished picture. To record the whole run, make the frame or the scene smaller.</source>
+        <translation>Aufgezeichnet sind die ersten %L1 Schritte, bis in Primitiv %L2 von %L3: Die Schritte und die Bereiche enden dort. Am Ende zeigt die Zeichenfläche das fertige Bild. Mit kleinerer Bildfläche oder Szene wird der ganze Lauf aufgezeichnet.</translation>
+    </message>
+    <message>
+        <source>Tracing was cancelled: the panels show the run before. Undo the change, or change the scene again to trace it.</source>
+        <translation>Das Aufzeichnen wurde abgebrochen: Die Bereiche zeigen den Lauf davor. Rückgängig machen, oder die Szene noch einmal ändern, damit sie aufgezeichnet wird.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::ScalingPlot</name>
+    <message>
+        <source>width of one triangle of constant height, px</source>
+        <translation>Breite eines Dreiecks von gleicher Höhe, px</translation>
+    </message>
+    <message>
+        <source>area of one triangle of constant shape, px</source>
+        <translation>Fläche eines Dreiecks von gleicher Form, px</translation>
+    </message>
+    <message>
+        <source>triangles of constant size</source>
+        <translation>Dreiecke gleicher Größe</translation>
+    </message>
+    <message>
+        <source>Times over sizes</source>
+        <translation>Zeiten über Größen</translation>
+    </message>
+    <message>
+        <source>%1  ~ n^%2</source>
+        <translation>%1  ~ n^%2</translation>
+    </message>
+    <message>
+        <source>µs</source>
+        <translation>µs</translation>
+    </message>
+    <message>
+        <source>a draw, µs</source>
+        <translation>je Zeichnen, µs</translation>
+    </message>
+    <message>
+        <source>n^1 doubles its time where the size doubles, n^0 does not grow: the exponent is fitted to the larger half of the sizes.</source>
+        <translation>n^1 verdoppelt die Zeit, wo die Größe sich verdoppelt, n^0 wächst nicht: Der Exponent ist an die größere Hälfte der Größen angepasst.</translation>
+    </message>
+    <message>
+        <source>How times grow is measured at the end of a study.</source>
+        <translation>Wie Zeiten wachsen, wird am Ende einer Studie gemessen.</translation>
+    </message>
+    <message>
+        <source>%1: %2</source>
+        <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>n = %1: %2 µs</source>
+        <translation>n = %1: %2 µs</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::SceneDocument</name>
+    <message>
+        <source>A vertex at (%1, %2) is too far away: coordinates must lie within ±2^30 px.</source>
+        <translation>Ein Eckpunkt bei (%1, %2) ist zu weit weg: Koordinaten müssen innerhalb von ±2^30 px liegen.</translation>
+    </message>
+    <message>
+        <source>place vertex</source>
+        <translation>Eckpunkt setzen</translation>
+    </message>
+    <message>
+        <source>move vertex</source>
+        <translation>Eckpunkt bewegen</translation>
+    </message>
+    <message>
+        <source>change colour</source>
+        <translation>Farbe ändern</translation>
+    </message>
+    <message>
+        <source>change drawing order</source>
+        <translation>Zeichenreihenfolge ändern</translation>
+    </message>
+    <message>
+        <source>add triangle</source>
+        <translation>Dreieck hinzufügen</translation>
+    </message>
+    <message>
+        <source>change triangle</source>
+        <translation>Dreieck ändern</translation>
+    </message>
+    <message>
+        <source>close polygon</source>
+        <translation>Polygon schließen</translation>
+    </message>
+    <message>
+        <source>change text</source>
+        <translation>Text ändern</translation>
+    </message>
+    <message>
+        <source>delete vertex</source>
+        <translation>Eckpunkt löschen</translation>
+    </message>
+    <message>
+        <source>discard vertices</source>
+        <translation>Eckpunkte verwerfen</translation>
+    </message>
+    <message>
+        <source>clear</source>
+        <translation>alles entfernen</translation>
+    </message>
+    <message>
+        <source>A frame of %1 × %2 pixels cannot be made: each side must be 1 to %3 and the area at most %4.</source>
+        <translation>Eine Bildfläche von %1 × %2 Pixeln ist nicht möglich: Jede Seite muss 1 bis %3 sein und die Fläche höchstens %4.</translation>
+    </message>
+    <message>
+        <source>The frame&apos;s first pixel (%1, %2) lies beyond ±2^30 px.</source>
+        <translation>Das erste Pixel der Bildfläche (%1, %2) liegt jenseits von ±2^30 px.</translation>
+    </message>
+    <message>
+        <source>The off-screen point lies beyond ±2^30 px.</source>
+        <translation>Der Punkt außerhalb liegt jenseits von ±2^30 px.</translation>
+    </message>
+    <message>
+        <source>change frame</source>
+        <translation>Bildfläche ändern</translation>
+    </message>
+    <message>
+        <source>move camera</source>
+        <translation>Kamera bewegen</translation>
+    </message>
+    <message>
+        <source>change appearance</source>
+        <translation>Aussehen ändern</translation>
+    </message>
+    <message>
+        <source>change motion</source>
+        <translation>Bewegung ändern</translation>
+    </message>
+    <message>
+        <source>end motion</source>
+        <translation>Bewegung beenden</translation>
+    </message>
+    <message>
+        <source>move off-screen point</source>
+        <translation>Punkt außerhalb bewegen</translation>
+    </message>
+    <message>
+        <source>change settings</source>
+        <translation>Einstellungen ändern</translation>
+    </message>
+    <message>
+        <source>There is no method “%1”.</source>
+        <translation>Es gibt kein Verfahren „%1“.</translation>
+    </message>
+    <message>
+        <source>change method</source>
+        <translation>Verfahren ändern</translation>
+    </message>
+    <message>
+        <source>delete primitive</source>
+        <translation>Primitiv löschen</translation>
+    </message>
+    <message>
+        <source>hide primitive</source>
+        <translation>Primitiv ausblenden</translation>
+    </message>
+    <message>
+        <source>show primitive</source>
+        <translation>Primitiv einblenden</translation>
+    </message>
+    <message>
+        <source>show all primitives</source>
+        <translation>alle Primitive einblenden</translation>
+    </message>
+    <message>
+        <source>change solid</source>
+        <translation>Körper ändern</translation>
+    </message>
+    <message>
+        <source>show solid</source>
+        <translation>Körper einblenden</translation>
+    </message>
+    <message>
+        <source>hide solid</source>
+        <translation>Körper ausblenden</translation>
+    </message>
+    <message>
+        <source>delete solid</source>
+        <translation>Körper löschen</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::SceneExports</name>
+    <message>
+        <source>there is not enough memory.</source>
+        <translation>der Speicher reicht nicht.</translation>
+    </message>
+    <message>
+        <source>another trace is still being written.</source>
+        <translation>eine andere Aufzeichnung wird noch geschrieben.</translation>
+    </message>
+    <message>
+        <source>Writing %1</source>
+        <translation>Schreiben von %1</translation>
+    </message>
+    <message>
+        <source>%1 was not written.</source>
+        <translation>%1 wurde nicht geschrieben.</translation>
+    </message>
+    <message>
+        <source>Export the Picture</source>
+        <translation>Bild exportieren</translation>
+    </message>
+    <message>
+        <source>PNG picture</source>
+        <translation>PNG-Bild</translation>
+    </message>
+    <message>
+        <source>Export the Annotated Grid</source>
+        <translation>Beschriftetes Gitter exportieren</translation>
+    </message>
+    <message>
+        <source>SVG drawing</source>
+        <translation>SVG-Zeichnung</translation>
+    </message>
+    <message>
+        <source>Export the Columns</source>
+        <translation>Spalten exportieren</translation>
+    </message>
+    <message>
+        <source>Export the Pixels</source>
+        <translation>Pixel exportieren</translation>
+    </message>
+    <message>
+        <source>CSV table</source>
+        <translation>CSV-Tabelle</translation>
+    </message>
+    <message>
+        <source>JSON</source>
+        <translation>JSON</translation>
+    </message>
+    <message>
+        <source>Export the Raster</source>
+        <translation>Raster exportieren</translation>
+    </message>
+    <message>
+        <source>Text</source>
+        <translation>Text</translation>
+    </message>
+    <message>
+        <source>The finished picture&apos;s raster is on the clipboard: %1 × %2, # is covered.</source>
+        <translation>Das Raster des fertigen Bildes ist in der Zwischenablage: %1 × %2, # ist überdeckt.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n more primitives leave it alone</source>
+        <translation>
+            <numerusform>%n weiteres Primitiv lässt es in Ruhe</numerusform>
+            <numerusform>%n weitere Primitive lassen es in Ruhe</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Pixel (%1, %2) is on the clipboard.</source>
+        <translation>Pixel (%1, %2) ist in der Zwischenablage.</translation>
+    </message>
+    <message>
+        <source>%1, finished (*.%2)</source>
+        <translation>%1, fertig (*.%2)</translation>
+    </message>
+    <message>
+        <source>%1, as drawn so far: step %2 of %3 (*.%4)</source>
+        <translation>%1, wie bisher gezeichnet: Schritt %2 von %3 (*.%4)</translation>
+    </message>
+    <message>
+        <source>it is the scene itself, which the export would replace.</source>
+        <translation>es ist die Szene selbst, die der Export ersetzen würde.</translation>
+    </message>
+    <message>
+        <source>Nothing is drawn yet.</source>
+        <translation>Noch ist nichts gezeichnet.</translation>
+    </message>
+    <message>
+        <source>%1 is written.</source>
+        <translation>%1 ist geschrieben.</translation>
+    </message>
+    <message>
+        <source>%1 was not written: %2</source>
+        <translation>%1 wurde nicht geschrieben: %2</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::SceneFiles</name>
+    <message>
+        <source>Scenes (*.json *.pixelplumb);;All files (*)</source>
+        <translation>Szenen (*.json *.pixelplumb);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Another program has written %1: File ▸ Revert to the file reads it again.</source>
+        <translation>Ein anderes Programm hat %1 geschrieben: Datei ▸ Auf Datei zurücksetzen liest sie neu.</translation>
+    </message>
+    <message>
+        <source>untitled</source>
+        <translation>unbenannt</translation>
+    </message>
+    <message>
+        <source>the scene does not fit into memory</source>
+        <translation>die Szene passt nicht in den Speicher</translation>
+    </message>
+    <message>
+        <source>Recovering the unsaved scene</source>
+        <translation>Wiederherstellen der nicht gespeicherten Szene</translation>
+    </message>
+    <message>
+        <source>Opening %1</source>
+        <translation>Öffnen von %1</translation>
+    </message>
+    <message>
+        <source>Not opened: %1</source>
+        <translation>Nicht geöffnet: %1</translation>
+    </message>
+    <message>
+        <source>%1 was not opened: %2</source>
+        <translation>%1 wurde nicht geöffnet: %2</translation>
+    </message>
+    <message>
+        <source>Open a Scene</source>
+        <translation>Szene öffnen</translation>
+    </message>
+    <message>
+        <source>Save the Scene</source>
+        <translation>Szene speichern</translation>
+    </message>
+    <message>
+        <source>Saving %1</source>
+        <translation>Speichern von %1</translation>
+    </message>
+    <message>
+        <source>the scene&apos;s text does not fit into memory</source>
+        <translation>der Text der Szene passt nicht in den Speicher</translation>
+    </message>
+    <message>
+        <source>The scene was not saved: %1</source>
+        <translation>Die Szene wurde nicht gespeichert: %1</translation>
+    </message>
+    <message>
+        <source>Saving…</source>
+        <translation>Speichert …</translation>
+    </message>
+    <message>
+        <source>Go on working</source>
+        <translation>Weiterarbeiten</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::SceneTracer</name>
+    <message>
+        <source>The scene does not fit into memory: a frame of %1 × %2 pixels with %3. Make the frame or the triangles smaller.</source>
+        <translation>Die Szene passt nicht in den Speicher: eine Bildfläche von %1 × %2 Pixeln mit %3. Eine kleinere Bildfläche oder kleinere Dreiecke passen eher.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n triangles</source>
+        <translation>
+            <numerusform>%n Dreieck</numerusform>
+            <numerusform>%n Dreiecken</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>There is no method named “%1”.</source>
+        <translation>Es gibt kein Verfahren namens „%1“.</translation>
+    </message>
+    <message>
+        <source>Tracing</source>
+        <translation>Aufzeichnen</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::Scrubber</name>
+    <message>
+        <source>Position in the run</source>
+        <translation>Ort im Lauf</translation>
+    </message>
+    <message>
+        <source>step %1: %2</source>
+        <translation>Schritt %1: %2</translation>
+    </message>
+    <message>
+        <source>vertices</source>
+        <translation>Eckpunkte</translation>
+    </message>
+    <message>
+        <source>ties</source>
+        <translation>Grenzfälle</translation>
+    </message>
+    <message>
+        <source>clamps</source>
+        <translation>Begrenzt</translation>
+    </message>
+    <message>
+        <source>spans</source>
+        <translation>Spannen</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::SegmentSliders</name>
+    <message>
+        <source>Segments around, or along s</source>
+        <translation>Segmente ringsum, oder entlang s</translation>
+    </message>
+    <message>
+        <source>Segments from pole to pole, or along t</source>
+        <translation>Segmente von Pol zu Pol, oder entlang t</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmente</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::SideView</name>
+    <message>
+        <source>The camera from the side</source>
+        <translation>Die Kamera von der Seite</translation>
+    </message>
+    <message>
+        <source>The eye, the near plane, the picture plane and the rays to the face in hand. Drag to turn, wheel to magnify, double click to put it back.</source>
+        <translation>Das Auge, die vordere Ebene, die Bildebene und die Strahlen zur aktuellen Seitenfläche. Ziehen dreht, das Mausrad vergrößert, ein Doppelklick stellt die Ansicht zurück.</translation>
+    </message>
+    <message>
+        <source>near plane</source>
+        <translation>vordere Ebene</translation>
+    </message>
+    <message>
+        <source>picture plane</source>
+        <translation>Bildebene</translation>
+    </message>
+    <message>
+        <source>eye</source>
+        <translation>Auge</translation>
+    </message>
+    <message>
+        <source>eye (far away)</source>
+        <translation>Auge (weit weg)</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::StageTree</name>
+    <message>
+        <source>The stages of the face in hand</source>
+        <translation>Die Stufen der aktuellen Seitenfläche</translation>
+    </message>
+    <message>
+        <source>Stage</source>
+        <translation>Stufe</translation>
+    </message>
+    <message>
+        <source>Used</source>
+        <translation>Benutzt</translation>
+    </message>
+    <message>
+        <source>Exact</source>
+        <translation>Exakt</translation>
+    </message>
+    <message>
+        <source>Error</source>
+        <translation>Fehler</translation>
+    </message>
+    <message>
+        <source>What the same code gives without rounding, from the numbers of the scene</source>
+        <translation>Was derselbe Code ohne Rundung aus den Zahlen der Szene ergibt</translation>
+    </message>
+    <message>
+        <source>Used − exact; at the lattice that is the snap&apos;s displacement</source>
+        <translation>Benutzt − exakt; beim Koordinatengitter die Verschiebung durch das Einrasten</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::StatusFields</name>
+    <message>
+        <source>pixel (%1, %2) %3</source>
+        <translation>Pixel (%1, %2) %3</translation>
+    </message>
+    <message>
+        <source>column %1, second half</source>
+        <translation>Spalte %1, zweite Hälfte</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+    <message>
+        <source>y upward</source>
+        <translation>y nach oben</translation>
+    </message>
+    <message>
+        <source>y downward</source>
+        <translation>y nach unten</translation>
+    </message>
+    <message>
+        <source>samples at ½</source>
+        <translation>Abtastpunkte bei ½</translation>
+    </message>
+    <message>
+        <source>recording cut at its limit</source>
+        <translation>Aufzeichnung endete an ihrer Grenze</translation>
+    </message>
+    <message>
+        <source>no pixel</source>
+        <translation>kein Pixel</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::StatusFigures</name>
+    <message>
+        <source>Wrong pixels and time of the method in hand</source>
+        <translation>Falsche Pixel und Zeit des aktuellen Verfahrens</translation>
+    </message>
+    <message>
+        <source>as forced: %1</source>
+        <translation>wie erzwungen: %1</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::StepActions</name>
+    <message>
+        <source>Next &amp;column</source>
+        <translation>Nächste &amp;Spalte</translation>
+    </message>
+    <message>
+        <source>column</source>
+        <translation>Spalte</translation>
+    </message>
+    <message>
+        <source>Go on to the next column</source>
+        <translation>Weiter zur nächsten Spalte</translation>
+    </message>
+    <message>
+        <source>Previous c&amp;olumn</source>
+        <translation>V&amp;orige Spalte</translation>
+    </message>
+    <message>
+        <source>Go back to the previous column</source>
+        <translation>Zurück zur vorigen Spalte</translation>
+    </message>
+    <message>
+        <source>Next &amp;pixel</source>
+        <translation>Nächstes &amp;Pixel</translation>
+    </message>
+    <message>
+        <source>pixel</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Write the next pixel</source>
+        <translation>Das nächste Pixel schreiben</translation>
+    </message>
+    <message>
+        <source>Previous p&amp;ixel</source>
+        <translation>Voriges Pi&amp;xel</translation>
+    </message>
+    <message>
+        <source>Take back the last pixel</source>
+        <translation>Das letzte Pixel zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Next pri&amp;mitive</source>
+        <translation>Nächstes Pri&amp;mitiv</translation>
+    </message>
+    <message>
+        <source>primitive</source>
+        <translation>Primitiv</translation>
+    </message>
+    <message>
+        <source>Go on to the next primitive&apos;s set-up</source>
+        <translation>Weiter zur Vorbereitung des nächsten Primitivs</translation>
+    </message>
+    <message>
+        <source>Previous p&amp;rimitive</source>
+        <translation>Voriges Primiti&amp;v</translation>
+    </message>
+    <message>
+        <source>Go back to the previous primitive&apos;s set-up</source>
+        <translation>Zurück zur Vorbereitung des vorigen Primitivs</translation>
+    </message>
+    <message>
+        <source>Run to the &amp;end</source>
+        <translation>Zum &amp;Ende laufen</translation>
+    </message>
+    <message>
+        <source>end</source>
+        <translation>Ende</translation>
+    </message>
+    <message>
+        <source>Go on to the next breakpoint or the end</source>
+        <translation>Weiter zum nächsten Haltepunkt oder zum Ende</translation>
+    </message>
+    <message>
+        <source>Run back to the &amp;start</source>
+        <translation>Zum An&amp;fang zurücklaufen</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Anfang</translation>
+    </message>
+    <message>
+        <source>Go back to the last breakpoint or the start</source>
+        <translation>Zurück zum letzten Haltepunkt oder zum Anfang</translation>
+    </message>
+    <message>
+        <source>Run to the picke&amp;d pixel</source>
+        <translation>Zum gewählten Pixel &amp;laufen</translation>
+    </message>
+    <message>
+        <source>Go on to the next step that writes the picked pixel</source>
+        <translation>Weiter zum nächsten Schritt, der das gewählte Pixel schreibt</translation>
+    </message>
+    <message>
+        <source>Run &amp;back to the picked pixel</source>
+        <translation>Zum gewählten Pixel zurüc&amp;klaufen</translation>
+    </message>
+    <message>
+        <source>Go back to the last step that writes the picked pixel</source>
+        <translation>Zurück zum letzten Schritt, der das gewählte Pixel schreibt</translation>
+    </message>
+    <message>
+        <source>Pla&amp;y</source>
+        <translation>&amp;Abspielen</translation>
+    </message>
+    <message>
+        <source>play</source>
+        <translation>abspielen</translation>
+    </message>
+    <message>
+        <source>Break&amp;point on the column</source>
+        <translation>&amp;Haltepunkt auf der Spalte</translation>
+    </message>
+    <message>
+        <source>Set or clear a breakpoint on the column or row in hand</source>
+        <translation>Einen Haltepunkt auf der aktuellen Spalte oder Zeile setzen oder löschen</translation>
+    </message>
+    <message>
+        <source>Breakpoint on the picked pi&amp;xel</source>
+        <translation>Haltepunkt auf dem &amp;gewählten Pixel</translation>
+    </message>
+    <message>
+        <source>Set or clear a breakpoint on the picked pixel</source>
+        <translation>Einen Haltepunkt auf dem gewählten Pixel setzen oder löschen</translation>
+    </message>
+    <message>
+        <source>C&amp;lear all breakpoints</source>
+        <translation>Alle Haltepunkte lös&amp;chen</translation>
+    </message>
+    <message>
+        <source>Clear all breakpoints</source>
+        <translation>Alle Haltepunkte löschen</translation>
+    </message>
+    <message>
+        <source>Playing and the scrubber&apos;s arrow keys go by this unit</source>
+        <translation>Das Abspielen und die Pfeiltasten der Zeitleiste gehen nach dieser Einheit</translation>
+    </message>
+    <message>
+        <source>by primitives</source>
+        <translation>nach Primitiven</translation>
+    </message>
+    <message>
+        <source>by columns</source>
+        <translation>nach Spalten</translation>
+    </message>
+    <message>
+        <source>by pixels</source>
+        <translation>nach Pixeln</translation>
+    </message>
+    <message>
+        <source>Next &amp;row</source>
+        <translation>Nächste &amp;Zeile</translation>
+    </message>
+    <message>
+        <source>Previous r&amp;ow</source>
+        <translation>V&amp;orige Zeile</translation>
+    </message>
+    <message>
+        <source>row</source>
+        <translation>Zeile</translation>
+    </message>
+    <message>
+        <source>Go on to the next row</source>
+        <translation>Weiter zur nächsten Zeile</translation>
+    </message>
+    <message>
+        <source>Go back to the previous row</source>
+        <translation>Zurück zur vorigen Zeile</translation>
+    </message>
+    <message>
+        <source>Break&amp;point on the row</source>
+        <translation>&amp;Haltepunkt auf der Zeile</translation>
+    </message>
+    <message>
+        <source>by rows</source>
+        <translation>nach Zeilen</translation>
+    </message>
+    <message>
+        <source>Next &amp;step</source>
+        <translation>Nächster &amp;Schritt</translation>
+    </message>
+    <message>
+        <source>Previous st&amp;ep</source>
+        <translation>V&amp;origer Schritt</translation>
+    </message>
+    <message>
+        <source>step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>Go on to the method&apos;s next step</source>
+        <translation>Weiter zum nächsten Schritt des Verfahrens</translation>
+    </message>
+    <message>
+        <source>Go back to the method&apos;s previous step</source>
+        <translation>Zurück zum vorigen Schritt des Verfahrens</translation>
+    </message>
+    <message>
+        <source>Break&amp;point</source>
+        <translation>&amp;Haltepunkt</translation>
+    </message>
+    <message>
+        <source>by steps</source>
+        <translation>nach Schritten</translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Pause (pla&amp;y)</source>
+        <translation>Pause (&amp;abspielen)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Anhalten</translation>
+    </message>
+    <message>
+        <source>Play by the chosen unit</source>
+        <translation>Nach der gewählten Einheit abspielen</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::StepMenu</name>
+    <message>
+        <source>&amp;Step</source>
+        <translation>&amp;Schritt</translation>
+    </message>
+    <message>
+        <source>Play &amp;by</source>
+        <translation>Abspielen &amp;nach</translation>
+    </message>
+    <message>
+        <source>Next &amp;mark</source>
+        <translation>Nächste Ma&amp;rke</translation>
+    </message>
+    <message>
+        <source>Previous m&amp;ark</source>
+        <translation>Vor&amp;ige Marke</translation>
+    </message>
+    <message>
+        <source>&amp;Go to…</source>
+        <translation>Gehe z&amp;u …</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::StepText</name>
+    <message>
+        <source>%1 %2 draws nothing</source>
+        <translation>%1 %2 zeichnet nichts</translation>
+    </message>
+    <message>
+        <source>%1 %2 set up</source>
+        <translation>%1 %2 vorbereitet</translation>
+    </message>
+    <message>
+        <source>nothing drawn yet</source>
+        <translation>noch nichts gezeichnet</translation>
+    </message>
+    <message>
+        <source>%1 entered</source>
+        <translation>%1 betreten</translation>
+    </message>
+    <message>
+        <source>pixel (%1, %2) written</source>
+        <translation>Pixel (%1, %2) geschrieben</translation>
+    </message>
+    <message>
+        <source>sample (%1, %2) refused</source>
+        <translation>Abtastpunkt (%1, %2) abgewiesen</translation>
+    </message>
+    <message>
+        <source>here a part of the primitive begins or ends: a vertex</source>
+        <translation>hier beginnt oder endet ein Teil des Primitivs: ein Eckpunkt</translation>
+    </message>
+    <message>
+        <source>tie: a sample here lies exactly on an edge, or a line half-way between two</source>
+        <translation>Grenzfall: Ein Abtastpunkt liegt hier genau auf einer Kante oder eine Linie in der Mitte zwischen zweien</translation>
+    </message>
+    <message>
+        <source>clamp: a colour level left 0 … 255</source>
+        <translation>Begrenzung: Ein Farbwert verließ 0 … 255</translation>
+    </message>
+    <message>
+        <source>the first pixel that differs from the truth</source>
+        <translation>das erste Pixel, das von der Wahrheit abweicht</translation>
+    </message>
+    <message>
+        <source>before the first step</source>
+        <translation>vor dem ersten Schritt</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::StepperBar</name>
+    <message>
+        <source>Stepper</source>
+        <translation>Schrittablauf</translation>
+    </message>
+    <message>
+        <source>play</source>
+        <translation>abspielen</translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Unit of playing</source>
+        <translation>Einheit des Abspielens</translation>
+    </message>
+    <message>
+        <source>Play by primitives, spans or samples</source>
+        <translation>Nach Primitiven, Spannen oder Abtastpunkten abspielen</translation>
+    </message>
+    <message>
+        <source>Speed of playing</source>
+        <translation>Tempo des Abspielens</translation>
+    </message>
+    <message>
+        <source>Speed of playing, steps per second</source>
+        <translation>Tempo des Abspielens, Schritte je Sekunde</translation>
+    </message>
+    <message>
+        <source> /s</source>
+        <translation> /s</translation>
+    </message>
+    <message>
+        <source>step %1 of %2</source>
+        <translation>Schritt %1 von %2</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::StudentPicture</name>
+    <message>
+        <source>Reading the student&apos;s picture</source>
+        <translation>Lesen des abgegebenen Bildes</translation>
+    </message>
+    <message>
+        <source>Comparing with the student&apos;s picture</source>
+        <translation>Vergleichen mit dem abgegebenen Bild</translation>
+    </message>
+    <message>
+        <source>The method does not draw this scene.</source>
+        <translation>Das Verfahren zeichnet diese Szene nicht.</translation>
+    </message>
+    <message>
+        <source>The picture is %1 × %2 pixels%5, the scene&apos;s frame %3 × %4; expected is a picture of that size, or a frame of the picture&apos;s (Edit ▸ Frame).</source>
+        <translation>Das Bild hat %1 × %2 Pixel%5, die Bildfläche der Szene %3 × %4; erwartet wird ein Bild dieser Größe, oder eine Bildfläche wie die des Bildes (Bearbeiten ▸ Bildfläche).</translation>
+    </message>
+    <message>
+        <source>%1 does not fit into memory.</source>
+        <translation>%1 passt nicht in den Speicher.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::StudentPictureFiles</name>
+    <message>
+        <source>Open a Student&apos;s Picture</source>
+        <translation>Abgegebenes Bild öffnen</translation>
+    </message>
+    <message>
+        <source>Pictures and rasters (*.png *.ppm *.pgm *.pbm *.bmp *.txt)</source>
+        <translation>Bilder und Raster (*.png *.ppm *.pgm *.pbm *.bmp *.txt)</translation>
+    </message>
+    <message>
+        <source>All files (*)</source>
+        <translation>Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>clipboard</source>
+        <translation>Zwischenablage</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::SubmissionOpening</name>
+    <message>
+        <source>Being opened.</source>
+        <translation>Wird geöffnet.</translation>
+    </message>
+    <message>
+        <source>No picture: %1.</source>
+        <translation>Kein Bild: %1.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::SubmissionPanel</name>
+    <message>
+        <source>Submission</source>
+        <translation>Abgabe</translation>
+    </message>
+    <message>
+        <source>The student&apos;s picture&apos;s file</source>
+        <translation>Die Datei des abgegebenen Bildes</translation>
+    </message>
+    <message>
+        <source>Open…</source>
+        <translation>Öffnen …</translation>
+    </message>
+    <message>
+        <source>Open a student&apos;s picture: PNG, PPM, BMP or a raster of # and .</source>
+        <translation>Ein abgegebenes Bild öffnen: PNG, PPM, BMP oder ein Raster aus # und .</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Take the student&apos;s picture away; the scene stays as it is</source>
+        <translation>Das abgegebene Bild wegnehmen; die Szene bleibt, wie sie ist</translation>
+    </message>
+    <message>
+        <source>Verdict</source>
+        <translation>Urteil</translation>
+    </message>
+    <message>
+        <source>Pixels by cause</source>
+        <translation>Pixel nach Ursachen</translation>
+    </message>
+    <message>
+        <source>What explains the whole picture</source>
+        <translation>Was das ganze Bild erklärt</translation>
+    </message>
+    <message>
+        <source>Student</source>
+        <translation>Abgabe</translation>
+    </message>
+    <message>
+        <source>Expected</source>
+        <translation>Erwartet</translation>
+    </message>
+    <message>
+        <source>Next difference</source>
+        <translation>Nächste Abweichung</translation>
+    </message>
+    <message>
+        <source>Pick the next pixel that differs, in the order of reading</source>
+        <translation>Das nächste abweichende Pixel in Leserichtung wählen</translation>
+    </message>
+    <message>
+        <source>The picked pixel</source>
+        <translation>Das gewählte Pixel</translation>
+    </message>
+    <message>
+        <source>No student&apos;s picture</source>
+        <translation>Kein abgegebenes Bild</translation>
+    </message>
+    <message>
+        <source>Drop a picture of this scene on the canvas, paste it (Ctrl+V) or open it: PNG, PPM, BMP or a raster of # and . What differs is marked on the canvas.</source>
+        <translation>Ein Bild dieser Szene auf die Zeichenfläche ziehen, einfügen (Strg+V) oder öffnen: PNG, PPM, BMP oder ein Raster aus # und . Was abweicht, wird auf der Zeichenfläche markiert.</translation>
+    </message>
+    <message>
+        <source>Being compared.</source>
+        <translation>Wird verglichen.</translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pixels</source>
+        <translation>
+            <numerusform>%n Pixel</numerusform>
+            <numerusform>%n Pixel</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>covered</source>
+        <translation>überdeckt</translation>
+    </message>
+    <message>
+        <source>not covered</source>
+        <translation>nicht überdeckt</translation>
+    </message>
+    <message>
+        <source>%L1 missing</source>
+        <translation>%L1 fehlend</translation>
+    </message>
+    <message>
+        <source>%L1 extra</source>
+        <translation>%L1 überzählig</translation>
+    </message>
+    <message>
+        <source>%L1 of another colour, by up to %2</source>
+        <translation>%L1 in anderer Farbe, um bis zu %2</translation>
+    </message>
+    <message>
+        <source>%L1 undecidable, on an edge or by rounding</source>
+        <translation>%L1 unentscheidbar, auf einer Kante oder durch Rundung</translation>
+    </message>
+    <message>
+        <source>%L1 the same</source>
+        <translation>%L1 gleich</translation>
+    </message>
+    <message numerus="yes">
+        <source>Wrong: %n pixels differ.</source>
+        <translation>
+            <numerusform>Falsch: %n Pixel weicht ab.</numerusform>
+            <numerusform>Falsch: %n Pixel weichen ab.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Undecidable: %n pixels on edges, where rules differ, or within what rounding in float32 may do.</source>
+        <translation>
+            <numerusform>Unentscheidbar: %n Pixel auf Kanten, wo Regeln verschieden sind, oder in dem, was Rundung in float32 bewirken darf.</numerusform>
+            <numerusform>Unentscheidbar: %n Pixel auf Kanten, wo Regeln verschieden sind, oder in dem, was Rundung in float32 bewirken darf.</numerusform>
+        </translation>
+    </message>
+    <message>
+        <source>Right: no pixel differs.</source>
+        <translation>Richtig: Kein Pixel weicht ab.</translation>
+    </message>
+    <message>
+        <source>The whole picture is %1</source>
+        <translation>Das ganze Bild: %1</translation>
+    </message>
+    <message>
+        <source>: that explains every pixel.</source>
+        <translation>: Das erklärt jedes Pixel.</translation>
+    </message>
+    <message>
+        <source>: that leaves %1.</source>
+        <translation>: Das lässt %1 übrig.</translation>
+    </message>
+    <message>
+        <source>(%1, %2) student: %3, expected: %4</source>
+        <translation>(%1, %2) abgegeben: %3, erwartet: %4</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::SubmissionView</name>
+    <message>
+        <source>The student&apos;s picture</source>
+        <translation>Das abgegebene Bild</translation>
+    </message>
+    <message>
+        <source>The expected picture</source>
+        <translation>Das erwartete Bild</translation>
+    </message>
+    <message>
+        <source>The student&apos;s picture. A click picks the pixel.</source>
+        <translation>Das abgegebene Bild. Ein Klick wählt das Pixel.</translation>
+    </message>
+    <message>
+        <source>What the method draws. A click picks the pixel.</source>
+        <translation>Was das Verfahren zeichnet. Ein Klick wählt das Pixel.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::SurfacesPanel</name>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
+    <message>
+        <source>error %1</source>
+        <translation>Fehler %1</translation>
+    </message>
+    <message>
+        <source>no such number here</source>
+        <translation>hier keine solche Zahl</translation>
+    </message>
+    <message>
+        <source>an example: the scene has none</source>
+        <translation>ein Beispiel: Die Szene hat keine</translation>
+    </message>
+    <message>
+        <source>The parameter s, 0 … 1</source>
+        <translation>Der Parameter s, 0 … 1</translation>
+    </message>
+    <message>
+        <source>The parameter t of a surface, 0 … 1</source>
+        <translation>Der Parameter t einer Fläche, 0 … 1</translation>
+    </message>
+    <message>
+        <source>Distance by segments</source>
+        <translation>Abstand nach Segmenten</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmente</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Seitenflächen</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Time, µs</source>
+        <translation>Zeit, µs</translation>
+    </message>
+    <message>
+        <source>Surfaces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Forms of curves and surfaces</source>
+        <translation>Formen von Kurven und Flächen</translation>
+    </message>
+    <message>
+        <source>s = %1, t = %2</source>
+        <translation>s = %1, t = %2</translation>
+    </message>
+    <message>
+        <source>Explicit</source>
+        <translation>Explizit</translation>
+    </message>
+    <message>
+        <source>Parametric</source>
+        <translation>Parametrisch</translation>
+    </message>
+    <message>
+        <source>Implicit</source>
+        <translation>Implizit</translation>
+    </message>
+    <message>
+        <source>An example, since the scene has no sphere and no patch: </source>
+        <translation>Ein Beispiel, da die Szene weder Kugel noch Flächenstück hat: </translation>
+    </message>
+    <message>
+        <source>A sphere of radius %1 by its faces: the largest distance of a face to the sphere, by a formula, and the time of projecting it. Twice as many segments each way are four times as many faces, and in the long run four times nearer.</source>
+        <translation>Eine Kugel vom Radius %1 durch ihre Seitenflächen: der größte Abstand einer Seitenfläche von der Kugel, nach einer Formel, und die Zeit des Projizierens. Doppelt so viele Segmente in jeder Richtung sind viermal so viele Seitenflächen und auf die Dauer viermal so nahe.</translation>
+    </message>
+    <message>
+        <source>A patch by its triangles: the largest distance found between points of the triangles and the patch at the same parameters, 9 × 9 a cell, and the time of projecting it.</source>
+        <translation>Ein Flächenstück durch seine Dreiecke: der größte gefundene Abstand zwischen Punkten der Dreiecke und dem Flächenstück bei gleichen Parametern, 9 × 9 je Zelle, und die Zeit des Projizierens.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::SvgExport</name>
+    <message>
+        <source>There is nothing drawn yet to export.</source>
+        <translation>Noch ist nichts gezeichnet, das exportiert werden könnte.</translation>
+    </message>
+    <message>
+        <source>A frame of %1 × %2 pixels is too large for a figure of cells, which holds at most %3 of them. Export a PNG, or make the frame smaller.</source>
+        <translation>Eine Bildfläche von %1 × %2 Pixeln ist zu groß für eine Abbildung aus Zellen, die höchstens %3 davon hat. Als PNG exportieren oder die Bildfläche verkleinern.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::TriangleDialog</name>
+    <message>
+        <source>Add a Triangle</source>
+        <translation>Dreieck hinzufügen</translation>
+    </message>
+    <message>
+        <source>x</source>
+        <translation>x</translation>
+    </message>
+    <message>
+        <source>y</source>
+        <translation>y</translation>
+    </message>
+    <message>
+        <source>colour</source>
+        <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>Change</source>
+        <translation>Ändern</translation>
+    </message>
+    <message>
+        <source>vertex %1, %2</source>
+        <translation>Eckpunkt %1, %2</translation>
+    </message>
+    <message>
+        <source>more than 0</source>
+        <translation>mehr als 0</translation>
+    </message>
+    <message>
+        <source>vertex %1, x</source>
+        <translation>Eckpunkt %1, x</translation>
+    </message>
+    <message>
+        <source>vertex %1, y</source>
+        <translation>Eckpunkt %1, y</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>a normal of length 0 beside others</source>
+        <translation>eine Normale der Länge 0 neben anderen</translation>
+    </message>
+    <message>
+        <source>three normals, or none</source>
+        <translation>drei Normalen, oder keine</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>vertex %1</source>
+        <translation>Eckpunkt %1</translation>
+    </message>
+    <message>
+        <source>26, 26.5 or 53/2</source>
+        <translation>26, 26.5 oder 53/2</translation>
+    </message>
+    <message>
+        <source>Colour of %1</source>
+        <translation>Farbe von %1</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::UnsavedChanges</name>
+    <message>
+        <source>Unsaved Changes</source>
+        <translation>Nicht gespeicherte Änderungen</translation>
+    </message>
+    <message>
+        <source>“%1” has changes that are not saved.</source>
+        <translation>„%1“ hat Änderungen, die nicht gespeichert sind.</translation>
+    </message>
+    <message>
+        <source>Without saving they are lost.</source>
+        <translation>Ohne Speichern gehen sie verloren.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::VertexDialog</name>
+    <message>
+        <source>Vertex coordinates</source>
+        <translation>Koordinaten des Eckpunkts</translation>
+    </message>
+    <message>
+        <source>&amp;x, px</source>
+        <translation>&amp;x, px</translation>
+    </message>
+    <message>
+        <source>&amp;y, px</source>
+        <translation>&amp;y, px</translation>
+    </message>
+    <message>
+        <source>Goes to the nearest 1/256 px: (%1, %2).</source>
+        <translation>Geht auf das nächste 1/256 px: (%1, %2).</translation>
+    </message>
+    <message>
+        <source>Whole numbers, decimals and fractions such as 53/2.</source>
+        <translation>Ganze Zahlen, Dezimalzahlen mit Punkt und Brüche wie 53/2.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::ViewMenu</name>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>Reset the &amp;layout</source>
+        <translation>Anordnung &amp;zurücksetzen</translation>
+    </message>
+    <message>
+        <source>&amp;Grid</source>
+        <translation>&amp;Gitter</translation>
+    </message>
+    <message>
+        <source>grid</source>
+        <translation>Gitter</translation>
+    </message>
+    <message>
+        <source>Lines between the pixels (G)</source>
+        <translation>Linien zwischen den Pixeln (G)</translation>
+    </message>
+    <message>
+        <source>T&amp;ruth</source>
+        <translation>&amp;Wahrheit</translation>
+    </message>
+    <message>
+        <source>truth</source>
+        <translation>wahr</translation>
+    </message>
+    <message>
+        <source>The exact finished picture instead of the frame (R)</source>
+        <translation>Das exakte fertige Bild anstelle des aktuellen (R)</translation>
+    </message>
+    <message>
+        <source>&amp;Differences</source>
+        <translation>&amp;Differenzen</translation>
+    </message>
+    <message>
+        <source>differences</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Mark pixels that differ from the truth, or in the student&apos;s picture: ? missing, ! extra, c colour (D)</source>
+        <translation>Pixel markieren, die von der Wahrheit abweichen, oder im abgegebenen Bild: ? fehlend, ! überzählig, c Farbe (D)</translation>
+    </message>
+    <message>
+        <source>&amp;Clipped polygon</source>
+        <translation>Be&amp;schnittenes Polygon</translation>
+    </message>
+    <message>
+        <source>clipped</source>
+        <translation>beschnitten</translation>
+    </message>
+    <message>
+        <source>What the near plane leaves of the face whose triangle is in hand, and the triangles that it is drawn as (N)</source>
+        <translation>Was die vordere Ebene von der Seitenfläche des aktuellen Dreiecks übrig lässt, und die Dreiecke, als die es gezeichnet wird (N)</translation>
+    </message>
+    <message>
+        <source>Values in &amp;hexadecimal</source>
+        <translation>Werte &amp;hexadezimal</translation>
+    </message>
+    <message>
+        <source>hexadecimal</source>
+        <translation>hexadezimal</translation>
+    </message>
+    <message>
+        <source>The bytes in large cells and in the pixel grid as 00 … ff instead of 0 … 255 (X)</source>
+        <translation>Die Bytes in großen Zellen und im Pixelraster als 00 … ff statt 0 … 255 (X)</translation>
+    </message>
+    <message>
+        <source>&amp;Overdraw and gaps</source>
+        <translation>&amp;Mehrfachzeichnung und Lücken</translation>
+    </message>
+    <message>
+        <source>How often each pixel is written, and the gaps that nobody writes (O)</source>
+        <translation>Wie oft jedes Pixel geschrieben ist, und die Lücken, die niemand schreibt (O)</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;in</source>
+        <translation>V&amp;ergrößern</translation>
+    </message>
+    <message>
+        <source>Zoom &amp;out</source>
+        <translation>Ve&amp;rkleinern</translation>
+    </message>
+    <message>
+        <source>&amp;Fit the frame</source>
+        <translation>Bildfläche ein&amp;passen</translation>
+    </message>
+    <message>
+        <source>One &amp;to one</source>
+        <translation>E&amp;ins zu eins</translation>
+    </message>
+    <message>
+        <source>In&amp;spector (pixel grid)</source>
+        <translation>&amp;Lupe (Pixelraster)</translation>
+    </message>
+    <message>
+        <source>&amp;Panels</source>
+        <translation>Berei&amp;che</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>as the &amp;desktop</source>
+        <translation>wie der &amp;Desktop</translation>
+    </message>
+    <message>
+        <source>&amp;light</source>
+        <translation>&amp;hell</translation>
+    </message>
+    <message>
+        <source>d&amp;ark</source>
+        <translation>d&amp;unkel</translation>
+    </message>
+    <message>
+        <source>Seen &amp;with</source>
+        <translation>Gesehe&amp;n</translation>
+    </message>
+    <message>
+        <source>no &amp;red cones (%1)</source>
+        <translation>ohne &amp;rote Zapfen (%1)</translation>
+    </message>
+    <message>
+        <source>no &amp;green cones (%1)</source>
+        <translation>ohne grü&amp;ne Zapfen (%1)</translation>
+    </message>
+    <message>
+        <source>no &amp;blue cones (%1)</source>
+        <translation>ohne &amp;blaue Zapfen (%1)</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::WhatsThis</name>
+    <message>
+        <source>The frame as it is at the step in hand, with its triangles and the plumb line through the column or row in hand. With the tool Draw a click places a vertex and a drag moves one, with Inspect a click picks the pixel; a right click always picks. Arrows move the picked pixel, the wheel zooms, Shift shows the truth as long as it is held.</source>
+        <translation>Die Bildfläche beim aktuellen Schritt, mit ihren Dreiecken und der Lotlinie durch die aktuelle Spalte oder Zeile. Mit dem Werkzeug Zeichnen setzt ein Klick einen Eckpunkt und Ziehen bewegt einen, mit Prüfen wählt ein Klick das Pixel; ein Rechtsklick wählt immer. Pfeiltasten bewegen das gewählte Pixel, das Mausrad vergrößert, Umschalt zeigt die Wahrheit, solange es gehalten wird.</translation>
+    </message>
+    <message>
+        <source>The whole run on one line, with marks where vertices, ties, clamps and wrong pixels are; a drag goes to another step. Arrows go by the unit of playing, with Ctrl from mark to mark, PageUp and PageDown by columns or rows, Home and End to the ends.</source>
+        <translation>Der ganze Lauf auf einer Linie, mit Marken, wo Eckpunkte, Grenzfälle, Begrenzungen und falsche Pixel sind; Ziehen geht zu einem anderen Schritt. Pfeiltasten gehen nach der Einheit des Abspielens, mit Strg von Marke zu Marke, Bild auf und Bild ab nach Spalten oder Zeilen, Pos1 und Ende zu den Enden.</translation>
+    </message>
+    <message>
+        <source>The method that draws the scene. The buttons, the table and the formulas follow it; the menu Method shows the keys that choose one on the canvas.</source>
+        <translation>Das Verfahren, das die Szene zeichnet. Die Knöpfe, die Tabelle und die Formeln folgen ihm; das Menü Verfahren zeigt die Tasten, die auf der Zeichenfläche eines wählen.</translation>
+    </message>
+    <message>
+        <source>How many of the run&apos;s steps are done. A step writes a pixel, begins a column or row, or sets a primitive up; Step ▸ Go to… goes to any.</source>
+        <translation>Wie viele Schritte des Laufs getan sind. Ein Schritt schreibt ein Pixel, beginnt eine Spalte oder Zeile oder bereitet ein Primitiv vor; Schritt ▸ Gehe zu … geht zu jedem.</translation>
+    </message>
+    <message>
+        <source>The pixel under the pointer, else the picked one, and its colour.</source>
+        <translation>Das Pixel unter dem Zeiger, sonst das gewählte, und seine Farbe.</translation>
+    </message>
+    <message>
+        <source>The column, row or step of the method in hand.</source>
+        <translation>Die Spalte, die Zeile oder der Schritt des aktuellen Verfahrens.</translation>
+    </message>
+    <message>
+        <source>How many of the run&apos;s steps are done.</source>
+        <translation>Wie viele Schritte des Laufs getan sind.</translation>
+    </message>
+    <message>
+        <source>The arithmetic, the fill rule and the frame&apos;s convention that the scene is drawn by.</source>
+        <translation>Die Arithmetik, die Füllregel und die Konvention der Bildfläche, nach denen die Szene gezeichnet wird.</translation>
+    </message>
+    <message>
+        <source>The step in hand as formulas with its numbers put in: what the drawing used, beside the exact value. The entries of the menu Step go on and back by a column or row, or by a pixel.</source>
+        <translation>Der aktuelle Schritt als Formeln mit eingesetzten Zahlen: was das Zeichnen benutzt hat, neben dem exakten Wert. Die Einträge des Menüs Schritt gehen um eine Spalte oder Zeile oder um ein Pixel vor und zurück.</translation>
+    </message>
+    <message>
+        <source>The pixels around the picked one, large enough to read: their bytes, their sample points, the true edges, and where the column or row in hand meets them. Arrows move the picked pixel, + and − make the cells larger and smaller, Enter goes to the step that wrote it.</source>
+        <translation>Die Pixel um das gewählte, groß genug zum Lesen: ihre Bytes, ihre Abtastpunkte, die wahren Kanten, und wo die aktuelle Spalte oder Zeile sie trifft. Pfeiltasten bewegen das gewählte Pixel, + und − machen die Zellen größer und kleiner, die Eingabetaste geht zum Schritt, der es schrieb.</translation>
+    </message>
+    <message>
+        <source>How the picked pixel got its colour: each primitive that tried, with its numbers, or the edge that refuses the pixel and by how much. Enter on a line goes to that step.</source>
+        <translation>Wie das gewählte Pixel zu seiner Farbe kam: jedes Primitiv, das es versuchte, mit seinen Zahlen, oder die Kante, die das Pixel abweist, und um wie viel. Die Eingabetaste auf einer Zeile geht zu jenem Schritt.</translation>
+    </message>
+    <message>
+        <source>The numbers of every column, or row or step of other methods, as the drawing used them; exact ones can be shown beside. A row that is clicked is gone to.</source>
+        <translation>Die Zahlen jeder Spalte, oder jeder Zeile oder jedes Schritts anderer Verfahren, wie das Zeichnen sie benutzt hat; exakte lassen sich daneben zeigen. Ein Klick auf eine Zeile geht dorthin.</translation>
+    </message>
+    <message>
+        <source>Two to four methods, or the truth, draw the scene side by side, and a map shows where they agree; below stands why the picked pixel differs. Arrows move the picked pixel, + and − zoom all of them.</source>
+        <translation>Zwei bis vier Verfahren, oder die Wahrheit, zeichnen die Szene nebeneinander, und eine Karte zeigt, wo sie übereinstimmen; darunter steht, warum das gewählte Pixel abweicht. Pfeiltasten bewegen das gewählte Pixel, + und − vergrößern und verkleinern alle.</translation>
+    </message>
+    <message>
+        <source>How far the bounds that each arithmetic computes are from the exact edges of the triangle in hand, column by column.</source>
+        <translation>Wie weit die Grenzen, die jede Arithmetik berechnet, von den exakten Kanten des aktuellen Dreiecks liegen, Spalte für Spalte.</translation>
+    </message>
+    <message>
+        <source>The gallery of hard cases by family, each drawn by the method in hand beside the truth, and whether the method is right. Its buttons open a case in the window.</source>
+        <translation>Die Sammlung schwieriger Fälle nach Familien, jeder mit dem aktuellen Verfahren neben der Wahrheit gezeichnet, und ob das Verfahren recht hat. Ihre Knöpfe öffnen einen Fall im Fenster.</translation>
+    </message>
+    <message>
+        <source>What drawing the scene takes by the plain and by the fast kernels, which of them took which triangles and why, and what columns and rows ask of the cache.</source>
+        <translation>Was das Zeichnen der Szene mit den einfachen und den schnellen Kernen braucht, welche davon welche Dreiecke nahmen und warum, und was Spalten und Zeilen vom Cache verlangen.</translation>
+    </message>
+    <message>
+        <source>How many divisions, roundings, additions and other operations a set-up, a span and a sample take in the method and the arithmetic in hand.</source>
+        <translation>Wie viele Divisionen, Rundungen, Additionen und andere Operationen eine Vorbereitung, eine Spanne und ein Abtastpunkt im aktuellen Verfahren und in der aktuellen Arithmetik brauchen.</translation>
+    </message>
+    <message>
+        <source>What accuracy costs in time: Run judges and times every method in every arithmetic, and the chart shows cost against error. Arrows go from dot to dot, Enter opens the dot&apos;s first wrong pixel.</source>
+        <translation>Was Genauigkeit an Zeit kostet: Messen beurteilt und misst jedes Verfahren in jeder Arithmetik, und das Diagramm zeigt Kosten gegen Fehler. Pfeiltasten gehen von Punkt zu Punkt, die Eingabetaste öffnet das erste falsche Pixel des Punkts.</translation>
+    </message>
+    <message>
+        <source>How the triangle in hand came from three dimensions to the frame: the camera from the side, and every stage with its numbers. Arrows turn the view, + and − bring it nearer and farther, Home brings the first view back.</source>
+        <translation>Wie das aktuelle Dreieck aus drei Dimensionen auf die Bildfläche kam: die Kamera von der Seite, und jede Stufe mit ihren Zahlen. Pfeiltasten drehen die Ansicht, + und − holen sie näher und schieben sie fort, Pos1 bringt die erste zurück.</translation>
+    </message>
+    <message>
+        <source>Which effects the scene calls for, why, and what each costs. Only what is called for runs; a switch forces an effect on or off in the picture.</source>
+        <translation>Welche Effekte die Szene fordert, warum, und was jeder kostet. Nur was gefordert ist, läuft; ein Schalter erzwingt einen Effekt im Bild oder schaltet ihn aus.</translation>
+    </message>
+    <message>
+        <source>The method in hand: what it does, where it comes from, and its pseudocode, with the lines that the step in hand does marked.</source>
+        <translation>Das aktuelle Verfahren: was es tut, woher es kommt, und sein Pseudocode; die Zeilen, die der aktuelle Schritt ausführt, sind markiert.</translation>
+    </message>
+    <message>
+        <source>Asks for what comes next (y_B, the rows, the increments or the next pixel) before it is shown, and tells right and wrong with the reason. As long as this panel is seen, the others hide what lies ahead.</source>
+        <translation>Fragt nach dem, was als nächstes kommt (y_B, die Zeilen, die Inkremente oder das nächste Pixel), bevor es gezeigt wird, und sagt richtig und falsch mit dem Grund. Solange dieser Bereich zu sehen ist, verbergen die anderen, was bevorsteht.</translation>
+    </message>
+    <message>
+        <source>Lets the scene move by a fraction of a pixel a frame, and counts the pixels that flicker beside those of the truth.</source>
+        <translation>Lässt die Szene sich je Bild um einen Bruchteil eines Pixels bewegen und zählt die Pixel, die flimmern, neben denen der Wahrheit.</translation>
+    </message>
+    <message>
+        <source>The scene&apos;s primitives in drawing order. The box before a name shows or hides the primitive, coordinates are typed in place, and the buttons below, which a right click shows as a menu, move, recolour and delete it.</source>
+        <translation>Die Primitive der Szene in Zeichenreihenfolge. Das Kästchen vor einem Namen blendet das Primitiv ein oder aus, Koordinaten werden an Ort und Stelle getippt, und die Knöpfe darunter, die ein Rechtsklick als Menü zeigt, verschieben, färben und löschen es.</translation>
+    </message>
+    <message>
+        <source>What a student&apos;s picture, dropped on the window or pasted, has different, by cause, both pictures beside each other; Name the bug looks for known defects that draw it.</source>
+        <translation>Was an einem abgegebenen Bild, auf das Fenster gezogen oder eingefügt, anders ist, nach Ursachen, beide Bilder nebeneinander; Fehler benennen sucht bekannte Defekte, die es zeichnen.</translation>
+    </message>
+    <message>
+        <source>The submissions of a graded folder, by cause, with what each student is told. J and K go to the next and the previous one, A accepts its grade, C comments on it.</source>
+        <translation>Die Abgaben eines bewerteten Ordners, nach Ursachen, mit dem, was jede erfährt. J und K gehen zur nächsten und zur vorigen, A nimmt ihre Bewertung an, C kommentiert sie.</translation>
+    </message>
+    <message>
+        <source>What was done to the scene, in order: a click goes back, or on again, to there.</source>
+        <translation>Was an der Szene getan wurde, der Reihe nach: Ein Klick geht dorthin zurück oder wieder vor.</translation>
+    </message>
+    <message>
+        <source>Opens, saves and exports scenes, and shows the examples.</source>
+        <translation>Öffnet, speichert und exportiert Szenen und zeigt die Beispiele.</translation>
+    </message>
+    <message>
+        <source>Changes the scene, and takes back what was changed; chooses what a click on the canvas does.</source>
+        <translation>Ändert die Szene und nimmt zurück, was geändert wurde; wählt, was ein Klick auf die Zeichenfläche tut.</translation>
+    </message>
+    <message>
+        <source>What is drawn over the frame, how large, in which colours, seen by which eyes, and which panels are shown.</source>
+        <translation>Was über die Bildfläche gezeichnet wird, wie groß, in welchen Farben, mit welchen Augen gesehen, und welche Bereiche gezeigt werden.</translation>
+    </message>
+    <message>
+        <source>Shows the canvas, the panels and the tool bars as they look to people who lack one kind of cones, until it ends. The frame, what is exported and all numbers are as ever.</source>
+        <translation>Zeigt die Zeichenfläche, die Bereiche und die Werkzeugleisten, wie sie für Menschen aussehen, denen eine Art von Zapfen fehlt, bis es endet. Die Bildfläche, alles Exportierte und alle Zahlen sind wie immer.</translation>
+    </message>
+    <message>
+        <source>Lays the figures of the course texts over the scene, at the step in hand.</source>
+        <translation>Legt die Abbildungen der Kurstexte über die Szene, beim aktuellen Schritt.</translation>
+    </message>
+    <message>
+        <source>Goes through the run of the scene, forward and back.</source>
+        <translation>Geht durch den Lauf der Szene, vor und zurück.</translation>
+    </message>
+    <message>
+        <source>How the scene is drawn: the method, its arithmetic, its fill rule, its rounding, and its printed variants with their faults.</source>
+        <translation>Wie die Szene gezeichnet wird: das Verfahren, seine Arithmetik, seine Füllregel, seine Rundung und seine gedruckten Varianten mit ihren Fehlern.</translation>
+    </message>
+    <message>
+        <source>All keys, other keys for the actions, and what the parts of the window are.</source>
+        <translation>Alle Tasten, andere Tasten für die Aktionen, und was die Teile des Fensters sind.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::WindowDocks</name>
+    <message>
+        <source>What was done: a click goes back to there</source>
+        <translation>Was getan wurde: Ein Klick geht dorthin zurück</translation>
+    </message>
+    <message>
+        <source>as it was opened</source>
+        <translation>wie geöffnet</translation>
+    </message>
+    <message>
+        <source>Formula</source>
+        <translation>Formel</translation>
+    </message>
+    <message>
+        <source>Pixel grid</source>
+        <translation>Pixelraster</translation>
+    </message>
+    <message>
+        <source>Pixel</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Columns</source>
+        <translation>Spalten</translation>
+    </message>
+    <message>
+        <source>Compare</source>
+        <translation>Vergleich</translation>
+    </message>
+    <message>
+        <source>Precision</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>Hard cases</source>
+        <translation>Schwierige Fälle</translation>
+    </message>
+    <message>
+        <source>Performance</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Operations</source>
+        <translation>Operationen</translation>
+    </message>
+    <message>
+        <source>Accuracy lab</source>
+        <translation>Genauigkeitslabor</translation>
+    </message>
+    <message>
+        <source>Projection</source>
+        <translation>Projektion</translation>
+    </message>
+    <message>
+        <source>Effects</source>
+        <translation>Effekte</translation>
+    </message>
+    <message>
+        <source>This method</source>
+        <translation>Dieses Verfahren</translation>
+    </message>
+    <message>
+        <source>Predict</source>
+        <translation>Vorhersage</translation>
+    </message>
+    <message>
+        <source>Motion</source>
+        <translation>Bewegung</translation>
+    </message>
+    <message>
+        <source>Primitives</source>
+        <translation>Primitive</translation>
+    </message>
+    <message>
+        <source>Submission</source>
+        <translation>Abgabe</translation>
+    </message>
+    <message>
+        <source>Grading</source>
+        <translation>Bewertung</translation>
+    </message>
+    <message>
+        <source>Edits</source>
+        <translation>Änderungen</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::WindowStatusBar</name>
+    <message>
+        <source>Progress of opening</source>
+        <translation>Fortschritt des Öffnens</translation>
+    </message>
+    <message>
+        <source>Cancel opening</source>
+        <translation>Öffnen abbrechen</translation>
+    </message>
+    <message>
+        <source>Progress of saving</source>
+        <translation>Fortschritt des Speicherns</translation>
+    </message>
+    <message>
+        <source>Progress of exporting</source>
+        <translation>Fortschritt des Exportierens</translation>
+    </message>
+    <message>
+        <source>Cancel exporting</source>
+        <translation>Exportieren abbrechen</translation>
+    </message>
+    <message>
+        <source>Progress of tracing</source>
+        <translation>Fortschritt der Aufzeichnung</translation>
+    </message>
+    <message>
+        <source>Cancel tracing</source>
+        <translation>Aufzeichnung abbrechen</translation>
+    </message>
+    <message>
+        <source>The canvas, panels and tool bars look as they do to such eyes; a click ends it. The frame, what is exported and all numbers are as ever.</source>
+        <translation>Die Zeichenfläche, die Bereiche und die Werkzeugleisten sehen aus wie für solche Augen; ein Klick beendet es. Die Bildfläche, alles Exportierte und alle Zahlen sind wie immer.</translation>
+    </message>
+    <message>
+        <source>seen with %1</source>
+        <translation>gesehen mit %1</translation>
+    </message>
+</context>
+</TS>

@@ -1,0 +1,316 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="en">
+<context>
+    <name>pixelplumb::ColumnTablePanel</name>
+    <message numerus="yes">
+        <source>%n columns</source>
+        <translation>
+            <numerusform>%n column</numerusform>
+            <numerusform>%n columns</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows</source>
+        <translation>
+            <numerusform>%n row</numerusform>
+            <numerusform>%n rows</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n steps</source>
+        <translation>
+            <numerusform>%n step</numerusform>
+            <numerusform>%n steps</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n primitives</source>
+        <translation>
+            <numerusform>%n primitive</numerusform>
+            <numerusform>%n primitives</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::ComparePane</name>
+    <message numerus="yes">
+        <source>%n pixels, shown finished</source>
+        <translation>
+            <numerusform>%n pixel, shown finished</numerusform>
+            <numerusform>%n pixels, shown finished</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n pixels: %1 missing, %2 extra, %3 in another colour</source>
+        <translation>
+            <numerusform>%n pixel: %1 missing, %2 extra, %3 in another colour</numerusform>
+            <numerusform>%n pixels: %1 missing, %2 extra, %3 in another colour</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::DiagnosisView</name>
+    <message numerus="yes">
+        <source>%n sets of known defects draw this very picture:</source>
+        <translation>
+            <numerusform>One set of known defects draws this very picture:</numerusform>
+            <numerusform>%n sets of known defects draw this very picture:</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source> · %n pixels are left</source>
+        <translation>
+            <numerusform> · %n pixel is left</numerusform>
+            <numerusform> · %n pixels are left</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::DriftPlot</name>
+    <message numerus="yes">
+        <source>&lt;b&gt;after %n columns&lt;/b&gt;</source>
+        <translation>
+            <numerusform>&lt;b&gt;after %n column&lt;/b&gt;</numerusform>
+            <numerusform>&lt;b&gt;after %n columns&lt;/b&gt;</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::EffectsText</name>
+    <message numerus="yes">
+        <source>%n pixels change, marked on the canvas</source>
+        <translation>
+            <numerusform>%n pixel changes, marked on the canvas</numerusform>
+            <numerusform>%n pixels change, marked on the canvas</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::FrameDialog</name>
+    <message numerus="yes">
+        <source>%1 pixels</source>
+        <translation>
+            <numerusform>%1 pixel</numerusform>
+            <numerusform>%1 pixels</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::GradingPanel</name>
+    <message numerus="yes">
+        <source>%1: %n submissions, %2 accepted%3. J and K: next and previous; A: accept; C: comment; Enter: the picture.</source>
+        <translation>
+            <numerusform>%1: %n submission, %2 accepted%3. J and K: next and previous; A: accept; C: comment; Enter: the picture.</numerusform>
+            <numerusform>%1: %n submissions, %2 accepted%3. J and K: next and previous; A: accept; C: comment; Enter: the picture.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::LabChanges</name>
+    <message numerus="yes">
+        <source>≠ Accuracy changed in %n rows.</source>
+        <translation>
+            <numerusform>≠ Accuracy changed in %n row.</numerusform>
+            <numerusform>≠ Accuracy changed in %n rows.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n rows are missing.</source>
+        <translation>
+            <numerusform>%n row is missing.</numerusform>
+            <numerusform>%n rows are missing.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::MotionPanel</name>
+    <message numerus="yes">
+        <source>%n times</source>
+        <translation>
+            <numerusform>once</numerusform>
+            <numerusform>%n times</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::MotionView</name>
+    <message numerus="yes">
+        <source>%n pixels came or went</source>
+        <translation>
+            <numerusform>%n pixel came or went</numerusform>
+            <numerusform>%n pixels came or went</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::OverdrawOverlay</name>
+    <message numerus="yes">
+        <source>%n pixels</source>
+        <translation>
+            <numerusform>%n pixel</numerusform>
+            <numerusform>%n pixels</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n times</source>
+        <translation>
+            <numerusform>once</numerusform>
+            <numerusform>%n times</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%n gaps</source>
+        <translation>
+            <numerusform>%n gap</numerusform>
+            <numerusform>%n gaps</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PerformanceCacheLines</name>
+    <message numerus="yes">
+        <source>%1 changes of line</source>
+        <translation>
+            <numerusform>%1 change of line</numerusform>
+            <numerusform>%1 changes of line</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 misses</source>
+        <translation>
+            <numerusform>%1 miss</numerusform>
+            <numerusform>%1 misses</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 lines in all</source>
+        <translation>
+            <numerusform>%1 line in all</numerusform>
+            <numerusform>%1 lines in all</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 of %2 sets, at most %3 lines in one (%4 fit)</source>
+        <translation>
+            <numerusform>%1 of %2 sets, at most %3 line in one (%4 fit)</numerusform>
+            <numerusform>%1 of %2 sets, at most %3 lines in one (%4 fit)</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PerformanceText</name>
+    <message numerus="yes">
+        <source>%1 triangles</source>
+        <translation>
+            <numerusform>%1 triangle</numerusform>
+            <numerusform>%1 triangles</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>%1 pixels</source>
+        <translation>
+            <numerusform>%1 pixel</numerusform>
+            <numerusform>%1 pixels</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PixelHistoryModel</name>
+    <message numerus="yes">
+        <source>and %n more that refuse it</source>
+        <translation>
+            <numerusform>and %n more that refuses it</numerusform>
+            <numerusform>and %n more that refuse it</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PrimitivesPanel</name>
+    <message numerus="yes">
+        <source>%n primitives</source>
+        <translation>
+            <numerusform>%n primitive</numerusform>
+            <numerusform>%n primitives</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>, and %n hidden that the numbers leave out</source>
+        <translation>
+            <numerusform>, and %n hidden that the numbers leave out</numerusform>
+            <numerusform>, and %n hidden that the numbers leave out</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source> and %n solids</source>
+        <translation>
+            <numerusform> and %n solid</numerusform>
+            <numerusform> and %n solids</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::ProjectionPanel</name>
+    <message numerus="yes">
+        <source>The scene&apos;s solids become %n triangles.</source>
+        <translation>
+            <numerusform>The scene&apos;s solids become %n triangle.</numerusform>
+            <numerusform>The scene&apos;s solids become %n triangles.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::RunNotes</name>
+    <message numerus="yes">
+        <source>and %n more numbers are taken as the nearest of 1/256 px or 2^-24</source>
+        <translation>
+            <numerusform>and %n more number is taken as the nearest of 1/256 px or 2^-24</numerusform>
+            <numerusform>and %n more numbers are taken as the nearest of 1/256 px or 2^-24</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::SceneExports</name>
+    <message numerus="yes">
+        <source>%n more primitives leave it alone</source>
+        <translation>
+            <numerusform>%n more primitive leaves it alone</numerusform>
+            <numerusform>%n more primitives leave it alone</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::SceneTracer</name>
+    <message numerus="yes">
+        <source>%n triangles</source>
+        <translation>
+            <numerusform>%n triangle</numerusform>
+            <numerusform>%n triangles</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::SubmissionPanel</name>
+    <message numerus="yes">
+        <source>%n pixels</source>
+        <translation>
+            <numerusform>%n pixel</numerusform>
+            <numerusform>%n pixels</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Wrong: %n pixels differ.</source>
+        <translation>
+            <numerusform>Wrong: %n pixel differs.</numerusform>
+            <numerusform>Wrong: %n pixels differ.</numerusform>
+        </translation>
+    </message>
+    <message numerus="yes">
+        <source>Undecidable: %n pixels on edges, where rules differ, or within what rounding in float32 may do.</source>
+        <translation>
+            <numerusform>Undecidable: %n pixel on edges, where rules differ, or within what rounding in float32 may do.</numerusform>
+            <numerusform>Undecidable: %n pixels on edges, where rules differ, or within what rounding in float32 may do.</numerusform>
+        </translation>
+    </message>
+</context>
+</TS>

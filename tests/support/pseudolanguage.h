@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QMutex>
+#include <QSet>
+#include <QTranslator>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+/// A language that nobody speaks: every text of the window in brackets, and longer by a third. What
+/// has none has not come through tr().
+class PseudoLanguage : public QTranslator {
+public:
+    bool isEmpty() const override { return false; }
+    QString translate(const char *context, const char *sourceText, const char *, int) const override
+    {
+        if (!QByteArray(context).startsWith("pixelplumb::"))
+            return {}; // Qt's own, such as the names of keys
+        const QString text = QString::fromUtf8(sourceText);
+        const QMutexLocker locker(&m_mutex); // jobs beside the window ask as well
+        m_asked += QString::fromUtf8(context) + QStringLiteral(": ") + text;
+        return u'[' + text + QString(std::max<qsizetype>(1, text.size() / 3), u'~') + u']';
+    }
+
+    /// "pixelplumb::ViewMenu: T&ruth", as TranslatedText names them.
+    QSet<QString> asked() const
+    {
+        const QMutexLocker locker(&m_mutex);
+        return m_asked;
+    }
+
+private:
+    mutable QMutex m_mutex;
+    mutable QSet<QString> m_asked;
+};
+
+} // namespace pixelplumb
