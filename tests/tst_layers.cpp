@@ -6,6 +6,7 @@
 #include <QImage>
 #include <QPainter>
 #include <QPolygonF>
+#include <QRectF>
 #include <QTest>
 
 #include <algorithm>
@@ -137,8 +138,8 @@ private slots:
             ++edge;
         }
         QCOMPARE(edge, std::size_t(3));
-        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("E₀ > 0  ⟨−7, 54⟩")));
-        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("E₂ > 0  ⟨39, −22.5⟩")));
+        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("E₀ > 0, normal <−7, 54>")));
+        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("E₂ > 0, normal <39, −22.5>")));
         QVERIFY(drawing.notes.isEmpty());
     }
 
@@ -294,6 +295,51 @@ private slots:
                         < 1e-9);
         }
         QCOMPARE(drawing.labels.front().text, QStringLiteral("R = 32"));
+    }
+
+    void contourLinesThatThereAreNoneOfAreToldWhy_data()
+    {
+        QTest::addColumn<Triangle>("triangle");
+        QTest::addColumn<QString>("note");
+        const auto with = [](int a, int b, int c) {
+            Triangle triangle = triangleAt(0, 0, 32, 0, 0, 16);
+            triangle.vertices[0].colour.channels[0] = std::uint8_t(a);
+            triangle.vertices[1].colour.channels[0] = std::uint8_t(b);
+            triangle.vertices[2].colour.channels[0] = std::uint8_t(c);
+            return triangle;
+        };
+        QTest::newRow("one level")
+            << with(200, 200, 200) << "Contour lines of R: none, R is 200 all over the triangle";
+        QTest::newRow("between two levels")
+            << with(130, 150, 159)
+            << "Contour lines of R: none, from 130 to 159 R meets no multiple of 32";
+        QTest::newRow("no area") << triangleAt(0, 0, 4, 4, 8, 8)
+                                 << "Contour lines of R: the triangle has no area, so that its "
+                                    "levels lie on no plane";
+    }
+    void contourLinesThatThereAreNoneOfAreToldWhy()
+    {
+        QFETCH(Triangle, triangle);
+        QFETCH(QString, note);
+
+        const LayerDrawing drawing = Look(sceneBy("column-scan", triangle)).drawing("isolines-red");
+
+        QVERIFY(drawing.lines.empty());
+        QCOMPARE(drawing.notes, QStringList(note));
+    }
+
+    void specialPointsBesideTheFrameAndEveryAxisHaveTheirNames()
+    {
+        // P₁ is above the frame, P₂ right of it, and all places before P₀ left of it.
+        const LayerDrawing drawing = Look(sceneBy("column-scan", triangleAt(2, 5, 30, 48, 64, 3)))
+                                         .drawing("barycentric-axes");
+        const QStringList names = textsOf(drawing.labels);
+
+        for (const char *name : {"P₀ (1, 0, 0)", "P₁ (0, 1, 0)", "P₂ (0, 0, 1)", "β = 0", "γ = 0"})
+            QVERIFY2(names.contains(QString::fromUtf8(name)), name);
+        const auto axis = std::ranges::find(drawing.labels, QStringLiteral("β = 0"),
+                                            &LayerDrawing::Label::text);
+        QVERIFY(QRectF(-0.5, -0.5, 64, 48).contains(axis->place));
     }
 
     void everySampleOfAPixelIsAPoint()
