@@ -218,7 +218,7 @@ private slots:
         const LayerDrawing drawing = look.drawing("weights");
 
         QCOMPARE(drawing.cells.size(), 3 * (trace.firstSampleOf(middle) + 1));
-        QVERIFY(drawing.notes.front().startsWith("In the cells, from the top: "));
+        QCOMPARE(drawing.cellNames.size(), qsizetype(3));
         const SampleRecord sample = trace.samples(middle).front();
         const NamedNumbers numbers(trace.numbers().sample, sample.cells);
         QStringList expected;
@@ -238,8 +238,9 @@ private slots:
         QCOMPARE(textsIn(exact, 2, 1), QStringList({"0.50", "0.25", "0.25"}));
         QCOMPARE(textsIn(exact, 8, 4), QStringList({"−1", "1", "1"}));
         QCOMPARE(exact.notes,
-                 QStringList("In the cells, from the top: α, β, γ of the vertices 0, 1, 2: exact, "
-                             "since “Column scan” computes none"));
+                 QStringList("α, β, γ belong to the vertices 0, 1, 2 and are exact, since “Column "
+                             "scan” computes none"));
+        QCOMPARE(exact.cellNames, QStringList({"α", "β", "γ"}));
     }
 
     void levelsAreThoseOfTheSamples()
@@ -347,13 +348,13 @@ private slots:
         Scene scene = sceneBy("column-scan", firstTriangle());
         scene.frame.width = 3;
         scene.frame.height = 2;
-        QCOMPARE(Look(scene).drawing("samples").points.size(), std::size_t(6));
+        QCOMPARE(Look(scene).drawing("samples").samples.size(), std::size_t(6));
 
         scene.appearance.antialiasing = Antialiasing::Samples4;
         const LayerDrawing drawing = Look(scene).drawing("samples");
 
-        QCOMPARE(drawing.points.size(), std::size_t(30));
-        for (const LayerDrawing::Point &point : drawing.points) {
+        QCOMPARE(drawing.samples.size(), std::size_t(30));
+        for (const LayerDrawing::Point &point : drawing.samples) {
             const QPointF away = point.place - QPointF(point.place.toPoint());
             QVERIFY(std::abs(away.x()) < 0.5 && std::abs(away.y()) < 0.5);
         }
@@ -387,7 +388,8 @@ private slots:
         drawing.cells = {{1, 1, QStringLiteral("−1234567.5")}};
 
         QCOMPARE(LayerPainter().paint(painter, drawing, surfaceOf(look, picture)),
-                 QStringList("The numbers need cells of 41 pixels: enlarge the picture"));
+                 QStringList("No room for the numbers in the cells: they need cells of 41 pixels; "
+                             "enlarge the picture, or show fewer layers"));
         drawing.cells = {{1, 1, QStringLiteral("−123")}};
         QVERIFY(LayerPainter().paint(painter, drawing, surfaceOf(look, picture)).isEmpty());
     }

@@ -212,9 +212,10 @@ private slots:
         frame.origin = origin;
         Look look(sceneOf(lineAt(30, 20, 30 + run.x(), 20 + run.y()), "line-bresenham", frame));
         const ScanTrace &trace = *look.traced->trace;
-        const QString note = QStringLiteral("d_lower is the distance to the pixel that stays, here "
-                                            "the %1 one, and d_upper that to the %2 one")
-                                 .arg(stays, across);
+        const QString note
+            = QStringLiteral("“lower” is the distance to the pixel that stays, here the %1 one, "
+                             "“upper” that to the %2 one")
+                  .arg(stays, across);
         for (std::size_t span = 1; span < trace.spanCount(); ++span) {
             look.view.position = trace.indexOfSpan(span) + 1;
             const LayerDrawing drawing = look.drawing("decisions");
@@ -231,17 +232,20 @@ private slots:
             // where the line is not between them.
             const QPointF onward = drawing.points[1].place - staying;
             QCOMPARE(onward.manhattanLength(), 1.0);
-            const std::array ways = {onLine - staying, drawing.points[1].place - onLine};
+            QCOMPARE(drawing.measures.size(), std::size_t(2));
+            QCOMPARE(drawing.measures[0].from, staying);
+            QCOMPARE(drawing.measures[1].to, drawing.points[1].place);
             const std::array names = {QStringLiteral("d_lower"), QStringLiteral("d_upper")};
             for (std::size_t i = 0; i < 2; ++i) {
                 const Quantity number = spanNumber(*look.traced, span, names[i]);
-                QVERIFY(std::abs(QPointF::dotProduct(ways[i], onward) - number.toDouble()) < 1e-9);
-                QCOMPARE(drawing.labels[i].place, (drawing.points[i].place + onLine) / 2);
-                QCOMPARE(drawing.labels[i].text,
-                         QStringLiteral("%1 = %2").arg(names[i], cellNumber(number)));
+                const LayerDrawing::Measure &measure = drawing.measures[i];
+                const QPointF way = measure.to - measure.from;
+                QVERIFY(std::abs(QPointF::dotProduct(way, onward) - number.toDouble()) < 1e-9);
+                QVERIFY(measure.from == onLine || measure.to == onLine);
+                QCOMPARE(measure.text, QStringLiteral("%1 = %2").arg(names[i], cellNumber(number)));
             }
-            QCOMPARE(drawing.notes,
-                     stays == QStringLiteral("lower") ? QStringList() : QStringList(note));
+            QCOMPARE(drawing.notes.isEmpty(), stays == QStringLiteral("lower"));
+            QVERIFY(drawing.notes.isEmpty() || drawing.notes.front().endsWith(note));
         }
     }
 
