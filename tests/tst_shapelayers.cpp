@@ -106,7 +106,7 @@ private slots:
                 crossings.push_back(point.place);
         }
         for (const LayerDrawing::Line &line : drawing.lines) {
-            if (line.ink == LayerInk::Hand)
+            if (line.stroke == LayerDrawing::Stroke::Band)
                 intervals.push_back(line);
         }
         // The slopes are ±5/4 px a row from (10, 2).
@@ -115,7 +115,7 @@ private slots:
         QCOMPARE(intervals[0].from, QPointF(0, 6));
         QCOMPARE(intervals[0].to, QPointF(5, 6));
         QCOMPARE(intervals[1].from, QPointF(15, 6));
-        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("e2, from row 2")));
+        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("edge 2, from row 3")));
     }
 
     void byWindingTheOverlapOfTwoContoursLiesInside()
@@ -127,7 +127,8 @@ private slots:
             squares.fill = fill;
             const Look look(sceneOf(squares, "polygon-parity", {}));
             const LayerDrawing drawing = look.drawing("edge-table");
-            return std::ranges::count(drawing.lines, LayerInk::Hand, &LayerDrawing::Line::ink);
+            return std::ranges::count(drawing.lines, LayerDrawing::Stroke::Band,
+                                      &LayerDrawing::Line::stroke);
         };
 
         // Between 0, 4, 8 and 12.
