@@ -179,8 +179,11 @@ private slots:
         const auto put = [&](const QPointF &place) {
             sheet.frame.drawHandle(sheet.mapping.latticeAt(place), {}, HandleState::Idle);
         };
+        const QPointF middle = within.center();
         for (const QPointF &corner :
-             {within.bottomLeft(), within.bottomRight(), within.topRight()}) {
+             {within.bottomLeft(), within.bottomRight(), within.topRight(),
+              QPointF(middle.x(), within.top()), QPointF(middle.x(), within.bottom()),
+              QPointF(within.left(), middle.y()), QPointF(within.right(), middle.y())}) {
             put(corner);
             put(corner);
         }
@@ -188,6 +191,46 @@ private slots:
         sheet.frame.drawCornerNote(QStringLiteral("a note"));
         const QPointF place = sheet.frame.plates().back().center();
         QVERIFY(place.x() < view.center().x() && place.y() < view.center().y());
+    }
+
+    void whereACornersNoteWouldCoverAHandleItStandsElsewhereOrInShorterLines()
+    {
+        const QString words = QStringLiteral("a note of many words and more and more and more and "
+                                             "more and more and more and more and more\nof two");
+        const QPointF middle = view.center();
+        const QRectF within = view.adjusted(60, 20, -60, -20);
+        std::vector<QPointF> handles;
+        // One handle more each time, the last ones in the way of long lines everywhere.
+        for (const QPointF &next :
+             {within.bottomLeft(), within.bottomRight(), within.topLeft(), within.topRight(),
+              QPointF(middle.x(), within.bottom()), QPointF(middle.x(), within.top()), middle}) {
+            handles.push_back(next);
+            Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
+            for (const QPointF &handle : handles)
+                sheet.frame.drawHandle(sheet.mapping.latticeAt(handle), {}, HandleState::Idle);
+            sheet.frame.drawCornerNote(words);
+
+            const std::vector<QRectF> &plates = sheet.frame.plates();
+            QCOMPARE(plates.size(), handles.size() + 1);
+            QVERIFY(view.contains(plates.back()));
+            for (std::size_t i = 0; i < handles.size(); ++i)
+                QVERIFY(!plates[i].intersects(plates.back()));
+        }
+    }
+
+    void thePointersNoteKeepsClearOfOtherNotes()
+    {
+        Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
+        sheet.frame.drawCornerNote(QStringLiteral("some\nlines\nof\na note\nthat is higher than\n"
+                                                  "what stands beside the pointer"));
+        const QRectF note = sheet.frame.plates().back();
+        for (double x = view.left() + 1; x < view.right(); x += 13) {
+            for (double y = view.top() + 1; y < view.bottom(); y += 13) {
+                sheet.frame.drawPointerNote(QStringLiteral("(27, 19)\ntriangle 0"), {x, y}, {});
+                QVERIFY(view.contains(sheet.frame.plates().back()));
+                QVERIFY(!note.intersects(sheet.frame.plates().back()));
+            }
+        }
     }
 
     void thePointersNoteKeepsClearOfWhatItIsTold()

@@ -6,6 +6,7 @@
 #include <QImage>
 #include <QPainter>
 #include <QPolygonF>
+#include <QRectF>
 #include <QTest>
 
 #include <algorithm>
@@ -137,8 +138,8 @@ private slots:
             ++edge;
         }
         QCOMPARE(edge, std::size_t(3));
-        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("E₀ > 0  ⟨−7, 54⟩")));
-        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("E₂ > 0  ⟨39, −22.5⟩")));
+        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("E₀ > 0, normal <−7, 54>")));
+        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("E₂ > 0, normal <39, −22.5>")));
         QVERIFY(drawing.notes.isEmpty());
     }
 
@@ -217,7 +218,7 @@ private slots:
         const LayerDrawing drawing = look.drawing("weights");
 
         QCOMPARE(drawing.cells.size(), 3 * (trace.firstSampleOf(middle) + 1));
-        QVERIFY(drawing.notes.front().startsWith("In the cells, from the top: "));
+        QCOMPARE(drawing.cellNames.size(), qsizetype(3));
         const SampleRecord sample = trace.samples(middle).front();
         const NamedNumbers numbers(trace.numbers().sample, sample.cells);
         QStringList expected;
@@ -237,8 +238,9 @@ private slots:
         QCOMPARE(textsIn(exact, 2, 1), QStringList({"0.50", "0.25", "0.25"}));
         QCOMPARE(textsIn(exact, 8, 4), QStringList({"−1", "1", "1"}));
         QCOMPARE(exact.notes,
-                 QStringList("In the cells, from the top: α, β, γ of the vertices 0, 1, 2: exact, "
-                             "since “Column scan” computes none"));
+                 QStringList("α, β, γ belong to the vertices 0, 1, 2 and are exact, since “Column "
+                             "scan” computes none"));
+        QCOMPARE(exact.cellNames, QStringList({"α", "β", "γ"}));
     }
 
     void levelsAreThoseOfTheSamples()
@@ -296,18 +298,63 @@ private slots:
         QCOMPARE(drawing.labels.front().text, QStringLiteral("R = 32"));
     }
 
+    void contourLinesThatThereAreNoneOfAreToldWhy_data()
+    {
+        QTest::addColumn<Triangle>("triangle");
+        QTest::addColumn<QString>("note");
+        const auto with = [](int a, int b, int c) {
+            Triangle triangle = triangleAt(0, 0, 32, 0, 0, 16);
+            triangle.vertices[0].colour.channels[0] = std::uint8_t(a);
+            triangle.vertices[1].colour.channels[0] = std::uint8_t(b);
+            triangle.vertices[2].colour.channels[0] = std::uint8_t(c);
+            return triangle;
+        };
+        QTest::newRow("one level")
+            << with(200, 200, 200) << "Contour lines of R: none, R is 200 all over the triangle";
+        QTest::newRow("between two levels")
+            << with(130, 150, 159)
+            << "Contour lines of R: none, from 130 to 159 R meets no multiple of 32";
+        QTest::newRow("no area") << triangleAt(0, 0, 4, 4, 8, 8)
+                                 << "Contour lines of R: the triangle has no area, so that its "
+                                    "levels lie on no plane";
+    }
+    void contourLinesThatThereAreNoneOfAreToldWhy()
+    {
+        QFETCH(Triangle, triangle);
+        QFETCH(QString, note);
+
+        const LayerDrawing drawing = Look(sceneBy("column-scan", triangle)).drawing("isolines-red");
+
+        QVERIFY(drawing.lines.empty());
+        QCOMPARE(drawing.notes, QStringList(note));
+    }
+
+    void specialPointsBesideTheFrameAndEveryAxisHaveTheirNames()
+    {
+        // P₁ is above the frame, P₂ right of it, and all places before P₀ left of it.
+        const LayerDrawing drawing = Look(sceneBy("column-scan", triangleAt(2, 5, 30, 48, 64, 3)))
+                                         .drawing("barycentric-axes");
+        const QStringList names = textsOf(drawing.labels);
+
+        for (const char *name : {"P₀ (1, 0, 0)", "P₁ (0, 1, 0)", "P₂ (0, 0, 1)", "β = 0", "γ = 0"})
+            QVERIFY2(names.contains(QString::fromUtf8(name)), name);
+        const auto axis = std::ranges::find(drawing.labels, QStringLiteral("β = 0"),
+                                            &LayerDrawing::Label::text);
+        QVERIFY(QRectF(-0.5, -0.5, 64, 48).contains(axis->place));
+    }
+
     void everySampleOfAPixelIsAPoint()
     {
         Scene scene = sceneBy("column-scan", firstTriangle());
         scene.frame.width = 3;
         scene.frame.height = 2;
-        QCOMPARE(Look(scene).drawing("samples").points.size(), std::size_t(6));
+        QCOMPARE(Look(scene).drawing("samples").samples.size(), std::size_t(6));
 
         scene.appearance.antialiasing = Antialiasing::Samples4;
         const LayerDrawing drawing = Look(scene).drawing("samples");
 
-        QCOMPARE(drawing.points.size(), std::size_t(30));
-        for (const LayerDrawing::Point &point : drawing.points) {
+        QCOMPARE(drawing.samples.size(), std::size_t(30));
+        for (const LayerDrawing::Point &point : drawing.samples) {
             const QPointF away = point.place - QPointF(point.place.toPoint());
             QVERIFY(std::abs(away.x()) < 0.5 && std::abs(away.y()) < 0.5);
         }
@@ -341,7 +388,8 @@ private slots:
         drawing.cells = {{1, 1, QStringLiteral("−1234567.5")}};
 
         QCOMPARE(LayerPainter().paint(painter, drawing, surfaceOf(look, picture)),
-                 QStringList("The numbers need cells of 41 pixels: enlarge the picture"));
+                 QStringList("No room for the numbers in the cells: they need cells of 41 pixels; "
+                             "enlarge the picture, or show fewer layers"));
         drawing.cells = {{1, 1, QStringLiteral("−123")}};
         QVERIFY(LayerPainter().paint(painter, drawing, surfaceOf(look, picture)).isEmpty());
     }

@@ -212,7 +212,8 @@ private slots:
 
         QVERIFY(!edgeTable->isEnabled());
         QCOMPARE(edgeTable->statusTip(),
-                 "Nothing to show: “Column scan” has no such numbers, unlike “Polygon by parity”.");
+                 "Nothing to show: “Column scan” has no such numbers, unlike “Polygon by parity”, "
+                 "“Bézier path: filled”, “Text as outlines”.");
         QVERIFY(action(*window, "layer-weights")->isEnabled());
     }
 

@@ -240,7 +240,8 @@ private slots:
         QCOMPARE(result.exitCode, 0);
         QCOMPARE(QString::fromUtf8(result.messages),
                  QStringLiteral("--layers edge-table: “Column scan” has no such numbers, unlike "
-                                "“Polygon by parity”\nNumbers stand in cells of 24 pixels and "
+                                "“Polygon by parity”, “Bézier path: filled”, “Text as "
+                                "outlines”\nNumbers stand in cells of 24 pixels and "
                                 "more: enlarge the picture\n"));
     }
 

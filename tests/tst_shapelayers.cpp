@@ -106,7 +106,7 @@ private slots:
                 crossings.push_back(point.place);
         }
         for (const LayerDrawing::Line &line : drawing.lines) {
-            if (line.ink == LayerInk::Hand)
+            if (line.stroke == LayerDrawing::Stroke::Band)
                 intervals.push_back(line);
         }
         // The slopes are ±5/4 px a row from (10, 2).
@@ -115,7 +115,7 @@ private slots:
         QCOMPARE(intervals[0].from, QPointF(0, 6));
         QCOMPARE(intervals[0].to, QPointF(5, 6));
         QCOMPARE(intervals[1].from, QPointF(15, 6));
-        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("e2, from row 2")));
+        QVERIFY(textsOf(drawing.labels).contains(QStringLiteral("edge 2, from row 3")));
     }
 
     void byWindingTheOverlapOfTwoContoursLiesInside()
@@ -127,7 +127,8 @@ private slots:
             squares.fill = fill;
             const Look look(sceneOf(squares, "polygon-parity", {}));
             const LayerDrawing drawing = look.drawing("edge-table");
-            return std::ranges::count(drawing.lines, LayerInk::Hand, &LayerDrawing::Line::ink);
+            return std::ranges::count(drawing.lines, LayerDrawing::Stroke::Band,
+                                      &LayerDrawing::Line::stroke);
         };
 
         // Between 0, 4, 8 and 12.
@@ -212,9 +213,10 @@ private slots:
         frame.origin = origin;
         Look look(sceneOf(lineAt(30, 20, 30 + run.x(), 20 + run.y()), "line-bresenham", frame));
         const ScanTrace &trace = *look.traced->trace;
-        const QString note = QStringLiteral("d_lower is the distance to the pixel that stays, here "
-                                            "the %1 one, and d_upper that to the %2 one")
-                                 .arg(stays, across);
+        const QString note
+            = QStringLiteral("“lower” is the distance to the pixel that stays, here the %1 one, "
+                             "“upper” that to the %2 one")
+                  .arg(stays, across);
         for (std::size_t span = 1; span < trace.spanCount(); ++span) {
             look.view.position = trace.indexOfSpan(span) + 1;
             const LayerDrawing drawing = look.drawing("decisions");
@@ -231,17 +233,20 @@ private slots:
             // where the line is not between them.
             const QPointF onward = drawing.points[1].place - staying;
             QCOMPARE(onward.manhattanLength(), 1.0);
-            const std::array ways = {onLine - staying, drawing.points[1].place - onLine};
+            QCOMPARE(drawing.measures.size(), std::size_t(2));
+            QCOMPARE(drawing.measures[0].from, staying);
+            QCOMPARE(drawing.measures[1].to, drawing.points[1].place);
             const std::array names = {QStringLiteral("d_lower"), QStringLiteral("d_upper")};
             for (std::size_t i = 0; i < 2; ++i) {
                 const Quantity number = spanNumber(*look.traced, span, names[i]);
-                QVERIFY(std::abs(QPointF::dotProduct(ways[i], onward) - number.toDouble()) < 1e-9);
-                QCOMPARE(drawing.labels[i].place, (drawing.points[i].place + onLine) / 2);
-                QCOMPARE(drawing.labels[i].text,
-                         QStringLiteral("%1 = %2").arg(names[i], cellNumber(number)));
+                const LayerDrawing::Measure &measure = drawing.measures[i];
+                const QPointF way = measure.to - measure.from;
+                QVERIFY(std::abs(QPointF::dotProduct(way, onward) - number.toDouble()) < 1e-9);
+                QVERIFY(measure.from == onLine || measure.to == onLine);
+                QCOMPARE(measure.text, QStringLiteral("%1 = %2").arg(names[i], cellNumber(number)));
             }
-            QCOMPARE(drawing.notes,
-                     stays == QStringLiteral("lower") ? QStringList() : QStringList(note));
+            QCOMPARE(drawing.notes.isEmpty(), stays == QStringLiteral("lower"));
+            QVERIFY(drawing.notes.isEmpty() || drawing.notes.front().endsWith(note));
         }
     }
 

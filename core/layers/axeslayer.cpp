@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/clippedline.h"
 #include "core/layers/layers.h"
-
-#include <QRectF>
 
 #include <algorithm>
 #include <array>
@@ -33,8 +32,9 @@ class AxesDrawer {
 public:
     AxesDrawer(const LayerMoment &moment, LayerDrawing &drawing)
         : m_corners(moment)
-        , m_frame(moment.frame().firstColumn - 0.5, moment.frame().firstRow - 0.5,
-                  moment.frame().width, moment.frame().height)
+        , m_seen(double(moment.view.seen.firstX) - 0.5, double(moment.view.seen.firstY) - 0.5,
+                 double(moment.view.seen.endX - moment.view.seen.firstX),
+                 double(moment.view.seen.endY - moment.view.seen.firstY))
         , m_drawing(drawing)
     {
     }
@@ -47,17 +47,16 @@ public:
             // Where one of them is 0, the other's axis runs.
             const bool isAxis = value == 0;
             const Stroke stroke = isAxis ? Stroke::Arrow : Stroke::Dashed;
-            m_drawing.lines.push_back({m_corners.at(value, firstAxisValue),
-                                       m_corners.at(value, lastAxisValue),
+            const QLineF sameBeta(m_corners.at(value, firstAxisValue),
+                                  m_corners.at(value, lastAxisValue));
+            const QLineF sameGamma(m_corners.at(firstAxisValue, value),
+                                   m_corners.at(lastAxisValue, value));
+            m_drawing.lines.push_back({sameBeta.p1(), sameBeta.p2(),
                                        isAxis ? LayerInk::Second : LayerInk::First, stroke});
-            m_drawing.lines.push_back({m_corners.at(firstAxisValue, value),
-                                       m_corners.at(lastAxisValue, value),
+            m_drawing.lines.push_back({sameGamma.p1(), sameGamma.p2(),
                                        isAxis ? LayerInk::First : LayerInk::Second, stroke});
-            // Off the crossings, where both would stand.
-            appendLabel(QStringLiteral("β = %1").arg(value), m_corners.at(value, -0.25),
-                        LayerInk::First);
-            appendLabel(QStringLiteral("γ = %1").arg(value), m_corners.at(-0.25, value),
-                        LayerInk::Second);
+            appendName(QStringLiteral("β = %1").arg(value), sameBeta, LayerInk::First);
+            appendName(QStringLiteral("γ = %1").arg(value), sameGamma, LayerInk::Second);
         }
     }
 
@@ -73,27 +72,35 @@ public:
     }
 
 private:
-    /// Names of what lies outside the frame would crowd its border.
-    void appendLabel(QString text, const QPointF &place, LayerInk ink)
+    /// Of a line, where it is in view: off the crossings, where two names would stand.
+    void appendName(QString text, const QLineF &line, LayerInk ink)
     {
-        if (m_frame.contains(place))
-            m_drawing.labels.push_back({text.replace(u'-', QChar(0x2212)), place, ink});
+        constexpr double beforeFirstCrossing = 0.25;
+        const QPointF place = line.pointAt(beforeFirstCrossing);
+        const std::optional<QLineF> visible = clipped(line, m_seen);
+        if (visible)
+            m_drawing.labels.push_back(
+                {text.replace(u'-', QChar(0x2212)),
+                 m_seen.contains(place) ? place : visible->pointAt(beforeFirstCrossing), ink});
     }
     void appendPoint(const QString &name, double beta, double gamma)
     {
-        m_drawing.points.push_back({m_corners.at(beta, gamma), LayerInk::Third});
-        appendLabel(name, m_corners.at(beta, gamma), LayerInk::Third);
+        const QPointF place = m_corners.at(beta, gamma);
+        m_drawing.points.push_back({place, LayerInk::Third});
+        m_drawing.labels.push_back({name, place, LayerInk::Third});
     }
 
     NamedCorners m_corners;
-    QRectF m_frame;
+    QRectF m_seen; ///< the pixels in view, px
     LayerDrawing &m_drawing;
 };
 
 void drawAxes(const LayerMoment &moment, LayerDrawing &drawing)
 {
     if (doubledArea(moment.triangle()) == 0)
-        return; // the axes fall into one
+        return drawing.notes.append(
+            QStringLiteral("Barycentric axes: the triangle has no area, so that they fall into "
+                           "one"));
     AxesDrawer axes(moment, drawing);
     axes.appendLines();
     axes.appendSpecialPoints();

@@ -43,24 +43,25 @@ void drawLineDecision(const NamedNumbers &setUp, SpanAxis axis, const NamedNumbe
         return isSteep ? QPointF(distance, along) : QPointF(along, distance);
     };
     const QPointF onLine = at(line.toDouble());
-    const auto append = [&](const QString &name, const QPointF &pixel, LayerInk ink) {
-        drawing.lines.push_back({pixel, onLine, ink});
-        drawing.points.push_back({pixel, ink});
-        // Beside the distance, not beside the pixel.
-        drawing.labels.push_back({named(name, step[name]), (pixel + onLine) / 2, ink});
-    };
-    append(QStringLiteral("d_lower"), at(stays.toDouble()), LayerInk::First);
-    append(QStringLiteral("d_upper"), at(stays.toDouble() + (falls ? -1 : 1)), LayerInk::Second);
+    const QPointF stayer = at(stays.toDouble());
+    const QPointF across = at(stays.toDouble() + (falls ? -1 : 1));
+    const auto measured = [&](const QString &name) { return named(name, step[name]); };
+    drawing.measures.push_back(
+        {stayer, onLine, measured(QStringLiteral("d_lower")), LayerInk::First});
+    drawing.measures.push_back(
+        {onLine, across, measured(QStringLiteral("d_upper")), LayerInk::Second});
+    drawing.points.push_back({stayer, LayerInk::First});
+    drawing.points.push_back({across, LayerInk::Second});
     drawing.points.push_back({onLine, LayerInk::Hand});
-    drawing.labels.push_back(
-        {named(QStringLiteral("p_k"), step[QStringLiteral("p_k")]), onLine, LayerInk::Hand});
-    const Neighbour stayer = falls ? Neighbour::Greater : Neighbour::Lesser;
-    const Neighbour across = falls ? Neighbour::Lesser : Neighbour::Greater;
-    const QString side = sideOf(stayer, axis, origin);
+    drawing.labels.push_back({measured(QStringLiteral("p_k")), onLine, LayerInk::Hand});
+    const QString side = sideOf(falls ? Neighbour::Greater : Neighbour::Lesser, axis, origin);
     if (side != QStringLiteral("lower"))
-        drawing.notes.append(QStringLiteral("d_lower is the distance to the pixel that stays, here "
-                                            "the %1 one, and d_upper that to the %2 one")
-                                 .arg(side, sideOf(across, axis, origin)));
+        drawing.notes.append(
+            QStringLiteral(
+                "The letters are the slide's, whose line rises by less than 45°: “lower” "
+                "is the distance to the pixel that stays, here the %1 one, “upper” that "
+                "to the %2 one")
+                .arg(side, sideOf(falls ? Neighbour::Lesser : Neighbour::Greater, axis, origin)));
 }
 
 /// The midpoint whose F decides which of two rows the next pixel is in.
@@ -109,9 +110,8 @@ Layer decisionsLayer()
             .title = QStringLiteral("Decision of the step"),
             .toolTip = QStringLiteral(
                 "Of a line or an edge by Bresenham, d_lower to the pixel that stays and d_upper to "
-                "the one across, at the step in hand; of a circle, the midpoint between two pixels "
-                "and its "
-                "F, which decides the next step."),
+                "the one across, at the step in hand, measured beside it; of a circle, the "
+                "midpoint between two pixels and its F, which decides the next step."),
             .source = QStringLiteral("Rasterization slides, “Bresenham's Line Algorithm (1/4)”; "
                                      "Scan Conversion slides, “Lines and Curves: Implicit”"),
             .kinds = {PrimitiveKind::Line, PrimitiveKind::Circle, PrimitiveKind::Ellipse,

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/layers.h"
-#include "core/polygons/contours.h"
-
-#include <algorithm>
+#include "core/methods/polygonkernels.h"
 
 namespace pixelplumb {
 
 namespace {
+
+constexpr std::size_t mostNamedEdges = 24; ///< more names would hide what they name
 
 /// A place where the row in hand meets an edge.
 struct ShownCrossing {
@@ -27,27 +27,62 @@ std::vector<ShownCrossing> crossingsIn(const NamedNumbers &row)
     }
 }
 
-/// The buckets: each edge that rows can cross stands in that of its first row, by its lower end.
-void appendBuckets(const Contours &contours, LayerDrawing &drawing)
+/// The edges that the method scans: a polygon's own, the chords of a filled path, those of a text's
+/// outlines.
+Contours scannedContours(const LayerMoment &moment)
 {
-    for (std::size_t i = 0; i < contours.edges.size(); ++i) {
-        const ContourEdge &edge = contours.edges[i];
-        if (edge.from.y == edge.to.y)
-            continue;
-        const LatticePoint &lower = edge.from.y < edge.to.y ? edge.from : edge.to;
-        drawing.points.push_back({placeOf(lower), LayerInk::Mark});
-        drawing.labels.push_back({QStringLiteral("e%1, from row %2").arg(i).arg(ceilPixel(lower.y)),
-                                  (placeOf(edge.from) + placeOf(edge.to)) / 2, LayerInk::Mark});
+    switch (moment.shape().kind) {
+    case PrimitiveKind::Bezier:
+        return BezierFillKernel::geometryOf(moment.primitives(), moment.primitive);
+    case PrimitiveKind::Text:
+        return TextKernel::geometryOf(moment.primitives(), moment.primitive).contours;
+    default:
+        return ParityKernel::geometryOf(moment.primitives(), moment.primitive);
     }
+}
+
+/// The bucket of an edge that is not horizontal: it stands in that of its first row, by its lower
+/// end.
+void appendBucket(const Contours &contours, std::size_t number, FrameOrigin origin,
+                  LayerDrawing &drawing)
+{
+    const ContourEdge &edge = contours.edges[number];
+    const bool isUpward = edge.from.y < edge.to.y;
+    const LatticePoint &low = isUpward ? edge.from : edge.to;
+    const LatticePoint &high = isUpward ? edge.to : edge.from;
+    const Interval rows = rowsCrossed(origin); // as the kernel's EdgeTable takes them
+    const std::int64_t first = firstSampleFrom(low.y, rows);
+    const QString place = first < endSampleAt(high.y, rows)
+        ? QStringLiteral("from row %1").arg(first)
+        : QStringLiteral("on no row");
+    drawing.points.push_back({placeOf(low), LayerInk::Mark});
+    drawing.labels.push_back({QStringLiteral("edge %1, %2").arg(number).arg(place),
+                              (placeOf(edge.from) + placeOf(edge.to)) / 2, LayerInk::Mark});
+}
+
+/// Of all edges, or where they are too many for names, of the active ones.
+void appendBuckets(const Contours &contours, const std::vector<ShownCrossing> &active,
+                   FrameOrigin origin, LayerDrawing &drawing)
+{
+    const std::size_t count = contours.edges.size();
+    if (count <= mostNamedEdges) {
+        for (std::size_t i = 0; i < count; ++i) {
+            if (contours.edges[i].from.y != contours.edges[i].to.y)
+                appendBucket(contours, i, origin, drawing);
+        }
+        return;
+    }
+    for (const ShownCrossing &crossing : active)
+        appendBucket(contours, crossing.edge, origin, drawing);
+    drawing.notes.append(
+        QStringLiteral("Edge table: of %1 edges, the active ones have their names").arg(count));
 }
 
 /// The edges that the row crosses, and what lies between the first and the second, the third and
 /// the fourth crossing.
-void appendRow(const NamedNumbers &row, const Contours &contours, ShapeFill fill,
+void appendRow(double y, const std::vector<ShownCrossing> &crossings, const Contours &contours,
                LayerDrawing &drawing)
 {
-    const double y = row[QStringLiteral("y")].toDouble();
-    const std::vector<ShownCrossing> crossings = crossingsIn(row);
     int winding = 0;
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         const ShownCrossing &crossing = crossings[i];
@@ -55,15 +90,30 @@ void appendRow(const NamedNumbers &row, const Contours &contours, ShapeFill fill
         drawing.labels.push_back({QStringLiteral("x%1").arg(QChar(char16_t(u'₀' + i))),
                                   {crossing.x, y},
                                   LayerInk::Hand});
-        if (crossing.edge >= contours.edges.size())
-            continue;
         const ContourEdge &edge = contours.edges[crossing.edge];
         drawing.lines.push_back({placeOf(edge.from), placeOf(edge.to), LayerInk::First});
         winding += edge.to.y > edge.from.y ? 1 : -1;
-        const bool isInside = fill == ShapeFill::NonZero ? winding != 0 : i % 2 == 0;
+        const bool isInside = contours.fill == ShapeFill::NonZero ? winding != 0 : i % 2 == 0;
         if (isInside && i + 1 < crossings.size())
-            drawing.lines.push_back({{crossing.x, y}, {crossings[i + 1].x, y}, LayerInk::Hand});
+            drawing.lines.push_back({{crossing.x, y},
+                                     {crossings[i + 1].x, y},
+                                     LayerInk::Inside,
+                                     LayerDrawing::Stroke::Band});
     }
+}
+
+void drawEdgeTable(const LayerMoment &moment, LayerDrawing &drawing)
+{
+    const Contours contours = scannedContours(moment);
+    const FrameOrigin origin = moment.frame().origin;
+    const std::optional<std::size_t> span = moment.spanInHand();
+    if (!span)
+        return appendBuckets(contours, {}, origin, drawing);
+    const SpanRecord record = moment.trace().span(*span);
+    const NamedNumbers row(moment.trace().numbers().span, record.cells);
+    const std::vector<ShownCrossing> crossings = crossingsIn(row);
+    appendBuckets(contours, crossings, origin, drawing);
+    appendRow(double(record.place.coordinate), crossings, contours, drawing);
     const auto active = std::int64_t(row[QStringLiteral("active")].toDouble());
     if (active > std::int64_t(crossings.size()))
         drawing.notes.append(QStringLiteral("Edge table: the first %1 of %2 active edges")
@@ -71,33 +121,22 @@ void appendRow(const NamedNumbers &row, const Contours &contours, ShapeFill fill
                                  .arg(active));
 }
 
-void drawEdgeTable(const LayerMoment &moment, LayerDrawing &drawing)
-{
-    const Contours contours = contoursOf(moment.shape());
-    appendBuckets(contours, drawing);
-    const std::optional<std::size_t> span = moment.spanInHand();
-    if (!span)
-        return;
-    const SpanRecord record = moment.trace().span(*span);
-    appendRow(NamedNumbers(moment.trace().numbers().span, record.cells), contours, contours.fill,
-              drawing);
-}
-
 } // namespace
 
 Layer edgeTableLayer()
 {
-    return {.id = QStringLiteral("edge-table"),
-            .title = QStringLiteral("Edge table"),
-            .toolTip = QStringLiteral(
-                "Each edge with the row in whose bucket it stands; of the row in hand the active "
-                "edges, their crossings x₀, x₁, … as the method computed them, and the intervals "
-                "between them that lie inside."),
-            .source
-            = QStringLiteral("Scan Conversion slides, “Scan Conversion: A General Algorithm”"),
-            .kinds = {PrimitiveKind::Polygon},
-            .methods = {QStringLiteral("polygon-parity")},
-            .draw = drawEdgeTable};
+    return {
+        .id = QStringLiteral("edge-table"),
+        .title = QStringLiteral("Edge table"),
+        .toolTip = QStringLiteral(
+            "Each edge with the row in whose bucket it stands, the first that it crosses; of the "
+            "row in hand the active edges, their crossings x₀, x₁, … as the method computed "
+            "them, and the intervals between them that lie inside."),
+        .source = QStringLiteral("Scan Conversion slides, “Scan Conversion: A General Algorithm”"),
+        .kinds = {PrimitiveKind::Polygon, PrimitiveKind::Bezier, PrimitiveKind::Text},
+        .methods = {QStringLiteral("polygon-parity"), QStringLiteral("bezier-fill"),
+                    QStringLiteral("text-outlines")},
+        .draw = drawEdgeTable};
 }
 
 } // namespace pixelplumb

@@ -31,9 +31,9 @@ void drawSamples(const LayerMoment &moment, LayerDrawing &drawing)
     const auto pattern = samplePattern(moment.view.traced->scene.appearance.antialiasing);
     forEachSeen(moment, [&](std::int64_t x, std::int64_t y) {
         const QPointF place{double(x), double(y)};
-        drawing.points.push_back({place, LayerInk::Mark});
+        drawing.samples.push_back({place, LayerInk::Mark});
         for (const LatticePoint &offset : pattern)
-            drawing.points.push_back({place + placeOf(offset), LayerInk::First});
+            drawing.samples.push_back({place + placeOf(offset), LayerInk::First});
     });
 }
 
@@ -42,6 +42,7 @@ void drawMemory(const LayerMoment &moment, LayerDrawing &drawing)
 {
     if (moment.view.cell < leastNumberCell)
         return drawing.notes.append(smallCellNote());
+    drawing.cellNames.append(QStringLiteral("address"));
     const FrameView frame = windowOf(moment.frame());
     forEachSeen(moment, [&](std::int64_t x, std::int64_t y) {
         drawing.cells.push_back(

@@ -3,6 +3,9 @@
 
 #include "core/polygons/contours.h"
 #include "core/polygons/textoutlines.h"
+#include "core/trace/symbolruns.h"
+
+#include <QTransform>
 
 namespace pixelplumb {
 
@@ -11,13 +14,26 @@ namespace {
 constexpr Lattice emHeight
     = 24 * unitsPerPixel; ///< fine enough for chords, coarse enough to be few
 
+/// How a run of characters is set.
+struct Setting {
+    double size = 1; ///< of the line's
+    double drop = 0; ///< ems below the baseline
+};
+
+Setting settingOf(const SymbolRun &run)
+{
+    return run.level == SymbolRun::Level::Subscript ? Setting{0.75, 0.17} : Setting{};
+}
+
 } // namespace
 
 double Glyphs::widthOf(const QString &text)
 {
     double width = 0;
-    for (const char32_t character : text.toUcs4())
-        width += glyphOf(character).advance;
+    for (const SymbolRun &run : symbolRuns(text)) {
+        for (const char32_t character : run.text.toUcs4())
+            width += settingOf(run).size * glyphOf(character).advance;
+    }
     return width;
 }
 
@@ -26,10 +42,13 @@ QPainterPath Glyphs::outlineOf(const QString &text)
     QPainterPath path;
     path.setFillRule(Qt::WindingFill);
     double origin = 0;
-    for (const char32_t character : text.toUcs4()) {
-        const Glyph &glyph = glyphOf(character);
-        path.addPath(glyph.outline.translated(origin, 0));
-        origin += glyph.advance;
+    for (const SymbolRun &run : symbolRuns(text)) {
+        const auto [size, drop] = settingOf(run);
+        for (const char32_t character : run.text.toUcs4()) {
+            const Glyph &glyph = glyphOf(character);
+            path.addPath(QTransform(size, 0, 0, size, origin, drop).map(glyph.outline));
+            origin += size * glyph.advance;
+        }
     }
     return path;
 }

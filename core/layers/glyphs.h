@@ -10,7 +10,7 @@ namespace pixelplumb {
 
 /// The outlines of characters, looked up once each: text without a font system, so that a program
 /// without a display writes it, and the same picture has the same bytes everywhere. Without the
-/// font (textFontFile) there is no text.
+/// font (textFontFile) there is no text. Subscripts are lowered (symbolRuns).
 class Glyphs {
 public:
     /// In ems.

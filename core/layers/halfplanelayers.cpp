@@ -54,9 +54,10 @@ void appendHalfPlane(const EdgeLineNumbers &line, const FrameSpec &frame, LayerD
     drawing.lines.push_back(
         {middle - beyond, middle + beyond, LayerInk::Mark, LayerDrawing::Stroke::Dashed});
     drawing.lines.push_back({middle, middle + arrow, LayerInk::Mark, LayerDrawing::Stroke::Arrow});
-    drawing.labels.push_back(
-        {QStringLiteral("%1 > 0  ⟨%2, %3⟩").arg(line.name, cellNumber(line.a), cellNumber(line.b)),
-         middle + arrow, LayerInk::Mark});
+    // As the slides write it: DejaVu's ⟨ ⟩ look like ( ) in small type.
+    drawing.labels.push_back({QStringLiteral("%1 > 0, normal <%2, %3>")
+                                  .arg(line.name, cellNumber(line.a), cellNumber(line.b)),
+                              middle + arrow, LayerInk::Mark});
     drawing.labels.push_back(
         {QStringLiteral("%1 < 0").arg(line.name), middle - arrow / 2, LayerInk::Negative});
 }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/cellnumber.h"
 #include "core/layers/layers.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -53,17 +55,36 @@ std::vector<QPointF> crossingsOf(const std::array<PlaneCorner, 3> &corners, doub
     return crossings;
 }
 
+/// Of a plane that meets none of the levels within the triangle.
+QString withoutLines(QChar letter, const std::array<PlaneCorner, 3> &corners)
+{
+    const auto [least, greatest] = std::ranges::minmax(corners, {}, &PlaneCorner::level);
+    const auto shown = [](double level) { return cellNumber(Quantity::of(level)); };
+    if (shown(least.level) == shown(greatest.level))
+        return QStringLiteral("Contour lines of %1: none, %1 is %2 all over the triangle")
+            .arg(letter)
+            .arg(shown(least.level));
+    return QStringLiteral("Contour lines of %1: none, from %2 to %3 %1 meets no multiple of %4")
+        .arg(letter)
+        .arg(shown(least.level), shown(greatest.level))
+        .arg(levelStep);
+}
+
 template <std::size_t channel>
 void drawIsolines(const LayerMoment &moment, LayerDrawing &drawing)
 {
     if (doubledArea(moment.triangle()) == 0)
-        return; // no plane
+        return drawing.notes.append(
+            QStringLiteral("Contour lines of %1: the triangle has no area, so that its levels lie "
+                           "on no plane")
+                .arg(channelLetters[channel]));
     const std::optional<EffectPlan> &plan = moment.view.traced->plan;
     if (plan && plan->runs(Effect::Perspective))
         drawing.notes.append(QStringLiteral("Contour lines: of levels that change evenly over the "
                                             "frame, while the picture takes perspective into "
                                             "account"));
     const std::array<PlaneCorner, 3> corners = planeOf(moment, channel);
+    const std::size_t linesBefore = drawing.lines.size();
     for (int level = levelStep; level < 256; level += levelStep) {
         const std::vector<QPointF> ends = crossingsOf(corners, level);
         if (ends.size() != 2)
@@ -72,6 +93,8 @@ void drawIsolines(const LayerMoment &moment, LayerDrawing &drawing)
         drawing.labels.push_back({QStringLiteral("%1 = %2").arg(channelLetters[channel]).arg(level),
                                   ends[0], channelInks[channel]});
     }
+    if (drawing.lines.size() == linesBefore)
+        drawing.notes.append(withoutLines(channelLetters[channel], corners));
 }
 
 template <std::size_t channel>

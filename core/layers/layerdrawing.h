@@ -24,7 +24,8 @@ enum class LayerInk {
 /// What layers draw over the frame, as numbers: places are sample coordinates, px, so that pixel
 /// (x, y) is the point (x, y). One painter makes a picture of it in any scale (LayerPainter).
 struct LayerDrawing {
-    enum class Stroke { Solid, Dashed, Dotted, Arrow };
+    /// A band is so wide that it is seen beside a line that lies along it.
+    enum class Stroke { Solid, Dashed, Dotted, Arrow, Band };
     struct Line {
         QPointF from, to; ///< an arrow points to the second
         LayerInk ink = LayerInk::Mark;
@@ -52,6 +53,15 @@ struct LayerDrawing {
 
         friend bool operator==(const Point &, const Point &) = default;
     };
+    /// A distance between two places: a line with a tick at each end, beside the way from the
+    /// first to the second, on its right as seen, and its text next to that.
+    struct Measure {
+        QPointF from, to;
+        QString text;
+        LayerInk ink = LayerInk::Mark;
+
+        friend bool operator==(const Measure &, const Measure &) = default;
+    };
     /// A name beside a place, where there is room.
     struct Label {
         QString text;
@@ -73,16 +83,22 @@ struct LayerDrawing {
     std::vector<Line> lines;
     std::vector<Circle> circles;
     std::vector<Point> points;
+    std::vector<Point> samples; ///< in each cell; numbers keep clear of them
+    std::vector<Measure> measures;
     std::vector<Label> labels;
     std::vector<CellText> cells;
+    QStringList cellNames; ///< what the texts in a cell are, from the top
     /// What is to be said beside the picture: that numbers are the exact ones, because the method
     /// has none; that cells are too small for them.
     QStringList notes;
 
+    /// Whether texts stand beside places.
+    bool hasNames() const { return !labels.empty() || !measures.empty(); }
+
     bool isEmpty() const
     {
-        return areas.empty() && lines.empty() && circles.empty() && points.empty() && labels.empty()
-            && cells.empty();
+        return areas.empty() && lines.empty() && circles.empty() && points.empty()
+            && samples.empty() && !hasNames() && cells.empty();
     }
 
     friend bool operator==(const LayerDrawing &, const LayerDrawing &) = default;

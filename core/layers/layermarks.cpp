@@ -14,8 +14,11 @@ namespace {
 // Logical pixels.
 constexpr double lineWidth = 1.5;
 constexpr double casingWidth = 1; ///< to each side
+constexpr double bandWidth = 6;
 constexpr double arrowLength = 9;
-constexpr double pointRadius = 3.5;
+constexpr double measureDistance = 12; ///< from what is measured
+constexpr double tickLength = 5; ///< to each side
+constexpr double measureWidth = 2;
 constexpr double largestRadius = 1e5; ///< painters lose precision beyond
 constexpr float tint = 0.22F;
 constexpr float casingOpacity = 0.8F;
@@ -29,12 +32,32 @@ Qt::PenStyle penStyleOf(LayerDrawing::Stroke stroke)
         return Qt::DotLine;
     case LayerDrawing::Stroke::Solid:
     case LayerDrawing::Stroke::Arrow:
+    case LayerDrawing::Stroke::Band:
         break;
     }
     return Qt::SolidLine;
 }
 
+/// Towards the right of a line's way as seen, so long; null where the line is a point.
+QPointF rightOf(const QLineF &line, double length)
+{
+    return line.length() > 0 ? QPointF(-line.dy(), line.dx()) / line.length() * length : QPointF();
+}
+
 } // namespace
+
+QLineF measureLine(const LayerDrawing::Measure &measure, const LayerSurface &surface)
+{
+    const QLineF way(surface.fromSamples.map(measure.from), surface.fromSamples.map(measure.to));
+    return way.translated(rightOf(way, measureDistance));
+}
+
+QRectF measureRect(const LayerDrawing::Measure &measure, const LayerSurface &surface)
+{
+    const QLineF line = measureLine(measure, surface);
+    const QPointF arm = rightOf(line, tickLength);
+    return QRectF(line.p1() - arm, line.p2() + arm).normalized();
+}
 
 QColor LayerMarks::casing() const
 {
@@ -55,14 +78,14 @@ void LayerMarks::paint(const LayerDrawing::Area &area)
     m_painter.drawPolygon(corners);
 }
 
-void LayerMarks::paintStroke(const QLineF &line, const QColor &colour, Qt::PenStyle style)
+void LayerMarks::paintStroke(const QLineF &line, const QPen &pen)
 {
     const std::optional<QLineF> visible = clipped(line, m_surface.view.adjusted(-9, -9, 9, 9));
     if (!visible)
         return;
-    m_painter.setPen(QPen(casing(), lineWidth + 2 * casingWidth, Qt::SolidLine, Qt::RoundCap));
+    m_painter.setPen(QPen(casing(), pen.widthF() + 2 * casingWidth, Qt::SolidLine, Qt::RoundCap));
     m_painter.drawLine(*visible);
-    m_painter.setPen(QPen(colour, lineWidth, style, Qt::FlatCap));
+    m_painter.setPen(pen);
     m_painter.drawLine(*visible);
 }
 
@@ -70,7 +93,8 @@ void LayerMarks::paint(const LayerDrawing::Line &line)
 {
     const QLineF shown(m_surface.fromSamples.map(line.from), m_surface.fromSamples.map(line.to));
     const QColor colour = colourOf(line.ink, m_surface.tone);
-    paintStroke(shown, colour, penStyleOf(line.stroke));
+    const double width = line.stroke == LayerDrawing::Stroke::Band ? bandWidth : lineWidth;
+    paintStroke(shown, QPen(colour, width, penStyleOf(line.stroke), Qt::FlatCap));
     if (line.stroke != LayerDrawing::Stroke::Arrow || shown.length() == 0)
         return;
     const QPointF back
@@ -102,9 +126,18 @@ void LayerMarks::paint(const LayerDrawing::Point &point)
         return;
     m_painter.setPen(QPen(casing(), casingWidth));
     m_painter.setBrush(colourOf(point.ink, m_surface.tone));
-    // Small cells have room for small points alone.
-    const double radius = std::clamp(m_surface.fromSamples.m11() / 5, 1.0, pointRadius);
+    const double radius = std::clamp(m_surface.fromSamples.m11() / 5, 1.0, largestPointRadius);
     m_painter.drawEllipse(place, radius, radius);
+}
+
+void LayerMarks::paint(const LayerDrawing::Measure &measure)
+{
+    const QLineF shown = measureLine(measure, m_surface);
+    const QPen pen(colourOf(measure.ink, m_surface.tone), measureWidth, Qt::SolidLine, Qt::FlatCap);
+    const QPointF arm = rightOf(shown, tickLength);
+    for (const QPointF &end : {shown.p1(), shown.p2()})
+        paintStroke({end - arm, end + arm}, pen);
+    paintStroke(shown, pen);
 }
 
 } // namespace pixelplumb

@@ -5,6 +5,14 @@
 
 namespace pixelplumb {
 
+/// Of a point, logical px; small cells have room for smaller ones alone.
+inline constexpr double largestPointRadius = 3.5;
+
+/// Where the line of a measure is, in the paint device.
+QLineF measureLine(const LayerDrawing::Measure &measure, const LayerSurface &surface);
+/// That and its ticks.
+QRectF measureRect(const LayerDrawing::Measure &measure, const LayerSurface &surface);
+
 /// Paints what of a drawing is no text.
 class LayerMarks {
 public:
@@ -18,10 +26,11 @@ public:
     void paint(const LayerDrawing::Line &line);
     void paint(const LayerDrawing::Circle &circle);
     void paint(const LayerDrawing::Point &point);
+    void paint(const LayerDrawing::Measure &measure);
 
 private:
     QColor casing() const;
-    void paintStroke(const QLineF &line, const QColor &colour, Qt::PenStyle style);
+    void paintStroke(const QLineF &line, const QPen &pen);
 
     QPainter &m_painter;
     const LayerSurface &m_surface;

@@ -28,16 +28,24 @@ struct LayerSurface {
 };
 
 /// Paints the drawings of layers, for the window and for the command line alike: lines have a
-/// casing, texts paper behind them. What it returns is to be said beside the picture: what of the
-/// drawing had no room. It knows the glyphs that it has painted.
+/// casing, texts paper behind them. What it returns is to be said beside the picture: what the
+/// numbers in the cells are, and what of the drawing had no room. It knows the glyphs that it has
+/// painted.
 class LayerPainter {
 public:
     /// All of a drawing.
     QStringList paint(QPainter &painter, const LayerDrawing &drawing, const LayerSurface &surface);
-    /// All but its labels.
-    QStringList paintMarks(QPainter &painter, const LayerDrawing &drawing,
-                           const LayerSurface &surface);
-    /// Its labels, clear of each other and of what is taken in the paint device.
+    /// What lies below the lines and signs of a window: areas, plain edges, which it outlines
+    /// itself, samples, and the numbers in the cells.
+    QStringList paintGround(QPainter &painter, const LayerDrawing &drawing,
+                            const LayerSurface &surface);
+    /// What would not be seen below them: all else but texts.
+    void paintMarks(QPainter &painter, const LayerDrawing &drawing, const LayerSurface &surface);
+    /// Where the measures of a drawing stand, in the paint device: what has a place as names have.
+    static std::vector<QRectF> measurePlaces(const LayerDrawing &drawing,
+                                             const LayerSurface &surface);
+    /// Labels and the texts of measures, clear of each other and of what is taken in the paint
+    /// device.
     QStringList paintLabels(QPainter &painter, const LayerDrawing &drawing,
                             const LayerSurface &surface, std::span<const QRectF> taken);
     /// Where the labels stand that were painted last, in the paint device.

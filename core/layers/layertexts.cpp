@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/layertexts.h"
 
+#include "core/layers/layermarks.h"
+
 #include <QPainter>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <map>
 #include <utility>
@@ -14,17 +15,9 @@ namespace pixelplumb {
 namespace {
 
 // Logical pixels.
-constexpr double labelEm = 12;
 constexpr double largestEm = 14;
 constexpr double leastEm = 6;
-constexpr std::array labelGaps = {6.0, 20.0, 36.0, 54.0, 76.0}; ///< from the anchor, to each side
-constexpr double leaderGap = 8; ///< a label that is farther from its anchor has a line to it
-constexpr double paperPadding = 3;
-constexpr double nearView = 20; ///< names of what is farther would crowd the border
-
-// In ems.
-constexpr double lineHeight = 1.2;
-constexpr double ascent = 0.9;
+constexpr double sampleGap = 1; ///< between a sample and a number
 
 constexpr double usedCell = 0.92; ///< of a cell's side
 constexpr float paperOpacity = 0.85F;
@@ -40,74 +33,105 @@ TextsByPixel byPixel(std::span<const LayerDrawing::CellText> texts)
     return sorted;
 }
 
-/// Where a label may stand beside its anchor, the nearest first: right above it, in the other
-/// quarters, then farther and farther aside.
-std::vector<QPointF> placesAround(const QPointF &anchor, const QSizeF &size)
-{
-    std::vector<QPointF> places;
-    const double middle = anchor.x() - size.width() / 2;
-    const double level = anchor.y() - size.height() / 2;
-    for (const double gap : labelGaps) {
-        const double right = anchor.x() + gap;
-        const double left = anchor.x() - gap - size.width();
-        const double above = anchor.y() - gap - size.height();
-        const double below = anchor.y() + gap;
-        places.insert(places.end(), {{right, above}, {right, below}, {left, above}, {left, below}});
-        if (gap > leaderGap)
-            places.insert(places.end(),
-                          {{middle, above}, {middle, below}, {right, level}, {left, level}});
-    }
-    return places;
-}
+/// The part of every cell that has room for text, from its left side to its right one.
+struct FreeBand {
+    double top = -usedCell / 2; ///< below the cell's middle, of its side
+    double bottom = usedCell / 2;
+    double takenAbove = 0; ///< by a sample at its top, logical px
+    double takenBelow = 0;
 
-QPointF nearestIn(const QRectF &rect, const QPointF &point)
+    double height(double cell) const { return (bottom - top) * cell - takenAbove - takenBelow; }
+    /// The smallest cell in which it is so high.
+    double cellFor(double height) const
+    {
+        return (height + takenAbove + takenBelow) / (bottom - top);
+    }
+    /// Below the cell's middle, logical px.
+    double middle(double cell) const
+    {
+        return ((top + bottom) * cell + takenAbove - takenBelow) / 2;
+    }
+};
+
+/// The highest of the bands between the samples, which stand in the same places in every cell; of
+/// equal ones the lowest.
+FreeBand freeBand(std::span<const LayerDrawing::Point> samples, const LayerSurface &surface)
 {
-    return {std::clamp(point.x(), rect.left(), rect.right()),
-            std::clamp(point.y(), rect.top(), rect.bottom())};
+    const double cell = surface.fromSamples.m11();
+    std::vector<double> heights;
+    for (const LayerDrawing::Point &sample : samples) {
+        const double row = std::floor(sample.place.y() + 0.5);
+        heights.push_back((sample.place.y() - row) * surface.fromSamples.m22() / cell);
+    }
+    std::ranges::sort(heights);
+    constexpr double taken = largestPointRadius + sampleGap;
+    FreeBand highest;
+    for (std::size_t i = 0; i <= heights.size() && !heights.empty(); ++i) {
+        FreeBand band;
+        if (i > 0) {
+            band.top = heights[i - 1];
+            band.takenAbove = taken;
+        }
+        if (i < heights.size()) {
+            band.bottom = heights[i];
+            band.takenBelow = taken;
+        }
+        if (i == 0 || band.height(cell) >= highest.height(cell))
+            highest = band;
+    }
+    return highest;
 }
 
 /// What is to be said of numbers that cells have no room for.
-QString cellsTooSmall(double side)
+QString cellsTooSmall(const QStringList &names, double side)
 {
-    return QStringLiteral("The numbers need cells of %1 pixels: enlarge the picture")
+    const QString what
+        = names.isEmpty() ? QString() : QStringLiteral(" (%1)").arg(names.join(u", "));
+    return QStringLiteral("No room for the numbers in the cells%1: they need cells of %2 pixels; "
+                          "enlarge the picture, or show fewer layers")
+        .arg(what)
         .arg(std::ceil(side));
 }
 
-/// Kept in view, so that a name near the border can be read.
-QRectF movedInto(QRectF rect, const QRectF &view)
+QString inCells(const QStringList &names)
 {
-    rect.moveLeft(std::max(std::min(rect.left(), view.right() - rect.width()), view.left()));
-    rect.moveTop(std::max(std::min(rect.top(), view.bottom() - rect.height()), view.top()));
-    return rect;
+    if (names.isEmpty())
+        return {};
+    const QString listed = names.join(u", ");
+    return listed.contains(u',') ? QStringLiteral("In the cells, from the top: %1").arg(listed)
+                                 : QStringLiteral("In the cells: %1").arg(listed);
 }
 
 } // namespace
 
-QString LayerTexts::paintCells(std::span<const LayerDrawing::CellText> texts)
+QString LayerTexts::paintCells(const LayerDrawing &drawing)
 {
-    if (texts.empty())
+    if (drawing.cells.empty())
         return {};
     double widest = 0;
-    for (const LayerDrawing::CellText &text : texts)
+    for (const LayerDrawing::CellText &text : drawing.cells)
         widest = std::max(widest, m_glyphs.widthOf(text.text));
     std::size_t most = 1;
-    const TextsByPixel sorted = byPixel(texts);
+    const TextsByPixel sorted = byPixel(drawing.cells);
     for (const auto &[pixel, lines] : sorted)
         most = std::max(most, lines.size());
     if (widest == 0)
         return {}; // there is no font
-    const double side = m_surface.fromSamples.m11() * usedCell;
-    const double ems = std::max(widest, lineHeight * double(most)); // that a cell has to hold
-    const double em = std::min(largestEm, side / ems);
+    const double cell = m_surface.fromSamples.m11();
+    const FreeBand band = freeBand(drawing.samples, m_surface);
+    const double highest = lineHeight * double(most);
+    const double em = std::min({largestEm, usedCell * cell / widest, band.height(cell) / highest});
     if (em < leastEm)
-        return cellsTooSmall(leastEm * ems / usedCell);
+        return cellsTooSmall(
+            drawing.cellNames,
+            std::max(leastEm * widest / usedCell, band.cellFor(leastEm * highest)));
     for (const auto &[pixel, lines] : sorted) {
         const QPointF centre
             = m_surface.fromSamples.map(QPointF(double(pixel.second), double(pixel.first)));
-        if (!m_surface.view.adjusted(-side, -side, side, side).contains(centre))
+        if (!m_surface.view.adjusted(-cell, -cell, cell, cell).contains(centre))
             continue;
         const double height = lineHeight * em * double(lines.size());
-        double top = centre.y() - height / 2;
+        double top = centre.y() + band.middle(cell) - height / 2;
         paintPaper({centre.x() - widest * em / 2, top, widest * em, height});
         for (const LayerDrawing::CellText *line : lines) {
             const double width = m_glyphs.widthOf(line->text) * em;
@@ -115,39 +139,7 @@ QString LayerTexts::paintCells(std::span<const LayerDrawing::CellText> texts)
             top += lineHeight * em;
         }
     }
-    return {};
-}
-
-LayerTexts::Room LayerTexts::paint(const LayerDrawing::Label &label)
-{
-    const QPointF anchor = m_surface.fromSamples.map(label.place);
-    if (!m_surface.view.adjusted(-nearView, -nearView, nearView, nearView).contains(anchor))
-        return Room::Found;
-    const QSizeF size(m_glyphs.widthOf(label.text) * labelEm + 2 * paperPadding,
-                      lineHeight * labelEm + 2);
-    for (const QPointF &place : placesAround(anchor, size)) {
-        const QRectF rect = movedInto({place, size}, m_surface.view);
-        if (std::ranges::any_of(m_taken,
-                                [&rect](const QRectF &other) { return other.intersects(rect); }))
-            continue;
-        m_taken.push_back(rect);
-        paintLeader({anchor, nearestIn(rect, anchor)}, label.ink);
-        paintPaper(rect);
-        paintText(label.text, rect.topLeft() + QPointF(paperPadding, 1 + ascent * labelEm), labelEm,
-                  label.ink);
-        return Room::Found;
-    }
-    return Room::None;
-}
-
-void LayerTexts::paintLeader(const QLineF &leader, LayerInk ink)
-{
-    if (leader.length() <= leaderGap * std::sqrt(2.0))
-        return;
-    m_painter.setPen(QPen(paperOf(m_surface.tone), 3, Qt::SolidLine, Qt::FlatCap));
-    m_painter.drawLine(leader);
-    m_painter.setPen(QPen(colourOf(ink, m_surface.tone), 1, Qt::SolidLine, Qt::FlatCap));
-    m_painter.drawLine(leader);
+    return inCells(drawing.cellNames);
 }
 
 void LayerTexts::paintText(const QString &text, const QPointF &baseline, double em, LayerInk ink)

@@ -40,17 +40,13 @@ void appendNumber(std::int64_t x, std::int64_t y, const Quantity &number, LayerD
         drawing.cells.push_back({x, y, cellNumber(number), inkOf(number)});
 }
 
-QString cellNote(const QStringList &names)
-{
-    return QStringLiteral("In the cells, from the top: %1").arg(names.join(QStringLiteral(", ")));
-}
-
 /// Of the samples of the triangle's box that are in view.
 void appendExactWeights(const LayerMoment &moment, LayerDrawing &drawing)
 {
     const Triangle &triangle = moment.triangle();
     if (doubledArea(triangle) == 0)
-        return;
+        return drawing.notes.append(
+            QStringLiteral("Weights: the triangle has no area, so that no point has any"));
     const SampleBox box = intersection(boundingBoxOf(triangle), moment.seen());
     for (std::int64_t y = box.firstY; y < box.endY; ++y) {
         for (std::int64_t x = box.firstX; x < box.endX; ++x) {
@@ -62,10 +58,10 @@ void appendExactWeights(const LayerMoment &moment, LayerDrawing &drawing)
                     drawing);
         }
     }
-    drawing.notes.append(
-        cellNote({QStringLiteral("α"), QStringLiteral("β"), QStringLiteral("γ")})
-        + QStringLiteral(" of the vertices 0, 1, 2: exact, since “%1” computes none")
-              .arg(moment.view.traced->method->title));
+    drawing.cellNames += {QStringLiteral("α"), QStringLiteral("β"), QStringLiteral("γ")};
+    drawing.notes.append(QStringLiteral("α, β, γ belong to the vertices 0, 1, 2 and are exact, "
+                                        "since “%1” computes none")
+                             .arg(moment.view.traced->method->title));
 }
 
 void drawWeights(const LayerMoment &moment, LayerDrawing &drawing)
@@ -75,12 +71,10 @@ void drawWeights(const LayerMoment &moment, LayerDrawing &drawing)
     const NumberIds *ids = decisionsOf(moment.trace());
     if (!ids)
         return appendExactWeights(moment, drawing);
-    QStringList names;
     for (const NumberDescription &number : moment.trace().numbers().sample) {
         if (std::ranges::count(*ids, number.id) > 0)
-            names.append(number.title);
+            drawing.cellNames.append(number.title);
     }
-    drawing.notes.append(cellNote(names));
     visitSamples(moment, [&](const SampleRecord &sample) {
         const NamedNumbers numbers(moment.trace().numbers().sample, sample.cells);
         for (const QString &id : *ids)
@@ -92,7 +86,7 @@ void drawLevels(const LayerMoment &moment, LayerDrawing &drawing)
 {
     if (moment.view.cell < leastNumberCell)
         return drawing.notes.append(smallCellNote());
-    drawing.notes.append(cellNote({QStringLiteral("R"), QStringLiteral("G"), QStringLiteral("B")}));
+    drawing.cellNames += {QStringLiteral("R"), QStringLiteral("G"), QStringLiteral("B")};
     visitSamples(moment, [&](const SampleRecord &sample) {
         for (const Quantity &level : sample.colour)
             appendNumber(sample.x, sample.y, level, drawing);

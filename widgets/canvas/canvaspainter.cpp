@@ -37,10 +37,8 @@ void drawSigns(FramePainter &frame, const CanvasScene &scene)
         frame.drawOffScreenPoint(*scene.offScreenPoint);
     if (scene.picked)
         frame.drawPickedPixel(*scene.picked);
-    if (scene.span) {
+    if (scene.span)
         frame.drawPlumbLine(scene.span->place);
-        frame.drawEdgeTicks(*scene.span);
-    }
 }
 
 void drawVertices(FramePainter &frame, const CanvasScene &scene)
@@ -85,30 +83,31 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     FramePainter frame(painter, view.mapping(), palette, area);
     frame.drawFrameEdge();
     const LayerSurface surface = layerSurface(view.mapping(), area, palette);
-    QStringList omissions;
-    if (!scene.layers.isEmpty())
-        omissions = m_layers.paintMarks(painter, scene.layers, surface);
+    QStringList said = scene.layers.notes;
+    said += m_layers.paintGround(painter, scene.layers, surface);
     drawOutlines(frame, scene);
-    if (scene.frame && scene.layers.cells.empty()) // else a layer's numbers stand there
+    // Else a layer's numbers or dots stand there.
+    if (scene.frame && scene.layers.cells.empty() && scene.layers.samples.empty())
         drawValues(painter, *scene.frame, view.mapping(), area, scene.notation);
     if (scene.marked)
         m_differences.drawGlyphs(painter, scene.position, palette);
     drawSigns(frame, scene);
+    m_layers.paintMarks(painter, scene.layers, surface);
+    if (scene.span)
+        frame.drawEdgeTicks(*scene.span);
     drawVertices(frame, scene);
     drawPending(frame, scene);
     for (const CanvasScene::Note &note : scene.notes)
         frame.drawNote(note.text, note.anchor, note.side);
-    if (!scene.layers.notes.isEmpty())
-        frame.drawCornerNote(scene.layers.notes.join(u'\n'));
+    if (!said.isEmpty())
+        frame.drawCornerNote(said.join(u'\n'), LayerPainter::measurePlaces(scene.layers, surface));
     // The last, so that they keep clear of all that has a name of its own.
-    if (!scene.layers.labels.empty())
-        omissions += m_layers.paintLabels(painter, scene.layers, surface, frame.plates());
+    const QStringList omissions
+        = m_layers.paintLabels(painter, scene.layers, surface, frame.plates());
     if (!omissions.isEmpty())
-        frame.drawNote(omissions.join(u'\n'), area.topRight(), NoteSide::Below);
+        frame.drawCornerNote(omissions.join(u'\n'), m_layers.labels());
     if (scene.readout)
-        frame.drawPointerNote(scene.readout->text, scene.readout->pointer,
-                              scene.layers.labels.empty() ? std::span<const QRectF>()
-                                                          : m_layers.labels());
+        frame.drawPointerNote(scene.readout->text, scene.readout->pointer, m_layers.labels());
     painter.setClipping(false);
     paintRulers(painter, scene, view, palette);
 }

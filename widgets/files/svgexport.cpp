@@ -173,15 +173,18 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
     const LayerDrawing drawing = layersOf(playhead, options, layout.mapping);
     const LayerSurface surface = layerSurface(layout.mapping, layout.view, palette);
     LayerPainter layers;
-    layers.paintMarks(painter, drawing, surface);
+    layers.paintGround(painter, drawing, surface);
     drawTriangles(painter, frame, playhead, layout.mapping);
     if (options.areDifferencesShown() && !options.isTruthShown())
         drawDifferences(painter, traced, playhead.position(), layout.mapping, palette);
     std::vector<RulerMark> columnMarks;
     std::vector<RulerMark> rowMarks;
-    if (const std::optional<std::size_t> span = playhead.spanInHand()) {
-        const SpanRecord record = traced.trace->span(*span);
+    const std::optional<std::size_t> span = playhead.spanInHand();
+    const SpanRecord record = span ? traced.trace->span(*span) : SpanRecord();
+    if (span)
         frame.drawPlumbLine(record.place);
+    layers.paintMarks(painter, drawing, surface);
+    if (span) {
         frame.drawEdgeTicks(record);
         const RulerMark mark{double(record.place.coordinate), Sign::ColumnInHand};
         if (record.place.axis == SpanAxis::Column)
@@ -191,7 +194,7 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
     }
     const QStringList omissions = layers.paintLabels(painter, drawing, surface, frame.plates());
     if (!omissions.isEmpty())
-        frame.drawNote(omissions.join(u'\n'), layout.view.topRight(), NoteSide::Below);
+        frame.drawCornerNote(omissions.join(u'\n'), layers.labels());
     Ruler(Qt::Horizontal, layout.columnRuler, layout.mapping).paint(painter, palette, columnMarks);
     Ruler(Qt::Vertical, layout.rowRuler, layout.mapping).paint(painter, palette, rowMarks);
     painter.end();

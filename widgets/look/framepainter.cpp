@@ -129,7 +129,8 @@ void FramePainter::drawHandle(const LatticePoint &point, const Colour &colour, H
     m_painter.setPen(QPen(signColour(Sign::VertexMark, m_palette), 1.5));
     m_painter.drawEllipse(centre, handleRadius, handleRadius);
     const QPointF corner(handleRadius, handleRadius);
-    m_plates.push_back({centre - corner, centre + corner});
+    m_handles.emplace_back(centre - corner, centre + corner);
+    m_plates.push_back(m_handles.back());
 }
 
 void FramePainter::drawCandidate(const LatticePoint &point, const Colour &colour)

@@ -68,12 +68,13 @@ public:
     void drawPixelBreakpoint(const QPoint &pixel);
     void drawNote(const QString &text, const QPointF &anchor, NoteSide side);
     /// Below the pointer and to its right, or in the first of its other quarters where it covers
-    /// none of those places.
+    /// no note and none of those places; where all cover a note, beside that.
     void drawPointerNote(const QString &text, const QPointF &pointer,
                          std::span<const QRectF> places);
-    /// In the corner of the view where it covers least of what has a place; of equal ones the first
+    /// In a corner of the view or between two, in long lines or in short ones, where it covers no
+    /// handle and least of what else has a place, those places included; of equal ones the first
     /// from the lower left.
-    void drawCornerNote(const QString &text);
+    void drawCornerNote(const QString &text, std::span<const QRectF> places = {});
     /// Between two positions.
     void drawCased(const QLineF &line, const QColor &colour, double width,
                    Qt::PenStyle style = Qt::SolidLine);
@@ -93,10 +94,13 @@ private:
     };
     void drawEdgeTick(const QPointF &at, Sign sign, Qt::Orientation along);
     void drawEdgeName(const QPointF &at, const EdgeName &name, Sign sign, NoteSide side);
-    QSizeF noteSize(const QString &text) const;
+    double widestNote() const;
+    QSizeF noteSize(const QString &text, double widest) const;
+    void drawNoteIn(const QRectF &plate, const QString &text);
     QRectF plateAt(const QSizeF &text, const QPointF &anchor, NoteSide side) const;
     bool isFree(const QRectF &plate) const; ///< of all that has a place
     QRectF drawPlate(const QSizeF &text, const QPointF &anchor, NoteSide side);
+    QRectF drawPlateIn(const QRectF &plate); ///< returns where its text stands
     bool isNearView(const QPointF &position) const;
 
     QPainter &m_painter;
@@ -104,6 +108,7 @@ private:
     const QPalette &m_palette;
     QRectF m_view;
     std::vector<QRectF> m_plates;
+    std::vector<QRectF> m_handles, m_notes; ///< those among them, but for the pointer's note
 };
 
 /// The colour of the lines between cells; they fade in as the cells grow, and are transparent where

@@ -22,6 +22,12 @@ constexpr int noteFlags = int(Qt::AlignCenter) | Qt::TextWordWrap;
 constexpr double platePadding = 3;
 constexpr QSizeF pointerSize(6, 10); ///< beyond its hot spot
 
+/// Of the view, where a note may stand, by choice: the corners from the lower left, then between.
+constexpr std::array notePlaces
+    = {QPointF(0, 1),   QPointF(1, 1),   QPointF(0, 0),   QPointF(1, 0),
+       QPointF(0.5, 1), QPointF(0.5, 0), QPointF(0, 0.5), QPointF(1, 0.5)};
+constexpr std::array noteShares = {1.0, 0.5, 0.33}; ///< how much of its width a note may take
+
 /// Of the pointer, where its note may stand, by choice.
 constexpr std::array pointerSides
     = {NoteSide::BelowRight, NoteSide::AboveRight, NoteSide::BelowLeft, NoteSide::AboveLeft};
@@ -32,6 +38,14 @@ constexpr std::array nameTurns
 
 constexpr double subscriptSize = 0.8; ///< of the symbol's
 constexpr float plateOpacity = 0.88F;
+
+QSizeF plateSize(const QSizeF &text) { return text + QSizeF(2 * platePadding, 2); }
+
+std::ptrdiff_t coveredBy(const QRectF &plate, std::span<const QRectF> places)
+{
+    return std::ranges::count_if(places,
+                                 [&plate](const QRectF &place) { return place.intersects(plate); });
+}
 
 /// Where a plate of a size stands beside its anchor.
 QRectF placed(const QSizeF &size, const QPointF &anchor, NoteSide side)
@@ -155,63 +169,84 @@ void FramePainter::drawEdgeName(const QPointF &at, const EdgeName &name, Sign si
 
 void FramePainter::drawNote(const QString &text, const QPointF &anchor, NoteSide side)
 {
-    const QRectF rect = drawPlate(noteSize(text), anchor, side);
-    m_painter.setPen(m_palette.color(QPalette::Text));
-    m_painter.drawText(rect, noteFlags | Qt::TextDontClip, text);
+    drawNoteIn(plateAt(noteSize(text, widestNote()), anchor, side), text);
+    m_notes.push_back(m_plates.back());
 }
 
 void FramePainter::drawPointerNote(const QString &text, const QPointF &pointer,
                                    std::span<const QRectF> places)
 {
-    const QSizeF size = noteSize(text);
-    const auto anchorFor = [&pointer](NoteSide side) {
+    const QSizeF size = noteSize(text, widestNote());
+    std::vector<QRectF> plates; // by choice
+    for (const NoteSide side : pointerSides) {
         const bool isRight = side == NoteSide::BelowRight || side == NoteSide::AboveRight;
         const bool isBelow = side == NoteSide::BelowRight || side == NoteSide::BelowLeft;
-        return pointer
+        const QPointF anchor = pointer
             + QPointF(isRight ? pointerSize.width() : 0, isBelow ? pointerSize.height() : 0);
+        plates.push_back(plateAt(size, anchor, side));
+    }
+    for (const QRectF &note : m_notes) {
+        const QPointF beside(std::clamp(pointer.x(), note.left(), note.right()),
+                             std::clamp(pointer.y(), note.top(), note.bottom()));
+        plates.push_back(plateAt(size, {beside.x(), note.top()}, NoteSide::Above));
+        plates.push_back(plateAt(size, {beside.x(), note.bottom()}, NoteSide::Below));
+        plates.push_back(plateAt(size, {note.right(), beside.y()}, NoteSide::Right));
+    }
+    const auto isClearOf = [](const QRectF &plate, std::span<const QRectF> taken) {
+        return coveredBy(plate, taken) == 0;
     };
-    const auto isClear = [&](NoteSide side) {
-        const QRectF plate = plateAt(size, anchorFor(side), side);
-        return std::ranges::none_of(
-            places, [&plate](const QRectF &place) { return place.intersects(plate); });
-    };
-    const auto *found = std::ranges::find_if(pointerSides, isClear);
-    const NoteSide side = found != pointerSides.end() ? *found : pointerSides.front();
-    drawNote(text, anchorFor(side), side);
+    auto found = std::ranges::find_if(plates, [&](const QRectF &plate) {
+        return isClearOf(plate, m_notes) && isClearOf(plate, places);
+    });
+    if (found == plates.end())
+        found = std::ranges::find_if(
+            plates, [&](const QRectF &plate) { return isClearOf(plate, m_notes); });
+    drawNoteIn(found != plates.end() ? *found : plates.front(), text);
 }
 
-void FramePainter::drawCornerNote(const QString &text)
+void FramePainter::drawCornerNote(const QString &text, std::span<const QRectF> places)
 {
-    struct Corner {
-        QPointF anchor;
-        NoteSide side;
+    const QRectF within = m_view.adjusted(noteGap, noteGap / 2, -noteGap, -noteGap / 2);
+    std::vector<QRectF> plates; // by choice
+    for (const double share : noteShares) {
+        const QSizeF size = plateSize(noteSize(text, widestNote() * share));
+        const QSizeF room = within.size() - size;
+        for (const QPointF &place : notePlaces)
+            plates.emplace_back(within.topLeft()
+                                    + QPointF(place.x() * room.width(), place.y() * room.height()),
+                                size);
+    }
+    const auto covered = [&](const QRectF &plate) {
+        return std::pair(coveredBy(plate, m_handles),
+                         coveredBy(plate, m_plates) + coveredBy(plate, places));
     };
-    const std::array corners = {Corner{m_view.bottomLeft(), NoteSide::AboveRight},
-                                Corner{m_view.bottomRight(), NoteSide::AboveRight},
-                                Corner{m_view.topLeft(), NoteSide::BelowRight},
-                                Corner{m_view.topRight(), NoteSide::BelowRight}};
-    const QSizeF size = noteSize(text);
-    const auto covered = [&](const Corner &each) {
-        const QRectF plate = plateAt(size, each.anchor, each.side);
-        return std::ranges::count_if(
-            m_plates, [&plate](const QRectF &other) { return other.intersects(plate); });
-    };
-    const Corner &corner = *std::ranges::min_element(corners, {}, covered);
-    drawNote(text, corner.anchor, corner.side);
+    drawNoteIn(*std::ranges::min_element(plates, {}, covered), text);
+    m_notes.push_back(m_plates.back());
 }
 
-/// Broken into lines that the view holds.
-QSizeF FramePainter::noteSize(const QString &text) const
+double FramePainter::widestNote() const
 {
-    const double widest = m_view.width() - 2 * (noteGap + platePadding);
+    return std::max(m_view.width() - 2 * (noteGap + platePadding), 1.0);
+}
+
+/// Broken into lines.
+QSizeF FramePainter::noteSize(const QString &text, double widest) const
+{
     return QFontMetricsF(m_painter.font())
-        .boundingRect(QRectF(0, 0, std::max(widest, 1.0), m_view.height()), noteFlags, text)
+        .boundingRect(QRectF(0, 0, widest, m_view.height()), noteFlags, text)
         .size();
+}
+
+void FramePainter::drawNoteIn(const QRectF &plate, const QString &text)
+{
+    const QRectF rect = drawPlateIn(plate);
+    m_painter.setPen(m_palette.color(QPalette::Text));
+    m_painter.drawText(rect, noteFlags | Qt::TextDontClip, text);
 }
 
 QRectF FramePainter::plateAt(const QSizeF &text, const QPointF &anchor, NoteSide side) const
 {
-    const QSizeF size = text + QSizeF(2 * platePadding, 2);
+    const QSizeF size = plateSize(text);
     QRectF plate = placed(size, anchor, side);
     // Kept in view, so that a name near the border can be read.
     plate.moveLeft(std::max(std::min(plate.left(), m_view.right() - size.width()), m_view.left()));
@@ -219,15 +254,15 @@ QRectF FramePainter::plateAt(const QSizeF &text, const QPointF &anchor, NoteSide
     return plate;
 }
 
-bool FramePainter::isFree(const QRectF &plate) const
-{
-    return std::ranges::none_of(m_plates,
-                                [&plate](const QRectF &other) { return other.intersects(plate); });
-}
+bool FramePainter::isFree(const QRectF &plate) const { return coveredBy(plate, m_plates) == 0; }
 
 QRectF FramePainter::drawPlate(const QSizeF &text, const QPointF &anchor, NoteSide side)
 {
-    const QRectF plate = plateAt(text, anchor, side);
+    return drawPlateIn(plateAt(text, anchor, side));
+}
+
+QRectF FramePainter::drawPlateIn(const QRectF &plate)
+{
     m_plates.push_back(plate);
     m_painter.setRenderHint(QPainter::Antialiasing);
     m_painter.setPen(Qt::NoPen);

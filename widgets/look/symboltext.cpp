@@ -19,37 +19,24 @@ double pixelSizeOf(const QFont &font)
 } // namespace
 
 SymbolText::SymbolText(const QString &text)
+    : m_runs(symbolRuns(text))
 {
-    const auto append = [this](QChar character, Level level) {
-        if (m_runs.empty() || m_runs.back().level != level)
-            m_runs.push_back({{}, level});
-        m_runs.back().text += character;
-    };
-    for (qsizetype i = 0; i < text.size(); ++i) {
-        const auto isLowered
-            = [&](qsizetype at) { return at < text.size() && text[at].isLetterOrNumber(); };
-        if (text[i] != u'_' || !isLowered(i + 1)) {
-            append(text[i], Level::Line);
-            continue;
-        }
-        for (; isLowered(i + 1); ++i)
-            append(text[i + 1], Level::Subscript);
-    }
 }
 
 QString SymbolText::html() const
 {
     QString html;
-    for (const Run &run : m_runs) {
+    for (const SymbolRun &run : m_runs) {
         const QString text = run.text.toHtmlEscaped();
-        html += run.level == Level::Subscript ? QStringLiteral("<sub>%1</sub>").arg(text) : text;
+        html += run.level == SymbolRun::Level::Subscript ? QStringLiteral("<sub>%1</sub>").arg(text)
+                                                         : text;
     }
     return html;
 }
 
-QFont SymbolText::fontFor(Level level, const QFont &font)
+QFont SymbolText::fontFor(SymbolRun::Level level, const QFont &font)
 {
-    if (level == Level::Line)
+    if (level == SymbolRun::Level::Line)
         return font;
     QFont smaller = font;
     const double size = pixelSizeOf(font) * subscriptSize;
@@ -63,7 +50,7 @@ QFont SymbolText::fontFor(Level level, const QFont &font)
 double SymbolText::width(const QFont &font) const
 {
     double width = 0;
-    for (const Run &run : m_runs)
+    for (const SymbolRun &run : m_runs)
         width += QFontMetricsF(fontFor(run.level, font)).horizontalAdvance(run.text);
     return width;
 }
@@ -72,10 +59,11 @@ double SymbolText::draw(QPainter &painter, const QPointF &baseline, const QFont 
 {
     const double drop = QFontMetricsF(font).ascent() * subscriptDrop;
     QPointF position = baseline;
-    for (const Run &run : m_runs) {
+    for (const SymbolRun &run : m_runs) {
         const QFont runFont = fontFor(run.level, font);
         painter.setFont(runFont);
-        painter.drawText(position + QPointF(0, run.level == Level::Subscript ? drop : 0), run.text);
+        painter.drawText(position + QPointF(0, run.level == SymbolRun::Level::Subscript ? drop : 0),
+                         run.text);
         position.rx() += QFontMetricsF(runFont).horizontalAdvance(run.text);
     }
     return position.x() - baseline.x();

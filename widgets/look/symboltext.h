@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/trace/symbolruns.h"
 #include "widgets/look/signs.h"
 
 #include <QFont>
@@ -14,8 +15,7 @@ class QPainter;
 
 namespace pixelplumb {
 
-/// A formula's symbols with their subscripts. In the text, an underscore lowers the letters and
-/// digits that follow it: "⌈y_B⌉", "x_start".
+/// A formula's symbols with their subscripts (symbolRuns).
 class SymbolText {
 public:
     explicit SymbolText(const QString &text);
@@ -28,15 +28,9 @@ public:
     double draw(QPainter &painter, const QPointF &baseline, const QFont &font) const;
 
 private:
-    enum class Level { Line, Subscript };
-    struct Run {
-        QString text;
-        Level level = Level::Line;
-    };
+    static QFont fontFor(SymbolRun::Level level, const QFont &font);
 
-    static QFont fontFor(Level level, const QFont &font);
-
-    std::vector<Run> m_runs;
+    std::vector<SymbolRun> m_runs;
 };
 
 /// Lines of a tooltip, with their subscripts.

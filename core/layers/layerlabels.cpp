@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/layerlabels.h"
+
+#include "core/layers/clippedline.h"
+
+#include <QPainter>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+// Logical pixels.
+constexpr double labelEm = 12;
+constexpr std::array labelGaps = {6.0, 20.0, 36.0, 54.0, 76.0}; ///< from the anchor, to each side
+constexpr double leaderGap = 8; ///< a label that is farther from its anchor has a line to it
+constexpr double paperPadding = 3;
+constexpr double nearView = 20; ///< names of what is farther would crowd the border
+
+/// Where a label may stand beside its anchor, the nearest first: right above it, in the other
+/// quarters, then farther and farther aside.
+std::vector<QPointF> placesAround(const QPointF &anchor, const QSizeF &size)
+{
+    std::vector<QPointF> places;
+    const double middle = anchor.x() - size.width() / 2;
+    const double level = anchor.y() - size.height() / 2;
+    for (const double gap : labelGaps) {
+        const double right = anchor.x() + gap;
+        const double left = anchor.x() - gap - size.width();
+        const double above = anchor.y() - gap - size.height();
+        const double below = anchor.y() + gap;
+        places.insert(places.end(), {{right, above}, {right, below}, {left, above}, {left, below}});
+        if (gap > leaderGap)
+            places.insert(places.end(),
+                          {{middle, above}, {middle, below}, {right, level}, {left, level}});
+    }
+    return places;
+}
+
+/// Kept in view, so that a name near the border can be read.
+QRectF movedInto(QRectF rect, const QRectF &view)
+{
+    rect.moveLeft(std::max(std::min(rect.left(), view.right() - rect.width()), view.left()));
+    rect.moveTop(std::max(std::min(rect.top(), view.bottom() - rect.height()), view.top()));
+    return rect;
+}
+
+/// From an anchor to what is nearest to it of a label; a point where they are side by side.
+QLineF leaderTo(const QRectF &rect, const QPointF &anchor)
+{
+    const QLineF leader(anchor,
+                        {std::clamp(anchor.x(), rect.left(), rect.right()),
+                         std::clamp(anchor.y(), rect.top(), rect.bottom())});
+    return leader.length() > leaderGap * std::sqrt(2.0) ? leader : QLineF(anchor, anchor);
+}
+
+bool strikes(const QLineF &leader, const QRectF &rect)
+{
+    return leader.length() > 0 && clipped(leader, rect);
+}
+
+} // namespace
+
+bool LayerLabels::isFree(const QRectF &rect) const
+{
+    const auto covers = [&rect](const QRectF &other) { return other.intersects(rect); };
+    return std::ranges::none_of(m_taken, covers)
+        && std::ranges::none_of(m_placed, covers, &Placed::rect);
+}
+
+bool LayerLabels::isUnstruck(const Placed &label) const
+{
+    const auto strikesTaken = [&label](const QRectF &other) {
+        // A handle that the name is about is where the line begins.
+        return !other.contains(label.leader.p1()) && strikes(label.leader, other);
+    };
+    return std::ranges::none_of(m_taken, strikesTaken)
+        && std::ranges::none_of(m_placed, [&label](const Placed &other) {
+               return strikes(label.leader, other.rect) || strikes(other.leader, label.rect);
+           });
+}
+
+void LayerLabels::place(const QString &text, const QPointF &anchor, LayerInk ink)
+{
+    if (!m_surface.view.adjusted(-nearView, -nearView, nearView, nearView).contains(anchor))
+        return;
+    const QSizeF size(m_glyphs.widthOf(text) * labelEm + 2 * paperPadding,
+                      lineHeight * labelEm + 2);
+    std::optional<Placed> found;
+    for (const QPointF &corner : placesAround(anchor, size)) {
+        const QRectF rect = movedInto({corner, size}, m_surface.view);
+        const Placed label{text, rect, leaderTo(rect, anchor), ink};
+        if (!isFree(rect))
+            continue;
+        const bool isBest = isUnstruck(label);
+        if (isBest || !found)
+            found = label;
+        if (isBest)
+            break;
+    }
+    if (found)
+        m_placed.push_back(*found);
+    else
+        ++m_omitted;
+}
+
+void LayerLabels::paint()
+{
+    for (const Placed &label : m_placed)
+        paintLeader(label);
+    LayerTexts texts(m_painter, m_surface, m_glyphs);
+    for (const Placed &label : m_placed) {
+        texts.paintPaper(label.rect);
+        texts.paintText(label.text,
+                        label.rect.topLeft() + QPointF(paperPadding, 1 + ascent * labelEm), labelEm,
+                        label.ink);
+    }
+}
+
+std::vector<QRectF> LayerLabels::places() const
+{
+    std::vector<QRectF> rects;
+    for (const Placed &label : m_placed)
+        rects.push_back(label.rect);
+    return rects;
+}
+
+void LayerLabels::paintLeader(const Placed &label)
+{
+    if (label.leader.length() == 0)
+        return;
+    m_painter.setPen(QPen(paperOf(m_surface.tone), 3, Qt::SolidLine, Qt::FlatCap));
+    m_painter.drawLine(label.leader);
+    m_painter.setPen(QPen(colourOf(label.ink, m_surface.tone), 1, Qt::SolidLine, Qt::FlatCap));
+    m_painter.drawLine(label.leader);
+}
+
+} // namespace pixelplumb

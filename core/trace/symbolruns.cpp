@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/trace/symbolruns.h"
+
+namespace pixelplumb {
+
+std::vector<SymbolRun> symbolRuns(const QString &text)
+{
+    using Level = SymbolRun::Level;
+    std::vector<SymbolRun> runs;
+    const auto append = [&runs](QChar character, Level level) {
+        if (runs.empty() || runs.back().level != level)
+            runs.push_back({{}, level});
+        runs.back().text += character;
+    };
+    for (qsizetype i = 0; i < text.size(); ++i) {
+        const auto isLowered
+            = [&](qsizetype at) { return at < text.size() && text[at].isLetterOrNumber(); };
+        if (text[i] != u'_' || !isLowered(i + 1)) {
+            append(text[i], Level::Line);
+            continue;
+        }
+        for (; isLowered(i + 1); ++i)
+            append(text[i + 1], Level::Subscript);
+    }
+    return runs;
+}
+
+} // namespace pixelplumb

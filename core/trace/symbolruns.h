@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <vector>
+
+namespace pixelplumb {
+
+/// A piece of a symbol as it is set: on the line, or lowered.
+struct SymbolRun {
+    enum class Level { Line, Subscript };
+
+    QString text;
+    Level level = Level::Line;
+
+    friend bool operator==(const SymbolRun &, const SymbolRun &) = default;
+};
+
+/// How the symbols in a text are set: an underscore lowers the letters and digits that follow it,
+/// as in "⌈y_B⌉" and "x_start".
+std::vector<SymbolRun> symbolRuns(const QString &text);
+
+} // namespace pixelplumb
