@@ -89,6 +89,14 @@ private slots:
             if (diagnosis.verdict == DiagnosisVerdict::Right)
                 continue; // it does not show on these scenes
             ++seen;
+            const bool isAllowedFor = defect.choice == QLatin1String(arithmeticChoice)
+                && diagnosis.verdict == DiagnosisVerdict::Undecidable;
+            if (isAllowedFor) {
+                QVERIFY2(!isAmong(diagnosis, defect.id)
+                             || !defect.id.contains(QStringLiteral("float")),
+                         qPrintable(defect.id));
+                continue;
+            }
             QVERIFY2(diagnosis.isExplained(), qPrintable(defect.id));
             QVERIFY2(isAmong(diagnosis, defect.id), qPrintable(defect.id));
             unique += int(diagnosis.candidates.size() == 1);

@@ -120,6 +120,9 @@ private slots:
             QVERIFY(each);
             if (each->verdict == GradeVerdict::Right)
                 continue; // arithmetic that is exact enough here
+            if (defects[i].choice == QLatin1String(arithmeticChoice)
+                && each->verdict == GradeVerdict::Undecidable)
+                continue; // which is allowed for
             ++named;
             QVERIFY2(isAmong(*each, {defects[i].id}), qPrintable(defects[i].id));
         }

@@ -4,6 +4,7 @@
 #include "app/cli/picturefile.h"
 #include "app/cli/progress.h"
 #include "app/cli/sceneoptions.h"
+#include "app/cli/toleranceoption.h"
 
 namespace pixelplumb::cli {
 
@@ -40,9 +41,13 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
     line.addOption({sceneOption, QStringLiteral("A scene that was to be drawn; once a picture."),
                     QStringLiteral("file")});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
+    addToleranceOption(line);
     addSettingOptions(line);
     if (const auto ended = line.parse(arguments))
         return *ended;
+    const Result<Arithmetic> tolerance = chosenTolerance(line);
+    if (!tolerance)
+        return line.refuse(tolerance.error());
     const QStringList scenes = line.values(sceneOption);
     const QStringList pictures = line.arguments();
     if (scenes.size() != pictures.size())
@@ -63,7 +68,7 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
         submissions.push_back(std::move(*submission));
     }
     Progress progress;
-    const auto diagnosis = pixelplumb::diagnose(submissions, progress.listener());
+    const auto diagnosis = pixelplumb::diagnose(submissions, progress.listener(), *tolerance);
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(jsonOf(*diagnosis, submissions)));
     else

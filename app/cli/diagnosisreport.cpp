@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/diagnosisreport.h"
 
+#include "core/scan/choicenames.h"
+
 #include <QJsonArray>
 
 namespace pixelplumb::cli {
@@ -23,11 +25,17 @@ std::optional<PartingPlace> partingPlaceOf(std::span<const Submission> submissio
     return std::nullopt;
 }
 
-/// "3 pixels differ"; one differs.
-QString countText(std::int64_t pixels, const QString &verb)
+/// "unsorted-colours, but for 3 pixels that …", "flat-first (1 pixel is left)"
+QString titleOf(const DiagnosisCandidate &candidate)
 {
-    return pixels == 1 ? QStringLiteral("1 pixel %1s").arg(verb)
-                       : QStringLiteral("%1 pixels %2").arg(pixels).arg(verb);
+    QString title = candidate.ids().join(QStringLiteral(" and "));
+    if (candidate.undecidable > 0)
+        title += QStringLiteral(", ") + undecidableText(candidate.undecidable);
+    if (candidate.distance > 0)
+        title += QStringLiteral(" (%1 %2 left)")
+                     .arg(pixelsText(candidate.distance),
+                          candidate.distance == 1 ? QStringLiteral("is") : QStringLiteral("are"));
+    return title;
 }
 
 } // namespace
@@ -36,24 +44,23 @@ QStringList textOf(const Diagnosis &diagnosis, std::span<const Submission> submi
 {
     if (diagnosis.verdict == DiagnosisVerdict::Right)
         return {QStringLiteral("right: no pixel differs")};
-    QStringList lines = {QStringLiteral("%1: %2").arg(
-        nameOf(diagnosis.verdict), countText(diagnosis.differing, QStringLiteral("differ")))};
-    if (diagnosis.candidates.empty())
+    QStringList lines = {
+        QStringLiteral("%1: %2 %3")
+            .arg(nameOf(diagnosis.verdict), pixelsText(diagnosis.differing),
+                 diagnosis.differing == 1 ? QStringLiteral("differs") : QStringLiteral("differ"))};
+    const bool isWrong = diagnosis.verdict == DiagnosisVerdict::Wrong;
+    if (diagnosis.candidates.empty() && isWrong)
         lines += QStringLiteral("no known defect comes nearer");
-    else if (!diagnosis.isExplained())
+    else if (!diagnosis.isExplained() && isWrong)
         lines += QStringLiteral("no known defect explains it; the nearest ones:");
     for (const DiagnosisCandidate &candidate : diagnosis.candidates) {
-        QStringList ids;
-        for (const Defect &defect : candidate.defects)
-            ids += defect.id;
-        lines += diagnosis.isExplained() ? ids.join(QStringLiteral(" and "))
-                                         : QStringLiteral("%1 (%2 pixels are left)")
-                                               .arg(ids.join(QStringLiteral(" and ")))
-                                               .arg(candidate.distance);
-        for (const Defect &defect : candidate.defects) {
-            lines += QStringLiteral("    ") + defect.forAssistant;
-            lines += QStringLiteral("    to the student: ") + defect.forStudent;
-        }
+        lines += titleOf(candidate);
+        if (!isRelevant(candidate.distance, diagnosis.differing))
+            continue;
+        for (const QString &sentence : candidate.sentences(&Defect::forAssistant))
+            lines += QStringLiteral("    ") + sentence;
+        for (const QString &sentence : candidate.sentences(&Defect::forStudent))
+            lines += QStringLiteral("    to the student: ") + sentence;
         if (const auto place = partingPlaceOf(submissions, candidate)) {
             const QString where = submissions.size() > 1
                 ? QStringLiteral("scene %1, ").arg(place->scene)
@@ -71,18 +78,15 @@ QJsonObject jsonOf(const Diagnosis &diagnosis, std::span<const Submission> submi
 {
     QJsonArray candidates;
     for (const DiagnosisCandidate &candidate : diagnosis.candidates) {
-        QJsonArray ids;
-        QJsonArray forStudent;
-        QJsonArray forAssistant;
-        for (const Defect &defect : candidate.defects) {
-            ids.append(defect.id);
-            forStudent.append(defect.forStudent);
-            forAssistant.append(defect.forAssistant);
-        }
-        QJsonObject object{{QStringLiteral("defects"), ids},
-                           {QStringLiteral("distance"), qint64(candidate.distance)},
-                           {QStringLiteral("student"), forStudent},
-                           {QStringLiteral("assistant"), forAssistant}};
+        const auto array = &QJsonArray::fromStringList;
+        QJsonObject object{
+            {QStringLiteral("defects"), array(candidate.ids())},
+            {QStringLiteral("distance"), qint64(candidate.distance)},
+            {QStringLiteral("undecidable"), qint64(candidate.undecidable)},
+            {QStringLiteral("student"), array(candidate.sentences(&Defect::forStudent))},
+            {QStringLiteral("assistant"), array(candidate.sentences(&Defect::forAssistant))}};
+        if (candidate.arithmetic)
+            object.insert(QStringLiteral("arithmetic"), nameText(nameOf(*candidate.arithmetic)));
         if (const auto place = partingPlaceOf(submissions, candidate))
             object.insert(QStringLiteral("parts"),
                           QJsonObject{{QStringLiteral("scene"), qint64(place->scene)},

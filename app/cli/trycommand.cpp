@@ -102,12 +102,13 @@ void addTrialOptions(CommandLine &line)
 }
 
 /// What all pictures together tell; none where there is none, or nothing to explain.
-std::optional<Diagnosis> diagnosisOf(const std::vector<Submission> &submissions, bool isRight)
+std::optional<Diagnosis> diagnosisOf(const std::vector<Submission> &submissions, bool isRight,
+                                     Arithmetic tolerance)
 {
     if (isRight || submissions.empty())
         return std::nullopt;
     Progress progress;
-    return diagnose(submissions, progress.listener());
+    return diagnose(submissions, progress.listener(), tolerance);
 }
 
 } // namespace
@@ -149,7 +150,7 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
     }
     const auto isRight = [](const SceneTrial &each) { return each.trial.isRight(); };
     const bool areRight = std::ranges::all_of(tried, isRight);
-    const auto diagnosis = diagnosisOf(submissions, areRight);
+    const auto diagnosis = diagnosisOf(submissions, areRight, terms->tolerance);
     const bool isSandboxed = tried.front().trial.run.isSandboxed;
     if (line.isSet(QStringLiteral("json"))) {
         QJsonArray trials;

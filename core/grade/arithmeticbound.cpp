@@ -111,6 +111,12 @@ double ArithmeticBound::endError(SpanAxis axis) const
     return axis == SpanAxis::Column ? m_columnError : m_rowError;
 }
 
+double ArithmeticBound::spanLevelError(double rate) const
+{
+    return 5 * (m_columnLevelError + std::abs(rate) * m_columnError)
+        + (m_extent[1] + 7) * m_unit * levels;
+}
+
 SamplePlace ArithmeticBound::placeOf(std::int64_t x, std::int64_t y) const
 {
     if (!m_isProved)

@@ -32,6 +32,9 @@ public:
     /// What a level may be off by at a sample inside; none: by anything.
     std::optional<double> levelError(std::int64_t x, std::int64_t y, std::size_t channel) const;
 
+    /// What a level may be off by of who walks by columns and adds this rate from sample to sample.
+    double spanLevelError(double rate) const;
+
 private:
     /// As who walks by columns, or by rows, is sure of it.
     SamplePlace placeAlong(const std::array<double, 3> &edgeFunctions, SpanAxis walk) const;

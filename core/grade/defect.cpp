@@ -60,7 +60,7 @@ void appendSettings(std::vector<Defect> &defects, const Scene &scene)
                     return true;
                 }});
     for (const Arithmetic arithmetic : allArithmetics)
-        append(defects, scene, QStringLiteral("arithmetic"),
+        append(defects, scene, QLatin1String(arithmeticChoice),
                {QStringLiteral("arithmetic-") + nameText(nameOf(arithmetic)),
                 QStringLiteral("What your numbers are kept in decides pixels: how large is the "
                                "error after many additions?"),
@@ -196,19 +196,7 @@ auto changeNamed(const QString &name)
 
 void appendPictures(std::vector<Defect> &defects, const Scene &scene)
 {
-    const Picture ofItsSize{scene.frame.width, scene.frame.height, {}, {}};
-    for (const PictureChange &change : pictureChangesFor(ofItsSize, scene.frame.background)) {
-        const QString id = QString(change.name).toLower().replace(u' ', u'-');
-        defects.push_back({id,
-                           QStringLiteral("Look at the whole picture: how are rows, columns "
-                                          "and channels stored?"),
-                           QStringLiteral("The picture is right, but %1.").arg(change.name),
-                           {},
-                           {},
-                           changeNamed(change.name),
-                           change.isFar,
-                           change.kind});
-    }
+    // First of all: what it is drawn on can still be another background.
     defects.push_back(
         {QStringLiteral("nothing-drawn"),
          QStringLiteral("Is the picture that is written the one that was drawn into?"),
@@ -220,8 +208,20 @@ void appendPictures(std::vector<Defect> &defects, const Scene &scene)
              std::ranges::fill(picture.colours, background);
              std::ranges::fill(picture.covered, std::uint8_t(0));
              return picture;
-         },
-         true});
+         }});
+    const Picture ofItsSize{scene.frame.width, scene.frame.height, {}, {}};
+    for (const PictureChange &change : pictureChangesFor(ofItsSize, scene.frame.background)) {
+        const QString id = QString(change.name).toLower().replace(u' ', u'-');
+        defects.push_back({id,
+                           QStringLiteral("Look at the whole picture: how are rows, columns "
+                                          "and channels stored?"),
+                           QStringLiteral("Done to the whole picture: %1.").arg(change.name),
+                           {},
+                           {},
+                           changeNamed(change.name),
+                           change.isFar,
+                           change.kind});
+    }
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/picture.h"
+#include "core/grade/picturerange.h"
 
 #include <QString>
 
@@ -12,6 +12,9 @@ namespace pixelplumb {
 
 /// When a defect does its work: of two the one that is earlier does it first.
 enum class DefectStage { Scene, Drawing, Picture };
+
+/// The choice of what is computed in, which is no mistake where it is allowed for.
+inline constexpr const char *arithmeticChoice = "arithmetic";
 
 /// A mistake that programs make, as something done to the scene before it is drawn by the ordinary
 /// kernels (the variants and the choices of its settings among them), to how it is drawn, or to the
@@ -28,6 +31,8 @@ struct Defect {
     std::function<Picture(const Picture &right, const Colour &background)> changePicture = {};
     bool standsAlone = false; ///< is not looked for beside another
     QString choice = {}; ///< of defects of one choice only one can be there; empty: of none
+    /// What is redrawn by programs that round otherwise; left out where nobody knows.
+    std::function<PictureRange(const Scene &scene, Arithmetic arithmetic)> redrawRange = {};
 
     DefectStage stage() const
     {

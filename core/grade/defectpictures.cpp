@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/defectpictures.h"
 
-#include "core/grade/diagnosis.h"
+#include "core/grade/defectivescene.h"
 #include "core/runs/sceneplan.h"
 
 #include <QHashFunctions>
@@ -35,8 +35,13 @@ DefectPictures::DefectPictures(std::vector<Scene> scenes)
         for (Defect &defect : defectsFor(scene)) {
             const bool isKnown
                 = std::ranges::find(m_defects, defect.id, &Defect::id) != m_defects.end();
-            if (!isKnown)
+            if (defect.choice == QLatin1String(arithmeticChoice)) {
+                Scene changed = scene;
+                defect.changeScene(changed);
+                m_arithmetics.emplace(changed.settings.arithmetic, std::move(defect));
+            } else if (!isKnown) {
                 m_defects.push_back(std::move(defect));
+            }
         }
     }
     // What does its work earlier comes first in a pair.
@@ -71,10 +76,17 @@ DefectPictures::SharedPicture DefectPictures::scenePicture(std::size_t scene, co
     return picture;
 }
 
+Scene DefectPictures::sceneIn(std::size_t scene, const DefectSet &set) const
+{
+    Scene drawn = m_scenes[scene];
+    drawn.settings.arithmetic = set.arithmetic.value_or(drawn.settings.arithmetic);
+    return drawn;
+}
+
 DefectPictures::SharedPicture DefectPictures::draw(std::size_t scene, const DefectSet &set)
 {
     const std::vector<Defect> defects = defectsIn(set);
-    const Scene drawn = withDefects(m_scenes[scene], defects);
+    const Scene drawn = withDefects(sceneIn(scene, set), defects);
     const auto redrawing = std::ranges::find(defects, DefectStage::Drawing, &Defect::stage);
     SharedPicture picture;
     if (redrawing == defects.end())
@@ -112,6 +124,25 @@ DefectPictures::SharedPicture DefectPictures::picture(std::size_t scene, const D
         m_kept += bytesOf(*picture);
     }
     return picture;
+}
+
+DefectPictures::SharedRange DefectPictures::range(std::size_t scene, const DefectSet &set,
+                                                  Arithmetic arithmetic)
+{
+    const std::pair key(Key(scene, set), arithmetic);
+    {
+        const std::lock_guard lock(m_mutex);
+        if (const auto found = m_ranges.find(key); found != m_ranges.end())
+            return found->second;
+    }
+    SharedRange range;
+    if (auto drawn = rangeWith(m_scenes[scene], defectsIn(set), arithmetic))
+        range = std::make_shared<const PictureRange>(*std::move(drawn));
+    const std::size_t bytes = range ? 4 * bytesOf(range->sides.front()) : 0;
+    const std::lock_guard lock(m_mutex);
+    if (m_kept + bytes <= mostKept && m_ranges.emplace(key, range).second)
+        m_kept += bytes;
+    return range;
 }
 
 bool DefectPictures::isKnownToDiffer(std::size_t scene, const DefectSet &set,

@@ -11,9 +11,11 @@
 
 namespace pixelplumb {
 
-/// At most two defects, by their places in a list of them, ascending.
+/// At most two defects, by their places in a list of them, ascending, and beside them what is
+/// computed in.
 struct DefectSet {
     std::optional<std::size_t> first = {}, second = {};
+    std::optional<Arithmetic> arithmetic = {}; ///< none: the scene's own
 
     friend auto operator<=>(const DefectSet &, const DefectSet &) = default;
 };
@@ -24,17 +26,24 @@ struct DefectSet {
 class DefectPictures {
 public:
     using SharedPicture = std::shared_ptr<const Picture>;
+    using SharedRange = std::shared_ptr<const PictureRange>;
 
     explicit DefectPictures(std::vector<Scene> scenes);
 
     const std::vector<Scene> &scenes() const { return m_scenes; }
     /// Those that some scene can have, what is done to a picture after all others: a defect that
-    /// leaves one scene as it is may change another.
+    /// leaves one scene as it is may change another. Arithmetics are none of them.
     const std::vector<Defect> &defects() const { return m_defects; }
+    /// What some scene can be computed in beside its own arithmetic, and that as a defect.
+    const std::map<Arithmetic, Defect> &arithmetics() const { return m_arithmetics; }
+    /// Without the arithmetic.
     std::vector<Defect> defectsIn(const DefectSet &set) const;
 
     /// None where the scene cannot be drawn so.
     SharedPicture picture(std::size_t scene, const DefectSet &set);
+    /// What programs draw that have these defects and compute in arithmetic up to this one; none
+    /// where nobody knows. The set's own is not asked.
+    SharedRange range(std::size_t scene, const DefectSet &set, Arithmetic arithmetic);
     /// Whether what was drawn before, and not kept, differs by its hash from what was found.
     bool isKnownToDiffer(std::size_t scene, const DefectSet &set, const Picture &found) const;
 
@@ -52,12 +61,15 @@ private:
     };
 
     SharedPicture scenePicture(std::size_t scene, const Scene &drawn);
+    Scene sceneIn(std::size_t scene, const DefectSet &set) const; ///< in the set's arithmetic
     SharedPicture draw(std::size_t scene, const DefectSet &set);
 
     std::vector<Scene> m_scenes;
     std::vector<Defect> m_defects;
     mutable std::mutex m_mutex;
+    std::map<Arithmetic, Defect> m_arithmetics;
     std::map<Key, Drawn> m_drawn;
+    std::map<std::pair<Key, Arithmetic>, SharedRange> m_ranges; ///< those that there is room for
     std::vector<LastPicture> m_lastScenePicture; ///< by scene
     std::size_t m_kept = 0; ///< bytes of pictures
 };

@@ -5,90 +5,207 @@
 #include "core/grade/undecidable.h"
 
 #include <algorithm>
-#include <limits>
 
 namespace pixelplumb {
 
 namespace {
 
 constexpr std::size_t nearestListed = 5;
-constexpr std::int64_t unknown = std::numeric_limits<std::int64_t>::max();
+constexpr std::size_t nearestTried = 64; // of sets, whether rounding may decide what they leave
+constexpr auto unknown = PictureMatcher::unknown;
 
-/// Pixels of all found pictures that differ, up to a limit; unknown where a scene cannot be drawn
-/// so. Of those at a limit of 1 nobody asks but whether they are the same.
-std::int64_t distanceOf(DefectPictures &pictures, std::span<const FoundPicture> found,
-                        const DefectSet &set, std::int64_t limit)
+/// Whether what differs lies on ties and within the bound of the tolerance alone.
+bool isUndecidable(DefectPictures &pictures, std::span<const FoundPicture> found,
+                   std::optional<Arithmetic> tolerance)
 {
-    const bool isKnown = limit == 1 && std::ranges::any_of(found, [&](const FoundPicture &each) {
-                             return pictures.isKnownToDiffer(each.scene, set, each.picture);
-                         });
-    if (isKnown)
-        return limit;
-    std::int64_t distance = 0;
-    for (const FoundPicture &each : found) {
-        if (distance >= limit)
-            break;
-        const auto picture = pictures.picture(each.scene, set);
-        if (!picture)
-            return unknown;
-        distance += differingPixels(*picture, each.picture, limit - distance);
-    }
-    return distance;
+    return tolerance && std::ranges::all_of(found, [&](const FoundPicture &each) {
+               return differenceOf(*pictures.picture(each.scene, {}), each.picture,
+                                   undecidablePixels(pictures.scenes()[each.scene], each.picture,
+                                                     *tolerance))
+                          .differing()
+                   == 0;
+           });
 }
 
-bool hasPart(const std::vector<DiagnosisCandidate> &exact, const Defect &first,
-             const Defect &second)
-{
-    return std::ranges::any_of(exact, [&](const DiagnosisCandidate &candidate) {
-        return candidate.defects.size() == 1
-            && (candidate.defects.front().id == first.id
-                || candidate.defects.front().id == second.id);
-    });
-}
-
-/// Keeps what equals the pictures, and beside that what comes nearest.
-class CandidateList {
+/// Tries sets of one and of two defects.
+class DefectSearch {
 public:
-    void add(std::vector<Defect> defects, std::int64_t distance)
+    /// It explains pictures that differ in so many pixels from the right ones, which may do without
+    /// an explanation.
+    DefectSearch(DefectPictures &pictures, PictureMatcher &matcher, const Diagnosis &diagnosis,
+                 const ProgressListener &listener)
+        : m_defects(pictures.defects())
+        , m_pictures(pictures)
+        , m_matcher(matcher)
+        , m_listener(listener)
+        , m_differing(diagnosis.differing)
+        , m_isExplained(diagnosis.verdict == DiagnosisVerdict::Undecidable)
+        , m_mostOpen(matcher.coveredPixels() / 8 + 8)
     {
-        if (distance == 0) {
-            m_exact.push_back({std::move(defects), 0});
-            return;
-        }
-        if (distance == unknown || distance >= limit())
-            return;
-        const auto place
-            = std::ranges::upper_bound(m_nearest, distance, {}, &DiagnosisCandidate::distance);
-        m_nearest.insert(place, {std::move(defects), distance});
-        if (m_nearest.size() > nearestListed)
-            m_nearest.pop_back();
+        const auto count = std::int64_t(m_defects.size());
+        m_sets = count * (count + 1) / 2; // at most
     }
+
+    /// False where the listener ended it.
+    bool run() { return trySingles() && tryPairs(); }
+
+    std::vector<DiagnosisCandidate> candidates() const
+    {
+        std::vector<SetMatch> matches = m_exact;
+        matches.insert(matches.end(), m_open.begin(), m_open.end());
+        matches.insert(matches.end(), m_completed.begin(), m_completed.end());
+        if (matches.empty() && !m_isExplained)
+            std::ranges::copy(std::span(m_nearest).first(std::min(m_nearest.size(), nearestListed)),
+                              std::back_inserter(matches));
+        std::vector<DiagnosisCandidate> result;
+        for (const SetMatch &match : matches)
+            result.push_back(candidateOf(match));
+        return result;
+    }
+
+private:
+    DiagnosisCandidate candidateOf(const SetMatch &match) const
+    {
+        DiagnosisCandidate candidate;
+        candidate.distance = match.distance;
+        candidate.undecidable = match.undecidable;
+        candidate.arithmetic = match.set.arithmetic;
+        candidate.defects = m_pictures.defectsIn(match.set);
+        const bool isTold = candidate.arithmetic
+            && (candidate.defects.empty() || !m_matcher.isTolerated(*candidate.arithmetic));
+        if (isTold)
+            candidate.defects.insert(candidate.defects.begin(),
+                                     m_pictures.arithmetics().at(*candidate.arithmetic));
+        return candidate;
+    }
+
+    bool goesOnTrying() { return goesOn(m_listener, {JobPhase::Judging, ++m_tried, m_sets}); }
+
+    /// Once a set explains the pictures, only others that equal them are of interest.
+    std::int64_t distanceUpTo(const DefectSet &set, std::int64_t limit)
+    {
+        return m_matcher.distance(set, m_isExplained || !m_exact.empty() ? 1 : limit);
+    }
+
     /// From here on a distance is of no interest.
     std::int64_t limit() const
     {
-        return m_nearest.size() < nearestListed ? m_farthest : m_nearest.back().distance;
+        return m_nearest.size() < nearestTried ? m_differing : m_nearest.back().distance;
     }
-    void forgetFartherThan(std::int64_t distance) { m_farthest = distance; }
 
-    const std::vector<DiagnosisCandidate> &exact() const { return m_exact; }
-    std::vector<DiagnosisCandidate> taken() { return m_exact.empty() ? m_nearest : m_exact; }
+    void addNear(const DefectSet &set, std::int64_t distance)
+    {
+        if (distance == unknown || distance >= limit())
+            return;
+        const auto place = std::ranges::upper_bound(m_nearest, distance, {}, &SetMatch::distance);
+        m_nearest.insert(place, {set, distance, 0});
+        if (m_nearest.size() > nearestTried)
+            m_nearest.pop_back();
+    }
 
-private:
-    std::vector<DiagnosisCandidate> m_exact, m_nearest;
-    std::int64_t m_farthest = unknown - 1;
+    /// Of sets that come near, those that leave nothing but what may be either way.
+    void explainNearest(bool pairs)
+    {
+        for (const SetMatch &near : m_nearest) {
+            if (near.distance > m_mostOpen || near.set.second.has_value() != pairs)
+                continue;
+            if (const auto match = m_matcher.allowedMatch(near.set))
+                (match->undecidable == 0 ? m_exact : m_open).push_back(*match);
+            else
+                addEqual(near.set);
+        }
+        std::ranges::stable_sort(m_open, {}, &SetMatch::undecidable);
+    }
+
+    void addEqual(DefectSet set)
+    {
+        for (const Arithmetic arithmetic : m_matcher.equalIn(set)) {
+            set.arithmetic = arithmetic;
+            m_exact.push_back({set});
+        }
+    }
+
+    /// What is computed in, alone: nobody is told what is allowed for.
+    void tryArithmetics()
+    {
+        addEqual({});
+        if (m_isExplained)
+            std::erase_if(m_exact, [this](const SetMatch &match) {
+                return match.set.arithmetic && m_matcher.isTolerated(*match.set.arithmetic);
+            });
+    }
+
+    bool trySingles()
+    {
+        for (std::size_t i = 0; i < m_defects.size(); ++i) {
+            m_alone.push_back(distanceUpTo({i}, m_differing));
+            if (m_alone.back() == 0)
+                m_exact.push_back({{i}});
+            else if (m_exact.empty())
+                addNear({i}, m_alone.back());
+            if (!goesOnTrying())
+                return false;
+        }
+        tryArithmetics();
+        if (m_isExplained || !m_exact.empty())
+            return true;
+        explainNearest(false);
+        m_isExplained = !m_exact.empty() || !m_open.empty();
+        return true;
+    }
+
+    bool hasPart(const std::vector<SetMatch> &matches, std::size_t first, std::size_t second) const
+    {
+        return std::ranges::any_of(matches, [&](const SetMatch &match) {
+            return match.set.first && !match.set.second
+                && (match.set.first == first || match.set.first == second);
+        });
+    }
+
+    bool canBePair(std::size_t first, std::size_t second) const
+    {
+        const Defect &one = m_defects[first];
+        const Defect &other = m_defects[second];
+        const bool isOneChoice = !one.choice.isEmpty() && one.choice == other.choice;
+        return !isOneChoice && !one.standsAlone && !other.standsAlone
+            && !hasPart(m_exact, first, second);
+    }
+
+    bool tryPairs()
+    {
+        for (std::size_t i = 0; i < m_defects.size(); ++i) {
+            for (std::size_t j = i + 1; j < m_defects.size(); ++j) {
+                if (!canBePair(i, j))
+                    continue;
+                // A pair is one where each of the two is needed.
+                const std::int64_t least = std::min(m_alone[i], m_alone[j]);
+                const std::int64_t distance = distanceUpTo({i, j}, std::min(least, limit()));
+                if (distance == 0)
+                    (hasPart(m_open, i, j) ? m_completed : m_exact).push_back({{i, j}});
+                else if (distance < least && m_exact.empty() && !m_isExplained)
+                    addNear({i, j}, distance);
+                if (!goesOnTrying())
+                    return false;
+            }
+        }
+        if (!m_isExplained && m_exact.empty())
+            explainNearest(true);
+        return true;
+    }
+
+    const std::vector<Defect> &m_defects;
+    DefectPictures &m_pictures;
+    PictureMatcher &m_matcher;
+    const ProgressListener &m_listener;
+    std::int64_t m_differing;
+    bool m_isExplained; ///< by what is right, or by a set with pixels that are left open
+    std::int64_t m_mostOpen; ///< pixels: more are never a matter of rounding alone
+    std::int64_t m_sets = 0, m_tried = 0;
+    std::vector<std::int64_t> m_alone; ///< distances, by defect
+    std::vector<SetMatch> m_exact, m_open;
+    std::vector<SetMatch> m_completed; ///< pairs that are exact, one of which leaves open pixels
+    std::vector<SetMatch> m_nearest; ///< ascending
 };
-
-/// Whether what differs lies on ties and within the bound of float32 alone.
-bool isUndecidable(DefectPictures &pictures, std::span<const FoundPicture> found)
-{
-    return std::ranges::all_of(found, [&](const FoundPicture &each) {
-        return differenceOf(*pictures.picture(each.scene, {}), each.picture,
-                            undecidablePixels(pictures.scenes()[each.scene], each.picture,
-                                              Arithmetic::Float32))
-                   .differing()
-            == 0;
-    });
-}
 
 } // namespace
 
@@ -105,29 +222,40 @@ QString nameOf(DiagnosisVerdict verdict)
     return QStringLiteral("wrong");
 }
 
-Picture pictureWith(const Scene &scene, std::span<const Defect> defects)
+QStringList DiagnosisCandidate::ids() const
 {
-    const Scene drawn = withDefects(scene, defects);
-    const auto redrawing = std::ranges::find(defects, DefectStage::Drawing, &Defect::stage);
-    Picture picture = redrawing == defects.end() ? pictureOf(drawn) : redrawing->redraw(drawn);
-    for (const Defect &defect : defects) {
-        if (defect.changePicture)
-            picture = defect.changePicture(picture, scene.frame.background);
-    }
-    return picture;
+    QStringList ids;
+    for (const Defect &defect : defects)
+        ids += defect.id;
+    return ids;
 }
 
-Scene withDefects(Scene scene, std::span<const Defect> defects)
+QStringList DiagnosisCandidate::sentences(QString Defect::*words) const
 {
+    QStringList sentences;
     for (const Defect &defect : defects) {
-        if (defect.changeScene)
-            defect.changeScene(scene);
+        if (!sentences.contains(defect.*words))
+            sentences += defect.*words;
     }
-    return scene;
+    return sentences;
+}
+
+QString pixelsText(std::int64_t pixels)
+{
+    return pixels == 1 ? QStringLiteral("1 pixel") : QStringLiteral("%1 pixels").arg(pixels);
+}
+
+QString undecidableText(std::int64_t pixels)
+{
+    return pixels == 0
+        ? QString()
+        : QStringLiteral("but for %1 that rounding or a sample on an edge may decide")
+              .arg(pixelsText(pixels));
 }
 
 std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
-                                  const ProgressListener &listener)
+                                  const ProgressListener &listener,
+                                  std::optional<Arithmetic> tolerance)
 {
     std::vector<Scene> scenes;
     std::vector<FoundPicture> found;
@@ -136,55 +264,26 @@ std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
         scenes.push_back(submission.scene);
     }
     DefectPictures pictures(std::move(scenes));
-    return diagnose(pictures, found, listener);
+    return diagnose(pictures, found, listener, tolerance);
 }
 
 std::optional<Diagnosis> diagnose(DefectPictures &pictures, std::span<const FoundPicture> found,
-                                  const ProgressListener &listener)
+                                  const ProgressListener &listener,
+                                  std::optional<Arithmetic> tolerance)
 {
     Diagnosis diagnosis;
-    diagnosis.differing = distanceOf(pictures, found, {}, unknown);
+    PictureMatcher matcher(pictures, found, tolerance);
+    diagnosis.differing = matcher.distance({});
     if (diagnosis.differing == 0) {
         diagnosis.verdict = DiagnosisVerdict::Right;
         return diagnosis;
     }
-    if (isUndecidable(pictures, found))
+    if (isUndecidable(pictures, found, tolerance))
         diagnosis.verdict = DiagnosisVerdict::Undecidable;
-    const std::vector<Defect> &defects = pictures.defects();
-    const auto count = std::int64_t(defects.size());
-    const std::int64_t sets = count * (count + 1) / 2; // at most
-    std::int64_t tried = 0;
-    CandidateList candidates;
-    candidates.forgetFartherThan(diagnosis.differing); // what explains nothing is none
-    std::vector<std::int64_t> alone;
-    const auto goesOnTrying = [&] { return goesOn(listener, {JobPhase::Judging, ++tried, sets}); };
-    // Once there is one that equals the pictures, only others that do are of interest.
-    const auto distanceUpTo = [&](const DefectSet &set, std::int64_t limit) {
-        return distanceOf(pictures, found, set, candidates.exact().empty() ? limit : 1);
-    };
-    for (std::size_t i = 0; i < defects.size(); ++i) {
-        alone.push_back(distanceUpTo({i, {}}, diagnosis.differing));
-        candidates.add({defects[i]}, alone.back());
-        if (!goesOnTrying())
-            return std::nullopt;
-    }
-    for (std::size_t i = 0; i < defects.size(); ++i) {
-        for (std::size_t j = i + 1; j < defects.size(); ++j) {
-            const bool isOneChoice
-                = !defects[i].choice.isEmpty() && defects[i].choice == defects[j].choice;
-            if (isOneChoice || defects[i].standsAlone || defects[j].standsAlone
-                || hasPart(candidates.exact(), defects[i], defects[j]))
-                continue;
-            // A pair is one where each of the two is needed.
-            const std::int64_t least = std::min(alone[i], alone[j]);
-            const std::int64_t distance = distanceUpTo({i, j}, least);
-            if (distance < least)
-                candidates.add({defects[i], defects[j]}, distance);
-            if (!goesOnTrying())
-                return std::nullopt;
-        }
-    }
-    diagnosis.candidates = candidates.taken();
+    DefectSearch search(pictures, matcher, diagnosis, listener);
+    if (!search.run())
+        return std::nullopt;
+    diagnosis.candidates = search.candidates();
     return diagnosis;
 }
 

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/defectpictures.h"
+#include "core/grade/defectivescene.h"
+#include "core/grade/picturematch.h"
 #include "core/number/jobprogress.h"
+
+#include <QStringList>
 
 #include <optional>
 #include <span>
@@ -21,9 +24,28 @@ QString nameOf(DiagnosisVerdict verdict);
 
 /// Defects that are there together, and what they leave unexplained.
 struct DiagnosisCandidate {
-    std::vector<Defect> defects; ///< one or two
-    std::int64_t distance = 0; ///< pixels that differ, of all pictures
+    /// One or two, and what is computed in where that is not allowed for.
+    std::vector<Defect> defects;
+    std::int64_t distance = 0; ///< pixels that are not explained, of all pictures
+    /// Pixels that differ, but may with these defects: by rounding, or on an edge.
+    std::int64_t undecidable = 0;
+    std::optional<Arithmetic> arithmetic = {}; ///< not the scene's, in which pictures are equal
+
+    QStringList ids() const;
+    /// A sentence a defect, for whom it is; of those that are the same one.
+    QStringList sentences(QString Defect::*words) const;
 };
+
+/// Whether a set of defects is worth words: it explains at least half of what differs.
+constexpr bool isRelevant(std::int64_t distance, std::int64_t differing)
+{
+    return 2 * distance <= differing;
+}
+
+/// "1 pixel", "3 pixels".
+QString pixelsText(std::int64_t pixels);
+/// "but for 3 pixels that rounding or a sample on an edge may decide"; empty of none.
+QString undecidableText(std::int64_t pixels);
 
 /// Where the run of the defective scene first parts from the right one.
 struct PartingStep {
@@ -36,38 +58,32 @@ struct Diagnosis {
     DiagnosisVerdict verdict = DiagnosisVerdict::Wrong;
     std::int64_t differing = 0; ///< pixels of all pictures, undecidable ones among them
     /// Every set of one or two defects whose pictures equal the student's, none that has a smaller
-    /// one in it; where there is none the nearest ones, at most five.
+    /// one in it; where there is none, every one that leaves undecidable pixels alone, and behind
+    /// them those that equal the pictures with one of these in them; else the nearest ones, at most
+    /// five, if the pictures are wrong.
     std::vector<DiagnosisCandidate> candidates;
 
     bool isExplained() const { return !candidates.empty() && candidates.front().distance == 0; }
 };
 
 /// Judges all pictures together: one cause for all. Undecidable: what differs is what a right
-/// program in float32 may have, too (undecidablePixels). None where the listener, who hears how
-/// many sets of defects are tried, ended it.
+/// program may have, too, that computes in arithmetic up to the tolerance (undecidablePixels;
+/// exact: on ties alone; none: nowhere). None where the listener, who hears how many sets of
+/// defects are tried, ended it.
 std::optional<Diagnosis> diagnose(std::span<const Submission> submissions,
-                                  const ProgressListener &listener = {});
-
-/// A picture of one of several scenes.
-struct FoundPicture {
-    std::size_t scene = 0; ///< its place among them
-    Picture picture;
-};
+                                  const ProgressListener &listener = {},
+                                  std::optional<Arithmetic> tolerance = Arithmetic::Float32);
 
 /// The same for those who judge many programs' pictures of the same scenes.
 std::optional<Diagnosis> diagnose(DefectPictures &pictures, std::span<const FoundPicture> found,
-                                  const ProgressListener &listener = {});
-
-/// What a program with these defects draws.
-Picture pictureWith(const Scene &scene, std::span<const Defect> defects);
-
-/// The scene with the defects of a candidate that are a scene's.
-Scene withDefects(Scene scene, std::span<const Defect> defects);
+                                  const ProgressListener &listener = {},
+                                  std::optional<Arithmetic> tolerance = Arithmetic::Float32);
 
 /// None where the runs are the same.
 std::optional<PartingStep> partingStepOf(const Scene &right, const Scene &defective);
 
-/// The same of a scene's run with defects. What is drawn by a program of ours (Defect::redraw) has
+/// The same of a scene's run with defects, beside the right run in the same arithmetic, if there is
+/// another defect than that. What is drawn by a program of ours (Defect::redraw) has
 /// no run: it is the step of the run without this at which the pictures part. None where defects
 /// are of the finished picture alone.
 std::optional<PartingStep> partingStepOf(const Scene &scene, std::span<const Defect> defects);

@@ -108,6 +108,8 @@ struct ExactWalk {
         std::array<Int128, 3> m_levels = {};
     };
 
+    static const Edge &moved(const Edge &edge, double) { return edge; } // has no side
+
     /// |y_T − y_B| over both denominators stays below 2^80, and all numerators below 2^122.
     static std::vector<WholeLevels> levelsOf(const Edge &lower, const Edge &upper,
                                              const WalkedSpan &span, const WalkedProgram &program)

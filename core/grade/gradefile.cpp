@@ -51,6 +51,7 @@ void eachField(Self &self, const Visit &visit)
     visit("trace", self.trace);
     visit("note", self.note);
     visit("checks", self.checks);
+    visit("explanations", self.explanations);
 }
 
 template <PartOf<GradedPart> Self, class Visit>
@@ -77,6 +78,8 @@ void eachField(Self &self, const Visit &visit)
     visit("student", self.forStudent);
     visit("assistant", self.forAssistant);
     visit("distance", self.distance);
+    visit("undecidable", self.undecidable);
+    visit("arithmetic", self.arithmetic);
     visit("parts", self.parts);
 }
 
@@ -97,6 +100,7 @@ void eachField(Self &self, const Visit &visit)
     visit("differing", self.differing);
     visit("scenes", self.scenes);
     visit("candidates", self.candidates);
+    visit("pictures", self.pictures);
 }
 
 template <>

@@ -4,8 +4,6 @@
 #include "core/grade/delivery.h"
 #include "core/grade/undecidable.h"
 
-#include <QCryptographicHash>
-
 #include <algorithm>
 #include <cmath>
 
@@ -104,23 +102,6 @@ GradeVerdict verdictOf(const std::vector<GradedScene> &scenes)
     return open > 0 ? GradeVerdict::Undecidable : GradeVerdict::Right;
 }
 
-/// Of the bytes of the pictures and of the scenes that they are of.
-QByteArray keyOf(const std::vector<FoundPicture> &found)
-{
-    QCryptographicHash hash(QCryptographicHash::Sha256);
-    static_assert(sizeof(Colour) == 3);
-    for (const FoundPicture &each : found) {
-        const Picture &picture = each.picture;
-        const auto size = qsizetype(picture.size());
-        hash.addData(QByteArray::number(qulonglong(each.scene)) + (picture.hasColours ? "c" : "r"));
-        const void *colours = picture.colours.data();
-        const void *covered = picture.covered.data();
-        hash.addData(QByteArrayView(static_cast<const char *>(colours), 3 * size));
-        hash.addData(QByteArrayView(static_cast<const char *>(covered), size));
-    }
-    return hash.result();
-}
-
 std::vector<Scene> scenesOf(const Assignment &assignment)
 {
     std::vector<Scene> scenes;
@@ -186,46 +167,6 @@ GradedScene Grader::judge(std::size_t scene, const Delivery &delivery) const
     return graded;
 }
 
-std::optional<GradedParting> Grader::partingOf(const DiagnosisCandidate &candidate,
-                                               const std::vector<FoundPicture> &found) const
-{
-    for (const FoundPicture &each : found) {
-        const AssignedScene &asked = m_assignment.scenes[each.scene];
-        if (const auto step = partingStepOf(asked.scene, candidate.defects))
-            return GradedParting{asked.name, std::int64_t(step->step), step->heading, step->text};
-    }
-    return std::nullopt;
-}
-
-std::optional<std::vector<GradedCandidate>> Grader::candidatesFor(
-    const std::vector<FoundPicture> &found, const std::stop_token &stop)
-{
-    const QByteArray key = keyOf(found);
-    {
-        const std::lock_guard lock(m_mutex);
-        if (const auto known = m_known.find(key); known != m_known.end())
-            return known->second;
-    }
-    const auto diagnosis = diagnose(
-        m_pictures, found, [&stop](const JobProgress &) { return !stop.stop_requested(); });
-    if (!diagnosis)
-        return std::nullopt;
-    std::vector<GradedCandidate> candidates;
-    for (const DiagnosisCandidate &candidate : diagnosis->candidates) {
-        GradedCandidate &graded = candidates.emplace_back();
-        graded.distance = candidate.distance;
-        for (const Defect &defect : candidate.defects) {
-            graded.defects += defect.id;
-            graded.forStudent += defect.forStudent;
-            graded.forAssistant += defect.forAssistant;
-        }
-        graded.parts = partingOf(candidate, found);
-    }
-    const std::lock_guard lock(m_mutex);
-    m_known.emplace(key, candidates);
-    return candidates;
-}
-
 std::optional<GradedWork> Grader::grade(const SubmissionEntry &entry, const std::stop_token &stop)
 {
     GradedWork work;
@@ -244,10 +185,13 @@ std::optional<GradedWork> Grader::grade(const SubmissionEntry &entry, const std:
     }
     submission.verdict = verdictOf(submission.scenes);
     if (submission.differing > 0) {
-        auto candidates = candidatesFor(found, stop);
-        if (!candidates)
+        auto known = named(found, stop);
+        if (!known)
             return std::nullopt;
-        submission.candidates = std::move(*candidates);
+        submission.pictures = known->pictures;
+        submission.candidates = std::move(known->candidates);
+        for (auto &[scene, sets] : known->explanations)
+            submission.scenes[scene].explanations = std::move(sets);
     }
     if (stop.stop_requested())
         return std::nullopt;

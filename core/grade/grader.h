@@ -37,8 +37,18 @@ public:
 
 private:
     GradedScene judge(std::size_t scene, const Delivery &delivery) const;
-    std::optional<std::vector<GradedCandidate>> candidatesFor(
-        const std::vector<FoundPicture> &found, const std::stop_token &stop);
+    /// What is known of pictures, whoever drew them.
+    struct Named {
+        QString pictures; ///< one word for them
+        std::vector<GradedCandidate> candidates;
+        std::map<std::size_t, QStringList> explanations; ///< by scene, where none explains all
+    };
+
+    std::optional<Named> named(const std::vector<FoundPicture> &found, const std::stop_token &stop);
+    std::optional<Diagnosis> diagnosisOf(std::span<const FoundPicture> found,
+                                         const std::stop_token &stop);
+    GradedCandidate gradedOf(const DiagnosisCandidate &candidate,
+                             const std::vector<FoundPicture> &found) const;
     std::optional<GradedParting> partingOf(const DiagnosisCandidate &candidate,
                                            const std::vector<FoundPicture> &found) const;
 
@@ -46,7 +56,7 @@ private:
     std::vector<Picture> m_expected;
     DefectPictures m_pictures;
     std::mutex m_mutex;
-    std::map<QByteArray, std::vector<GradedCandidate>> m_known; ///< by hash of pictures
+    std::map<QByteArray, Named> m_known; ///< by hash of pictures
 };
 
 /// As a file has it, line by line.

@@ -7,53 +7,12 @@ namespace pixelplumb {
 
 namespace {
 
-QString setsText(const std::vector<GradedCandidate> &candidates)
-{
-    QStringList sets;
-    for (const GradedCandidate &candidate : candidates)
-        sets += candidate.defects.join(QStringLiteral(" and "));
-    return sets.join(QStringLiteral(", or "));
-}
-
-/// Of a submission that has a picture too few: what became of it; empty of others.
-QString faultTitle(const GradedSubmission &submission)
-{
-    const auto count = [&submission](const auto &isSuch) {
-        return std::ranges::count_if(submission.scenes, isSuch);
-    };
-    const auto faulty = count([](const GradedScene &scene) { return !scene.fault.isEmpty(); });
-    const auto inFiles = count(
-        [](const GradedScene &scene) { return !scene.fault.isEmpty() && !scene.file.isEmpty(); });
-    if (faulty > 0 && inFiles == faulty)
-        return QStringLiteral("pictures of another size, or unreadable");
-    if (submission.verdict == GradeVerdict::Nothing)
-        return QStringLiteral("no picture");
-    return faulty > 0 ? QStringLiteral("pictures are missing") : QString();
-}
-
-QString clusterTitle(const GradedSubmission &submission)
-{
-    if (submission.verdict == GradeVerdict::Nothing)
-        return faultTitle(submission);
-    if (submission.verdict == GradeVerdict::Right)
-        return QStringLiteral("right");
-    if (submission.isExplained())
-        return setsText(submission.candidates);
-    if (submission.verdict == GradeVerdict::Undecidable)
-        return QStringLiteral("undecidable");
-    const QString fault = faultTitle(submission);
-    return submission.differing == 0 && !fault.isEmpty() ? fault
-                                                         : QStringLiteral("no known defect");
-}
-
 QString countText(std::int64_t count, const QString &what)
 {
-    return QStringLiteral("%1 %2 %3")
-        .arg(count)
-        .arg(count == 1 ? QStringLiteral("pixel") : QStringLiteral("pixels"), what);
+    return QStringLiteral("%1 %2").arg(pixelsText(count), what);
 }
 
-QString pixelsText(const GradedScene &scene)
+QString differencesText(const GradedScene &scene)
 {
     QStringList parts;
     for (const PixelVerdict verdict : allPixelVerdicts) {
@@ -102,9 +61,14 @@ void appendNotes(const GradedSubmission &submission, QStringList &lines)
 void appendFull(const GradedSubmission &submission, QStringList &lines)
 {
     for (const GradedCandidate &candidate : submission.candidates) {
+        // A name that explains next to nothing is none.
+        if (!isRelevant(candidate.distance, submission.differing))
+            continue;
         const QString ids = candidate.defects.join(QStringLiteral(" and "));
+        const QString open = undecidableText(candidate.undecidable.value_or(0));
         lines += candidate.distance == 0
-            ? QStringLiteral("explained by %1").arg(ids)
+            ? (QStringLiteral("explained by ") + ids
+               + (open.isEmpty() ? QString() : QStringLiteral(", ") + open))
             : QStringLiteral("near to %1, %2")
                   .arg(ids, countText(candidate.distance, QStringLiteral("left")));
         lines += candidate.forAssistant;
@@ -115,6 +79,9 @@ void appendFull(const GradedSubmission &submission, QStringList &lines)
                          .arg(parts->heading, parts->text);
     }
     for (const GradedScene &scene : submission.scenes) {
+        if (scene.explanations)
+            lines += QStringLiteral("%1 alone is explained by %2")
+                         .arg(scene.scene, scene.explanations->join(QStringLiteral(", or ")));
         for (const QString &cause : scene.causes)
             lines += QStringLiteral("%1: most differences are gone where it is %2")
                          .arg(scene.scene, cause);
@@ -151,31 +118,6 @@ double GradedSubmission::points() const
     return sum;
 }
 
-std::vector<GradeCluster> clustersOf(const GradeReport &report)
-{
-    std::vector<GradeCluster> clusters;
-    for (std::size_t i = 0; i < report.submissions.size(); ++i) {
-        const GradedSubmission &submission = report.submissions[i];
-        const QString title = clusterTitle(submission);
-        auto cluster = std::ranges::find(clusters, title, &GradeCluster::title);
-        if (cluster == clusters.end()) {
-            clusters.push_back({title, {}, {}, {}});
-            cluster = std::prev(clusters.end());
-            if (submission.isExplained()) {
-                cluster->forStudent = submission.candidates.front().forStudent;
-                cluster->forAssistant = submission.candidates.front().forAssistant;
-            }
-        }
-        cluster->submissions.push_back(i);
-    }
-    const auto order = [](const GradeCluster &cluster) {
-        return std::tuple(cluster.title == nameOf(GradeVerdict::Right),
-                          -std::int64_t(cluster.submissions.size()), cluster.title);
-    };
-    std::ranges::sort(clusters, {}, order);
-    return clusters;
-}
-
 QStringList sentencesFor(const GradedSubmission &submission, HintLevel level)
 {
     QStringList lines;
@@ -191,7 +133,7 @@ QStringList sentencesFor(const GradedSubmission &submission, HintLevel level)
             if (!scene.trace.isEmpty())
                 lines += QStringLiteral("%1: %2").arg(scene.scene, scene.trace);
             if (scene.firstDifference)
-                lines += pixelsText(scene);
+                lines += differencesText(scene);
         }
     }
     if (level >= HintLevel::Full)

@@ -60,6 +60,9 @@ struct GradedScene {
     QString trace; ///< the first quantity in which the program's trace differs; empty: none
     std::optional<QString> note; ///< what else is to be known: which of two pictures was taken
     std::vector<GradedCheck> checks; ///< those that are asked
+    /// Of a submission that no set explains whole: the sets that explain this picture alone,
+    /// "flat-first and upside-down".
+    std::optional<QStringList> explanations = {};
 
     friend bool operator==(const GradedScene &, const GradedScene &) = default;
 };
@@ -76,11 +79,13 @@ struct GradedParting {
 
 /// Defects that together explain the pictures, or come nearest.
 struct GradedCandidate {
-    QStringList defects; ///< one or two ids
-    QStringList forStudent; ///< a sentence a defect
+    QStringList defects; ///< their ids, as DiagnosisCandidate has them
+    QStringList forStudent; ///< sentences
     QStringList forAssistant;
-    std::int64_t distance = 0; ///< pixels that differ still, of all pictures
-    std::optional<GradedParting> parts;
+    std::int64_t distance = 0; ///< pixels that are not explained, of all pictures
+    std::optional<std::int64_t> undecidable = {}; ///< pixels that may be either way; none: 0
+    std::optional<QString> arithmetic = {}; ///< not the scene's, in which pictures are equal
+    std::optional<GradedParting> parts = {};
 
     friend bool operator==(const GradedCandidate &, const GradedCandidate &) = default;
 };
@@ -103,10 +108,12 @@ struct GradedSubmission {
     std::int64_t differing = 0; ///< pixels of all pictures that were judged; undecidable ones, too
     std::vector<GradedScene> scenes; ///< those of the assignment, in its order
     std::vector<GradedCandidate> candidates; ///< as Diagnosis has them
+    std::optional<QString> pictures
+        = {}; ///< one word for each set of pictures; none: all are right
     GradeReview review = {}; ///< not in the submission's own file
 
     double points() const;
-    /// Whether the candidates' pictures equal the submission's.
+    /// Whether the candidates explain the submission's pictures.
     bool isExplained() const { return !candidates.empty() && candidates.front().distance == 0; }
 
     friend bool operator==(const GradedSubmission &, const GradedSubmission &) = default;
@@ -121,9 +128,10 @@ struct GradeReport {
     friend bool operator==(const GradeReport &, const GradeReport &) = default;
 };
 
-/// Submissions that have one cause: the same sets of defects explain them.
+/// Submissions that have one cause: the same set of defects explains them. Of those that none
+/// explains, the ones that have the same pictures, or else to which the same set comes nearest.
 struct GradeCluster {
-    QString title; ///< "unsorted-colours", "right", "no known defect"
+    QString title; ///< "unsorted-colours", "right", "no known defect, near to flat-first"
     QStringList forStudent; ///< of its first set
     QStringList forAssistant;
     std::vector<std::size_t> submissions; ///< places in the report, ascending

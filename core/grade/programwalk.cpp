@@ -113,8 +113,10 @@ private:
 
     void addSpan(std::int64_t span, const Edge &lower, const Edge &upper)
     {
-        WalkedSpan samples{firstOf(lower, m_program.walk.first, m_seen.intervals.rows),
-                           endOf(upper, m_program.walk.last, m_seen.intervals.rows)};
+        const double inward = m_program.side.inward();
+        WalkedSpan samples{
+            firstOf(Numbers::moved(lower, inward), m_program.walk.first, m_seen.intervals.rows),
+            endOf(Numbers::moved(upper, -inward), m_program.walk.last, m_seen.intervals.rows)};
         samples.firstDrawn = std::max(samples.first, m_seen.firstSample);
         samples.endDrawn = std::min(samples.end, m_seen.endSample);
         if (samples.firstDrawn < samples.endDrawn)
@@ -152,7 +154,9 @@ void walkIn(TriangleRuns &triangle, const ProgramWalk &walk)
     const WalkedProgram program{walk,
                                 {departuresOf(triangle, order).bits | walk.departures.bits},
                                 triangle.settings.rounding,
-                                isSeenFromAbove ? EndRounding::Up : walk.spans};
+                                isSeenFromAbove ? EndRounding::Up : walk.spans,
+                                triangle.side ? WalkSide(seen.triangle, *triangle.side)
+                                              : WalkSide()};
     Walking<Numbers>(seen, program).run();
     triangle.runs = std::move(seen.runs);
     if (order == WalkOrder::Ascending)
@@ -168,6 +172,8 @@ void walkAs(TriangleRuns &triangle, const ProgramWalk &walk)
 {
     if (doubledArea(triangle.triangle) == 0)
         return;
+    if (triangle.side)
+        return walkIn<RoundedWalk<double>>(triangle, walk);
     switch (triangle.settings.arithmetic) {
     case Arithmetic::Exact:
         return walkIn<ExactWalk>(triangle, walk);

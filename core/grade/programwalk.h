@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/grade/redrawing.h"
+#include "core/grade/walkside.h"
 #include "core/scan/variedscan.h"
 
 namespace pixelplumb {
@@ -60,6 +61,7 @@ struct WalkedProgram {
     ByteRounding rounding = ByteRounding::Nearest;
     EndRounding spans
         = EndRounding::ByRule; ///< the walk's, as seen from the end at which it begins
+    WalkSide side = {};
 
     /// The same behind the middle vertex.
     WalkedProgram behindMiddle() const
@@ -107,8 +109,9 @@ struct WalkedSpan {
     std::int64_t firstDrawn = 0, endDrawn = 0;
 };
 
-/// Goes through the triangle so, in the scene's arithmetic. Nothing departs in one that has no area
-/// or reaches beyond what the arithmetic holds, or in exact arithmetic beyond 2^15 px.
+/// Goes through the triangle so, in the scene's arithmetic, or on the triangle's side in float64.
+/// Nothing departs in one that has no area or reaches beyond what the arithmetic holds, or in exact
+/// arithmetic beyond 2^15 px.
 void walkAs(TriangleRuns &triangle, const ProgramWalk &walk);
 
 /// The same, to be done to any triangle.

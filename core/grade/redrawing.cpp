@@ -2,10 +2,14 @@
 #include "core/grade/redrawing.h"
 
 #include "core/frame/framebuffer.h"
+#include "core/grade/arithmeticbound.h"
+#include "core/grade/programwalk.h"
 #include "core/number/commonfraction.h"
 #include "core/oracle/oracle.h"
+#include "core/runs/sceneplan.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace pixelplumb {
 
@@ -18,15 +22,46 @@ Triangle exchanged(Triangle triangle)
     return triangle;
 }
 
+SpanAxis spanAxisOf(const Scene &scene)
+{
+    return methodNamed(QString::fromStdString(scene.method))->spanAxis;
+}
+
+ArithmeticBound boundOn(const RoundingSide &side, const Triangle &triangle)
+{
+    const bool isExact = side.arithmetic == Arithmetic::Exact;
+    return {triangle, isExact ? Arithmetic::Float64 : side.arithmetic};
+}
+
+/// R G B of the plane on a side of what rounding may do, rounded.
+WholeLevels levelsOn(const RoundingSide &side, const ArithmeticBound &bound,
+                     const Triangle &triangle, ByteRounding rounding, std::int64_t x,
+                     std::int64_t y)
+{
+    constexpr double any = 1024; // levels: beyond all bytes
+    const bool isExact = side.arithmetic == Arithmetic::Exact;
+    const auto exact = oracle::colourAt(triangle, x, y);
+    WholeLevels levels;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const double error = isExact ? 0 : bound.levelError(x, y, i).value_or(any);
+        const double level = exact[i].toDouble() + (side.isUpward ? error : -error);
+        levels[i] = std::int64_t(std::floor(level + (rounding == ByteRounding::Nearest ? 0.5 : 0)));
+    }
+    return levels;
+}
+
 /// A triangle's samples in the order in which its method goes through them.
 class RedrawnTriangle {
 public:
-    RedrawnTriangle(const Scene &alone, const Redrawing &redrawing, SpanAxis axis)
+    /// Of what is right, on a side of what rounding may do, if it is on one.
+    RedrawnTriangle(const Scene &alone, const Redrawing &redrawing, Picture right,
+                    const std::optional<RoundingSide> &side = {})
         : m_frame(alone.frame)
         , m_overflow(redrawing.overflow)
-        , m_goesByRows(axis != SpanAxis::Column)
-        , m_right(pictureOf(alone))
+        , m_right(std::move(right))
     {
+        const SpanAxis axis = spanAxisOf(alone);
+        m_goesByRows = axis != SpanAxis::Column;
         const Triangle triangle = primitivesOnSamples(alone).triangles.front();
         m_runs.triangle = m_goesByRows ? exchanged(triangle) : triangle;
         m_runs.firstSample = m_goesByRows ? m_frame.firstColumn : m_frame.firstRow;
@@ -34,6 +69,7 @@ public:
         m_runs.firstSpan = m_goesByRows ? m_frame.firstRow : m_frame.firstColumn;
         m_runs.endSpan = m_runs.firstSpan + (m_goesByRows ? m_frame.height : m_frame.width);
         m_runs.settings = alone.settings;
+        m_runs.side = side;
         const BoundaryRule rule = boundaryRuleOf(alone);
         m_runs.intervals = columnIntervals(rule.rule);
         if (axis == SpanAxis::Row) {
@@ -112,6 +148,9 @@ private:
     {
         const auto exact = oracle::colourAt(m_runs.triangle, span, place);
         WholeLevels levels;
+        if (m_runs.side)
+            return levelsOn(*m_runs.side, boundOn(*m_runs.side, m_runs.triangle), m_runs.triangle,
+                            m_runs.settings.rounding, span, place);
         for (std::size_t i = 0; i < 3; ++i) {
             const CommonFraction level{exact[i].numerator(), exact[i].denominator()};
             const bool isNearest = m_runs.settings.rounding == ByteRounding::Nearest;
@@ -122,10 +161,62 @@ private:
 
     FrameSpec m_frame;
     LevelOverflow m_overflow;
-    bool m_goesByRows;
+    bool m_goesByRows = false;
     Picture m_right;
     TriangleRuns m_runs;
 };
+
+Picture emptyPicture(Scene scene)
+{
+    scene.triangles.clear();
+    return pictureOf(scene);
+}
+
+/// By the bound that holds whatever the method.
+Picture boundedPicture(const Scene &alone, const RoundingSide &side)
+{
+    const FrameSpec &frame = alone.frame;
+    const Triangle triangle = primitivesOnSamples(alone).triangles.front();
+    const ArithmeticBound bound = boundOn(side, triangle);
+    if (!bound.isProved() || !alone.settings.variants.isEmpty())
+        return pictureOf(alone);
+    Picture picture = emptyPicture(alone);
+    const SampleBox box = bound.reachIn(frame);
+    for (std::int64_t y = box.firstY; y < box.endY; ++y) {
+        for (std::int64_t x = box.firstX; x < box.endX; ++x) {
+            const SamplePlace sample = bound.placeOf(x, y);
+            const bool isDrawn = sample == SamplePlace::Inside
+                || (sample == SamplePlace::Undecided && side.isOutward);
+            if (!isDrawn)
+                continue;
+            const std::size_t place
+                = picture.placeOf(int(x - frame.firstColumn), int(pictureLine(frame, y)));
+            const WholeLevels levels
+                = levelsOn(side, bound, triangle, alone.settings.rounding, x, y);
+            picture.covered[place] = 1;
+            for (std::size_t i = 0; i < 3; ++i)
+                picture.colours[place].channels[i]
+                    = std::uint8_t(std::clamp<std::int64_t>(levels[i], 0, 255));
+        }
+    }
+    return picture;
+}
+
+/// What is right of one triangle, on a side.
+Picture rightPicture(const Scene &alone, const RoundingSide &side)
+{
+    const Method &method = *methodNamed(QString::fromStdString(alone.method));
+    const bool walksEdges = method.supports(Variant::NoEdgePreStep);
+    const bool hasArea = doubledArea(alone.triangles.front()) != 0;
+    if (!hasArea)
+        return pictureOf(alone);
+    if (!walksEdges)
+        return boundedPicture(alone, side);
+    Picture picture = emptyPicture(alone);
+    RedrawnTriangle(alone, {walking({})}, pictureOf(alone), side)
+        .paintOn(picture, Repainting::Over, alone.frame.background);
+    return picture;
+}
 
 } // namespace
 
@@ -147,14 +238,36 @@ Scene shapeAlone(const Scene &scene, std::size_t shape)
 
 Picture redrawn(const Scene &scene, const Redrawing &redrawing)
 {
-    Scene empty = scene;
-    empty.triangles.clear();
-    Picture picture = pictureOf(empty);
-    const SpanAxis axis = methodNamed(QString::fromStdString(scene.method))->spanAxis;
-    for (std::size_t i = 0; i < scene.triangles.size(); ++i)
-        RedrawnTriangle(triangleAlone(scene, i), redrawing, axis)
+    Picture picture = emptyPicture(scene);
+    for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
+        const Scene alone = triangleAlone(scene, i);
+        RedrawnTriangle(alone, redrawing, pictureOf(alone))
             .paintOn(picture, redrawing.repainting, scene.frame.background);
+    }
     return picture;
+}
+
+PictureRange redrawnRange(const Scene &scene, const Redrawing &redrawing, Arithmetic arithmetic)
+{
+    PictureRange range;
+    const auto sides = roundingSides(arithmetic);
+    for (std::size_t side = 0; side < sides.size(); ++side) {
+        range.sides[side] = emptyPicture(scene);
+        for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
+            const Scene alone = triangleAlone(scene, i);
+            RedrawnTriangle(alone, redrawing, rightPicture(alone, sides[side]), sides[side])
+                .paintOn(range.sides[side], redrawing.repainting, scene.frame.background);
+        }
+    }
+    return range;
+}
+
+bool canBeRedrawn(const Scene &scene)
+{
+    constexpr std::size_t mostRedrawn = 64; // triangles: each is drawn by itself
+    const Method &method = *methodNamed(QString::fromStdString(scene.method));
+    return method.draws(PrimitiveKind::Triangle) && scene.shapes.empty() && !scene.triangles.empty()
+        && scene.triangles.size() <= mostRedrawn && !mayCallForEffects(scene);
 }
 
 } // namespace pixelplumb

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/picture.h"
+#include "core/grade/picturerange.h"
 #include "core/methods/method.h"
 #include "core/scan/interval.h"
 
@@ -43,6 +43,7 @@ struct TriangleRuns {
     std::int64_t firstSpan = 0, endSpan = 0; ///< that the frame has
     std::int64_t firstSample = 0, endSample = 0; ///< that the frame has of a span
     std::vector<SampleRun> runs; ///< ascending
+    std::optional<RoundingSide> side = {}; ///< on which of these a walk is to draw; none: its own
 };
 
 /// What becomes of a level outside 0 … 255.
@@ -58,6 +59,11 @@ struct Redrawing {
 
 /// The scene of triangles, each drawn by the scene's method and changed.
 Picture redrawn(const Scene &scene, const Redrawing &redrawing);
+
+/// What programs draw that do the same in arithmetic up to this one. The scene's own is not asked.
+PictureRange redrawnRange(const Scene &scene, const Redrawing &redrawing, Arithmetic arithmetic);
+/// Whether a scene can be redrawn: it has triangles alone, not too many, and needs colours alone.
+bool canBeRedrawn(const Scene &scene);
 
 /// The scene with one of its triangles or shapes alone.
 Scene triangleAlone(const Scene &scene, std::size_t triangle);

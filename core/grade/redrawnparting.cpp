@@ -138,11 +138,16 @@ std::optional<PartingStep> partingOfRedrawing(const Scene &scene, const Defect &
 std::optional<PartingStep> partingStepOf(const Scene &scene, std::span<const Defect> defects)
 {
     const Scene defective = withDefects(scene, defects);
-    if (defective != scene) {
-        if (auto step = partingStepOf(scene, defective))
+    const auto redrawing = std::ranges::find(defects, DefectStage::Drawing, &Defect::stage);
+    Scene right = scene;
+    right.settings.arithmetic = defective.settings.arithmetic;
+    const bool isArithmeticAlone = right == defective && redrawing == defects.end();
+    if (isArithmeticAlone)
+        right = scene;
+    if (defective != right) {
+        if (auto step = partingStepOf(right, defective))
             return step;
     }
-    const auto redrawing = std::ranges::find(defects, DefectStage::Drawing, &Defect::stage);
     if (redrawing == defects.end())
         return std::nullopt;
     return partingOfRedrawing(defective, *redrawing);

@@ -5,6 +5,8 @@
 #include "core/scan/roundedarithmetic.h"
 #include "core/scan/variedscan.h"
 
+#include <type_traits>
+
 namespace pixelplumb {
 
 /// A program's walk in a number that rounds, by the steps of the scan in it.
@@ -78,6 +80,20 @@ struct RoundedWalk {
         std::array<Value, 3> m_levels, m_rates;
     };
 
+    /// On a side of what rounding may do, which is walked in float64.
+    static Edge moved(Edge edge, double along)
+    {
+        if constexpr (std::is_same_v<Value, double>)
+            edge.m_along += along;
+        return edge;
+    }
+    static Value upward(const WalkedProgram &program, const Value &rate, const Value &height)
+    {
+        if constexpr (std::is_same_v<Value, double>)
+            return program.side.upward(rate, height);
+        return Traits::fromInteger(0);
+    }
+
     static std::vector<WholeLevels> levelsOf(const Edge &lower, const Edge &upper,
                                              const WalkedSpan &span, const WalkedProgram &program)
     {
@@ -99,6 +115,7 @@ struct RoundedWalk {
             const Value rate
                 = height == none ? none : (upper.m_levels[i] - lower.m_levels[i]) / height;
             const Value step = left(rate, walk.steps);
+            const Value error = upward(program, rate, height);
             Value level = lower.m_levels[i]
                 + (Traits::fromInteger(reached) - from) * left(rate, walk.preSteps);
             level = left(level, walk.levels);
@@ -110,7 +127,7 @@ struct RoundedWalk {
             for (; place < span.endDrawn; ++place) {
                 if (place >= span.firstDrawn)
                     levels[std::size_t(place - span.firstDrawn)][i]
-                        = A::level(level, program.rounding);
+                        = A::level(level + error, program.rounding);
                 A::advance(level, step);
                 level = left(level, walk.levels);
             }

@@ -9,8 +9,6 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr std::size_t mostRedrawn = 64; // triangles: each is drawn by itself
-
 struct SpanDefect {
     const char *id;
     const char *forStudent;
@@ -153,10 +151,7 @@ const std::vector<SpanDefect> &boxDefects()
 std::vector<Defect> spanDefectsFor(const Scene &scene)
 {
     const Method &method = *methodNamed(QString::fromStdString(scene.method));
-    const bool canBeRedrawn = method.draws(PrimitiveKind::Triangle) && scene.shapes.empty()
-        && !scene.triangles.empty() && scene.triangles.size() <= mostRedrawn
-        && !mayCallForEffects(scene);
-    if (!canBeRedrawn)
+    if (!canBeRedrawn(scene))
         return {};
     const SpanAxis axis = method.spanAxis;
     std::vector<Defect> defects;

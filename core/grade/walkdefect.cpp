@@ -231,7 +231,10 @@ Defect redrawnDefect(const QString &id, const QString &forStudent, const QString
             [redrawing](const Scene &scene) { return redrawn(scene, redrawing); },
             {},
             false,
-            QStringLiteral("spans")};
+            QStringLiteral("spans"),
+            [redrawing](const Scene &scene, Arithmetic arithmetic) {
+                return redrawnRange(scene, redrawing, arithmetic);
+            }};
 }
 
 std::vector<Defect> walkDefectsFor(SpanAxis axis)

@@ -15,36 +15,36 @@ QString diagnosisText(const Diagnosis &diagnosis)
             "Undecidable: what differs lies on edges, where rules differ, or within what "
             "rounding in float32 may do.");
     if (diagnosis.candidates.empty())
-        return verdict + u' ' + DiagnosisView::tr("No known defect comes near.");
+        return diagnosis.verdict == DiagnosisVerdict::Wrong
+            ? verdict + u' ' + DiagnosisView::tr("No known defect comes near.")
+            : verdict;
     if (!diagnosis.isExplained())
         return verdict + u' ' + DiagnosisView::tr("No known defect explains it; the nearest ones:");
     return verdict + u' '
-        + DiagnosisView::tr("%n sets of known defects draw this very picture:", nullptr,
-                            int(diagnosis.candidates.size()));
+        + (diagnosis.candidates.front().undecidable > 0
+               ? DiagnosisView::tr(
+                   "Known defects draw this picture, but for pixels that may be either way:")
+               : DiagnosisView::tr("%n sets of known defects draw this very picture:", nullptr,
+                                   int(diagnosis.candidates.size())));
 }
 
 QString idsText(const DiagnosisCandidate &candidate)
 {
-    QStringList ids;
-    for (const Defect &defect : candidate.defects)
-        ids += defect.id;
-    return ids.join(DiagnosisView::tr(" and "));
+    return candidate.ids().join(DiagnosisView::tr(" and "));
 }
 
 QString sentencesText(const DiagnosisCandidate &candidate, QString Defect::*words)
 {
-    QStringList sentences;
-    for (const Defect &defect : candidate.defects) {
-        if (!sentences.contains(defect.*words))
-            sentences += defect.*words;
-    }
-    return sentences.join(u' ');
+    return candidate.sentences(words).join(u' ');
 }
 
 QString distanceText(const DiagnosisCandidate &candidate)
 {
-    if (candidate.distance == 0)
+    if (candidate.distance == 0 && candidate.undecidable == 0)
         return {};
+    if (candidate.distance == 0)
+        return DiagnosisView::tr(" · but for %n pixels that rounding or an edge may decide",
+                                 nullptr, int(candidate.undecidable));
     return DiagnosisView::tr(" · %n pixels are left", nullptr, int(candidate.distance));
 }
 

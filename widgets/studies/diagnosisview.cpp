@@ -129,6 +129,10 @@ std::optional<DiagnosisView::Named> DiagnosisView::named(const Submission &submi
     if (!diagnosis)
         return std::nullopt;
     Named found{std::move(*diagnosis), {}};
+    // A name that explains next to nothing is none.
+    std::erase_if(found.diagnosis.candidates, [&found](const DiagnosisCandidate &candidate) {
+        return !isRelevant(candidate.distance, found.diagnosis.differing);
+    });
     for (const DiagnosisCandidate &candidate : found.diagnosis.candidates)
         found.steps.push_back(partingStepOf(submission.scene, candidate.defects));
     return found;

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/defectivescene.h"
+
+#include "core/grade/redrawing.h"
+#include "core/runs/sceneplan.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+Picture finished(Picture picture, std::span<const Defect> defects, const Colour &background)
+{
+    for (const Defect &defect : defects) {
+        if (defect.changePicture)
+            picture = defect.changePicture(picture, background);
+    }
+    return picture;
+}
+
+const Defect *redrawingAmong(std::span<const Defect> defects)
+{
+    const auto found = std::ranges::find(defects, DefectStage::Drawing, &Defect::stage);
+    return found != defects.end() ? &*found : nullptr;
+}
+
+} // namespace
+
+Scene withDefects(Scene scene, std::span<const Defect> defects)
+{
+    for (const Defect &defect : defects) {
+        if (defect.changeScene)
+            defect.changeScene(scene);
+    }
+    return scene;
+}
+
+Picture pictureWith(const Scene &scene, std::span<const Defect> defects)
+{
+    const Scene drawn = withDefects(scene, defects);
+    const Defect *redrawing = redrawingAmong(defects);
+    return finished(redrawing ? redrawing->redraw(drawn) : pictureOf(drawn), defects,
+                    scene.frame.background);
+}
+
+std::optional<PictureRange> rangeWith(const Scene &scene, std::span<const Defect> defects,
+                                      Arithmetic arithmetic)
+{
+    const Scene drawn = withDefects(scene, defects);
+    const Defect *redrawing = redrawingAmong(defects);
+    const bool isKnown = canBeRedrawn(drawn) && objectionTo(drawn).isEmpty()
+        && (!redrawing || redrawing->redrawRange);
+    if (!isKnown)
+        return std::nullopt;
+    const Redrawing asItIs{[](TriangleRuns &) {}};
+    PictureRange range = redrawing ? redrawing->redrawRange(drawn, arithmetic)
+                                   : redrawnRange(drawn, asItIs, arithmetic);
+    for (Picture &side : range.sides)
+        side = finished(std::move(side), defects, scene.frame.background);
+    return range;
+}
+
+} // namespace pixelplumb

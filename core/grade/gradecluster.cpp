@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/gradereport.h"
+
+#include <QMap>
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+QString setText(const GradedCandidate &candidate)
+{
+    return candidate.defects.join(QStringLiteral(" and "));
+}
+
+/// All that explain the submission.
+QStringList setsOf(const GradedSubmission &submission)
+{
+    QStringList sets;
+    for (const GradedCandidate &candidate : submission.candidates)
+        sets += setText(candidate);
+    return sets;
+}
+
+/// Of a submission that has a picture too few: what became of it; empty of others.
+QString faultTitle(const GradedSubmission &submission)
+{
+    const auto count = [&submission](const auto &isSuch) {
+        return std::ranges::count_if(submission.scenes, isSuch);
+    };
+    const auto faulty = count([](const GradedScene &scene) { return !scene.fault.isEmpty(); });
+    const auto inFiles = count(
+        [](const GradedScene &scene) { return !scene.fault.isEmpty() && !scene.file.isEmpty(); });
+    if (faulty > 0 && inFiles == faulty)
+        return QStringLiteral("pictures of another size, or unreadable");
+    if (submission.verdict == GradeVerdict::Nothing)
+        return QStringLiteral("no picture");
+    return faulty > 0 ? QStringLiteral("pictures are missing") : QString();
+}
+
+/// What is known of a class before its submissions are put together.
+class ClusterTitles {
+public:
+    explicit ClusterTitles(const GradeReport &report)
+    {
+        for (const GradedSubmission &each : report.submissions) {
+            if (each.isExplained())
+                takeSets(each);
+            if (each.pictures)
+                m_alike[*each.pictures] += each.name;
+        }
+    }
+
+    QString titleOf(const GradedSubmission &submission) const
+    {
+        if (submission.verdict == GradeVerdict::Nothing)
+            return faultTitle(submission);
+        if (submission.verdict == GradeVerdict::Right)
+            return QStringLiteral("right");
+        if (submission.isExplained())
+            return m_sets[setText(submission.candidates.front())].join(QStringLiteral(", or "));
+        if (submission.verdict == GradeVerdict::Undecidable)
+            return QStringLiteral("undecidable");
+        const QString fault = faultTitle(submission);
+        if (submission.differing == 0 && !fault.isEmpty())
+            return fault;
+        return QStringLiteral("no known defect") + likenessOf(submission);
+    }
+
+private:
+    /// Of submissions that the same set explains first, the sets that explain them all: rounding
+    /// may let one of them have more than another.
+    void takeSets(const GradedSubmission &submission)
+    {
+        const QStringList sets = setsOf(submission);
+        const auto known = m_sets.find(sets.front());
+        if (known == m_sets.end())
+            m_sets.insert(sets.front(), sets);
+        else
+            known->removeIf([&sets](const QString &set) { return !sets.contains(set); });
+    }
+
+    QString likenessOf(const GradedSubmission &submission) const
+    {
+        const QStringList alike
+            = submission.pictures ? m_alike[*submission.pictures] : QStringList();
+        if (alike.size() > 1)
+            return QStringLiteral(", the same pictures as %1").arg(alike.front());
+        const bool isNear = !submission.candidates.empty()
+            && isRelevant(submission.candidates.front().distance, submission.differing);
+        return isNear ? QStringLiteral(", near to %1").arg(setText(submission.candidates.front()))
+                      : QString();
+    }
+
+    QMap<QString, QStringList> m_sets; ///< by the first one
+    QMap<QString, QStringList> m_alike; ///< names, by pictures
+};
+
+} // namespace
+
+std::vector<GradeCluster> clustersOf(const GradeReport &report)
+{
+    const ClusterTitles titles(report);
+    std::vector<GradeCluster> clusters;
+    for (std::size_t i = 0; i < report.submissions.size(); ++i) {
+        const GradedSubmission &submission = report.submissions[i];
+        const QString title = titles.titleOf(submission);
+        auto cluster = std::ranges::find(clusters, title, &GradeCluster::title);
+        if (cluster == clusters.end()) {
+            clusters.push_back({title, {}, {}, {}});
+            cluster = std::prev(clusters.end());
+            if (submission.isExplained()) {
+                cluster->forStudent = submission.candidates.front().forStudent;
+                cluster->forAssistant = submission.candidates.front().forAssistant;
+            }
+        }
+        cluster->submissions.push_back(i);
+    }
+    const auto order = [](const GradeCluster &cluster) {
+        return std::tuple(cluster.title == nameOf(GradeVerdict::Right),
+                          -std::int64_t(cluster.submissions.size()), cluster.title);
+    };
+    std::ranges::sort(clusters, {}, order);
+    return clusters;
+}
+
+} // namespace pixelplumb

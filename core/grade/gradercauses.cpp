@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/grader.h"
+#include "core/scan/choicenames.h"
+
+#include <QCryptographicHash>
+
+namespace pixelplumb {
+
+namespace {
+
+/// Of the bytes of the pictures and of the scenes that they are of.
+QByteArray keyOf(const std::vector<FoundPicture> &found)
+{
+    QCryptographicHash hash(QCryptographicHash::Sha256);
+    static_assert(sizeof(Colour) == 3);
+    for (const FoundPicture &each : found) {
+        const Picture &picture = each.picture;
+        const auto size = qsizetype(picture.size());
+        hash.addData(QByteArray::number(qulonglong(each.scene)) + (picture.hasColours ? "c" : "r"));
+        const void *colours = picture.colours.data();
+        const void *covered = picture.covered.data();
+        hash.addData(QByteArrayView(static_cast<const char *>(colours), 3 * size));
+        hash.addData(QByteArrayView(static_cast<const char *>(covered), size));
+    }
+    return hash.result();
+}
+
+} // namespace
+
+std::optional<GradedParting> Grader::partingOf(const DiagnosisCandidate &candidate,
+                                               const std::vector<FoundPicture> &found) const
+{
+    for (const FoundPicture &each : found) {
+        const AssignedScene &asked = m_assignment.scenes[each.scene];
+        if (const auto step = partingStepOf(asked.scene, candidate.defects))
+            return GradedParting{asked.name, std::int64_t(step->step), step->heading, step->text};
+    }
+    return std::nullopt;
+}
+
+std::optional<Diagnosis> Grader::diagnosisOf(std::span<const FoundPicture> found,
+                                             const std::stop_token &stop)
+{
+    const bool isLenient = m_assignment.leeway != Leeway::None;
+    return diagnose(
+        m_pictures, found, [&stop](const JobProgress &) { return !stop.stop_requested(); },
+        isLenient ? std::optional(toleranceOf(m_assignment.leeway)) : std::nullopt);
+}
+
+GradedCandidate Grader::gradedOf(const DiagnosisCandidate &candidate,
+                                 const std::vector<FoundPicture> &found) const
+{
+    GradedCandidate graded;
+    graded.defects = candidate.ids();
+    graded.forStudent = candidate.sentences(&Defect::forStudent);
+    graded.forAssistant = candidate.sentences(&Defect::forAssistant);
+    graded.distance = candidate.distance;
+    if (candidate.undecidable > 0)
+        graded.undecidable = candidate.undecidable;
+    if (candidate.arithmetic)
+        graded.arithmetic = nameText(nameOf(*candidate.arithmetic));
+    graded.parts = partingOf(candidate, found);
+    return graded;
+}
+
+std::optional<Grader::Named> Grader::named(const std::vector<FoundPicture> &found,
+                                           const std::stop_token &stop)
+{
+    const QByteArray key = keyOf(found);
+    {
+        const std::lock_guard lock(m_mutex);
+        if (const auto known = m_known.find(key); known != m_known.end())
+            return known->second;
+    }
+    const auto whole = diagnosisOf(found, stop);
+    if (!whole)
+        return std::nullopt;
+    Named named;
+    named.pictures = QString::fromLatin1(key.toHex().left(16));
+    for (const DiagnosisCandidate &candidate : whole->candidates)
+        named.candidates.push_back(gradedOf(candidate, found));
+    const bool hasParts = found.size() > 1 && whole->verdict == DiagnosisVerdict::Wrong;
+    if (hasParts && !whole->isExplained()) {
+        for (const FoundPicture &each : found) {
+            const auto part = diagnosisOf(std::span(&each, 1), stop);
+            if (!part)
+                return std::nullopt;
+            if (!part->isExplained())
+                continue;
+            for (const DiagnosisCandidate &candidate : part->candidates)
+                named.explanations[each.scene] += candidate.ids().join(QStringLiteral(" and "));
+        }
+    }
+    const std::lock_guard lock(m_mutex);
+    m_known.emplace(key, named);
+    return named;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/picturematch.h"
+
+#include "core/grade/picturediff.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+DefectSet computedIn(DefectSet set, Arithmetic arithmetic)
+{
+    set.arithmetic = arithmetic;
+    return set;
+}
+
+bool isSameAt(const Picture &one, const Picture &other, std::size_t place)
+{
+    return one.hasColours && other.hasColours ? one.colours[place] == other.colours[place]
+                                              : one.covered[place] == other.covered[place];
+}
+
+} // namespace
+
+PictureMatcher::PictureMatcher(DefectPictures &pictures, std::span<const FoundPicture> found,
+                               std::optional<Arithmetic> tolerance)
+    : m_pictures(pictures)
+    , m_found(found)
+    , m_tolerance(tolerance)
+{
+}
+
+bool PictureMatcher::isTolerated(Arithmetic arithmetic) const
+{
+    // What float32 may do, float64 may.
+    return m_tolerance == arithmetic
+        || (m_tolerance == Arithmetic::Float32 && arithmetic == Arithmetic::Float64);
+}
+
+std::int64_t PictureMatcher::distance(const DefectSet &set, std::int64_t limit)
+{
+    const bool isKnown = limit == 1 && std::ranges::any_of(m_found, [&](const FoundPicture &each) {
+                             return m_pictures.isKnownToDiffer(each.scene, set, each.picture);
+                         });
+    if (isKnown)
+        return limit;
+    std::int64_t distance = 0;
+    for (const FoundPicture &each : m_found) {
+        if (distance >= limit)
+            break;
+        const auto picture = m_pictures.picture(each.scene, set);
+        if (!picture)
+            return unknown;
+        distance += differingPixels(*picture, each.picture, limit - distance);
+    }
+    return distance;
+}
+
+std::int64_t PictureMatcher::coveredPixels()
+{
+    std::int64_t covered = 0;
+    for (const FoundPicture &each : m_found)
+        covered += std::ranges::count(m_pictures.picture(each.scene, {})->covered, 1);
+    return covered;
+}
+
+/// Pixels of one picture that differ; none where the set does not explain one of them.
+std::optional<std::int64_t> PictureMatcher::openPixels(const DefectSet &set,
+                                                       const FoundPicture &each)
+{
+    const auto own = m_pictures.picture(each.scene, set);
+    if (!own)
+        return std::nullopt;
+    std::vector<DefectPictures::SharedPicture> drawn;
+    for (const auto &[arithmetic, defect] : m_pictures.arithmetics()) {
+        if (isTolerated(arithmetic))
+            drawn.push_back(m_pictures.picture(each.scene, computedIn(set, arithmetic)));
+    }
+    std::erase(drawn, nullptr);
+    DefectPictures::SharedRange range;
+    std::int64_t open = 0;
+    for (std::size_t place = 0; place < own->size(); ++place) {
+        if (isSameAt(*own, each.picture, place))
+            continue;
+        ++open;
+        const bool isDrawn = std::ranges::any_of(
+            drawn, [&](const auto &picture) { return isSameAt(*picture, each.picture, place); });
+        if (isDrawn)
+            continue;
+        if (!range)
+            range = m_pictures.range(each.scene, set, *m_tolerance);
+        if (!range || !range->contains(each.picture, place))
+            return std::nullopt;
+    }
+    return open;
+}
+
+std::optional<SetMatch> PictureMatcher::allowedMatch(const DefectSet &set)
+{
+    if (!m_tolerance)
+        return std::nullopt;
+    for (const auto &[arithmetic, defect] : m_pictures.arithmetics()) {
+        const DefectSet computed = computedIn(set, arithmetic);
+        if (isTolerated(arithmetic) && distance(computed, 1) == 0)
+            return SetMatch{computed};
+    }
+    SetMatch match{set};
+    for (const FoundPicture &each : m_found) {
+        const auto open = openPixels(set, each);
+        if (!open)
+            return std::nullopt;
+        match.undecidable += *open;
+    }
+    return match;
+}
+
+std::vector<Arithmetic> PictureMatcher::equalIn(const DefectSet &set)
+{
+    std::vector<Arithmetic> equal;
+    for (const auto &[arithmetic, defect] : m_pictures.arithmetics()) {
+        if (distance(computedIn(set, arithmetic), 1) == 0)
+            equal.push_back(arithmetic);
+    }
+    return equal;
+}
+
+} // namespace pixelplumb

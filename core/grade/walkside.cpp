@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/walkside.h"
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr double walks = 2; // that err: this one and the other
+
+} // namespace
+
+WalkSide::WalkSide(const Triangle &triangle, const RoundingSide &side)
+    : m_side(side)
+{
+    const bool isExact = side.arithmetic == Arithmetic::Exact;
+    const ArithmeticBound bound(triangle, isExact ? Arithmetic::Float64 : side.arithmetic);
+    if (bound.isProved())
+        m_bound = bound;
+}
+
+double WalkSide::inward() const
+{
+    if (!m_bound)
+        return 0;
+    const double error = walks * m_bound->endError(SpanAxis::Column);
+    return m_side.isOutward ? -error : error;
+}
+
+double WalkSide::upward(double rate, double height) const
+{
+    if (!m_bound || m_side.arithmetic == Arithmetic::Exact)
+        return 0;
+    constexpr double any = 1024; // levels: beyond all bytes
+    // Along a thin span the increment may be anything.
+    const bool isThin = height <= 4 * walks * m_bound->endError(SpanAxis::Column);
+    const double error = isThin ? any : walks * m_bound->spanLevelError(rate);
+    return m_side.isUpward ? error : -error;
+}
+
+} // namespace pixelplumb
