@@ -22,6 +22,7 @@ class TestPixelHistory : public QObject {
 private slots:
     void historyKeepsTheModelContract();
     void historyOfAWrittenPixelListsChannels();
+    void aColourThatIsNotTheExactOneIsToldWithItsError();
     void whatVerticesCarryIsListedWhereTheSceneCallsForIt();
     void theChannelsOfAWriteChangeWithIt();
     void historyOfARefusedPixelListsEdges();
@@ -77,6 +78,24 @@ void TestPixelHistory::historyOfAWrittenPixelListsChannels()
 
     model.setPosition(0);
     QCOMPARE(model.decisiveRow().data().toString(), QStringLiteral("△ 0 will write it"));
+}
+
+/// "≈" is said of the same number in decimals alone: exact arithmetic may be wrong by a variant.
+void TestPixelHistory::aColourThatIsNotTheExactOneIsToldWithItsError()
+{
+    Scene scene = defaultSceneIn(Arithmetic::Exact);
+    std::swap(scene.triangles[0].vertices[0], scene.triangles[0].vertices[2]);
+    const auto beside = [&scene] {
+        const std::shared_ptr<const TracedScene> traced = traceScene(scene);
+        PixelHistoryModel model;
+        model.setPixel(traced, QPoint(27, 19));
+        const QModelIndex written = model.index(0, 0);
+        return model.index(1, PixelHistoryModel::ExactColumn, written).data().toString();
+    };
+    QVERIFY2(beside().startsWith(u'≈'), qPrintable(beside()));
+    scene.settings.variants = scene.settings.variants.with(Variant::UnsortedColours);
+    QVERIFY2(beside().startsWith(QStringLiteral("exact ")), qPrintable(beside()));
+    QVERIFY(beside().contains(QStringLiteral("error ")));
 }
 
 void TestPixelHistory::whatVerticesCarryIsListedWhereTheSceneCallsForIt()

@@ -25,6 +25,7 @@ Prediction predictionOf(const Quantity &value, const Quantity &earlier = {})
 {
     return {QStringLiteral("Column 3"),
             QStringLiteral("y_B"),
+            QStringLiteral("y_B"),
             value,
             earlier,
             QStringLiteral("y_B ← y_B′ + m"),
@@ -57,13 +58,16 @@ private slots:
         add("226/27", Guess::Right);
         add("8.37", Guess::Right); // 8.370370…
         add("8.3704", Guess::Right);
-        add("8.4", Guess::Wrong); // too few places to tell
+        add("8.4", Guess::Near); // too few places to tell
+        add("8.3", Guess::Near);
         add("8.38", Guess::Wrong);
         add("−8 10/27", Guess::OtherSign);
         add("8 13/54", Guess::Earlier);
         add("eight", Guess::Unread);
         add("", Guess::Unread);
-        add("9", Guess::Wrong); // no whole number is asked for
+        add("9", Guess::RoundedUp); // no whole number is asked for
+        add("8", Guess::RoundedDown);
+        add("10", Guess::Wrong);
     }
     void answersAreJudgedByTheirValue()
     {
@@ -81,6 +85,22 @@ private slots:
         QCOMPARE(judge(row, QStringLiteral("10")), Guess::OneOff);
         QCOMPARE(judge(row, QStringLiteral("9")), Guess::Right);
         QCOMPARE(judge(row, QStringLiteral("7")), Guess::Wrong);
+    }
+
+    void aWrongAnswerIsToldByWhatIsWrongWithIt()
+    {
+        const Prediction bound = predictionOf(Quantity::rational(16, 3));
+        const auto told = [](const Prediction &of, const char *typed) {
+            return verdictText(of, judge(of, QString::fromLatin1(typed)));
+        };
+        QVERIFY(told(bound, "6").startsWith(QStringLiteral("That is ⌈y_B⌉")));
+        QVERIFY(told(bound, "5").startsWith(QStringLiteral("That is ⌊y_B⌋")));
+        QVERIFY(told(bound, "5.3").contains(QStringLiteral("rounded to 2 places or more")));
+        Prediction row = predictionOf(Quantity::integer(6));
+        row.rule = QStringLiteral("first row = ⌈y_B⌉");
+        row.words = QStringLiteral("the first row, ⌈y_B⌉");
+        QVERIFY(
+            told(row, "5.33").contains(QStringLiteral("a whole number is asked for: the first")));
     }
 
     /// What is asked for is what the table says once the step is done.

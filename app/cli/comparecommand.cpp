@@ -9,6 +9,8 @@
 #include "app/cli/sceneoptions.h"
 #include "app/cli/wholenumber.h"
 
+#include <algorithm>
+
 namespace pixelplumb::cli {
 
 ExitCode compare(const Command &command, const QStringList &arguments)
@@ -80,7 +82,11 @@ ExitCode compare(const Command &command, const QStringList &arguments)
         if (const auto error = writePicture(pictureOf(*contest), output, *format))
             return line.refuse(*error);
     }
-    return contest->agreement.differing() > 0 ? ExitCode::FallsShort : ExitCode::Done;
+    const bool agree = contest->agreement.differing() == 0
+        && std::ranges::none_of(contest->carried, [](const CarriedAgreement &each) {
+               return each.differing > 0;
+           });
+    return agree ? ExitCode::Done : ExitCode::FallsShort;
 }
 
 } // namespace pixelplumb::cli

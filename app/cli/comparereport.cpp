@@ -106,6 +106,31 @@ QStringList agreementTable(const AgreementMap &agreement)
     return aligned(rows);
 }
 
+/// What vertices carry beside colour, by the pairs of contenders that carry it too.
+QStringList carriedLines(const Contest &contest)
+{
+    QStringList lines;
+    for (const CarriedAgreement &agreement : contest.carried)
+        lines.append(QStringLiteral("%1 and %2, %3")
+                         .arg(agreement.first + 1)
+                         .arg(agreement.second + 1)
+                         .arg(textOf(agreement)));
+    return lines.isEmpty() ? lines : QStringList{QString()} + lines;
+}
+
+QJsonObject jsonOf(const CarriedAgreement &agreement)
+{
+    const bool differs = agreement.differing > 0;
+    return {{QStringLiteral("contenders"),
+             QJsonArray{qint64(agreement.first + 1), qint64(agreement.second + 1)}},
+            {QStringLiteral("number"), agreement.title},
+            {QStringLiteral("samples"), qint64(agreement.samples)},
+            {QStringLiteral("differing"), qint64(agreement.differing)},
+            {QStringLiteral("largest"), agreement.largest},
+            {QStringLiteral("x"), differs ? QJsonValue(qint64(agreement.x)) : QJsonValue()},
+            {QStringLiteral("y"), differs ? QJsonValue(qint64(agreement.y)) : QJsonValue()}};
+}
+
 QString valueText(const PixelOpinion &opinion)
 {
     return opinion.written ? colourText(opinion.colour) : QStringLiteral("not drawn");
@@ -174,7 +199,7 @@ QStringList textOf(const CompareReport &report)
 {
     const AgreementMap &agreement = report.contest.agreement;
     QStringList lines = contenderTable(report.contest);
-    lines += QStringList{QString()} + agreementTable(agreement);
+    lines += QStringList{QString()} + agreementTable(agreement) + carriedLines(report.contest);
     if (agreement.differing() == 0)
         return lines + QStringList{QString(), QStringLiteral("All agree on every pixel.")};
     lines.append(QString());
@@ -201,6 +226,9 @@ QJsonObject jsonOf(const CompareReport &report)
     QJsonObject reasons;
     for (const Disagreement reason : allDisagreements)
         reasons.insert(nameOf(reason), qint64(agreement.count(reason)));
+    QJsonArray carried;
+    for (const CarriedAgreement &each : report.contest.carried)
+        carried.append(jsonOf(each));
     QJsonArray pixels;
     for (const PixelComparison &pixel : differingPixels(report))
         pixels.append(jsonOf(pixel));
@@ -208,6 +236,7 @@ QJsonObject jsonOf(const CompareReport &report)
             {QStringLiteral("agreeing"), agreeing},
             {QStringLiteral("reasons"), reasons},
             {QStringLiteral("differing"), qint64(agreement.differing())},
+            {QStringLiteral("carried"), carried},
             {QStringLiteral("pixels"), pixels}};
 }
 

@@ -136,6 +136,16 @@ QString channelText(const PixelAttempt &attempt, std::size_t channel)
         + QStringLiteral("; exact %1, error %2").arg(toText(exact), realText(errorOf(used, exact)));
 }
 
+QString carriedText(const PixelAttempt::Carried &number)
+{
+    const QString text = QStringLiteral("    %1 = %2").arg(number.title, toText(number.used));
+    if (number.exact.isNone())
+        return text;
+    return text
+        + QStringLiteral("; exact %1, error %2")
+              .arg(toText(number.exact), realText(errorOf(number.used, number.exact)));
+}
+
 /// A double that JSON can hold, or its name.
 QJsonValue jsonOf(double value)
 {
@@ -195,6 +205,16 @@ QJsonObject jsonOf(const PixelAttempt &attempt)
             edges.append(jsonOf(attempt.edgeNames[edge], attempt.verdict.edges[edge]));
         json[QStringLiteral("edges")] = edges;
     }
+    QJsonArray carried;
+    for (const PixelAttempt::Carried &number : attempt.carried)
+        carried.append(QJsonObject{
+            {QStringLiteral("number"), number.title},
+            {QStringLiteral("used"), jsonOf(number.used)},
+            {QStringLiteral("exact"), jsonOf(number.exact)},
+            {QStringLiteral("error"),
+             number.exact.isNone() ? QJsonValue() : jsonOf(errorOf(number.used, number.exact))}});
+    if (!carried.isEmpty())
+        json[QStringLiteral("carried")] = carried;
     if (!attempt.written)
         return json;
     json[QStringLiteral("step")] = qint64(attempt.step + 1);
@@ -251,6 +271,8 @@ QStringList textOf(const PixelReport &report)
             lines.append(spanText(attempt));
         for (std::size_t channel = 0; attempt.written && channel < 3; ++channel)
             lines.append(channelText(attempt, channel));
+        for (const PixelAttempt::Carried &number : attempt.carried)
+            lines.append(carriedText(number));
         if (!attempt.hasEdges())
             continue;
         for (std::size_t edge = 0; edge < attempt.edgeNames.size(); ++edge)

@@ -37,6 +37,7 @@ public:
             record(m_contest->runs[std::size_t(i)], {JobPhase::Recording, i, count});
         m_contest->agreement = AgreementMap(m_contest->scene.frame, int(contenders.size()));
         findAgreement();
+        compareCarried();
         return m_contest;
     }
 
@@ -82,10 +83,19 @@ private:
                            [](std::int64_t count) { return count > 0; });
     }
 
+    /// Whether it interpolates what the scene's triangles are given beside colour.
+    bool carries(const Contender &contender) const
+    {
+        return !contender.isTruth() && contender.method->family == MethodFamily::Interpolation
+            && !m_contest->primitives.attributes.empty();
+    }
+
     void record(ContenderRun &run, const JobProgress &progress) const
     {
         const bool departs = departsFromTruth(run);
-        if (run.contender.isTruth() || (!departs && m_options.recorded == Recorded::WhereNeeded))
+        const bool isNeeded
+            = departs || m_options.recorded == Recorded::All || carries(run.contender);
+        if (run.contender.isTruth() || !isNeeded)
             return;
         TraceOptions recording;
         recording.progress
@@ -137,6 +147,14 @@ private:
                       m_contest->scene.frame.width});
             m_contest->agreement.set(x, y, agreeing, reasonAt(x, y));
         });
+    }
+
+    void compareCarried()
+    {
+        std::vector<std::shared_ptr<const TracedScene>> traced;
+        for (const ContenderRun &run : m_contest->runs)
+            traced.push_back(run.traced);
+        m_contest->carried = carriedAgreements(traced);
     }
 
     Disagreement reasonAt(std::int64_t x, std::int64_t y) const

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/compare/agreement.h"
+#include "core/compare/carriedagreement.h"
 #include "core/compare/deviation.h"
 #include "core/runs/contender.h"
 
@@ -47,7 +48,9 @@ struct ContenderRun {
 
 /// Which contenders are recorded, not only drawn.
 enum class Recorded {
-    WhereNeeded, ///< those that depart from the truth, so that the reasons can be told
+    /// Those that depart from the truth, so that the reasons can be told, and those that carry
+    /// more than colour, which no picture shows.
+    WhereNeeded,
     All, ///< every method, to be stepped through
 };
 
@@ -62,7 +65,8 @@ struct Contest {
     Scene scene;
     Primitives primitives; ///< in sample coordinates
     std::vector<ContenderRun> runs;
-    AgreementMap agreement;
+    AgreementMap agreement; ///< of the pictures
+    std::vector<CarriedAgreement> carried; ///< of what is in no picture: z, u, v and N
 
     JudgedRun judged(std::size_t run) const;
 };

@@ -16,7 +16,7 @@ constexpr int exactBits = 120;
 constexpr int doubleBits = 62;
 
 NumberDescription bezierNumber(const char *id, const QString &title, const char *unit,
-                               const QString &toolTip, Group group = Group::Position)
+                               const QString &toolTip, Group group = Group::Span)
 {
     return {.id = QString::fromUtf8(id),
             .title = title,
@@ -86,7 +86,8 @@ const NumberTable<BezierStep> &bezierNumbers()
     static const auto numbers = [] {
         NumberTable<BezierStep> table = {
             {bezierNumber("i", QStringLiteral("i"), "",
-                          QStringLiteral("The piece's number, from 0 for the whole curve.")),
+                          QStringLiteral("The piece's number, from 0 for the whole curve."),
+                          Group::Position),
              [](const BezierStep &step) { return Quantity::integer(step.number); }},
             {bezierNumber("depth", QStringLiteral("depth"), "",
                           QStringLiteral("How often the curve was halved to get this piece.")),

@@ -12,7 +12,7 @@ using Group = NumberGroup;
 
 NumberDescription number(const char *id, const QString &title, const char *unit,
                          const QString &toolTip, const QString &formula = {},
-                         Group group = Group::Position)
+                         Group group = Group::Span)
 {
     return {.id = QString::fromUtf8(id),
             .title = title,
@@ -24,7 +24,7 @@ NumberDescription number(const char *id, const QString &title, const char *unit,
 
 NumberDescription counter(const QString &toolTip)
 {
-    return number("i", QStringLiteral("i"), "", toolTip);
+    return number("i", QStringLiteral("i"), "", toolTip, {}, Group::Position);
 }
 
 /// A decision parameter of the midpoint circle.
@@ -133,7 +133,7 @@ const NumberTable<Round> &roundSetUpNumbers()
 const NumberTable<CircleFillRow> &circleFillNumbers()
 {
     static const NumberTable<CircleFillRow> numbers = {
-        {number("y", QStringLiteral("y"), "px", QStringLiteral("The row.")),
+        {number("y", QStringLiteral("y"), "px", QStringLiteral("The row."), {}, Group::Position),
          [](const CircleFillRow &row) { return Quantity::integer(row.y); }},
         {number("x_L", QStringLiteral("x_L"), "px",
                 QStringLiteral("Where the row meets the curve on the left, up to the next "
@@ -266,14 +266,15 @@ const NumberTable<MidpointStep> &circleMidpointNumbers()
     static const NumberTable<MidpointStep> numbers
         = {{number("arc", QStringLiteral("arc"), "",
                    QStringLiteral("1: x_k along x, mirrored into all octants of a circle; 2: x_k "
-                                  "along y, of an ellipse.")),
+                                  "along y, of an ellipse."),
+                   {}, Group::Position),
             [](const MidpointStep &step) { return Quantity::integer(step.arc + 1); }},
            {decision,
             [](const MidpointStep &step) {
                 return step.hasDecision ? decisionIn(step, step.decision) : Quantity();
             }},
            {number("x_k", QStringLiteral("x_k"), "px",
-                   QStringLiteral("From the centre along the arc.")),
+                   QStringLiteral("From the centre along the arc."), {}, Group::Position),
             [](const MidpointStep &step) { return Quantity::integer(step.x); }},
            {number("y_k", QStringLiteral("y_k"), "px",
                    QStringLiteral("From the centre across the arc.")),

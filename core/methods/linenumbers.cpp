@@ -163,7 +163,7 @@ const NumberTable<DdaState> &ddaNumbers()
               .unit = unit::px(),
               .toolTip = QStringLiteral("Along the line: the column; the row where it is steep."),
               .formula = {},
-              .group = Group::Span},
+              .group = Group::Position},
              [](const DdaState &step) { return Quantity::integer(step.place.along); }},
             {{.id = QStringLiteral("v"),
               .title = QStringLiteral("v"),

@@ -11,7 +11,8 @@ NumberDescription pixelCoordinate(const QString &axis)
             .title = axis,
             .unit = QStringLiteral("px"),
             .toolTip = QStringLiteral("The pixel's %1.").arg(axis),
-            .formula = {}};
+            .formula = {},
+            .group = NumberGroup::Span};
 }
 
 } // namespace

@@ -37,10 +37,13 @@ NumberTable<PolygonOutlineState> polygonOutlineNumbers()
             [](const PolygonOutlineState &step) { return Quantity::integer(Int128(step.edge)); }}};
     for (const NumberRow<DecisionState> &row : decisionNumbers())
         table.push_back({row.description, row.read, row.specify});
-    for (const NumberRow<DecisionSetUpState> &row : symmetricSetUpNumbers())
-        table.push_back({row.description, [read = row.read](const PolygonOutlineState &step) {
+    for (const NumberRow<DecisionSetUpState> &row : symmetricSetUpNumbers()) {
+        NumberDescription ofLine = row.description;
+        ofLine.group = NumberGroup::Span;
+        table.push_back({ofLine, [read = row.read](const PolygonOutlineState &step) {
                              return read(step.line);
                          }});
+    }
     return table;
 }
 

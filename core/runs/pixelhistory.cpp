@@ -2,6 +2,7 @@
 #include "core/runs/pixelhistory.h"
 
 #include "core/oracle/strokeoracle.h"
+#include "core/runs/carriednumbers.h"
 #include "core/runs/edgename.h"
 #include "core/runs/pixelreason.h"
 #include "core/runs/spanheadings.h"
@@ -27,17 +28,27 @@ void judge(PixelAttempt &attempt, const TracedScene &traced, std::int64_t x, std
                              traced.scene.frame.origin, x, y);
 }
 
+/// Behind the last step of a primitive.
+std::size_t endOf(const ScanTrace &trace, std::size_t primitive)
+{
+    return primitive + 1 < trace.primitiveCount() ? trace.indexOfSetUp(primitive + 1)
+                                                  : trace.stepCount();
+}
+
 /// What the run did there.
 void recall(PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x, std::int64_t y)
 {
+    attempt.decided = trace.stepCount();
     if (attempt.primitive >= trace.primitiveCount())
         return;
+    attempt.decided = endOf(trace, attempt.primitive);
     if (const auto visit = trace.visitOf(attempt.primitive, x, y)) {
         const std::size_t span = trace.spanOf(*visit);
         attempt.span = trace.span(span);
         attempt.spanHeading = spanHeading(trace, span);
         attempt.sample = trace.samples(span)[*visit - trace.firstSampleOf(span)];
         attempt.step = trace.indexOfSample(*visit);
+        attempt.decided = attempt.step + 1;
         attempt.change = trace.changes()[*visit];
         attempt.written = attempt.change.isWritten();
         return;
@@ -46,6 +57,8 @@ void recall(PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x, std::
     if (!span)
         span = trace.spanOn(attempt.primitive, SpanAxis::Row, y);
     if (span) {
+        attempt.decided
+            = trace.indexOfSpan(*span) + 1 + trace.endSampleOf(*span) - trace.firstSampleOf(*span);
         attempt.span = trace.span(*span);
         attempt.spanHeading = spanHeading(trace, *span);
     }
@@ -54,22 +67,19 @@ void recall(PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x, std::
 /// Of the sample that the run visited.
 void recallCarried(PixelAttempt &attempt, const TracedScene &traced)
 {
-    static const QStringList ids
-        = {QStringLiteral("z"),   QStringLiteral("w"),   QStringLiteral("u"),  QStringLiteral("v"),
-           QStringLiteral("N_x"), QStringLiteral("N_y"), QStringLiteral("N_z")};
-    if (!traced.plan || !attempt.sample)
+    if (!attempt.sample)
         return;
-    const std::vector<NumberDescription> &numbers = traced.trace->numbers().sample;
     std::vector<Quantity> exact;
-    for (std::size_t i = 0; i < std::min(numbers.size(), attempt.sample->cells.size()); ++i) {
-        if (!ids.contains(numbers[i].id) || attempt.sample->cells[i].isNone())
+    for (const std::size_t i : carriedNumbers(traced, attempt.primitive)) {
+        if (i >= attempt.sample->cells.size() || attempt.sample->cells[i].isNone())
             continue;
         if (exact.empty())
             exact = exactSamplesOf(traced, traced.trace->stepAt(attempt.step).span,
                                    std::span(&*attempt.sample, 1))[0]
                         .cells;
-        attempt.carried.push_back(
-            {numbers[i].title, attempt.sample->cells[i], i < exact.size() ? exact[i] : Quantity()});
+        attempt.carried.push_back({traced.trace->numbers().sample[i].title,
+                                   attempt.sample->cells[i],
+                                   i < exact.size() ? exact[i] : Quantity()});
     }
 }
 
@@ -142,22 +152,6 @@ BriefPixelHistory briefPixelHistory(const TracedScene &traced, std::int64_t x, s
             history.attempts.push_back(std::move(attempt));
     }
     return history;
-}
-
-bool isWrittenBefore(const TracedScene &traced, std::int64_t x, std::int64_t y,
-                     std::size_t position)
-{
-    const ScanTrace &trace = *traced.trace;
-    bool isWritten = false;
-    for (std::size_t primitive = 0; primitive < trace.primitiveCount(); ++primitive) {
-        const auto visit = trace.visitOf(primitive, x, y);
-        if (!visit || !trace.changes()[*visit].isWritten())
-            continue;
-        if (trace.indexOfSample(*visit) >= position)
-            return false;
-        isWritten = true;
-    }
-    return isWritten;
 }
 
 } // namespace pixelplumb

@@ -22,7 +22,7 @@ struct PixelAttempt {
     std::optional<SampleRecord> sample;
 
     /// What of z, w, u, v and N the kernel computed at the sample, whether it was written or not;
-    /// empty where the scene calls for none of them.
+    /// empty where the primitive is given none of them.
     struct Carried {
         QString title; ///< "z", "N_x"
         Quantity used;
@@ -32,6 +32,9 @@ struct PixelAttempt {
 
     bool written = false;
     std::size_t step = 0; ///< index of the step that visited it; meaningful with a sample
+    /// The position at which the run has done with the pixel: behind that step, or else behind the
+    /// primitive's span on the pixel's column or row, or behind the primitive.
+    std::size_t decided = 0;
     PixelChange change; ///< what it wrote
 
     /// One or two sentences: the numbers that wrote it, or the edge that refuses it, by how much,
@@ -52,10 +55,5 @@ struct BriefPixelHistory {
 };
 BriefPixelHistory briefPixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y,
                                     std::size_t listedRefusals);
-
-/// Whether something wrote the pixel, and every write of it is done at a position; quicker to find
-/// than the history.
-bool isWrittenBefore(const TracedScene &traced, std::int64_t x, std::int64_t y,
-                     std::size_t position);
 
 } // namespace pixelplumb

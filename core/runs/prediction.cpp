@@ -14,7 +14,6 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int leastPlaces = 2; // of a decimal that may be rounded
 constexpr double readingError = 1e-9; // relative; of a fraction that is read as a double
 
 /// The number that a formula computes: what stands before "←" or "=".
@@ -25,12 +24,37 @@ QString assignedIn(const QString &symbols)
     return symbols.left(end);
 }
 
+/// A formula may name in words what it computes, and what stands for it behind that.
+QString askedFor(const QString &symbols)
+{
+    const QString assigned = assignedIn(symbols);
+    if (!assigned.contains(u' '))
+        return assigned;
+    const QString name = symbols.sliced(assigned.size() + QStringLiteral(" = ").size());
+    return QStringLiteral("the %1, %2").arg(assigned, name);
+}
+
+bool isCount(const std::vector<NumberDescription> &numbers, const QString &title)
+{
+    return std::ranges::any_of(numbers, [&title](const NumberDescription &number) {
+        return number.title == title && number.group == NumberGroup::Position;
+    });
+}
+
 const FormulaLine *lineOf(const Explanation &explanation, const FormulaLine &like)
 {
     const auto found = std::ranges::find_if(explanation.lines, [&](const FormulaLine &line) {
         return line.subject == like.subject && assignedIn(line.symbols) == assignedIn(like.symbols);
     });
     return found != explanation.lines.end() ? &*found : nullptr;
+}
+
+/// "first row = ⌈y_B⌉".
+bool isRounding(const QString &rule)
+{
+    const QString computed = rule.sliced(assignedIn(rule).size());
+    return computed.startsWith(QStringLiteral(" = ⌈"))
+        || computed.startsWith(QStringLiteral(" = ⌊"));
 }
 
 /// How many digits stand behind the point; none of what is no decimal.
@@ -45,12 +69,25 @@ bool isSame(double typed, double value)
     return std::abs(typed - value) <= readingError * std::max(1.0, std::abs(value));
 }
 
-std::optional<TraceStep> nextWriteAfter(const ScanTrace &trace, std::size_t position)
+/// The first step whose pixel is not told by the numbers of the step in hand: a step of a line has
+/// its pixel among its numbers.
+std::size_t firstUntold(const ScanTrace &trace, std::size_t position)
 {
-    for (std::size_t index = position; index < trace.stepCount(); ++index) {
+    if (position == 0 || !trace.numbers().sample.empty())
+        return position;
+    const TraceStep step = trace.stepAt(position - 1);
+    const bool isOnePixel = step.kind == StepKind::Span
+        && trace.endSampleOf(step.span) - trace.firstSampleOf(step.span) == 1;
+    return isOnePixel ? position + 1 : position;
+}
+
+/// The step's index.
+std::optional<std::size_t> nextWriteAfter(const ScanTrace &trace, std::size_t position)
+{
+    for (std::size_t index = firstUntold(trace, position); index < trace.stepCount(); ++index) {
         const TraceStep step = trace.stepAt(index);
         if (step.kind == StepKind::Sample && trace.changes()[step.sample].isWritten())
-            return step;
+            return index;
     }
     return std::nullopt;
 }
@@ -58,8 +95,14 @@ std::optional<TraceStep> nextWriteAfter(const ScanTrace &trace, std::size_t posi
 bool isRounded(double typed, double value, int places)
 {
     const double half = 0.5 * std::pow(10.0, -places);
-    return places >= leastPlaces
-        && std::abs(typed - value) <= half + readingError * std::max(1.0, std::abs(value));
+    return std::abs(typed - value) <= half + readingError * std::max(1.0, std::abs(value));
+}
+
+/// Without what follows the last place.
+bool isCutOff(double typed, double value, int places)
+{
+    const double scale = std::pow(10.0, places);
+    return isSame(typed, std::trunc(value * scale) / scale);
 }
 
 } // namespace
@@ -79,9 +122,11 @@ std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t 
         before = explainStep(traced, trace.indexOfSpan(span - 1));
     std::vector<Prediction> predictions;
     for (const FormulaLine &line : next.lines) {
+        if (isCount(trace.spanWords(span).numbers, assignedIn(line.symbols)))
+            continue; // the question itself names it
         const FormulaLine *earlier = before ? lineOf(*before, line) : nullptr;
-        predictions.push_back({next.heading, assignedIn(line.symbols), line.used,
-                               earlier ? earlier->used : Quantity(), line.symbols,
+        predictions.push_back({next.heading, assignedIn(line.symbols), askedFor(line.symbols),
+                               line.used, earlier ? earlier->used : Quantity(), line.symbols,
                                line.symbols + QStringLiteral(" = ") + line.substituted});
     }
     return predictions;
@@ -90,25 +135,27 @@ std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t 
 std::optional<NextPixel> nextPixelAfter(const TracedScene &traced, std::size_t position)
 {
     const ScanTrace &trace = *traced.trace;
-    const std::optional<TraceStep> step = nextWriteAfter(trace, position);
-    if (!step)
+    const std::optional<std::size_t> index = nextWriteAfter(trace, position);
+    if (!index)
         return std::nullopt;
-    const PixelChange &change = trace.changes()[step->sample];
-    return NextPixel{{change.x, change.y},
-                     explainStep(traced, trace.indexOfSpan(step->span)).sentence};
+    const TraceStep step = trace.stepAt(*index);
+    const PixelChange &change = trace.changes()[step.sample];
+    return NextPixel{
+        {change.x, change.y}, explainStep(traced, trace.indexOfSpan(step.span)).sentence, *index};
 }
 
 QString wrongPixelText(const TracedScene &traced, std::size_t position, const QPoint &pixel)
 {
     const ScanTrace &trace = *traced.trace;
-    const std::optional<TraceStep> next = nextWriteAfter(trace, position);
-    if (!next)
+    const std::optional<std::size_t> index = nextWriteAfter(trace, position);
+    if (!index)
         return {};
-    const auto visit = trace.visitOf(next->primitive, pixel.x(), pixel.y());
+    const TraceStep next = trace.stepAt(*index);
+    const auto visit = trace.visitOf(next.primitive, pixel.x(), pixel.y());
     if (!visit || !trace.changes()[*visit].isWritten()) {
         for (const PixelAttempt &attempt :
-             briefPixelHistory(traced, pixel.x(), pixel.y(), next->primitive + 1).attempts) {
-            if (attempt.primitive == next->primitive)
+             briefPixelHistory(traced, pixel.x(), pixel.y(), next.primitive + 1).attempts) {
+            if (attempt.primitive == next.primitive)
                 return attempt.reason;
         }
         return {};
@@ -116,8 +163,10 @@ QString wrongPixelText(const TracedScene &traced, std::size_t position, const QP
     if (trace.indexOfSample(*visit) < position)
         return QStringLiteral("It has been drawn already, in step %1.")
             .arg(trace.indexOfSample(*visit) + 1);
+    if (trace.indexOfSample(*visit) < *index)
+        return QStringLiteral("It is the pixel of the step in hand: which one follows it?");
     const std::size_t span = trace.spanOf(*visit);
-    return span == next->span
+    return span == next.span
         ? QStringLiteral("Its turn comes later in the same span: where does the method begin?")
         : QStringLiteral("Its turn comes later: %1.").arg(spanHeading(trace, span));
 }
@@ -129,14 +178,22 @@ Guess judge(const Prediction &prediction, const QString &typed)
     if (!read)
         return Guess::Unread;
     const double value = prediction.value.toDouble();
-    if (isSame(*read, value) || isRounded(*read, value, placesOf(text)))
+    const int places = placesOf(text);
+    const bool isWhole = isSame(*read, std::round(*read));
+    if (isSame(*read, value) || (places >= leastPlaces && isRounded(*read, value, places)))
         return Guess::Right;
     if (!prediction.earlier.isNone() && isSame(*read, prediction.earlier.toDouble()))
         return Guess::Earlier;
     if (isSame(*read, -value))
         return Guess::OtherSign;
+    if (isWhole && !prediction.value.isInteger() && std::abs(*read - value) < 1)
+        return *read > value ? Guess::RoundedUp : Guess::RoundedDown;
+    if (!isWhole && isRounding(prediction.rule) && std::abs(*read - value) < 1)
+        return Guess::Unrounded;
     if (prediction.value.isInteger() && std::abs(*read - value) == 1)
         return Guess::OneOff;
+    if (places > 0 && (isRounded(*read, value, places) || isCutOff(*read, value, places)))
+        return Guess::Near;
     return Guess::Wrong;
 }
 
@@ -150,6 +207,20 @@ QString verdictText(const Prediction &prediction, Guess guess)
     case Guess::Earlier:
         return QStringLiteral("That is %1 of the span before: what does one step add to it?")
             .arg(prediction.title);
+    case Guess::RoundedUp:
+    case Guess::RoundedDown:
+        return QStringLiteral("That is %1, the whole number beside it. Asked for is %2 itself: a "
+                              "fraction, or a decimal rounded to %3 places or more.")
+            .arg((guess == Guess::RoundedUp ? QStringLiteral("⌈%1⌉") : QStringLiteral("⌊%1⌋"))
+                     .arg(prediction.title),
+                 prediction.title)
+            .arg(leastPlaces);
+    case Guess::Unrounded:
+        return QStringLiteral("Near, but a whole number is asked for: %1.").arg(prediction.words);
+    case Guess::Near:
+        return QStringLiteral("Near: a fraction is wanted, or a decimal rounded to %1 places or "
+                              "more.")
+            .arg(leastPlaces);
     case Guess::OneOff:
         return QStringLiteral("One off: which samples does the fill rule take?");
     case Guess::OtherSign:

@@ -16,7 +16,8 @@ struct TracedScene;
 /// A number of the next column, row or step, which a student is to foretell.
 struct Prediction {
     QString place; ///< "Column 31, second half"
-    QString title; ///< "y_B"
+    QString title; ///< "y_B", "first row"
+    QString words; ///< what is asked for: "y_B", "the first row, ⌈y_B⌉"
     Quantity value; ///< what the kernel computes
     /// The same number one span earlier; none where the primitive's part begins.
     Quantity earlier;
@@ -25,13 +26,15 @@ struct Prediction {
 };
 
 /// The numbers that the next span behind a position (0 … stepCount()) computes by formulas, as the
-/// explanation of that step has them; empty where no span follows.
+/// explanation of that step has them, but for what counts the spans; empty where no span follows.
 std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t position);
 
-/// The pixel that is written next behind a position, and why.
+/// The pixel that is written next behind a position, and why. Where the span in hand is one pixel
+/// that its own numbers tell, that of the span behind it.
 struct NextPixel {
     QPoint pixel;
     QString reason;
+    std::size_t step = 0; ///< index of the step that writes it
 };
 std::optional<NextPixel> nextPixelAfter(const TracedScene &traced, std::size_t position);
 /// Why another pixel than that is not the next one: it has been drawn, comes later, or the
@@ -42,12 +45,17 @@ enum class Guess {
     Right,
     Unread, ///< no number
     Earlier, ///< the value of the span before
-    OneOff, ///< a whole number beside the right one
     OtherSign,
+    RoundedUp, ///< a whole number where the number itself is asked for
+    RoundedDown,
+    Unrounded, ///< a fraction beside a number that is rounded
+    OneOff, ///< a whole number beside the right one
+    Near, ///< the value with too few decimals, or cut off behind them
     Wrong,
 };
-/// What was typed: "9", "-8.63", "53/2", "8 10/27". A decimal with two places or more counts when
-/// it is the value rounded to as many; everything else must be the value.
+/// A decimal with as many places counts when it is the value rounded to them.
+constexpr int leastPlaces = 2;
+/// What was typed: "9", "-8.63", "53/2", "8 10/27". All but decimals must be the value.
 Guess judge(const Prediction &prediction, const QString &typed);
 
 /// What is told of it, the reason when it is right.

@@ -7,7 +7,7 @@ namespace pixelplumb {
 
 /// Numbers that tables show and hide together.
 enum class NumberGroup {
-    Position, ///< which primitive, column, row or step
+    Position, ///< which primitive, column, row or step: what counts rows, and nothing beside
     Span, ///< bounds and covered samples
     Decision, ///< edge functions, weights, decision parameters
     EdgeColours,

@@ -73,6 +73,7 @@ void Canvas::connectSources()
     connect(playhead, &Playhead::tracedChanged, this, repaint);
     connect(playhead, &Playhead::positionChanged, this, repaint);
     connect(playhead, &Playhead::breakpointsChanged, this, repaint);
+    connect(playhead, &Playhead::aheadHiddenChanged, this, repaint);
     connect(playhead, &Playhead::pickedPixelChanged, this, repaint);
     connect(playhead, &Playhead::pickedPixelChanged, this, &Canvas::announce);
     connect(m_sources.options, &DisplayOptions::changed, this, repaint);

@@ -170,6 +170,8 @@ private:
             return tr("Still the picture of %1").arg(traced->method->title);
         if (m_isTruth)
             return tr("Truth: the exact picture");
+        if (m_playhead.isAheadHidden() && (m_options.isTruthShown() || m_hand.isPeeking))
+            return tr("The truth is hidden while Predict asks");
         const QString foreign = m_document.pendingVertices().empty()
             ? foreignSceneHint(m_document.scene())
             : QString();
@@ -227,7 +229,8 @@ QString coordinateNote(const LatticePoint &point)
 
 bool isTruthVisible(const CanvasSources &sources, const CanvasHand &hand)
 {
-    return sources.options->isTruthShown() || hand.isPeeking;
+    return (sources.options->isTruthShown() || hand.isPeeking)
+        && !sources.playhead->isAheadHidden();
 }
 
 CanvasScene canvasScene(const CanvasSources &sources, const CanvasView &view,

@@ -3,6 +3,7 @@
 
 #include "widgets/model/playhead.h"
 #include "widgets/model/steptext.h"
+#include "widgets/model/typedpixel.h"
 
 #include <QBoxLayout>
 #include <QDialogButtonBox>
@@ -54,18 +55,10 @@ SpanWords wordsFor(SpanAxis axis)
 
 std::optional<GoToTarget> parseGoTo(const QString &text)
 {
-    static const QRegularExpression pixel(
-        QStringLiteral(R"(^\s*\(?\s*(-?\d{1,10})\s*[,; ]\s*(-?\d{1,10})\s*\)?\s*$)"));
     static const QRegularExpression span(QStringLiteral(R"(^\s*(-?\d{1,10})\s*$)"));
     static const QRegularExpression step(QStringLiteral(R"(^\s*#\s*(\d{1,12})\s*$)"));
-    if (const auto match = pixel.match(text); match.hasMatch()) {
-        bool xFits = false;
-        bool yFits = false;
-        const QPoint point(match.captured(1).toInt(&xFits), match.captured(2).toInt(&yFits));
-        if (xFits && yFits)
-            return point;
-        return std::nullopt;
-    }
+    if (const std::optional<QPoint> pixel = typedPixel(text))
+        return *pixel;
     if (const auto match = span.match(text); match.hasMatch())
         return GoToSpan{match.captured(1).toLongLong()};
     if (const auto match = step.match(text); match.hasMatch())

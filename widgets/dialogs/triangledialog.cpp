@@ -3,6 +3,7 @@
 
 #include "core/scene/coordinatetext.h"
 #include "widgets/look/colourbutton.h"
+#include "widgets/model/runnotes.h"
 
 #include <QBoxLayout>
 #include <QDialogButtonBox>
@@ -142,6 +143,25 @@ Result<TypedTriangle> TriangleDialog::triangle() const
     return typed;
 }
 
+SnapReports TriangleDialog::displacements() const
+{
+    SnapReports reports;
+    const auto add = [&reports](std::size_t vertex, const QString &name, const QLineEdit *field,
+                                const NumberFormat &format) {
+        const QString text = field->text().trimmed();
+        const Result<SnappedNumber> number = parseNumber(text, format);
+        if (number && number->isDisplaced())
+            reports.add({tr("vertex %1, %2").arg(vertex).arg(name), text, *number, &format});
+    };
+    for (std::size_t vertex = 0; vertex < m_rows.size(); ++vertex) {
+        add(vertex, QStringLiteral("x"), m_rows[vertex].x, coordinateFormat);
+        add(vertex, QStringLiteral("y"), m_rows[vertex].y, coordinateFormat);
+        for (std::size_t i = 0; i < carriedCount; ++i)
+            add(vertex, axisName(i), m_rows[vertex].carried[i], attributeFormat);
+    }
+    return reports;
+}
+
 QLineEdit *TriangleDialog::addField(QGridLayout *grid, int vertex, int gridColumn,
                                     const QString &axis)
 {
@@ -184,7 +204,9 @@ void TriangleDialog::judge()
     const Result<TypedTriangle> typed = triangle();
     const bool isEmpty = std::ranges::all_of(
         m_rows, [](const Row &row) { return row.x->text().isEmpty() && row.y->text().isEmpty(); });
-    m_verdict->setText(typed || isEmpty ? QString() : typed.error().message());
+    m_verdict->setText(typed         ? snapNote(displacements())
+                           : isEmpty ? QString()
+                                     : typed.error().message());
     m_buttons->button(QDialogButtonBox::Ok)->setEnabled(typed.isOk());
 }
 

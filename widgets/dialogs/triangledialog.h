@@ -4,6 +4,7 @@
 #include "core/geometry/attributes.h"
 #include "core/geometry/triangle.h"
 #include "core/scene/result.h"
+#include "core/scene/scenefile.h"
 
 #include <QDialog>
 
@@ -55,6 +56,7 @@ private:
     QLineEdit *addField(QGridLayout *grid, int vertex, int gridColumn, const QString &axis);
     void show(const TypedTriangle &shown);
     Result<VertexAttributes> carriedBy(std::size_t vertex) const;
+    SnapReports displacements() const; ///< of what was typed, to the numbers that there are
     void judge();
 
     std::array<Row, 3> m_rows;

@@ -26,7 +26,7 @@ namespace pixelplumb {
 namespace {
 
 constexpr int rowPadding = 2;
-constexpr int measuredRows = 24;
+constexpr int measuredRows = 256; // all of a usual run
 
 /// Rows spread over the table, its first and last among them: numbers grow and shrink evenly in
 /// between, and their denominators repeat.

@@ -44,10 +44,10 @@ void ColumnTableDelegate::measure(const QAbstractItemModel &model, const std::ve
                                   const QFont &font)
 {
     m_layouts.assign(std::size_t(model.columnCount()), {});
-    for (int column = 0; column < model.columnCount(); ++column) {
-        for (const int row : rows)
-            m_layouts[std::size_t(column)].include(model.index(row, column).data().toString(),
-                                                   font);
+    for (const int row : rows) {
+        for (int column = 0; column < model.columnCount(); ++column)
+            m_layouts[std::size_t(column)].include(
+                model.index(row, column).data(ColumnTableModel::MeasuredTextRole).toString(), font);
     }
 }
 

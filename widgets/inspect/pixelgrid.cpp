@@ -51,6 +51,7 @@ PixelGrid::PixelGrid(Playhead *playhead, DisplayOptions *options, QWidget *paren
     connect(playhead, &Playhead::tracedChanged, this, &PixelGrid::announce);
     connect(playhead, &Playhead::positionChanged, this, &PixelGrid::announce);
     connect(playhead, &Playhead::pickedPixelChanged, this, &PixelGrid::announce);
+    connect(playhead, &Playhead::aheadHiddenChanged, this, &PixelGrid::announce);
     connect(options, &DisplayOptions::changed, this, qOverload<>(&QWidget::update));
 }
 
@@ -154,7 +155,7 @@ void PixelGrid::goToWriteOf(const QPoint &pixel)
     // The write that the frame shows, else the first one to come.
     std::optional<std::size_t> write
         = navigation.writeOf(pixel, position + 1, StepDirection::Backward);
-    if (!write)
+    if (!write && !m_playhead->isAheadHidden())
         write = navigation.writeOf(pixel, position, StepDirection::Forward);
     if (write)
         m_playhead->seek(*write);
@@ -229,6 +230,8 @@ QString PixelGrid::describe(const QPoint &pixel) const
     }
     const auto name = [](QRgb colour) { return QColor::fromRgb(colour).name(); };
     lines.append(tr("shown %1").arg(name(*frame.at(pixel.x(), pixel.y()))));
+    if (m_playhead->isAheadHidden())
+        return lines.join(u'\n'); // the truth is what a student foretells
     lines.append(
         tr("truth %1, when all is drawn").arg(name(*traced.truth.view().at(pixel.x(), pixel.y()))));
     const std::optional<std::size_t> triangle = triangleInHand(*m_playhead);

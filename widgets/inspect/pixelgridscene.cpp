@@ -56,7 +56,9 @@ public:
         , m_position(playhead.position())
         , m_samplesDone(m_traced.trace->samplesDoneAt(m_position))
         , m_triangle(triangleInHand(playhead))
-        , m_shown(options.isTruthShown() ? m_traced.truth.view() : playhead.frame()->view())
+        , m_isAheadHidden(playhead.isAheadHidden())
+        , m_shown(options.isTruthShown() && !m_isAheadHidden ? m_traced.truth.view()
+                                                             : playhead.frame()->view())
         , m_differences(options.areDifferencesShown())
     {
     }
@@ -72,11 +74,12 @@ public:
         cell.isBackground = (cell.colour | 0xff000000U) == packed(m_traced.scene.frame.background);
         const std::optional<Sign> difference
             = differenceSign(m_traced.differences.at(pixel.x(), pixel.y()));
-        if (m_differences && difference && m_traced.decidedAt(pixel.x(), pixel.y()) <= m_position)
+        const bool isDecided = m_traced.decidedAt(pixel.x(), pixel.y()) <= m_position;
+        if (m_differences && difference && isDecided)
             cell.signs.push_back(*difference);
         if (!m_triangle)
             return cell;
-        if (columnHasTie
+        if (columnHasTie && (isDecided || !m_isAheadHidden)
             && isTie(m_traced.primitives.triangles[*m_triangle], m_traced.scene.settings.fillRule,
                      pixel))
             cell.signs.push_back(Sign::Tie);
@@ -105,6 +108,7 @@ private:
     std::size_t m_position;
     std::size_t m_samplesDone;
     std::optional<std::size_t> m_triangle;
+    bool m_isAheadHidden;
     FrameView m_shown;
     bool m_differences;
 };

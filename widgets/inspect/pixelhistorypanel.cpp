@@ -95,6 +95,8 @@ PixelHistoryPanel::PixelHistoryPanel(Playhead *playhead, QWidget *parent)
     m_attempts->header()->setMinimumSectionSize(24);
     m_attempts->setMinimumHeight(fontMetrics().height() + 4); // an attempt
 
+    setFocusProxy(m_attempts);
+
     auto *headingRow = new QHBoxLayout;
     headingRow->setSpacing(0);
     headingRow->addWidget(m_heading, 1);
@@ -139,22 +141,13 @@ void PixelHistoryPanel::scheduleUpdate()
         takePixel();
 }
 
-/// Whether a student is to foretell what becomes of the pixel.
-bool PixelHistoryPanel::isAhead() const
-{
-    const std::optional<QPoint> pixel = m_playhead->pickedPixel();
-    return m_playhead->isAheadHidden() && pixel
-        && m_playhead->traced()->decidedAt(pixel->x(), pixel->y()) > m_playhead->position()
-        && !isWrittenBefore(*m_playhead->traced(), pixel->x(), pixel->y(), m_playhead->position());
-}
-
 void PixelHistoryPanel::takePixel()
 {
     m_isStale = false;
     m_model->setPosition(m_playhead->position());
-    m_isAhead = isAhead();
-    m_model->setPixel(m_playhead->sharedTraced(),
-                      m_isAhead ? std::nullopt : m_playhead->pickedPixel());
+    m_model->setPixel(m_playhead->sharedTraced(), m_playhead->pickedPixel(),
+                      m_playhead->isAheadHidden() ? PixelHistoryModel::Ahead::Hidden
+                                                  : PixelHistoryModel::Ahead::Shown);
     const QModelIndex decisive = m_model->decisiveRow();
     for (int row = 0; row < m_model->rowCount(); ++row)
         m_attempts->setFirstColumnSpanned(row, {}, true);
@@ -202,7 +195,7 @@ void PixelHistoryPanel::describePixel()
     const FrameView frame = m_playhead->frame()->view();
     if (!frame.contains(pixel->x(), pixel->y()))
         return;
-    if (m_isAhead) {
+    if (m_model->isSomethingHidden() && m_model->rowCount() == 0) {
         m_heading->setText(
             tr("<b>(%1, %2)</b> is still ahead: predict it").arg(pixel->x()).arg(pixel->y()));
         return;
@@ -212,6 +205,10 @@ void PixelHistoryPanel::describePixel()
                        .arg(pixel->x())
                        .arg(pixel->y())
                        .arg(swatchHtml(*frame.at(pixel->x(), pixel->y())));
+    if (m_model->isSomethingHidden()) {
+        m_heading->setText(text + tr("what becomes of it is still ahead: predict it"));
+        return;
+    }
     const Difference difference = traced->differences.at(pixel->x(), pixel->y());
     const bool isDecided = traced->decidedAt(pixel->x(), pixel->y()) <= m_playhead->position();
     text += tr("truth %1").arg(swatchHtml(truth));

@@ -29,7 +29,6 @@ protected:
 private:
     void scheduleUpdate();
     void takePixel();
-    bool isAhead() const;
     void followPosition();
     void describePixel();
     void select(const QModelIndex &attempt);
@@ -41,7 +40,6 @@ private:
     QLabel *m_heading;
     QLabel *m_reason;
     QTreeView *m_attempts;
-    bool m_isAhead = false; ///< nothing is told of the pixel
     bool m_isStale = true;
 };
 

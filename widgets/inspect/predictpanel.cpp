@@ -7,8 +7,10 @@
 #include "widgets/look/formulahtml.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
+#include "widgets/model/typedpixel.h"
 
 #include <QComboBox>
+#include <QFocusEvent>
 #include <QFormLayout>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -48,22 +50,21 @@ PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget 
     , m_choice(new QComboBox(this))
     , m_question(wordsIn(this, "predictQuestion", tr("The question")))
     , m_answer(new QLineEdit(this))
-    , m_check(button(this, "predictCheck", tr("Check")))
-    , m_show(button(this, "predictShow", tr("Show")))
-    , m_next(button(this, "predictNext", tr("Next")))
+    , m_check(button(this, "predictCheck", tr("&Check")))
+    , m_show(button(this, "predictShow", tr("Sho&w")))
+    , m_next(button(this, "predictNext", tr("&Next")))
     , m_verdict(wordsIn(this, "predictVerdict", tr("What is said of the answer")))
     , m_score(wordsIn(this, "predictScore", tr("Score")))
 {
     setObjectName(QStringLiteral("predict"));
     setAccessibleName(tr("Predict"));
     // A click beside the fields, or on one that asks for nothing now, takes the keys from the
-    // canvas.
+    // canvas; what can be answered is answered then.
     setFocusPolicy(Qt::ClickFocus);
     m_choice->setObjectName(QStringLiteral("predictChoice"));
     m_choice->setAccessibleName(tr("What is asked for"));
     m_answer->setObjectName(QStringLiteral("predictAnswer"));
     m_answer->setAccessibleName(tr("Your answer"));
-    m_answer->setPlaceholderText(tr("9, 8.63, 53/2 or 8 10/27"));
     m_check->setToolTip(tr("Compare the answer with what the kernel computes (Enter)"));
     m_show->setToolTip(tr("Give up this question and see how the number comes about"));
     m_next->setToolTip(tr("Step on and ask again (Enter)"));
@@ -72,7 +73,10 @@ PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget 
 
     auto *form = new QFormLayout;
     form->setContentsMargins(0, 0, 0, 0);
-    form->addRow(tr("Ask for"), m_choice);
+    form->setVerticalSpacing(8);
+    form->addRow(tr("As&k for"), m_choice);
+    form->addRow(m_question);
+    form->addRow(tr("&Answer"), m_answer);
     auto *buttons = new QHBoxLayout;
     buttons->setSpacing(8);
     for (QPushButton *made : {m_check, m_show, m_next})
@@ -81,8 +85,6 @@ PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget 
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(8);
     layout->addLayout(form);
-    layout->addWidget(m_question);
-    layout->addWidget(m_answer);
     layout->addLayout(buttons);
     layout->addWidget(m_verdict);
     layout->addStretch(1);
@@ -112,6 +114,13 @@ void PredictPanel::hideEvent(QHideEvent *event)
 {
     QWidget::hideEvent(event);
     m_playhead->setAheadHidden(false);
+}
+
+void PredictPanel::focusInEvent(QFocusEvent *event)
+{
+    QWidget::focusInEvent(event);
+    if (m_answer->isEnabled())
+        m_answer->setFocus(event->reason());
 }
 
 void PredictPanel::forgetScore()
@@ -178,18 +187,21 @@ void PredictPanel::ask()
     m_verdict->clear();
     const Prediction *asked = prediction();
     if (asked)
-        m_question->setText(
-            sentenceHtml(tr("%1: what is %2?").arg(coreWord(asked->place), asked->title)));
+        m_question->setText(sentenceHtml(
+            tr("%1: what is %2? A fraction, or a decimal rounded to %3 places or more.")
+                .arg(coreWord(asked->place), asked->words)
+                .arg(leastPlaces)));
     else if (asksForPixel())
         m_question->setText(
-            tr("Which pixel is written next? Right-click it, or go there with the arrow keys "
-               "and press Check."));
+            tr("Which pixel is written next? Type its x, y, right-click it, or go there with the "
+               "arrow keys and press Check."));
     else
         m_question->setText(tr("Nothing lies ahead: step back, or run to the start."));
-    if (asked)
+    m_answer->setPlaceholderText(asked                ? tr("9, 8.63, 53/2 or 8 10/27")
+                                     : asksForPixel() ? tr("x, y")
+                                                      : QString());
+    if (asked || asksForPixel())
         offer({m_answer, m_check, m_show});
-    else if (asksForPixel())
-        offer({m_check, m_show});
     else
         offer({});
 }
@@ -198,16 +210,29 @@ void PredictPanel::check()
 {
     if (m_state != State::Open)
         return;
-    if (asksForPixel() && m_playhead->pickedPixel())
+    if (const Prediction *asked = prediction())
+        checkNumber(*asked);
+    else if (!m_answer->text().trimmed().isEmpty())
+        checkTypedPixel();
+    else if (m_playhead->pickedPixel())
         checkPick(*m_playhead->pickedPixel());
-    const Prediction *asked = prediction();
-    if (!asked)
-        return;
-    const Guess guess = judge(*asked, m_answer->text());
-    const QString verdict = verdictText(*asked, guess);
+}
+
+void PredictPanel::checkNumber(const Prediction &asked)
+{
+    const Guess guess = judge(asked, m_answer->text());
+    const QString verdict = verdictText(asked, guess);
     if (guess != Guess::Unread)
         count(guess == Guess::Right);
     guess == Guess::Right ? settle(verdict) : tell(verdict);
+}
+
+void PredictPanel::checkTypedPixel()
+{
+    if (const std::optional<QPoint> pixel = typedPixel(m_answer->text()))
+        checkPick(*pixel);
+    else
+        tell(tr("Type the pixel's x and y, such as 12, 7."));
 }
 
 void PredictPanel::checkPick(const QPoint &pixel)
@@ -238,7 +263,10 @@ void PredictPanel::reveal()
 
 void PredictPanel::goOn()
 {
-    m_playhead->step(asksForPixel() ? StepUnit::Sample : StepUnit::Span, StepDirection::Forward);
+    if (asksForPixel())
+        m_playhead->seekToPixelStep(m_nextPixel->step);
+    else
+        m_playhead->step(StepUnit::Span, StepDirection::Forward);
 }
 
 /// The question has its answer; the next key goes on.
@@ -246,10 +274,7 @@ void PredictPanel::settle(const QString &verdict)
 {
     m_state = State::Answered;
     tell(verdict);
-    if (prediction())
-        offer({m_answer, m_next});
-    else
-        offer({m_next});
+    offer({m_answer, m_next});
 }
 
 void PredictPanel::count(bool isRight)

@@ -30,6 +30,7 @@ public:
 protected:
     void showEvent(QShowEvent *event) override;
     void hideEvent(QHideEvent *event) override;
+    void focusInEvent(QFocusEvent *event) override;
 
 private:
     /// What has become of the question.
@@ -40,6 +41,8 @@ private:
     void ask();
     void offer(const QList<QWidget *> &parts); ///< of the field and the buttons
     void check();
+    void checkNumber(const Prediction &asked);
+    void checkTypedPixel();
     void checkPick(const QPoint &pixel);
     void reveal();
     void goOn();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/inspect/primitivespanel.h"
 
-#include "core/scene/coordinatetext.h"
+#include "widgets/inspect/coordinatedelegate.h"
 #include "widgets/look/colourbutton.h"
 #include "widgets/model/primitivelistmodel.h"
 
@@ -9,47 +9,14 @@
 #include <QHBoxLayout>
 #include <QHeaderView>
 #include <QLabel>
-#include <QLineEdit>
 #include <QMenu>
 #include <QScopedValueRollback>
-#include <QStyledItemDelegate>
 #include <QToolButton>
 #include <QTreeView>
-#include <QValidator>
 
 #include <algorithm>
 
 namespace pixelplumb {
-
-namespace {
-
-/// What is no coordinate yet may become one, and is not taken.
-class CoordinateValidator final : public QValidator {
-public:
-    using QValidator::QValidator;
-    State validate(QString &text, int &) const override
-    {
-        return parseCoordinate(text) ? Acceptable : Intermediate;
-    }
-};
-
-class CoordinateDelegate final : public QStyledItemDelegate {
-public:
-    using QStyledItemDelegate::QStyledItemDelegate;
-    QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &,
-                          const QModelIndex &index) const override
-    {
-        auto *field = new QLineEdit(parent);
-        field->setObjectName(QStringLiteral("coordinateField"));
-        field->setAccessibleName(
-            index.model()->headerData(index.column(), Qt::Horizontal).toString());
-        field->setValidator(new CoordinateValidator(field));
-        field->setFrame(false);
-        return field;
-    }
-};
-
-} // namespace
 
 PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     : QWidget(parent)
@@ -62,7 +29,7 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     m_tree->setObjectName(QStringLiteral("primitivesTree"));
     m_tree->setAccessibleName(tr("Primitives in drawing order"));
     m_tree->setModel(m_model);
-    m_tree->setItemDelegate(new CoordinateDelegate(m_tree));
+    m_tree->setItemDelegate(new CoordinateDelegate(document, m_tree));
     m_tree->setUniformRowHeights(true);
     m_tree->setAllColumnsShowFocus(false);
     m_tree->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed

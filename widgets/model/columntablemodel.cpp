@@ -180,6 +180,7 @@ QVariant ColumnTableModel::numberData(const RowNumbers &numbers, const Entry &en
     const auto exact = [&] { return exactNumber(numbers, entry); };
     switch (role) {
     case Qt::DisplayRole:
+    case MeasuredTextRole:
         return entry.face == NumberFace::Used ? usedText(used)
                                               : faceText(used, exact(), entry.face);
     case UsedTextRole:
@@ -220,6 +221,7 @@ bool ColumnTableModel::isToldAhead(int column, int role) const
     case IsInHandRole:
     case PrimitiveRole:
     case RowMarkRole:
+    case MeasuredTextRole:
         return true;
     default:
         return number(column).group == NumberGroup::Position;

@@ -33,6 +33,7 @@ public:
         UsedTextRole = Qt::UserRole + 1, ///< displayed text of the number used
         ExactTextRole,
         ErrorTextRole,
+        MeasuredTextRole, ///< what the cell shows once it is told: the room that it needs
         CanonicalTextRole, ///< of the cell's own face, as `pixelplumb-cli trace` writes it
         ChangedRole, ///< bool: differs from the primitive's span before
         MarkedDigitRole, ///< int: first character of DisplayRole that the exact number does not

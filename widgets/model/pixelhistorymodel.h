@@ -30,8 +30,14 @@ public:
 
     using QAbstractItemModel::QAbstractItemModel;
 
-    void setPixel(std::shared_ptr<const TracedScene> traced, const std::optional<QPoint> &pixel);
+    /// What becomes of a pixel behind the position is a secret where a student foretells it.
+    enum class Ahead { Shown, Hidden };
+
+    void setPixel(std::shared_ptr<const TracedScene> traced, const std::optional<QPoint> &pixel,
+                  Ahead ahead = Ahead::Shown);
     void setPosition(std::size_t position);
+    /// Whether attempts are left out because they are ahead.
+    bool isSomethingHidden() const { return m_isSomethingHidden; }
 
     /// The row of the write that the frame shows, else of the first to come, else 0; none when
     /// empty.
@@ -46,10 +52,13 @@ public:
     QVariant data(const QModelIndex &index, int role = Qt::DisplayRole) const override;
 
 private:
+    static constexpr int channelRows = 3; // of a write; they come before the edges
+
     bool isCountRow(const QModelIndex &index) const;
     QString attemptText(const PixelAttempt &attempt, int column) const;
     QString channelText(const PixelAttempt &attempt, std::size_t channel, int column) const;
     QString carriedText(const PixelAttempt::Carried &number, int column) const;
+    QString besideText(const Quantity &used, const Quantity &exact) const;
     QString edgeText(const PixelAttempt &attempt, std::size_t index, int column) const;
     /// The channels of a write come first, then the edges of a triangle.
     QString detailText(const PixelAttempt &attempt, std::size_t row, int column) const;
@@ -58,6 +67,7 @@ private:
     std::vector<PixelAttempt> m_attempts; ///< those that are listed
     std::size_t m_unlisted = 0; ///< refusals beyond them
     std::size_t m_position = 0;
+    bool m_isSomethingHidden = false;
 };
 
 } // namespace pixelplumb

@@ -6,6 +6,7 @@
 #include "core/scene/colourtext.h"
 #include "core/scene/coordinatetext.h"
 #include "core/scene/fileorder.h"
+#include "core/scene/scenefile.h"
 #include "widgets/look/colourbutton.h"
 #include "widgets/look/corewords.h"
 
@@ -261,6 +262,12 @@ bool PrimitiveListModel::setData(const QModelIndex &index, const QVariant &value
     LatticePoint position = vertex->position;
     (index.column() == X ? position.x : position.y) = number->units;
     m_document->moveVertex(ref, position, m_document->newDrag());
+    if (number->isDisplaced()) {
+        const QString place = tr("vertex %1, %2")
+                                  .arg(ref.vertex)
+                                  .arg(index.column() == X ? QChar(u'x') : QChar(u'y'));
+        emit m_document->notice(SnapReport{place, value.toString(), *number}.message());
+    }
     return true;
 }
 

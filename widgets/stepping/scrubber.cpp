@@ -54,6 +54,7 @@ Scrubber::Scrubber(Playhead *playhead, QWidget *parent)
     });
     connect(playhead, &Playhead::tracedChanged, this, &Scrubber::takeTrace);
     connect(playhead, &Playhead::positionChanged, this, &Scrubber::followPlayhead);
+    connect(playhead, &Playhead::aheadHiddenChanged, this, &Scrubber::forgetBackground);
     connect(playhead, &Playhead::breakpointsChanged, this, &Scrubber::findBreakpoints);
     takeTrace();
 }
@@ -73,12 +74,21 @@ const TraceMark *Scrubber::markNear(double x) const
         const double offset = toScreen.xOf(mark->step + 1) - x;
         if (offset > clickReach)
             break;
+        if (!isTold(*mark))
+            continue;
         if (std::abs(offset) <= distance) {
             distance = std::abs(offset);
             nearest = &*mark;
         }
     }
     return nearest;
+}
+
+/// Where a part begins follows from the vertices; the others tell what a step will compute.
+bool Scrubber::isTold(const TraceMark &mark) const
+{
+    return !m_playhead->isAheadHidden() || mark.step < m_playhead->position()
+        || mark.kind == MarkKind::PartBegins;
 }
 
 void Scrubber::goToMark(StepDirection direction)
@@ -208,6 +218,8 @@ void Scrubber::followPlayhead()
     setValue(int(m_playhead->position()));
     if (const TracedScene *traced = m_playhead->traced())
         setAccessibleDescription(stepText(*traced, m_playhead->position()));
+    if (m_playhead->isAheadHidden())
+        forgetBackground(); // marks that were ahead are told now
     update();
 }
 
@@ -276,7 +288,11 @@ QString Scrubber::hoverText(double x) const
         return {};
     const TraceMark *mark = markNear(x);
     const std::size_t position = mark ? mark->step + 1 : scale().positionAt(x);
-    const QString step = tr("step %1: %2").arg(position).arg(stepText(*traced, position));
+    const bool isAhead = m_playhead->isAheadHidden() && position > m_playhead->position();
+    const QString step
+        = tr("step %1: %2")
+              .arg(position)
+              .arg(isAhead ? tr("still ahead, predict it") : stepText(*traced, position));
     return mark ? step + QLatin1Char('\n') + markText(mark->kind) : step;
 }
 

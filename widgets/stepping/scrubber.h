@@ -34,6 +34,7 @@ public:
     ScrubberScale scale() const;
     /// The mark nearest to x within the reach of a click; null when there is none.
     const TraceMark *markNear(double x) const;
+    bool isTold(const TraceMark &mark) const; ///< no secret of what lies ahead
 
 public slots:
     void setColumnPlaces(const pixelplumb::ColumnPlaces &places);

@@ -119,7 +119,7 @@ void Scrubber::paintLane(QPainter &painter, int lane, MarkKind kind, const QStri
     double lastGlyph = -leastGlyphDistance;
     for (const TraceMark &mark : m_playhead->traced()->marks) {
         const double x = toScreen.xOf(mark.step + 1);
-        if (mark.kind != kind || x - lastTick < 1)
+        if (mark.kind != kind || !isTold(mark) || x - lastTick < 1)
             continue;
         lastTick = x;
         const bool isDiamond = glyph.isEmpty();

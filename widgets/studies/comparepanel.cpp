@@ -275,7 +275,13 @@ void ComparePanel::tellProgress(const JobProgress &progress)
 void ComparePanel::tellPixel()
 {
     const auto picked = m_playhead->pickedPixel();
-    m_reason->setText(m_contest ? pixelText(*m_contest, picked) : tr("Nothing is compared yet."));
+    if (!m_contest) {
+        m_reason->setText(tr("Nothing is compared yet."));
+        return;
+    }
+    const QString carried = carriedText(*m_contest);
+    m_reason->setText(pixelText(*m_contest, picked)
+                      + (carried.isEmpty() ? QString() : u'\n' + carried));
 }
 
 } // namespace pixelplumb

@@ -22,6 +22,25 @@ QString agreementLegend(const AgreementMap &agreement, const QPalette &palette)
     return legend.join(QStringLiteral(" &nbsp; "));
 }
 
+QString carriedText(const Contest &contest)
+{
+    QStringList lines;
+    const CarriedAgreement *previous = nullptr;
+    for (const CarriedAgreement &agreement : contest.carried) {
+        const bool isSamePair = previous && previous->first == agreement.first
+            && previous->second == agreement.second;
+        if (isSamePair)
+            lines.back() += QStringLiteral("; ") + textOf(agreement);
+        else
+            lines.append(ComparePanel::tr("%1 and %2 beside colour: %3")
+                             .arg(agreement.first + 1)
+                             .arg(agreement.second + 1)
+                             .arg(textOf(agreement)));
+        previous = &agreement;
+    }
+    return lines.join(u'\n');
+}
+
 QString pixelText(const Contest &contest, const std::optional<QPoint> &picked)
 {
     if (contest.agreement.differing() == 0)

@@ -14,6 +14,10 @@ namespace pixelplumb {
 /// What the colours of the agreement map mean, and how many pixels have each.
 QString agreementLegend(const AgreementMap &agreement, const QPalette &palette);
 
+/// How far the contenders agree on what no picture shows, a line for each pair that carries it;
+/// empty where none does.
+QString carriedText(const Contest &contest);
+
 /// How many agree on a pixel, and why the others do not; without a pixel, how many differ.
 QString pixelText(const Contest &contest, const std::optional<QPoint> &picked);
 

@@ -14,6 +14,7 @@
 #include <QMainWindow>
 
 #include <algorithm>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -33,6 +34,26 @@ bool canFloat()
 {
     return !QGuiApplication::platformName().startsWith(QLatin1String("wayland"))
         || QLibraryInfo::version() >= QVersionNumber(6, 6);
+}
+
+/// To what a panel names as its proxy, to itself, or to the first of its parts that Tab would
+/// reach.
+void giveFocus(QWidget *panel)
+{
+    const auto takes = [](const QWidget *part, Qt::FocusPolicy policy) {
+        return (part->focusPolicy() & policy) == policy && part->isEnabled() && part->isVisible();
+    };
+    if (panel->focusProxy() || panel->focusPolicy() != Qt::NoFocus) {
+        panel->setFocus(Qt::ShortcutFocusReason);
+        return;
+    }
+    for (QWidget *part = panel->nextInFocusChain(); part != panel;
+         part = part->nextInFocusChain()) {
+        if (!panel->isAncestorOf(part) || !takes(part, Qt::TabFocus))
+            continue;
+        part->setFocus(Qt::ShortcutFocusReason);
+        return;
+    }
 }
 
 } // namespace
@@ -77,15 +98,27 @@ void WindowDocks::addToggle(QDockWidget *dock)
     toggle->setObjectName(dock->objectName() + QStringLiteral("Toggle"));
     toggle->setCheckable(true);
     m_toggles += toggle;
+    toggle->installEventFilter(this);
     connect(toggle, &QAction::triggered, this, [this, dock, toggle] {
+        const bool isByKey = std::exchange(m_keyed, nullptr) == toggle;
         if (isInFront(*dock))
             dock->close();
         else
             raise(dock->widget());
         toggle->setChecked(isInFront(*dock));
+        if (isByKey && toggle->isChecked())
+            giveFocus(dock->widget());
     });
     connect(dock, &QDockWidget::visibilityChanged, toggle, &QAction::setChecked);
     connect(dock, &QDockWidget::windowTitleChanged, toggle, &QAction::setText);
+}
+
+/// Who opens a panel by its key has no hand on the mouse: what is typed next is meant for it.
+bool WindowDocks::eventFilter(QObject *watched, QEvent *event)
+{
+    if (event->type() == QEvent::Shortcut)
+        m_keyed = watched;
+    return QObject::eventFilter(watched, event);
 }
 
 /// Shown, and not behind the tab of another, where Qt places it beside the window.

@@ -45,6 +45,9 @@ public:
     /// Shares the window's space as at the first start; after the window has its size.
     void resizeToDefault();
 
+protected:
+    bool eventFilter(QObject *watched, QEvent *event) override;
+
 private:
     /// How the panels share the window, by its height.
     enum class Arrangement {
@@ -64,6 +67,7 @@ private:
     QMainWindow *m_window;
     QList<QDockWidget *> m_docks;
     QList<QAction *> m_toggles;
+    const QObject *m_keyed = nullptr; ///< the toggle whose key was just pressed
     // Those that every arrangement places.
     QDockWidget *m_formula = nullptr;
     QDockWidget *m_pixelGrid = nullptr;

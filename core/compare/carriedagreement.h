@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/runs/tracedscene.h"
+
+#include <span>
+
+namespace pixelplumb {
+
+/// How far two runs of one scene agree on a number that its vertices carry beside colour: z, u, v
+/// or N.
+struct CarriedAgreement {
+    std::size_t first = 0, second = 0; ///< their places among the runs
+    QString title = {}; ///< "z", "N_x"
+    std::int64_t samples = 0; ///< that both have written
+    std::int64_t differing = 0;
+    double largest = 0; ///< the largest distance, in the number's unit
+    std::int64_t x = 0, y = 0; ///< where it is; meaningful where some differ
+};
+
+/// Of every pair of runs and every number that both carry; a run may be null. Exact: two numbers
+/// agree when they are the same number, whatever their types.
+std::vector<CarriedAgreement> carriedAgreements(
+    const std::vector<std::shared_ptr<const TracedScene>> &runs);
+
+/// "z: 1240 of 1320 samples differ, by up to 1.2e-07 at (12, 7)"
+QString textOf(const CarriedAgreement &agreement);
+
+} // namespace pixelplumb

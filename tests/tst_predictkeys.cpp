@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/prediction.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/inspect/columntable.h"
+#include "widgets/inspect/predictpanel.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QComboBox>
+#include <QDockWidget>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
+#include <QTest>
+#include <QTextDocument>
+
+using namespace pixelplumb;
+
+/// Predict without a mouse.
+class TestPredictKeys : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init()
+    {
+        m_settings.clear();
+        m_window = openedWindow();
+        m_playhead = m_window->parts().playhead;
+    }
+    void cleanup() { m_window.reset(); }
+
+    void theKeyOfADockGivesItsContentTheFocus_data()
+    {
+        QTest::addColumn<QString>("dock");
+        QTest::addColumn<QString>("field"); // any inside, where it is empty
+        QTest::newRow("predict") << "predictDock"
+                                 << "predictAnswer";
+        QTest::newRow("primitives") << "primitivesDock"
+                                    << "primitivesTree";
+        QTest::newRow("compare") << "compareDock"
+                                 << "";
+        QTest::newRow("hard cases") << "hardCasesDock"
+                                    << "";
+        QTest::newRow("this method") << "methodDock"
+                                     << "";
+        QTest::newRow("edits") << "editsDock"
+                               << "edits";
+    }
+    void theKeyOfADockGivesItsContentTheFocus()
+    {
+        QFETCH(QString, dock);
+        QFETCH(QString, field);
+        pressKeyOf(dock);
+        QTRY_VERIFY(named<QDockWidget>(*m_window, qPrintable(dock))->isVisible());
+        const QWidget *focus = QApplication::focusWidget();
+        QVERIFY(focus);
+        QVERIFY(named<QDockWidget>(*m_window, qPrintable(dock))->isAncestorOf(focus));
+        if (!field.isEmpty())
+            QCOMPARE(focus->objectName(), field);
+    }
+
+    void aMenusEntryLeavesTheFocusWhereItIs()
+    {
+        m_window->parts().canvas->setFocus();
+        action(*m_window, "predictDockToggle")->trigger();
+        QTRY_VERIFY(named<PredictPanel>(*m_window, "predict")->isVisible());
+        QVERIFY(m_window->parts().canvas->hasFocus());
+    }
+
+    void whatIsTypedAfterTheKeyIsTheAnswer()
+    {
+        const std::string method = m_window->parts().document->scene().method;
+        pressKeyOf(QStringLiteral("predictDock"));
+        QTest::keyClicks(QApplication::focusWidget(), QStringLiteral("1000"));
+        QTest::keyClick(QApplication::focusWidget(), Qt::Key_Return);
+        QVERIFY(named<QLabel>(*m_window, "predictVerdict")->text().startsWith(u"Not yet"));
+        QCOMPARE(m_window->parts().document->scene().method, method);
+        QVERIFY(m_window->parts().document->pendingVertices().empty());
+    }
+
+    void theNextPixelIsTyped()
+    {
+        pressKeyOf(QStringLiteral("predictDock"));
+        askForPixel();
+        QVERIFY(line()->isEnabled());
+        QCOMPARE(line()->placeholderText(), QStringLiteral("x, y"));
+        line()->setFocus();
+        const NextPixel next = *nextPixelAfter(*m_playhead->traced(), m_playhead->position());
+
+        type(QStringLiteral("%1 %2").arg(next.pixel.x() + 1).arg(next.pixel.y()));
+        QVERIFY(verdict().startsWith(u"Not "));
+        QVERIFY(!m_playhead->isPlaying()); // the space is the answer's
+        type(QStringLiteral("here"));
+        QVERIFY(verdict().contains(QStringLiteral("12, 7")));
+        type(QStringLiteral("%1, %2").arg(next.pixel.x()).arg(next.pixel.y()));
+        QVERIFY(verdict().startsWith(u"Right"));
+
+        QTest::keyClick(line(), Qt::Key_Return); // goes on
+        QCOMPARE(m_playhead->pixelInHand(), std::optional(next.pixel));
+        QVERIFY(line()->hasFocus());
+    }
+
+    void theButtonsHaveKeys()
+    {
+        for (const char *name : {"predictCheck", "predictShow", "predictNext"})
+            QVERIFY2(!named<QPushButton>(*m_window, name)->shortcut().isEmpty(), name);
+    }
+
+    void whatIsAskedForIsNamedWithItsTolerance()
+    {
+        pressKeyOf(QStringLiteral("predictDock"));
+        auto *choice = named<QComboBox>(*m_window, "predictChoice");
+        choice->setCurrentText(QStringLiteral("first row"));
+        QCOMPARE(choice->currentText(), QStringLiteral("first row"));
+        const QString question = plain(named<QLabel>(*m_window, "predictQuestion")->text());
+        QVERIFY2(question.contains(QStringLiteral("what is the first row, ⌈yB⌉?")),
+                 qPrintable(question));
+        QVERIFY(question.contains(QStringLiteral("rounded to 2 places")));
+    }
+
+private:
+    void pressKeyOf(const QString &dock)
+    {
+        const QKeyCombination key
+            = action(*m_window, qPrintable(dock + QStringLiteral("Toggle")))->shortcut()[0];
+        QTest::keyClick(m_window.get(), key.key(), key.keyboardModifiers());
+    }
+    void askForPixel()
+    {
+        auto *choice = named<QComboBox>(*m_window, "predictChoice");
+        choice->setCurrentIndex(choice->count() - 1);
+    }
+    void type(const QString &text)
+    {
+        line()->clear();
+        QTest::keyClicks(line(), text);
+        QTest::keyClick(line(), Qt::Key_Return);
+    }
+    static QString plain(const QString &html)
+    {
+        QTextDocument document;
+        document.setHtml(html);
+        return document.toPlainText();
+    }
+    QString verdict() { return plain(named<QLabel>(*m_window, "predictVerdict")->text()); }
+    QLineEdit *line() { return named<QLineEdit>(*m_window, "predictAnswer"); }
+
+    IsolatedSettings m_settings;
+    std::unique_ptr<MainWindow> m_window;
+    Playhead *m_playhead = nullptr;
+};
+
+QTEST_MAIN(TestPredictKeys)
+#include "tst_predictkeys.moc"

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QStyledItemDelegate>
+
+namespace pixelplumb {
+
+class SceneDocument;
+
+/// The field in which a coordinate of a list is typed (objectName "coordinateField"). What is none
+/// is not taken; the document tells why (SceneDocument::refused).
+class CoordinateDelegate : public QStyledItemDelegate {
+    Q_OBJECT
+
+public:
+    CoordinateDelegate(SceneDocument *document, QObject *parent);
+
+    QWidget *createEditor(QWidget *parent, const QStyleOptionViewItem &option,
+                          const QModelIndex &index) const override;
+
+private:
+    SceneDocument *m_document;
+};
+
+} // namespace pixelplumb

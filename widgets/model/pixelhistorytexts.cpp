@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/pixelreason.h"
+#include "widgets/look/corewords.h"
+#include "widgets/look/numberformat.h"
+#include "widgets/model/pixelhistorymodel.h"
+
+#include <QColor>
+
+#include <algorithm>
+
+/// What the rows say.
+namespace pixelplumb {
+
+namespace {
+
+/// "△ 2", "line 0".
+QString nameText(const PixelAttempt &attempt)
+{
+    const QString kind = attempt.kind == PrimitiveKind::Triangle ? QStringLiteral("△")
+                                                                 : coreWord(nameOf(attempt.kind));
+    return QStringLiteral("%1 %2").arg(kind).arg(attempt.primitive);
+}
+
+QColor opaque(QRgb colour) { return QColor::fromRgb(colour); }
+
+/// Whether effects have made other bytes of the colour that the sample had.
+bool isOfBase(const PixelAttempt &attempt)
+{
+    const Colour written = unpacked(attempt.change.after);
+    for (std::size_t i = 0; i < 3; ++i) {
+        if (std::clamp<std::int64_t>(attempt.sample->level[i], 0, 255) != written.channels[i])
+            return true;
+    }
+    return false;
+}
+
+/// Why the triangle keeps the sample out: the edge that is farthest from accepting it.
+std::size_t refusingEdge(const oracle::SampleVerdict &verdict)
+{
+    const auto refusing = std::ranges::min_element(
+        verdict.edges, [](const oracle::EdgeVerdict &a, const oracle::EdgeVerdict &b) {
+            return std::pair(a.accepts, a.distance) < std::pair(b.accepts, b.distance);
+        });
+    return std::size_t(refusing - verdict.edges.begin());
+}
+
+} // namespace
+
+QString PixelHistoryModel::attemptText(const PixelAttempt &attempt, int column) const
+{
+    switch (column) {
+    case WhatColumn:
+        if (attempt.written)
+            return (attempt.step < m_position ? tr("%1 wrote it") : tr("%1 will write it"))
+                .arg(nameText(attempt));
+        if (attempt.verdict.covered && attempt.sample && m_traced->plan)
+            return tr("%1 is hidden or refused").arg(nameText(attempt)); // as its reason says
+        return (attempt.verdict.covered ? tr("%1 missed it") : tr("%1 refuses it"))
+            .arg(nameText(attempt));
+    case UsedColumn:
+        if (attempt.written)
+            return tr("%1 → %2").arg(opaque(attempt.change.before).name(),
+                                     opaque(attempt.change.after).name());
+        if (attempt.verdict.covered || !attempt.hasEdges())
+            return {};
+        return edgeText(attempt, refusingEdge(attempt.verdict), UsedColumn);
+    case ByteColumn:
+        return attempt.written ? tr("step %1").arg(attempt.step + 1) : QString();
+    default:
+        break;
+    }
+    if (!attempt.written || attempt.verdict.covered)
+        return {};
+    const bool isInPart = m_traced->plan && m_traced->plan->antialiasing != Antialiasing::None;
+    return isInPart ? tr("covered in part") : tr("not covered");
+}
+
+QString PixelHistoryModel::channelText(const PixelAttempt &attempt, std::size_t channel,
+                                       int column) const
+{
+    const Quantity &used = attempt.sample->colour[channel];
+    const Quantity &exact = attempt.exactColour[channel];
+    const Arithmetic arithmetic = m_traced->scene.settings.arithmetic;
+    const std::int64_t level = attempt.sample->level[channel];
+    switch (column) {
+    case WhatColumn:
+        // What is done to it afterwards stands in the reason and in the Formula panel.
+        return (isOfBase(attempt) ? tr("base %1") : QStringLiteral("%1"))
+            .arg(QStringLiteral("RGB").at(qsizetype(channel)));
+    case UsedColumn:
+        return displayText(used, arithmetic);
+    case ByteColumn: {
+        const std::int64_t byte = std::clamp<std::int64_t>(level, 0, 255);
+        return byte == level ? tr("→ %1").arg(byte) : tr("→ %1 clamped to %2").arg(level).arg(byte);
+    }
+    default:
+        break;
+    }
+    if (exact.isNone())
+        return {}; // the truth of a shape is its pixels
+    return besideText(used, exact);
+}
+
+/// The exact number and the error; where nothing is rounded and both are one number, its decimals.
+QString PixelHistoryModel::besideText(const Quantity &used, const Quantity &exact) const
+{
+    if (m_traced->scene.settings.arithmetic == Arithmetic::Exact
+        && (exact.isNone() || used == exact))
+        return decimalBeside(used);
+    return exact.isNone()
+        ? QString()
+        : tr("exact %1, error %2").arg(displayText(exact), displayError(used, exact));
+}
+
+QString PixelHistoryModel::carriedText(const PixelAttempt::Carried &number, int column) const
+{
+    const Arithmetic arithmetic = m_traced->scene.settings.arithmetic;
+    switch (column) {
+    case WhatColumn:
+        return number.title;
+    case UsedColumn:
+        return displayText(number.used, arithmetic);
+    case ByteColumn:
+        return {};
+    default:
+        break;
+    }
+    return besideText(number.used, number.exact);
+}
+
+QString PixelHistoryModel::edgeText(const PixelAttempt &attempt, std::size_t index,
+                                    int column) const
+{
+    const oracle::EdgeVerdict &edge = attempt.verdict.edges[index];
+    switch (column) {
+    case WhatColumn:
+        return tr("edge %1").arg(attempt.edgeNames[index]);
+    case UsedColumn:
+        if (const ScanDistance distance = scanDistance(edge, *m_traced->trace);
+            !distance.exact.isNone())
+            return (distance.axis == SpanAxis::Column ? tr("%1 px along column")
+                                                      : tr("%1 px along row"))
+                .arg(displayText(distance.exact));
+        return {};
+    case ByteColumn:
+        if (edge.edgeFunction == 0)
+            return edge.accepts ? tr("on it: accepts") : tr("on it: refuses");
+        return edge.accepts ? tr("accepts") : tr("refuses");
+    default:
+        break;
+    }
+    return tr("%1 px square to it").arg(QString::number(edge.distance, 'g', 4).replace(u'-', u'−'));
+}
+
+QString PixelHistoryModel::detailText(const PixelAttempt &attempt, std::size_t row,
+                                      int column) const
+{
+    const std::size_t channels = attempt.written ? channelRows : 0;
+    const std::size_t edges = channels + attempt.carried.size();
+    if (row < channels)
+        return channelText(attempt, row, column);
+    return row < edges ? carriedText(attempt.carried[row - channels], column)
+                       : edgeText(attempt, row - edges, column);
+}
+
+} // namespace pixelplumb
