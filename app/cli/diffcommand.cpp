@@ -44,9 +44,9 @@ std::vector<std::uint8_t> undecidableOf(const Side &expected, const Side &found,
                                         Arithmetic tolerance)
 {
     if (expected.scene)
-        return undecidablePixels(*expected.scene, found.picture, tolerance);
+        return undecidablePixels(*expected.scene, expected.picture, found.picture, tolerance);
     if (found.scene)
-        return undecidablePixels(*found.scene, expected.picture, tolerance);
+        return undecidablePixels(*found.scene, found.picture, expected.picture, tolerance);
     return {};
 }
 

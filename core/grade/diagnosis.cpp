@@ -82,8 +82,9 @@ private:
 bool isUndecidable(DefectPictures &pictures, std::span<const FoundPicture> found)
 {
     return std::ranges::all_of(found, [&](const FoundPicture &each) {
-        return differenceOf(*pictures.picture(each.scene, {}), each.picture,
-                            undecidablePixels(pictures.scenes()[each.scene], each.picture,
+        const Picture &right = *pictures.picture(each.scene, {});
+        return differenceOf(right, each.picture,
+                            undecidablePixels(pictures.scenes()[each.scene], right, each.picture,
                                               Arithmetic::Float32))
                    .differing()
             == 0;

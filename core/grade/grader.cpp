@@ -143,7 +143,7 @@ std::vector<std::uint8_t> Grader::leftOpen(std::size_t scene, const Picture &fou
 {
     if (m_assignment.leeway == Leeway::None)
         return {};
-    return undecidablePixels(m_assignment.scenes[scene].scene, found,
+    return undecidablePixels(m_assignment.scenes[scene].scene, m_expected[scene], found,
                              toleranceOf(m_assignment.leeway));
 }
 

@@ -38,10 +38,12 @@ Result<Trial> tryProgram(const StudentProgram &student, const Scene &scene, cons
         return trial;
     }
     trial.output = std::move(*output);
-    if (trial.output.picture)
+    if (trial.output.picture) {
+        const Picture right = pictureOf(scene);
+        const Picture &found = *trial.output.picture;
         trial.picture
-            = differenceOf(pictureOf(scene), *trial.output.picture,
-                           undecidablePixels(scene, *trial.output.picture, terms.tolerance));
+            = differenceOf(right, found, undecidablePixels(scene, right, found, terms.tolerance));
+    }
     if (trial.output.lines.empty())
         return trial;
     Result<std::optional<TraceDifference>> difference
