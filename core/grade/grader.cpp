@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/grader.h"
 
+#include "core/frame/framebuffer.h"
 #include "core/grade/delivery.h"
 #include "core/grade/undecidable.h"
 
@@ -67,7 +68,7 @@ double pointsInPart(const GradedCheck &check, const Picture &expected, const Pic
         : 0;
 }
 
-std::optional<FramePixel> firstDifferenceIn(const PictureDiff &diff)
+std::optional<FramePixel> firstDifferenceIn(const PictureDiff &diff, const FrameSpec &frame)
 {
     const auto isOther = [](PixelVerdict verdict) { return verdict != PixelVerdict::Same; };
     // One that is left open comes first only where there is no other.
@@ -79,7 +80,8 @@ std::optional<FramePixel> firstDifferenceIn(const PictureDiff &diff)
     if (found == diff.verdicts.end())
         return std::nullopt;
     const auto place = int(found - diff.verdicts.begin());
-    return FramePixel{place % diff.width, place / diff.width};
+    return FramePixel{frame.firstColumn + place % diff.width,
+                      int(rowOfPictureLine(frame, place / diff.width))};
 }
 
 GradeVerdict verdictOf(const std::vector<GradedScene> &scenes)
@@ -169,7 +171,7 @@ GradedScene Grader::judge(std::size_t scene, const Delivery &delivery) const
         graded.largestError = diff.largestError;
         for (const PictureCause &cause : diff.causes)
             graded.causes += cause.name;
-        graded.firstDifference = firstDifferenceIn(diff);
+        graded.firstDifference = firstDifferenceIn(diff, asked.scene.frame);
     }
     for (std::size_t i = 0; i < allChecks.size(); ++i) {
         GradedCheck check{allChecks[i], false, 0, asked.points[i]};
