@@ -127,12 +127,22 @@ ExitCode diff(const Command &command, const QStringList &arguments)
         if (!side->scene && side->picture.hasColours)
             coverAllBut(*background, side->picture);
     }
+    for (const auto &[path, side] :
+         {std::pair(line.argument(0), &*expected), std::pair(line.argument(1), &*found)}) {
+        if (side->picture.isTransparent)
+            sayLine(
+                QStringLiteral("%1: has transparent pixels; their transparency is ignored, their "
+                               "colours count")
+                    .arg(path));
+    }
     const PictureDiff difference = differenceOf(expected->picture, found->picture,
                                                 undecidableOf(*expected, *found, *tolerance));
     const std::int64_t twice = drawnTwiceIn(*expected, *found);
     if (line.isSet(jsonOption)) {
         QJsonObject object = jsonOf(difference);
         object.insert(QStringLiteral("drawnTwice"), qint64(twice));
+        object.insert(QStringLiteral("transparencyIgnored"),
+                      expected->picture.isTransparent || found->picture.isTransparent);
         printJson(QJsonDocument(object));
     } else {
         printLines(textOf(difference));

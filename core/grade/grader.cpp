@@ -161,9 +161,13 @@ GradedScene Grader::judge(std::size_t scene, const Delivery &delivery) const
     graded.note = delivery.note;
     PictureDiff diff;
     const bool wantsColours = asked.points[std::size_t(Check::Colours)] > 0;
+    const auto add = [&graded](const QString &note) {
+        graded.note = graded.note ? *graded.note + QStringLiteral("; ") + note : note;
+    };
     if (delivery.picture && !delivery.picture->hasColours && wantsColours)
-        graded.note = (graded.note ? *graded.note + QStringLiteral("; ") : QString())
-            + QStringLiteral("a raster of characters has no colours");
+        add(QStringLiteral("a raster of characters has no colours"));
+    if (delivery.picture && delivery.picture->isTransparent)
+        add(QStringLiteral("the picture has transparent pixels; their transparency is ignored"));
     if (delivery.picture) {
         diff = differenceOf(m_expected[scene], *delivery.picture,
                             leftOpen(scene, *delivery.picture));
