@@ -13,7 +13,7 @@
 
 using namespace pixelplumb;
 
-/// The smallest scene on which two programs differ is found.
+/// A small scene on which two programs differ is found.
 class TestCounterExample : public QObject {
     Q_OBJECT
 

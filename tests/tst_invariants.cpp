@@ -44,6 +44,37 @@ private slots:
         QVERIFY2(unseen.size() <= missed, qPrintable(unseen.join(u' ')));
     }
 
+    void theTruthKeepsEveryInvariantUnderEveryRule_data()
+    {
+        QTest::addColumn<FillRule>("rule");
+        QTest::addColumn<FrameOrigin>("origin");
+        for (const FillRule rule : allFillRules) {
+            QTest::addRow("%s, y up", nameOf(rule).data()) << rule << FrameOrigin::BottomLeft;
+            QTest::addRow("%s, y down", nameOf(rule).data()) << rule << FrameOrigin::TopLeft;
+        }
+    }
+    void theTruthKeepsEveryInvariantUnderEveryRule()
+    {
+        QFETCH(FillRule, rule);
+        QFETCH(FrameOrigin, origin);
+        Scene conventions;
+        conventions.frame.origin = origin;
+        conventions.settings.fillRule = rule;
+        const ScanSettings settings{.fillRule = rule};
+        for (const char *method : {"edge-equations", "truth"}) {
+            for (std::uint64_t seed = 1; seed <= 20; ++seed) {
+                const Contender drawer{methodNamed(QString::fromLatin1(method)), settings};
+                const auto report = checkInvariants(sourceOf(drawer), conventions, seed, 60);
+                QVERIFY(report.checked > 0 && report.undrawn == 0);
+                for (const BrokenInvariant &each : report.broken)
+                    QFAIL(qPrintable(QStringLiteral("%1, seed %2: %3")
+                                         .arg(QString::fromLatin1(method))
+                                         .arg(seed)
+                                         .arg(nameOf(each.invariant))));
+            }
+        }
+    }
+
     void whatRoundingBreaksIsToldApart_data()
     {
         QTest::addColumn<QString>("drawer");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/console.h"
 
+#include "core/grade/showntext.h"
+
 #include <cstdio>
 
 namespace pixelplumb::cli {
@@ -28,6 +30,6 @@ void printJson(const QJsonDocument &document)
     printLine(QString::fromUtf8(document.toJson().chopped(1)));
 }
 
-void sayLine(const QString &line) { writeLine(stderr, line); }
+void sayLine(const QString &line) { writeLine(stderr, escapedControls(line)); }
 
 } // namespace pixelplumb::cli

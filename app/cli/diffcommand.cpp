@@ -44,9 +44,9 @@ std::vector<std::uint8_t> undecidableOf(const Side &expected, const Side &found,
                                         Arithmetic tolerance)
 {
     if (expected.scene)
-        return undecidablePixels(*expected.scene, found.picture, tolerance);
+        return undecidablePixels(*expected.scene, expected.picture, found.picture, tolerance);
     if (found.scene)
-        return undecidablePixels(*found.scene, expected.picture, tolerance);
+        return undecidablePixels(*found.scene, found.picture, expected.picture, tolerance);
     return {};
 }
 
@@ -127,12 +127,22 @@ ExitCode diff(const Command &command, const QStringList &arguments)
         if (!side->scene && side->picture.hasColours)
             coverAllBut(*background, side->picture);
     }
+    for (const auto &[path, side] :
+         {std::pair(line.argument(0), &*expected), std::pair(line.argument(1), &*found)}) {
+        if (side->picture.isTransparent)
+            sayLine(
+                QStringLiteral("%1: has transparent pixels; their transparency is ignored, their "
+                               "colours count")
+                    .arg(path));
+    }
     const PictureDiff difference = differenceOf(expected->picture, found->picture,
                                                 undecidableOf(*expected, *found, *tolerance));
     const std::int64_t twice = drawnTwiceIn(*expected, *found);
     if (line.isSet(jsonOption)) {
         QJsonObject object = jsonOf(difference);
         object.insert(QStringLiteral("drawnTwice"), qint64(twice));
+        object.insert(QStringLiteral("transparencyIgnored"),
+                      expected->picture.isTransparent || found->picture.isTransparent);
         printJson(QJsonDocument(object));
     } else {
         printLines(textOf(difference));

@@ -36,7 +36,7 @@ const std::vector<Command> &commands()
         {QStringLiteral("probes"),
          QStringLiteral("Find the few scenes that tell the known defects apart."), probes},
         {QStringLiteral("counterexample"),
-         QStringLiteral("Find the smallest scene of which two draw different pictures."),
+         QStringLiteral("Find a small scene of which two draw different pictures."),
          counterExample},
         {QStringLiteral("invariants"),
          QStringLiteral("Tell what holds of every right picture, and of these not."), invariants},

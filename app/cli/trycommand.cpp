@@ -101,6 +101,19 @@ void addTrialOptions(CommandLine &line)
     line.addOption({QStringLiteral("json"), QStringLiteral("Print JSON.")});
 }
 
+/// Of trials that are right; a word as diagnose has it.
+QString verdictOf(const std::vector<SceneTrial> &tried)
+{
+    std::int64_t open = 0;
+    for (const SceneTrial &each : tried)
+        open += each.trial.picture ? each.trial.picture->count(PixelVerdict::Undecidable) : 0;
+    if (open == 0)
+        return QStringLiteral("right");
+    return QStringLiteral("undecidable: %1 %2, as a right program may have it")
+        .arg(open)
+        .arg(open == 1 ? QStringLiteral("pixel differs") : QStringLiteral("pixels differ"));
+}
+
 /// What all pictures together tell; none where there is none, or nothing to explain.
 std::optional<Diagnosis> diagnosisOf(const std::vector<Submission> &submissions, bool isRight,
                                      Arithmetic tolerance)
@@ -165,6 +178,8 @@ ExitCode tryProgram(const Command &command, const QStringList &arguments)
             printLines(linesOf(each));
         if (diagnosis)
             printLines(textOf(*diagnosis, submissions));
+        else if (areRight)
+            printLine(verdictOf(tried));
     }
     if (!isSandboxed)
         sayLine(QStringLiteral("no sandbox: the system gives no namespaces; the limits held, but "

@@ -28,7 +28,7 @@ PictureSource allowingFor(Arithmetic arithmetic, const PictureSource &source)
         const Picture truth = truePictureOf(scene);
         if (!picture || picture->size() != truth.size())
             return picture;
-        const auto undecidable = undecidablePixels(scene, *picture, arithmetic);
+        const auto undecidable = undecidablePixels(scene, truth, *picture, arithmetic);
         const auto ties = tiesOf(scene);
         for (std::size_t i = 0; i < undecidable.size(); ++i) {
             // On an edge it is open who draws, not in which colour.

@@ -156,4 +156,25 @@ std::optional<double> ArithmeticBound::levelError(std::int64_t x, std::int64_t y
     return std::max({byColumns, byRows, byFunctions});
 }
 
+std::optional<LevelRange> ArithmeticBound::levelsAt(std::int64_t x, std::int64_t y,
+                                                    std::size_t channel) const
+{
+    constexpr double ownError = 1e-9; // of these doubles
+    if (const auto error = levelError(x, y, channel)) {
+        const double exact = oracle::colourAt(m_triangle, x, y)[channel].toDouble();
+        return LevelRange{exact - *error - ownError, exact + *error + ownError};
+    }
+    const bool isThinnerThanHeld = m_area != 0 && m_area <= 2 * m_functionError;
+    if (isThinnerThanHeld || m_largest > largestProved)
+        return std::nullopt;
+    const auto level = [&](std::size_t vertex) {
+        return double(m_triangle.vertices[vertex].colour.channels[channel]);
+    };
+    const auto [least, most] = std::minmax({level(0), level(1), level(2)});
+    const double ofFunctions = m_area != 0 ? 16 * m_functionError / m_area : 0;
+    const double error
+        = 5 * std::max(m_columnLevelError, m_rowLevelError) + levels * (ofFunctions + 16 * m_unit);
+    return LevelRange{least - error, most + error};
+}
+
 } // namespace pixelplumb

@@ -13,6 +13,11 @@ namespace pixelplumb {
 
 enum class SamplePlace { Inside, Outside, Undecided };
 
+struct LevelRange {
+    double least = 0;
+    double most = 0;
+};
+
 /// How far a right program may be off on one triangle, in sample coordinates, if it walks between
 /// two edges, from any column or row of theirs, or asks edge functions (barycentric ones among
 /// them) and rounds every operation: the proofs stand in resources/numerics.md, 3.9.
@@ -31,6 +36,10 @@ public:
     double endError(SpanAxis axis) const;
     /// What a level may be off by at a sample inside; none: by anything.
     std::optional<double> levelError(std::int64_t x, std::int64_t y, std::size_t channel) const;
+    /// The levels that a right program may have at a sample that it draws: those near the exact
+    /// one, and on a thin span, or of a triangle without area, those between the vertices' (a start
+    /// at one end and a part of the way to the other); none: any.
+    std::optional<LevelRange> levelsAt(std::int64_t x, std::int64_t y, std::size_t channel) const;
 
     /// What a level may be off by of who walks by columns and adds this rate from sample to sample.
     double spanLevelError(double rate) const;

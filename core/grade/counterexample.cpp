@@ -36,7 +36,8 @@ std::vector<Growth> growths()
     }
     return all;
 }
-constexpr int triesEach = 60;
+constexpr int triesOfMethods = 60; // of each growth
+constexpr int triesOfPrograms = 6;
 constexpr std::int64_t mostUndrawn = 100; // from the start on
 
 Scene grownScene(const Scene &conventions, const Growth &growth, SeededRandom &random)
@@ -162,7 +163,8 @@ QString endText(const StudentRun &run)
 
 PictureSource sourceOf(const StudentProgram &student, const TrialTerms &terms)
 {
-    return {student.path, [student, terms](const Scene &scene) -> Result<Picture> {
+    return {student.path,
+            [student, terms](const Scene &scene) -> Result<Picture> {
                 const Result<StudentRun> run = runOn(student, scene, terms);
                 if (!run)
                     return run.error();
@@ -176,7 +178,10 @@ PictureSource sourceOf(const StudentProgram &student, const TrialTerms &terms)
                                       QStringLiteral("a trace without lines of pixels"),
                                       QStringLiteral("a picture, or a line a pixel")};
                 return std::move(*output->picture);
-            }};
+            },
+            {},
+            false,
+            true};
 }
 
 SceneTrial tryScene(const PictureSource &one, const PictureSource &other, Scene scene)
@@ -203,6 +208,7 @@ CounterSearch findCounterExample(const PictureSource &one, const PictureSource &
                                  const Scene &conventions, std::uint64_t seed,
                                  const ProgressListener &listener)
 {
+    const int triesEach = one.isProgram || other.isProgram ? triesOfPrograms : triesOfMethods;
     SeededRandom random(seed);
     CounterSearch search;
     const std::vector<Growth> all = growths();

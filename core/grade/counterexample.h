@@ -23,6 +23,7 @@ struct PictureSource {
     /// What its run is of; none where it is no run of a method.
     std::function<std::optional<DefectiveScene>(const Scene &scene)> runOf = {};
     bool isStable = false; ///< every picture is the truth, by proof
+    bool isProgram = false; ///< each picture takes a start: fewer are asked for
 };
 
 PictureSource sourceOf(const Contender &contender);
@@ -55,8 +56,8 @@ struct CounterSearch {
 
 /// Looks through random scenes that grow, from 3 px to 64, from whole coordinates to 1/256 px, of
 /// one colour and then of several, with one primitive and then with two that share an edge; what
-/// is found is shrunk until no step makes it simpler. It ends early where the first hundred that
-/// are asked for cannot be drawn. Primitives are lines where the conventions' method draws no
+/// is found is shrunk until no single step makes it simpler. It ends early where the first hundred
+/// that are asked for cannot be drawn. Primitives are lines where the conventions' method draws no
 /// triangles. The same seed finds the same.
 CounterSearch findCounterExample(const PictureSource &one, const PictureSource &other,
                                  const Scene &conventions, std::uint64_t seed,

@@ -150,7 +150,7 @@ Delivery deliveredPicture(const SubmissionEntry &entry, const AssignedScene &sce
     delivery.file = escapedName(file.name);
     const Result<QByteArray> content = entry.read(file, largestPictureFile);
     if (content)
-        take(readStudentOutput(*content, scene.scene), delivery);
+        take(readStudentOutput(*content, scene.scene, delivery.file), delivery);
     else
         delivery.fault = content.error().message();
     return delivery;
@@ -165,7 +165,7 @@ const SubmittedFile *programOf(const SubmissionEntry &entry, const AssignedProgr
 }
 
 Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
-                 const Assignment &assignment, const AssignedScene &scene,
+                 const Assignment &assignment, const AssignedScene &scene, int clockTimes,
                  const std::stop_token &stop)
 {
     Delivery delivery;
@@ -185,6 +185,7 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     terms.tolerance = toleranceOf(assignment.leeway);
     terms.input = program.input;
     terms.limits.time = std::chrono::seconds(program.seconds);
+    terms.limits.clockTimes = clockTimes;
     terms.limits.memory = std::int64_t(program.megabytes) << 20;
     terms.limits.output = std::int64_t(program.outputMegabytes) << 20;
     const Result<Trial> trial = tryProgram(*student, scene.scene, terms, stop);
@@ -194,6 +195,7 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     }
     delivery.run = GradedRun{nameOf(trial->run.end), shownText(trial->run.told.toUtf8()),
                              shownText(trial->run.messages)};
+    delivery.wasLate = trial->run.isByClock;
     if (trial->trace)
         delivery.trace = shownText(trial->trace->text.toUtf8());
     if (trial->fault)
@@ -214,7 +216,14 @@ std::vector<Delivery> deliveriesOf(const SubmissionEntry &entry, const Assignmen
     std::vector<Delivery> deliveries;
     for (const AssignedScene &scene : assignment.scenes) {
         if (program) {
-            deliveries.push_back(drawnBy(entry, *program, assignment, scene, stop));
+            // Who waits for what never comes waits in each scene: it is believed once.
+            const bool wasLate = std::ranges::any_of(deliveries, &Delivery::wasLate);
+            deliveries.push_back(drawnBy(entry, *program, assignment, scene,
+                                         wasLate ? 1 : ProgramLimits{}.clockTimes, stop));
+            if (wasLate && deliveries.back().wasLate)
+                deliveries.back().note = QStringLiteral(
+                    "it was given less time by the clock, for it had used all of it in a scene "
+                    "before");
             continue;
         }
         const auto files = pictureFilesOf(entry, scene);

@@ -14,6 +14,7 @@ struct Delivery {
     QString fault; ///< empty: there is a picture
     std::optional<Picture> picture;
     std::optional<GradedRun> run; ///< of the program that drew it
+    bool wasLate = false; ///< it was ended by the clock
     QString trace; ///< GradedScene's
     std::optional<QString> note; ///< GradedScene's
 };

@@ -19,9 +19,10 @@ bool isUndecidable(DefectPictures &pictures, std::span<const FoundPicture> found
                    std::optional<Arithmetic> tolerance)
 {
     return tolerance && std::ranges::all_of(found, [&](const FoundPicture &each) {
-               return differenceOf(*pictures.picture(each.scene, {}), each.picture,
-                                   undecidablePixels(pictures.scenes()[each.scene], each.picture,
-                                                     *tolerance))
+               const Picture &right = *pictures.picture(each.scene, {});
+               return differenceOf(right, each.picture,
+                                   undecidablePixels(pictures.scenes()[each.scene], right,
+                                                     each.picture, *tolerance))
                           .differing()
                    == 0;
            });

@@ -33,7 +33,7 @@ template <PartOf<FramePixel> Self, class Visit>
 void eachField(Self &self, const Visit &visit)
 {
     visit("x", self.x);
-    visit("line", self.line);
+    visit("y", self.y);
 }
 
 template <PartOf<GradedScene> Self, class Visit>

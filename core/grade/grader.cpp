@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/grader.h"
 
+#include "core/frame/framebuffer.h"
 #include "core/grade/delivery.h"
 #include "core/grade/undecidable.h"
 
@@ -65,7 +66,7 @@ double pointsInPart(const GradedCheck &check, const Picture &expected, const Pic
         : 0;
 }
 
-std::optional<FramePixel> firstDifferenceIn(const PictureDiff &diff)
+std::optional<FramePixel> firstDifferenceIn(const PictureDiff &diff, const FrameSpec &frame)
 {
     const auto isOther = [](PixelVerdict verdict) { return verdict != PixelVerdict::Same; };
     // One that is left open comes first only where there is no other.
@@ -77,7 +78,8 @@ std::optional<FramePixel> firstDifferenceIn(const PictureDiff &diff)
     if (found == diff.verdicts.end())
         return std::nullopt;
     const auto place = int(found - diff.verdicts.begin());
-    return FramePixel{place % diff.width, place / diff.width};
+    return FramePixel{frame.firstColumn + place % diff.width,
+                      int(rowOfPictureLine(frame, place / diff.width))};
 }
 
 GradeVerdict verdictOf(const std::vector<GradedScene> &scenes)
@@ -124,7 +126,7 @@ std::vector<std::uint8_t> Grader::leftOpen(std::size_t scene, const Picture &fou
 {
     if (m_assignment.leeway == Leeway::None)
         return {};
-    return undecidablePixels(m_assignment.scenes[scene].scene, found,
+    return undecidablePixels(m_assignment.scenes[scene].scene, m_expected[scene], found,
                              toleranceOf(m_assignment.leeway));
 }
 
@@ -140,9 +142,13 @@ GradedScene Grader::judge(std::size_t scene, const Delivery &delivery) const
     graded.note = delivery.note;
     PictureDiff diff;
     const bool wantsColours = asked.points[std::size_t(Check::Colours)] > 0;
+    const auto add = [&graded](const QString &note) {
+        graded.note = graded.note ? *graded.note + QStringLiteral("; ") + note : note;
+    };
     if (delivery.picture && !delivery.picture->hasColours && wantsColours)
-        graded.note = (graded.note ? *graded.note + QStringLiteral("; ") : QString())
-            + QStringLiteral("a raster of characters has no colours");
+        add(QStringLiteral("a raster of characters has no colours"));
+    if (delivery.picture && delivery.picture->isTransparent)
+        add(QStringLiteral("the picture has transparent pixels; their transparency is ignored"));
     if (delivery.picture) {
         diff = differenceOf(m_expected[scene], *delivery.picture,
                             leftOpen(scene, *delivery.picture));
@@ -150,7 +156,7 @@ GradedScene Grader::judge(std::size_t scene, const Delivery &delivery) const
         graded.largestError = diff.largestError;
         for (const PictureCause &cause : diff.causes)
             graded.causes += cause.name;
-        graded.firstDifference = firstDifferenceIn(diff);
+        graded.firstDifference = firstDifferenceIn(diff, asked.scene.frame);
     }
     for (std::size_t i = 0; i < allChecks.size(); ++i) {
         GradedCheck check{allChecks[i], false, 0, asked.points[i]};

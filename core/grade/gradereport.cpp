@@ -24,9 +24,7 @@ QString differencesText(const GradedScene &scene)
     }
     QString text = QStringLiteral("%1: %2").arg(scene.scene, parts.join(QStringLiteral(", ")));
     if (const auto &first = scene.firstDifference)
-        text += QStringLiteral("; the first is column %1 of line %2 from the top, counted from 0")
-                    .arg(first->x)
-                    .arg(first->line);
+        text += QStringLiteral("; the first is (%1, %2)").arg(first->x).arg(first->y);
     return text;
 }
 

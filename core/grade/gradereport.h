@@ -39,9 +39,10 @@ struct GradedRun {
     friend bool operator==(const GradedRun &, const GradedRun &) = default;
 };
 
+/// In frame coordinates, as everywhere beside a scene.
 struct FramePixel {
     int x = 0;
-    int line = 0; ///< 0 is the top one
+    int y = 0;
 
     friend bool operator==(const FramePixel &, const FramePixel &) = default;
 };
@@ -55,7 +56,7 @@ struct GradedScene {
     std::array<std::int64_t, allPixelVerdicts.size()> counts = {}; ///< pixels, by PixelVerdict
     int largestError = 0; ///< of a byte, where the colour is wrong
     QStringList causes; ///< what, done to the whole picture, leaves at most half of the differences
-    std::optional<FramePixel> firstDifference; ///< from the top, line by line
+    std::optional<FramePixel> firstDifference; ///< as one reads, from the top line on
     std::optional<GradedRun> run;
     QString trace; ///< the first quantity in which the program's trace differs; empty: none
     std::optional<QString> note; ///< what else is to be known: which of two pictures was taken

@@ -124,7 +124,7 @@ QByteArray csvOf(const GradeReport &report)
              cellText(sentencesFor(each, report.assignment.hint).join(QStringLiteral(" / "))),
              cellText(each.review.comment),
              each.review.isAccepted ? QStringLiteral("yes") : QStringLiteral("no"),
-             cellText(each.id)});
+             each.id}); // begins with a letter, a digit or _
     for (const QString &name : report.missing)
         writer->writeRow({cellText(name), QString(), pointsText(report.assignment.points()),
                           QStringLiteral("no grade"), QString(), QString(), QString(), QString(),

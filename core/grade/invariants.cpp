@@ -113,7 +113,11 @@ private:
             vertex.position.x += shift * unitsPerPixel;
             vertex.position.y += shift * unitsPerPixel;
         }
-        const Scene movedScene = sceneOf({moved});
+        Scene movedScene = sceneOf({moved});
+        // The rule looks at the point: what moves is all that it sees.
+        const LatticePoint point = offScreenSample(scene.frame);
+        const Lattice by = shift * unitsPerPixel + sampleOffset(scene.frame);
+        movedScene.frame.offScreenPoint = LatticePoint{point.x + by, point.y + by};
         const auto picture = pictureOf(movedScene);
         if (!picture)
             return;

@@ -46,6 +46,21 @@ void takeCoverage(const CoverageMask &coverage, Picture &picture)
     }
 }
 
+/// Whether transparency is written in it anywhere.
+bool hasTransparentPixel(const QImage &image)
+{
+    if (!image.hasAlphaChannel())
+        return false;
+    const QImage pixels = image.convertToFormat(QImage::Format_ARGB32);
+    for (int line = 0; line < pixels.height(); ++line) {
+        const auto *first = reinterpret_cast<const QRgb *>(pixels.constScanLine(line));
+        if (std::any_of(first, first + pixels.width(),
+                        [](QRgb pixel) { return qAlpha(pixel) != 255; }))
+            return true;
+    }
+    return false;
+}
+
 InputError tooLarge(const QString &name, const QSize &size)
 {
     return {name, QStringLiteral("%1 × %2 pixels").arg(size.width()).arg(size.height()),
@@ -114,6 +129,12 @@ QString enlargementText(const QSize &size, const QSize &expected)
     return QStringLiteral(", %1 times as many each way, as if enlarged").arg(times);
 }
 
+bool isPictureFormat(const QByteArray &format)
+{
+    static const QList<QByteArray> formats = {"png", "ppm", "pgm", "pbm", "bmp"};
+    return formats.contains(format);
+}
+
 Result<Picture> parsePicture(const QByteArray &content, const QString &name)
 {
     if (looksLikeRaster(content)) {
@@ -136,13 +157,20 @@ Result<Picture> parsePicture(const QByteArray &content, const QString &name)
     QImageReader reader(&buffer);
     if (const QSize size = reader.size(); size.isValid() && isTooLarge(size))
         return tooLarge(name, size);
-    const QImage image = reader.read().convertToFormat(QImage::Format_RGB32);
+    const QString formats = QStringLiteral("PNG, PPM, BMP, or a raster of # and .");
+    if (const QByteArray format = reader.format(); !format.isEmpty() && !isPictureFormat(format))
+        return InputError{
+            name, QStringLiteral("a picture of the kind %1").arg(QString::fromLatin1(format)),
+            formats};
+    const QImage read = reader.read();
+    const QImage image = read.convertToFormat(QImage::Format_RGB32);
     if (image.isNull())
-        return InputError{name, QStringLiteral("no picture: ") + reader.errorString(),
-                          QStringLiteral("PNG, PPM, BMP, or a raster of # and .")};
+        return InputError{name, QStringLiteral("no picture: ") + reader.errorString(), formats};
     if (isTooLarge(image.size()))
         return tooLarge(name, image.size());
-    return pictureIn(image);
+    Picture picture = pictureIn(image);
+    picture.isTransparent = hasTransparentPixel(read);
+    return picture;
 }
 
 } // namespace pixelplumb

@@ -21,6 +21,7 @@ struct Picture {
     std::vector<Colour> colours;
     std::vector<std::uint8_t> covered; ///< 1 where something was drawn
     bool hasColours = true; ///< a raster of characters has none
+    bool isTransparent = false; ///< a pixel's file has it so; its colour counts as if it were not
 
     std::size_t size() const { return colours.size(); }
     std::size_t placeOf(int x, int line) const
@@ -47,6 +48,9 @@ Picture pictureOf(const Scene &scene);
 Picture pictureIn(const QImage &image);
 /// The oracle's; covered is what has another colour than the background.
 Picture truePictureOf(const Scene &scene);
+
+/// "png", "ppm" …: the formats that are read, by their names in Qt.
+bool isPictureFormat(const QByteArray &format);
 
 /// A picture file of at most 2^28 pixels, or a raster of `#` and `.` (asciiRaster). Nothing is
 /// covered yet of a file with colours.

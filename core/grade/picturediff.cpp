@@ -22,11 +22,13 @@ int errorBetween(const Colour &a, const Colour &b)
 
 PixelVerdict verdictAt(const Picture &expected, const Picture &found, std::size_t place)
 {
+    // What is drawn in the background's colour is not seen: where there are bytes, they decide.
+    const bool haveColours = expected.hasColours && found.hasColours;
+    if (haveColours && expected.colours[place] == found.colours[place])
+        return PixelVerdict::Same;
     if (expected.covered[place] != found.covered[place])
         return expected.covered[place] != 0 ? PixelVerdict::Missing : PixelVerdict::Extra;
-    const bool haveColours = expected.hasColours && found.hasColours;
-    return haveColours && expected.colours[place] != found.colours[place] ? PixelVerdict::Colour
-                                                                          : PixelVerdict::Same;
+    return haveColours ? PixelVerdict::Colour : PixelVerdict::Same;
 }
 
 void findCauses(const Picture &expected, const Picture &found, PictureDiff &diff)

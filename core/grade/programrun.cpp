@@ -23,7 +23,6 @@ using Clock = std::chrono::steady_clock;
 
 constexpr qsizetype longestMessages = qsizetype(64) << 10;
 constexpr int stopLookedFor = 50; // ms
-constexpr std::int64_t accountingTick = 50; // ms by which the kernel's two counts may differ
 constexpr auto longestEnding = std::chrono::seconds(10);
 
 /// The input as a file in memory: it need not be fed, whoever reads it or does not.
@@ -69,12 +68,15 @@ QString sentenceOf(const StudentRun &run, const ProgramLimits &limits)
 }
 
 /// Whether it ended as the kernel ends who computes too long, or as a shell does that ran such a
-/// one. Who does not heed SIGXCPU gets SIGKILL.
-bool mayHaveComputedTooLong(int status)
+/// one. Who does not heed SIGXCPU gets SIGKILL. The kernel ends it by a count in ticks of its
+/// clock, which on a busy machine is far from what it tells afterwards, `computed`: half of the
+/// limit tells it from whoever sends itself such a signal.
+bool hasComputedTooLong(int status, std::chrono::milliseconds computed, const ProgramLimits &limits)
 {
     constexpr int ofShells = 128;
     const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status) - ofShells;
-    return signal == SIGXCPU || signal == SIGKILL;
+    return (signal == SIGXCPU || signal == SIGKILL)
+        && 2 * computed >= std::chrono::seconds(limits.wholeSeconds());
 }
 
 /// One program, from its start to the end of all that came of it.
@@ -215,7 +217,7 @@ private:
                 continue;
             }
             if (record.news == SupervisorNews::Computed) {
-                m_computed = record.value;
+                m_computed = std::chrono::milliseconds(record.value);
                 continue;
             }
             (record.news == SupervisorNews::NotStarted ? m_startError : m_status) = record.value;
@@ -232,8 +234,7 @@ private:
             m_run = notStarted(*m_startError);
         else if (m_end)
             m_run.end = *m_end;
-        else if (m_status && mayHaveComputedTooLong(*m_status)
-                 && m_computed >= m_limits.wholeSeconds() * 1000 - accountingTick)
+        else if (m_status && hasComputedTooLong(*m_status, m_computed, m_limits))
             m_run.end = ProgramEnd::TimedOut;
         else if (!m_status || WIFSIGNALED(*m_status)) // it may kill the supervisor
             m_run.end = ProgramEnd::Crashed;
@@ -243,6 +244,7 @@ private:
             m_run.code = m_status ? WTERMSIG(*m_status) : SIGKILL;
         else if (m_run.end == ProgramEnd::Failed)
             m_run.code = WEXITSTATUS(*m_status);
+        m_run.isByClock = m_run.end == ProgramEnd::TimedOut && m_end;
         if (m_run.end == ProgramEnd::TimedOut && !m_end)
             m_run.told = QStringLiteral("it was ended after %1 s of computing")
                              .arg(m_limits.wholeSeconds());
@@ -259,7 +261,7 @@ private:
     std::int64_t m_read = 0; ///< bytes of stdout and stderr
     bool m_isEnding = false; ///< from then on the deadline is the supervisor's
     std::optional<ProgramEnd> m_end; ///< where it is we who end it
-    std::int64_t m_computed = 0; ///< ms
+    std::chrono::milliseconds m_computed{0};
     std::optional<int> m_status, m_startError;
 };
 

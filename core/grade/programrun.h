@@ -17,7 +17,8 @@ namespace pixelplumb {
 struct ProgramLimits {
     std::chrono::milliseconds time{10'000}; ///< of computing, in whole seconds, for each process
     /// By the clock on the wall, which goes on while a machine has others to serve.
-    std::chrono::milliseconds wallTime() const { return 4 * time; }
+    std::chrono::milliseconds wallTime() const { return clockTimes * time; }
+    int clockTimes = 4; ///< so many times as long as of computing
     std::int64_t wholeSeconds() const
     {
         return std::chrono::ceil<std::chrono::seconds>(time).count();
@@ -47,6 +48,7 @@ struct StudentRun {
     QByteArray messages; ///< of stderr the first 64 KiB
     bool isSandboxed = false; ///< no network, no process but its own, nothing to write to but its
                               ///< folder
+    bool isByClock = false; ///< where it timed out: it had not computed for so long
     QString told; ///< a sentence: how it ended
 };
 

@@ -11,6 +11,10 @@ namespace pixelplumb {
 /// characters.
 QString shownText(const QByteArray &bytes, qsizetype longest = 2000);
 
+/// Each control character as its code, "\x1b", line feeds and tabs too: what is quoted of a file or
+/// a command line neither colours a terminal nor makes a second line.
+QString escapedControls(const QString &text);
+
 /// The first few of many names: "a, b, c, d, e …".
 QString fewNames(const QStringList &names);
 

@@ -18,20 +18,20 @@ namespace {
 
 constexpr qsizetype longestQuoted = 60;
 
-InputError otherSize(const QSize &size, const FrameSpec &frame)
+InputError otherSize(const QString &name, const QSize &size, const FrameSpec &frame)
 {
     const QString text = QStringLiteral("%1 × %2 pixels");
-    return {QStringLiteral("the output"),
+    return {name,
             QStringLiteral("a picture of ") + text.arg(size.width()).arg(size.height())
                 + enlargementText(size, {frame.width, frame.height}),
             text.arg(frame.width).arg(frame.height)};
 }
 
-InputError noPicture(const QByteArray &output)
+InputError noPicture(const QString &name, const QByteArray &output)
 {
     const QString shown = shownText(output.left(longestQuoted * 4), longestQuoted);
     return {
-        QStringLiteral("the output"),
+        name,
         output.isEmpty() ? QStringLiteral("it is empty")
                          : QStringLiteral("neither a picture nor lines of a trace: “%1”")
                                .arg(shown.simplified()),
@@ -39,33 +39,26 @@ InputError noPicture(const QByteArray &output)
 }
 
 /// Why a picture is not to be decoded; none where it may be.
-std::optional<InputError> objectionToHeader(const QByteArray &output, const FrameSpec &frame)
+std::optional<InputError> objectionToHeader(const QString &name, const QByteArray &output,
+                                            const FrameSpec &frame)
 {
     if (const QString fault = pngFault(output); !fault.isEmpty())
-        return InputError{QStringLiteral("the output"), fault, {}};
+        return InputError{name, fault, {}};
     QByteArray bytes = output;
     QBuffer buffer(&bytes);
     buffer.open(QIODevice::ReadOnly);
-    static const QList<QByteArray> formats = {"png", "ppm", "pgm", "pbm", "bmp"};
     const QByteArray format = QImageReader::imageFormat(&buffer);
-    if (!formats.contains(format))
-        return noPicture(output);
+    if (!isPictureFormat(format))
+        return noPicture(name, output);
     const QSize size = QImageReader(&buffer).size();
     if (!size.isValid())
-        return InputError{QStringLiteral("the output"),
+        return InputError{name,
                           QStringLiteral("a picture (%1) that is broken or ends early")
                               .arg(QString::fromLatin1(format)),
                           {}};
     if (size != QSize(frame.width, frame.height))
-        return otherSize(size, frame);
+        return otherSize(name, size, frame);
     return std::nullopt;
-}
-
-bool isTrace(const QByteArray &output)
-{
-    const QByteArray start = output.left(longestQuoted).trimmed();
-    constexpr std::array words = {"column", "row", "pixel", "triangle"};
-    return std::ranges::any_of(words, [&](const char *word) { return start.startsWith(word); });
 }
 
 /// The last colour of each pixel counts; what has no line is the background.
@@ -96,10 +89,18 @@ Picture pictureFrom(std::span<const WrittenLine> lines, const FrameSpec &frame)
 
 } // namespace
 
-Result<StudentOutput> readStudentOutput(const QByteArray &output, const Scene &scene)
+bool looksLikeTrace(const QByteArray &output)
+{
+    const QByteArray start = output.left(longestQuoted).trimmed();
+    constexpr std::array words = {"column", "row", "pixel", "triangle"};
+    return std::ranges::any_of(words, [&](const char *word) { return start.startsWith(word); });
+}
+
+Result<StudentOutput> readStudentOutput(const QByteArray &output, const Scene &scene,
+                                        const QString &name)
 {
     const FrameSpec &frame = scene.frame;
-    if (isTrace(output)) {
+    if (looksLikeTrace(output)) {
         Result<std::vector<WrittenLine>> lines = parseWrittenTrace(output);
         if (!lines)
             return lines.error();
@@ -111,14 +112,14 @@ Result<StudentOutput> readStudentOutput(const QByteArray &output, const Scene &s
         return read;
     }
     if (!looksLikeRaster(output)) {
-        if (const auto objection = objectionToHeader(output, frame))
+        if (const auto objection = objectionToHeader(name, output, frame))
             return *objection;
     }
-    Result<Picture> picture = parsePicture(output, QStringLiteral("the output"));
+    Result<Picture> picture = parsePicture(output, name);
     if (!picture)
         return picture.error();
     if (picture->width != frame.width || picture->height != frame.height)
-        return otherSize(QSize(picture->width, picture->height), frame);
+        return otherSize(name, QSize(picture->width, picture->height), frame);
     if (picture->hasColours)
         coverAllBut(frame.background, *picture);
     return StudentOutput{std::move(*picture), {}};

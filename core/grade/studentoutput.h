@@ -16,8 +16,13 @@ struct StudentOutput {
     std::vector<WrittenLine> lines;
 };
 
-/// Output that nobody trusts: PNG, PPM, PGM, PBM, BMP, a raster of # and ., or lines. A picture of
-/// another size than the frame's is refused by its header, before there is room made for it.
-Result<StudentOutput> readStudentOutput(const QByteArray &output, const Scene &scene);
+/// Whether it begins as lines of a trace do.
+bool looksLikeTrace(const QByteArray &output);
+
+/// Output that nobody trusts, or a file that was handed in, by its name: PNG, PPM, PGM, PBM, BMP, a
+/// raster of # and ., or lines. A picture of another size than the frame's is refused by its
+/// header, before there is room made for it.
+Result<StudentOutput> readStudentOutput(const QByteArray &output, const Scene &scene,
+                                        const QString &name = QStringLiteral("the output"));
 
 } // namespace pixelplumb

@@ -138,8 +138,11 @@ QString escapedName(const QByteArray &name)
 QString idOf(const QByteArray &name)
 {
     QString id;
-    for (const char character : name.left(longestId))
-        id += QLatin1Char(isPlain(character) ? character : '_');
+    for (const char character : name.left(longestId)) {
+        // A file's name that begins with - is taken for an option.
+        const bool isTaken = isPlain(character) && !(id.isEmpty() && character == '-');
+        id += QLatin1Char(isTaken ? character : '_');
+    }
     const QByteArray hash = QCryptographicHash::hash(name, QCryptographicHash::Sha256);
     return id + u'-' + QString::fromLatin1(hash.left(8).toHex());
 }

@@ -72,10 +72,11 @@ bool isInFrame(const WrittenLine &line, const FrameSpec &frame)
 class TraceMatcher {
 public:
     TraceMatcher(std::span<const WrittenLine> lines, std::vector<RightLine> right,
-                 ByteRounding rounding)
+                 ByteRounding rounding, TraceExtent extent)
         : m_lines(lines)
         , m_right(std::move(right))
         , m_rounding(rounding)
+        , m_extent(extent)
     {
         for (std::size_t i = 0; i < m_right.size(); ++i) {
             m_places[{m_right[i].place, std::nullopt}].push_back(i);
@@ -104,7 +105,7 @@ public:
             if (isMissing(next))
                 return missing(next);
         }
-        return orderDifference();
+        return m_extent == TraceExtent::Whole ? orderDifference() : std::nullopt;
     }
 
 private:
@@ -143,7 +144,7 @@ private:
 
     bool isMissing(std::size_t right) const
     {
-        return m_right[right].isAskedFor && !m_isMatched[right];
+        return m_extent == TraceExtent::Whole && m_right[right].isAskedFor && !m_isMatched[right];
     }
     std::pair<QString, std::size_t> missing(std::size_t right) const
     {
@@ -221,6 +222,7 @@ private:
     std::span<const WrittenLine> m_lines;
     std::vector<RightLine> m_right;
     ByteRounding m_rounding;
+    TraceExtent m_extent = TraceExtent::Whole;
     std::map<Key, std::vector<std::size_t>> m_places; ///< indices of ours, ascending
     std::vector<std::optional<std::size_t>> m_matches; ///< by line of the program's
     std::vector<bool> m_isMatched; ///< by line of ours
@@ -230,7 +232,7 @@ private:
 
 Result<std::optional<TraceDifference>> traceDifferenceOf(const Scene &scene,
                                                          std::span<const WrittenLine> lines,
-                                                         Arithmetic tolerance)
+                                                         Arithmetic tolerance, TraceExtent extent)
 {
     const LineKinds kinds = kindsOf(lines);
     const InputError noRun{{},
@@ -246,7 +248,8 @@ Result<std::optional<TraceDifference>> traceDifferenceOf(const Scene &scene,
     std::ranges::copy_if(lines, std::back_inserter(inFrame), [&scene](const WrittenLine &line) {
         return isInFrame(line, scene.frame);
     });
-    TraceMatcher matcher(inFrame, rightLinesOf(*run, kinds, tolerance), scene.settings.rounding);
+    TraceMatcher matcher(inFrame, rightLinesOf(*run, kinds, tolerance), scene.settings.rounding,
+                         extent);
     const auto difference = matcher.firstDifference();
     if (!difference)
         return std::optional<TraceDifference>();

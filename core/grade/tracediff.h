@@ -9,6 +9,9 @@
 
 namespace pixelplumb {
 
+/// Of a program that came to no good end lines are left out, and nobody knows which.
+enum class TraceExtent { Whole, CutOff };
+
 /// The first quantity in which a program's trace differs from the right one.
 struct TraceDifference {
     QString text; ///< "column 12, y_T: 41.5, should be 41 4/7"
@@ -23,7 +26,8 @@ struct TraceDifference {
 /// pixel's whole numbers are compared with its bytes, others with its levels before rounding. Told
 /// are numbers, lines that are missing, doubled or of no pixel of the triangles, and at last the
 /// order of columns or rows, from whichever end. Lines beyond the frame are passed over. None where
-/// nothing differs; an error where no method of those lines draws the scene.
+/// nothing differs; an error where no method of those lines draws the scene. Of a trace that is cut
+/// off nothing is missing.
 ///
 /// A number is right that is the right one rounded to the digits printed: half a unit of the last
 /// one. Beyond that it may err by what ArithmeticBound says of a right program in the tolerance,
@@ -31,7 +35,7 @@ struct TraceDifference {
 /// printed alone.
 Result<std::optional<TraceDifference>> traceDifferenceOf(const Scene &scene,
                                                          std::span<const WrittenLine> lines,
-                                                         Arithmetic tolerance
-                                                         = Arithmetic::Float32);
+                                                         Arithmetic tolerance = Arithmetic::Float32,
+                                                         TraceExtent extent = TraceExtent::Whole);
 
 } // namespace pixelplumb

@@ -7,6 +7,27 @@
 
 namespace pixelplumb {
 
+namespace {
+
+/// Of the whole lines that were printed before an end that was none: the first number that is wrong
+/// often tells why. A part of a picture is not looked at.
+std::optional<TraceDifference> differenceBeforeEnd(const QByteArray &output, const Scene &scene,
+                                                   Arithmetic tolerance)
+{
+    constexpr qsizetype longestRead = qsizetype(1) << 20; // bytes
+    const QByteArray whole = output.left(longestRead);
+    const QByteArray lines = whole.left(whole.lastIndexOf('\n') + 1);
+    if (!looksLikeTrace(lines))
+        return std::nullopt;
+    const Result<StudentOutput> read = readStudentOutput(lines, scene);
+    if (!read || read->lines.empty())
+        return std::nullopt;
+    const auto difference = traceDifferenceOf(scene, read->lines, tolerance, TraceExtent::CutOff);
+    return difference ? *difference : std::nullopt;
+}
+
+} // namespace
+
 Result<StudentRun> runOn(const StudentProgram &student, const Scene &scene, const TrialTerms &terms,
                          const std::stop_token &stop)
 {
@@ -30,6 +51,7 @@ Result<Trial> tryProgram(const StudentProgram &student, const Scene &scene, cons
     trial.run = std::move(*run);
     if (trial.run.end != ProgramEnd::Finished) {
         trial.fault = InputError{{}, trial.run.told, {}};
+        trial.trace = differenceBeforeEnd(trial.run.output, scene, terms.tolerance);
         return trial;
     }
     Result<StudentOutput> output = readStudentOutput(trial.run.output, scene);
@@ -38,10 +60,12 @@ Result<Trial> tryProgram(const StudentProgram &student, const Scene &scene, cons
         return trial;
     }
     trial.output = std::move(*output);
-    if (trial.output.picture)
+    if (trial.output.picture) {
+        const Picture right = pictureOf(scene);
+        const Picture &found = *trial.output.picture;
         trial.picture
-            = differenceOf(pictureOf(scene), *trial.output.picture,
-                           undecidablePixels(scene, *trial.output.picture, terms.tolerance));
+            = differenceOf(right, found, undecidablePixels(scene, right, found, terms.tolerance));
+    }
     if (trial.output.lines.empty())
         return trial;
     Result<std::optional<TraceDifference>> difference

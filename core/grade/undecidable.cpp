@@ -2,128 +2,161 @@
 #include "core/grade/undecidable.h"
 
 #include "core/frame/framebuffer.h"
-#include "core/grade/arithmeticbound.h"
 #include "core/grade/picturediff.h"
-#include "core/oracle/oracle.h"
+#include "core/grade/triangleleeway.h"
 #include "core/runs/sceneplan.h"
 
 #include <algorithm>
-#include <cmath>
+#include <ranges>
 
 namespace pixelplumb {
 
 namespace {
 
-/// The bytes that a level may become, within its bound.
-struct ByteRange {
-    int first = 0;
-    int last = 255;
-
-    bool contains(int byte) const { return byte >= first && byte <= last; }
+/// What is known of a pixel while triangle after triangle is taken off it, the last drawn first.
+enum class Leeway : std::uint8_t {
+    Sought, ///< no triangle has been there
+    Open, ///< those that have been there may have left it out
+    Refused,
+    Given,
 };
 
-ByteRange bytesAround(double level, double error, ByteRounding rounding)
+bool isSame(const Picture &one, const Picture &other, std::size_t place)
 {
-    const double shift = rounding == ByteRounding::Nearest ? 0.5 : 0;
-    constexpr double ownError = 1e-9; // of these doubles
-    const auto byteOf
-        = [shift](double value) { return int(std::clamp(std::floor(value + shift), 0.0, 255.0)); };
-    return {byteOf(level - error - ownError), byteOf(level + error + ownError)};
+    return one.hasColours && other.hasColours ? one.colours[place] == other.colours[place]
+                                              : one.covered[place] == other.covered[place];
 }
 
-/// What is known of a pixel while triangle after triangle is laid on it.
-struct PixelLeeway {
-    bool isOpen = false; ///< whether a triangle is on top is not decided
-    bool isCovered = false;
-    std::array<ByteRange, 3> bytes = {};
+class LayeredLeeway {
+public:
+    LayeredLeeway(const Scene &scene, const Picture &drawn, const Picture &found)
+        : m_scene(scene)
+        , m_found(found)
+        , m_pixels(found.size(), Leeway::Sought)
+    {
+        for (std::size_t place = 0; place < found.size(); ++place) {
+            if (isSame(drawn, found, place))
+                m_pixels[place] = Leeway::Refused; // it needs none
+        }
+    }
+
+    void takeOff(const TriangleLeeway &triangle)
+    {
+        const SampleBox box = triangle.reachIn(m_scene.frame);
+        for (std::int64_t y = box.firstY; y < box.endY; ++y) {
+            for (std::int64_t x = box.firstX; x < box.endX; ++x) {
+                const std::size_t place = m_found.placeOf(int(x - m_scene.frame.firstColumn),
+                                                          pictureLine(m_scene.frame, y));
+                if (m_pixels[place] == Leeway::Sought || m_pixels[place] == Leeway::Open)
+                    m_pixels[place] = leewayBelow(triangle, place, x, y);
+            }
+        }
+    }
+    /// What is open yet has what was there before all triangles, or not.
+    std::vector<std::uint8_t> pixels() const
+    {
+        std::vector<std::uint8_t> given(m_pixels.size(), 0);
+        for (std::size_t place = 0; place < given.size(); ++place) {
+            const bool isBare = m_pixels[place] == Leeway::Open && isBackground(place);
+            given[place] = isBare || m_pixels[place] == Leeway::Given ? 1 : 0;
+        }
+        return given;
+    }
+
+private:
+    bool isBackground(std::size_t place) const
+    {
+        return m_found.covered[place] == 0
+            || (m_found.hasColours && m_found.colours[place] == m_scene.frame.background);
+    }
+    Leeway leewayBelow(const TriangleLeeway &triangle, std::size_t place, std::int64_t x,
+                       std::int64_t y) const
+    {
+        const SamplePlace where = triangle.placeOf(x, y);
+        if (where == SamplePlace::Outside)
+            return m_pixels[place];
+        // A raster knows no colours: inside, nothing of it is open.
+        const bool isInside = where == SamplePlace::Inside;
+        const bool isOf = m_found.hasColours
+            ? triangle.mayHave(m_found.colours[place], x, y)
+            : m_found.covered[place] != 0 && (!isInside || m_pixels[place] == Leeway::Open);
+        if (isOf)
+            return Leeway::Given;
+        return isInside ? Leeway::Refused : Leeway::Open;
+    }
+
+    const Scene &m_scene;
+    const Picture &m_found;
+    std::vector<Leeway> m_pixels;
 };
 
-void layOn(PixelLeeway &pixel, const Triangle &triangle, const ArithmeticBound &bound,
-           ByteRounding rounding, std::int64_t x, std::int64_t y)
+/// The scene under each rule that its method knows, displaced every way where a rule can be, and
+/// without each of its triangles.
+std::vector<Picture> picturesOfAllRules(Scene scene)
 {
-    switch (bound.placeOf(x, y)) {
-    case SamplePlace::Outside:
-        return;
-    case SamplePlace::Undecided:
-        pixel.isOpen = true;
-        return;
-    case SamplePlace::Inside:
-        break;
+    std::vector<Picture> pictures;
+    const auto add = [&] {
+        if (objectionTo(scene).isEmpty())
+            pictures.push_back(pictureOf(scene));
+    };
+    for (const FillRule rule : allFillRules) {
+        scene.settings.fillRule = rule;
+        if (rule != FillRule::OffScreenPoint) {
+            add();
+            continue;
+        }
+        const FrameSpec &frame = scene.frame;
+        // Beside the diagonals, on which edges lie more often.
+        for (const int x : {frame.firstColumn - 7, frame.firstColumn + frame.width + 7}) {
+            for (const int y : {frame.firstRow - 5, frame.firstRow + frame.height + 5}) {
+                scene.frame.offScreenPoint = latticePixel(x, y);
+                add();
+            }
+        }
     }
-    pixel.isOpen = false;
-    pixel.isCovered = true;
-    const auto exact = oracle::colourAt(triangle, x, y);
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto error = bound.levelError(x, y, i);
-        pixel.bytes[i] = error ? bytesAround(exact[i].toDouble(), *error, rounding) : ByteRange{};
+    // A triangle that leaves out its edges while its neighbours do not, as another rule has it that
+    // this method does not know: of few triangles.
+    constexpr std::size_t fewTriangles = 16;
+    scene.settings.fillRule = FillRule::Closed;
+    const std::size_t left = scene.triangles.size() <= fewTriangles ? scene.triangles.size() : 0;
+    for (std::size_t i = 0; i < left; ++i) {
+        const Triangle kept = scene.triangles[i];
+        for (Vertex &vertex : scene.triangles[i].vertices)
+            vertex.position = latticePixel(scene.frame.firstColumn - 2, scene.frame.firstRow - 2);
+        add();
+        scene.triangles[i] = kept;
     }
+    return pictures;
 }
 
-bool isPossible(const PixelLeeway &pixel, const Colour &colour)
+std::vector<std::uint8_t> ofAnotherRule(const Scene &scene, const Picture &drawn,
+                                        const Picture &found)
 {
-    for (std::size_t i = 0; i < 3; ++i) {
-        if (!pixel.bytes[i].contains(colour.channels[i]))
-            return false;
+    std::vector<std::uint8_t> ties = tiesOf(scene);
+    for (std::size_t place = 0; place < ties.size(); ++place)
+        ties[place] = ties[place] != 0 && !isSame(drawn, found, place) ? 1 : 0;
+    if (std::ranges::count(ties, 1) == 0)
+        return ties;
+    const std::vector<Picture> pictures = picturesOfAllRules(scene);
+    for (std::size_t place = 0; place < ties.size(); ++place) {
+        const auto isIn = [&](const Picture &other) { return isSame(other, found, place); };
+        ties[place] = ties[place] != 0 && std::ranges::any_of(pictures, isIn) ? 1 : 0;
     }
-    return true;
-}
-
-/// Whether a walk may draw the sample of a triangle without area: it lies on the triangle's
-/// segment, or nearer to it than the walk errs.
-bool mayDrawOfSegment(const Triangle &triangle, const ArithmeticBound &bound, std::int64_t x,
-                      std::int64_t y)
-{
-    const auto order = sortedByColumn(triangle);
-    const auto pixels = [](Lattice coordinate) { return double(coordinate) / unitsPerPixel; };
-    const LatticePoint &from = triangle.vertices[std::size_t(order[0])].position;
-    const LatticePoint &to = triangle.vertices[std::size_t(order[2])].position;
-    const double dx = pixels(to.x - from.x);
-    const double dy = pixels(to.y - from.y);
-    const double atX = double(x) - pixels(from.x);
-    const double atY = double(y) - pixels(from.y);
-    const double upward = bound.endError(SpanAxis::Column);
-    const double along = bound.endError(SpanAxis::Row);
-    const bool isBeside = atX < std::min(dx, 0.0) - along || atX > std::max(dx, 0.0) + along
-        || atY < std::min(dy, 0.0) - upward || atY > std::max(dy, 0.0) + upward;
-    const double cross = std::abs(dx * atY - dy * atX);
-    return !isBeside && (cross <= upward * std::abs(dx) || cross <= along * std::abs(dy));
+    return ties;
 }
 
 } // namespace
 
-std::vector<std::uint8_t> undecidablePixels(const Scene &scene, const Picture &found,
-                                            Arithmetic arithmetic)
+std::vector<std::uint8_t> undecidablePixels(const Scene &scene, const Picture &drawn,
+                                            const Picture &found, Arithmetic arithmetic)
 {
-    std::vector<std::uint8_t> undecidable = tiesOf(scene);
-    const bool isFloating = arithmetic == Arithmetic::Float32 || arithmetic == Arithmetic::Float64;
-    if (!isFloating || mayCallForEffects(scene) || !scene.shapes.empty())
-        return undecidable;
-    const FrameSpec &frame = scene.frame;
-    std::vector<PixelLeeway> pixels(undecidable.size());
-    for (const Triangle &triangle : primitivesOnSamples(scene).triangles) {
-        const ArithmeticBound bound(triangle, arithmetic);
-        const bool hasArea = doubledArea(triangle) != 0;
-        if (!bound.isProved() && (hasArea || std::isinf(bound.endError(SpanAxis::Column))))
-            return undecidable; // what it paints over may not be excused
-        const SampleBox box = bound.reachIn(frame);
-        for (std::int64_t y = box.firstY; y < box.endY; ++y) {
-            for (std::int64_t x = box.firstX; x < box.endX; ++x) {
-                const std::size_t place
-                    = found.placeOf(int(x - frame.firstColumn), pictureLine(frame, y));
-                if (hasArea)
-                    layOn(pixels[place], triangle, bound, scene.settings.rounding, x, y);
-                else if (mayDrawOfSegment(triangle, bound, x, y))
-                    pixels[place].isOpen = true;
-            }
-        }
-    }
-    for (std::size_t i = 0; i < pixels.size(); ++i) {
-        const bool isColourOpen = found.hasColours && pixels[i].isCovered && found.covered[i] != 0
-            && isPossible(pixels[i], found.colours[i]);
-        if (pixels[i].isOpen || isColourOpen)
-            undecidable[i] = 1;
-    }
-    return undecidable;
+    if (mayCallForEffects(scene) || !scene.shapes.empty())
+        return ofAnotherRule(scene, drawn, found);
+    LayeredLeeway leeway(scene, drawn, found);
+    const Primitives primitives = primitivesOnSamples(scene);
+    for (const Triangle &triangle : primitives.triangles | std::views::reverse)
+        leeway.takeOff(TriangleLeeway(triangle, arithmetic, scene.settings.rounding));
+    return leeway.pixels();
 }
 
 } // namespace pixelplumb

@@ -5,13 +5,14 @@
 
 namespace pixelplumb {
 
-/// A 1 for each pixel at which a right program may have what `found` has, whatever the truth says:
-/// its sample lies on an edge, where rules differ, or nearer to one than a right program errs that
-/// computes in this arithmetic; or the byte of its colour is that of a level no farther from the
-/// exact one than such a program's (resources/numerics.md, 3.9), or it is one of a triangle without
-/// area. Exact: ties alone. Line by line,
-/// the top line first. With effects beyond colour, and of triangles beyond 2^16 px, ties alone.
-std::vector<std::uint8_t> undecidablePixels(const Scene &scene, const Picture &found,
-                                            Arithmetic arithmetic);
+/// A 1 for each pixel in which `found` differs from what was `drawn` of the scene and at which a
+/// right program may have it so: it has what stood there before a triangle on whose edge its sample
+/// lies, where rules differ, or nearer to an edge than a right program errs that computes in this
+/// arithmetic; or the colour of such a triangle, or of one that covers it, no farther from the
+/// exact one than such a program's (TriangleLeeway; resources/numerics.md, 3.9). A third colour is
+/// none of these. With effects beyond colour, and with shapes, those of samples on an edge that
+/// have what the scene has under another rule. Line by line, the top line first.
+std::vector<std::uint8_t> undecidablePixels(const Scene &scene, const Picture &drawn,
+                                            const Picture &found, Arithmetic arithmetic);
 
 } // namespace pixelplumb

@@ -38,8 +38,8 @@ std::shared_ptr<const PictureJudgement> judgementOf(const Scene &scene, Picture 
         coverAllBut(scene.frame.background, found);
     Picture expected = pictureOf(scene);
     // As diff and grade do by default: a right program may compute in float32.
-    PictureDiff diff
-        = differenceOf(expected, found, undecidablePixels(scene, found, Arithmetic::Float32));
+    PictureDiff diff = differenceOf(expected, found,
+                                    undecidablePixels(scene, expected, found, Arithmetic::Float32));
     return std::make_shared<const PictureJudgement>(
         PictureJudgement{scene.frame, std::move(expected), std::move(found), std::move(diff)});
 }

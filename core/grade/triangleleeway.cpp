@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/triangleleeway.h"
+
+#include "core/frame/framebuffer.h"
+#include "core/oracle/oracle.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace pixelplumb {
+
+namespace {
+
+bool isWithin(const LevelRange &range, int byte, ByteRounding rounding)
+{
+    const double shift = rounding == ByteRounding::Nearest ? 0.5 : 0;
+    const auto byteOf
+        = [shift](double level) { return int(std::clamp(std::floor(level + shift), 0.0, 255.0)); };
+    return byteOf(range.least) <= byte && byte <= byteOf(range.most);
+}
+
+LevelRange levelsOf(const Triangle &triangle, std::size_t channel)
+{
+    const auto level = [&](std::size_t vertex) {
+        return double(triangle.vertices[vertex].colour.channels[channel]);
+    };
+    const auto [least, most] = std::minmax({level(0), level(1), level(2)});
+    return {least, most};
+}
+
+} // namespace
+
+TriangleLeeway::TriangleLeeway(const Triangle &triangle, Arithmetic arithmetic,
+                               ByteRounding rounding)
+    : m_triangle(triangle)
+    , m_rounding(rounding)
+    , m_hasArea(doubledArea(triangle) != 0)
+{
+    if (arithmetic != Arithmetic::Float32 && arithmetic != Arithmetic::Float64)
+        return;
+    const ArithmeticBound bound(triangle, arithmetic);
+    if (std::isfinite(bound.endError(SpanAxis::Column)))
+        m_bound = bound;
+}
+
+SampleBox TriangleLeeway::reachIn(const FrameSpec &frame) const
+{
+    return m_bound ? m_bound->reachIn(frame)
+                   : intersection(boundingBoxOf(m_triangle), samplesOf(windowOf(frame)));
+}
+
+SamplePlace TriangleLeeway::placeOf(std::int64_t x, std::int64_t y) const
+{
+    if (m_bound && m_hasArea)
+        return m_bound->placeOf(x, y);
+    if (m_bound)
+        return mayBeOfSegment(x, y) ? SamplePlace::Undecided : SamplePlace::Outside;
+    if (!oracle::covers(m_triangle, FillRule::Closed, x, y))
+        return SamplePlace::Outside;
+    return oracle::covers(m_triangle, FillRule::Open, x, y) ? SamplePlace::Inside
+                                                            : SamplePlace::Undecided;
+}
+
+bool TriangleLeeway::mayHave(const Colour &colour, std::int64_t x, std::int64_t y) const
+{
+    if (!m_bound && m_hasArea)
+        return colour == oracle::byteColourAt(m_triangle, x, y, m_rounding);
+    for (std::size_t channel = 0; channel < 3; ++channel) {
+        const auto levels = m_bound ? m_bound->levelsAt(x, y, channel)
+                                    : std::optional(levelsOf(m_triangle, channel));
+        if (levels && !isWithin(*levels, colour.channels[channel], m_rounding))
+            return false;
+    }
+    return true;
+}
+
+/// A walk draws a sample of the triangle's segment, or nearer to it than it errs.
+bool TriangleLeeway::mayBeOfSegment(std::int64_t x, std::int64_t y) const
+{
+    const auto order = sortedByColumn(m_triangle);
+    const auto pixels = [](Lattice coordinate) { return double(coordinate) / unitsPerPixel; };
+    const LatticePoint &from = m_triangle.vertices[std::size_t(order[0])].position;
+    const LatticePoint &to = m_triangle.vertices[std::size_t(order[2])].position;
+    const double dx = pixels(to.x - from.x);
+    const double dy = pixels(to.y - from.y);
+    const double atX = double(x) - pixels(from.x);
+    const double atY = double(y) - pixels(from.y);
+    const double upward = m_bound->endError(SpanAxis::Column);
+    const double along = m_bound->endError(SpanAxis::Row);
+    const bool isBeside = atX < std::min(dx, 0.0) - along || atX > std::max(dx, 0.0) + along
+        || atY < std::min(dy, 0.0) - upward || atY > std::max(dy, 0.0) + upward;
+    const double cross = std::abs(dx * atY - dy * atX);
+    return !isBeside && (cross <= upward * std::abs(dx) || cross <= along * std::abs(dy));
+}
+
+} // namespace pixelplumb
