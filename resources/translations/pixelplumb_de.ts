@@ -192,6 +192,10 @@
         <source>Outlines and handles only under the pointer and in hand: over %1 in view</source>
         <translation>Umrisse und Griffe nur unter dem Zeiger und beim aktuellen: über %1 im Blick</translation>
     </message>
+    <message>
+        <source>The truth is hidden while Predict asks</source>
+        <translation>Die Wahrheit ist verborgen, solange „Vorhersagen“ fragt</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::CanvasMenu</name>
@@ -565,6 +569,10 @@
     <message>
         <source>%1: %2</source>
         <translation>%1: %2</translation>
+    </message>
+    <message>
+        <source>%1 and %2 beside colour: %3</source>
+        <translation>%1 und %2 neben der Farbe: %3</translation>
     </message>
 </context>
 <context>
@@ -1507,6 +1515,17 @@
     <message>
         <source>Parts at step %1, %2: %3.</source>
         <translation>Weicht ab bei Schritt %1, %2: %3.</translation>
+    </message>
+    <message>
+        <source>Known defects draw this picture, but for pixels that may be either way:</source>
+        <translation>Bekannte Fehler zeichnen dieses Bild, bis auf Pixel, die so oder so sein dürfen:</translation>
+    </message>
+    <message numerus="yes">
+        <source> · but for %n pixels that rounding or an edge may decide</source>
+        <translation>
+            <numerusform> · bis auf %n Pixel, das Rundung oder Kante entscheiden darf</numerusform>
+            <numerusform> · bis auf %n Pixel, die Rundung oder Kante entscheiden darf</numerusform>
+        </translation>
     </message>
 </context>
 <context>
@@ -4610,6 +4629,10 @@
         <source>truth %1</source>
         <translation>Wahrheit %1</translation>
     </message>
+    <message>
+        <source>what becomes of it is still ahead: predict it</source>
+        <translation>was aus ihm wird, liegt noch voraus: vorhersagen</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::PlacingHint</name>
@@ -4873,18 +4896,6 @@
         <translation>Die Frage</translation>
     </message>
     <message>
-        <source>Check</source>
-        <translation>Prüfen</translation>
-    </message>
-    <message>
-        <source>Show</source>
-        <translation>Zeigen</translation>
-    </message>
-    <message>
-        <source>Next</source>
-        <translation>Weiter</translation>
-    </message>
-    <message>
         <source>What is said of the answer</source>
         <translation>Was zur Antwort gesagt wird</translation>
     </message>
@@ -4921,20 +4932,8 @@
         <translation>Weitergehen und wieder fragen (Eingabetaste)</translation>
     </message>
     <message>
-        <source>Ask for</source>
-        <translation>Fragen nach</translation>
-    </message>
-    <message>
         <source>the next pixel</source>
         <translation>das nächste Pixel</translation>
-    </message>
-    <message>
-        <source>%1: what is %2?</source>
-        <translation>%1: Was ist %2?</translation>
-    </message>
-    <message>
-        <source>Which pixel is written next? Right-click it, or go there with the arrow keys and press Check.</source>
-        <translation>Welches Pixel wird als nächstes geschrieben? Es mit rechts anklicken, oder mit den Pfeiltasten hingehen und Prüfen drücken.</translation>
     </message>
     <message>
         <source>Nothing lies ahead: step back, or run to the start.</source>
@@ -4963,6 +4962,42 @@
     <message>
         <source>Right at the first try: %1 of %2</source>
         <translation>Beim ersten Versuch richtig: %1 von %2</translation>
+    </message>
+    <message>
+        <source>&amp;Check</source>
+        <translation>&amp;Prüfen</translation>
+    </message>
+    <message>
+        <source>Sho&amp;w</source>
+        <translation>&amp;Zeigen</translation>
+    </message>
+    <message>
+        <source>&amp;Next</source>
+        <translation>&amp;Weiter</translation>
+    </message>
+    <message>
+        <source>As&amp;k for</source>
+        <translation>Fragen na&amp;ch</translation>
+    </message>
+    <message>
+        <source>&amp;Answer</source>
+        <translation>&amp;Antwort</translation>
+    </message>
+    <message>
+        <source>%1: what is %2? A fraction, or a decimal rounded to %3 places or more.</source>
+        <translation>%1: Was ist %2? Ein Bruch oder eine Dezimalzahl, auf %3 Stellen oder mehr gerundet.</translation>
+    </message>
+    <message>
+        <source>Which pixel is written next? Type its x, y, right-click it, or go there with the arrow keys and press Check.</source>
+        <translation>Welches Pixel wird als nächstes geschrieben? Sein x, y eingeben, es mit der rechten Maustaste wählen oder mit den Pfeiltasten hingehen und „Prüfen“ drücken.</translation>
+    </message>
+    <message>
+        <source>x, y</source>
+        <translation>x, y</translation>
+    </message>
+    <message>
+        <source>Type the pixel&apos;s x and y, such as 12, 7.</source>
+        <translation>x und y des Pixels eingeben, etwa 12, 7.</translation>
     </message>
 </context>
 <context>
@@ -5010,6 +5045,10 @@
     <message>
         <source>colour</source>
         <translation>Farbe</translation>
+    </message>
+    <message>
+        <source>vertex %1, %2</source>
+        <translation>Ecke %1, %2</translation>
     </message>
 </context>
 <context>
@@ -5621,6 +5660,10 @@
     <message>
         <source>spans</source>
         <translation>Spannen</translation>
+    </message>
+    <message>
+        <source>still ahead, predict it</source>
+        <translation>liegt noch voraus, vorhersagen</translation>
     </message>
 </context>
 <context>
@@ -6715,10 +6758,6 @@
         <translation>Das aktuelle Verfahren: was es tut, woher es kommt, und sein Pseudocode; die Zeilen, die der aktuelle Schritt ausführt, sind markiert.</translation>
     </message>
     <message>
-        <source>Asks for what comes next (y_B, the rows, the increments or the next pixel) before it is shown, and tells right and wrong with the reason. As long as this panel is seen, the others hide what lies ahead.</source>
-        <translation>Fragt nach dem, was als nächstes kommt (y_B, die Zeilen, die Inkremente oder das nächste Pixel), bevor es gezeigt wird, und sagt richtig und falsch mit dem Grund. Solange dieser Bereich zu sehen ist, verbergen die anderen, was bevorsteht.</translation>
-    </message>
-    <message>
         <source>Lets the scene move by a fraction of a pixel a frame, and counts the pixels that flicker beside those of the truth.</source>
         <translation>Lässt die Szene sich je Bild um einen Bruchteil eines Pixels bewegen und zählt die Pixel, die flimmern, neben denen der Wahrheit.</translation>
     </message>
@@ -6769,6 +6808,10 @@
     <message>
         <source>All keys, other keys for the actions, and what the parts of the window are.</source>
         <translation>Alle Tasten, andere Tasten für die Aktionen, und was die Teile des Fensters sind.</translation>
+    </message>
+    <message>
+        <source>Asks for what comes next (y_B, the rows, the increments or the next pixel) before it is shown, and tells right and wrong with the reason. Enter checks what is typed, a number or the pixel&apos;s x, y, and goes on. As long as this panel is seen, the others hide what lies ahead, and the truth.</source>
+        <translation>Fragt nach dem, was folgt (y_B, die Zeilen, die Schrittweiten oder das nächste Pixel), bevor es gezeigt wird, und sagt mit dem Grund, was richtig und was falsch ist. Die Eingabetaste prüft, was eingegeben ist, eine Zahl oder x, y des Pixels, und geht weiter. Solange dieses Feld zu sehen ist, verbergen die anderen, was voraus liegt, und die Wahrheit.</translation>
     </message>
 </context>
 <context>

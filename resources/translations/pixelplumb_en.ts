@@ -65,6 +65,13 @@
             <numerusform> · %n pixels are left</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source> · but for %n pixels that rounding or an edge may decide</source>
+        <translation>
+            <numerusform> · but for %n pixel that rounding or an edge may decide</numerusform>
+            <numerusform> · but for %n pixels that rounding or an edge may decide</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::DriftPlot</name>
