@@ -25,6 +25,7 @@ private slots:
     void escapeEndsADragWithoutATrace();
     void escapeDiscardsPendingVertices();
     void clicksSnapToSixteenths();
+    void handlesOfAPolygonHaveItsColour();
     void halfPixelCentresKeepTheScenesCoordinates();
     void rightClickPicksThePixel();
     void rightClickOnAHandleOpensItsMenu();
@@ -114,9 +115,35 @@ void TestCanvasPlacing::escapeDiscardsPendingVertices()
     QTest::keyClick(&bench.canvas, Qt::Key_Escape);
     QVERIFY(bench.document.pendingVertices().empty());
     QVERIFY(!bench.document.isModified());
-    bench.document.undoStack()->undo();
-    QCOMPARE(bench.document.pendingVertices().size(), 2U);
+    QVERIFY(!bench.document.undoStack()->canUndo());
+    bench.document.undoStack()->redo();
+    QCOMPARE(bench.document.pendingVertices().size(), 1U);
     QVERIFY(bench.document.isModified());
+}
+
+void TestCanvasPlacing::handlesOfAPolygonHaveItsColour()
+{
+    CanvasBench bench;
+    SceneDocument &document = bench.document;
+    document.setMethod("polygon-parity");
+    const Colour violet{{136, 0, 255}};
+    const auto coloursOf = [](const std::vector<Vertex> &vertices) {
+        std::vector<Colour> colours;
+        for (const Vertex &vertex : vertices)
+            colours.push_back(vertex.colour);
+        return colours;
+    };
+    bench.click(4, 5);
+    bench.click(20, 12);
+    QCOMPARE(coloursOf(document.pendingVertices()), std::vector(2, Colour{{255, 0, 0}}));
+    document.setNextColour(violet);
+    bench.click(9, 20);
+    QCOMPARE(coloursOf(document.pendingVertices()), std::vector(3, violet));
+    document.closePending();
+    QCOMPARE(coloursOf(document.verticesOf(0)), std::vector(3, violet));
+
+    document.setVertexColour({0, 2}, Colour{{0, 255, 0}}); // of any of its handles
+    QCOMPARE(coloursOf(document.verticesOf(0)), std::vector(3, Colour{{0, 255, 0}}));
 }
 
 void TestCanvasPlacing::clicksSnapToSixteenths()

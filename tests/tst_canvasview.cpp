@@ -20,6 +20,9 @@ private slots:
     void aDoubleClickOnTheRulerTogglesABreakpoint();
     void tellsWhereThePointerIs();
     void followsTheFrameOfTheDocument();
+    void aFrameOfAnotherSizeIsSeenWholeAfterAZoom();
+    void stepsAndChoicesOutsideTheViewMoveIt();
+    void anEditDoesNotMoveTheView();
 };
 
 void TestCanvasView::zoomsAtThePointer()
@@ -152,6 +155,58 @@ void TestCanvasView::followsTheFrameOfTheDocument()
     QCOMPARE(bench.canvas.mapping().devicePicture(),
              bench.canvas.mapping().devicePicture()
                  & bench.canvas.mapping().deviceRect(bench.canvas.view()));
+}
+
+void TestCanvasView::aFrameOfAnotherSizeIsSeenWholeAfterAZoom()
+{
+    CanvasBench bench(firstScene());
+    bench.canvas.setZoom(1);
+    FrameSpec frame = bench.document.scene().frame;
+    frame.width = 32;
+    bench.document.setFrame(frame);
+    const int zoom = bench.canvas.zoom();
+    bench.canvas.fitToView();
+    QVERIFY(zoom > 1);
+    QCOMPARE(bench.canvas.zoom(), zoom);
+}
+
+void TestCanvasView::stepsAndChoicesOutsideTheViewMoveIt()
+{
+    CanvasBench bench(firstScene());
+    bench.canvas.setZoom(40);
+    const auto isSeen = [&] {
+        const QRectF cell = bench.canvas.mapping().cellOf(*bench.playhead.pickedPixel());
+        return bench.canvas.view().contains(cell);
+    };
+    bench.playhead.seek(0);
+    for (int column = 0; column < 30; ++column) {
+        bench.playhead.step(StepUnit::Span, StepDirection::Forward);
+        const double x
+            = bench.canvas.positionOf(QPoint(int(bench.playhead.columnXInHand().value_or(4)), 0))
+                  .x();
+        QVERIFY(x >= bench.canvas.view().left() && x <= bench.canvas.view().right());
+    }
+    QVERIFY(isSeen());
+    bench.playhead.pick(QPoint(2, 2));
+    QVERIFY(isSeen());
+    for (int i = 0; i < 25; ++i)
+        QTest::keyClick(&bench.canvas, Qt::Key_Right);
+    QVERIFY(isSeen());
+    bench.playhead.setAheadHidden(true); // nothing but the column is told
+    bench.playhead.seekToSpan(50);
+    QVERIFY(bench.canvas.view().contains(
+        bench.canvas.positionOf(QPoint(int(*bench.playhead.columnXInHand()), 0)).x(),
+        bench.canvas.view().center().y()));
+}
+
+void TestCanvasView::anEditDoesNotMoveTheView()
+{
+    CanvasBench bench(firstScene());
+    bench.canvas.setZoom(40);
+    bench.playhead.pick(QPoint(26, 43));
+    const QPoint origin = bench.canvas.mapping().origin();
+    bench.document.moveVertex({0, 0}, latticePixel(9, 9), bench.document.newDrag());
+    QCOMPARE(bench.canvas.mapping().origin(), origin);
 }
 
 QTEST_MAIN(TestCanvasView)

@@ -31,6 +31,7 @@ private slots:
     void copiedRowsAgreeWithTheExportedTrace();
     void theFilterShowsRowsWithTiesClampsAndErrors();
     void copiesEveryShownRow();
+    void copiedRowsOfSeveralPrimitivesSayWhose();
     void switchesShowAndHideGroupsOfColumns();
     void widthsStayWhileStepping();
 };
@@ -191,6 +192,21 @@ void TestColumnTable::copiesEveryShownRow()
     QVERIFY(lines[0].startsWith("x\t"));
     panel.table()->selectAll();
     QCOMPARE(panel.table()->selectionAsTsv(), QApplication::clipboard()->text());
+}
+
+void TestColumnTable::copiedRowsOfSeveralPrimitivesSayWhose()
+{
+    Scene scene = defaultSceneIn(Arithmetic::Exact);
+    scene.triangles.push_back(scene.triangles.front());
+    Playhead playhead;
+    playhead.setTraced(traceScene(scene));
+    ColumnTablePanel panel(&playhead);
+    panel.findChild<QAction *>(QStringLiteral("copyTable"))->trigger();
+    const QStringList lines = QApplication::clipboard()->text().split(u'\n', Qt::SkipEmptyParts);
+    const qsizetype column = lines[0].split(u'\t').indexOf("primitive");
+    QVERIFY(column >= 0);
+    QCOMPARE(lines[1].split(u'\t')[column], "0");
+    QCOMPARE(lines.last().split(u'\t')[column], "1");
 }
 
 void TestColumnTable::switchesShowAndHideGroupsOfColumns()

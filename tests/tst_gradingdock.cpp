@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/gradefile.h"
-#include "core/runs/tracedscene.h"
-#include "core/scene/scenefile.h"
+#include "tests/support/gradedclass.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "widgets/canvas/canvas.h"
@@ -18,7 +17,6 @@
 #include <QAbstractItemView>
 #include <QApplication>
 #include <QComboBox>
-#include <QDirIterator>
 #include <QDockWidget>
 #include <QDragEnterEvent>
 #include <QFile>
@@ -40,120 +38,6 @@ using namespace pixelplumb;
 
 namespace {
 
-/// A triangle small enough to be diagnosed at once.
-Scene smallScene()
-{
-    Scene scene;
-    scene.frame.width = 12;
-    scene.frame.height = 9;
-    scene.triangles.push_back({{{{latticePixel(1, 1), {{255, 0, 0}}},
-                                 {latticePixel(10, 2), {{0, 255, 0}}},
-                                 {latticePixel(4, 8), {{0, 0, 255}}}}}});
-    return scene;
-}
-
-QImage drawn(const Scene &scene)
-{
-    const FrameBuffer frame(scene.frame);
-    drawScene(scene, frame);
-    return frame.image().copy();
-}
-
-/// Three students: right, and two who truncate.
-class Classroom {
-public:
-    Classroom()
-    {
-        Assignment assignment;
-        assignment.name = QStringLiteral("Triangles");
-        assignment.scenes.push_back({QStringLiteral("small"), smallScene()});
-        QFile file(assignmentFile());
-        QVERIFY(file.open(QIODevice::WriteOnly));
-        file.write(writeAssignment(assignment));
-        Scene wrong = smallScene();
-        wrong.settings.rounding = ByteRounding::Truncate;
-        submit("ada", drawn(smallScene()));
-        submit("bob", drawn(wrong));
-        submit("cyd", drawn(wrong));
-    }
-
-    QString assignmentFile() const { return m_folder.filePath("assignment.json"); }
-    QString submissions() const { return m_folder.filePath("submissions"); }
-    QString results() const { return m_folder.filePath("results"); }
-
-private:
-    void submit(const QString &name, const QImage &picture) const
-    {
-        const QString folder = submissions() + u'/' + name;
-        QVERIFY(QDir().mkpath(folder) && picture.save(folder + "/small.png"));
-    }
-
-    QTemporaryDir m_folder;
-};
-
-/// What grading the class writes; graded once for all tests.
-void bringResults(const Classroom &classroom)
-{
-    static const QTemporaryDir graded;
-    const QString results = graded.filePath("results");
-    if (!QFile::exists(results)) {
-        const auto assignment = readAssignmentFile(classroom.assignmentFile());
-        QVERIFY(assignment.isOk());
-        QVERIFY(
-            gradeFolder({classroom.submissions(), results, QCoreApplication::applicationVersion()},
-                        *assignment)
-                .isOk());
-    }
-    QDirIterator files(results, QDir::Files, QDirIterator::Subdirectories);
-    while (files.hasNext()) {
-        const QString copy = classroom.results() + files.next().mid(results.size());
-        QVERIFY(QDir().mkpath(QFileInfo(copy).path()) && QFile::copy(files.filePath(), copy));
-    }
-}
-
-Gradebook &book(const MainWindow &window)
-{
-    return *named<GradingPanel>(window, "grading")->book();
-}
-
-QAbstractItemView *table(const MainWindow &window)
-{
-    return named<QAbstractItemView>(window, "gradingTable");
-}
-
-QString cell(const MainWindow &window, int row, GradeTableModel::Column column)
-{
-    return table(window)->model()->index(row, column).data().toString();
-}
-
-/// The window with the dock in front.
-std::unique_ptr<MainWindow> windowWithDock()
-{
-    auto window = openedWindow();
-    window->resize(1366, 768);
-    action(*window, "gradingDockToggle")->trigger();
-    return window;
-}
-
-/// With the class's grades, its table in focus.
-std::unique_ptr<MainWindow> windowWithGrades(const Classroom &classroom)
-{
-    bringResults(classroom);
-    auto window = windowWithDock();
-    book(*window).open(classroom.results());
-    if (!QTest::qWaitFor([&] { return !book(*window).results().isEmpty(); }))
-        QTest::qFail("no grades are opened", __FILE__, __LINE__);
-    table(*window)->setFocus();
-    return window;
-}
-
-/// What the assistant said of a student, as the results' folder has it.
-GradeReview keptReview(const Classroom &classroom, std::size_t student)
-{
-    const auto kept = readGrades(classroom.results());
-    return kept ? kept->submissions[student].review : GradeReview();
-}
-
 void drop(MainWindow &window, const QString &path)
 {
     QMimeData data;
@@ -165,8 +49,6 @@ void drop(MainWindow &window, const QString &path)
     QDropEvent dropped(place, Qt::CopyAction, &data, Qt::LeftButton, {});
     QApplication::sendEvent(&window, &dropped);
 }
-
-void press(const MainWindow &window, Qt::Key key) { QTest::keyClick(table(window), key); }
 
 } // namespace
 
@@ -304,8 +186,13 @@ private slots:
         QCOMPARE(seen("gradingSentences"), named<QWidget>(*window, "gradingSentences")->rect());
         const auto *view = qobject_cast<QTableView *>(table(*window));
         QCOMPARE(view->horizontalScrollBar()->maximum(), 0);
-        for (const int column : {GradeTableModel::Cause, GradeTableModel::Comment})
-            QVERIFY(view->columnWidth(column) >= 5 * line);
+        for (int column = 0; column < view->model()->columnCount(); ++column) {
+            if (!view->isColumnHidden(column))
+                QVERIFY2(view->columnWidth(column)
+                             >= view->horizontalHeader()->sectionSizeHint(column),
+                         qPrintable(QString::number(column)));
+        }
+        QVERIFY(view->columnWidth(GradeTableModel::Verdict) > 0);
         QVERIFY(seen("gradingComment").height() >= 3 * line);
         QCOMPARE(seen("gradingComment"), named<QWidget>(*window, "gradingComment")->rect());
         QVERIFY(seen("submissionPicture").height() >= 6 * line);

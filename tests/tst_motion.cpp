@@ -188,6 +188,27 @@ private slots:
                     .contains(QString::number(study.toggled())));
     }
 
+    void aStillSceneTakesNoRoomForWhatIsNotThere()
+    {
+        const IsolatedSettings settings;
+        const auto window = openedWindow();
+        action(*window, "motionDockToggle")->trigger();
+        QTest::qWait(50);
+        const auto *panel = named<MotionPanel>(*window, "motion");
+        const int still = panel->sizeHint().height();
+        QVERIFY(!named<QWidget>(*window, "motionTable")->isVisible());
+        QVERIFY(still < 200);
+
+        QTest::mouseClick(named<QPushButton>(*window, "motionSet"), Qt::LeftButton);
+
+        auto *table = named<QTableWidget>(*window, "motionTable");
+        QVERIFY(table->isVisible());
+        QTRY_VERIFY(panel->height() > still);
+        for (int column = 0; column < table->columnCount(); ++column)
+            QVERIFY(table->columnWidth(column)
+                    >= table->horizontalHeader()->sectionSizeHint(column));
+    }
+
     void aStillSceneIsSetMovingAndStopped()
     {
         const IsolatedSettings settings;

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/defaultscene.h"
 #include "widgets/inspect/pixelgrid.h"
+#include "widgets/look/cellvalues.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/model/playhead.h"
 
 #include <QApplication>
+#include <QPainter>
 #include <QTest>
 #include <QWheelEvent>
 
@@ -46,6 +48,8 @@ private slots:
     void arrowKeysNudgeAsTheFrameIsSeen();
     void wheelAndKeysChangeTheNumberOfCells();
     void boundsStandBesideTheCellsAtEveryScale();
+    void theCellsHaveTheWholeWidthWhereNoColumnIsInHand();
+    void nothingRunsThroughTheDigits();
 };
 
 void TestPixelGrid::cellsShowTheFrameAtThePosition()
@@ -163,6 +167,43 @@ void TestPixelGrid::boundsStandBesideTheCellsAtEveryScale()
     empty.fill(bench.grid.palette().color(QPalette::Window));
     QVERIFY(beside.width() > 60);
     QVERIFY(labels != empty);
+}
+
+void TestPixelGrid::theCellsHaveTheWholeWidthWhereNoColumnIsInHand()
+{
+    GridBench bench;
+    bench.grid.resize(500, 300);
+    bench.playhead.seek(0);
+    const PixelGridMapping cells = bench.grid.mapping();
+    QVERIFY(cells.grid().right() > 500 - 2 * cells.cellSize());
+    QVERIFY(cells.grid().left() < 50);
+    QVERIFY(cells.rows() <= 9);
+
+    bench.playhead.seekToSpan(20);
+    QVERIFY(bench.grid.mapping().grid().right() < 500 - 100); // y_B and y_T stand there
+}
+
+void TestPixelGrid::nothingRunsThroughTheDigits()
+{
+    const QRgb colour = qRgb(200, 200, 200);
+    const QRectF cell(0, 0, 60, 60);
+    const auto drawnOver = [&](Qt::GlobalColor line) {
+        QImage image(60, 60, QImage::Format_RGB32);
+        image.fill(colour);
+        QPainter painter(&image);
+        painter.setPen(QPen(QColor(line), 4));
+        painter.drawLine(0, 60, 30, 0); // an edge
+        painter.drawEllipse(QPointF(30, 30), 5, 5); // a handle
+        drawCellValues(painter, cell, colour, Qt::black, {});
+        return image;
+    };
+    const QImage one = drawnOver(Qt::red);
+    const QImage other = drawnOver(Qt::yellow);
+    QVERIFY(one != other);
+    for (const int middle : {10, 30, 49}) { // of the lines of R, G and B
+        const QRect digits(4, middle - 3, 17, 6);
+        QCOMPARE(one.copy(digits), other.copy(digits));
+    }
 }
 
 QTEST_MAIN(TestPixelGrid)

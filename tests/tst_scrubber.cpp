@@ -13,9 +13,10 @@ using namespace pixelplumb;
 
 namespace {
 
-std::shared_ptr<const TracedScene> traced()
+std::shared_ptr<const TracedScene> traced(VariantSet variants = {})
 {
     Scene scene;
+    scene.settings.variants = variants;
     scene.triangles = {triangleAt(4, 5, 58, 12, 26, 44)};
     return traceScene(scene);
 }
@@ -91,18 +92,37 @@ private slots:
         const Canvas &canvas = *window->parts().canvas;
         Playhead &playhead = *window->parts().playhead;
         const Scrubber &scrubber = *window->parts().scrubber;
-        for (int zoom : {canvas.zoom(), 6, 4}) {
+        for (int zoom : {canvas.zoom(), 6, 4, 24, 40}) {
             window->parts().canvas->setZoom(zoom);
             for (std::size_t position = 2; position <= playhead.end(); position += 97) {
                 playhead.seek(position);
                 const double x = canvas.positionOf(QPoint(int(*playhead.columnXInHand()), 0)).x();
+                QVERIFY(x >= canvas.view().left() && x <= canvas.view().right());
                 QCOMPARE(
                     canvas.mapTo(window.get(), QPointF(x, 0)).x(),
                     scrubber.mapTo(window.get(), QPointF(scrubber.scale().xOf(position), 0)).x());
             }
         }
-        window->parts().canvas->setZoom(40); // most columns are not seen
-        QVERIFY(scrubber.scale().stops.empty());
+    }
+
+    void theMarkOfTheFirstWrongPixelHasALaneOfItsOwn()
+    {
+        Stage stage;
+        const QImage right = stage.scrubber.grab().toImage();
+        stage.playhead.setTraced(traced(VariantSet().with(Variant::NoColourPreStep)));
+        const QImage wrong = stage.scrubber.grab().toImage();
+
+        std::set<int> lines;
+        for (int y = 0; y < right.height(); ++y) {
+            for (int x = 0; x < right.width(); ++x) {
+                if (right.pixel(x, y) != wrong.pixel(x, y))
+                    lines.insert(y);
+            }
+        }
+        QVERIFY(!lines.empty());
+        const int lane = 12;
+        QVERIFY2(*lines.begin() >= 4 + 3 * lane, qPrintable(QString::number(*lines.begin())));
+        QVERIFY2(*lines.rbegin() < 4 + 4 * lane, qPrintable(QString::number(*lines.rbegin())));
     }
 
     void aDragSeeksLive()

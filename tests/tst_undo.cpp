@@ -41,6 +41,8 @@ private slots:
     void tellsWhenItBecomesModified();
     void waitingVerticesThatGoLeaveItClean();
     void aDragThatComesBackLeavesItClean();
+    void discardedVerticesAreNotOnTheUndoStack();
+    void whatWasDoneSinceOutlivesDiscardedVertices();
 };
 
 void TestUndo::undoOfTheThirdVertexGivesBackTwoPendingOnes()
@@ -93,7 +95,6 @@ void TestUndo::everyChangeCanBeUndoneAndRedone_data()
     row("delete a pending vertex", [](SceneDocument &d) {
         d.deleteVertex({VertexRef::pending, 0});
     });
-    row("discard pending", [](SceneDocument &d) { d.discardPending(); });
     row("clear", [](SceneDocument &d) { d.clear(); });
     row("frame", [](SceneDocument &d) { d.setFrame(frameOf(10, 12)); });
     row("settings", [](SceneDocument &d) {
@@ -226,7 +227,7 @@ void TestUndo::waitingVerticesThatGoLeaveItClean()
     document.placeVertex(latticePixel(1, 1));
     document.discardPending();
     QVERIFY(!document.isModified());
-    document.undoStack()->undo();
+    document.undoStack()->redo();
     QVERIFY(document.isModified());
     document.discardPending();
     document.moveVertex({0, 0}, latticePixel(2, 2), document.newDrag());
@@ -249,6 +250,38 @@ void TestUndo::aDragThatComesBackLeavesItClean()
     document.moveVertex({0, 0}, latticePixel(0, 0), drag);
 
     QVERIFY(!document.isModified());
+}
+
+void TestUndo::discardedVerticesAreNotOnTheUndoStack()
+{
+    SceneDocument document;
+    document.addTriangle(triangle(0));
+    document.placeVertex(latticePixel(1, 1));
+    document.placeVertex(latticePixel(2, 1));
+    document.moveVertex({VertexRef::pending, 1}, latticePixel(7, 7), document.newDrag());
+
+    document.discardPending();
+
+    QVERIFY(document.pendingVertices().empty());
+    QCOMPARE(document.scene().triangles.size(), std::size_t(1));
+    document.undoStack()->undo(); // of the triangle
+    QVERIFY(document.pendingVertices().empty());
+    QVERIFY(document.scene().triangles.empty());
+}
+
+void TestUndo::whatWasDoneSinceOutlivesDiscardedVertices()
+{
+    SceneDocument document;
+    document.placeVertex(latticePixel(1, 1));
+    document.addTriangle(triangle(0));
+    document.placeVertex(latticePixel(2, 1));
+
+    document.discardPending();
+
+    QVERIFY(document.pendingVertices().empty());
+    QCOMPARE(document.scene().triangles.size(), std::size_t(1));
+    document.undoStack()->undo();
+    QCOMPARE(document.pendingVertices().size(), std::size_t(1));
 }
 
 QTEST_GUILESS_MAIN(TestUndo)

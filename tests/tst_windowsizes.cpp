@@ -194,6 +194,40 @@ private slots:
         }
     }
 
+    void theCanvasKeepsHalfOfTheWidthBesideEveryPanel_data() { addSizes(); }
+    void theCanvasKeepsHalfOfTheWidthBesideEveryPanel()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+        const QWidget *canvas = window->parts().canvas;
+        for (const QDockWidget *dock : window->findChildren<QDockWidget *>()) {
+            QAction *toggle = named<QAction>(*window, qPrintable(dock->objectName() + "Toggle"));
+            if (!toggle->isChecked())
+                toggle->trigger();
+            settle();
+            QVERIFY2(
+                canvas->width() >= size.width() / 2 - 8,
+                qPrintable(QStringLiteral("%1: %2").arg(dock->objectName()).arg(canvas->width())));
+        }
+    }
+
+    void aPanelThatIsClosedGivesItsRoomBack_data() { addSizes(); }
+    void aPanelThatIsClosedGivesItsRoomBack()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+        const QSize before = window->parts().canvas->size();
+        for (const char *name :
+             {"motionDockToggle", "gradingDockToggle", "accuracyLabDockToggle"}) {
+            action(*window, name)->trigger();
+            settle();
+            QVERIFY2(window->parts().canvas->height() >= size.height() / 4, name);
+            action(*window, name)->trigger();
+            settle();
+            QVERIFY2(window->parts().canvas->size() == before, name);
+        }
+    }
+
     void theButtonsOfAHardCaseAreInSightAndItsWordsAreWhole_data() { addSizes(); }
     void theButtonsOfAHardCaseAreInSightAndItsWordsAreWhole()
     {

@@ -33,6 +33,7 @@ Canvas::Canvas(SceneDocument *document, Playhead *playhead, DisplayOptions *opti
     , m_view(document, this)
     , m_mouse(*this, m_view, m_sources)
     , m_keys(*this, m_view, m_mouse, m_sources)
+    , m_follower(m_view, m_mouse, playhead)
 {
     installCanvasAccessible();
     setObjectName(QStringLiteral("canvas"));

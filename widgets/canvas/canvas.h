@@ -9,6 +9,7 @@
 #include "widgets/canvas/canvasview.h"
 #include "widgets/canvas/imagehandles.h"
 #include "widgets/canvas/pointerreadout.h"
+#include "widgets/canvas/viewfollower.h"
 
 #include <QTimer>
 #include <QWidget>
@@ -128,6 +129,7 @@ private:
     CanvasView m_view;
     CanvasMouse m_mouse;
     CanvasKeys m_keys;
+    ViewFollower m_follower;
     OutlineChoice m_outlines;
     CanvasLayers m_layers;
     CanvasPainter m_painter;

@@ -41,10 +41,14 @@ void drawSigns(FramePainter &frame, const CanvasScene &scene)
         frame.drawPlumbLine(scene.span->place);
 }
 
-void drawVertices(FramePainter &frame, const CanvasScene &scene)
+void drawHandles(FramePainter &frame, const CanvasScene &scene)
 {
     for (const CanvasScene::Handle &handle : scene.handles)
         frame.drawHandle(handle.point, handle.colour, handle.state);
+}
+
+void drawNames(FramePainter &frame, const CanvasScene &scene)
+{
     for (const CanvasScene::VertexName &name : scene.names)
         frame.drawVertexName(name.name, name.point, name.inside);
 }
@@ -86,16 +90,18 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     QStringList said = scene.layers.notes;
     said += m_layers.paintGround(painter, scene.layers, surface);
     drawOutlines(frame, scene);
-    // Else a layer's numbers or dots stand there.
-    if (scene.frame && scene.layers.cells.empty() && scene.layers.samples.empty())
-        drawValues(painter, *scene.frame, view.mapping(), area, scene.notation);
-    if (scene.marked)
-        m_differences.drawGlyphs(painter, scene.position, palette);
     drawSigns(frame, scene);
     m_layers.paintMarks(painter, scene.layers, surface);
     if (scene.span)
         frame.drawEdgeTicks(*scene.span);
-    drawVertices(frame, scene);
+    drawHandles(frame, scene);
+    // Over lines, frames and handles, so that every digit can be read; not where a layer's numbers or
+    // dots stand in the cells.
+    if (scene.frame && scene.layers.cells.empty() && scene.layers.samples.empty())
+        drawValues(painter, *scene.frame, view.mapping(), area, scene.notation);
+    if (scene.marked)
+        m_differences.drawGlyphs(painter, scene.position, palette);
+    drawNames(frame, scene);
     drawPending(frame, scene);
     for (const CanvasScene::Note &note : scene.notes)
         frame.drawNote(note.text, note.anchor, note.side);

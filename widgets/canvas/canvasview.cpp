@@ -110,11 +110,26 @@ void CanvasView::moveBy(const QPoint &devicePixels)
     setMapping(m_mapping.movedBy(devicePixels).keptInside(area()));
 }
 
+void CanvasView::reveal(const QPoint &pixel)
+{
+    const QRectF view = area();
+    const QRectF cell = m_mapping.cellOf(pixel);
+    const QPointF way = (view.center() - cell.center()) * m_mapping.devicePixelRatio();
+    const bool isSeenAcross = cell.left() >= view.left() && cell.right() <= view.right();
+    const bool isSeenUp = cell.top() >= view.top() && cell.bottom() <= view.bottom();
+    const QPoint move(isSeenAcross ? 0 : qRound(way.x()), isSeenUp ? 0 : qRound(way.y()));
+    if (!move.isNull())
+        moveBy(move);
+}
+
 void CanvasView::followFrame()
 {
     const FrameSpec &frame = m_document->scene().frame;
     if (frame == m_mapping.frame())
         return;
+    // A place in a frame of another size means nothing in this one.
+    if (frame.width != m_mapping.frame().width || frame.height != m_mapping.frame().height)
+        m_fit = Fit::Following;
     const ViewMapping kept(frame, m_mapping.zoom(), m_mapping.origin(),
                            m_mapping.devicePixelRatio(), m_mapping.fraction());
     setMapping(m_fit == Fit::Following ? fitted() : kept.keptInside(area()));

@@ -41,6 +41,8 @@ public:
     /// No smaller than needed to see the whole frame.
     void zoomTo(const ViewZoom &zoom, const QPointF &anchor);
     void moveBy(const QPoint &devicePixels);
+    /// Brings a pixel that is not wholly seen to the middle, in the direction in which it is not.
+    void reveal(const QPoint &pixel);
 
     void followFrame(); ///< the scene's
     void followSize(); ///< the widget's

@@ -63,6 +63,22 @@ QString mouseRows()
         + row(KeySheet::tr("Esc"), KeySheet::tr("Give up the drag, or the vertices that wait"));
 }
 
+/// What keys do there that no menu shows: they draw without a mouse.
+QString canvasKeyRows()
+{
+    using Sheet = KeySheet;
+    return row(Sheet::tr("Arrows"), Sheet::tr("Move the picked pixel"))
+        + row(Sheet::tr("Enter, Ins"),
+              Sheet::tr("Place a vertex at the picked pixel (Ctrl+G goes to one by its numbers)"))
+        + row(Sheet::tr("[, ]"), Sheet::tr("Select the previous, the next vertex"))
+        + row(Sheet::tr("Ctrl+arrows"), Sheet::tr("Move the selected vertex"))
+        + row(Sheet::tr("Enter, C"), Sheet::tr("Colour of the selected vertex"))
+        + row(Sheet::tr("Esc"),
+              Sheet::tr("Give up the vertices that wait; then, no vertex is selected"))
+        + row(Sheet::tr("+, −, 0"), Sheet::tr("Zoom in, out, see the whole frame"))
+        + row(Sheet::tr("Alt+arrows"), Sheet::tr("Move the view"));
+}
+
 } // namespace
 
 KeySheet::KeySheet(const QList<QMenu *> &menus, QWidget *parent)
@@ -86,7 +102,8 @@ KeySheet::KeySheet(const QList<QMenu *> &menus, QWidget *parent)
 
 QString keySheetHtml(const QList<QMenu *> &menus)
 {
-    QString html = section(KeySheet::tr("Mouse, in the canvas"), mouseRows());
+    QString html = section(KeySheet::tr("Mouse, in the canvas"), mouseRows())
+        + section(KeySheet::tr("Keys, in the canvas"), canvasKeyRows());
     for (const QMenu *menu : menus) {
         const QString rows = rowsOf(menu);
         if (!rows.isEmpty())

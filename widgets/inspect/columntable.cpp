@@ -166,7 +166,10 @@ QString ColumnTable::asTsv(const QList<int> &rows) const
 {
     QList<int> columns;
     for (int column = 0; column < m_model->columnCount(); ++column) {
-        if (!isColumnHidden(column))
+        // On the screen the rows' headers say which primitive is theirs.
+        const bool tellsRowsApart = m_model->hasSeveralPrimitives()
+            && m_model->fileName(column) == QLatin1String("primitive");
+        if (!isColumnHidden(column) || tellsRowsApart)
             columns.append(column);
     }
     QStringList names;

@@ -21,7 +21,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace pixelplumb {
 
@@ -159,9 +158,24 @@ void FormulaPanel::present(const Explanation &explanation)
     m_formulas->verticalScrollBar()->setValue(scrolled);
     setAccessibleDescription(heading + QStringLiteral(". ") + explanation.sentence + u'\n'
                              + formulaText(explanation, arithmetic()));
-    // Stages are many, and are scrolled to.
-    if (explanation.stages.empty())
+    fitScrollBar();
+    if (!isScrolledTo(explanation))
         growTo(int(std::ceil(m_formulas->document()->size().height())));
+}
+
+/// Stages are many, and a set-up, one step of a primitive's hundreds, is often twice as long as all
+/// others: the panel would be half empty for its sake.
+bool FormulaPanel::isScrolledTo(const Explanation &explanation) const
+{
+    const std::optional<TraceStep> step = m_playhead->stepInHand();
+    return !explanation.stages.empty() || (step && step->kind == StepKind::SetUp);
+}
+
+/// A table of the whole width is taken to be a little wider than it can be.
+void FormulaPanel::fitScrollBar()
+{
+    const bool fits = m_formulas->document()->idealWidth() <= m_formulas->viewport()->width();
+    m_formulas->setHorizontalScrollBarPolicy(fits ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
 }
 
 Arithmetic FormulaPanel::arithmetic() const
@@ -212,20 +226,15 @@ void FormulaPanel::measureRun()
     const bool isOther = run != m_measured;
     m_measured = run;
     int sentence = isOther ? 0 : m_sentence->minimumHeight();
-    struct Heights {
-        int sentence, formulas;
-    };
-    std::vector<Heights> steps;
+    int formulas = 0;
     const ScanTrace &trace = *traced->trace;
     const auto include = [&](std::size_t step) {
-        if (step >= trace.stepCount())
+        if (step >= trace.stepCount() || trace.stepAt(step).kind == StepKind::SetUp)
             return;
         const Explanation explanation = pixelplumb::explainStep(*traced, step);
-        steps.push_back({sentenceHeight(explanation), formulasHeight(explanation)});
-        if (trace.stepAt(step).kind != StepKind::SetUp) // there a longer one may move the formulas
-            sentence = std::max(sentence, steps.back().sentence);
+        sentence = std::max(sentence, sentenceHeight(explanation));
+        formulas = std::max(formulas, formulasHeight(explanation));
     };
-    include(0);
     include(m_playhead->position() > 0 ? m_playhead->position() - 1 : 0);
     for (std::size_t i = 0; i < measuredSpans && trace.spanCount() > 0; ++i) {
         const std::size_t span = i * (trace.spanCount() - 1) / (measuredSpans - 1);
@@ -235,9 +244,6 @@ void FormulaPanel::measureRun()
             include(trace.indexOfSpan(span) + sample);
     }
     m_sentence->setMinimumHeight(sentence);
-    int formulas = 0;
-    for (const Heights &step : steps)
-        formulas = std::max(formulas, step.formulas + std::max(0, step.sentence - sentence));
     const int rest = height() - m_formulas->height() - m_sentence->height();
     // The numbers of a step that was not measured may be longer, and break into one line more.
     const int spare = m_formulas->fontMetrics().lineSpacing();
@@ -257,6 +263,7 @@ void FormulaPanel::showEvent(QShowEvent *event)
 void FormulaPanel::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
+    fitScrollBar();
     const bool isSqueezed
         = height() < m_neededHeight && QGuiApplication::mouseButtons() == Qt::NoButton;
     if (isSqueezed || event->size().width() != event->oldSize().width())

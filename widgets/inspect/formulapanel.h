@@ -46,6 +46,8 @@ private:
     void present(const Explanation &explanation);
     void measureRun();
     void growTo(int formulas);
+    bool isScrolledTo(const Explanation &explanation) const;
+    void fitScrollBar();
     int sentenceHeight(const Explanation &explanation) const;
     int formulasHeight(const Explanation &explanation) const;
     Arithmetic arithmetic() const;

@@ -61,7 +61,7 @@ QSize PixelGrid::sizeHint() const { return {440, 300}; }
 QSize PixelGrid::minimumSizeHint() const
 {
     const PixelGridStyle style = styleOf(*this, *m_options);
-    const QMargins margins = pixelGridMargins(style, {}, largestRowDigits());
+    const QMargins margins = pixelGridMargins(style, {}, largestRowDigits(), BoundsRoom::None);
     const double cells = fewestCells * std::ceil(leastReadableCell(style.values()));
     return {200, int(std::ceil((cells + margins.top() + margins.bottom()) / style.scale))};
 }
@@ -86,6 +86,13 @@ int PixelGrid::largestRowDigits() const
                         QString::number(frame.firstRow + frame.height).size()));
 }
 
+BoundsRoom PixelGrid::boundsRoom() const
+{
+    const std::optional<std::size_t> span = m_playhead->spanInHand();
+    const bool hasBounds = span && !m_playhead->traced()->trace->span(*span).lower.isNone();
+    return hasBounds ? BoundsRoom::Kept : BoundsRoom::None;
+}
+
 PixelGridMapping PixelGrid::mapping() const
 {
     const double scale = devicePixelRatioF();
@@ -93,16 +100,17 @@ PixelGridMapping PixelGrid::mapping() const
     const FrameOrigin origin
         = m_playhead->traced() ? m_playhead->traced()->scene.frame.origin : FrameOrigin::BottomLeft;
     const PixelGridStyle style = styleOf(*this, *m_options);
-    const QMargins margins = pixelGridMargins(style, area, largestRowDigits());
-    const auto readable = [&](int length) {
-        const int fitting = (int(length / leastReadableCell(style.values())) - 1) | 1;
-        return std::clamp(fitting, fewestCells, m_cellCount);
-    };
+    const QMargins margins = pixelGridMargins(style, area, largestRowDigits(), boundsRoom());
     const QSize inside = area.shrunkBy(margins);
-    const CellCount count = m_isCountChosen
-        ? CellCount(m_cellCount)
-        : CellCount(readable(inside.width()), readable(inside.height()));
-    return {area, margins, count, centre(), origin};
+    const auto fitting = [](int length, double cell) { return (int(length / cell) - 1) | 1; };
+    const double least = leastReadableCell(style.values());
+    int rows = m_cellCount;
+    if (!m_isCountChosen)
+        rows = std::clamp(fitting(inside.height(), least), fewestCells, m_cellCount);
+    // As many columns as the width holds of cells that are as large as the height allows.
+    const int cell = std::max(1, inside.height() / rows);
+    const int columns = std::clamp(fitting(inside.width(), cell), fewestCells, mostCells);
+    return {area, margins, {columns, rows}, centre(), origin};
 }
 
 std::optional<QPoint> PixelGrid::pixelAt(const QPointF &position) const

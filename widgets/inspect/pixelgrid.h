@@ -9,6 +9,7 @@ namespace pixelplumb {
 
 class DisplayOptions;
 class Playhead;
+enum class BoundsRoom;
 
 /// The pixels around the picked one, large enough to read (objectName "pixelGrid"): their values,
 /// sample points, the true edges, and where the column in hand meets them.
@@ -22,8 +23,8 @@ public:
 
     explicit PixelGrid(Playhead *playhead, DisplayOptions *options, QWidget *parent = nullptr);
 
-    /// Cells along a side, or, until a person chooses it, how many there are at most where their
-    /// values can be read; odd, so that there is a middle one.
+    /// Cells one above the other, or, until a person chooses it, how many there are at most where
+    /// their values can be read; odd, so that there is a middle one.
     int cellCount() const { return m_cellCount; }
     /// Where the cells are now, in device pixels.
     PixelGridMapping mapping() const;
@@ -49,6 +50,7 @@ protected:
 private:
     QPoint centre() const;
     int largestRowDigits() const;
+    BoundsRoom boundsRoom() const;
     void goToWriteOf(const QPoint &pixel);
     QString describe(const QPoint &pixel) const;
     void announce();

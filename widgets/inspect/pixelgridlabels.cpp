@@ -56,7 +56,8 @@ QString coordinateText(int coordinate)
 
 } // namespace
 
-QMargins pixelGridMargins(const PixelGridStyle &style, const QSize &area, int largestRowDigits)
+QMargins pixelGridMargins(const PixelGridStyle &style, const QSize &area, int largestRowDigits,
+                          BoundsRoom bounds)
 {
     const QFontMetricsF metrics(style.font);
     const auto px = [&style](double logical) { return logical * style.scale; };
@@ -64,7 +65,7 @@ QMargins pixelGridMargins(const PixelGridStyle &style, const QSize &area, int la
     const double bottom = metrics.height() + px(gap);
     const double top = px(gap);
     const double rest = area.width() - left - std::min(px(labelColumn), double(area.width()));
-    const bool hasLabels = rest >= px(leastGrid);
+    const bool hasLabels = bounds == BoundsRoom::Kept && rest >= px(leastGrid);
     const double right = hasLabels ? px(labelColumn) : px(gap);
     return {int(std::ceil(left)), int(std::ceil(top)), int(std::ceil(right)),
             int(std::ceil(bottom))};

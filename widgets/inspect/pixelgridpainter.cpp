@@ -75,7 +75,7 @@ void PixelGridPainter::paint()
         paintSpan(frame);
     });
     for (const GridCell &cell : m_scene.cells)
-        paintValue(cell); // over the lines: they may go anywhere
+        paintValue(cell); // over lines and frames, which may go anywhere
     for (const GridCell &cell : m_scene.cells)
         paintSigns(cell);
     m_painter.restore();
@@ -106,21 +106,7 @@ void PixelGridPainter::paintValue(const GridCell &cell)
     QColor ink = textColourOn(cell.colour);
     if (cell.isBackground)
         ink = blended(ink, QColor::fromRgb(cell.colour), backgroundValueFade);
-    const QBrush paper = isFramed(cell.pixel) ? QBrush(QColor::fromRgb(cell.colour)) : QBrush();
-    drawCellValues(m_painter, m_mapping.cell(cell.pixel), cell.colour, ink, m_style.values(),
-                   paper);
-}
-
-/// Whether frames stand inside the cell.
-bool PixelGridPainter::isFramed(const QPoint &pixel) const
-{
-    if (pixel == m_scene.picked || pixel == m_scene.pixelInHand)
-        return true;
-    if (!m_scene.hasLine())
-        return false;
-    const std::int64_t along = m_scene.span->place.axis == SpanAxis::Row ? pixel.x() : pixel.y();
-    return along >= m_scene.firstCandidate && along < m_scene.endCandidate
-        && m_scene.onSpan(along) == pixel;
+    drawCellValues(m_painter, m_mapping.cell(cell.pixel), cell.colour, ink, m_style.values());
 }
 
 void PixelGridPainter::paintSamples()

@@ -24,8 +24,13 @@ struct PixelGridStyle {
     CellValueStyle values() const { return {font, scale, notation}; }
 };
 
+/// Whether y_B and y_T have room beside the cells: where no column or row is in hand, the cells
+/// have it.
+enum class BoundsRoom { None, Kept };
+
 /// The room that axis labels and the names of y_B and y_T need around the cells.
-QMargins pixelGridMargins(const PixelGridStyle &style, const QSize &area, int largestRowDigits);
+QMargins pixelGridMargins(const PixelGridStyle &style, const QSize &area, int largestRowDigits,
+                          BoundsRoom bounds);
 
 /// Draws a scene through a painter that works in device pixels. What the canvas shows as well,
 /// FramePainter draws; here are the values and signs for which only large cells have room.
@@ -39,7 +44,6 @@ public:
 private:
     void paintCell(const GridCell &cell);
     void paintValue(const GridCell &cell);
-    bool isFramed(const QPoint &pixel) const;
     void paintSigns(const GridCell &cell);
     void paintSamples();
     void paintCandidates();

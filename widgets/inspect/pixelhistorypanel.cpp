@@ -188,8 +188,9 @@ void PixelHistoryPanel::describePixel()
     const std::optional<QPoint> pixel = m_playhead->pickedPixel();
     const TracedScene *traced = m_playhead->traced();
     if (!pixel || !traced) {
-        m_heading->setText(
-            tr("<b>No pixel is picked</b>: click one in the pixel grid or on the canvas"));
+        m_heading->setText(tr("<b>No pixel is picked</b>"));
+        m_reason->setText(
+            tr("Click one in the pixel grid, or on the canvas with the tool Inspect."));
         return;
     }
     const FrameView frame = m_playhead->frame()->view();

@@ -18,6 +18,14 @@
 
 namespace pixelplumb {
 
+namespace {
+
+// Logical pixels.
+constexpr int cellMargin = 4;
+constexpr int leastNameWidth = 80;
+
+} // namespace
+
 PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     : QWidget(parent)
     , m_document(document)
@@ -34,11 +42,7 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     m_tree->setAllColumnsShowFocus(false);
     m_tree->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
                             | QAbstractItemView::AnyKeyPressed);
-    m_tree->header()->resizeSection(PrimitiveListModel::Name, 144);
-    m_tree->header()->resizeSection(PrimitiveListModel::Place, 44);
-    m_tree->header()->resizeSection(PrimitiveListModel::X, 52);
-    m_tree->header()->resizeSection(PrimitiveListModel::Y, 52);
-    m_tree->header()->resizeSection(PrimitiveListModel::ColourText, 64); // at least
+    fitColumns();
     m_summary->setObjectName(QStringLiteral("primitivesSummary"));
     m_summary->setWordWrap(true);
 
@@ -69,6 +73,35 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     connect(m_model, &QAbstractItemModel::modelReset, this, &PrimitivesPanel::followReset);
     connect(document, &SceneDocument::sceneChanged, this, &PrimitivesPanel::update);
     followSelection();
+}
+
+/// Where there is no room for all, names give way: their numbers, and a colour to its last digit,
+/// can be read.
+void PrimitivesPanel::fitColumns()
+{
+    QHeaderView *header = m_tree->header();
+    const QFontMetrics metrics = m_tree->fontMetrics();
+    const auto fit = [&](int column, const QString &widest) {
+        header->resizeSection(column,
+                              std::max(metrics.horizontalAdvance(widest) + 2 * cellMargin,
+                                       header->sectionSizeHint(column)));
+    };
+    fit(PrimitiveListModel::Place, QStringLiteral("00"));
+    fit(PrimitiveListModel::X, QStringLiteral("000.0"));
+    fit(PrimitiveListModel::Y, QStringLiteral("000.0"));
+    int others = metrics.horizontalAdvance(QStringLiteral("#dddddd")) + 3 * cellMargin
+        + style()->pixelMetric(QStyle::PM_SmallIconSize); // of the colour, which has the rest
+    for (const int column :
+         {PrimitiveListModel::Place, PrimitiveListModel::X, PrimitiveListModel::Y})
+        others += header->sectionSize(column);
+    header->resizeSection(PrimitiveListModel::Name,
+                          std::max(leastNameWidth, m_tree->viewport()->width() - others));
+}
+
+void PrimitivesPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    fitColumns();
 }
 
 /// Each as a button below the list and as an entry of the menu of its rows.

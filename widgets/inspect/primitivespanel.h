@@ -30,8 +30,12 @@ public:
 
     QSize sizeHint() const override { return {384, 480}; }
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     void addActions(QHBoxLayout *row);
+    void fitColumns();
     void hideOrShow();
     void chooseRow(const QModelIndex &index);
     void followSelection();

@@ -45,7 +45,7 @@ public:
     bool openResults(const QString &path);
     bool compareWith(const QString &path);
 
-    QSize sizeHint() const override { return {960, 400}; }
+    QSize sizeHint() const override { return {960, 600}; }
 
 public slots:
     void run();

@@ -53,7 +53,7 @@ double leastReadableCell(const CellValueStyle &style)
 }
 
 void drawCellValues(QPainter &painter, const QRectF &cell, QRgb colour, const QColor &ink,
-                    const CellValueStyle &style, const QBrush &paper)
+                    const CellValueStyle &style)
 {
     const auto px = [&style](double logical) { return logical * style.scale; };
     const double size = cell.height();
@@ -78,7 +78,7 @@ void drawCellValues(QPainter &painter, const QRectF &cell, QRgb colour, const QC
         const double height = metrics.capHeight();
         painter.fillRect(QRectF(left, middle - height / 2, right - left, height)
                              .adjusted(-px(1), -px(1), px(1), px(1)),
-                         paper);
+                         QColor::fromRgb(colour));
         painter.drawText(QPointF(left, middle + height / 2), text);
     }
 }

@@ -3,7 +3,6 @@
 
 #include "widgets/look/displayoptions.h"
 
-#include <QBrush>
 #include <QFont>
 #include <QRectF>
 #include <QRgb>
@@ -26,9 +25,9 @@ QColor textColourOn(QRgb colour);
 /// The smallest cell that has room for three numbers beside its sample, painter's units.
 double leastReadableCell(const CellValueStyle &style);
 
-/// R, G and B one below the other, as large as fits; nothing in cells that are too small. With a
-/// paper nothing that is there already runs through the digits.
+/// R, G and B one below the other, as large as fits; nothing in cells that are too small. They
+/// stand on the cell's colour, so that no line that is there already runs through the digits.
 void drawCellValues(QPainter &painter, const QRectF &cell, QRgb colour, const QColor &ink,
-                    const CellValueStyle &style, const QBrush &paper = Qt::NoBrush);
+                    const CellValueStyle &style);
 
 } // namespace pixelplumb

@@ -3,6 +3,7 @@
 
 #include "core/methods/method.h"
 #include "widgets/look/numberformat.h"
+#include "widgets/model/onecolour.h"
 #include "widgets/model/runnotes.h"
 
 #include <algorithm>
@@ -58,7 +59,11 @@ SceneDocument::~SceneDocument()
 
 Colour SceneDocument::nextColour() const
 {
-    return m_chosenColour.value_or(defaultColours[m_pending.size() % defaultColours.size()]);
+    if (m_chosenColour)
+        return *m_chosenColour;
+    if (!m_pending.empty() && hasOneColour(placedKind()))
+        return m_pending.front().colour;
+    return defaultColours[m_pending.size() % defaultColours.size()];
 }
 
 std::optional<Vertex> SceneDocument::vertexAt(const VertexRef &ref) const

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/shapeediting.h"
 #include "core/methods/method.h"
+#include "widgets/model/onecolour.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/model/sceneedit.h"
 
@@ -31,6 +32,10 @@ void SceneDocument::placeVertex(const LatticePoint &position)
     const ScenePiece before = pieceAtEnd();
     ScenePiece after = before;
     after.pending.push_back({position, nextColour()});
+    if (hasOneColour(placedKind())) { // which was chosen anew, perhaps
+        for (Vertex &vertex : after.pending)
+            vertex.colour = nextColour();
+    }
     after.chosenColour.reset();
     const std::optional<std::size_t> needed = placedVertexCount(placedKind());
     if (needed && after.pending.size() >= *needed)
@@ -57,6 +62,8 @@ void SceneDocument::setVertexColour(const VertexRef &ref, const Colour &colour)
     const std::optional<Vertex> vertex = vertexAt(ref);
     if (!vertex || vertex->colour == colour)
         return;
+    if (ref.primitive != VertexRef::pending && hasOneColour(kindOf(ref.primitive)))
+        return setPrimitiveColour(ref.primitive, colour);
     const ScenePiece before = pieceWith(ref.primitive);
     ScenePiece after = before;
     after.vertex(ref).colour = colour;
@@ -148,8 +155,16 @@ void SceneDocument::deleteVertex(const VertexRef &ref)
     edit(tr("delete vertex"), before, after);
 }
 
+/// Vertices that wait are taken back edit by edit, so that the next undo is of what was done before
+/// them; where something else was done since, their end is an edit of its own.
 void SceneDocument::discardPending()
 {
+    const auto isOfPending = [this] {
+        const int last = m_undoStack.index() - 1;
+        return last >= 0 && static_cast<const SceneEdit *>(m_undoStack.command(last))->keepsScene();
+    };
+    while (!m_pending.empty() && isOfPending())
+        m_undoStack.undo();
     if (m_pending.empty())
         return;
     const ScenePiece before = pieceAtEnd();

@@ -24,6 +24,7 @@ public:
 
     void redo() override { m_document->exchange(m_before, m_after, m_stateAfter); }
     void undo() override { m_document->exchange(m_after, m_before, m_stateBefore); }
+    bool keepsScene() const { return m_before.hasSceneOf(m_after); } ///< pending vertices alone
     int id() const override { return m_drag ? 1 : -1; }
     bool mergeWith(const QUndoCommand *other) override;
 

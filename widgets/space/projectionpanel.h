@@ -29,7 +29,7 @@ public:
     ProjectionPanel(SceneDocument *document, Playhead *playhead, QWidget *parent = nullptr);
     ~ProjectionPanel() override;
 
-    QSize sizeHint() const override { return {720, 360}; }
+    QSize sizeHint() const override { return {720, 480}; }
 
 signals:
     /// The scene's solids are projected; the panel shows them.

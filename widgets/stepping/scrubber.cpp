@@ -252,16 +252,17 @@ void Scrubber::findStops()
 {
     m_stops.clear();
     forgetBackground();
-    if (!m_playhead->traced() || m_playhead->traced()->trace->primitiveCount() != 1)
+    const bool areColumnsPlaced = m_places.width > 0 && m_places.right > m_places.left;
+    if (!areColumnsPlaced || !m_playhead->traced()
+        || m_playhead->traced()->trace->primitiveCount() != 1)
         return;
     const ScanTrace &trace = *m_playhead->traced()->trace;
     std::vector<ColumnStop> stops;
     for (std::size_t span = 0; span < trace.spanCount(); ++span) {
         const SpanPlace &place = trace.placeOf(span);
         const double x = m_places.origin + m_places.width * double(place.coordinate);
-        const bool isSeen = x - m_places.width >= m_places.left && x <= m_places.right;
         const bool ascends = stops.empty() || x >= stops.back().x;
-        if (place.axis != SpanAxis::Column || !isSeen || !ascends)
+        if (place.axis != SpanAxis::Column || !ascends)
             return;
         stops.push_back({trace.indexOfSpan(span) + 1, x});
     }

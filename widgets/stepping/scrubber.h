@@ -17,11 +17,10 @@ struct ColumnPlaces {
     double left = 0, right = 0; ///< where columns are seen
 };
 
-/// The whole run on one line, with its marks in a lane a kind above it: where vertices are, where
-/// ties and clamps happen, the first pixel that differs from the truth. The plumb line marks the
-/// position; dragging seeks. A run of one primitive in columns that are all seen on the canvas
-/// stands below them, so that the plumb line is one line; every other is spread evenly by its
-/// steps.
+/// The run on one line, with its marks in a lane a kind above it: where vertices are, where ties
+/// and clamps happen, the first pixel that differs from the truth. The plumb line marks the
+/// position; dragging seeks. A run of one primitive in columns stands below the canvas's columns,
+/// at every zoom, so that the plumb line is one line; every other is spread evenly by its steps.
 class Scrubber : public QAbstractSlider {
     Q_OBJECT
 
@@ -61,8 +60,12 @@ private:
     void seekSoon(std::size_t position);
     QString hoverText(double x) const;
     void paintBackground();
+    void paintPosition(QPainter &painter) const;
     void paintLane(QPainter &painter, int lane, MarkKind kind, const QString &name) const;
+    void paintMarks(QPainter &painter, double top, MarkKind kind) const;
     void paintTrack(QPainter &painter) const;
+    void paintName(QPainter &painter, double top, double height, const QString &name) const;
+    QRectF lanes() const;
 
     Playhead *m_playhead;
     std::vector<std::size_t> m_breakpoints; ///< the positions at which a run pauses

@@ -12,7 +12,7 @@ namespace {
 constexpr int margin = 8;
 constexpr int gutter = 72; // left of the lanes, for their names
 constexpr int laneHeight = 12;
-constexpr int laneCount = 3;
+constexpr int laneCount = 4;
 constexpr int trackTop = margin / 2 + laneCount * laneHeight;
 constexpr int trackHeight = 14;
 constexpr int wholeHeight = trackTop + trackHeight + margin / 2 + 2;
@@ -34,7 +34,7 @@ QSize Scrubber::minimumSizeHint() const { return {240, wholeHeight}; }
 
 ScrubberScale Scrubber::scale() const
 {
-    if (!m_stops.empty() && m_stops.front().x - m_places.width >= gutter) {
+    if (!m_stops.empty()) {
         // A column before the first one is where nothing is done, a half behind the last the end.
         const double left = m_stops.front().x - m_places.width;
         return {left, m_stops.back().x + m_places.width / 2 - left, m_playhead->end(), m_stops};
@@ -51,22 +51,8 @@ void Scrubber::paintEvent(QPaintEvent *)
     if (!m_playhead->traced())
         return;
 
-    const ScrubberScale toScreen = scale();
-    const double x = toScreen.xOf(m_playhead->position());
-    const QColor plumbLine = signColour(Sign::ColumnInHand, palette());
     painter.setRenderHint(QPainter::Antialiasing);
-    QColor done = plumbLine;
-    done.setAlphaF(0.3F);
-    painter.fillRect(QRectF(toScreen.left, trackTop + 5, x - toScreen.left, 4), done);
-    painter.setPen(QPen(plumbLine, 1.5));
-    painter.drawLine(QPointF(x, margin / 2), QPointF(x, trackTop + trackHeight));
-    painter.setPen(Qt::NoPen);
-    painter.setBrush(plumbLine);
-    painter.drawPolygon(QPolygonF({{x - 5, trackTop + 1.0},
-                                   {x + 5, trackTop + 1.0},
-                                   {x + 5, trackTop + 8.0},
-                                   {x, trackTop + double(trackHeight)},
-                                   {x - 5, trackTop + 8.0}}));
+    paintPosition(painter);
     if (hasFocus()) {
         QStyleOptionFocusRect focus;
         focus.initFrom(this);
@@ -74,6 +60,37 @@ void Scrubber::paintEvent(QPaintEvent *)
         focus.backgroundColor = palette().color(QPalette::Window);
         style()->drawPrimitive(QStyle::PE_FrameFocusRect, &focus, &painter, this);
     }
+}
+
+/// Where the view was moved away from the column, an arrow tells on which side it is.
+void Scrubber::paintPosition(QPainter &painter) const
+{
+    const ScrubberScale toScreen = scale();
+    const double x = toScreen.xOf(m_playhead->position());
+    const QColor plumbLine = signColour(Sign::ColumnInHand, palette());
+    QColor done = plumbLine;
+    done.setAlphaF(0.3F);
+    const double left = std::max(toScreen.left, double(gutter));
+    const double doneWidth = std::min(x, double(width())) - left;
+    painter.fillRect(QRectF(left, trackTop + 5, std::max(0.0, doneWidth), 4), done);
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(plumbLine);
+    const bool isLeft = !m_stops.empty() && x < m_places.left;
+    const bool isRight = !m_stops.empty() && x > m_places.right;
+    if (isLeft || isRight) {
+        const double tip = isLeft ? m_places.left + 2 : m_places.right - 2;
+        const double back = tip + (isLeft ? 8 : -8);
+        painter.drawPolygon(
+            QPolygonF({{tip, trackTop + 7.0}, {back, trackTop + 1.0}, {back, trackTop + 13.0}}));
+        return;
+    }
+    painter.drawPolygon(QPolygonF({{x - 5, trackTop + 1.0},
+                                   {x + 5, trackTop + 1.0},
+                                   {x + 5, trackTop + 8.0},
+                                   {x, trackTop + double(trackHeight)},
+                                   {x - 5, trackTop + 8.0}}));
+    painter.setPen(QPen(plumbLine, 1.5));
+    painter.drawLine(QPointF(x, margin / 2), QPointF(x, trackTop + trackHeight));
 }
 
 void Scrubber::paintBackground()
@@ -89,8 +106,23 @@ void Scrubber::paintBackground()
     paintLane(painter, 0, MarkKind::PartBegins, tr("vertices"));
     paintLane(painter, 1, MarkKind::Tie, tr("ties"));
     paintLane(painter, 2, MarkKind::Clamp, tr("clamps"));
-    paintLane(painter, 0, MarkKind::FirstDifference, {});
+    paintLane(painter, 3, MarkKind::FirstDifference, tr("differs"));
     paintTrack(painter);
+}
+
+/// Right of the names.
+QRectF Scrubber::lanes() const
+{
+    return {double(gutter - margin), 0, double(width() - gutter + margin), double(height())};
+}
+
+void Scrubber::paintName(QPainter &painter, double top, double height, const QString &name) const
+{
+    QColor muted = palette().color(QPalette::WindowText);
+    muted.setAlphaF(0.75F);
+    painter.setPen(muted);
+    painter.drawText(QRectF(0, top, gutter - margin - 2, height), Qt::AlignRight | Qt::AlignVCenter,
+                     name);
 }
 
 void Scrubber::paintLane(QPainter &painter, int lane, MarkKind kind, const QString &name) const
@@ -100,17 +132,22 @@ void Scrubber::paintLane(QPainter &painter, int lane, MarkKind kind, const QStri
     const double middle = top + laneHeight / 2.0;
     const Sign sign = signOf(kind);
     const QString glyph = signGlyph(sign);
-    if (!name.isEmpty()) {
-        QColor muted = palette().color(QPalette::WindowText);
-        muted.setAlphaF(0.75F);
-        painter.setPen(muted);
-        painter.drawText(QRectF(0, top, gutter - margin, laneHeight),
-                         Qt::AlignRight | Qt::AlignVCenter,
-                         glyph.isEmpty() ? name : name + QLatin1Char(' ') + glyph);
-        painter.setPen(QPen(faint(palette()), 1));
-        painter.drawLine(QPointF(toScreen.left, middle),
-                         QPointF(toScreen.left + toScreen.width, middle));
-    }
+    paintName(painter, top, laneHeight, glyph.isEmpty() ? name : name + QLatin1Char(' ') + glyph);
+    painter.save();
+    painter.setClipRect(lanes());
+    painter.setPen(QPen(faint(palette()), 1));
+    painter.drawLine(QPointF(toScreen.left, middle),
+                     QPointF(toScreen.left + toScreen.width, middle));
+    paintMarks(painter, top, kind);
+    painter.restore();
+}
+
+void Scrubber::paintMarks(QPainter &painter, double top, MarkKind kind) const
+{
+    const ScrubberScale toScreen = scale();
+    const double middle = top + laneHeight / 2.0;
+    const Sign sign = signOf(kind);
+    const QString glyph = signGlyph(sign);
     if (!m_playhead->traced())
         return;
     const QColor colour = signColour(sign, palette());
@@ -144,12 +181,9 @@ void Scrubber::paintLane(QPainter &painter, int lane, MarkKind kind, const QStri
 void Scrubber::paintTrack(QPainter &painter) const
 {
     const ScrubberScale toScreen = scale();
+    paintName(painter, trackTop, trackHeight, tr("spans"));
+    painter.setClipRect(lanes());
     painter.fillRect(QRectF(toScreen.left, trackTop + 5, toScreen.width, 4), faint(palette()));
-    QColor muted = palette().color(QPalette::WindowText);
-    muted.setAlphaF(0.75F);
-    painter.setPen(muted);
-    painter.drawText(QRectF(0, trackTop, gutter - margin, trackHeight),
-                     Qt::AlignRight | Qt::AlignVCenter, tr("spans"));
     const TracedScene *traced = m_playhead->traced();
     if (!traced)
         return;

@@ -36,7 +36,7 @@ public:
     const Contest *contest() const { return m_contest.get(); }
     const std::vector<ComparePane *> &panes() const { return m_panes; }
 
-    QSize sizeHint() const override { return {960, 320}; }
+    QSize sizeHint() const override { return {960, 520}; }
 
 public slots:
     /// Two to four.

@@ -35,7 +35,7 @@ public:
     /// Nothing before the first measurement, after a cancelled one, and after a change.
     const std::optional<EffectTiming> &timing() const { return m_timing; }
 
-    QSize sizeHint() const override { return {900, 320}; }
+    QSize sizeHint() const override { return {900, 400}; }
 
 public slots:
     void measure();

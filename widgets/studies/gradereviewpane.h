@@ -26,6 +26,7 @@ public:
 
     /// The one in hand, by its place in the report; none: no one.
     void setSubmission(const std::optional<std::size_t> &place);
+    const std::optional<std::size_t> &submission() const { return m_shown; }
     void beginComment();
     /// The picture of the chosen scene; none where nobody is in hand.
     std::optional<GradedPicture> picture() const;

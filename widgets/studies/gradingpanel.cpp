@@ -26,7 +26,9 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int widthForVerdicts = 420; ///< of the table, logical pixels
+// Logical pixels.
+constexpr int widthForComments = 480; ///< of the table
+constexpr int leastSharedWidth = 72; ///< of the defects, of the comments, of a name
 
 } // namespace
 
@@ -54,7 +56,10 @@ GradingPanel::GradingPanel(QWidget *parent)
     connect(m_review, &GradeReviewPane::sceneChosen, this, &GradingPanel::openChosen);
     connect(m_review, &GradeReviewPane::left, m_table, qOverload<>(&QWidget::setFocus));
     connect(m_table->selectionModel(), &QItemSelectionModel::selectionChanged, this,
-            [this] { m_review->setSubmission(chosen()); });
+            [this] { m_taking.start(); });
+    m_taking.setSingleShot(true); // what moves the selection is done before a picture is opened
+    m_taking.setInterval(0);
+    connect(&m_taking, &QTimer::timeout, this, &GradingPanel::takeChosen);
     connect(&m_book->job(), &Job::started, this, &GradingPanel::followJob);
     connect(&m_book->job(), &Job::ended, this, &GradingPanel::followJob);
     connect(&m_book->job(), &Job::progressChanged, this, [this](const JobProgress &progress) {
@@ -105,9 +110,10 @@ void GradingPanel::addFiles(QBoxLayout *layout)
     connect(grade, &QToolButton::clicked, this, &GradingPanel::gradeFolder);
     connect(m_report, &QToolButton::clicked, m_book, &Gradebook::writeReports);
     connect(m_cancel, &QToolButton::clicked, m_book, &Gradebook::cancel);
-    connect(m_words, &QLineEdit::textChanged, m_filter, &GradeFilter::setWords);
+    connect(m_words, &QLineEdit::textChanged, this,
+            [this](const QString &words) { narrow([&] { m_filter->setWords(words); }); });
     connect(m_cluster, &QComboBox::currentIndexChanged, this,
-            [this](int index) { m_filter->setCluster(index - 1); });
+            [this](int index) { narrow([&] { m_filter->setCluster(index - 1); }); });
 }
 
 void GradingPanel::addTable(QBoxLayout *layout)
@@ -128,6 +134,7 @@ void GradingPanel::addTable(QBoxLayout *layout)
     for (const int shared : {GradeTableModel::Cause, GradeTableModel::Comment})
         m_table->horizontalHeader()->setSectionResizeMode(shared, QHeaderView::Stretch);
     m_table->horizontalHeader()->setMinimumSectionSize(24);
+    m_table->horizontalHeader()->setTextElideMode(Qt::ElideRight);
     m_table->installEventFilter(this);
     m_summary = new ElidedLabel(this);
     m_summary->setObjectName(QStringLiteral("gradingSummary"));
@@ -175,21 +182,28 @@ void GradingPanel::showReport()
     fitColumns();
     m_report->setEnabled(!m_book->results().isEmpty());
     showSummary();
+    emit closeRequested(); // it is of the report before
 }
 
 /// Defects and comments, which may be long, share what the others leave; all of a cell is in its
-/// tool tip. A narrow table goes without verdicts, which the defects tell as well.
+/// tool tip. A narrow table goes without comments, of which the one in hand stands beside it. Of
+/// the others a long name gives way.
 void GradingPanel::fitColumns()
 {
     QHeaderView *header = m_table->horizontalHeader();
     const int width = m_table->viewport()->width();
-    const int most = width / 4;
-    m_table->setColumnHidden(GradeTableModel::Verdict, width < widthForVerdicts);
-    for (const int column : {GradeTableModel::Name, GradeTableModel::Points,
-                             GradeTableModel::Verdict, GradeTableModel::State}) {
+    const bool hasComments = width >= widthForComments;
+    m_table->setColumnHidden(GradeTableModel::Comment, !hasComments);
+    int rest = width - (hasComments ? 2 : 1) * leastSharedWidth;
+    for (const int column :
+         {GradeTableModel::Points, GradeTableModel::Verdict, GradeTableModel::State}) {
         m_table->resizeColumnToContents(column);
-        header->resizeSection(column, std::min(header->sectionSize(column), most));
+        rest -= header->sectionSize(column);
     }
+    m_table->resizeColumnToContents(GradeTableModel::Name);
+    header->resizeSection(
+        GradeTableModel::Name,
+        std::min(header->sectionSize(GradeTableModel::Name), std::max(rest, leastSharedWidth)));
 }
 
 /// A table that takes the focus has a current row, but nobody chose it.
@@ -210,17 +224,53 @@ void GradingPanel::showSummary()
     m_summary->setWholeText(
         m_book->results().isEmpty()
             ? tr("Open a folder of results, or grade a folder of submissions.")
-            : tr("%1: %n submissions, %2 accepted%3. J and K: next and previous; A: accept; C: "
-                 "comment; Enter: the picture.",
-                 nullptr, int(report.submissions.size()))
-                  .arg(report.assignment.name)
+            : tr("%1 of %2 accepted%3 · J, K: next, previous · A: accept · C: comment · %4")
                   .arg(accepted)
+                  .arg(report.submissions.size())
                   .arg(report.missing.isEmpty()
                            ? QString()
-                           : tr(", %1 more without a grade").arg(report.missing.size())));
+                           : tr(", %1 more without a grade").arg(report.missing.size()))
+                  .arg(report.assignment.name));
+}
+
+/// The view would select the neighbour of a row that is filtered away; who looks for a name has not
+/// chosen that one.
+template <class Change>
+void GradingPanel::narrow(const Change &change)
+{
+    const auto before = chosen();
+    change();
+    const QModelIndex row
+        = before ? m_filter->mapFromSource(m_model->index(int(*before), 0)) : QModelIndex();
+    if (row.isValid())
+        m_table->setCurrentIndex(row);
+    else
+        putDown();
+}
+
+void GradingPanel::putDown() { m_table->selectionModel()->clear(); }
+
+void GradingPanel::takeChosen()
+{
+    m_taking.stop();
+    if (chosen() == m_review->submission())
+        return;
+    m_review->setSubmission(chosen());
+    if (!chosen())
+        emit closeRequested();
+    else
+        openInHand();
 }
 
 void GradingPanel::openChosen()
+{
+    if (chosen() == m_review->submission())
+        openInHand();
+    else
+        takeChosen();
+}
+
+void GradingPanel::openInHand()
 {
     if (const auto picture = m_review->picture())
         emit openRequested(*picture);
@@ -248,9 +298,11 @@ bool GradingPanel::press(int key)
         move(-1);
         return true;
     case Qt::Key_A:
+        takeChosen();
         m_review->toggleAccepted();
         return true;
     case Qt::Key_C:
+        takeChosen();
         m_review->beginComment();
         return true;
     default:

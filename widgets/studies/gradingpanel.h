@@ -3,6 +3,7 @@
 
 #include "widgets/studies/submissionopening.h"
 
+#include <QTimer>
 #include <QWidget>
 
 #include <optional>
@@ -23,7 +24,8 @@ class GradeReviewPane;
 class GradeTableModel;
 
 /// The assistant's bench: the submissions of a graded folder as a table, by cause, with what each
-/// student is told; reviewed by keys. A chosen submission opens beside what was expected.
+/// student is told; reviewed by keys. A chosen submission opens beside what was expected: the row
+/// that is selected, what is told and said, and the picture on show are always one student's.
 class GradingPanel : public QWidget {
     Q_OBJECT
 
@@ -32,14 +34,16 @@ public:
     ~GradingPanel() override;
 
     Gradebook *book() const { return m_book; }
-    QSize sizeHint() const override { return {960, 320}; }
+    QSize sizeHint() const override { return {960, 440}; }
 
 public slots:
     void openResults(); ///< asks for the folder
     void gradeFolder(); ///< asks what
+    void putDown(); ///< nobody's picture is on show: nobody is in hand
 
 signals:
     void openRequested(const pixelplumb::GradedPicture &picture);
+    void closeRequested(); ///< nobody is in hand
 
 protected:
     void resizeEvent(QResizeEvent *event) override;
@@ -52,9 +56,13 @@ private:
     void showReport();
     void fitColumns();
     void showSummary();
+    void takeChosen();
     void openChosen();
+    void openInHand();
     bool press(int key);
     void move(int by);
+    template <class Change>
+    void narrow(const Change &change);
     std::optional<std::size_t> chosen() const; ///< the place of the submission in the report
 
     Gradebook *m_book;
@@ -68,6 +76,7 @@ private:
     QComboBox *m_cluster = nullptr;
     QTableView *m_table = nullptr;
     ElidedLabel *m_summary = nullptr;
+    QTimer m_taking; ///< runs while another row is selected than the one in hand
 };
 
 } // namespace pixelplumb

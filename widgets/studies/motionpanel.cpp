@@ -6,6 +6,7 @@
 #include "core/runs/tracedscene.h"
 #include "core/scene/coordinatetext.h"
 #include "widgets/look/numberlayout.h"
+#include "widgets/look/stepicons.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
@@ -84,6 +85,12 @@ MotionPanel::MotionPanel(SceneDocument *document, QWidget *parent)
     followScene();
 }
 
+QSize MotionPanel::sizeHint() const
+{
+    const bool moves = m_document->scene().motion.has_value();
+    return {900, moves ? 320 : layout()->sizeHint().height()};
+}
+
 QBoxLayout *MotionPanel::motionRow()
 {
     m_frames->setRange(2, largestFrameCount);
@@ -114,8 +121,9 @@ QBoxLayout *MotionPanel::motionRow()
 
 QBoxLayout *MotionPanel::playRow()
 {
-    m_play->setText(tr("▶ play"));
+    m_play->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     m_play->setCheckable(true);
+    play(false);
     m_play->setToolTip(tr("Show one frame after the other, over and over"));
     m_position->setFont(tabularFont(font()));
     auto *row = new QHBoxLayout;
@@ -139,6 +147,10 @@ void MotionPanel::makeTable()
     m_table->setHorizontalHeaderLabels(
         {tr("pixels"), tr("in truth"), tr("came or went"), tr("in truth")});
     m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
+    for (int column = 0; column < m_table->columnCount(); ++column)
+        m_table->horizontalHeader()->setMinimumSectionSize(
+            std::max(m_table->horizontalHeader()->minimumSectionSize(),
+                     m_table->horizontalHeader()->sectionSizeHint(column)));
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
     connect(m_table, &QTableWidget::currentCellChanged, m_slider,
             [this](int row) { m_slider->setValue(std::max(row, 0)); });
@@ -146,7 +158,8 @@ void MotionPanel::makeTable()
 
 void MotionPanel::play(bool isPlaying)
 {
-    m_play->setText(isPlaying ? tr("⏸ pause") : tr("▶ play"));
+    m_play->setText(isPlaying ? tr("pause") : tr("play"));
+    m_play->setIcon(stepIcon(isPlaying ? StepSign::Pause : StepSign::Play));
     isPlaying ? m_clock.start() : m_clock.stop();
 }
 
@@ -179,6 +192,11 @@ void MotionPanel::followScene()
     m_play->setEnabled(motion.has_value());
     m_slider->setEnabled(motion.has_value());
     m_slider->setMaximum(motion ? motion->frames - 1 : 0);
+    for (QWidget *each :
+         std::initializer_list<QWidget *>{m_view, m_table, m_slider, m_play, m_position})
+        each->setVisible(motion.has_value()); // of a scene that stands there is nothing to see
+    updateGeometry();
+    emit neededHeightChanged();
     count();
 }
 

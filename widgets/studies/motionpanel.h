@@ -34,9 +34,10 @@ public:
     /// Of the scene in hand; none while it is being counted, and of one that stands.
     const std::optional<MotionStudy> &study() const { return m_study; }
 
-    QSize sizeHint() const override { return {900, 320}; }
+    QSize sizeHint() const override;
 
 signals:
+    void neededHeightChanged();
     void studied();
 
 protected:

@@ -17,14 +17,26 @@ SubmissionOpening::SubmissionOpening(const SceneDocument *document, SceneFiles *
     , m_playhead(playhead)
 {
     connect(student, &StudentPicture::judged, this, &SubmissionOpening::arrive);
+    connect(student, &StudentPicture::taken, this, [this] {
+        if (m_open && m_student->name() != m_open->name)
+            lose();
+    });
 }
 
 void SubmissionOpening::open(const GradedPicture &picture)
 {
+    const bool isOpen = m_open == picture && m_student->name() == picture.name
+        && m_document->scene() == picture.scene;
+    if (isOpen) {
+        m_awaited = picture.name;
+        return arrive();
+    }
     m_awaited.clear();
+    m_open.reset();
     m_student->remove(); // it is of another scene, or of another student
     if (m_document->scene() != picture.scene && !m_files->showScene(picture.scene))
-        return;
+        return lose();
+    m_open = picture;
     const bool isThere = !picture.path.isEmpty();
     m_student->expect(picture.name,
                       isThere ? tr("Being opened.") : tr("No picture: %1.").arg(picture.fault));
@@ -32,6 +44,21 @@ void SubmissionOpening::open(const GradedPicture &picture)
         return;
     m_student->openAs(picture.path, picture.name);
     m_awaited = picture.name;
+}
+
+void SubmissionOpening::close()
+{
+    if (m_open && m_student->name() == m_open->name)
+        m_student->remove();
+    m_awaited.clear();
+    m_open.reset();
+}
+
+void SubmissionOpening::lose()
+{
+    m_awaited.clear();
+    m_open.reset();
+    emit lost();
 }
 
 void SubmissionOpening::arrive()

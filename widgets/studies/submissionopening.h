@@ -6,6 +6,8 @@
 #include <QObject>
 #include <QPoint>
 
+#include <optional>
+
 namespace pixelplumb {
 
 class Playhead;
@@ -19,6 +21,8 @@ struct GradedPicture {
     QString path; ///< empty: there is none
     QString name; ///< "ada · shallow"
     QString fault; ///< why there is none; empty where there is
+
+    bool operator==(const GradedPicture &) const = default;
 };
 
 /// Opens a graded picture beside what was expected, at the first pixel that differs.
@@ -31,17 +35,21 @@ public:
 
 public slots:
     void open(const pixelplumb::GradedPicture &picture);
+    void close(); ///< what was opened, where it is still there
 
 signals:
     void pixelReached(const QPoint &pixel);
+    void lost(); ///< it is not on show: the scene in hand was kept, or another picture has come
 
 private:
     void arrive();
+    void lose();
 
     const SceneDocument *m_document;
     SceneFiles *m_files;
     StudentPicture *m_student;
     Playhead *m_playhead;
+    std::optional<GradedPicture> m_open;
     QString m_awaited; ///< the picture whose judgement is; empty: none
 };
 

@@ -219,6 +219,9 @@ void MainWindow::connectParts()
     connect(m_parts.files, &SceneFiles::replacing, m_parts.effects, &EffectSwitches::reset);
     connect(m_parts.files, &SceneFiles::begun, m_parts.canvas,
             [canvas = m_parts.canvas] { canvas->setTool(CanvasTool::Draw); });
+    // The keys of the canvas are for the scene that has come, whichever panel had the focus.
+    for (const auto come : {&SceneFiles::begun, &SceneFiles::loaded})
+        connect(m_parts.files, come, m_parts.canvas, qOverload<>(&QWidget::setFocus));
     connect(m_parts.files, &SceneFiles::loaded, this, [this] {
         m_parts.canvas->setTool(CanvasTool::Inspect); // a person looks at what others made
         if (!m_parts.files->path().isEmpty())

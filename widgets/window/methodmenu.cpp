@@ -10,6 +10,7 @@
 #include "widgets/model/scenedocument.h"
 
 #include <QActionGroup>
+#include <QMap>
 
 namespace pixelplumb {
 
@@ -79,15 +80,17 @@ void MethodMenu::addMethods(Canvas *canvas)
 {
     auto *group = new QActionGroup(this);
     int digit = 0;
-    std::optional<MethodFamily> family;
+    QMap<MethodFamily, QMenu *> families; // all in one menu would be higher than a screen
     for (const Method &method : methods()) {
-        if (family != method.family)
-            addSection(coreWord(titleOf(method.family)));
-        family = method.family;
+        QMenu *&family = families[method.family];
+        if (!family) {
+            family = addMenu(coreWord(titleOf(method.family)));
+            family->setToolTipsVisible(true);
+        }
         const std::string id = method.id.toStdString();
         const QKeySequence key = ++digit <= 9 ? QKeySequence(Qt::Key_0 + digit) : QKeySequence();
-        QAction *action
-            = addMenuAction(this, "", method.title, key, [this, id] { m_document->setMethod(id); });
+        QAction *action = addMenuAction(family, "", method.title, key,
+                                        [this, id] { m_document->setMethod(id); });
         action->setObjectName(QStringLiteral("method-") + method.id);
         action->setCheckable(true);
         group->addAction(action);

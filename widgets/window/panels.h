@@ -20,7 +20,7 @@ struct Panel {
     const char *dock; ///< its dock's object name
     const char *title; ///< to be translated in the context of WindowDocks
     QWidget *(*make)(const WindowParts &parts);
-    Qt::DockWidgetArea area; ///< at the first start; at the bottom, hidden ones share a place
+    Qt::DockWidgetArea area; ///< at the first start; hidden ones share a place
     AtFirst atFirst;
 };
 

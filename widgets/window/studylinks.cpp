@@ -78,6 +78,8 @@ void connectGrading(const WindowParts &parts, WindowDocks &docks, DefectStepper 
         = new SubmissionOpening(parts.document, parts.files, parts.student, parts.playhead, window);
     QObject::connect(grading, &GradingPanel::openRequested, stepper, &DefectStepper::leave);
     QObject::connect(grading, &GradingPanel::openRequested, opening, &SubmissionOpening::open);
+    QObject::connect(grading, &GradingPanel::closeRequested, opening, &SubmissionOpening::close);
+    QObject::connect(opening, &SubmissionOpening::lost, grading, &GradingPanel::putDown);
     QObject::connect(opening, &SubmissionOpening::pixelReached, docks.panel<SubmissionPanel>(),
                      &SubmissionPanel::lookAt);
     const auto raise = [&docks] { docks.raise(docks.panel<SubmissionPanel>()); };

@@ -5,7 +5,9 @@
 #include "widgets/inspect/formulapanel.h"
 #include "widgets/inspect/pixelgrid.h"
 #include "widgets/inspect/pixelhistorypanel.h"
+#include "widgets/studies/motionpanel.h"
 #include "widgets/studies/submissionpanel.h"
+#include "widgets/window/dockroom.h"
 #include "widgets/window/panels.h"
 
 #include <QAction>
@@ -27,6 +29,7 @@ constexpr int pairedHeight = 700;
 
 /// The longest usual line of a formula with its value, logical pixels.
 constexpr int formulaWidth = 440;
+constexpr int leftWidth = 280; ///< of the panels left of the canvas, at least
 constexpr int tabsHeight = 40; ///< more than any style's tabs; what is left over is shared out
 
 /// Under Wayland a floating dock cannot be moved or docked again before Qt 6.6.
@@ -72,6 +75,17 @@ WindowDocks::WindowDocks(const WindowParts &parts, QMainWindow *window)
     m_columns = dockOf<ColumnTablePanel>();
     connect(panel<FormulaPanel>(), &FormulaPanel::neededHeightChanged, this,
             &WindowDocks::fitFormula, Qt::QueuedConnection);
+    m_room = new DockRoom(window, m_docks,
+                          {m_formula, m_pixelGrid, m_pixelHistory, m_columns, formulaWidth});
+    connect(panel<MotionPanel>(), &MotionPanel::neededHeightChanged, this, [this] {
+        if (isInFront(*dockOf<MotionPanel>()))
+            m_room->makeFor(dockOf<MotionPanel>());
+    });
+    for (QDockWidget *dock : std::as_const(m_docks))
+        connect(dock, &QDockWidget::visibilityChanged, m_room, &DockRoom::giveBack,
+                Qt::QueuedConnection);
+    connect(m_formula, &QDockWidget::visibilityChanged, this, &WindowDocks::fitFormula,
+            Qt::QueuedConnection);
     reset();
 }
 
@@ -132,22 +146,17 @@ void WindowDocks::raise(QWidget *panel)
     for (QDockWidget *dock : std::as_const(m_docks)) {
         if (dock->widget() != panel)
             continue;
+        m_room->remember(dock);
         dock->show();
         dock->raise();
         // A dock that was just shown has its place only after the window's layout.
         QMetaObject::invokeMethod(
-            this, [this, dock] { makeRoomFor(dock); }, Qt::QueuedConnection);
+            this, [this, dock] { m_room->makeFor(dock); }, Qt::QueuedConnection);
     }
 }
 
-/// A study needs more than the strip that the columns have at first; the canvas keeps the rest.
-void WindowDocks::makeRoomFor(QDockWidget *dock)
-{
-    const int wanted = m_window->height() * 50 / 100;
-    if (!dock->isFloating() && m_window->dockWidgetArea(dock) == Qt::BottomDockWidgetArea
-        && dock->height() < wanted)
-        m_window->resizeDocks({dock}, {wanted}, Qt::Vertical);
-}
+/// Whether the canvas would have less than half the width between panels on both of its sides.
+bool WindowDocks::isNarrow() const { return m_window->width() < 2 * (formulaWidth + leftWidth); }
 
 void WindowDocks::reset()
 {
@@ -169,14 +178,31 @@ void WindowDocks::reset()
     placeThose(Panel::AtFirst::Shown);
     arrangePixelPanels();
     placeThose(Panel::AtFirst::Hidden);
-    // Left of the canvas, above a class's grades, it would be a third of a low window's height.
-    if (arrangement() != Arrangement::Spread)
-        m_window->tabifyDockWidget(m_formula, dockOf<SubmissionPanel>());
+    shareLeftPlace();
     if (arrangement() == Arrangement::Paired)
         m_pixelGrid->raise();
     if (arrangement() == Arrangement::Tabbed)
         m_formula->raise();
     resizeToDefault();
+}
+
+/// The panels left of the canvas share one place; in a narrow window it is the formulas'. Above a
+/// class's grades, Submission would be a third of a low window's height there.
+void WindowDocks::shareLeftPlace()
+{
+    QDockWidget *first = nullptr;
+    for (QDockWidget *dock : std::as_const(m_docks)) {
+        if (m_window->dockWidgetArea(dock) != Qt::LeftDockWidgetArea)
+            continue;
+        const bool isLow = arrangement() != Arrangement::Spread;
+        if (isNarrow() || (isLow && dock == dockOf<SubmissionPanel>()))
+            m_window->tabifyDockWidget(m_formula, dock);
+        else if (first)
+            m_window->tabifyDockWidget(first, dock);
+        else
+            first = dock;
+        dock->hide();
+    }
 }
 
 WindowDocks::Arrangement WindowDocks::arrangement() const
@@ -205,7 +231,7 @@ void WindowDocks::arrangePixelPanels()
 void WindowDocks::fitFormula()
 {
     const auto *formula = qobject_cast<const FormulaPanel *>(m_formula->widget());
-    if (!formula->isVisible() || m_formula->isFloating() || formula->neededHeight() == 0)
+    if (!isInFront(*m_formula) || m_formula->isFloating() || formula->neededHeight() == 0)
         return;
     QList<QDockWidget *> column;
     int others = 0;

@@ -10,6 +10,7 @@ class QMainWindow;
 
 namespace pixelplumb {
 
+class DockRoom;
 struct Panel;
 
 /// The panels of the table, as docks around the canvas, and how they lie at first.
@@ -58,16 +59,18 @@ private:
 
     Arrangement arrangement() const;
     void arrangePixelPanels();
+    void shareLeftPlace();
     void fitFormula();
     void add(const Panel &panel, const WindowParts &parts);
     void addToggle(QDockWidget *dock);
     bool isInFront(const QDockWidget &dock) const;
-    void makeRoomFor(QDockWidget *dock);
+    bool isNarrow() const;
 
     QMainWindow *m_window;
     QList<QDockWidget *> m_docks;
     QList<QAction *> m_toggles;
     const QObject *m_keyed = nullptr; ///< the toggle whose key was just pressed
+    DockRoom *m_room = nullptr;
     // Those that every arrangement places.
     QDockWidget *m_formula = nullptr;
     QDockWidget *m_pixelGrid = nullptr;

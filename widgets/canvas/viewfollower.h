@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <QPoint>
+
+#include <optional>
+
+namespace pixelplumb {
+
+class CanvasMouse;
+class CanvasView;
+class Playhead;
+struct TracedScene;
+
+/// A step, a choice or a run may lead to a pixel outside the canvas's view, which follows then. The
+/// run of an edited scene does not move the view from under the hand.
+class ViewFollower : public QObject {
+    Q_OBJECT
+
+public:
+    ViewFollower(CanvasView &view, const CanvasMouse &mouse, const Playhead *playhead);
+
+private:
+    /// What a person looks at.
+    struct Moment {
+        const TracedScene *traced = nullptr;
+        std::size_t position = 0;
+        std::optional<QPoint> picked;
+
+        bool operator==(const Moment &) const = default;
+    };
+
+    void follow();
+    std::optional<QPoint> pixelSince(const Moment &before) const;
+
+    CanvasView &m_view;
+    const CanvasMouse &m_mouse;
+    const Playhead *m_playhead;
+    Moment m_moment;
+};
+
+} // namespace pixelplumb
