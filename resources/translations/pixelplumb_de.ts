@@ -2505,16 +2505,13 @@
         <source>Open a folder of results, or grade a folder of submissions.</source>
         <translation>Einen Ordner mit Ergebnissen öffnen oder einen Ordner mit Abgaben bewerten.</translation>
     </message>
-    <message numerus="yes">
-        <source>%1: %n submissions, %2 accepted%3. J and K: next and previous; A: accept; C: comment; Enter: the picture.</source>
-        <translation>
-            <numerusform>%1: %n Abgabe, %2 angenommen%3. J und K: nächste und vorige; A: annehmen; C: kommentieren; Eingabetaste: das Bild.</numerusform>
-            <numerusform>%1: %n Abgaben, %2 angenommen%3. J und K: nächste und vorige; A: annehmen; C: kommentieren; Eingabetaste: das Bild.</numerusform>
-        </translation>
-    </message>
     <message>
         <source>, %1 more without a grade</source>
         <translation>, %1 weitere ohne Bewertung</translation>
+    </message>
+    <message>
+        <source>%1 of %2 accepted%3 · J, K: next, previous · A: accept · C: comment · %4</source>
+        <translation>%1 von %2 angenommen%3 · J, K: weiter, zurück · A: annehmen · C: Kommentar · %4</translation>
     </message>
 </context>
 <context>
@@ -2832,6 +2829,66 @@
     <message>
         <source>Mouse, in the canvas</source>
         <translation>Maus, auf der Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>Keys, in the canvas</source>
+        <translation>Tasten, auf der Zeichenfläche</translation>
+    </message>
+    <message>
+        <source>Arrows</source>
+        <translation>Pfeile</translation>
+    </message>
+    <message>
+        <source>Move the picked pixel</source>
+        <translation>Das gewählte Pixel bewegen</translation>
+    </message>
+    <message>
+        <source>Enter, Ins</source>
+        <translation>Eingabe, Einfg</translation>
+    </message>
+    <message>
+        <source>Place a vertex at the picked pixel (Ctrl+G goes to one by its numbers)</source>
+        <translation>Eine Ecke auf das gewählte Pixel setzen (Strg+G geht nach Zahlen zu einem)</translation>
+    </message>
+    <message>
+        <source>[, ]</source>
+        <translation>[, ]</translation>
+    </message>
+    <message>
+        <source>Select the previous, the next vertex</source>
+        <translation>Die vorige, die nächste Ecke auswählen</translation>
+    </message>
+    <message>
+        <source>Ctrl+arrows</source>
+        <translation>Strg+Pfeile</translation>
+    </message>
+    <message>
+        <source>Move the selected vertex</source>
+        <translation>Die ausgewählte Ecke bewegen</translation>
+    </message>
+    <message>
+        <source>Enter, C</source>
+        <translation>Eingabe, C</translation>
+    </message>
+    <message>
+        <source>Colour of the selected vertex</source>
+        <translation>Farbe der ausgewählten Ecke</translation>
+    </message>
+    <message>
+        <source>Give up the vertices that wait; then, no vertex is selected</source>
+        <translation>Wartende Ecken aufgeben; danach ist keine Ecke ausgewählt</translation>
+    </message>
+    <message>
+        <source>+, −, 0</source>
+        <translation>+, −, 0</translation>
+    </message>
+    <message>
+        <source>Zoom in, out, see the whole frame</source>
+        <translation>Vergrößern, verkleinern, das ganze Bild sehen</translation>
+    </message>
+    <message>
+        <source>Alt+arrows</source>
+        <translation>Alt+Pfeile</translation>
     </message>
 </context>
 <context>
@@ -3997,10 +4054,6 @@
         <translation>Bildern</translation>
     </message>
     <message>
-        <source>▶ play</source>
-        <translation>▶ abspielen</translation>
-    </message>
-    <message>
         <source>Show one frame after the other, over and over</source>
         <translation>Ein Bild nach dem anderen zeigen, immer wieder</translation>
     </message>
@@ -4015,10 +4068,6 @@
     <message>
         <source>came or went</source>
         <translation>Wechsel</translation>
-    </message>
-    <message>
-        <source>⏸ pause</source>
-        <translation>⏸ anhalten</translation>
     </message>
     <message>
         <source>“%1” is no distance: expected px, such as 4, 0.5 or 1/3.</source>
@@ -4050,6 +4099,14 @@
     <message>
         <source>frame %1 of %2</source>
         <translation>Bild %1 von %2</translation>
+    </message>
+    <message>
+        <source>pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>play</source>
+        <translation>abspielen</translation>
     </message>
 </context>
 <context>
@@ -4618,10 +4675,6 @@
         <translation>Versuche der Dreiecke</translation>
     </message>
     <message>
-        <source>&lt;b&gt;No pixel is picked&lt;/b&gt;: click one in the pixel grid or on the canvas</source>
-        <translation>&lt;b&gt;Kein Pixel ist gewählt&lt;/b&gt;: eines im Pixelraster oder auf der Zeichenfläche anklicken</translation>
-    </message>
-    <message>
         <source>&lt;b&gt;(%1, %2)&lt;/b&gt; is still ahead: predict it</source>
         <translation>&lt;b&gt;(%1, %2)&lt;/b&gt; steht noch bevor: Es kann vorhergesagt werden</translation>
     </message>
@@ -4632,6 +4685,14 @@
     <message>
         <source>what becomes of it is still ahead: predict it</source>
         <translation>was aus ihm wird, liegt noch voraus: vorhersagen</translation>
+    </message>
+    <message>
+        <source>&lt;b&gt;No pixel is picked&lt;/b&gt;</source>
+        <translation>&lt;b&gt;Kein Pixel ist gewählt&lt;/b&gt;</translation>
+    </message>
+    <message>
+        <source>Click one in the pixel grid, or on the canvas with the tool Inspect.</source>
+        <translation>Eines im Pixelraster anklicken oder mit dem Werkzeug „Untersuchen“ auf der Zeichenfläche.</translation>
     </message>
 </context>
 <context>
@@ -5665,6 +5726,10 @@
         <source>still ahead, predict it</source>
         <translation>liegt noch voraus, vorhersagen</translation>
     </message>
+    <message>
+        <source>differs</source>
+        <translation>weicht ab</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::SegmentSliders</name>
@@ -6678,10 +6743,6 @@
         <translation>Die Bildfläche beim aktuellen Schritt, mit ihren Dreiecken und der Lotlinie durch die aktuelle Spalte oder Zeile. Mit dem Werkzeug Zeichnen setzt ein Klick einen Eckpunkt und Ziehen bewegt einen, mit Prüfen wählt ein Klick das Pixel; ein Rechtsklick wählt immer. Pfeiltasten bewegen das gewählte Pixel, das Mausrad vergrößert, Umschalt zeigt die Wahrheit, solange es gehalten wird.</translation>
     </message>
     <message>
-        <source>The whole run on one line, with marks where vertices, ties, clamps and wrong pixels are; a drag goes to another step. Arrows go by the unit of playing, with Ctrl from mark to mark, PageUp and PageDown by columns or rows, Home and End to the ends.</source>
-        <translation>Der ganze Lauf auf einer Linie, mit Marken, wo Eckpunkte, Grenzfälle, Begrenzungen und falsche Pixel sind; Ziehen geht zu einem anderen Schritt. Pfeiltasten gehen nach der Einheit des Abspielens, mit Strg von Marke zu Marke, Bild auf und Bild ab nach Spalten oder Zeilen, Pos1 und Ende zu den Enden.</translation>
-    </message>
-    <message>
         <source>The method that draws the scene. The buttons, the table and the formulas follow it; the menu Method shows the keys that choose one on the canvas.</source>
         <translation>Das Verfahren, das die Szene zeichnet. Die Knöpfe, die Tabelle und die Formeln folgen ihm; das Menü Verfahren zeigt die Tasten, die auf der Zeichenfläche eines wählen.</translation>
     </message>
@@ -6812,6 +6873,10 @@
     <message>
         <source>Asks for what comes next (y_B, the rows, the increments or the next pixel) before it is shown, and tells right and wrong with the reason. Enter checks what is typed, a number or the pixel&apos;s x, y, and goes on. As long as this panel is seen, the others hide what lies ahead, and the truth.</source>
         <translation>Fragt nach dem, was folgt (y_B, die Zeilen, die Schrittweiten oder das nächste Pixel), bevor es gezeigt wird, und sagt mit dem Grund, was richtig und was falsch ist. Die Eingabetaste prüft, was eingegeben ist, eine Zahl oder x, y des Pixels, und geht weiter. Solange dieses Feld zu sehen ist, verbergen die anderen, was voraus liegt, und die Wahrheit.</translation>
+    </message>
+    <message>
+        <source>The run on one line, with marks where vertices, ties and clamps are and where the first pixel is wrong; columns stand below those of the canvas, at every zoom. A drag goes to another step. Arrows go by the unit of playing, with Ctrl from mark to mark, PageUp and PageDown by columns or rows, Home and End to the ends.</source>
+        <translation>Der Lauf auf einer Linie, mit Marken, wo Ecken, Grenzfälle und Begrenzungen sind und wo das erste Pixel falsch ist; Spalten stehen in jeder Vergrößerung unter denen der Zeichenfläche. Ziehen geht zu einem anderen Schritt. Pfeile gehen in der Einheit des Abspielens, mit Strg von Marke zu Marke, Bild auf und Bild ab um Spalten oder Zeilen, Pos1 und Ende an die Enden.</translation>
     </message>
 </context>
 <context>

@@ -104,16 +104,6 @@
     </message>
 </context>
 <context>
-    <name>pixelplumb::GradingPanel</name>
-    <message numerus="yes">
-        <source>%1: %n submissions, %2 accepted%3. J and K: next and previous; A: accept; C: comment; Enter: the picture.</source>
-        <translation>
-            <numerusform>%1: %n submission, %2 accepted%3. J and K: next and previous; A: accept; C: comment; Enter: the picture.</numerusform>
-            <numerusform>%1: %n submissions, %2 accepted%3. J and K: next and previous; A: accept; C: comment; Enter: the picture.</numerusform>
-        </translation>
-    </message>
-</context>
-<context>
     <name>pixelplumb::LabChanges</name>
     <message numerus="yes">
         <source>≠ Accuracy changed in %n rows.</source>

@@ -66,17 +66,17 @@ QString mouseRows()
 /// What keys do there that no menu shows: they draw without a mouse.
 QString canvasKeyRows()
 {
-    using Sheet = KeySheet;
-    return row(Sheet::tr("Arrows"), Sheet::tr("Move the picked pixel"))
-        + row(Sheet::tr("Enter, Ins"),
-              Sheet::tr("Place a vertex at the picked pixel (Ctrl+G goes to one by its numbers)"))
-        + row(Sheet::tr("[, ]"), Sheet::tr("Select the previous, the next vertex"))
-        + row(Sheet::tr("Ctrl+arrows"), Sheet::tr("Move the selected vertex"))
-        + row(Sheet::tr("Enter, C"), Sheet::tr("Colour of the selected vertex"))
-        + row(Sheet::tr("Esc"),
-              Sheet::tr("Give up the vertices that wait; then, no vertex is selected"))
-        + row(Sheet::tr("+, −, 0"), Sheet::tr("Zoom in, out, see the whole frame"))
-        + row(Sheet::tr("Alt+arrows"), Sheet::tr("Move the view"));
+    return row(KeySheet::tr("Arrows"), KeySheet::tr("Move the picked pixel"))
+        + row(KeySheet::tr("Enter, Ins"),
+              KeySheet::tr(
+                  "Place a vertex at the picked pixel (Ctrl+G goes to one by its numbers)"))
+        + row(KeySheet::tr("[, ]"), KeySheet::tr("Select the previous, the next vertex"))
+        + row(KeySheet::tr("Ctrl+arrows"), KeySheet::tr("Move the selected vertex"))
+        + row(KeySheet::tr("Enter, C"), KeySheet::tr("Colour of the selected vertex"))
+        + row(KeySheet::tr("Esc"),
+              KeySheet::tr("Give up the vertices that wait; then, no vertex is selected"))
+        + row(KeySheet::tr("+, −, 0"), KeySheet::tr("Zoom in, out, see the whole frame"))
+        + row(KeySheet::tr("Alt+arrows"), KeySheet::tr("Move the view"));
 }
 
 } // namespace
