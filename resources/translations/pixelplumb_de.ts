@@ -4692,7 +4692,7 @@
     </message>
     <message>
         <source>Click one in the pixel grid, or on the canvas with the tool Inspect.</source>
-        <translation>Eines im Pixelraster anklicken oder mit dem Werkzeug „Untersuchen“ auf der Zeichenfläche.</translation>
+        <translation>Eines im Pixelraster anklicken oder mit dem Werkzeug „Prüfen“ auf der Zeichenfläche.</translation>
     </message>
 </context>
 <context>
