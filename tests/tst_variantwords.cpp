@@ -96,7 +96,7 @@ private slots:
         QFETCH(QString, id);
         QFETCH(Variant, variant);
         const Method &method = *methodNamed(id);
-        Scene scene = scenesForEveryMethod().back().scene;
+        Scene scene = scenesForEveryMethod().back().second;
         scene.settings.variants = only(variant);
         const auto traced = tracedBy(method, method.arithmetics.front(), scene);
         QVERIFY(traced->scene.settings.variants == only(variant));

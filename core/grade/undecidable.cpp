@@ -7,7 +7,6 @@
 #include "core/runs/sceneplan.h"
 
 #include <algorithm>
-#include <ranges>
 
 namespace pixelplumb {
 
@@ -154,8 +153,8 @@ std::vector<std::uint8_t> undecidablePixels(const Scene &scene, const Picture &d
         return ofAnotherRule(scene, drawn, found);
     LayeredLeeway leeway(scene, drawn, found);
     const Primitives primitives = primitivesOnSamples(scene);
-    for (const Triangle &triangle : primitives.triangles | std::views::reverse)
-        leeway.takeOff(TriangleLeeway(triangle, arithmetic, scene.settings.rounding));
+    for (std::size_t i = primitives.triangles.size(); i-- > 0;)
+        leeway.takeOff(TriangleLeeway(primitives.triangles[i], arithmetic, scene.settings.rounding));
     return leeway.pixels();
 }
 
