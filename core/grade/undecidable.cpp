@@ -154,7 +154,8 @@ std::vector<std::uint8_t> undecidablePixels(const Scene &scene, const Picture &d
     LayeredLeeway leeway(scene, drawn, found);
     const Primitives primitives = primitivesOnSamples(scene);
     for (std::size_t i = primitives.triangles.size(); i-- > 0;)
-        leeway.takeOff(TriangleLeeway(primitives.triangles[i], arithmetic, scene.settings.rounding));
+        leeway.takeOff(
+            TriangleLeeway(primitives.triangles[i], arithmetic, scene.settings.rounding));
     return leeway.pixels();
 }
 
