@@ -5,6 +5,7 @@
 #include "widgets/inspect/formulapanel.h"
 #include "widgets/inspect/pixelgrid.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/primitivelistmodel.h"
 #include "widgets/stepping/scrubber.h"
 
 #include <QComboBox>
@@ -17,6 +18,7 @@
 #include <QTest>
 #include <QTextBrowser>
 #include <QToolBar>
+#include <QTreeView>
 
 using namespace pixelplumb;
 
@@ -226,6 +228,27 @@ private slots:
             settle();
             QVERIFY2(window->parts().canvas->size() == before, name);
         }
+    }
+
+    void thePrimitivesAreReadWithoutScrollingAcross_data() { addSizes(); }
+    void thePrimitivesAreReadWithoutScrollingAcross()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+
+        action(*window, "primitivesDockToggle")->trigger();
+        settle();
+
+        auto *tree = named<QTreeView>(*window, "primitivesTree");
+        tree->expandAll();
+        settle();
+        QVERIFY(isInSight(tree));
+        QCOMPARE(tree->horizontalScrollBar()->maximum(), 0);
+        const int swatch = tree->style()->pixelMetric(QStyle::PM_SmallIconSize);
+        QVERIFY(tree->columnWidth(PrimitiveListModel::ColourText)
+                > swatch + tree->fontMetrics().horizontalAdvance("#0000ff"));
+        QVERIFY(tree->columnWidth(PrimitiveListModel::Name)
+                > tree->fontMetrics().horizontalAdvance("triangle 0"));
     }
 
     void theButtonsOfAHardCaseAreInSightAndItsWordsAreWhole_data() { addSizes(); }

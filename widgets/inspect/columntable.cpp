@@ -85,12 +85,18 @@ void ColumnTable::takeColumns()
     m_errorAction->setEnabled(m_model->isRounding());
     for (int group = 0; group < int(m_groupActions.size()); ++group)
         m_groupActions[group]->setVisible(hasGroup(NumberGroup(group)));
-    m_delegate->measure(*m_model, sampledRows(m_model->rowCount()), font());
-    for (int column = 0; column < m_model->columnCount(); ++column)
-        setColumnWidth(column,
-                       std::max(m_delegate->cellWidth(column), m_header->titleWidth(column)));
     showChosenColumns();
     followPlayhead();
+}
+
+/// Those in sight alone: most of the exact numbers and errors are measured for nobody.
+void ColumnTable::fitColumns()
+{
+    const QList<int> columns = shownColumns();
+    m_delegate->measure(*m_model, columns, sampledRows(m_model->rowCount()), font());
+    for (const int column : columns)
+        setColumnWidth(column,
+                       std::max(m_delegate->cellWidth(column), m_header->titleWidth(column)));
 }
 
 void ColumnTable::followPlayhead()

@@ -54,6 +54,8 @@ private:
     void createActions();
     void takeColumns();
     void showChosenColumns();
+    void fitColumns();
+    QList<int> shownColumns() const;
     void followPlayhead();
     int firstRowAhead() const;
     void bringIntoView(int row);

@@ -74,6 +74,17 @@ void ColumnTable::showChosenColumns()
 {
     for (int column = 0; column < m_model->columnCount(); ++column)
         setColumnHidden(column, !isChosen(column));
+    fitColumns();
+}
+
+QList<int> ColumnTable::shownColumns() const
+{
+    QList<int> columns;
+    for (int column = 0; column < m_model->columnCount(); ++column) {
+        if (!isColumnHidden(column))
+            columns.append(column);
+    }
+    return columns;
 }
 
 void ColumnTable::showColumnMenu(const QPoint &position)

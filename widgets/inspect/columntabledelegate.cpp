@@ -40,12 +40,12 @@ void drawRowMark(QPainter &painter, const QStyleOptionViewItem &option, RowMark 
 
 } // namespace
 
-void ColumnTableDelegate::measure(const QAbstractItemModel &model, const std::vector<int> &rows,
-                                  const QFont &font)
+void ColumnTableDelegate::measure(const QAbstractItemModel &model, const QList<int> &columns,
+                                  const std::vector<int> &rows, const QFont &font)
 {
     m_layouts.assign(std::size_t(model.columnCount()), {});
     for (const int row : rows) {
-        for (int column = 0; column < model.columnCount(); ++column)
+        for (const int column : columns)
             m_layouts[std::size_t(column)].include(
                 model.index(row, column).data(ColumnTableModel::MeasuredTextRole).toString(), font);
     }

@@ -17,8 +17,9 @@ class ColumnTableDelegate : public QStyledItemDelegate {
 public:
     using QStyledItemDelegate::QStyledItemDelegate;
 
-    /// Forgets all widths and measures the rows with these numbers.
-    void measure(const QAbstractItemModel &model, const std::vector<int> &rows, const QFont &font);
+    /// Forgets all widths and measures these columns by these rows.
+    void measure(const QAbstractItemModel &model, const QList<int> &columns,
+                 const std::vector<int> &rows, const QFont &font);
     /// The width that a column's cells need, px.
     int cellWidth(int column) const;
 

@@ -20,9 +20,7 @@ namespace pixelplumb {
 
 namespace {
 
-// Logical pixels.
-constexpr int cellMargin = 4;
-constexpr int leastNameWidth = 80;
+constexpr int cellMargin = 4; ///< logical pixels
 
 } // namespace
 
@@ -81,27 +79,17 @@ void PrimitivesPanel::fitColumns()
 {
     QHeaderView *header = m_tree->header();
     const QFontMetrics metrics = m_tree->fontMetrics();
-    const auto fit = [&](int column, const QString &widest) {
-        header->resizeSection(column,
-                              std::max(metrics.horizontalAdvance(widest) + 2 * cellMargin,
-                                       header->sectionSizeHint(column)));
+    const auto fit = [&](int column, const QString &widest, int beside) {
+        const int text = metrics.horizontalAdvance(widest) + beside + 2 * cellMargin;
+        header->resizeSection(column, std::max(text, header->sectionSizeHint(column)));
     };
-    fit(PrimitiveListModel::Place, QStringLiteral("00"));
-    fit(PrimitiveListModel::X, QStringLiteral("000.0"));
-    fit(PrimitiveListModel::Y, QStringLiteral("000.0"));
-    int others = metrics.horizontalAdvance(QStringLiteral("#dddddd")) + 3 * cellMargin
-        + style()->pixelMetric(QStyle::PM_SmallIconSize); // of the colour, which has the rest
-    for (const int column :
-         {PrimitiveListModel::Place, PrimitiveListModel::X, PrimitiveListModel::Y})
-        others += header->sectionSize(column);
-    header->resizeSection(PrimitiveListModel::Name,
-                          std::max(leastNameWidth, m_tree->viewport()->width() - others));
-}
-
-void PrimitivesPanel::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    fitColumns();
+    fit(PrimitiveListModel::Place, QStringLiteral("00"), 0);
+    fit(PrimitiveListModel::X, QStringLiteral("000.0"), 0);
+    fit(PrimitiveListModel::Y, QStringLiteral("000.0"), 0);
+    fit(PrimitiveListModel::ColourText, QStringLiteral("#dddddd"),
+        style()->pixelMetric(QStyle::PM_SmallIconSize) + cellMargin);
+    header->setStretchLastSection(false);
+    header->setSectionResizeMode(PrimitiveListModel::Name, QHeaderView::Stretch);
 }
 
 /// Each as a button below the list and as an entry of the menu of its rows.
