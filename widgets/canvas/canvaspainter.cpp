@@ -91,9 +91,6 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     said += m_layers.paintGround(painter, scene.layers, surface);
     drawOutlines(frame, scene);
     drawSigns(frame, scene);
-    m_layers.paintMarks(painter, scene.layers, surface);
-    if (scene.span)
-        frame.drawEdgeTicks(*scene.span);
     drawHandles(frame, scene);
     // Over lines, frames and handles, so that every digit can be read; not where a layer's numbers or
     // dots stand in the cells.
@@ -101,6 +98,9 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
         drawValues(painter, *scene.frame, view.mapping(), area, scene.notation);
     if (scene.marked)
         m_differences.drawGlyphs(painter, scene.position, palette);
+    m_layers.paintMarks(painter, scene.layers, surface);
+    if (scene.span)
+        frame.drawEdgeTicks(*scene.span);
     drawNames(frame, scene);
     drawPending(frame, scene);
     for (const CanvasScene::Note &note : scene.notes)

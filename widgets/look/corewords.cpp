@@ -13,7 +13,7 @@ namespace {
 constexpr const char *context = "pixelplumb::CoreWords";
 
 /// What lupdate finds. The program looks words up by what core says, not in this list.
-[[maybe_unused]] constexpr const char *words[] = {
+[[maybe_unused]] constexpr const char *translatableWords[] = {
     // Kinds of primitives, of solids and of surfaces.
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "triangle"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "point"),

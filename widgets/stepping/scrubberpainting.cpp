@@ -11,7 +11,7 @@ namespace {
 // All in logical pixels.
 constexpr int margin = 8;
 constexpr int gutter = 72; // left of the lanes, for their names
-constexpr int laneHeight = 12;
+constexpr int laneHeight = 11;
 constexpr int laneCount = 4;
 constexpr int trackTop = margin / 2 + laneCount * laneHeight;
 constexpr int trackHeight = 14;
