@@ -226,7 +226,7 @@ private slots:
         QVERIFY(document.scene().settings.variants.contains(Variant::NoColourPreStep));
         QVERIFY(window->parts().playhead->traced()->scene.settings == document.scene().settings);
         const QString status = named<QLabel>(*window, "statusSettings")->text();
-        QVERIFY2(status.contains(textOf(nameOf(Variant::NoColourPreStep))), qPrintable(status));
+        QVERIFY2(status.contains("No pre-step of colour"), qPrintable(status));
 
         document.setMethod("edge-equations");
         QVERIFY(document.scene().settings.variants.isEmpty());

@@ -120,7 +120,7 @@ private slots:
             }
         }
         QVERIFY(!lines.empty());
-        const int lane = 12;
+        const int lane = 11;
         QVERIFY2(*lines.begin() >= 4 + 3 * lane, qPrintable(QString::number(*lines.begin())));
         QVERIFY2(*lines.rbegin() < 4 + 4 * lane, qPrintable(QString::number(*lines.rbegin())));
     }
