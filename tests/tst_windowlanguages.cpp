@@ -23,6 +23,8 @@
 
 #include <optional>
 
+#include <algorithm>
+
 using namespace pixelplumb;
 
 namespace {
@@ -116,11 +118,15 @@ QStringList narrowIn(const QWidget &whole)
 {
     QStringList narrow;
     const auto judge = [&narrow](const QWidget &part, const QString &text) {
-        if (part.isVisible() && !text.isEmpty() && part.width() < part.sizeHint().width())
+        // A push button is by its style wider than a short text, which is read in less.
+        const int wanted = qobject_cast<const QPushButton *>(&part)
+            ? std::min(part.sizeHint().width(), part.fontMetrics().horizontalAdvance(text) + 8)
+            : part.sizeHint().width();
+        if (part.isVisible() && !text.isEmpty() && part.width() < wanted)
             narrow += QStringLiteral("%1 “%2”: %3 of %4")
                           .arg(part.objectName(), text)
                           .arg(part.width())
-                          .arg(part.sizeHint().width());
+                          .arg(wanted);
     };
     for (const auto *button : whole.findChildren<QPushButton *>())
         judge(*button, button->text());

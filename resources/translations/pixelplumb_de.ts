@@ -2585,7 +2585,7 @@
     </message>
     <message>
         <source>Compare</source>
-        <translation>Vergleichen</translation>
+        <translation>Vergl.</translation>
     </message>
     <message>
         <source>Opens the case and compares exact, float32 and float64</source>
@@ -2593,7 +2593,7 @@
     </message>
     <message>
         <source>Precision</source>
-        <translation>Genauigkeit</translation>
+        <translation>Fehler</translation>
     </message>
     <message>
         <source>Opens the case and plots the error of the bounds</source>
