@@ -21,9 +21,8 @@
 #include <QToolBar>
 #include <QToolButton>
 
-#include <optional>
-
 #include <algorithm>
+#include <optional>
 
 using namespace pixelplumb;
 

@@ -2585,7 +2585,7 @@
     </message>
     <message>
         <source>Compare</source>
-        <translation>Vergl.</translation>
+        <translation>Neben</translation>
     </message>
     <message>
         <source>Opens the case and compares exact, float32 and float64</source>
