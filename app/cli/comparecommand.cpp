@@ -83,9 +83,8 @@ ExitCode compare(const Command &command, const QStringList &arguments)
             return line.refuse(*error);
     }
     const bool agree = contest->agreement.differing() == 0
-        && std::ranges::none_of(contest->carried, [](const CarriedAgreement &each) {
-               return each.differing > 0;
-           });
+        && std::ranges::none_of(contest->carried,
+                                [](const CarriedAgreement &each) { return each.differing > 0; });
     return agree ? ExitCode::Done : ExitCode::FallsShort;
 }
 

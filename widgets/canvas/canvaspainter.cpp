@@ -92,8 +92,8 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     drawOutlines(frame, scene);
     drawSigns(frame, scene);
     drawHandles(frame, scene);
-    // Over lines, frames and handles, so that every digit can be read; not where a layer's numbers or
-    // dots stand in the cells.
+    // Over lines, frames and handles, so that every digit can be read; not where a layer's numbers
+    // or dots stand in the cells.
     if (scene.frame && scene.layers.cells.empty() && scene.layers.samples.empty())
         drawValues(painter, *scene.frame, view.mapping(), area, scene.notation);
     if (scene.marked)

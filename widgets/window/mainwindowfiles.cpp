@@ -111,8 +111,8 @@ void MainWindow::closeEvent(QCloseEvent *event)
     event->accept();
 }
 
-/// The desktop's session ends. Where nobody may be asked, what the autosave kept is there, as after a
-/// crash.
+/// The desktop's session ends. Where nobody may be asked, what the autosave kept is there, as after
+/// a crash.
 void MainWindow::commitData(QSessionManager &session)
 {
     if (session.allowsInteraction()) {

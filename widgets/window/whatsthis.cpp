@@ -128,7 +128,8 @@ constexpr PartExplanation explanations[] = {
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
          "Asks for what comes next (y_B, the rows, the increments or the next pixel) before it is "
-         "shown, and tells right and wrong with the reason. Enter checks what is typed, a number or "
+         "shown, and tells right and wrong with the reason. Enter checks what is typed, a number "
+         "or "
          "the pixel's x, y, and goes on. As long as this panel is seen, the others hide what lies "
          "ahead, and the truth.")},
     {"motionDock",
