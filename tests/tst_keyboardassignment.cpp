@@ -11,6 +11,7 @@
 #include <QImage>
 #include <QLabel>
 #include <QLineEdit>
+#include <QPointer>
 #include <QTemporaryDir>
 #include <QTest>
 #include <QTextBrowser>
@@ -20,21 +21,27 @@ using namespace pixelplumb;
 
 namespace {
 
-/// A key as it comes from the keyboard: to whatever has the focus.
-void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
+/// Without a window manager nobody makes the window active again when a dialog has gone.
+void comeBack()
 {
-    // Without a window manager nobody makes the window active again when a dialog has gone.
     for (QWidget *window : QApplication::topLevelWidgets()) {
         if (!QApplication::focusWidget() && qobject_cast<MainWindow *>(window))
             window->activateWindow();
     }
     QVERIFY(QTest::qWaitFor([] { return QApplication::focusWidget() != nullptr; }));
+}
+
+/// A key as it comes from the keyboard: to whatever has the focus.
+void press(Qt::Key key, Qt::KeyboardModifiers modifiers = {})
+{
+    comeBack();
     QTest::keyClick(QApplication::focusWidget(), key, modifiers);
 }
 
 /// Types into the dialog that a key opens, and ends it by Enter.
 void answerWith(const QString &text)
 {
+    comeBack(); // no dialog is open while that is waited for
     QTimer::singleShot(0, qApp, [text] {
         const auto fieldInHand = [] {
             QWidget *dialog = QApplication::activeModalWidget();
@@ -48,7 +55,14 @@ void answerWith(const QString &text)
         QLineEdit *field = fieldInHand();
         field->selectAll();
         QTest::keyClicks(field, text);
-        QTest::keyClick(field, Qt::Key_Return);
+        // A dialog of files may offer names in a list, which then has the keys, and go no sooner.
+        const QPointer<QWidget> dialog = QApplication::activeModalWidget();
+        QVERIFY(QTest::qWaitFor([&] {
+            QWidget *names = QApplication::activePopupWidget();
+            if (dialog && dialog->isVisible())
+                QTest::keyClick(names ? names : field, Qt::Key_Return);
+            return !dialog || !dialog->isVisible();
+        }));
     });
 }
 
@@ -60,13 +74,14 @@ void goTo(const QString &pixel)
 
 } // namespace
 
-/// The assignment from the first vertex to a pixel's history, without a mouse.
+/// The assignment from the first vertex to the picture's file, without a mouse.
 class TestKeyboardAssignment : public QObject {
     Q_OBJECT
 
 private slots:
     void theWholeAssignmentIsDoneByTheKeyboardAlone()
     {
+        const QTemporaryDir folder;
         const auto window = openedWindow();
         const Playhead &playhead = *window->parts().playhead;
         const SceneDocument &document = *window->parts().document;
@@ -111,6 +126,15 @@ private slots:
         goTo("6, 9");
         QCOMPARE(playhead.pickedPixel(), QPoint(6, 9));
         QVERIFY(named<QLabel>(*window, "pixelHistoryHeading")->text().contains("(6, 9)"));
+
+        // The picture's file.
+        const QString path = folder.filePath("picture.png");
+        answerWith(path);
+        press(Qt::Key_E, Qt::ControlModifier);
+        const QImage picture(path);
+        QCOMPARE(picture.size(),
+                 QSize(playhead.frame()->spec().width, playhead.frame()->spec().height));
+        QVERIFY(picture.pixelColor(6, picture.height() - 1 - 9) != QColor(Qt::black));
     }
 
     void theKeysThatDrawStandInTheKeySheetAndTheManual()
