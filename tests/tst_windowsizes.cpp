@@ -247,8 +247,9 @@ private slots:
         const int swatch = tree->style()->pixelMetric(QStyle::PM_SmallIconSize);
         QVERIFY(tree->columnWidth(PrimitiveListModel::ColourText)
                 > swatch + tree->fontMetrics().horizontalAdvance("#0000ff"));
+        const int beforeName = 2 * tree->indentation(); // and the box that shows it
         QVERIFY(tree->columnWidth(PrimitiveListModel::Name)
-                > tree->fontMetrics().horizontalAdvance("triangle 0"));
+                > beforeName + tree->fontMetrics().horizontalAdvance("triangle 0"));
     }
 
     void theButtonsOfAHardCaseAreInSightAndItsWordsAreWhole_data() { addSizes(); }

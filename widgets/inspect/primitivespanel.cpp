@@ -20,7 +20,9 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int cellMargin = 4; ///< logical pixels
+// Logical pixels.
+constexpr int cellMargin = 4;
+constexpr int widthForPlaces = 360; ///< of the panel
 
 } // namespace
 
@@ -73,8 +75,7 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     followSelection();
 }
 
-/// Where there is no room for all, names give way: their numbers, and a colour to its last digit,
-/// can be read.
+/// A name has what numbers and a colour, which are read to their last digit, leave of the width.
 void PrimitivesPanel::fitColumns()
 {
     QHeaderView *header = m_tree->header();
@@ -90,6 +91,13 @@ void PrimitivesPanel::fitColumns()
         style()->pixelMetric(QStyle::PM_SmallIconSize) + cellMargin);
     header->setStretchLastSection(false);
     header->setSectionResizeMode(PrimitiveListModel::Name, QHeaderView::Stretch);
+}
+
+/// Where a name would have no room, rows alone tell their place, by their order.
+void PrimitivesPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    m_tree->setColumnHidden(PrimitiveListModel::Place, width() < widthForPlaces);
 }
 
 /// Each as a button below the list and as an entry of the menu of its rows.
