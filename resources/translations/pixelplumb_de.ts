@@ -895,7 +895,7 @@
     </message>
     <message>
         <source>Bounding box</source>
-        <translation>Umgebendes Rechteck</translation>
+        <translation>Umschließendes Rechteck</translation>
     </message>
     <message>
         <source>Half-planes and normals</source>
@@ -1518,7 +1518,7 @@
     </message>
     <message>
         <source>Known defects draw this picture, but for pixels that may be either way:</source>
-        <translation>Bekannte Fehler zeichnen dieses Bild, bis auf Pixel, die so oder so sein dürfen:</translation>
+        <translation>Bekannte Defekte zeichnen dieses Bild, bis auf Pixel, die so oder so sein dürfen:</translation>
     </message>
     <message numerus="yes">
         <source> · but for %n pixels that rounding or an edge may decide</source>
@@ -2848,7 +2848,7 @@
     </message>
     <message>
         <source>Place a vertex at the picked pixel (Ctrl+G goes to one by its numbers)</source>
-        <translation>Eine Ecke auf das gewählte Pixel setzen (Strg+G geht nach Zahlen zu einem)</translation>
+        <translation>Einen Eckpunkt auf das gewählte Pixel setzen (Strg+G geht nach Zahlen zu einem Pixel)</translation>
     </message>
     <message>
         <source>[, ]</source>
@@ -2856,7 +2856,7 @@
     </message>
     <message>
         <source>Select the previous, the next vertex</source>
-        <translation>Die vorige, die nächste Ecke auswählen</translation>
+        <translation>Den vorigen, den nächsten Eckpunkt auswählen</translation>
     </message>
     <message>
         <source>Ctrl+arrows</source>
@@ -2864,7 +2864,7 @@
     </message>
     <message>
         <source>Move the selected vertex</source>
-        <translation>Die ausgewählte Ecke bewegen</translation>
+        <translation>Den ausgewählten Eckpunkt bewegen</translation>
     </message>
     <message>
         <source>Enter, C</source>
@@ -2872,11 +2872,11 @@
     </message>
     <message>
         <source>Colour of the selected vertex</source>
-        <translation>Farbe der ausgewählten Ecke</translation>
+        <translation>Farbe des ausgewählten Eckpunkts</translation>
     </message>
     <message>
         <source>Give up the vertices that wait; then, no vertex is selected</source>
-        <translation>Wartende Ecken aufgeben; danach ist keine Ecke ausgewählt</translation>
+        <translation>Wartende Eckpunkte aufgeben; danach ist keiner ausgewählt</translation>
     </message>
     <message>
         <source>+, −, 0</source>
@@ -2884,7 +2884,7 @@
     </message>
     <message>
         <source>Zoom in, out, see the whole frame</source>
-        <translation>Vergrößern, verkleinern, das ganze Bild sehen</translation>
+        <translation>Vergrößern, verkleinern, die ganze Bildfläche sehen</translation>
     </message>
     <message>
         <source>Alt+arrows</source>
@@ -3793,11 +3793,11 @@
     </message>
     <message>
         <source>Fixed point in 32 bits, 16 after the point</source>
-        <translation>Festkomma in 32 Bit, 16 nach dem Punkt</translation>
+        <translation>Festkomma in 32 Bit, davon 16 nach dem Komma</translation>
     </message>
     <message>
         <source>Fixed point in 64 bits, 32 after the point</source>
-        <translation>Festkomma in 64 Bit, 32 nach dem Punkt</translation>
+        <translation>Festkomma in 64 Bit, davon 32 nach dem Komma</translation>
     </message>
     <message>
         <source>A sample on an edge belongs to the triangle: ⌈y_B⌉ … ⌊y_T⌋</source>
@@ -5109,7 +5109,7 @@
     </message>
     <message>
         <source>vertex %1, %2</source>
-        <translation>Ecke %1, %2</translation>
+        <translation>Eckpunkt %1, %2</translation>
     </message>
 </context>
 <context>
@@ -6872,11 +6872,11 @@
     </message>
     <message>
         <source>Asks for what comes next (y_B, the rows, the increments or the next pixel) before it is shown, and tells right and wrong with the reason. Enter checks what is typed, a number or the pixel&apos;s x, y, and goes on. As long as this panel is seen, the others hide what lies ahead, and the truth.</source>
-        <translation>Fragt nach dem, was folgt (y_B, die Zeilen, die Schrittweiten oder das nächste Pixel), bevor es gezeigt wird, und sagt mit dem Grund, was richtig und was falsch ist. Die Eingabetaste prüft, was eingegeben ist, eine Zahl oder x, y des Pixels, und geht weiter. Solange dieses Feld zu sehen ist, verbergen die anderen, was voraus liegt, und die Wahrheit.</translation>
+        <translation>Fragt nach dem, was folgt (y_B, die Zeilen, die Inkremente oder das nächste Pixel), bevor es gezeigt wird, und sagt mit dem Grund, was richtig und was falsch ist. Die Eingabetaste prüft, was eingegeben ist, eine Zahl oder x, y des Pixels, und geht weiter. Solange dieser Bereich zu sehen ist, verbergen die anderen, was voraus liegt, und die Wahrheit.</translation>
     </message>
     <message>
         <source>The run on one line, with marks where vertices, ties and clamps are and where the first pixel is wrong; columns stand below those of the canvas, at every zoom. A drag goes to another step. Arrows go by the unit of playing, with Ctrl from mark to mark, PageUp and PageDown by columns or rows, Home and End to the ends.</source>
-        <translation>Der Lauf auf einer Linie, mit Marken, wo Ecken, Grenzfälle und Begrenzungen sind und wo das erste Pixel falsch ist; Spalten stehen in jeder Vergrößerung unter denen der Zeichenfläche. Ziehen geht zu einem anderen Schritt. Pfeile gehen in der Einheit des Abspielens, mit Strg von Marke zu Marke, Bild auf und Bild ab um Spalten oder Zeilen, Pos1 und Ende an die Enden.</translation>
+        <translation>Der Lauf auf einer Linie, mit Marken, wo Eckpunkte, Grenzfälle und Begrenzungen sind und wo das erste Pixel falsch ist; Spalten stehen in jeder Vergrößerung unter denen der Zeichenfläche. Ziehen geht zu einem anderen Schritt. Pfeile gehen in der Einheit des Abspielens, mit Strg von Marke zu Marke, Bild auf und Bild ab um Spalten oder Zeilen, Pos1 und Ende an die Enden.</translation>
     </message>
 </context>
 <context>
@@ -6943,7 +6943,7 @@
     </message>
     <message>
         <source>Predict</source>
-        <translation>Vorhersage</translation>
+        <translation>Vorhersagen</translation>
     </message>
     <message>
         <source>Motion</source>
