@@ -8,9 +8,9 @@ set -euo pipefail
 project=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 compiler=$(command -v clang++-14 || command -v clang++)
 
-# Lightly optimised: what the sanitizers add hides what more would gain.
+# Not optimised: the kernels in all their numbers compile three times as fast, and run half as fast.
 exec cmake -S "$project" -B "$project/build/clang" -G Ninja -DCMAKE_BUILD_TYPE=RelWithDebInfo \
-    "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O1 -g1" -DCMAKE_CXX_COMPILER="$compiler" \
+    "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O0 -g1" -DCMAKE_CXX_COMPILER="$compiler" \
     -DPIXELPLUMB_TESTS=ON -DPIXELPLUMB_BENCHMARKS=ON -DPIXELPLUMB_FUZZERS=ON \
     -DPIXELPLUMB_WERROR=ON \
     "-DPIXELPLUMB_SANITIZE=fuzzer-no-link;address;undefined;float-cast-overflow"
