@@ -27,6 +27,7 @@ private:
         QRectF area;
         std::optional<QPoint> picked;
         std::optional<AffineImage> image;
+        Ahead ahead = Ahead::Shown;
 
         friend bool operator==(const Moment &, const Moment &) = default;
     };

@@ -44,13 +44,14 @@ public:
     /// Lines between the cells, for figures; blendGrid() does the same for the screen.
     void drawGrid();
     void drawOutline(const std::array<LatticePoint, 3> &corners, const EdgeRoles &roles);
-    /// A line to a vertex that is not placed yet.
-    /// The curve that a shape stands for, and a Bézier curve's control polygon.
+    /// The curve that a shape stands for, a Bézier curve's control polygon, and how the corner of a
+    /// circle's box belongs to it.
     void drawShapeOutline(const Shape &shape);
     /// The edges and the corners C₀, C₁, … of a polygon that clipping made, and between its corners
     /// those of the fan of triangles that is drawn.
     void drawClippedPolygon(const std::vector<LatticePoint> &corners);
     void drawRubberPath(const std::vector<LatticePoint> &points);
+    /// A line to a vertex that is not placed yet.
     void drawRubberLine(const LatticePoint &from, const LatticePoint &to);
     void drawHandle(const LatticePoint &point, const Colour &colour, HandleState state);
     /// A vertex that a click would place.

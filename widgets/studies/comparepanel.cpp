@@ -56,6 +56,8 @@ ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
             });
     connect(playhead, &Playhead::tracedChanged, this, &ComparePanel::restart);
     connect(playhead, &Playhead::pickedPixelChanged, this, &ComparePanel::tellPixel);
+    connect(playhead, &Playhead::aheadHiddenChanged, this, &ComparePanel::tellAgreement);
+    connect(playhead, &Playhead::positionChanged, this, &ComparePanel::tellPixel);
     addPane();
     addPane();
     tellPixel();
@@ -257,8 +259,7 @@ void ComparePanel::take(const std::shared_ptr<const Contest> &contest)
         m_panes[i]->show(contest, i);
     m_agreement->setContest(contest);
     m_contest = contest;
-    m_legend->setText(agreementLegend(contest->agreement, palette()));
-    tellPixel();
+    tellAgreement();
     m_timing.measure(contest);
     emit contestChanged();
 }
@@ -272,15 +273,26 @@ void ComparePanel::tellProgress(const JobProgress &progress)
     m_cancel->show();
 }
 
+void ComparePanel::tellAgreement()
+{
+    if (m_contest)
+        m_legend->setText(agreementLegend(m_contest->agreement, palette(), m_playhead->ahead()));
+    tellPixel();
+}
+
 void ComparePanel::tellPixel()
 {
     const auto picked = m_playhead->pickedPixel();
-    if (!m_contest) {
-        m_reason->setText(tr("Nothing is compared yet."));
+    if (!m_contest)
+        return m_reason->setText(tr("Nothing is compared yet."));
+    if (m_playhead->isAheadHidden()) {
+        const bool isTold = picked && m_playhead->mayTell(picked->x(), picked->y());
+        m_reason->setText(isTold ? pixelText(*m_contest, picked, Ahead::Hidden)
+                                 : tr("What lies ahead is hidden while Predict asks."));
         return;
     }
     const QString carried = carriedText(*m_contest);
-    m_reason->setText(pixelText(*m_contest, picked)
+    m_reason->setText(pixelText(*m_contest, picked, Ahead::Shown)
                       + (carried.isEmpty() ? QString() : u'\n' + carried));
 }
 

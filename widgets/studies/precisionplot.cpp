@@ -121,12 +121,11 @@ void PrecisionPlot::plot(const std::vector<BoundErrors> &errors, PlottedBound bo
     m_bound = bound;
     m_shown = shown;
     replot();
-    if (!errors.empty()) {
-        const auto [first, last] = std::ranges::minmax(
-            errors.front().spans, {}, [](const BoundError &each) { return each.place.coordinate; });
-        m_plot->xAxis->setRange(double(first.place.coordinate), double(last.place.coordinate) + 1);
-        m_plot->replot();
-    }
+}
+
+void PrecisionPlot::showPlaces(std::int64_t first, std::int64_t last)
+{
+    m_plot->xAxis->setRange(double(first), double(last) + 1);
 }
 
 void PrecisionPlot::setPlaceInHand(const std::optional<SpanPlace> &place)

@@ -26,6 +26,8 @@ class PrecisionPlot : public QWidget {
 public:
     explicit PrecisionPlot(QWidget *parent = nullptr);
 
+    /// The columns or rows from the first to the last are in view.
+    void showPlaces(std::int64_t first, std::int64_t last);
     /// Those of `shown` arithmetics.
     void plot(const std::vector<BoundErrors> &errors, PlottedBound bound,
               const std::vector<Arithmetic> &shown);
