@@ -87,11 +87,13 @@ void FramePainter::drawVertexName(const QString &name, const LatticePoint &point
     const QPointF direction = distance > 0 ? away / distance : QPointF(0, -1);
     const QFontMetricsF metrics(m_painter.font());
     const QSizeF size(metrics.horizontalAdvance(name), metrics.height());
-    // Far enough that the plate's corner clears the handle in any direction.
-    const double reach = handleRadius + 4 + std::hypot(size.width(), size.height()) / 2;
+    // So far that a side of the plate is clear of the handle.
+    const QSizeF clear = plateSize(size) / 2 + QSizeF(handleRadius + 4, handleRadius + 4);
     const auto anchorAt = [&](double turn) {
         const QPointF turned(direction.x() * std::cos(turn) - direction.y() * std::sin(turn),
                              direction.x() * std::sin(turn) + direction.y() * std::cos(turn));
+        const double reach
+            = std::min(clear.width() / std::abs(turned.x()), clear.height() / std::abs(turned.y()));
         return centre + turned * reach + QPointF(0, size.height() / 2 + platePadding + noteGap);
     };
     const auto free = std::ranges::find_if(nameTurns, [&](double turn) {

@@ -20,6 +20,8 @@ namespace pixelplumb {
 
 namespace {
 
+constexpr int leastBoxWidth = 48; ///< logical pixels
+
 /// The pixels of a finished picture on the background.
 QImage onBackground(const WrittenFrame &written, const FrameSpec &spec)
 {
@@ -120,6 +122,8 @@ QComboBox *ComparePane::addBox(const QString &name, const QString &label)
     box->setToolTip(label);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(6);
+    // Four panes beside the map have room in a small window; a longer text is elided.
+    box->setMinimumWidth(leastBoxWidth);
     return box;
 }
 

@@ -217,6 +217,7 @@ std::optional<std::size_t> GradingPanel::chosen() const
 void GradingPanel::showSummary()
 {
     const GradeReport &report = m_book->report();
+    m_review->setVisible(!m_book->results().isEmpty()); // else there is nothing to say of anyone
     const auto accepted
         = std::ranges::count_if(report.submissions, [](const GradedSubmission &submission) {
               return submission.review.isAccepted;

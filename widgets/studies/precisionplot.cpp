@@ -15,6 +15,7 @@ namespace {
 
 constexpr double roundingBound = 0.5;
 constexpr int mostTicksPerSide = 6;
+constexpr int leastNamedHeight = 140; ///< logical pixels, of a plot whose lower axis has its name
 constexpr int axisMargins = 60; ///< logical pixels above and below the axis, together
 
 } // namespace
@@ -170,7 +171,9 @@ void PrecisionPlot::replot()
     m_plot->yAxis->setRange(-m_scale.extent() - 0.5, m_scale.extent() + 0.5);
     const bool isRows = !m_errors.empty() && !m_errors.front().spans.empty()
         && m_errors.front().spans.front().place.axis == SpanAxis::Row;
-    m_plot->xAxis->setLabel(isRows ? tr("row y") : tr("column x"));
+    // A low plot keeps its room for the curves.
+    const QString along = isRows ? tr("row y") : tr("column x");
+    m_plot->xAxis->setLabel(height() < leastNamedHeight ? QString() : along);
     m_plot->yAxis->setLabel(tr("error, px"));
     for (const BoundErrors &errors : m_errors) {
         if (!isShown(errors))

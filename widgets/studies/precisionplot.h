@@ -40,7 +40,7 @@ public:
     QPointF positionOf(std::int64_t coordinate) const;
 
     QSize sizeHint() const override { return {640, 240}; }
-    QSize minimumSizeHint() const override { return {240, 120}; }
+    QSize minimumSizeHint() const override { return {240, 88}; }
 
 signals:
     void coordinateClicked(std::int64_t coordinate);
