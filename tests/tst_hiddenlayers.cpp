@@ -202,8 +202,9 @@ private slots:
         QCOMPARE(look.drawing("memory").cells.size(), std::size_t(2));
         // Other methods ask for none.
         HiddenLook columns(triangleBy("column-scan"));
+        const FrameSpec &frame = columns.traced->scene.frame;
         columns.seekToSpan(2);
-        QCOMPARE(columns.drawing("memory").cells.size(), std::size_t(64 * 48));
+        QCOMPARE(columns.drawing("memory").cells.size(), std::size_t(frame.width * frame.height));
     }
 };
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/prediction.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/windowsteps.h"
@@ -14,6 +13,7 @@
 #include "widgets/studies/precisionpanel.h"
 #include "widgets/studies/precisionplot.h"
 
+#include <QClipboard>
 #include <QLabel>
 #include <QTest>
 #include <qcustomplot.h>
@@ -21,6 +21,11 @@
 using namespace pixelplumb;
 
 namespace {
+
+/// Of the default scene's triangle, before and behind the column of the middle, in a row that the
+/// row walk has drawn when it has come half its way.
+constexpr QPoint past(26, 30);
+constexpr QPoint ahead(34, 30);
 
 /// What a view shows in the middle of a pixel's cell.
 QRgb shownAt(CompareView *view, const QPoint &pixel)
@@ -50,8 +55,6 @@ private slots:
         QFETCH(QString, method);
         openCompare(QStringLiteral("default.json"), method);
         const QRgb background = packed(scene().frame.background);
-        const QPoint ahead = nextPixel() + QPoint(8, 6);
-        const QPoint past = nextPixel() - QPoint(6, 0);
         CompareView *view = m_panel->panes()[1]->view();
         playhead().pick({0, 0});
 
@@ -66,8 +69,6 @@ private slots:
         openCompare(QStringLiteral("default.json"), QString());
         auto *map = named<AgreementView>(*m_panel, "agreementMap");
         const QRgb nothing = map->palette().color(QPalette::Base).rgb();
-        const QPoint ahead = nextPixel() + QPoint(8, 6);
-        const QPoint past = nextPixel() - QPoint(6, 0);
         playhead().pick({0, 0});
 
         QVERIFY(shownAt(map, past) != nothing);
@@ -86,7 +87,7 @@ private slots:
 
         QCOMPARE(reason->text(), QStringLiteral("What lies ahead is hidden while Predict asks."));
         for (const QLabel *label : m_panel->findChildren<QLabel *>())
-            QVERIFY2(!label->text().contains(QString::number(agreement.differing())),
+            QVERIFY2(!label->text().contains(QStringLiteral(": %1").arg(agreement.differing())),
                      qPrintable(label->text()));
         playhead().seek(playhead().end());
         QVERIFY2(reason->text().contains(QStringLiteral("1 of 2 agree")),
@@ -133,6 +134,20 @@ private slots:
         QVERIFY(overlay->grab().toImage() != hidden);
     }
 
+    void theCopyOfAPixelEndsAtTheStepInHand()
+    {
+        openPredict(QStringLiteral("default.json"));
+        const auto copied = [this](const QPoint &pixel) {
+            playhead().pick(pixel);
+            action(*m_window, "copyPixel")->trigger();
+            return QGuiApplication::clipboard()->text();
+        };
+        QVERIFY(copied(past).contains(QStringLiteral("triangle 0: ")));
+        QVERIFY(!copied(ahead).contains(QStringLiteral("triangle 0")));
+        togglePredict();
+        QVERIFY(copied(ahead).contains(QStringLiteral("triangle 0: ")));
+    }
+
     void theFigureOfTheMomentHasNeitherTruthNorLayersOfWhatIsAhead()
     {
         openPredict(QStringLiteral("default.json"));
@@ -143,18 +158,16 @@ private slots:
         QCOMPARE(figure(), plain);
         options.setTruthShown(false);
         options.setLayers({QStringLiteral("isolines-red")});
-        QVERIFY(!figure().contains("R = 32"));
+        QVERIFY(figure().contains("levels are still ahead"));
+        const qsizetype paths = figure().count("<path");
         togglePredict();
-        QVERIFY(figure().contains("R = 32"));
+        QVERIFY(!figure().contains("levels are still ahead"));
+        QVERIFY(figure().count("<path") > paths);
     }
 
 private:
     Playhead &playhead() { return *m_window->parts().playhead; }
     const Scene &scene() { return m_window->parts().document->scene(); }
-    QPoint nextPixel()
-    {
-        return nextPixelAfter(*playhead().traced(), playhead().position())->pixel;
-    }
     static QPoint lastDiffering(const AgreementMap &agreement)
     {
         QPoint last;

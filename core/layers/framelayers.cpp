@@ -66,7 +66,9 @@ void drawMemory(const LayerMoment &moment, LayerDrawing &drawing)
         return drawing.notes.append(smallCellNote());
     drawing.cellNames.append(QStringLiteral("address"));
     const FrameView frame = windowOf(moment.frame());
-    const bool isAsked = moment.view.ahead == Ahead::Hidden && computesAddresses(moment.trace());
+    const ScanTrace &trace = moment.trace();
+    const bool isAsked = moment.view.ahead == Ahead::Hidden
+        && moment.view.position < trace.stepCount() && computesAddresses(trace);
     const auto told = isAsked ? visitedPixels(moment) : decltype(visitedPixels(moment))();
     forEachSeen(moment, [&](std::int64_t x, std::int64_t y) {
         if (isAsked && !told.contains({x, y}))

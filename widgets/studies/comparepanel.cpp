@@ -57,10 +57,13 @@ ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
     connect(playhead, &Playhead::tracedChanged, this, &ComparePanel::restart);
     connect(playhead, &Playhead::pickedPixelChanged, this, &ComparePanel::tellPixel);
     connect(playhead, &Playhead::aheadHiddenChanged, this, &ComparePanel::tellAgreement);
-    connect(playhead, &Playhead::positionChanged, this, &ComparePanel::tellPixel);
+    connect(playhead, &Playhead::positionChanged, this, [this] {
+        if (m_playhead->isAheadHidden())
+            tellPixel(); // which may be decided now
+    });
     addPane();
     addPane();
-    tellPixel();
+    m_reason->setText(tr("Nothing is compared yet."));
 }
 
 ComparePanel::~ComparePanel() = default;
@@ -275,24 +278,22 @@ void ComparePanel::tellProgress(const JobProgress &progress)
 
 void ComparePanel::tellAgreement()
 {
-    if (m_contest)
-        m_legend->setText(agreementLegend(m_contest->agreement, palette(), m_playhead->ahead()));
+    if (!m_contest)
+        return;
+    m_legend->setText(agreementLegend(m_contest->agreement, palette(), m_playhead->ahead()));
     tellPixel();
 }
 
 void ComparePanel::tellPixel()
 {
-    const auto picked = m_playhead->pickedPixel();
     if (!m_contest)
-        return m_reason->setText(tr("Nothing is compared yet."));
-    if (m_playhead->isAheadHidden()) {
-        const bool isTold = picked && m_playhead->mayTell(picked->x(), picked->y());
-        m_reason->setText(isTold ? pixelText(*m_contest, picked, Ahead::Hidden)
-                                 : tr("What lies ahead is hidden while Predict asks."));
         return;
-    }
-    const QString carried = carriedText(*m_contest);
-    m_reason->setText(pixelText(*m_contest, picked, Ahead::Shown)
+    const auto picked = m_playhead->pickedPixel();
+    const bool isHidden = m_playhead->isAheadHidden();
+    if (isHidden && !(picked && m_playhead->mayTell(picked->x(), picked->y())))
+        return m_reason->setText(tr("What lies ahead is hidden while Predict asks."));
+    const QString carried = isHidden ? QString() : carriedText(*m_contest);
+    m_reason->setText(pixelText(*m_contest, picked, m_playhead->ahead())
                       + (carried.isEmpty() ? QString() : u'\n' + carried));
 }
 
