@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/layerlook.h"
-#include "tests/support/scanning.h"
 #include "tests/support/shapes.h"
 
 #include <QTest>
@@ -16,7 +15,9 @@ Scene triangleBy(const char *method)
 {
     Scene scene;
     scene.method = method;
-    scene.triangles = {triangleAt(2, 1, 17, 4, 6, 13)};
+    const Colour red = {{255, 0, 0}}, green = {{0, 255, 0}}, blue = {{0, 0, 255}};
+    scene.triangles = {
+        {{{{latticePixel(2, 1), red}, {latticePixel(17, 4), green}, {latticePixel(6, 13), blue}}}}};
     return scene;
 }
 

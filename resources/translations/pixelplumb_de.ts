@@ -507,16 +507,8 @@
         <translation>Warum das gewählte Pixel abweicht</translation>
     </message>
     <message>
-        <source>− pane</source>
-        <translation>− Ansicht</translation>
-    </message>
-    <message>
         <source>Take the last pane away</source>
         <translation>Die letzte Ansicht entfernen</translation>
-    </message>
-    <message>
-        <source>+ pane</source>
-        <translation>+ Ansicht</translation>
     </message>
     <message>
         <source>Add a pane, four at most</source>

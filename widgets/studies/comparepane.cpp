@@ -88,8 +88,8 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     // In a row of their own: four panes side by side would push the panels at the right away.
     auto *second = new QHBoxLayout;
     second->setSpacing(4);
-    second->addWidget(m_arithmetic, 1);
-    second->addWidget(m_fillRule, 1);
+    second->addWidget(m_arithmetic, 3);
+    second->addWidget(m_fillRule, 2);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);

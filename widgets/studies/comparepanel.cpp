@@ -78,8 +78,8 @@ void ComparePanel::addControls(QBoxLayout *layout)
         result->setToolTip(tip);
         return result;
     };
-    m_fewer = button("compareFewer", tr("− pane"), tr("Take the last pane away"));
-    m_more = button("compareMore", tr("+ pane"), tr("Add a pane, four at most"));
+    m_fewer = button("compareFewer", QStringLiteral("−"), tr("Take the last pane away"));
+    m_more = button("compareMore", QStringLiteral("+"), tr("Add a pane, four at most"));
     QToolButton *fit = button("compareFit", tr("Fit"), tr("Show the whole frame in every pane"));
     m_progress = new QProgressBar(this);
     m_progress->setRange(0, 0);
