@@ -104,9 +104,10 @@ private slots:
             for (const Prediction &asked : predictionsAfter(traced, trace.indexOfSpan(span) + 1)) {
                 QSet<QString> same;
                 for (std::size_t i = 0; i < cells.size(); ++i) {
-                    const QString title = trace.numbers().span[i].title;
-                    if (cells[i] == asked.value && title != asked.title)
-                        same.insert(title);
+                    const NumberDescription &number = trace.numbers().span[i];
+                    const bool isCount = number.group == NumberGroup::Position;
+                    if (cells[i] == asked.value && !isCount && number.title != asked.title)
+                        same.insert(number.title);
                 }
                 const auto known = mayBeCopied.find(asked.title);
                 if (known == mayBeCopied.end())

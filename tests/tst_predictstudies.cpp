@@ -90,6 +90,7 @@ private slots:
             QVERIFY2(!label->text().contains(QStringLiteral(": %1").arg(agreement.differing())),
                      qPrintable(label->text()));
         playhead().seek(playhead().end());
+        playhead().pick(wrong);
         QVERIFY2(reason->text().contains(QStringLiteral("1 of 2 agree")),
                  qPrintable(reason->text()));
     }

@@ -115,10 +115,14 @@ QString CommandLine::repeatedOption() const
 {
     const QStringList found = m_parser.optionNames();
     for (const QStringList &names : m_onceOnly) {
+        // One letter alone is no abbreviation: --x.
+        const auto dashedAs = [&names](const QString &name) {
+            return names.size() == 1 ? QStringLiteral("--") + name : dashed(name);
+        };
         QStringList written;
         for (const QString &name : found) {
             if (names.contains(name))
-                written.append(dashed(name));
+                written.append(dashedAs(name));
         }
         if (written.size() < 2)
             continue;
@@ -127,7 +131,7 @@ QString CommandLine::repeatedOption() const
         for (qsizetype i = 0; i < values.size(); ++i)
             written[i] += u' ' + asWritten(values[i]);
         return QStringLiteral("%1; expected %2 once")
-            .arg(written.join(QStringLiteral(" and ")), dashed(names.back()));
+            .arg(written.join(QStringLiteral(" and ")), dashedAs(names.back()));
     }
     return {};
 }
