@@ -12,11 +12,12 @@ QString agreementLegend(const AgreementMap &agreement, const QPalette &palette, 
 {
     QStringList legend;
     for (int agreeing = agreement.contenderCount(); agreeing > 0; --agreeing) {
-        const QString meaning = ahead == Ahead::Hidden
+        QString meaning = ahead == Ahead::Hidden
             ? ComparePanel::tr("%1 agree").arg(agreeing)
             : ComparePanel::tr("%1 agree: %2").arg(agreeing).arg(agreement.countAgreeing(agreeing));
+        meaning.replace(u' ', QStringLiteral("&nbsp;")); // lines break between the colours
         legend.append(
-            QStringLiteral("<span style=\"background:%1\">&nbsp;&nbsp;&nbsp;</span> %2")
+            QStringLiteral("<span style=\"background:%1\">&nbsp;&nbsp;&nbsp;</span>&nbsp;%2")
                 .arg(agreementColour(agreeing, agreement.contenderCount(), palette).name(),
                      meaning));
     }
