@@ -220,7 +220,22 @@ private slots:
         for (const QPointF &handle : {first.bottomLeft(), first.bottomRight()})
             taken.frame.drawHandle(taken.mapping.latticeAt(handle), {}, HandleState::Idle);
         taken.frame.drawCornerNote(words);
-        QVERIFY(taken.frame.plates().back().center().y() < view.center().y());
+        const QRectF second = taken.frame.plates().back();
+        QVERIFY(view.contains(second) && !second.intersects(first));
+    }
+
+    void aNoteStandsBesideTheFrameWhereThatLeavesItTheRoom()
+    {
+        // A frame that is high and narrow stands in the middle.
+        Sheet sheet(ViewMapping::fitted(frameOf(10, 30), view.toRect(), 1));
+        sheet.frame.drawCornerNote(QStringLiteral("a note that goes into lines beside the frame, "
+                                                  "since one line would lie across it and hide "
+                                                  "some of its cells"));
+        const QRectF note = sheet.frame.plates().back();
+        QVERIFY(view.contains(note));
+        const QRectF cells = sheet.mapping.devicePicture();
+        QVERIFY(!note.intersects(cells));
+        QVERIFY(note.center().x() < view.center().x() && note.center().y() > view.center().y());
     }
 
     void whereNoCornerIsFreeTheNoteCoversLeast()

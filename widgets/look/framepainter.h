@@ -73,8 +73,8 @@ public:
     void drawPointerNote(const QString &text, const QPointF &pointer,
                          std::span<const QRectF> places);
     /// In a corner of the view or between two, in long lines or in short ones, where it covers no
-    /// handle and least of what else has a place, those places included; of equal ones the first
-    /// from the lower left.
+    /// handle, least of what else has a place, those places included, and least of the frame; of
+    /// equal ones the first from the lower left.
     void drawCornerNote(const QString &text, std::span<const QRectF> places = {});
     /// Between two positions.
     void drawCased(const QLineF &line, const QColor &colour, double width,

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace pixelplumb {
 
@@ -218,9 +219,14 @@ void FramePainter::drawCornerNote(const QString &text, std::span<const QRectF> p
                                     + QPointF(place.x() * room.width(), place.y() * room.height()),
                                 size);
     }
+    const QRect device = m_mapping.devicePicture();
+    const QRectF picture(m_mapping.positionOfDevice(device.topLeft()),
+                         QSizeF(device.size()) / m_mapping.devicePixelRatio());
     const auto covered = [&](const QRectF &plate) {
-        return std::pair(coveredBy(plate, m_handles),
-                         coveredBy(plate, m_plates) + coveredBy(plate, places));
+        const QRectF ofPicture = plate & picture;
+        return std::tuple(coveredBy(plate, m_handles),
+                          coveredBy(plate, m_plates) + coveredBy(plate, places),
+                          std::round(ofPicture.width() * ofPicture.height()));
     };
     drawNoteIn(*std::ranges::min_element(plates, {}, covered), text);
     m_notes.push_back(m_plates.back());

@@ -43,7 +43,7 @@ AgreementView::AgreementView(CompareLink *link, Playhead *playhead, QWidget *par
     setToolTip(tr("How many agree on each pixel. A click tells the reason."));
     connect(playhead, &Playhead::aheadHiddenChanged, this, &AgreementView::makePicture);
     connect(playhead, &Playhead::positionChanged, this, [this, playhead] {
-        if (playhead->isAheadHidden())
+        if (playhead->isAheadHidden() && isVisible())
             makePicture();
     });
 }
@@ -108,6 +108,12 @@ void AgreementView::paintSigns(QPainter &painter, FramePainter &, const ViewMapp
                              QString::number(agreeing));
         }
     }
+}
+
+void AgreementView::showEvent(QShowEvent *event)
+{
+    makePicture(); // the step in hand may be another one
+    CompareView::showEvent(event);
 }
 
 void AgreementView::changeEvent(QEvent *event)

@@ -22,6 +22,7 @@ public:
 protected:
     void paintSigns(QPainter &painter, FramePainter &frame, const ViewMapping &mapping) override;
     void changeEvent(QEvent *event) override;
+    void showEvent(QShowEvent *event) override;
 
 private:
     void makePicture();
