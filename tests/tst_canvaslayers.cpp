@@ -109,6 +109,19 @@ private slots:
         QVERIFY(seen > 2);
     }
 
+    void whatIsAheadIsHiddenAndShownAgain()
+    {
+        CanvasBench bench(firstScene());
+        bench.playhead.seekToSpan(20);
+        bench.options.setLayers({QStringLiteral("isolines-red")});
+        const QImage shown = bench.canvas.grab().toImage();
+
+        bench.playhead.setAheadHidden(true);
+        QVERIFY(bench.canvas.grab().toImage() != shown);
+        bench.playhead.setAheadHidden(false);
+        QCOMPARE(bench.canvas.grab().toImage(), shown);
+    }
+
     void valuesOfTheCellsMakeRoomForSamples()
     {
         CanvasBench bench(firstScene());

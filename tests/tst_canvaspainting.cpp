@@ -11,6 +11,22 @@
 
 using namespace pixelplumb;
 
+namespace {
+
+/// Those of a figure, which must be well-formed.
+QStringList textsIn(const QByteArray &figure)
+{
+    QXmlStreamReader reader(figure);
+    QStringList texts;
+    while (!reader.atEnd()) {
+        if (reader.readNext() == QXmlStreamReader::StartElement && reader.name() == u"text")
+            texts << reader.readElementText().trimmed();
+    }
+    return reader.hasError() ? QStringList(reader.errorString()) : texts;
+}
+
+} // namespace
+
 /// What the canvas paints, and the figure that it exports.
 class TestCanvasPainting : public QObject {
     Q_OBJECT
@@ -23,6 +39,8 @@ private slots:
     void theClippedPolygonIsDrawnWhereItIsWanted();
     void figureHoldsCellsNamesAndColumn();
     void figureHoldsTheLayers();
+    void figureHoldsWhatLayersSayBesideThem_data();
+    void figureHoldsWhatLayersSayBesideThem();
     void figureOfAHugeFrameIsRefused();
     void repaintsAHugeFrameQuickly();
 };
@@ -184,13 +202,7 @@ void TestCanvasPainting::figureHoldsCellsNamesAndColumn()
     bench.playhead.seekToSpan(20);
     const QByteArray figure = svgFigure(bench.playhead, bench.options);
 
-    QXmlStreamReader reader(figure);
-    QStringList texts;
-    while (!reader.atEnd()) {
-        if (reader.readNext() == QXmlStreamReader::StartElement && reader.name() == u"text")
-            texts << reader.readElementText().trimmed();
-    }
-    QVERIFY2(!reader.hasError(), qPrintable(reader.errorString()));
+    const QStringList texts = textsIn(figure);
     for (const char *text : {"P0", "P1", "P2", "y", "B", "T", "10", "60"})
         QVERIFY2(texts.contains(QLatin1String(text)), text);
     QCOMPARE(svgFigure(bench.playhead, bench.options), figure);
@@ -210,6 +222,35 @@ void TestCanvasPainting::figureHoldsTheLayers()
     // An address for each pixel.
     QVERIFY(pathsOf({QStringLiteral("memory")}) >= none + 64 * 48);
     QCOMPARE(pathsOf({QStringLiteral("edge-table")}), none);
+}
+
+void TestCanvasPainting::figureHoldsWhatLayersSayBesideThem_data()
+{
+    QTest::addColumn<QString>("layer");
+    QTest::addColumn<QString>("said");
+    QTest::newRow("whose numbers they are")
+        << "half-planes"
+        << "Half-planes: exact, since “Column scan” computes no edge functions";
+    QTest::newRow("what stands in a cell") << "levels"
+                                           << "R, G, B";
+    QTest::newRow("what there is no room for") << "affine-map"
+                                               << "The weights stay, all areas are multiplied by";
+}
+
+void TestCanvasPainting::figureHoldsWhatLayersSayBesideThem()
+{
+    QFETCH(QString, layer);
+    QFETCH(QString, said);
+    CanvasBench bench(firstScene());
+    bench.playhead.seekToSpan(20);
+    const auto isSaid = [&] {
+        const QString texts
+            = textsIn(svgFigure(bench.playhead, bench.options)).join(u' ').simplified();
+        return texts.contains(said);
+    };
+    QVERIFY(!isSaid());
+    bench.options.setLayers({layer});
+    QVERIFY(isSaid());
 }
 
 void TestCanvasPainting::figureOfAHugeFrameIsRefused()

@@ -111,6 +111,12 @@ private slots:
         row("no such method", {"methods", "colum-scan"},
             "unknown method “colum-scan”; did you mean column-scan?");
         row("methods takes one", {"methods", "column-scan", "all"}, "unexpected argument “all”");
+        row("picture twice", {"render", defaultScene(), "-o", "a.png", "--output", "b.png"},
+            "pixelplumb-cli render: -o a.png and --output b.png; expected --output once");
+        row("switch twice", {"plan", defaultScene(), "--json", "--json"},
+            "pixelplumb-cli plan: --json and --json; expected --json once");
+        row("number twice", {"trace", defaultScene(), "--x", "-1", "--x", "-1"},
+            "pixelplumb-cli trace: --x -1 and --x -1; expected --x once");
         row("value missing", {"render", defaultScene(), "-o"}, "Missing value after '-o'");
         row("nothing to do", {"render", defaultScene()},
             "nothing to do; expected -o FILE, --ascii or both");

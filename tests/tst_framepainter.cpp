@@ -9,6 +9,8 @@
 #include <QPainter>
 #include <QTest>
 
+#include <cmath>
+
 using namespace pixelplumb;
 
 namespace {
@@ -112,6 +114,35 @@ private slots:
         QVERIFY(sheet.hasInkAt(place.x(), place.y()));
     }
 
+    void theCornerOfACirclesBoxHangsOnTheCurve_data()
+    {
+        QTest::addColumn<Shape>("shape");
+        QTest::newRow("circle") << circleAt(20, 15, 9);
+        QTest::newRow("ellipse") << ellipseAtUnits(latticePixel(20, 15), 12 * unitsPerPixel,
+                                                   5 * unitsPerPixel);
+    }
+    void theCornerOfACirclesBoxHangsOnTheCurve()
+    {
+        QFETCH(Shape, shape);
+        Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
+        sheet.frame.drawShapeOutline(shape);
+        const auto at = [&shape](std::size_t vertex) {
+            const LatticePoint &point = shape.vertices[vertex].position;
+            return QPointF(double(point.x), double(point.y)) / unitsPerPixel;
+        };
+        const QPointF centre = at(0), corner = at(1);
+        // Of each tangent, near the corner and far from the curve; the lines are dotted.
+        int dotsAcross = 0, dotsAlong = 0, dotsElsewhere = 0;
+        for (double part = 0; part < 0.25; part += 0.02) {
+            const QPointF on = corner - part * (corner - centre);
+            dotsAlong += sheet.hasInkAt(on.x(), corner.y());
+            dotsAcross += sheet.hasInkAt(corner.x(), on.y());
+            dotsElsewhere += part > 0.1 && sheet.hasInkAt(on.x(), on.y());
+        }
+        QVERIFY(dotsAlong > 2 && dotsAcross > 2);
+        QCOMPARE(dotsElsewhere, 0);
+    }
+
     void everyTriangleHasAnOutlineHoweverFlatItIs_data()
     {
         QTest::addColumn<QList<QPoint>>("corners");
@@ -153,6 +184,26 @@ private slots:
         QVERIFY(view.contains(sheet.frame.plates()[1]));
     }
 
+    void aNameStandsBesideItsVertexHoweverLongItIs()
+    {
+        Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
+        const LatticePoint point = sheet.mapping.latticeAt(view.center());
+        const QPointF centre = sheet.mapping.positionOf(point);
+        for (const QPointF &inside : {QPointF(0, 90), QPointF(90, 0), QPointF(60, 60),
+                                      QPointF(-10, -90), QPointF(-90, 20)}) {
+            Sheet one(sheet.mapping);
+            one.frame.drawHandle(point, {{255, 0, 0}}, HandleState::Idle);
+            one.frame.drawVertexName(QStringLiteral("P1 (vertex 2)"), point, centre + inside);
+            const QRectF plate = one.frame.plates().back();
+            QVERIFY(!one.frame.plates().front().intersects(plate));
+            const QPointF nearest(std::clamp(centre.x(), plate.left(), plate.right()),
+                                  std::clamp(centre.y(), plate.top(), plate.bottom()));
+            const QPointF gap = nearest - centre;
+            QVERIFY(std::hypot(gap.x(), gap.y()) < 16);
+            QVERIFY(QPointF::dotProduct(plate.center() - centre, inside) < 0); // turned away
+        }
+    }
+
     void aLongNoteIsBrokenIntoLinesAndTakesAFreeCorner()
     {
         Sheet sheet(ViewMapping::fitted(frameOf(40, 30), view.toRect(), 1));
@@ -169,7 +220,22 @@ private slots:
         for (const QPointF &handle : {first.bottomLeft(), first.bottomRight()})
             taken.frame.drawHandle(taken.mapping.latticeAt(handle), {}, HandleState::Idle);
         taken.frame.drawCornerNote(words);
-        QVERIFY(taken.frame.plates().back().center().y() < view.center().y());
+        const QRectF second = taken.frame.plates().back();
+        QVERIFY(view.contains(second) && !second.intersects(first));
+    }
+
+    void aNoteStandsBesideTheFrameWhereThatLeavesItTheRoom()
+    {
+        // A frame that is high and narrow stands in the middle.
+        Sheet sheet(ViewMapping::fitted(frameOf(10, 30), view.toRect(), 1));
+        sheet.frame.drawCornerNote(QStringLiteral("a note that goes into lines beside the frame, "
+                                                  "since one line would lie across it and hide "
+                                                  "some of its cells"));
+        const QRectF note = sheet.frame.plates().back();
+        QVERIFY(view.contains(note));
+        const QRectF cells = sheet.mapping.devicePicture();
+        QVERIFY(!note.intersects(cells));
+        QVERIFY(note.center().x() < view.center().x() && note.center().y() > view.center().y());
     }
 
     void whereNoCornerIsFreeTheNoteCoversLeast()

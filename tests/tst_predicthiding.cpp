@@ -70,6 +70,59 @@ private slots:
         }
     }
 
+    /// Nor under another name: p_k of a line is p_k₊₁ of the step before. That a number may be the
+    /// same as before is for the student to find.
+    void noAnswerStandsInTheStepInHandUnderAnotherName_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("method");
+        QTest::newRow("columns") << "default.json"
+                                 << "column-scan";
+        QTest::newRow("rows") << "default.json"
+                              << "row-walk";
+        for (const char *method : {"line-bresenham", "line-bresenham-symmetric", "line-dda",
+                                   "line-slope-intercept", "line-parametric"})
+            QTest::newRow(method) << "lines.json" << QString::fromLatin1(method);
+        QTest::newRow("midpoint circle") << "circles.json"
+                                         << "circle-midpoint";
+        QTest::newRow("outline") << "polygon-outline.json"
+                                 << "polygon-outline";
+    }
+    void noAnswerStandsInTheStepInHandUnderAnotherName()
+    {
+        QFETCH(QString, file);
+        QFETCH(QString, method);
+        open(file, method);
+        const TracedScene &traced = *playhead().traced();
+        const ScanTrace &trace = *traced.trace;
+        QHash<QString, QSet<QString>>
+            mayBeCopied; // the question's title; what it always was so far
+        for (std::size_t span = 0; span + 1 < trace.spanCount(); ++span) {
+            if (trace.beginsPart(span + 1))
+                continue;
+            const std::vector<Quantity> cells = trace.span(span).cells;
+            for (const Prediction &asked : predictionsAfter(traced, trace.indexOfSpan(span) + 1)) {
+                QSet<QString> same;
+                for (std::size_t i = 0; i < cells.size(); ++i) {
+                    const NumberDescription &number = trace.numbers().span[i];
+                    const bool isCount = number.group == NumberGroup::Position;
+                    if (cells[i] == asked.value && !isCount && number.title != asked.title)
+                        same.insert(number.title);
+                }
+                const auto known = mayBeCopied.find(asked.title);
+                if (known == mayBeCopied.end())
+                    mayBeCopied.insert(asked.title, same);
+                else
+                    known->intersect(same);
+            }
+        }
+        QVERIFY(!mayBeCopied.isEmpty());
+        for (auto question = mayBeCopied.begin(); question != mayBeCopied.end(); ++question)
+            QVERIFY2(question->isEmpty(),
+                     qPrintable(question.key() + QStringLiteral(" is ")
+                                + QStringList(question->begin(), question->end()).join(u' ')));
+    }
+
     /// Not what is shown of them by the question mark.
     void columnsKeepTheWidthOfTheNumbersThatAreHidden()
     {

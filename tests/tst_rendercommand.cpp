@@ -259,6 +259,21 @@ private slots:
                  result.messages.constData());
     }
 
+    void theAffineMapTellsByHowMuchItsCornersAreDisplaced()
+    {
+        const ProgramRun result
+            = run({"render", defaultScene(), "-o", m_folder.filePath(QStringLiteral("snapped.png")),
+                   "--layers", "affine-map", "--affine-image", "5,7 12.1,14 53/2,46.3"});
+
+        QCOMPARE(result.exitCode, 0);
+        const QString messages = QString::fromUtf8(result.messages);
+        QVERIFY2(messages.startsWith(QStringLiteral(
+                     "--affine-image, point 2, x: 12.1 is drawn at 1549/128, displaced "
+                     "by 1/640 px\n--affine-image, point 3, y: 46.3 is drawn at ")),
+                 result.messages.constData());
+        QCOMPARE(messages.count(QStringLiteral("displaced")), qsizetype(2));
+    }
+
     void refusesLayersAndPositionsThatAreNotThere_data()
     {
         QTest::addColumn<QStringList>("options");

@@ -13,6 +13,7 @@
 #include "tests/support/sourcetree.h"
 #include "tests/support/translationfile.h"
 #include "widgets/look/corewords.h"
+#include "widgets/look/methodsummary.h"
 #include "widgets/look/translation.h"
 
 #include <QDialogButtonBox>
@@ -277,6 +278,30 @@ private slots:
 
         const QString missing = firstNotIn(namesOfCore(), {known.begin(), known.end()});
         QVERIFY2(missing.isEmpty(), qPrintable("add it to widgets/look/corewords.cpp: " + missing));
+    }
+
+    void everyMethodsSummaryIsInTheFiles_data() { addFiles(); }
+    void everyMethodsSummaryIsInTheFiles()
+    {
+        QFETCH(QString, file);
+        if (QFileInfo(file).fileName() == english)
+            return;
+        QStringList known, said;
+        for (const TranslatedText &text : textsOf(file)) {
+            if (text.context == QStringLiteral("pixelplumb::MethodSummary"))
+                known += text.source;
+        }
+        for (const Method &method : methods())
+            said += method.summary;
+
+        const QString missing = firstNotIn(said, known);
+        QVERIFY2(missing.isEmpty(),
+                 qPrintable("add it to widgets/look/methodsummary.cpp: " + missing));
+        const QString left = firstNotIn(known, said);
+        QVERIFY2(left.isEmpty(), qPrintable("no method says any more: " + left));
+        const Translation translation({QFileInfo(file).baseName().section(u'_', 1)});
+        for (const Method &method : methods())
+            QVERIFY2(methodSummary(method) != method.summary, qPrintable(method.id));
     }
 
 private:

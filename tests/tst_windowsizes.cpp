@@ -7,6 +7,8 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/primitivelistmodel.h"
 #include "widgets/stepping/scrubber.h"
+#include "widgets/studies/comparepane.h"
+#include "widgets/studies/comparepanel.h"
 
 #include <QComboBox>
 #include <QDockWidget>
@@ -18,6 +20,7 @@
 #include <QTest>
 #include <QTextBrowser>
 #include <QToolBar>
+#include <QToolButton>
 #include <QTreeView>
 
 using namespace pixelplumb;
@@ -211,6 +214,22 @@ private slots:
                 canvas->width() >= size.width() / 2 - 8,
                 qPrintable(QStringLiteral("%1: %2").arg(dock->objectName()).arg(canvas->width())));
         }
+    }
+
+    void theWindowStaysAsWideAsItIsBesideACompanyOfPanes_data() { addSizes(); }
+    void theWindowStaysAsWideAsItIsBesideACompanyOfPanes()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+        auto *compare = named<ComparePanel>(*window, "compare");
+        action(*window, "compareDockToggle")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(compare->contest() && !compare->isRunning(), 20000);
+        while (compare->panes().size() < mostContenders)
+            QTest::mouseClick(named<QToolButton>(*compare, "compareMore"), Qt::LeftButton);
+        QTRY_VERIFY_WITH_TIMEOUT(compare->contest()->runs.size() == mostContenders, 20000);
+        settle();
+        QCOMPARE(window->width(), size.width());
+        QVERIFY(window->minimumSizeHint().width() <= size.width());
     }
 
     void aPanelThatIsClosedGivesItsRoomBack_data() { addSizes(); }

@@ -27,6 +27,8 @@ QString asWritten(QString word)
     return word;
 }
 
+QString dashed(const QString &option) { return QString(option.size() == 1 ? 1 : 2, u'-') + option; }
+
 QString usageOf(const Positional &positional)
 {
     switch (positional.presence) {
@@ -55,6 +57,12 @@ CommandLine::CommandLine(const Command &command, std::vector<Positional> positio
 
 void CommandLine::addOption(const QCommandLineOption &option)
 {
+    m_onceOnly.push_back(option.names());
+    addRepeatedOption(option);
+}
+
+void CommandLine::addRepeatedOption(const QCommandLineOption &option)
+{
     m_optionNames += option.names();
     m_parser.addOption(option);
 }
@@ -71,6 +79,8 @@ std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
         return refuse(m_parser.unknownOptionNames().isEmpty() ? m_parser.errorText()
                                                               : unknownOption());
     }
+    if (const QString repeated = repeatedOption(); !repeated.isEmpty())
+        return refuse(repeated);
     const QStringList positionals = m_parser.positionalArguments();
     const auto expected = qsizetype(m_positionals.size());
     const auto presence
@@ -101,10 +111,33 @@ QStringList CommandLine::arguments() const
     return words;
 }
 
+QString CommandLine::repeatedOption() const
+{
+    const QStringList found = m_parser.optionNames();
+    for (const QStringList &names : m_onceOnly) {
+        // One letter alone is no abbreviation: --x.
+        const auto dashedAs = [&names](const QString &name) {
+            return names.size() == 1 ? QStringLiteral("--") + name : dashed(name);
+        };
+        QStringList written;
+        for (const QString &name : found) {
+            if (names.contains(name))
+                written.append(dashedAs(name));
+        }
+        if (written.size() < 2)
+            continue;
+        // Of an option without a value there are none.
+        const QStringList values = m_parser.values(names.front());
+        for (qsizetype i = 0; i < values.size(); ++i)
+            written[i] += u' ' + asWritten(values[i]);
+        return QStringLiteral("%1; expected %2 once")
+            .arg(written.join(QStringLiteral(" and ")), dashedAs(names.back()));
+    }
+    return {};
+}
+
 QString CommandLine::unknownOption() const
 {
-    const auto dashed
-        = [](const QString &option) { return QString(option.size() == 1 ? 1 : 2, u'-') + option; };
     const QString name = m_parser.unknownOptionNames().constFirst();
     const QString closest = closestTo(name, m_optionNames);
     const QString text = QStringLiteral("unknown option %1").arg(dashed(name));

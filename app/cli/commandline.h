@@ -34,14 +34,15 @@ class CommandLine {
 public:
     CommandLine(const Command &command, std::vector<Positional> positionals);
 
-    void addOption(const QCommandLineOption &option);
+    void addOption(const QCommandLineOption &option); ///< that may stand once
+    void addRepeatedOption(const QCommandLineOption &option); ///< or more than once
     /// An exit code when there is nothing left to do: help was asked for, or the words are wrong.
     std::optional<ExitCode> parse(const QStringList &arguments);
 
     bool isSet(const QString &option) const { return m_parser.isSet(option); }
     /// Negative numbers are values, not options.
     QString value(const QString &option) const;
-    /// Of an option that may be repeated.
+    /// Of a repeated option.
     QStringList values(const QString &option) const { return m_parser.values(option); }
     /// The positional argument at a place, empty where an optional one is left out; negative
     /// numbers are arguments, not options.
@@ -54,12 +55,15 @@ public:
 
 private:
     QString unknownOption() const;
+    /// What is wrong where an option stands twice that may stand once; empty where none does.
+    QString repeatedOption() const;
     void printHelp() const;
 
     QString m_name;
     QString m_summary;
     std::vector<Positional> m_positionals;
     QStringList m_optionNames;
+    std::vector<QStringList> m_onceOnly; ///< the names of each option that may stand once
     QCommandLineParser m_parser;
 };
 

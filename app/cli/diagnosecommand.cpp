@@ -38,8 +38,9 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
                        QStringLiteral("what a program drew of each scene, in their order: PNG, "
                                       "PPM, BMP or a raster of # and ."),
                        Positional::Presence::Several}});
-    line.addOption({sceneOption, QStringLiteral("A scene that was to be drawn; once a picture."),
-                    QStringLiteral("file")});
+    line.addRepeatedOption({sceneOption,
+                            QStringLiteral("A scene that was to be drawn; once a picture."),
+                            QStringLiteral("file")});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     addToleranceOption(line);
     addSettingOptions(line);

@@ -30,11 +30,12 @@ QStringList effectWords()
 
 void addForceOption(CommandLine &line)
 {
-    line.addOption({forceOption,
-                    QStringLiteral("Switch an effect on or off whatever the scene calls for: ")
-                        + effectWords().join(QStringLiteral(", "))
-                        + QStringLiteral(", each with =on or =off. May be repeated."),
-                    QStringLiteral("effect=on|off")});
+    line.addRepeatedOption(
+        {forceOption,
+         QStringLiteral("Switch an effect on or off whatever the scene calls for: ")
+             + effectWords().join(QStringLiteral(", "))
+             + QStringLiteral(", each with =on or =off. May be repeated."),
+         QStringLiteral("effect=on|off")});
 }
 
 Result<EffectForcing> chosenForcing(const CommandLine &line)

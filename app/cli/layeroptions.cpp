@@ -8,6 +8,7 @@
 #include "core/layers/layer.h"
 #include "core/layers/layerpainter.h"
 #include "core/scene/coordinatetext.h"
+#include "core/scene/scenefile.h"
 
 #include <QPainter>
 
@@ -29,13 +30,14 @@ QStringList layerNames()
     return names;
 }
 
-/// "40,12 10,8 30,40"
+/// "40,12 10,8 30,40"; coordinates that had to be snapped are reported on stderr.
 Result<Corners> cornersFrom(const QString &text)
 {
     const InputError refused{QStringLiteral("--") + imageOption, text,
                              QStringLiteral("three points such as “40,12 10,8 30,40”")};
     const QStringList points = text.split(u' ', Qt::SkipEmptyParts);
     Corners corners;
+    QStringList reports;
     if (points.size() != qsizetype(corners.size()))
         return refused;
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -47,7 +49,14 @@ Result<Corners> cornersFrom(const QString &text)
         if (!x || !y)
             return refused;
         corners[i] = {x->units, y->units};
+        const QString place = QStringLiteral("--%1, point %2, ").arg(imageOption).arg(i + 1);
+        if (x->isDisplaced())
+            reports += SnapReport{place + u'x', coordinates[0], *x, &coordinateFormat}.message();
+        if (y->isDisplaced())
+            reports += SnapReport{place + u'y', coordinates[1], *y, &coordinateFormat}.message();
     }
+    for (const QString &report : reports)
+        sayLine(report);
     return corners;
 }
 

@@ -93,9 +93,9 @@ Result<TrialTerms> termsOf(const CommandLine &line)
 
 void addTrialOptions(CommandLine &line)
 {
-    line.addOption({QStringLiteral("scene"),
-                    QStringLiteral("A scene that the program is to draw; may be repeated."),
-                    QStringLiteral("file")});
+    line.addRepeatedOption({QStringLiteral("scene"),
+                            QStringLiteral("A scene that the program is to draw; may be repeated."),
+                            QStringLiteral("file")});
     addProgramOptions(line);
     addToleranceOption(line);
     line.addOption({QStringLiteral("json"), QStringLiteral("Print JSON.")});

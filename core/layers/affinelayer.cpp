@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/affinemap.h"
+#include "core/layers/affinewords.h"
 #include "core/layers/layers.h"
-#include "core/number/widequantity.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,107 +15,29 @@ constexpr double gridSpacing = 24;
 constexpr double leastGridLines = 4;
 constexpr double mostGridLines = 64;
 
-/// How the numbers of a sentence are shown: where one of their fractions is longer, in characters,
-/// all are rounded to so many places.
-struct NumberStyle {
-    qsizetype longestFraction;
-    int places;
-};
-constexpr NumberStyle compared = {13, 6}; ///< weights and coefficients
-constexpr NumberStyle beside = {9, 3}; ///< places and areas
-
-Quantity quantityOf(const BigRational &number)
-{
-    return quotientOf(numerator(number), denominator(number));
-}
-
-QString withMinus(QString text) { return text.replace(u'-', QChar(0x2212)); }
-
-/// "−3/7"; empty where it is longer than the style has it.
-QString fractionOf(const BigRational &number, const NumberStyle &style)
-{
-    const Quantity quantity = quantityOf(number);
-    if (!quantity.isRational())
-        return {};
-    QString fraction = toText(quantity.numerator());
-    if (quantity.denominator() != 1)
-        fraction += u'/' + toText(quantity.denominator());
-    return fraction.size() <= style.longestFraction ? withMinus(fraction) : QString();
-}
-
-/// The numbers of one sentence, which are all exact or all rounded.
-class ShownNumbers {
-public:
-    ShownNumbers(std::initializer_list<BigRational> numbers, const NumberStyle &style)
-    {
-        for (const BigRational &number : numbers)
-            m_texts += fractionOf(number, style);
-        m_isRounded = m_texts.contains(QString());
-        if (!m_isRounded)
-            return;
-        m_texts.clear();
-        for (const BigRational &number : numbers)
-            m_texts += withMinus(toDecimal(quantityOf(number), style.places));
-    }
-
-    const QString &operator[](qsizetype i) const { return m_texts[i]; }
-    /// "≈ " before what is rounded.
-    QString mark() const { return m_isRounded ? QStringLiteral("≈ ") : QString(); }
-    /// Between a name and its number.
-    QString equals() const { return m_isRounded ? QStringLiteral("≈") : QStringLiteral("="); }
-
-private:
-    QStringList m_texts;
-    bool m_isRounded = false;
-};
-
-QString shown(const RationalPoint &point)
-{
-    const ShownNumbers numbers({point.x, point.y}, beside);
-    return QStringLiteral("%1(%2, %3)").arg(numbers.mark(), numbers[0], numbers[1]);
-}
-
 QPointF placeInFrame(const RationalPoint &inScene, const FrameSpec &frame)
 {
     const double offset = double(sampleOffset(frame)) / unitsPerPixel;
     return {inScene.x.convert_to<double>() - offset, inScene.y.convert_to<double>() - offset};
 }
 
-QChar signOf(const BigRational &number) { return number < 0 ? QChar(0x2212) : u'+'; }
-
-/// The two rows of a map, which are one sentence.
-QStringList rowsText(const AffineMap &map)
+bool isVisited(const QPoint &pixel, const LayerMoment &moment)
 {
-    const ShownNumbers numbers(
-        {map.xx, abs(map.xy), abs(map.shift.x), map.yx, abs(map.yy), abs(map.shift.y)}, compared);
-    const QString row = QStringLiteral("%1 %2 %3·x %4 %5·y %6 %7");
-    return {row.arg(QStringLiteral("Affine map: x′"), numbers.equals(), numbers[0], signOf(map.xy),
-                    numbers[1], signOf(map.shift.x), numbers[2]),
-            row.arg(QStringLiteral("and y′"), numbers.equals(), numbers[3], signOf(map.yy),
-                    numbers[4], signOf(map.shift.y), numbers[5])};
-}
-
-QString weightsText(const PointAreas &areas)
-{
-    const ShownNumbers numbers({areas.weight(0), areas.weight(1), areas.weight(2)}, compared);
-    return QStringLiteral("α %1 %2, β %1 %3, γ %1 %4")
-        .arg(numbers.equals(), numbers[0], numbers[1], numbers[2]);
-}
-
-QString areasText(const PointAreas &areas)
-{
-    const ShownNumbers numbers({areas.parts[0], areas.parts[1], areas.parts[2], areas.whole},
-                               beside);
-    return QStringLiteral("Doubled areas: %1%2, %3, %4 of %5")
-        .arg(numbers.mark(), numbers[0], numbers[1], numbers[2], numbers[3]);
+    const ScanTrace &trace = moment.trace();
+    const auto visit = trace.visitOf(moment.primitive, pixel.x(), pixel.y());
+    return visit && moment.hasDone(trace.indexOfSample(*visit));
 }
 
 /// The picked pixel, else the last sample of the primitive that is done; before its first one, and
-/// of a finished run, the pixel nearest to the triangle's middle.
-LatticePoint sampleInHand(const LayerMoment &moment)
+/// of a finished run, the pixel nearest to the triangle's middle. None where it is hidden that the
+/// pixel comes.
+std::optional<LatticePoint> sampleInHand(const LayerMoment &moment)
 {
-    if (moment.view.picked)
-        return latticePixel(moment.view.picked->x(), moment.view.picked->y());
+    const std::optional<QPoint> &picked = moment.view.picked;
+    if (picked && moment.hidesSteps() && !isVisited(*picked, moment))
+        return std::nullopt;
+    if (picked)
+        return latticePixel(picked->x(), picked->y());
     const ScanTrace &trace = moment.trace();
     const std::size_t done = trace.samplesDoneAt(moment.view.position);
     const bool isFinished = moment.view.position == trace.stepCount();
@@ -123,6 +45,8 @@ LatticePoint sampleInHand(const LayerMoment &moment)
         const PixelChange change = trace.changes()[done - 1];
         return latticePixel(change.x, change.y);
     }
+    if (moment.hidesSteps())
+        return std::nullopt;
     LatticePoint sum;
     for (const LatticePoint &corner : moment.corners())
         sum = {sum.x + corner.x, sum.y + corner.y};
@@ -153,8 +77,8 @@ public:
         const double extent = std::sqrt(std::abs(a.x() * b.y() - a.y() * b.x()));
         m_gridLines
             = std::clamp(extent * moment.view.cell / gridSpacing, leastGridLines, mostGridLines);
-        const LatticePoint sample = sampleInHand(moment);
-        m_point = rationalPoint({sample.x + offset, sample.y + offset});
+        if (const std::optional<LatticePoint> sample = sampleInHand(moment))
+            m_point = rationalPoint({sample->x + offset, sample->y + offset});
     }
 
     void appendTriangles()
@@ -167,7 +91,7 @@ public:
                                        LayerDrawing::Stroke::Dashed});
             m_drawing.points.push_back({m_imagePlaces[i], LayerInk::Second});
             m_drawing.labels.push_back(
-                {QStringLiteral("P%1′ %2").arg(i).arg(shown(rationalPoint(m_images[i]))),
+                {QStringLiteral("P%1′ %2").arg(i).arg(pointText(rationalPoint(m_images[i]))),
                  m_imagePlaces[i], LayerInk::Second});
         }
     }
@@ -182,22 +106,26 @@ public:
     /// The sample and its image, each with the weights of its own areas.
     void appendSample()
     {
-        const RationalPoint image = m_map.of(m_point);
         m_drawing.notes.append(rowsText(m_map));
-        appendPoint(QStringLiteral("p"), m_point, pointAreas(m_corners, m_point));
+        if (!m_point) {
+            m_drawing.notes.append(QStringLiteral("Affine map: weights are still ahead"));
+            return;
+        }
+        const RationalPoint image = m_map.of(*m_point);
+        appendPoint(QStringLiteral("p"), *m_point, pointAreas(m_corners, *m_point));
         for (std::size_t i = 0; i < 3; ++i)
-            appendSpoke(placeOf(m_onSamples[i]), m_point);
+            appendSpoke(placeOf(m_onSamples[i]), *m_point);
         if (m_map.determinant() == 0) {
             m_drawing.points.push_back({placeInFrame(image, m_moment.frame()), LayerInk::Hand});
             m_drawing.notes.append(
                 QStringLiteral("p′ %1 has no weights: the map flattens the triangle to no area")
-                    .arg(shown(image)));
+                    .arg(pointText(image)));
             return;
         }
         appendPoint(QStringLiteral("p′"), image, pointAreas(m_images, image));
         for (const QPointF &corner : m_imagePlaces)
             appendSpoke(corner, image);
-        m_drawing.notes.append(areasChange());
+        m_drawing.notes.append(areasChangeText(m_map));
     }
 
 private:
@@ -236,7 +164,7 @@ private:
         m_drawing.labels.push_back(
             {QStringLiteral("%1: %2").arg(name, weightsText(areas)), place, LayerInk::Hand});
         m_drawing.notes.append(
-            QStringLiteral("%1 %2. %3").arg(name, shown(point), areasText(areas)));
+            QStringLiteral("%1 %2. %3").arg(name, pointText(point), areasText(areas)));
     }
 
     /// Between two of the areas that are compared.
@@ -244,15 +172,6 @@ private:
     {
         m_drawing.lines.push_back({placeInFrame(point, m_moment.frame()), corner, LayerInk::Hand,
                                    LayerDrawing::Stroke::Dotted});
-    }
-
-    QString areasChange() const
-    {
-        const BigRational factor = m_map.determinant();
-        const ShownNumbers number({factor}, compared);
-        const QString same = QStringLiteral("The weights stay, all areas are multiplied by %1")
-                                 .arg(number.mark() + number[0]);
-        return factor < 0 ? same + QStringLiteral(": the map mirrors") : same;
     }
 
     const LayerMoment &m_moment;
@@ -263,7 +182,7 @@ private:
     std::array<QPointF, 3> m_imagePlaces; ///< in sample coordinates, px
     double m_gridLines = leastGridLines; ///< at most, along one axis
     AffineMap m_map;
-    RationalPoint m_point;
+    std::optional<RationalPoint> m_point; ///< the sample
 };
 
 void drawAffineMap(const LayerMoment &moment, LayerDrawing &drawing)

@@ -35,7 +35,11 @@ std::optional<SampleBox> testedBoxOf(const LayerMoment &moment)
 {
     const ScanTrace &trace = moment.trace();
     const std::size_t firstSpan = trace.firstSpanOf(moment.primitive);
-    const std::size_t endSpan = trace.endSpanOf(moment.primitive);
+    std::size_t endSpan = trace.endSpanOf(moment.primitive);
+    if (moment.hidesSteps()) {
+        const std::optional<std::size_t> inHand = moment.spanInHand();
+        endSpan = inHand ? *inHand + 1 : firstSpan;
+    }
     if (firstSpan == endSpan)
         return std::nullopt;
     const SpanRecord record = trace.span(firstSpan);

@@ -4,7 +4,10 @@
 #include "core/layers/layers.h"
 #include "core/scan/pointaddress.h"
 
+#include <algorithm>
 #include <functional>
+#include <set>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -37,6 +40,25 @@ void drawSamples(const LayerMoment &moment, LayerDrawing &drawing)
     });
 }
 
+/// Whether the method computes addresses, which may be asked for.
+bool computesAddresses(const ScanTrace &trace)
+{
+    return std::ranges::count(trace.numbers().span, QStringLiteral("addr"), &NumberDescription::id)
+        > 0;
+}
+
+/// The pixels that the run has come to.
+std::set<std::pair<std::int64_t, std::int64_t>> visitedPixels(const LayerMoment &moment)
+{
+    std::set<std::pair<std::int64_t, std::int64_t>> pixels;
+    const std::size_t done = moment.trace().samplesDoneAt(moment.view.position);
+    for (std::size_t sample = 0; sample < done; ++sample) {
+        const PixelChange change = moment.trace().changes()[sample];
+        pixels.emplace(change.x, change.y);
+    }
+    return pixels;
+}
+
 /// The addresses that plotPoints() writes to.
 void drawMemory(const LayerMoment &moment, LayerDrawing &drawing)
 {
@@ -44,7 +66,13 @@ void drawMemory(const LayerMoment &moment, LayerDrawing &drawing)
         return drawing.notes.append(smallCellNote());
     drawing.cellNames.append(QStringLiteral("address"));
     const FrameView frame = windowOf(moment.frame());
+    const ScanTrace &trace = moment.trace();
+    const bool isAsked = moment.view.ahead == Ahead::Hidden
+        && moment.view.position < trace.stepCount() && computesAddresses(trace);
+    const auto told = isAsked ? visitedPixels(moment) : decltype(visitedPixels(moment))();
     forEachSeen(moment, [&](std::int64_t x, std::int64_t y) {
+        if (isAsked && !told.contains({x, y}))
+            return;
         drawing.cells.push_back(
             {x, y, QString::number(addressOf<std::int64_t>(x, y, frame)), LayerInk::Mark});
     });

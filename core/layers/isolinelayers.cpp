@@ -78,6 +78,9 @@ void drawIsolines(const LayerMoment &moment, LayerDrawing &drawing)
             QStringLiteral("Contour lines of %1: the triangle has no area, so that its levels lie "
                            "on no plane")
                 .arg(channelLetters[channel]));
+    if (moment.hidesSteps())
+        return drawing.notes.append(QStringLiteral("Contour lines of %1: levels are still ahead")
+                                        .arg(channelLetters[channel]));
     const std::optional<EffectPlan> &plan = moment.view.traced->plan;
     if (plan && plan->runs(Effect::Perspective))
         drawing.notes.append(QStringLiteral("Contour lines: of levels that change evenly over the "

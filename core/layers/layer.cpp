@@ -121,8 +121,15 @@ LayerDrawing drawingOf(const QStringList &ids, const LayerView &view)
     for (const Layer &layer : layers()) {
         if (!ids.contains(layer.id) || !layer.objection(view.traced->scene).isEmpty())
             continue;
-        if (const auto primitive = subjectOf(layer, view))
-            layer.draw({view, *primitive}, drawing);
+        const auto primitive = subjectOf(layer, view);
+        if (!primitive)
+            continue;
+        const LayerMoment moment{view, *primitive};
+        if (layer.kinds.empty() || view.ahead == Ahead::Shown
+            || moment.hasDone(moment.trace().indexOfSetUp(*primitive)))
+            layer.draw(moment, drawing);
+        else
+            drawing.notes.append(QStringLiteral("%1: the set-up is still ahead").arg(layer.title));
     }
     drawing.notes.removeDuplicates();
     removeDuplicates(drawing.labels); // of one half-plane beside all three

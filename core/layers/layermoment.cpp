@@ -30,6 +30,14 @@ std::optional<std::size_t> LayerMoment::spanInHand() const
     return begin > first ? std::optional(begin - 1) : std::nullopt;
 }
 
+bool LayerMoment::hidesSteps() const
+{
+    const std::size_t next = primitive + 1;
+    const std::size_t end
+        = next < trace().primitiveCount() ? trace().indexOfSetUp(next) : trace().stepCount();
+    return view.ahead == Ahead::Hidden && view.position < end;
+}
+
 QString LayerMoment::inScene(Lattice sample) const
 {
     return toText(Quantity::rational(sample + sampleOffset(frame()), unitsPerPixel));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/layers/affineimage.h"
+#include "core/runs/ahead.h"
 #include "core/runs/tracedscene.h"
 #include "core/scan/edgeteststate.h"
 
@@ -21,6 +22,7 @@ struct LayerView {
     std::optional<std::size_t> primitive; ///< none: the one in hand
     std::optional<QPoint> picked; ///< the pixel of which layers tell; none: that of the step
     std::optional<AffineImage> image; ///< none: one that is worth a look
+    Ahead ahead = Ahead::Shown;
 };
 
 /// The same for one layer: its primitive is one of which the layer has something to say.
@@ -40,6 +42,8 @@ struct LayerMoment {
     /// The span of the primitive that is in hand, or its last one; none where none is entered yet.
     std::optional<std::size_t> spanInHand() const;
     bool hasDone(std::size_t step) const { return step < view.position; }
+    /// Whether some of the primitive's steps are ahead, and hidden.
+    bool hidesSteps() const;
     /// A coordinate as the scene gives it, px: "27 1/2".
     QString inScene(Lattice sample) const;
 };

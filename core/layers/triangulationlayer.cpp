@@ -32,33 +32,36 @@ LayerDrawing::Circle circumcircleOf(const Piece &piece)
     return {a + centre, std::hypot(centre.x(), centre.y()), LayerInk::Second};
 }
 
-/// Each edge once: solid where two triangles share it, dotted where it bounds the polygon.
-void appendEdges(const std::vector<Piece> &pieces, LayerDrawing &drawing)
+/// Of the first triangles, as many as are shown, each edge once: solid where two triangles share
+/// it, dotted where it bounds the polygon.
+void appendEdges(const std::vector<Piece> &pieces, std::size_t shown, LayerDrawing &drawing)
 {
-    std::map<std::pair<LatticePoint, LatticePoint>, int> sides;
-    for (const Piece &piece : pieces) {
-        for (std::size_t i = 0; i < 3; ++i)
-            ++sides[std::minmax(piece[i], piece[(i + 1) % 3])];
+    struct Side {
+        int count = 0; ///< of its triangles
+        bool isShown = false;
+    };
+    std::map<std::pair<LatticePoint, LatticePoint>, Side> sides;
+    for (std::size_t piece = 0; piece < pieces.size(); ++piece) {
+        for (std::size_t i = 0; i < 3; ++i) {
+            Side &side = sides[std::minmax(pieces[piece][i], pieces[piece][(i + 1) % 3])];
+            ++side.count;
+            side.isShown = side.isShown || piece < shown;
+        }
     }
-    for (const auto &[edge, count] : sides) {
-        const bool isInner = count > 1;
+    for (const auto &[edge, side] : sides) {
+        if (!side.isShown)
+            continue;
+        const bool isInner = side.count > 1;
         drawing.lines.push_back(
             {placeOf(edge.first), placeOf(edge.second), isInner ? LayerInk::First : LayerInk::Mark,
              isInner ? LayerDrawing::Stroke::Solid : LayerDrawing::Stroke::Dotted});
     }
 }
 
-void appendPieceInHand(const LayerMoment &moment, const std::vector<Piece> &pieces,
-                       LayerDrawing &drawing)
+std::optional<std::size_t> pieceInHand(const LayerMoment &moment)
 {
     const std::optional<std::size_t> span = moment.spanInHand();
-    if (!span)
-        return;
-    const auto piece = std::size_t(moment.trace().placeOf(*span).part);
-    if (piece < pieces.size())
-        drawing.areas.push_back(
-            {{placeOf(pieces[piece][0]), placeOf(pieces[piece][1]), placeOf(pieces[piece][2])},
-             LayerInk::Hand});
+    return span ? std::optional(std::size_t(moment.trace().placeOf(*span).part)) : std::nullopt;
 }
 
 void drawInnerEdges(const LayerMoment &moment, LayerDrawing &drawing)
@@ -67,15 +70,22 @@ void drawInnerEdges(const LayerMoment &moment, LayerDrawing &drawing)
     const bool isFan = method == fanMethod;
     const auto triangulate = isFan ? fanOf : method == delaunayMethod ? delaunayOf : tessellationOf;
     const std::vector<Piece> pieces = triangulate(contoursOf(moment.shape())).triangles;
-    appendEdges(pieces, drawing);
-    for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const std::optional<std::size_t> inHand = pieceInHand(moment);
+    const std::size_t begun = std::min(inHand ? *inHand + 1 : 0, pieces.size());
+    const std::size_t shown = moment.hidesSteps() ? begun : pieces.size();
+    appendEdges(pieces, shown, drawing);
+    for (std::size_t i = 0; i < shown; ++i) {
         if (!isFan && doubledArea(pieces[i][0], pieces[i][1], pieces[i][2]) != 0)
             drawing.circles.push_back(circumcircleOf(pieces[i]));
         const QPointF centroid
             = (placeOf(pieces[i][0]) + placeOf(pieces[i][1]) + placeOf(pieces[i][2])) / 3;
         drawing.labels.push_back({QString::number(i), centroid, LayerInk::First});
     }
-    appendPieceInHand(moment, pieces, drawing);
+    if (inHand && *inHand < pieces.size()) {
+        const Piece &piece = pieces[*inHand];
+        drawing.areas.push_back(
+            {{placeOf(piece[0]), placeOf(piece[1]), placeOf(piece[2])}, LayerInk::Hand});
+    }
 }
 
 } // namespace

@@ -154,4 +154,14 @@ BriefPixelHistory briefPixelHistory(const TracedScene &traced, std::int64_t x, s
     return history;
 }
 
+bool leaveOutAhead(BriefPixelHistory &history, std::size_t position)
+{
+    const bool hasSome = std::erase_if(history.attempts, [position](const PixelAttempt &attempt) {
+        return attempt.decided > position;
+    });
+    if (hasSome)
+        history.furtherRefusals = 0; // those are behind the ones that are ahead
+    return hasSome;
+}
+
 } // namespace pixelplumb

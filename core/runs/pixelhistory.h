@@ -55,5 +55,7 @@ struct BriefPixelHistory {
 };
 BriefPixelHistory briefPixelHistory(const TracedScene &traced, std::int64_t x, std::int64_t y,
                                     std::size_t listedRefusals);
+/// Takes the attempts away that are decided behind a position. Whether there were some.
+bool leaveOutAhead(BriefPixelHistory &history, std::size_t position);
 
 } // namespace pixelplumb

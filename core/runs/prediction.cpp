@@ -34,6 +34,14 @@ QString askedFor(const QString &symbols)
     return QStringLiteral("the %1, %2").arg(assigned, name);
 }
 
+/// "p_k ← p_k₊₁′": it stands in the row before, under another name.
+bool isTakenOver(const QString &symbols)
+{
+    const QString computed = symbols.sliced(symbols.lastIndexOf(u' ') + 1);
+    return computed.endsWith(u'′')
+        && symbols == assignedIn(symbols) + QStringLiteral(" ← ") + computed;
+}
+
 bool isCount(const std::vector<NumberDescription> &numbers, const QString &title)
 {
     return std::ranges::any_of(numbers, [&title](const NumberDescription &number) {
@@ -122,8 +130,9 @@ std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t 
         before = explainStep(traced, trace.indexOfSpan(span - 1));
     std::vector<Prediction> predictions;
     for (const FormulaLine &line : next.lines) {
-        if (isCount(trace.spanWords(span).numbers, assignedIn(line.symbols)))
-            continue; // the question itself names it
+        if (isCount(trace.spanWords(span).numbers, assignedIn(line.symbols))
+            || isTakenOver(line.symbols))
+            continue; // the question itself, or the step in hand, names it
         const FormulaLine *earlier = before ? lineOf(*before, line) : nullptr;
         predictions.push_back({next.heading, assignedIn(line.symbols), askedFor(line.symbols),
                                line.used, earlier ? earlier->used : Quantity(), line.symbols,

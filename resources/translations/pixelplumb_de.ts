@@ -196,6 +196,14 @@
         <source>The truth is hidden while Predict asks</source>
         <translation>Die Wahrheit ist verborgen, solange „Vorhersagen“ fragt</translation>
     </message>
+    <message>
+        <source>P0 (centre)</source>
+        <translation>P0 (Mitte)</translation>
+    </message>
+    <message>
+        <source>P1 (corner of its box)</source>
+        <translation>P1 (Ecke des Rechtecks)</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::CanvasMenu</name>
@@ -487,6 +495,10 @@
         <source>; with %1</source>
         <translation>; mit %1</translation>
     </message>
+    <message>
+        <source>Predict hides what lies ahead.</source>
+        <translation>„Vorhersagen“ verbirgt, was noch kommt.</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::ComparePanel</name>
@@ -495,16 +507,8 @@
         <translation>Warum das gewählte Pixel abweicht</translation>
     </message>
     <message>
-        <source>− pane</source>
-        <translation>− Ansicht</translation>
-    </message>
-    <message>
         <source>Take the last pane away</source>
         <translation>Die letzte Ansicht entfernen</translation>
-    </message>
-    <message>
-        <source>+ pane</source>
-        <translation>+ Ansicht</translation>
     </message>
     <message>
         <source>Add a pane, four at most</source>
@@ -573,6 +577,18 @@
     <message>
         <source>%1 and %2 beside colour: %3</source>
         <translation>%1 und %2 neben der Farbe: %3</translation>
+    </message>
+    <message>
+        <source>What lies ahead is hidden while Predict asks.</source>
+        <translation>Was noch kommt, ist verborgen, solange „Vorhersagen“ fragt.</translation>
+    </message>
+    <message>
+        <source>%1 agree</source>
+        <translation>%1 einig</translation>
+    </message>
+    <message>
+        <source>Pixel (%1, %2): all agree.</source>
+        <translation>Pixel (%1, %2): Alle stimmen überein.</translation>
     </message>
 </context>
 <context>
@@ -3913,6 +3929,165 @@
     </message>
 </context>
 <context>
+    <name>pixelplumb::MethodSummary</name>
+    <message>
+        <source>Walks the columns between two edges and colours the samples from ⌈y_B⌉ to ⌊y_T⌋, all by adding increments.</source>
+        <translation>Geht durch die Spalten zwischen zwei Kanten und färbt die Abtastpunkte von ⌈y_B⌉ bis ⌊y_T⌋, alles durch Addieren von Zuwächsen.</translation>
+    </message>
+    <message>
+        <source>Walks down the rows between two edges, switches in the third edge at the middle vertex, and colours the samples from ⌈x_L⌉ to ⌊x_R⌋, trapezoid by trapezoid, all by adding increments.</source>
+        <translation>Geht zwischen zwei Kanten durch die Zeilen hinab, wechselt am mittleren Eckpunkt auf die dritte Kante und färbt die Abtastpunkte von ⌈x_L⌉ bis ⌊x_R⌋, ein Trapez nach dem anderen, alles durch Addieren von Zuwächsen.</translation>
+    </message>
+    <message>
+        <source>Evaluates E = a·x + b·y + c of the three edges at every sample of the clipped bounding box, with the sides flipped to be positive inside; where the slide draws E &gt; 0 alone, E = 0 is left to the fill rule.</source>
+        <translation>Wertet E = a·x + b·y + c der drei Kanten an jedem Abtastpunkt des beschnittenen umschließenden Rechtecks aus, die Seiten so gedreht, dass sie innen positiv sind; wo die Folie nur bei E &gt; 0 zeichnet, entscheidet über E = 0 die Füllregel.</translation>
+    </message>
+    <message>
+        <source>Adds a to each edge function along a row and b from row to row, so that a sample costs three additions and rounding errors add up.</source>
+        <translation>Addiert in einer Zeile a zu jeder Kantenfunktion und von Zeile zu Zeile b: Ein Abtastpunkt kostet drei Additionen, und Rundungsfehler summieren sich.</translation>
+    </message>
+    <message>
+        <source>Solves A and B of each edge from its two points with C = −1 chosen; an edge whose line passes through (0, 0) has no such solution and gets C = 0.</source>
+        <translation>Berechnet A und B jeder Kante aus ihren zwei Punkten mit gewähltem C = −1; eine Kante, deren Gerade durch (0, 0) geht, hat keine solche Lösung und bekommt C = 0.</translation>
+    </message>
+    <message>
+        <source>Computes α, β and γ for every pixel of the frame and draws it if all three lie within [0, 1].</source>
+        <translation>Berechnet α, β und γ für jedes Pixel der Bildfläche und zeichnet es, wenn alle drei in [0, 1] liegen.</translation>
+    </message>
+    <message>
+        <source>The same for the samples between the smallest and the largest x and y of the vertices alone.</source>
+        <translation>Dasselbe nur für die Abtastpunkte zwischen dem kleinsten und dem größten x und y der Eckpunkte.</translation>
+    </message>
+    <message>
+        <source>Adds to the weights and to the colour from sample to sample, and tests them against 0 alone.</source>
+        <translation>Addiert von Abtastpunkt zu Abtastpunkt zu den Gewichten und zur Farbe und prüft die Gewichte nur gegen 0.</translation>
+    </message>
+    <message>
+        <source>Solves P = C + u·(A − C) + v·(B − C) by determinants and draws if u ≥ 0, v ≥ 0 and u + v ≤ 1.</source>
+        <translation>Löst P = C + u·(A − C) + v·(B − C) mit Determinanten und zeichnet, wenn u ≥ 0, v ≥ 0 und u + v ≤ 1.</translation>
+    </message>
+    <message>
+        <source>Gives a sample exactly on an edge to the triangle on the side of the off-screen point r: f_bc(a)·f_bc(r) &gt; 0; an edge whose line passes through r is given to neither side.</source>
+        <translation>Gibt einen Abtastpunkt genau auf einer Kante dem Dreieck auf der Seite des Punktes r außerhalb des Bildes: f_bc(a)·f_bc(r) &gt; 0; eine Kante, deren Gerade durch r geht, bekommt keine der beiden Seiten.</translation>
+    </message>
+    <message>
+        <source>Draws the three edges as lines of whole pixels and fills each column between the lowest and the highest of them: pixels nearest to an edge are painted on whichever side of it they lie, those of a shared edge twice.</source>
+        <translation>Zeichnet die drei Kanten als Linien aus ganzen Pixeln und füllt jede Spalte zwischen dem untersten und dem obersten davon: Die Pixel nächst einer Kante werden gemalt, auf welcher Seite auch immer sie liegen, die einer gemeinsamen Kante zweimal.</translation>
+    </message>
+    <message>
+        <source>Computes y₀ + (x − x₀)·m and the plane&apos;s colours in float64 and moves them by half the distance between their possible values before rounding: no wrong pixel, proved for triangles in boxes of up to 2^24 px², such as 4096 × 4096; beyond, integers take over and the set-up says so.</source>
+        <translation>Berechnet y₀ + (x − x₀)·m und die Farben der Ebene in float64 und verschiebt sie vor dem Runden um den halben Abstand ihrer möglichen Werte: kein falsches Pixel, bewiesen für Dreiecke in Rechtecken bis 2^24 px², etwa 4096 × 4096; darüber übernehmen ganze Zahlen, und die Vorbereitung sagt es.</translation>
+    </message>
+    <message>
+        <source>The assignment&apos;s increments with ΔR computed once from the plane through the three vertices, so that slivers cannot blow it up.</source>
+        <translation>Die Zuwächse der Aufgabe, aber ΔR einmal aus der Ebene durch die drei Eckpunkte berechnet, so dass schmale Dreiecke es nicht aufblähen.</translation>
+    </message>
+    <message>
+        <source>Walks down the rows between two edges with ΔR computed once from the plane through the three vertices, so that short rows cannot blow it up.</source>
+        <translation>Geht zwischen zwei Kanten durch die Zeilen hinab, mit ΔR einmal aus der Ebene durch die drei Eckpunkte berechnet, so dass kurze Zeilen es nicht aufblähen.</translation>
+    </message>
+    <message>
+        <source>Evaluates every edge from its end point that is smaller in (x, y) order and flips the sign, so that the two triangles of a shared edge see the same number in any arithmetic; in exact arithmetic all are integers.</source>
+        <translation>Wertet jede Kante von ihrem in der Ordnung (x, y) kleineren Endpunkt aus und dreht das Vorzeichen, so dass die zwei Dreiecke einer gemeinsamen Kante in jeder Arithmetik dieselbe Zahl sehen; in exakter Arithmetik sind alle ganz.</translation>
+    </message>
+    <message>
+        <source>Evaluates each edge function from one of its vertices, so that the products stay small far from the origin; in float64 they are exact up to 2^15 px.</source>
+        <translation>Wertet jede Kantenfunktion von einem ihrer Eckpunkte aus, so dass die Produkte auch fern vom Ursprung klein bleiben; in float64 sind sie bis 2^15 px exakt.</translation>
+    </message>
+    <message>
+        <source>Interpolates along both edges and then along the column, each by adding a rate; what is covered is exact.</source>
+        <translation>Interpoliert entlang beider Kanten und dann entlang der Spalte, beides durch Addieren einer Rate; die Überdeckung ist exakt.</translation>
+    </message>
+    <message>
+        <source>Interpolates down the left and the right edge and then along the row, each by adding a rate; what is covered is exact.</source>
+        <translation>Interpoliert die linke und die rechte Kante hinab und dann entlang der Zeile, beides durch Addieren einer Rate; die Überdeckung ist exakt.</translation>
+    </message>
+    <message>
+        <source>Evaluates v = a·x + b·y + c of the plane through the three values at each sample; what is covered is exact.</source>
+        <translation>Wertet v = a·x + b·y + c der Ebene durch die drei Werte an jedem Abtastpunkt aus; die Überdeckung ist exakt.</translation>
+    </message>
+    <message>
+        <source>Weights the three vertices&apos; values with α, β and γ at each sample; what is covered is exact.</source>
+        <translation>Gewichtet an jedem Abtastpunkt die Werte der drei Eckpunkte mit α, β und γ; die Überdeckung ist exakt.</translation>
+    </message>
+    <message>
+        <source>Walks along the longer side and adds the slope at each step; the pixel is the nearest one.</source>
+        <translation>Geht die längere Seite entlang und addiert bei jedem Schritt die Steigung; gezeichnet wird das nächste Pixel.</translation>
+    </message>
+    <message>
+        <source>Computes y = m·x + b for each column and rounds it by (int)(y + ½): steep lines have gaps, vertical ones no m.</source>
+        <translation>Berechnet y = m·x + b für jede Spalte und rundet mit (int)(y + ½): Steile Linien haben Lücken, senkrechte kein m.</translation>
+    </message>
+    <message>
+        <source>Computes P(t) = P₀ + t·(P₁ − P₀) for t in steps of one pixel of the longer side, or less, and writes the pixel nearest to each point.</source>
+        <translation>Berechnet P(t) = P₀ + t·(P₁ − P₀) für t in Schritten von einem Pixel der längeren Seite oder weniger und schreibt das Pixel, das jedem Punkt am nächsten ist.</translation>
+    </message>
+    <message>
+        <source>Steps from the left end (of a steep line, the lower one) by the sign of an integer; p_k &lt; 0 stays, so that ties go up on a rising line and down on a falling one.</source>
+        <translation>Geht vom linken Ende (einer steilen Linie vom unteren) nach dem Vorzeichen einer ganzen Zahl; p_k &lt; 0 bleibt, so dass Grenzfälle auf einer steigenden Linie nach oben und auf einer fallenden nach unten gehen.</translation>
+    </message>
+    <message>
+        <source>Bresenham&apos;s decisions from any lattice point to any other, ties to the upper or right pixel whether the line rises or falls.</source>
+        <translation>Bresenhams Entscheidungen zwischen beliebigen Gitterpunkten; Grenzfälle gehen zum oberen oder rechten Pixel, ob die Linie steigt oder fällt.</translation>
+    </message>
+    <message>
+        <source>Steps through an octant by the sign of F at midpoints, an integer, and mirrors each pixel into the other seven.</source>
+        <translation>Geht durch einen Oktanten nach dem Vorzeichen von F an Mittelpunkten, einer ganzen Zahl, und spiegelt jedes Pixel in die anderen sieben.</translation>
+    </message>
+    <message>
+        <source>Computes y = ±√(r² − x²) for each column; there are gaps where the curve is steep.</source>
+        <translation>Berechnet y = ±√(r² − x²) für jede Spalte; wo die Kurve steil ist, bleiben Lücken.</translation>
+    </message>
+    <message>
+        <source>Goes round in steps of one pixel of arc and writes the pixel nearest to each point (r cos θ, r sin θ).</source>
+        <translation>Geht in Schritten von einem Pixel Bogenlänge herum und schreibt das Pixel, das jedem Punkt (r cos θ, r sin θ) am nächsten ist.</translation>
+    </message>
+    <message>
+        <source>On each row, writes the samples between the two places where the row meets the curve.</source>
+        <translation>Schreibt in jeder Zeile die Abtastpunkte zwischen den zwei Stellen, an denen die Zeile die Kurve trifft.</translation>
+    </message>
+    <message>
+        <source>Halves the curve by de Casteljau&apos;s algorithm until each piece has no pixels but those of its two ends, and writes these: thin as a line, the pixels nearer than ½ px by |Δx| + |Δy|.</source>
+        <translation>Halbiert die Kurve nach de Casteljau, bis jedes Stück keine Pixel als die seiner beiden Enden hat, und schreibt diese: dünn wie eine Linie, die Pixel, die näher als ½ px sind, gemessen als |Δx| + |Δy|.</translation>
+    </message>
+    <message>
+        <source>Closes a path of Bézier pieces, takes each as a chain of chords, and fills these by parity or winding number; the truth is that of the curves themselves.</source>
+        <translation>Schließt einen Pfad aus Béziers, nimmt jede als Kette von Sehnen und füllt diese nach Parität oder Windungszahl; die Wahrheit ist die der Kurven selbst.</translation>
+    </message>
+    <message>
+        <source>Takes a line as the rectangle one pixel wide, a curve as a strip of quadrilaterals, and blends it by the area that it has of each pixel, or by 4 or 16 samples: equally bright in every direction.</source>
+        <translation>Nimmt eine Linie als das Rechteck von einem Pixel Breite, eine Kurve als Streifen von Vierecken, und mischt sie nach der Fläche, die sie von jedem Pixel hat, oder nach 4 oder 16 Abtastpunkten: in jeder Richtung gleich hell.</translation>
+    </message>
+    <message>
+        <source>Intersects each row with the active edges, sorts the crossings in x, and fills by their parity or winding number.</source>
+        <translation>Schneidet jede Zeile mit den aktiven Kanten, ordnet die Schnittpunkte nach x und füllt nach ihrer Parität oder Windungszahl.</translation>
+    </message>
+    <message>
+        <source>Breaks a convex polygon into the triangles that its first vertex makes with its edges, and fills each row by row.</source>
+        <translation>Zerlegt ein konvexes Polygon in die Dreiecke, die sein erster Eckpunkt mit seinen Kanten bildet, und füllt jedes Zeile für Zeile.</translation>
+    </message>
+    <message>
+        <source>Breaks a polygon that does not cross itself into the triangles of its constrained Delaunay triangulation, and fills each row by row.</source>
+        <translation>Zerlegt ein Polygon, das sich nicht selbst schneidet, in die Dreiecke seiner Delaunay-Triangulierung mit erzwungenen Kanten und füllt jedes Zeile für Zeile.</translation>
+    </message>
+    <message>
+        <source>Breaks any polygon into triangles, also one that crosses itself: crossings become vertices, moved to the nearest multiple of 1/256 px, by which a sample beside an edge may change its side.</source>
+        <translation>Zerlegt jedes Polygon in Dreiecke, auch eines, das sich selbst schneidet: Schnittpunkte werden Eckpunkte, verschoben auf das nächste Vielfache von 1/256 px, wodurch ein Abtastpunkt neben einer Kante die Seite wechseln kann.</translation>
+    </message>
+    <message>
+        <source>Draws each edge as a line by Bresenham&apos;s decisions between any two points of the lattice; a pixel in which two edges meet is written by both.</source>
+        <translation>Zeichnet jede Kante als Linie mit Bresenhams Entscheidungen zwischen beliebigen Gitterpunkten; ein Pixel, in dem zwei Kanten zusammentreffen, schreiben beide.</translation>
+    </message>
+    <message>
+        <source>Writes the colour of each point to the address addr = y·width + x.</source>
+        <translation>Schreibt die Farbe jedes Punktes an die Adresse addr = y·width + x.</translation>
+    </message>
+    <message>
+        <source>Takes the outlines of the glyphs from a font and fills them as one polygon by winding number.</source>
+        <translation>Nimmt die Umrisse der Zeichen aus einer Schrift und füllt sie als ein Polygon nach der Windungszahl.</translation>
+    </message>
+</context>
+<context>
     <name>pixelplumb::MissPlot</name>
     <message>
         <source>nearer than %1 px</source>
@@ -4219,6 +4394,10 @@
             <numerusform>%n Lücke</numerusform>
             <numerusform>%n Lücken</numerusform>
         </translation>
+    </message>
+    <message>
+        <source>Overdraw is hidden while Predict asks</source>
+        <translation>Die Mehrfachzeichnung ist verborgen, solange „Vorhersagen“ fragt</translation>
     </message>
 </context>
 <context>
@@ -4921,6 +5100,10 @@
     <message>
         <source>Triangle %1. </source>
         <translation>Dreieck %1. </translation>
+    </message>
+    <message>
+        <source>What lies ahead is hidden while Predict asks.</source>
+        <translation>Was noch kommt, ist verborgen, solange „Vorhersagen“ fragt.</translation>
     </message>
 </context>
 <context>
@@ -5712,11 +5895,11 @@
     </message>
     <message>
         <source>ties</source>
-        <translation>Grenzfälle</translation>
+        <translation>Grenzfall</translation>
     </message>
     <message>
         <source>clamps</source>
-        <translation>Begrenzt</translation>
+        <translation>begrenzt</translation>
     </message>
     <message>
         <source>spans</source>
@@ -5728,7 +5911,7 @@
     </message>
     <message>
         <source>differs</source>
-        <translation>weicht ab</translation>
+        <translation>anders</translation>
     </message>
 </context>
 <context>

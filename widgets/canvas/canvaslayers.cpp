@@ -38,13 +38,14 @@ void CanvasLayers::addTo(CanvasScene &scene, const CanvasSources &sources, const
                            view.mapping(),
                            view.area(),
                            sources.playhead->pickedPixel(),
-                           sources.options->affineImage()};
+                           sources.options->affineImage(),
+                           sources.playhead->ahead()};
     if (moment != m_moment) {
         m_moment = moment;
         m_drawing = drawingOf(moment.layers,
                               {moment.traced.get(), moment.position,
                                pixelsIn(moment.area, moment.mapping), cellSideOf(moment.mapping),
-                               std::nullopt, moment.picked, moment.image});
+                               std::nullopt, moment.picked, moment.image, moment.ahead});
     }
     scene.layers = m_drawing;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/runs/ahead.h"
 #include "widgets/canvas/canvasscene.h"
 
 #include <memory>
@@ -27,6 +28,7 @@ private:
         QRectF area;
         std::optional<QPoint> picked;
         std::optional<AffineImage> image;
+        Ahead ahead = Ahead::Shown;
 
         friend bool operator==(const Moment &, const Moment &) = default;
     };

@@ -126,6 +126,14 @@ QString vertexName(std::size_t rank, std::size_t inFile)
         : QCoreApplication::translate("pixelplumb::Canvas", "%1 (vertex %2)").arg(name).arg(inFile);
 }
 
+/// What the vertices of a circle or an ellipse are: neither lies on the curve.
+QString roundName(std::size_t vertex)
+{
+    return vertex == 0
+        ? QCoreApplication::translate("pixelplumb::Canvas", "P0 (centre)")
+        : QCoreApplication::translate("pixelplumb::Canvas", "P1 (corner of its box)");
+}
+
 /// P0, P1, P2 of a triangle in the order in which the method sorts them, of a shape as they stand.
 void addNames(CanvasScene &scene, int primitive, const CanvasSources &sources,
               const CanvasView &view)
@@ -144,8 +152,10 @@ void addNames(CanvasScene &scene, int primitive, const CanvasSources &sources,
     QPointF inside;
     for (const Vertex &vertex : vertices)
         inside += view.positionOf(vertex.position) / double(vertices.size());
+    const PrimitiveKind kind = document.kindOf(primitive);
+    const bool isRound = kind == PrimitiveKind::Circle || kind == PrimitiveKind::Ellipse;
     for (std::size_t rank = 0; rank < std::min(order.size(), mostNames); ++rank)
-        scene.names.push_back({vertexName(rank, order[rank]),
+        scene.names.push_back({isRound ? roundName(rank) : vertexName(rank, order[rank]),
                                view.onSamples(vertices[order[rank]].position), inside});
 }
 

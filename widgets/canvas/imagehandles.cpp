@@ -27,9 +27,8 @@ HandleState stateOf(std::size_t corner, const CanvasHand &hand)
 const TracedScene *runInView(const CanvasSources &sources)
 {
     const bool isAhead = sources.previewer && sources.previewer->isAheadOfTrace();
-    return isAhead || sources.options->isTruthShown()
-        ? nullptr
-        : tracedOfFrame(*sources.document, *sources.playhead);
+    const bool isTruth = sources.options->isTruthShown() && !sources.playhead->isAheadHidden();
+    return isAhead || isTruth ? nullptr : tracedOfFrame(*sources.document, *sources.playhead);
 }
 
 std::optional<AffineImage> imageInView(const CanvasSources &sources)

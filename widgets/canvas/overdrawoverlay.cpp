@@ -30,6 +30,7 @@ OverdrawOverlay::OverdrawOverlay(Canvas *canvas, Playhead *playhead)
     hide();
     canvas->installEventFilter(this);
     connect(playhead, &Playhead::tracedChanged, this, &OverdrawOverlay::followTrace);
+    connect(playhead, &Playhead::aheadHiddenChanged, this, qOverload<>(&QWidget::update));
 }
 
 bool OverdrawOverlay::eventFilter(QObject *watched, QEvent *event)
@@ -66,6 +67,8 @@ QString OverdrawOverlay::summary() const
 {
     if (!m_counted)
         return tr("Overdraw: the scene is being drawn");
+    if (m_playhead->isAheadHidden())
+        return tr("Overdraw is hidden while Predict asks");
     if (m_map.overdrawnPixels() == 0 && m_map.gaps() == 0)
         return tr("Overdraw: every pixel once, no gap");
     return tr("Overdraw: %1 twice or more, %2 at most; %3")
@@ -81,7 +84,8 @@ void OverdrawOverlay::paintEvent(QPaintEvent *)
     QPainter painter(this);
     painter.setClipRect(view);
     const QRect device = mapping.deviceRect(view) & mapping.devicePicture();
-    if (m_counted && m_counted->scene.frame == mapping.frame() && !device.isEmpty()) {
+    if (m_counted && m_counted->scene.frame == mapping.frame() && !device.isEmpty()
+        && !m_playhead->isAheadHidden()) {
         if (m_cells.size() != device.size())
             m_cells = QImage(device.size(), QImage::Format_ARGB32_Premultiplied);
         m_cells.setDevicePixelRatio(1);

@@ -169,8 +169,10 @@ void SceneExports::copyPickedPixel()
     const Colour colour = unpacked(*m_playhead->frame()->view().at(pixel->x(), pixel->y()));
     QStringList cells{QStringLiteral("(%1, %2)").arg(pixel->x()).arg(pixel->y()),
                       colourText(colour)};
-    const BriefPixelHistory history
+    BriefPixelHistory history
         = briefPixelHistory(*m_playhead->traced(), pixel->x(), pixel->y(), mostCopiedRefusals);
+    if (m_playhead->isAheadHidden())
+        leaveOutAhead(history, m_playhead->position());
     for (const PixelAttempt &attempt : history.attempts)
         cells += QStringLiteral("%1 %2: %3")
                      .arg(nameOf(attempt.kind))

@@ -130,16 +130,21 @@ void drawTriangles(QPainter &painter, FramePainter &frame, const Playhead &playh
     painter.setBrush(Qt::NoBrush);
 }
 
+bool isTruthShown(const Playhead &playhead, const DisplayOptions &options)
+{
+    return options.isTruthShown() && !playhead.isAheadHidden();
+}
+
 LayerDrawing layersOf(const Playhead &playhead, const DisplayOptions &options,
                       const ViewMapping &mapping)
 {
     const TracedScene &traced = *playhead.traced();
-    if (options.isTruthShown())
+    if (isTruthShown(playhead, options))
         return {};
     return drawingOf(options.layers(),
                      {&traced, playhead.position(), samplesOf(windowOf(traced.scene.frame)),
                       cellSideOf(mapping), std::nullopt, playhead.pickedPixel(),
-                      options.affineImage()});
+                      options.affineImage(), playhead.ahead()});
 }
 
 } // namespace
@@ -163,7 +168,7 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
     QPainter painter(&generator);
     painter.setFont(font);
     painter.fillRect(QRect(QPoint(0, 0), layout.size), Qt::white);
-    const FrameBuffer &shown = options.isTruthShown() ? traced.truth : *playhead.frame();
+    const FrameBuffer &shown = isTruthShown(playhead, options) ? traced.truth : *playhead.frame();
     drawCells(painter, shown.image(), layout.mapping);
 
     FramePainter frame(painter, layout.mapping, palette, layout.view);
@@ -173,9 +178,10 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
     const LayerDrawing drawing = layersOf(playhead, options, layout.mapping);
     const LayerSurface surface = layerSurface(layout.mapping, layout.view, palette);
     LayerPainter layers;
-    layers.paintGround(painter, drawing, surface);
+    QStringList said = drawing.notes;
+    said += layers.paintGround(painter, drawing, surface);
     drawTriangles(painter, frame, playhead, layout.mapping);
-    if (options.areDifferencesShown() && !options.isTruthShown())
+    if (options.areDifferencesShown() && !isTruthShown(playhead, options))
         drawDifferences(painter, traced, playhead.position(), layout.mapping, palette);
     std::vector<RulerMark> columnMarks;
     std::vector<RulerMark> rowMarks;
@@ -192,6 +198,8 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
         else if (record.place.axis == SpanAxis::Row)
             rowMarks.push_back(mark);
     }
+    if (!said.isEmpty())
+        frame.drawCornerNote(said.join(u'\n'), LayerPainter::measurePlaces(drawing, surface));
     const QStringList omissions = layers.paintLabels(painter, drawing, surface, frame.plates());
     if (!omissions.isEmpty())
         frame.drawCornerNote(omissions.join(u'\n'), layers.labels());

@@ -145,9 +145,7 @@ void PixelHistoryPanel::takePixel()
 {
     m_isStale = false;
     m_model->setPosition(m_playhead->position());
-    m_model->setPixel(m_playhead->sharedTraced(), m_playhead->pickedPixel(),
-                      m_playhead->isAheadHidden() ? PixelHistoryModel::Ahead::Hidden
-                                                  : PixelHistoryModel::Ahead::Shown);
+    m_model->setPixel(m_playhead->sharedTraced(), m_playhead->pickedPixel(), m_playhead->ahead());
     const QModelIndex decisive = m_model->decisiveRow();
     for (int row = 0; row < m_model->rowCount(); ++row)
         m_attempts->setFirstColumnSpanned(row, {}, true);

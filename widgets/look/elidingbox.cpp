@@ -13,7 +13,8 @@ QString ElidingBox::shownText() const
     const QRect room
         = style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
     // Styles begin the text a pixel inside the field.
-    return fontMetrics().elidedText(currentText(), Qt::ElideMiddle, room.width() - 2);
+    const QString text = currentIndex() < 0 ? placeholderText() : currentText();
+    return fontMetrics().elidedText(text, Qt::ElideMiddle, room.width() - 2);
 }
 
 void ElidingBox::paintEvent(QPaintEvent *)

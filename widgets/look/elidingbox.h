@@ -13,7 +13,8 @@ class ElidingBox : public QComboBox {
 public:
     using QComboBox::QComboBox;
 
-    /// The current text; an ellipsis where there is no room for all of it.
+    /// The current text, or the placeholder's where there is none; an ellipsis where there is no
+    /// room for all of it.
     QString shownText() const;
 
 protected:

@@ -44,13 +44,14 @@ public:
     /// Lines between the cells, for figures; blendGrid() does the same for the screen.
     void drawGrid();
     void drawOutline(const std::array<LatticePoint, 3> &corners, const EdgeRoles &roles);
-    /// A line to a vertex that is not placed yet.
-    /// The curve that a shape stands for, and a Bézier curve's control polygon.
+    /// The curve that a shape stands for, a Bézier curve's control polygon, and how the corner of a
+    /// circle's box belongs to it.
     void drawShapeOutline(const Shape &shape);
     /// The edges and the corners C₀, C₁, … of a polygon that clipping made, and between its corners
     /// those of the fan of triangles that is drawn.
     void drawClippedPolygon(const std::vector<LatticePoint> &corners);
     void drawRubberPath(const std::vector<LatticePoint> &points);
+    /// A line to a vertex that is not placed yet.
     void drawRubberLine(const LatticePoint &from, const LatticePoint &to);
     void drawHandle(const LatticePoint &point, const Colour &colour, HandleState state);
     /// A vertex that a click would place.
@@ -72,8 +73,8 @@ public:
     void drawPointerNote(const QString &text, const QPointF &pointer,
                          std::span<const QRectF> places);
     /// In a corner of the view or between two, in long lines or in short ones, where it covers no
-    /// handle and least of what else has a place, those places included; of equal ones the first
-    /// from the lower left.
+    /// handle, least of what else has a place, those places included, and least of the frame; of
+    /// equal ones the first from the lower left.
     void drawCornerNote(const QString &text, std::span<const QRectF> places = {});
     /// Between two positions.
     void drawCased(const QLineF &line, const QColor &colour, double width,

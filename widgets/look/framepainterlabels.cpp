@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 
 namespace pixelplumb {
 
@@ -87,11 +88,13 @@ void FramePainter::drawVertexName(const QString &name, const LatticePoint &point
     const QPointF direction = distance > 0 ? away / distance : QPointF(0, -1);
     const QFontMetricsF metrics(m_painter.font());
     const QSizeF size(metrics.horizontalAdvance(name), metrics.height());
-    // Far enough that the plate's corner clears the handle in any direction.
-    const double reach = handleRadius + 4 + std::hypot(size.width(), size.height()) / 2;
+    // So far that a side of the plate is clear of the handle.
+    const QSizeF clear = plateSize(size) / 2 + QSizeF(handleRadius + 4, handleRadius + 4);
     const auto anchorAt = [&](double turn) {
         const QPointF turned(direction.x() * std::cos(turn) - direction.y() * std::sin(turn),
                              direction.x() * std::sin(turn) + direction.y() * std::cos(turn));
+        const double reach
+            = std::min(clear.width() / std::abs(turned.x()), clear.height() / std::abs(turned.y()));
         return centre + turned * reach + QPointF(0, size.height() / 2 + platePadding + noteGap);
     };
     const auto free = std::ranges::find_if(nameTurns, [&](double turn) {
@@ -216,9 +219,14 @@ void FramePainter::drawCornerNote(const QString &text, std::span<const QRectF> p
                                     + QPointF(place.x() * room.width(), place.y() * room.height()),
                                 size);
     }
+    const QRect device = m_mapping.devicePicture();
+    const QRectF picture(m_mapping.positionOfDevice(device.topLeft()),
+                         QSizeF(device.size()) / m_mapping.devicePixelRatio());
     const auto covered = [&](const QRectF &plate) {
-        return std::pair(coveredBy(plate, m_handles),
-                         coveredBy(plate, m_plates) + coveredBy(plate, places));
+        const QRectF ofPicture = plate & picture;
+        return std::tuple(coveredBy(plate, m_handles),
+                          coveredBy(plate, m_plates) + coveredBy(plate, places),
+                          std::round(ofPicture.width() * ofPicture.height()));
     };
     drawNoteIn(*std::ranges::min_element(plates, {}, covered), text);
     m_notes.push_back(m_plates.back());

@@ -155,6 +155,13 @@ void FramePainter::drawShapeOutline(const Shape &shape)
                           Qt::DotLine);
         }
     }
+    // The corner is no point of the curve: it hangs on it by two tangents, a radius long each.
+    if (shape.kind == PrimitiveKind::Circle || shape.kind == PrimitiveKind::Ellipse) {
+        for (const QPointF &touching :
+             {QPointF(points[0].x(), points[1].y()), QPointF(points[1].x(), points[0].y())})
+            drawCased({points[1], touching}, signColour(Sign::VertexMark, m_palette), 1,
+                      Qt::DotLine);
+    }
     const QPainterPath path = visiblePart(curveOf(shape, points), m_view.adjusted(-9, -9, 9, 9));
     QColor around = casing();
     around.setAlphaF(0.8F);

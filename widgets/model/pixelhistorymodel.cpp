@@ -25,14 +25,9 @@ void PixelHistoryModel::setPixel(std::shared_ptr<const TracedScene> traced,
     if (m_traced && pixel) {
         BriefPixelHistory history
             = briefPixelHistory(*m_traced, pixel->x(), pixel->y(), std::size_t(listedRefusals));
+        m_isSomethingHidden = ahead == Ahead::Hidden && leaveOutAhead(history, m_position);
         m_attempts = std::move(history.attempts);
         m_unlisted = history.furtherRefusals;
-        const auto isAhead
-            = [this](const PixelAttempt &attempt) { return attempt.decided > m_position; };
-        if (ahead == Ahead::Hidden && std::erase_if(m_attempts, isAhead) > 0) {
-            m_isSomethingHidden = true;
-            m_unlisted = 0; // those are behind the ones that are ahead
-        }
     }
     endResetModel();
 }

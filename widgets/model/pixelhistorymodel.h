@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/runs/ahead.h"
 #include "core/runs/pixelhistory.h"
 
 #include <QAbstractItemModel>
@@ -29,9 +30,6 @@ public:
     static constexpr int listedRefusals = 20;
 
     using QAbstractItemModel::QAbstractItemModel;
-
-    /// What becomes of a pixel behind the position is a secret where a student foretells it.
-    enum class Ahead { Shown, Hidden };
 
     void setPixel(std::shared_ptr<const TracedScene> traced, const std::optional<QPoint> &pixel,
                   Ahead ahead = Ahead::Shown);

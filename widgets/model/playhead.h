@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/runs/ahead.h"
 #include "core/runs/tracedscene.h"
 #include "widgets/model/tracenavigation.h"
 
@@ -63,6 +64,9 @@ public:
 
     /// True while a student foretells what the next steps compute: nobody shows it.
     bool isAheadHidden() const { return m_isAheadHidden; }
+    Ahead ahead() const { return m_isAheadHidden ? Ahead::Hidden : Ahead::Shown; }
+    /// Whether what becomes of a pixel may be shown: it is decided, or nobody foretells it.
+    bool mayTell(std::int64_t x, std::int64_t y) const;
 
     const Breakpoints &breakpoints() const { return m_breakpoints; }
     const std::set<std::int64_t> &columnBreakpoints() const { return m_breakpoints.columns; }

@@ -3,6 +3,7 @@
 
 #include "widgets/look/framepainter.h"
 #include "widgets/look/signs.h"
+#include "widgets/model/playhead.h"
 
 #include <QEvent>
 #include <QPainter>
@@ -40,6 +41,11 @@ AgreementView::AgreementView(CompareLink *link, Playhead *playhead, QWidget *par
     setObjectName(QStringLiteral("agreementMap"));
     setAccessibleName(tr("Agreement map"));
     setToolTip(tr("How many agree on each pixel. A click tells the reason."));
+    connect(playhead, &Playhead::aheadHiddenChanged, this, &AgreementView::makePicture);
+    connect(playhead, &Playhead::positionChanged, this, [this, playhead] {
+        if (playhead->isAheadHidden() && isVisible())
+            makePicture();
+    });
 }
 
 void AgreementView::setContest(const std::shared_ptr<const Contest> &contest)
@@ -68,7 +74,9 @@ void AgreementView::makePicture()
         for (int column = 0; column < spec.width; ++column) {
             const std::int64_t x = std::int64_t(spec.firstColumn) + column;
             const int agreeing = agreement.agreeingAt(x, y);
-            pixels[column] = agreeing == contenders && !isWrittenBySomeone(*m_contest, x, y)
+            const bool isUntouched
+                = agreeing == contenders && !isWrittenBySomeone(*m_contest, x, y);
+            pixels[column] = isUntouched || !playhead()->mayTell(x, y)
                 ? untouched
                 : colours[std::size_t(agreeing)];
         }
@@ -93,13 +101,19 @@ void AgreementView::paintSigns(QPainter &painter, FramePainter &, const ViewMapp
         for (int column = shown.left(); column <= shown.right(); ++column) {
             const int x = spec.firstColumn + column;
             const int agreeing = agreement.agreeingAt(x, y);
-            if (agreeing == agreement.contenderCount())
+            if (agreeing == agreement.contenderCount() || !playhead()->mayTell(x, y))
                 continue;
             painter.setPen(isDark(palette()) ? Qt::black : Qt::white);
             painter.drawText(mapping.cellOf({x, int(y)}), Qt::AlignCenter,
                              QString::number(agreeing));
         }
     }
+}
+
+void AgreementView::showEvent(QShowEvent *event)
+{
+    makePicture(); // the step in hand may be another one
+    CompareView::showEvent(event);
 }
 
 void AgreementView::changeEvent(QEvent *event)

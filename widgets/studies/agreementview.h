@@ -10,7 +10,7 @@ namespace pixelplumb {
 QColor agreementColour(int agreeing, int contenders, const QPalette &palette);
 
 /// The agreement map: each pixel coloured by how many contenders agree on it, with the number in
-/// its cell where that has room.
+/// its cell where that has room. Of what is hidden because it is ahead it says nothing.
 class AgreementView : public CompareView {
     Q_OBJECT
 
@@ -22,6 +22,7 @@ public:
 protected:
     void paintSigns(QPainter &painter, FramePainter &frame, const ViewMapping &mapping) override;
     void changeEvent(QEvent *event) override;
+    void showEvent(QShowEvent *event) override;
 
 private:
     void makePicture();

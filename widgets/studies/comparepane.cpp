@@ -20,6 +20,8 @@ namespace pixelplumb {
 
 namespace {
 
+constexpr int leastBoxWidth = 48; ///< logical pixels
+
 /// The pixels of a finished picture on the background.
 QImage onBackground(const WrittenFrame &written, const FrameSpec &spec)
 {
@@ -86,8 +88,8 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     // In a row of their own: four panes side by side would push the panels at the right away.
     auto *second = new QHBoxLayout;
     second->setSpacing(4);
-    second->addWidget(m_arithmetic, 1);
-    second->addWidget(m_fillRule, 1);
+    second->addWidget(m_arithmetic, 3);
+    second->addWidget(m_fillRule, 2);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
@@ -103,6 +105,10 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     connect(m_arithmetic, &QComboBox::activated, this, &ComparePane::contenderChanged);
     connect(m_fillRule, &QComboBox::activated, this, &ComparePane::contenderChanged);
     connect(playhead, &Playhead::positionChanged, this, &ComparePane::followPlayhead);
+    connect(playhead, &Playhead::aheadHiddenChanged, this, [this] {
+        tellResult();
+        followPlayhead();
+    });
     offerSettings({});
 }
 
@@ -116,6 +122,8 @@ QComboBox *ComparePane::addBox(const QString &name, const QString &label)
     box->setToolTip(label);
     box->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     box->setMinimumContentsLength(6);
+    // Four panes beside the map have room in a small window; a longer text is elided.
+    box->setMinimumWidth(leastBoxWidth);
     return box;
 }
 
@@ -172,6 +180,20 @@ void ComparePane::show(const std::shared_ptr<const Contest> &contest, std::size_
                                     triangle.vertices[2].position});
     if (shown.traced)
         m_cursor = std::make_unique<TraceCursor>(*shown.traced->trace, contest->scene.frame);
+    m_figures.clear();
+    tellResult();
+    followPlayhead();
+}
+
+void ComparePane::tellResult()
+{
+    if (!m_contest)
+        return;
+    if (m_playhead->isAheadHidden()) {
+        m_result->setText(tr("Predict hides what lies ahead."));
+        return;
+    }
+    const ContenderRun &shown = m_contest->runs[m_run];
     const auto count = [&shown](Difference kind) {
         return QString::number(shown.tally.againstTruth[std::size_t(kind)]);
     };
@@ -189,7 +211,7 @@ void ComparePane::show(const std::shared_ptr<const Contest> &contest, std::size_
                           + tr("; %1 undrawn, of other kinds").arg(shown.tally.undrawn));
     if (const std::vector<Variant> variants = variantsIn(m_variants); !variants.empty())
         m_result->setText(m_result->text() + tr("; with %1").arg(namesOf(variants).join(u' ')));
-    followPlayhead();
+    m_result->setText(m_result->text() + m_figures);
 }
 
 void ComparePane::clear(const QString &message)
@@ -208,7 +230,8 @@ void ComparePane::showFigures(const LiveFigures &figures)
     if (!figures.perPixel)
         return;
     const QString separator = QStringLiteral(" · ");
-    m_result->setText(m_result->text() + separator + coreWord(figures.timeText()));
+    m_figures = separator + coreWord(figures.timeText());
+    tellResult();
     m_result->setToolTip(coreWords(figures.details(), separator));
 }
 
@@ -225,20 +248,41 @@ void ComparePane::followPlayhead()
         return;
     m_view->spanInHand.reset();
     const ContenderRun &run = m_contest->runs[m_run];
-    if (!m_cursor) {
-        m_view->setPicture(onBackground(run.picture, m_contest->scene.frame));
-        return;
-    }
+    if (!m_cursor)
+        return showPicture(onBackground(run.picture, m_contest->scene.frame));
     const ScanTrace &trace = *run.traced->trace;
     const std::size_t position
         = TraceNavigation(trace).positionLike(*m_playhead->traced()->trace, m_playhead->position());
     m_cursor->seek(position);
     if (position > 0) {
         const TraceStep step = trace.stepAt(position - 1);
-        if (step.kind != StepKind::SetUp)
+        if (step.kind != StepKind::SetUp && goesTheSameWay())
             m_view->spanInHand = trace.span(step.span);
     }
-    m_view->setPicture(m_cursor->frame().image());
+    showPicture(m_cursor->frame().image());
+}
+
+bool ComparePane::goesTheSameWay() const
+{
+    return !m_playhead->isAheadHidden()
+        || m_contest->runs[m_run].contender.method == m_playhead->traced()->method;
+}
+
+void ComparePane::showPicture(const QImage &picture)
+{
+    if (goesTheSameWay())
+        return m_view->setPicture(picture);
+    const FrameSpec &spec = m_contest->scene.frame;
+    QImage told = picture.copy();
+    for (int line = 0; line < spec.height; ++line) {
+        const std::int64_t y = rowOfPictureLine(spec, line);
+        auto *const pixels = reinterpret_cast<QRgb *>(told.scanLine(line));
+        for (int column = 0; column < spec.width; ++column) {
+            if (!m_playhead->mayTell(spec.firstColumn + column, y))
+                pixels[column] = packed(spec.background);
+        }
+    }
+    m_view->setPicture(told);
 }
 
 } // namespace pixelplumb

@@ -17,7 +17,8 @@ class Playhead;
 struct LiveFigures;
 
 /// One contender: what it is, and its own run at the place where the playhead is. The truth has no
-/// run; it is shown finished.
+/// run; it is shown finished. Where what is ahead is hidden, the truth and methods that go another
+/// way are shown at the pixels that are decided, and nothing is counted.
 class ComparePane : public QWidget {
     Q_OBJECT
 
@@ -46,7 +47,10 @@ private:
 
     QComboBox *addBox(const QString &name, const QString &label);
     void offerSettings(const ScanSettings &wanted);
+    void tellResult();
     void followPlayhead();
+    bool goesTheSameWay() const; ///< as the playhead's run
+    void showPicture(const QImage &picture);
 
     int m_number;
     Playhead *m_playhead;
@@ -54,6 +58,7 @@ private:
     QComboBox *m_arithmetic = nullptr;
     QComboBox *m_fillRule = nullptr;
     QLabel *m_result = nullptr;
+    QString m_figures; ///< behind the result, once they are measured
     View *m_view = nullptr;
     ByteRounding m_rounding = ByteRounding::Nearest; ///< the scene's
     VariantSet m_variants; ///< of the contender that it was given

@@ -56,9 +56,14 @@ ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
             });
     connect(playhead, &Playhead::tracedChanged, this, &ComparePanel::restart);
     connect(playhead, &Playhead::pickedPixelChanged, this, &ComparePanel::tellPixel);
+    connect(playhead, &Playhead::aheadHiddenChanged, this, &ComparePanel::tellAgreement);
+    connect(playhead, &Playhead::positionChanged, this, [this] {
+        if (m_playhead->isAheadHidden())
+            tellPixel(); // which may be decided now
+    });
     addPane();
     addPane();
-    tellPixel();
+    m_reason->setText(tr("Nothing is compared yet."));
 }
 
 ComparePanel::~ComparePanel() = default;
@@ -73,8 +78,8 @@ void ComparePanel::addControls(QBoxLayout *layout)
         result->setToolTip(tip);
         return result;
     };
-    m_fewer = button("compareFewer", tr("− pane"), tr("Take the last pane away"));
-    m_more = button("compareMore", tr("+ pane"), tr("Add a pane, four at most"));
+    m_fewer = button("compareFewer", QStringLiteral("−"), tr("Take the last pane away"));
+    m_more = button("compareMore", QStringLiteral("+"), tr("Add a pane, four at most"));
     QToolButton *fit = button("compareFit", tr("Fit"), tr("Show the whole frame in every pane"));
     m_progress = new QProgressBar(this);
     m_progress->setRange(0, 0);
@@ -257,8 +262,7 @@ void ComparePanel::take(const std::shared_ptr<const Contest> &contest)
         m_panes[i]->show(contest, i);
     m_agreement->setContest(contest);
     m_contest = contest;
-    m_legend->setText(agreementLegend(contest->agreement, palette()));
-    tellPixel();
+    tellAgreement();
     m_timing.measure(contest);
     emit contestChanged();
 }
@@ -272,15 +276,24 @@ void ComparePanel::tellProgress(const JobProgress &progress)
     m_cancel->show();
 }
 
+void ComparePanel::tellAgreement()
+{
+    if (!m_contest)
+        return;
+    m_legend->setText(agreementLegend(m_contest->agreement, palette(), m_playhead->ahead()));
+    tellPixel();
+}
+
 void ComparePanel::tellPixel()
 {
-    const auto picked = m_playhead->pickedPixel();
-    if (!m_contest) {
-        m_reason->setText(tr("Nothing is compared yet."));
+    if (!m_contest)
         return;
-    }
-    const QString carried = carriedText(*m_contest);
-    m_reason->setText(pixelText(*m_contest, picked)
+    const auto picked = m_playhead->pickedPixel();
+    const bool isHidden = m_playhead->isAheadHidden();
+    if (isHidden && !(picked && m_playhead->mayTell(picked->x(), picked->y())))
+        return m_reason->setText(tr("What lies ahead is hidden while Predict asks."));
+    const QString carried = isHidden ? QString() : carriedText(*m_contest);
+    m_reason->setText(pixelText(*m_contest, picked, m_playhead->ahead())
                       + (carried.isEmpty() ? QString() : u'\n' + carried));
 }
 

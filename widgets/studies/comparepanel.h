@@ -59,6 +59,7 @@ private:
     void restart();
     bool canAllDraw(const Scene &scene, const std::vector<Contender> &contenders);
     void take(const std::shared_ptr<const Contest> &contest);
+    void tellAgreement();
     void tellPixel();
     void tellProgress(const JobProgress &progress);
 

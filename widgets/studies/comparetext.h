@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/compare/contest.h"
+#include "core/runs/ahead.h"
 
 #include <QPalette>
 #include <QPoint>
@@ -11,14 +12,16 @@
 
 namespace pixelplumb {
 
-/// What the colours of the agreement map mean, and how many pixels have each.
-QString agreementLegend(const AgreementMap &agreement, const QPalette &palette);
+/// What the colours of the agreement map mean, and how many pixels have each, unless some of them
+/// are ahead and hidden.
+QString agreementLegend(const AgreementMap &agreement, const QPalette &palette, Ahead ahead);
 
 /// How far the contenders agree on what no picture shows, a line for each pair that carries it;
 /// empty where none does.
 QString carriedText(const Contest &contest);
 
-/// How many agree on a pixel, and why the others do not; without a pixel, how many differ.
-QString pixelText(const Contest &contest, const std::optional<QPoint> &picked);
+/// How many agree on a pixel, and why the others do not; without a pixel, how many differ. Where
+/// what is ahead is hidden, of a pixel that is decided, and nothing of others.
+QString pixelText(const Contest &contest, const std::optional<QPoint> &picked, Ahead ahead);
 
 } // namespace pixelplumb

@@ -93,10 +93,11 @@ void GradingPanel::addFiles(QBoxLayout *layout)
                     tr("Show the submissions in which these words stand"));
     m_words->setPlaceholderText(tr("filter"));
     m_words->setClearButtonEnabled(true);
+    m_words->setMinimumWidth(72); // the word that it holds while it is empty
     m_words->setMaximumWidth(160);
     m_cluster = named(new QComboBox(this), "gradingClusters", tr("Show one cause's submissions"));
     m_cluster->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-    m_cluster->setMinimumContentsLength(16);
+    m_cluster->setMinimumContentsLength(8);
     auto *row = new QHBoxLayout;
     row->setSpacing(4);
     for (QWidget *each :
@@ -217,6 +218,7 @@ std::optional<std::size_t> GradingPanel::chosen() const
 void GradingPanel::showSummary()
 {
     const GradeReport &report = m_book->report();
+    m_review->setVisible(!m_book->results().isEmpty()); // else there is nothing to say of anyone
     const auto accepted
         = std::ranges::count_if(report.submissions, [](const GradedSubmission &submission) {
               return submission.review.isAccepted;

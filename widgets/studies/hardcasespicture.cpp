@@ -15,6 +15,7 @@ namespace pixelplumb {
 namespace {
 
 constexpr QSize cropSize(36, 24); ///< frame pixels
+constexpr int leastOutlinedCell = 4; ///< logical pixels
 
 Difference differenceAt(const WrittenFrame &drawn, const WrittenFrame &truth, std::int64_t x,
                         std::int64_t y)
@@ -37,7 +38,7 @@ public:
             m_colour = pixel;
         if (isCovered) {
             m_sum += QPointF(pixel);
-            ++m_covered;
+            m_covered.push_back(pixel);
         }
     }
     QPoint pixel(const FrameSpec &frame) const
@@ -46,15 +47,19 @@ public:
             return *m_coverage;
         if (m_colour)
             return *m_colour;
-        if (m_covered > 0)
-            return (m_sum / m_covered).toPoint();
+        if (!m_covered.empty()) {
+            const QPointF middle = m_sum / double(m_covered.size());
+            return *std::ranges::min_element(m_covered, {}, [&middle](const QPoint &pixel) {
+                return (QPointF(pixel) - middle).manhattanLength();
+            });
+        }
         return {frame.firstColumn + frame.width / 2, frame.firstRow + frame.height / 2};
     }
 
 private:
     std::optional<QPoint> m_coverage, m_colour;
-    QPointF m_sum;
-    double m_covered = 0;
+    QPointF m_sum; ///< of the covered ones
+    std::vector<QPoint> m_covered;
 };
 
 QImage crop(const WrittenFrame &written, const FrameSpec &frame, const QRect &part)
@@ -70,6 +75,43 @@ QImage crop(const WrittenFrame &written, const FrameSpec &frame, const QRect &pa
         }
     }
     return picture;
+}
+
+/// In the pixels of a part of the frame, from its upper left.
+std::vector<QLineF> edgesOf(const Primitives &primitives, const QRect &part)
+{
+    const auto placed = [&part](const LatticePoint &point) {
+        return QPointF(double(point.x) / unitsPerPixel - part.left() + 0.5,
+                       part.top() + part.height() - 0.5 - double(point.y) / unitsPerPixel);
+    };
+    std::vector<QLineF> edges;
+    for (const Triangle &triangle : primitives.triangles) {
+        for (std::size_t i = 0; i < 3; ++i)
+            edges.emplace_back(placed(triangle.vertices[i].position),
+                               placed(triangle.vertices[(i + 1) % 3].position));
+    }
+    return edges;
+}
+
+/// Over a picture that is enlarged into a rectangle.
+void paintEdges(QPainter &painter, const std::vector<QLineF> &edges, const QRect &place, int cell,
+                const QPalette &palette)
+{
+    painter.save();
+    painter.setClipRect(place);
+    painter.setRenderHint(QPainter::Antialiasing);
+    QColor casing = isDark(palette) ? Qt::black : Qt::white;
+    casing.setAlphaF(0.8F);
+    for (const QPen &pen : {QPen(casing, 3), QPen(signColour(Sign::VertexMark, palette), 1)}) {
+        painter.setPen(pen);
+        for (const QLineF &edge : edges) {
+            const QLineF enlarged(place.topLeft() + edge.p1() * cell,
+                                  place.topLeft() + edge.p2() * cell);
+            if (const auto visible = clipped(enlarged, QRectF(place).adjusted(-4, -4, 4, 4)))
+                painter.drawLine(*visible);
+        }
+    }
+    painter.restore();
 }
 
 struct CaseVerdict {
@@ -125,6 +167,7 @@ HardCasePicture pictureOf(const HardCase &hardCase, const Method &method,
     const QRect part(picture.firstPixel, QSize(width, height));
     picture.drawn = crop(drawn, scene.frame, part);
     picture.truth = crop(truth, scene.frame, part);
+    picture.edges = edgesOf(primitives, part);
     for (int row = 0; row < height; ++row) {
         for (int column = 0; column < width; ++column) {
             const Difference kind
@@ -155,6 +198,10 @@ QPixmap sideBySide(const HardCasePicture &picture, const QSize &size, const QPal
     const QPoint right = left + QPoint(half + gap, 0);
     painter.drawImage(QRect(left, part), picture.drawn);
     painter.drawImage(QRect(right, part), picture.truth);
+    if (cell >= leastOutlinedCell) {
+        paintEdges(painter, picture.edges, QRect(left, part), cell, palette);
+        paintEdges(painter, picture.edges, QRect(right, part), cell, palette);
+    }
     for (const auto &[at, kind] : picture.marks)
         paintDifference(painter, QRectF(left + at * cell, QSizeF(cell, cell)), kind, palette);
     return pixmap;

@@ -6,17 +6,20 @@
 #include "core/runs/differencemap.h"
 
 #include <QImage>
+#include <QLineF>
 #include <QPalette>
 
 namespace pixelplumb {
 
 /// A part of a hard case as a method draws it and as it truly is, around the first pixel that
-/// differs, else around the middle of what is drawn.
+/// differs, else around the drawn one that is nearest to the middle of all.
 struct HardCasePicture {
     Contender contender; ///< who drew it: the method in hand, or the first that draws the case
     QImage drawn, truth; ///< a pixel a frame pixel
     /// The cells of the first one that differ, from its upper left.
     std::vector<std::pair<QPoint, Difference>> marks;
+    /// Of triangles, in the pictures' pixels from their upper left; they may reach far beyond.
+    std::vector<QLineF> edges;
     QPoint firstPixel; ///< (x, y) of the lower left one
     std::int64_t missing = 0, extra = 0, otherColour = 0; ///< of the whole canvas
 
@@ -29,7 +32,7 @@ HardCasePicture pictureOf(const HardCase &hardCase, const Method &method,
                           const ScanSettings &settings);
 
 /// Both pictures side by side, enlarged by whole numbers to fit, with the differing pixels of the
-/// first one marked.
+/// first one marked, and the true edges where pixels are large enough to be seen beside them.
 QPixmap sideBySide(const HardCasePicture &picture, const QSize &size, const QPalette &palette,
                    double devicePixelRatio);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/hardcasesverdicts.h"
 
+#include "widgets/look/methodsummary.h"
 #include "widgets/look/signs.h"
 
 #include <QHeaderView>
@@ -76,7 +77,7 @@ void HardCasesVerdicts::show(const std::vector<ContenderVerdict> &verdicts)
     for (int row = 0; row < int(rows.size()); ++row) {
         const Method &method = *rows[std::size_t(row)];
         auto *title = new QTableWidgetItem(method.title);
-        title->setToolTip(method.summary);
+        title->setToolTip(methodSummary(method));
         setItem(row, 0, title);
         for (int column = 1; column < columnsInAll; ++column) {
             const Arithmetic arithmetic = allArithmetics[std::size_t(column - 1)];

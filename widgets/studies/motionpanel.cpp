@@ -146,11 +146,8 @@ void MotionPanel::makeTable()
     m_table->setColumnCount(4);
     m_table->setHorizontalHeaderLabels(
         {tr("pixels"), tr("in truth"), tr("came or went"), tr("in truth")});
-    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::Stretch);
-    for (int column = 0; column < m_table->columnCount(); ++column)
-        m_table->horizontalHeader()->setMinimumSectionSize(
-            std::max(m_table->horizontalHeader()->minimumSectionSize(),
-                     m_table->horizontalHeader()->sectionSizeHint(column)));
+    m_table->horizontalHeader()->setSectionResizeMode(QHeaderView::ResizeToContents);
+    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
     connect(m_table, &QTableWidget::currentCellChanged, m_slider,
             [this](int row) { m_slider->setValue(std::max(row, 0)); });

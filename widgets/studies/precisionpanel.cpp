@@ -16,6 +16,21 @@ namespace pixelplumb {
 
 namespace {
 
+/// The spans up to a place; none without one. A triangle's places ascend, or they descend.
+void keepUpTo(const std::optional<SpanPlace> &place, BoundErrors &errors)
+{
+    const auto coordinate = [](const BoundError &error) { return error.place.coordinate; };
+    const bool ascends = coordinate(errors.spans.front()) <= coordinate(errors.spans.back());
+    std::erase_if(errors.spans, [&](const BoundError &error) {
+        return !place
+            || (ascends ? coordinate(error) > place->coordinate
+                        : coordinate(error) < place->coordinate);
+    });
+    if (errors.firstWrong && *errors.firstWrong >= errors.spans.size())
+        errors.firstWrong.reset();
+    errors.wrongCount = std::size_t(std::ranges::count_if(errors.spans, &BoundError::isWrong));
+}
+
 } // namespace
 
 PrecisionPanel::PrecisionPanel(Playhead *playhead, QWidget *parent)
@@ -65,6 +80,7 @@ PrecisionPanel::PrecisionPanel(Playhead *playhead, QWidget *parent)
     connect(m_plot, &PrecisionPlot::coordinateClicked, this, &PrecisionPanel::jumpTo);
     connect(playhead, &Playhead::tracedChanged, this, &PrecisionPanel::restart);
     connect(playhead, &Playhead::positionChanged, this, &PrecisionPanel::followPosition);
+    connect(playhead, &Playhead::aheadHiddenChanged, this, &PrecisionPanel::showErrors);
     showErrors();
 }
 
@@ -112,6 +128,12 @@ void PrecisionPanel::take(std::vector<BoundErrors> errors)
             std::ranges::find(m_errors, allArithmetics[i + 1], &BoundErrors::arithmetic)
             != m_errors.end());
     }
+    if (!m_errors.empty()) {
+        const auto [first, last]
+            = std::ranges::minmax(m_errors.front().spans, {},
+                                  [](const BoundError &each) { return each.place.coordinate; });
+        m_plot->showPlaces(first.place.coordinate, last.place.coordinate);
+    }
     showErrors();
     emit errorsChanged();
 }
@@ -123,12 +145,29 @@ void PrecisionPanel::showErrors()
         if (m_arithmetics[i]->isChecked())
             shown.push_back(allArithmetics[i + 1]);
     }
-    m_plot->plot(m_errors, PlottedBound(m_bound->currentIndex()), shown);
-    m_summary->setText(summary());
+    const std::vector<BoundErrors> told = toldErrors();
+    m_plot->plot(told, PlottedBound(m_bound->currentIndex()), shown);
+    m_summary->setText(summary(told));
 }
 
-QString PrecisionPanel::summary() const
+std::vector<BoundErrors> PrecisionPanel::toldErrors() const
 {
+    std::vector<BoundErrors> told = m_errors;
+    const std::optional<TraceStep> step = m_playhead->stepInHand();
+    const bool isDone
+        = m_playhead->position() == m_playhead->end() || (step && step->primitive > m_triangle);
+    if (!m_playhead->isAheadHidden() || isDone)
+        return told;
+    for (BoundErrors &errors : told)
+        keepUpTo(m_playhead->placeInHand(), errors);
+    std::erase_if(told, [](const BoundErrors &errors) { return errors.spans.empty(); });
+    return told;
+}
+
+QString PrecisionPanel::summary(const std::vector<BoundErrors> &told) const
+{
+    if (told.empty() && !m_errors.empty())
+        return tr("What lies ahead is hidden while Predict asks.");
     if (m_errors.empty()) {
         const TracedScene *traced = m_playhead->traced();
         if (!traced)
@@ -138,7 +177,7 @@ QString PrecisionPanel::summary() const
             .arg(traced->method->title);
     }
     QStringList parts;
-    for (const BoundErrors &errors : m_errors) {
+    for (const BoundErrors &errors : told) {
         double largest = 0;
         for (const BoundError &error : errors.spans) {
             const double value = m_bound->currentIndex() == 0 ? error.lower : error.upper;
@@ -172,6 +211,8 @@ void PrecisionPanel::followPosition()
     if (step && traced && traced->primitives.isTriangle(step->primitive)
         && step->primitive != m_triangle)
         restart();
+    else if (m_playhead->isAheadHidden())
+        showErrors();
     m_plot->setPlaceInHand(m_playhead->placeInHand());
 }
 

@@ -16,7 +16,8 @@ class Playhead;
 class PrecisionPlot;
 
 /// How far the bounds that each arithmetic computes are from the exact edges of the triangle in
-/// hand. Computed beside the GUI thread, and only while it can be seen.
+/// hand. Computed beside the GUI thread, and only while it can be seen. Where what is ahead is
+/// hidden, of the spans that are entered.
 class PrecisionPanel : public QWidget {
     Q_OBJECT
 
@@ -40,7 +41,8 @@ private:
     void showErrors();
     void followPosition();
     void jumpTo(std::int64_t coordinate);
-    QString summary() const;
+    std::vector<BoundErrors> toldErrors() const;
+    QString summary(const std::vector<BoundErrors> &told) const;
 
     Playhead *m_playhead;
     QComboBox *m_bound = nullptr;

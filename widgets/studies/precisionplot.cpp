@@ -15,6 +15,7 @@ namespace {
 
 constexpr double roundingBound = 0.5;
 constexpr int mostTicksPerSide = 6;
+constexpr int leastNamedHeight = 140; ///< logical pixels, of a plot whose lower axis has its name
 constexpr int axisMargins = 60; ///< logical pixels above and below the axis, together
 
 } // namespace
@@ -121,12 +122,11 @@ void PrecisionPlot::plot(const std::vector<BoundErrors> &errors, PlottedBound bo
     m_bound = bound;
     m_shown = shown;
     replot();
-    if (!errors.empty()) {
-        const auto [first, last] = std::ranges::minmax(
-            errors.front().spans, {}, [](const BoundError &each) { return each.place.coordinate; });
-        m_plot->xAxis->setRange(double(first.place.coordinate), double(last.place.coordinate) + 1);
-        m_plot->replot();
-    }
+}
+
+void PrecisionPlot::showPlaces(std::int64_t first, std::int64_t last)
+{
+    m_plot->xAxis->setRange(double(first), double(last) + 1);
 }
 
 void PrecisionPlot::setPlaceInHand(const std::optional<SpanPlace> &place)
@@ -171,7 +171,9 @@ void PrecisionPlot::replot()
     m_plot->yAxis->setRange(-m_scale.extent() - 0.5, m_scale.extent() + 0.5);
     const bool isRows = !m_errors.empty() && !m_errors.front().spans.empty()
         && m_errors.front().spans.front().place.axis == SpanAxis::Row;
-    m_plot->xAxis->setLabel(isRows ? tr("row y") : tr("column x"));
+    // A low plot keeps its room for the curves.
+    const QString along = isRows ? tr("row y") : tr("column x");
+    m_plot->xAxis->setLabel(height() < leastNamedHeight ? QString() : along);
     m_plot->yAxis->setLabel(tr("error, px"));
     for (const BoundErrors &errors : m_errors) {
         if (!isShown(errors))

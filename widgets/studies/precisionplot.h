@@ -26,6 +26,8 @@ class PrecisionPlot : public QWidget {
 public:
     explicit PrecisionPlot(QWidget *parent = nullptr);
 
+    /// The columns or rows from the first to the last are in view.
+    void showPlaces(std::int64_t first, std::int64_t last);
     /// Those of `shown` arithmetics.
     void plot(const std::vector<BoundErrors> &errors, PlottedBound bound,
               const std::vector<Arithmetic> &shown);
@@ -38,7 +40,7 @@ public:
     QPointF positionOf(std::int64_t coordinate) const;
 
     QSize sizeHint() const override { return {640, 240}; }
-    QSize minimumSizeHint() const override { return {240, 120}; }
+    QSize minimumSizeHint() const override { return {240, 88}; }
 
 signals:
     void coordinateClicked(std::int64_t coordinate);

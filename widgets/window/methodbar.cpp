@@ -3,6 +3,7 @@
 
 #include "widgets/look/corewords.h"
 #include "widgets/look/elidingbox.h"
+#include "widgets/look/methodsummary.h"
 #include "widgets/look/symboltext.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
@@ -149,8 +150,8 @@ void MethodBar::addMethods()
         family = method.family;
         m_method->addItem(method.title, method.id);
         m_method->setItemData(m_method->count() - 1,
-                              coreWord(titleOf(method.family)) + u'\n' + method.summary + u'\n'
-                                  + method.source,
+                              coreWord(titleOf(method.family)) + u'\n' + methodSummary(method)
+                                  + u'\n' + method.source,
                               Qt::ToolTipRole);
     }
     m_method->setMaxVisibleItems(40);
@@ -181,7 +182,7 @@ void MethodBar::followScene()
     const Scene &scene = m_document->scene();
     const Method *chosen = methodNamed(QString::fromStdString(scene.method));
     m_method->setCurrentIndex(m_method->findData(QString::fromStdString(scene.method)));
-    m_method->setToolTip(chosen ? chosen->title + u'\n' + chosen->summary : QString());
+    m_method->setToolTip(chosen ? chosen->title + u'\n' + methodSummary(*chosen) : QString());
     showChoices(m_arithmetic, allArithmetics, chosen, scene.settings, &ScanSettings::arithmetic);
     showChoices(m_fillRule, allFillRules, chosen, scene.settings, &ScanSettings::fillRule);
     showChoices(m_rounding, allByteRoundings, chosen, scene.settings, &ScanSettings::rounding);

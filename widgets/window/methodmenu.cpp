@@ -6,6 +6,7 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/menuaction.h"
+#include "widgets/look/methodsummary.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
@@ -99,7 +100,7 @@ void MethodMenu::addMethods(Canvas *canvas)
             const Scene &scene = m_document->scene();
             action->setChecked(scene.method == id);
         };
-        action->setToolTip(method.summary);
+        action->setToolTip(methodSummary(method));
         connect(m_document, &SceneDocument::sceneChanged, action, update);
         update();
     }

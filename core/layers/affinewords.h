@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/layers/affinemap.h"
+
+#include <QString>
+#include <QStringList>
+
+/// What the layer of the affine map says of its numbers: exact fractions, or where one of a
+/// sentence is long, all of that sentence rounded and marked by ≈.
+namespace pixelplumb {
+
+/// "(27/2, 9)", px.
+QString pointText(const RationalPoint &point);
+/// The two rows of a map, which are one sentence.
+QStringList rowsText(const AffineMap &map);
+QString weightsText(const PointAreas &areas);
+QString areasText(const PointAreas &areas);
+/// By what the map multiplies areas, and whether it mirrors.
+QString areasChangeText(const AffineMap &map);
+
+} // namespace pixelplumb
