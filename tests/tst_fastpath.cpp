@@ -2,6 +2,7 @@
 #include "core/fast/fastscan.h"
 #include "core/scan/columndrawing.h"
 #include "tests/support/guardedframe.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/scanning.h"
 
 #include <QTest>
@@ -251,7 +252,7 @@ private slots:
     {
         QFETCH(Arithmetic, arithmetic);
         QFETCH(int, threads);
-        const std::vector<Triangle> scene = crowd(20'000, 301, 7);
+        const std::vector<Triangle> scene = crowd(std::size_t(fewerIfSanitized(20'000)), 301, 7);
         const ScanSettings settings{arithmetic, FillRule::Closed, ByteRounding::Nearest};
         for (const RowOrder order : {RowOrder::Ascending, RowOrder::Descending}) {
             const WindowSpec window{297, 283, 3, 5, 7, order};
