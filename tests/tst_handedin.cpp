@@ -141,10 +141,10 @@ private slots:
                                 " 'program': { 'seconds': 1 }"));
 
         QVERIFY2(sentences.contains(
-                     QStringLiteral("first: it was ended after 4 s by the clock")),
+                     QStringLiteral("first: it was ended by the clock: it had waited for 4 s")),
                  qPrintable(sentences));
         QVERIFY2(sentences.contains(
-                     QStringLiteral("second: it was ended after 1 s by the clock")),
+                     QStringLiteral("second: it was ended by the clock: it had waited for 1 s")),
                  qPrintable(sentences));
         QVERIFY2(sentences.contains(QStringLiteral("second: it was given less time by the clock")),
                  qPrintable(sentences));

@@ -34,8 +34,8 @@ void addProgramOptions(CommandLine &line)
                                    "triangles as plain lines; json if left out."),
                     QStringLiteral("kind"), QStringLiteral("json")});
     line.addOption({timeOption,
-                    QStringLiteral("Seconds that it may compute for each scene, by the clock four "
-                                   "times as many; 10 if left out."),
+                    QStringLiteral("Seconds that it may compute for each scene; who waits four times "
+                                   "as long is ended by the clock; 10 if left out."),
                     QStringLiteral("seconds"), QStringLiteral("10")});
     line.addOption({memoryOption,
                     QStringLiteral("MiB of addresses for each process; 0: no limit; 1024 if left "
