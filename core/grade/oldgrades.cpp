@@ -25,8 +25,9 @@ std::optional<QJsonObject> framePixelOf(const QJsonObject &scene, const Assignme
         return std::nullopt;
     const FrameSpec &frame = asked->scene.frame;
     const QString x = QStringLiteral("x");
-    return QJsonObject{{x, frame.firstColumn + pixel[x].toInt()},
-                       {QStringLiteral("y"), qint64(rowOfPictureLine(frame, pixel[lineKey].toInt()))}};
+    return QJsonObject{
+        {x, frame.firstColumn + pixel[x].toInt()},
+        {QStringLiteral("y"), qint64(rowOfPictureLine(frame, pixel[lineKey].toInt()))}};
 }
 
 } // namespace

@@ -56,8 +56,8 @@ bool isPictureFormat(const QByteArray &format);
 /// covered yet of a file with colours.
 Result<Picture> parsePicture(const QByteArray &content, const QString &name);
 
-/// Words to be added to a picture's size where it is a multiple of the expected one, which it may be
-/// enlarged, or has its width as height and its height as width. Otherwise none.
+/// Words to be added to a picture's size where it is a multiple of the expected one, which it may
+/// be enlarged, or has its width as height and its height as width. Otherwise none.
 QString sizeHint(const QSize &size, const QSize &expected);
 
 /// What is said of a picture that is transparent somewhere, behind its name.

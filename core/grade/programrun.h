@@ -16,7 +16,8 @@ namespace pixelplumb {
 /// What a student's program may use. In bytes, but for the time and the number of processes.
 struct ProgramLimits {
     std::chrono::milliseconds time{10'000}; ///< of computing, in whole seconds, for each process
-    /// By the clock on the wall: who computes nearly nothing for so long waits for what never comes.
+    /// By the clock on the wall: who computes nearly nothing for so long waits for what never
+    /// comes.
     std::chrono::milliseconds wallTime() const { return clockTimes * time; }
     int clockTimes = 4; ///< so many times as long as of computing
     std::int64_t wholeSeconds() const
