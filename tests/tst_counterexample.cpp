@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/counterexample.h"
 #include "core/methods/method.h"
+#include "core/scene/fileaccess.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/programrun.h"
 
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QProcess>
 #include <QStandardPaths>
 #include <QTemporaryDir>
 #include <QTest>
+
+#include <algorithm>
 
 using namespace pixelplumb;
 
@@ -71,6 +75,59 @@ private slots:
         QVERIFY(tryScene(right, wrong, search.found->scene).example.has_value());
         QCOMPARE(shrunk(*search.found, right, wrong).scene, search.found->scene);
         QCOMPARE(tryScene(right, right, search.found->scene).outcome, SceneOutcome::Same);
+    }
+
+    void whoWaitsHearsOfTheShrinking()
+    {
+        Scene conventions;
+        const Method &method = *methodNamed(QStringLiteral("column-scan"));
+        const PictureSource right = sourceOf(Contender{&method, conventions.settings});
+        const PictureSource wrong
+            = sourceOf(QStringLiteral("divisor-plus-one"), {&method, conventions.settings});
+        std::vector<JobProgress> heard;
+        const auto whole = findCounterExample(right, wrong, conventions, 3,
+                                              [&heard](const JobProgress &progress) {
+                                                  heard.push_back(progress);
+                                                  return true;
+                                              });
+        const auto shrinking = std::ranges::find(heard, 0, &JobProgress::total);
+        QVERIFY(shrinking != heard.end());
+        QCOMPARE(shrinking->done, std::int64_t(1));
+        QVERIFY(heard.back().total == 0 && heard.back().done > 1);
+
+        const auto ended
+            = findCounterExample(right, wrong, conventions, 3,
+                                 [](const JobProgress &progress) { return progress.total > 0; });
+        QVERIFY(ended.found.has_value()); // though it is not as small
+        QVERIFY(tryScene(right, wrong, ended.found->scene).example.has_value());
+        QVERIFY(!(ended.found->scene == whole.found->scene));
+    }
+
+    void onATerminalTheShrinkingIsSeenAndErasedBeforeTheResult()
+    {
+        if (QStandardPaths::findExecutable(QStringLiteral("script")).isEmpty())
+            QSKIP("there is no script(1), which gives a terminal");
+        const QTemporaryDir folder;
+        const QString slow = folder.filePath(QStringLiteral("slow"));
+        QVERIFY(!writeFile(slow,
+                           "#!/usr/bin/env python3\nimport json, sys, time\n"
+                           "f = json.load(sys.stdin)['frame']\ntime.sleep(0.02)\n"
+                           "print(('.' * f['width'] + chr(10)) * f['height'], end='')\n"));
+        QVERIFY(QFile::setPermissions(slow, QFile::ReadOwner | QFile::ExeOwner));
+        QProcess terminal;
+        terminal.start(
+            QStringLiteral("script"),
+            {QStringLiteral("-qec"),
+             QStringLiteral("'%1' counterexample column-scan 'program:%2'").arg(program(), slow),
+             QStringLiteral("/dev/null")});
+        QVERIFY(terminal.waitForFinished(120'000));
+
+        const QByteArray shown = terminal.readAllStandardOutput();
+        const qsizetype last = shown.lastIndexOf("\r\033[Kshrinking: ");
+        QVERIFY2(last >= 0, shown.constData());
+        const QByteArray behind = shown.mid(last + 1);
+        const qsizetype erased = behind.indexOf("\r\033[K");
+        QVERIFY2(erased > 0 && erased < behind.indexOf(" pixels, scene "), behind.constData());
     }
 
     void aCounterExampleTellsTheStepOfWhatNoKernelDraws()

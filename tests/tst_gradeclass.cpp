@@ -24,7 +24,8 @@ private slots:
                 = folder.filePath(QStringLiteral("subs/%1").arg(i, 3, 10, QLatin1Char('0')));
             const Defect &one = defects[i % defects.size()];
             const Defect &other = defects[(7 * i + 11) % defects.size()];
-            const bool isPair = i >= defects.size() && one.choice != other.choice;
+            const bool isPair
+                = i >= defects.size() && one.id != other.id && canBeTogether(one, other);
             QVERIFY(deliver(own, assignment, isPair ? std::vector{one, other} : std::vector{one}));
             const QString first
                 = QStringLiteral("%1/%2.png").arg(own, assignment.scenes.front().name);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/gradefile.h"
+#include "core/grade/gradefolder.h"
 #include "tests/support/gradedclass.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
@@ -111,6 +112,26 @@ private slots:
         QTRY_COMPARE(window->focusWidget(), table(*window));
         QTest::keyClick(window->focusWidget(), Qt::Key_J);
         QTRY_COMPARE(window->parts().student->name(), "ada · small");
+    }
+
+    void transparencyIsIgnoredAndThatIsSaid()
+    {
+        const Classroom classroom;
+        QImage clear = drawn(smallScene()).convertToFormat(QImage::Format_ARGB32);
+        clear.setPixel(0, 0, 0); // the background, but transparent
+        QVERIFY(clear.save(classroom.submissions() + "/ada/small.png"));
+        const auto assignment = readAssignmentFile(classroom.assignmentFile());
+        QVERIFY(gradeFolder({classroom.submissions(), classroom.results(), "1"}, *assignment));
+        const auto window = windowWithDock();
+        book(*window).open(classroom.results());
+        QTRY_COMPARE(table(*window)->model()->rowCount(), 3);
+        table(*window)->setFocus();
+
+        for (const bool isTransparent : {true, false}) {
+            press(*window, Qt::Key_J);
+            const QString told = named<QLabel>(*window, "gradingSentences")->text();
+            QCOMPARE(told.contains("the picture has transparent pixels"), isTransparent);
+        }
     }
 
     void whatHoldsNoGradesIsToldAsSuch()

@@ -59,6 +59,39 @@ private slots:
             QJsonDocument::fromJson(json.output)[QStringLiteral("transparencyIgnored")].toBool());
     }
 
+    void everyCommandSaysThatTransparencyIsIgnored()
+    {
+        QImage clear = QImage(path("white.png")).convertToFormat(QImage::Format_ARGB32);
+        const auto runsOn = [&] {
+            return std::pair(
+                run({"diagnose", path("clear.png"), "--scene", path("white.json")}),
+                run({"try", "--scene", path("white.json"), "--", "/bin/cat", path("clear.png")}));
+        };
+        const auto isInJson = [&](const QStringList &command) {
+            return QJsonDocument::fromJson(run(command).output);
+        };
+        for (const bool isTransparent : {true, false}) {
+            clear.setPixel(0, 0, isTransparent ? 0 : 0xff000000U); // as is the background
+            QVERIFY(clear.save(path("clear.png")));
+
+            const auto [diagnosed, tried] = runsOn();
+
+            QCOMPARE(diagnosed.messages.contains(
+                         "clear.png: has transparent pixels; their transparency is ignored"),
+                     isTransparent);
+            QCOMPARE(tried.output.contains("its picture has transparent pixels"), isTransparent);
+            QCOMPARE(isInJson({"diagnose", path("clear.png"), "--scene", path("white.json"),
+                               "--json"})[QStringLiteral("transparencyIgnored")]
+                         .toBool(!isTransparent),
+                     isTransparent);
+            QCOMPARE(isInJson({"try", "--json", "--scene", path("white.json"), "--", "/bin/cat",
+                               path("clear.png")})[QStringLiteral("trials")][0]
+                                                  [QStringLiteral("transparencyIgnored")]
+                                                      .toBool(!isTransparent),
+                     isTransparent);
+        }
+    }
+
     void whatIsNoDocumentedKindOfPictureIsRefused()
     {
         const QImage image(path("white.png"));
@@ -107,9 +140,11 @@ private slots:
                                 " { 'name': 'second', 'scene': 'white.json' } ],"
                                 " 'program': { 'seconds': 1 }"));
 
-        QVERIFY2(sentences.contains(QStringLiteral("first: it was ended after 4 s by the clock")),
+        QVERIFY2(sentences.contains(
+                     QStringLiteral("first: it was ended by the clock: it had waited for 4 s")),
                  qPrintable(sentences));
-        QVERIFY2(sentences.contains(QStringLiteral("second: it was ended after 1 s by the clock")),
+        QVERIFY2(sentences.contains(
+                     QStringLiteral("second: it was ended by the clock: it had waited for 1 s")),
                  qPrintable(sentences));
         QVERIFY2(sentences.contains(QStringLiteral("second: it was given less time by the clock")),
                  qPrintable(sentences));

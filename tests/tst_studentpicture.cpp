@@ -221,6 +221,38 @@ private slots:
         QCOMPARE(judgement(*window)->diff.differing(), std::int64_t(0));
     }
 
+    void transparencyIsIgnoredAndThatIsSaid_data()
+    {
+        QTest::addColumn<int>("alpha");
+        QTest::addColumn<bool>("isSaid");
+        QTest::newRow("opaque") << 255 << false;
+        QTest::newRow("a pixel is not") << 254 << true;
+    }
+    void transparencyIsIgnoredAndThatIsSaid()
+    {
+        QFETCH(int, alpha);
+        QFETCH(bool, isSaid);
+        const auto window = openedWindow();
+        QImage image
+            = drawn(window->parts().document->scene()).convertToFormat(QImage::Format_ARGB32);
+        const QRgb first = image.pixel(0, 0);
+        image.setPixel(0, 0, qRgba(qRed(first), qGreen(first), qBlue(first), alpha));
+        for (const char *way : {"pasted", "dropped"}) {
+            if (way == QLatin1String("pasted")) {
+                window->parts().student->paste(image, "pasted");
+            } else {
+                const QString path = m_folder.filePath("transparent.png");
+                QVERIFY(image.save(path));
+                dropFile(*window, path);
+            }
+            QTRY_VERIFY(judgement(*window));
+            QCOMPARE(text(*window, "submissionVerdict"), "Right: no pixel differs.");
+            QVERIFY(text(*window, "submissionCounts").contains("transparency is ignored")
+                    == isSaid);
+            window->parts().student->remove();
+        }
+    }
+
     void theMarksFollowADraggedVertex()
     {
         const auto window = openedWindow();
@@ -405,8 +437,9 @@ private slots:
         QCOMPARE(candidates->item(0)->text(), "Look at how a colour becomes a byte.");
         choose(*window, "rounding-truncate");
         QCOMPARE(candidates->item(0)->text(), "rounding-truncate");
-        QVERIFY2(text(*window, "diagnosisSentence").startsWith("Levels become bytes by truncate."),
-                 qPrintable(text(*window, "diagnosisSentence")));
+        QVERIFY2(
+            text(*window, "diagnosisSentence").startsWith("Levels are cut to bytes, not rounded"),
+            qPrintable(text(*window, "diagnosisSentence")));
         grabbed(*window, "diagnosis");
     }
 

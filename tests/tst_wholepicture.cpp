@@ -8,6 +8,9 @@
 #include <QTemporaryDir>
 #include <QTest>
 
+#include <algorithm>
+#include <cmath>
+
 using namespace pixelplumb;
 
 namespace {
@@ -23,10 +26,53 @@ std::vector<Scene> probes()
     return scenes;
 }
 
-using PixelChange = Colour (*)(const Colour &right, bool isCovered);
+/// A pixel, its row as the program counts it, in a frame.
+struct Place {
+    int x = 0, row = 0;
+    int width = 0, height = 0;
+};
+using AddressOf = int (*)(const Place &at); // < 0: it is not written
+using ByteOf = int (*)(double level); // 0 … 1
+using SceneChange = void (*)(Scene &scene);
+
+/// Of which no sample lies on an edge but the vertices, one of which has a level of 255.
+Triangle levelTriangle()
+{
+    return {{{{latticePixel(3, 2), {{255, 12, 90}}},
+              {latticePixel(27, 9), {{31, 200, 255}}},
+              {latticePixel(10, 28), {{120, 77, 3}}}}}};
+}
+
+/// R, G or B of that triangle's plane by weights, 0 … 255.
+double levelAt(int x, int y, std::size_t channel)
+{
+    const auto doubled = [](double ax, double ay, double bx, double by, double cx, double cy) {
+        return (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+    };
+    const double whole = doubled(3, 2, 27, 9, 10, 28);
+    const double weights[]
+        = {doubled(x, y, 27, 9, 10, 28) / whole, doubled(3, 2, x, y, 10, 28) / whole,
+           doubled(3, 2, 27, 9, x, y) / whole};
+    double level = 0;
+    for (std::size_t i = 0; i < 3; ++i)
+        level += weights[i] * levelTriangle().vertices[i].colour.channels[channel];
+    return level;
+}
+
+void move(Scene &scene, double dx, double dy) // px
+{
+    for (Triangle &triangle : scene.triangles) {
+        for (Vertex &vertex : triangle.vertices) {
+            vertex.position.x += Lattice(dx * double(unitsPerPixel));
+            vertex.position.y += Lattice(dy * double(unitsPerPixel));
+        }
+    }
+}
+
+using Recolouring = Colour (*)(const Colour &right, bool isCovered);
 
 /// As a program would write it: what is covered is told by the colours alone.
-Submission submissionOf(const Scene &scene, PixelChange change)
+Submission submissionOf(const Scene &scene, Recolouring change)
 {
     Picture picture = pictureOf(scene);
     for (std::size_t i = 0; i < picture.size(); ++i)
@@ -44,18 +90,30 @@ class TestWholePicture : public QObject {
 private slots:
     void whatIsDoneToAWholePictureIsNamedAlone_data()
     {
-        QTest::addColumn<PixelChange>("change");
+        QTest::addColumn<Recolouring>("change");
         const auto row
-            = [](const char *name, PixelChange change) { QTest::newRow(name) << change; };
+            = [](const char *name, Recolouring change) { QTest::newRow(name) << change; };
         row("drawn-on-white",
             [](const Colour &right, bool isCovered) { return isCovered ? right : white; });
         row("drawn-in-white-alone",
             [](const Colour &right, bool isCovered) { return isCovered ? white : right; });
         row("nothing-drawn", [](const Colour &, bool) { return Colour(); });
+        row("cut-to-5-6-5-bits", [](const Colour &right, bool) {
+            return Colour{{std::uint8_t(right.channels[0] & 0xf8),
+                           std::uint8_t(right.channels[1] & 0xfc),
+                           std::uint8_t(right.channels[2] & 0xf8)}};
+        });
+        row("cut-to-5-6-5-bits-and-widened-to-all-levels", [](const Colour &right, bool) {
+            const auto widened = [](int kept, int bits) { // the highest bits again as the lowest
+                return std::uint8_t(kept * (1 << (8 - bits)) + kept / (1 << (2 * bits - 8)));
+            };
+            return Colour{{widened(right.channels[0] / 8, 5), widened(right.channels[1] / 4, 6),
+                           widened(right.channels[2] / 8, 5)}};
+        });
     }
     void whatIsDoneToAWholePictureIsNamedAlone()
     {
-        QFETCH(PixelChange, change);
+        QFETCH(Recolouring, change);
         std::vector<Submission> submissions;
         for (const Scene &scene : probes()) {
             QCOMPARE(scene.frame.background, Colour());
@@ -69,6 +127,158 @@ private slots:
         QCOMPARE(diagnosis->candidates.front().defects.size(), std::size_t(1));
         QCOMPARE(diagnosis->candidates.front().defects.front().id,
                  QString::fromLatin1(QTest::currentDataTag()));
+    }
+
+    void whatIsWrittenAtAnotherAddressIsNamed_data()
+    {
+        QTest::addColumn<QSize>("frame");
+        QTest::addColumn<AddressOf>("addressOf");
+        QTest::addColumn<bool>("fromTop");
+        QTest::addColumn<QString>("id");
+        const AddressOf byHeight = [](const Place &at) { return at.row * at.height + at.x; };
+        const AddressOf byColumns = [](const Place &at) { return at.x * at.height + at.row; };
+        const AddressOf exchanged = [](const Place &at) {
+            return at.row < at.width && at.x < at.height ? at.x * at.width + at.row : -1;
+        };
+        for (const QSize size : {QSize(48, 30), QSize(30, 48)}) {
+            for (const auto &[from, fromTop] :
+                 {std::pair("top", true), std::pair("bottom", false)}) {
+                const auto row = [&, fromTop = fromTop](const QString &id, AddressOf addressOf) {
+                    QTest::addRow("%s, %d × %d", qPrintable(id), size.width(), size.height())
+                        << size << addressOf << fromTop << id;
+                };
+                const QString end = QStringLiteral("-from-the-%1-on").arg(QLatin1String(from));
+                row(QStringLiteral("rows-stored-as-far-apart-as-columns-are-high") + end, byHeight);
+                row(QStringLiteral("columns-stored-in-place-of-rows") + end, byColumns);
+                row(fromTop ? QStringLiteral("lines-and-columns-exchanged")
+                            : QStringLiteral("x-and-y-exchanged"),
+                    exchanged);
+            }
+        }
+    }
+    void whatIsWrittenAtAnotherAddressIsNamed()
+    {
+        QFETCH(QSize, frame);
+        QFETCH(AddressOf, addressOf);
+        QFETCH(bool, fromTop);
+        QFETCH(QString, id);
+        Scene scene;
+        scene.frame.width = frame.width();
+        scene.frame.height = frame.height();
+        scene.triangles = {levelTriangle()};
+        const Picture right = pictureOf(scene);
+        Picture found = right;
+        std::ranges::fill(found.colours, Colour());
+        for (int line = 0; line < right.height; ++line) {
+            for (int x = 0; x < right.width; ++x) {
+                const int row = fromTop ? line : right.height - 1 - line;
+                const int address = addressOf({x, row, right.width, right.height});
+                if (right.covered[right.placeOf(x, line)] == 0 || address < 0
+                    || address >= int(right.size()))
+                    continue;
+                const int readRow = address / right.width;
+                const int readLine = fromTop ? readRow : right.height - 1 - readRow;
+                found.colours[found.placeOf(address % right.width, readLine)]
+                    = right.colours[right.placeOf(x, line)];
+            }
+        }
+        coverAllBut(Colour(), found);
+
+        const auto diagnosis = diagnose(std::vector{Submission{scene, found}});
+
+        QVERIFY(diagnosis && diagnosis->isExplained());
+        QCOMPARE(diagnosis->candidates.front().ids(), QStringList{id});
+    }
+
+    void anotherFactorThan255IsNamed_data()
+    {
+        QTest::addColumn<ByteOf>("byteOf");
+        QTest::addColumn<QString>("ids");
+        const auto row = [](const char *name, ByteOf byteOf, const char *ids) {
+            QTest::newRow(name) << byteOf << QString::fromLatin1(ids);
+        };
+        row(
+            "(int)(254 * c + 0.5)", [](double c) { return int(254 * c + 0.5); },
+            "levels-times-254");
+        row(
+            "(int)(254 * c)", [](double c) { return int(254 * c); },
+            "rounding-truncate and levels-times-254");
+        row(
+            "(int)(256 * c), wrapping", [](double c) { return int(256 * c) % 256; },
+            "levels-times-256-wrapping");
+        row(
+            "min(255, (int)(256 * c))", [](double c) { return std::min(255, int(256 * c)); },
+            "levels-times-256");
+        row(
+            "(int)(255.999 * c)", [](double c) { return int(255.999 * c); }, "levels-times-256");
+    }
+    void anotherFactorThan255IsNamed()
+    {
+        QFETCH(ByteOf, byteOf);
+        QFETCH(QString, ids);
+        Scene scene;
+        scene.frame.width = 40;
+        scene.frame.height = 40;
+        scene.triangles = {levelTriangle()};
+        Picture found = pictureOf(scene);
+        for (int y = 0; y < 40; ++y) {
+            for (int x = 0; x < 40; ++x) {
+                const std::size_t place = found.placeOf(x, 39 - y);
+                for (std::size_t i = 0; i < 3 && found.covered[place] != 0; ++i)
+                    found.colours[place].channels[i] = std::uint8_t(byteOf(levelAt(x, y, i) / 255));
+            }
+        }
+
+        const auto diagnosis = diagnose(std::vector{Submission{scene, found}});
+
+        QVERIFY(diagnosis && diagnosis->isExplained());
+        QStringList named;
+        for (const DiagnosisCandidate &candidate : diagnosis->candidates)
+            named += candidate.ids().join(QStringLiteral(" and "));
+        QCOMPARE(named, QStringList{ids});
+    }
+
+    void whatIsDrawnOtherwiseIsNamed_data()
+    {
+        QTest::addColumn<SceneChange>("change");
+        const auto row = [](const char *id, SceneChange change) { QTest::newRow(id) << change; };
+        row("only-first-drawn", [](Scene &scene) { scene.triangles.resize(1); });
+        row("only-last-drawn", [](Scene &scene) { scene.triangles = {scene.triangles.back()}; });
+        row("half-pixel-down-in-x", [](Scene &scene) { move(scene, -0.5, 0); });
+        row("half-pixel-up-in-x", [](Scene &scene) { move(scene, 0.5, 0); });
+        row("half-pixel-down-in-y", [](Scene &scene) { move(scene, 0, -0.5); });
+        row("half-pixel-up-in-y", [](Scene &scene) { move(scene, 0, 0.5); });
+        row("flat-second", [](Scene &scene) {
+            for (Triangle &triangle : scene.triangles)
+                triangle.vertices[0].colour = triangle.vertices[2].colour
+                    = triangle.vertices[1].colour;
+        });
+        row("flat-mean", [](Scene &scene) {
+            for (Triangle &triangle : scene.triangles) {
+                auto &[a, b, c] = triangle.vertices;
+                for (std::size_t i = 0; i < 3; ++i)
+                    a.colour.channels[i] = std::uint8_t(std::lround(
+                        (a.colour.channels[i] + b.colour.channels[i] + c.colour.channels[i])
+                        / 3.0));
+                b.colour = c.colour = a.colour;
+            }
+        });
+    }
+    void whatIsDrawnOtherwiseIsNamed()
+    {
+        QFETCH(SceneChange, change);
+        std::vector<Submission> submissions;
+        for (const Scene &scene : probes()) {
+            Scene changed = scene;
+            change(changed);
+            submissions.push_back({scene, pictureOf(changed)});
+        }
+
+        const auto diagnosis = diagnose(submissions);
+
+        QVERIFY(diagnosis && diagnosis->isExplained());
+        QCOMPARE(diagnosis->candidates.front().ids(),
+                 QStringList{QString::fromLatin1(QTest::currentDataTag())});
     }
 
     void onWhiteADefectOfTheDrawingIsNamedBesideTheBackground()
@@ -95,10 +305,13 @@ private slots:
 
     void anEnlargedPictureIsSaidToBeOne()
     {
-        QCOMPARE(enlargementText({512, 384}, {64, 48}),
+        QCOMPARE(sizeHint({512, 384}, {64, 48}),
                  QStringLiteral(", 8 times as many each way, as if enlarged"));
         for (const QSize other : {QSize(64, 48), QSize(128, 48), QSize(100, 75), QSize(32, 24)})
-            QCOMPARE(enlargementText(other, {64, 48}), QString());
+            QCOMPARE(sizeHint(other, {64, 48}), QString());
+        QCOMPARE(sizeHint({48, 64}, {64, 48}),
+                 QStringLiteral(", as if width and height were exchanged"));
+        QCOMPARE(sizeHint({48, 48}, {48, 48}), QString());
 
         QTemporaryDir folder;
         const QString small = folder.filePath(QStringLiteral("small.png"));

@@ -147,6 +147,7 @@ ExitCode check(const Command &command, const QStringList &arguments)
                           .arg(hardCase.id));
         const CaseReport report = checkCase(hardCase, *contenders);
         tally.add(report.summary());
+        progress.clear();
         if (line.isSet(jsonOption))
             reports.append(jsonOf(report));
         else

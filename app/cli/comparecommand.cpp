@@ -66,6 +66,7 @@ ExitCode compare(const Command &command, const QStringList &arguments)
     ContestOptions options;
     options.progress = progress.listener();
     const auto contest = compareContenders(*scene, *contenders, options);
+    progress.clear();
     for (const Contender &contender : *contenders) {
         if (!contender.isTruth())
             reportRejections(line.argument(0) + QStringLiteral(", ") + contender.name(),

@@ -66,10 +66,13 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
         if (const auto refusal = refusalOfSizes({pictures[i], QSize(picture.width, picture.height)},
                                                 {scenes[i], QSize(frame.width, frame.height)}))
             return *refusal;
+        if (picture.isTransparent)
+            sayLine(pictures[i] + QStringLiteral(": ") + transparencyText());
         submissions.push_back(std::move(*submission));
     }
     Progress progress;
     const auto diagnosis = pixelplumb::diagnose(submissions, progress.listener(), *tolerance);
+    progress.clear();
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(jsonOf(*diagnosis, submissions)));
     else

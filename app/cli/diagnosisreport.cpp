@@ -5,6 +5,8 @@
 
 #include <QJsonArray>
 
+#include <algorithm>
+
 namespace pixelplumb::cli {
 
 namespace {
@@ -95,7 +97,10 @@ QJsonObject jsonOf(const Diagnosis &diagnosis, std::span<const Submission> submi
                                       {QStringLiteral("how"), place->step.text}});
         candidates.append(object);
     }
+    const bool isTransparent = std::ranges::any_of(
+        submissions, [](const Submission &submission) { return submission.picture.isTransparent; });
     return {{QStringLiteral("verdict"), nameOf(diagnosis.verdict)},
+            {QStringLiteral("transparencyIgnored"), isTransparent},
             {QStringLiteral("differing"), qint64(diagnosis.differing)},
             {QStringLiteral("candidates"), candidates}};
 }

@@ -130,10 +130,7 @@ ExitCode diff(const Command &command, const QStringList &arguments)
     for (const auto &[path, side] :
          {std::pair(line.argument(0), &*expected), std::pair(line.argument(1), &*found)}) {
         if (side->picture.isTransparent)
-            sayLine(
-                QStringLiteral("%1: has transparent pixels; their transparency is ignored, their "
-                               "colours count")
-                    .arg(path));
+            sayLine(path + QStringLiteral(": ") + transparencyText());
     }
     const PictureDiff difference = differenceOf(expected->picture, found->picture,
                                                 undecidableOf(*expected, *found, *tolerance));

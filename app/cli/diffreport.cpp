@@ -2,6 +2,7 @@
 #include "app/cli/diffreport.h"
 
 #include "app/cli/faintpixel.h"
+#include "core/grade/diagnosis.h"
 
 #include <QJsonArray>
 
@@ -47,9 +48,8 @@ QStringList textOf(const PictureDiff &diff)
         if (lines.size() > mostCauses)
             break;
         lines.append(cause.left == 0 ? QStringLiteral("explained wholly by: %1").arg(cause.name)
-                                     : QStringLiteral("explained but for %1 pixels by: %2")
-                                           .arg(cause.left)
-                                           .arg(cause.name));
+                                     : QStringLiteral("explained but for %1 by: %2")
+                                           .arg(pixelsText(cause.left), cause.name));
     }
     return lines;
 }

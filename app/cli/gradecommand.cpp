@@ -181,6 +181,7 @@ ExitCode grade(const Command &command, const QStringList &arguments)
         = gradeFolder(order, *assignment, [tell = progress.listener()](const JobProgress &told) {
               return tell(told) && !Interruption::isAsked();
           });
+    progress.clear();
     if (!report)
         return line.refuse(report.error());
     if (*report)

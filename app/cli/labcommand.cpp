@@ -275,6 +275,7 @@ ExitCode lab(const Command &command, const QStringList &arguments)
         return !Interruption::isAsked();
     };
     const Study study = runStudy(*settings, listener);
+    progress.clear();
     output.device().write(line.isSet(accuracyOnlyOption) ? accuracyBytesOf(study, *format)
                                                          : bytesOf(study, *format));
     if (const auto error = output.finish())

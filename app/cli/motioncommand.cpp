@@ -61,6 +61,7 @@ ExitCode motion(const Command &command, const QStringList &arguments)
             QStringLiteral("a scene with \"motion\": { \"by\": [x, y], \"frames\": n }")});
     Progress progress;
     const auto study = studyMotion(*scene, progress.listener());
+    progress.clear();
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(jsonOf(*study)));
     else

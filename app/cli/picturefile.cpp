@@ -20,14 +20,16 @@ std::optional<ExitCode> refusalOfSizes(const SizedInput &one, const SizedInput &
 {
     if (one.size == other.size)
         return std::nullopt;
-    sayLine(QStringLiteral("%1 has %2 × %3 pixels%7, %4 has %5 × %6%8")
-                .arg(one.path)
-                .arg(one.size.width())
-                .arg(one.size.height())
-                .arg(other.path)
-                .arg(other.size.width())
-                .arg(other.size.height())
-                .arg(enlargementText(one.size, other.size), enlargementText(other.size, one.size)));
+    sayLine(
+        QStringLiteral("%1 has %2 × %3 pixels%7, %4 has %5 × %6%8")
+            .arg(one.path)
+            .arg(one.size.width())
+            .arg(one.size.height())
+            .arg(other.path)
+            .arg(other.size.width())
+            .arg(other.size.height())
+            .arg(sizeHint(one.size, other.size),
+                 one.size == other.size.transposed() ? QString() : sizeHint(other.size, one.size)));
     return ExitCode::SizesDiffer;
 }
 

@@ -182,6 +182,7 @@ ExitCode probes(const Command &command, const QStringList &arguments)
     Progress progress;
     const auto scenes = searchProbes(*conventions, *seed, candidates->value(), progress.listener());
     const ProbeResult result = probe(*scenes);
+    progress.clear();
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(jsonOf(*scenes, result)));
     else

@@ -33,10 +33,11 @@ void addProgramOptions(CommandLine &line)
                     QStringLiteral("What a program gets on stdin: json, the scene; lines, its "
                                    "triangles as plain lines; json if left out."),
                     QStringLiteral("kind"), QStringLiteral("json")});
-    line.addOption({timeOption,
-                    QStringLiteral("Seconds that it may compute for each scene, by the clock four "
-                                   "times as many; 10 if left out."),
-                    QStringLiteral("seconds"), QStringLiteral("10")});
+    line.addOption(
+        {timeOption,
+         QStringLiteral("Seconds that it may compute for each scene; who waits four times "
+                        "as long is ended by the clock; 10 if left out."),
+         QStringLiteral("seconds"), QStringLiteral("10")});
     line.addOption({memoryOption,
                     QStringLiteral("MiB of addresses for each process; 0: no limit; 1024 if left "
                                    "out."),

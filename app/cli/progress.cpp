@@ -31,10 +31,13 @@ Progress::Progress()
     m_sinceStart.start();
 }
 
-Progress::~Progress()
+Progress::~Progress() { clear(); }
+
+void Progress::clear()
 {
     if (m_shown)
         std::fputs(eraseLine, stderr);
+    m_shown = false;
 }
 
 bool Progress::isDue() const { return m_onTerminal && m_sinceStart.elapsed() >= m_nextShow; }

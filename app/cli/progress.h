@@ -17,6 +17,8 @@ public:
     Q_DISABLE_COPY_MOVE(Progress)
 
     void show(const QString &state);
+    /// Erases what is shown: to be called before anything is printed.
+    void clear();
     /// Shows what it hears; it must not outlive this.
     ProgressListener listener();
 

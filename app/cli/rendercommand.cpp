@@ -72,6 +72,7 @@ Result<Scene> withinBudget(const Scene &scene, const QString &word)
                           QStringLiteral("triangles alone")};
     Progress progress;
     const auto choice = firstInOrder(*budget, scene, progress.listener());
+    progress.clear();
     if (!choice->contender)
         return InputError{place, choice->reason, {}};
     sayLine(QStringLiteral("%1: %2, %3").arg(word, choice->contender->id, choice->reason));

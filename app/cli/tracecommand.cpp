@@ -110,6 +110,7 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const QSt
     TraceOptions recording;
     recording.progress = progress.listener();
     const auto traced = traceScene(*scene, recording);
+    progress.clear();
     // Which there are is known when it is known what the scene calls for.
     const Result<QStringList> columns
         = chosenColumns(line, traced->trace->numbers(), request.level);

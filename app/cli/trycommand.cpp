@@ -41,6 +41,8 @@ QStringList linesOf(const SceneTrial &tried)
     if (trial.fault && trial.run.end == ProgramEnd::Finished)
         lines += QStringLiteral("    ") + trial.fault->message();
     if (trial.picture) {
+        if (trial.output.picture->isTransparent)
+            lines += QStringLiteral("    its picture ") + transparencyText();
         for (const QString &line : textOf(*trial.picture))
             lines += QStringLiteral("    ") + line;
     }
@@ -71,6 +73,8 @@ QJsonObject objectOf(const SceneTrial &tried)
         object.insert(QStringLiteral("fault"), trial.fault->message());
     if (trial.picture)
         object.insert(QStringLiteral("picture"), jsonOf(*trial.picture));
+    object.insert(QStringLiteral("transparencyIgnored"),
+                  trial.output.picture && trial.output.picture->isTransparent);
     if (trial.trace)
         object.insert(QStringLiteral("parts"),
                       QJsonObject{{QStringLiteral("how"), trial.trace->text},

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/assignment.h"
 #include "core/runs/sceneplan.h"
+#include "core/scan/choicenames.h"
 #include "core/scene/choicereader.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/scenefile.h"
@@ -18,6 +19,13 @@ namespace pixelplumb {
 namespace {
 
 const QString formatKey = QStringLiteral("pixelplumbAssignment");
+
+/// Divided is by Δ − 1 and one more: by Δ.
+bool cancelEachOther(VariantSet variants)
+{
+    return variants.contains(Variant::DivisorMinusOne)
+        && variants.contains(Variant::DivisorPlusOne);
+}
 
 /// Reads the parts of an assignment out of a JSON text; errors stay with the JsonReader.
 class AssignmentReader {
@@ -153,6 +161,13 @@ private:
                         QStringLiteral("method “%1” %2")
                             .arg(QString::fromStdString(scene.method), objection),
                         {});
+        else if (cancelEachOther(scene.settings.variants))
+            m_json.fail(node,
+                        QStringLiteral("the variants %1 and %2 cancel each other: divided is by "
+                                       "Δ again")
+                            .arg(nameText(nameOf(Variant::DivisorMinusOne)),
+                                 nameText(nameOf(Variant::DivisorPlusOne))),
+                        QStringLiteral("one of them, or none"));
         else if (!drawsAnyOf(scene))
             m_json.fail(node,
                         QStringLiteral("method “%1” draws none of the primitives")

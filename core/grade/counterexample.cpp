@@ -226,7 +226,7 @@ CounterSearch findCounterExample(const PictureSource &one, const PictureSource &
             if (search.compared == 0 && search.undrawn == mostUndrawn)
                 return search;
             if (trial.example) {
-                search.found = shrunk(std::move(*trial.example), one, other);
+                search.found = shrunk(std::move(*trial.example), one, other, listener);
                 return search;
             }
             if (!goesOn(listener, {JobPhase::Judging, search.tried, most})) {

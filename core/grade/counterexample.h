@@ -58,7 +58,9 @@ struct CounterSearch {
 /// one colour and then of several, with one primitive and then with two that share an edge; what
 /// is found is shrunk until no single step makes it simpler. It ends early where the first hundred
 /// that are asked for cannot be drawn. Primitives are lines where the conventions' method draws no
-/// triangles. The same seed finds the same.
+/// triangles. The same seed finds the same. The listener hears how many of the scenes are tried,
+/// then, while it is shrunk, how many that are simpler, of a total that nobody knows; what it ends
+/// then is found all the same.
 CounterSearch findCounterExample(const PictureSource &one, const PictureSource &other,
                                  const Scene &conventions, std::uint64_t seed,
                                  const ProgressListener &listener = {});
@@ -79,6 +81,7 @@ SceneTrial tryScene(const PictureSource &one, const PictureSource &other, Scene 
 
 /// The simplest one to which steps lead: fewer primitives, a smaller frame, whole coordinates,
 /// smaller ones, simpler colours.
-CounterExample shrunk(CounterExample example, const PictureSource &one, const PictureSource &other);
+CounterExample shrunk(CounterExample example, const PictureSource &one, const PictureSource &other,
+                      const ProgressListener &listener = {});
 
 } // namespace pixelplumb

@@ -6,15 +6,20 @@
 #include <QString>
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 namespace pixelplumb {
+
+struct Redrawing;
 
 /// When a defect does its work: of two the one that is earlier does it first.
 enum class DefectStage { Scene, Drawing, Picture };
 
 /// The choice of what is computed in, which is no mistake where it is allowed for.
 inline constexpr const char *arithmeticChoice = "arithmetic";
+/// The choice of how a level is rounded to a byte.
+inline constexpr const char *roundingChoice = "rounding";
 
 /// A mistake that programs make, as something done to the scene before it is drawn by the ordinary
 /// kernels (the variants and the choices of its settings among them), to how it is drawn, or to the
@@ -33,6 +38,8 @@ struct Defect {
     QString choice = {}; ///< of defects of one choice only one can be there; empty: of none
     /// What is redrawn by programs that round otherwise; left out where nobody knows.
     std::function<PictureRange(const Scene &scene, Arithmetic arithmetic)> redrawRange = {};
+    /// Of triangles, as what is done to them one by one: two of these can be done together.
+    std::shared_ptr<const Redrawing> redrawing = {};
 
     DefectStage stage() const
     {
@@ -41,6 +48,12 @@ struct Defect {
         return redraw ? DefectStage::Drawing : DefectStage::Scene;
     }
 };
+
+/// A defect that is a redrawing of triangles.
+Defect redrawnBy(const Redrawing &redrawing, Defect words);
+
+/// Whether a program can have both: not two of one choice, nor two that decide the same otherwise.
+bool canBeTogether(const Defect &one, const Defect &other);
 
 /// Those that a scene's method can have, in the order in which they are tried.
 std::vector<Defect> defectsFor(const Scene &scene);

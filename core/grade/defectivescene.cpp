@@ -19,12 +19,6 @@ Picture finished(Picture picture, std::span<const Defect> defects, const Colour 
     return picture;
 }
 
-const Defect *redrawingAmong(std::span<const Defect> defects)
-{
-    const auto found = std::ranges::find(defects, DefectStage::Drawing, &Defect::stage);
-    return found != defects.end() ? &*found : nullptr;
-}
-
 } // namespace
 
 Scene withDefects(Scene scene, std::span<const Defect> defects)
@@ -36,10 +30,26 @@ Scene withDefects(Scene scene, std::span<const Defect> defects)
     return scene;
 }
 
+std::optional<Defect> redrawingAmong(std::span<const Defect> defects)
+{
+    std::optional<Defect> among;
+    for (const Defect &defect : defects) {
+        if (defect.stage() != DefectStage::Drawing)
+            continue;
+        if (!among) {
+            among = defect;
+            continue;
+        }
+        if (const auto both = together(*among->redrawing, *defect.redrawing))
+            among = redrawnBy(*both, *std::move(among));
+    }
+    return among;
+}
+
 Picture pictureWith(const Scene &scene, std::span<const Defect> defects)
 {
     const Scene drawn = withDefects(scene, defects);
-    const Defect *redrawing = redrawingAmong(defects);
+    const auto redrawing = redrawingAmong(defects);
     return finished(redrawing ? redrawing->redraw(drawn) : pictureOf(drawn), defects,
                     scene.frame.background);
 }
@@ -48,7 +58,7 @@ std::optional<PictureRange> rangeWith(const Scene &scene, std::span<const Defect
                                       Arithmetic arithmetic)
 {
     const Scene drawn = withDefects(scene, defects);
-    const Defect *redrawing = redrawingAmong(defects);
+    const auto redrawing = redrawingAmong(defects);
     const bool isKnown = canBeRedrawn(drawn) && objectionTo(drawn).isEmpty()
         && (!redrawing || redrawing->redrawRange);
     if (!isKnown)

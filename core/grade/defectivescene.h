@@ -11,7 +11,10 @@ namespace pixelplumb {
 /// The scene with those of the defects that are a scene's.
 Scene withDefects(Scene scene, std::span<const Defect> defects);
 
-/// What a program with these defects draws.
+/// The one of the defects that is a redrawing, or two of them as one; none where kernels draw all.
+std::optional<Defect> redrawingAmong(std::span<const Defect> defects);
+
+/// What a program with these defects draws, which can be together.
 Picture pictureWith(const Scene &scene, std::span<const Defect> defects);
 
 /// What programs with these defects draw that compute in arithmetic up to this one; none where

@@ -87,9 +87,9 @@ DefectPictures::SharedPicture DefectPictures::draw(std::size_t scene, const Defe
 {
     const std::vector<Defect> defects = defectsIn(set);
     const Scene drawn = withDefects(sceneIn(scene, set), defects);
-    const auto redrawing = std::ranges::find(defects, DefectStage::Drawing, &Defect::stage);
+    const auto redrawing = redrawingAmong(defects);
     SharedPicture picture;
-    if (redrawing == defects.end())
+    if (!redrawing)
         picture = scenePicture(scene, drawn);
     else if (objectionTo(drawn).isEmpty())
         picture = std::make_shared<const Picture>(redrawing->redraw(drawn));

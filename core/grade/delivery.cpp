@@ -222,8 +222,7 @@ std::vector<Delivery> deliveriesOf(const SubmissionEntry &entry, const Assignmen
                                          wasLate ? 1 : ProgramLimits{}.clockTimes, stop));
             if (wasLate && deliveries.back().wasLate)
                 deliveries.back().note = QStringLiteral(
-                    "it was given less time by the clock, for it had used all of it in a scene "
-                    "before");
+                    "it was given less time by the clock, for it had waited in a scene before");
             continue;
         }
         const auto files = pictureFilesOf(entry, scene);

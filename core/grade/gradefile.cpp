@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/gradefile.h"
 
+#include "core/grade/oldgrades.h"
 #include "core/scene/fieldreader.h"
 #include "core/scene/fieldwriter.h"
 #include "core/scene/fileaccess.h"
@@ -133,9 +134,7 @@ Result<Value> readAt(const QString &path, const Read &read)
     if (!text)
         return text.error();
     Result<Value> value = read(*text);
-    if (value)
-        return value;
-    return errorIn(path, value.error());
+    return value ? value : Result<Value>(errorIn(path, value.error()));
 }
 
 /// Those of the names that have no grade.
@@ -248,7 +247,10 @@ Result<GradeReport> readGrades(const QString &results)
     GradeReport report{std::move(*assignment), {}, {}};
     const QDir folder(QDir(results).filePath(QStringLiteral("grades")));
     for (const QString &file : folder.entryList({QStringLiteral("*.json")}, QDir::Files)) {
-        auto submission = readAt<GradedSubmission>(folder.filePath(file), readGradedSubmission);
+        const auto read = [&report](const QByteArray &text) {
+            return readGradedSubmission(inFrameCoordinates(text, report.assignment));
+        };
+        auto submission = readAt<GradedSubmission>(folder.filePath(file), read);
         if (!submission)
             return submission.error();
         if (!hasOwnNames(*submission, file))

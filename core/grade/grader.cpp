@@ -148,7 +148,7 @@ GradedScene Grader::judge(std::size_t scene, const Delivery &delivery) const
     if (delivery.picture && !delivery.picture->hasColours && wantsColours)
         add(QStringLiteral("a raster of characters has no colours"));
     if (delivery.picture && delivery.picture->isTransparent)
-        add(QStringLiteral("the picture has transparent pixels; their transparency is ignored"));
+        add(QStringLiteral("the picture ") + transparencyText());
     if (delivery.picture) {
         diff = differenceOf(m_expected[scene], *delivery.picture,
                             leftOpen(scene, *delivery.picture));

@@ -81,7 +81,8 @@ void appendFull(const GradedSubmission &submission, QStringList &lines)
             lines += QStringLiteral("%1 alone is explained by %2")
                          .arg(scene.scene, scene.explanations->join(QStringLiteral(", or ")));
         for (const QString &cause : scene.causes)
-            lines += QStringLiteral("%1: most differences are gone where it is %2")
+            lines += QStringLiteral("%1: most differences are gone with this done to the whole "
+                                    "picture: %2")
                          .arg(scene.scene, cause);
         if (scene.run && !scene.run->messages.isEmpty())
             lines += QStringLiteral("%1: the program said: %2")

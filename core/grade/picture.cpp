@@ -107,7 +107,8 @@ Picture pictureOf(const Scene &scene)
 Picture pictureIn(const QImage &image)
 {
     Picture picture = blankPicture(image.width(), image.height());
-    takeColours(image, picture);
+    takeColours(image.convertToFormat(QImage::Format_RGB32), picture);
+    picture.isTransparent = hasTransparentPixel(image);
     return picture;
 }
 
@@ -121,8 +122,16 @@ Picture truePictureOf(const Scene &scene)
     return picture;
 }
 
-QString enlargementText(const QSize &size, const QSize &expected)
+QString transparencyText()
 {
+    return QStringLiteral(
+        "has transparent pixels; their transparency is ignored, their colours count");
+}
+
+QString sizeHint(const QSize &size, const QSize &expected)
+{
+    if (size != expected && size == expected.transposed())
+        return QStringLiteral(", as if width and height were exchanged");
     const int times = size.width() / std::max(1, expected.width());
     if (times < 2 || size != times * expected)
         return {};
@@ -162,15 +171,12 @@ Result<Picture> parsePicture(const QByteArray &content, const QString &name)
         return InputError{
             name, QStringLiteral("a picture of the kind %1").arg(QString::fromLatin1(format)),
             formats};
-    const QImage read = reader.read();
-    const QImage image = read.convertToFormat(QImage::Format_RGB32);
+    const QImage image = reader.read();
     if (image.isNull())
         return InputError{name, QStringLiteral("no picture: ") + reader.errorString(), formats};
     if (isTooLarge(image.size()))
         return tooLarge(name, image.size());
-    Picture picture = pictureIn(image);
-    picture.isTransparent = hasTransparentPixel(read);
-    return picture;
+    return pictureIn(image);
 }
 
 } // namespace pixelplumb

@@ -44,7 +44,7 @@ void coverAllBut(const Colour &background, Picture &picture);
 /// What the scene's method draws; covered is what it writes.
 Picture pictureOf(const Scene &scene);
 
-/// Nothing is covered yet. The image has the format RGB32.
+/// Nothing is covered yet.
 Picture pictureIn(const QImage &image);
 /// The oracle's; covered is what has another colour than the background.
 Picture truePictureOf(const Scene &scene);
@@ -56,8 +56,11 @@ bool isPictureFormat(const QByteArray &format);
 /// covered yet of a file with colours.
 Result<Picture> parsePicture(const QByteArray &content, const QString &name);
 
-/// Words to be added to a picture's size where it is a multiple of the expected one: it may be
-/// enlarged. Otherwise none.
-QString enlargementText(const QSize &size, const QSize &expected);
+/// Words to be added to a picture's size where it is a multiple of the expected one, which it may
+/// be enlarged, or has its width as height and its height as width. Otherwise none.
+QString sizeHint(const QSize &size, const QSize &expected);
+
+/// What is said of a picture that is transparent somewhere, behind its name.
+QString transparencyText();
 
 } // namespace pixelplumb

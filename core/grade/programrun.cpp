@@ -2,6 +2,8 @@
 #include "core/grade/programrun.h"
 
 #include "core/grade/descriptor.h"
+#include "core/grade/processtime.h"
+#include "core/grade/programclock.h"
 #include "core/grade/programstart.h"
 #include "core/grade/workingfolder.h"
 
@@ -19,7 +21,7 @@ namespace pixelplumb {
 
 namespace {
 
-using Clock = std::chrono::steady_clock;
+using Clock = ProgramClock::Clock;
 
 constexpr qsizetype longestMessages = qsizetype(64) << 10;
 constexpr int stopLookedFor = 50; // ms
@@ -54,8 +56,7 @@ QString sentenceOf(const StudentRun &run, const ProgramLimits &limits)
             .arg(QString::fromLatin1(sigdescr_np(run.code)))
             .arg(run.code);
     case ProgramEnd::TimedOut:
-        return QStringLiteral("it was ended after %1 s by the clock")
-            .arg(double(limits.wallTime().count()) / 1000);
+        return QStringLiteral("it was ended after %1 s of computing").arg(limits.wholeSeconds());
     case ProgramEnd::Flooded:
         return QStringLiteral("it was ended when it had written more than %1 bytes")
             .arg(limits.output);
@@ -65,18 +66,6 @@ QString sentenceOf(const StudentRun &run, const ProgramLimits &limits)
         break;
     }
     return QStringLiteral("it was cancelled");
-}
-
-/// Whether it ended as the kernel ends who computes too long, or as a shell does that ran such a
-/// one. Who does not heed SIGXCPU gets SIGKILL. The kernel ends it by a count in ticks of its
-/// clock, which on a busy machine is far from what it tells afterwards, `computed`: half of the
-/// limit tells it from whoever sends itself such a signal.
-bool hasComputedTooLong(int status, std::chrono::milliseconds computed, const ProgramLimits &limits)
-{
-    constexpr int ofShells = 128;
-    const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status) - ofShells;
-    return (signal == SIGXCPU || signal == SIGKILL)
-        && 2 * computed >= std::chrono::seconds(limits.wholeSeconds());
 }
 
 /// One program, from its start to the end of all that came of it.
@@ -121,7 +110,8 @@ private:
         plan.messages = m_messages.write.number();
         plan.control = m_control.read.number();
         plan.report = m_report.write.number();
-        m_deadline = Clock::now() + m_limits.wallTime();
+        m_clock.emplace(m_limits, Clock::now());
+        m_deadline = m_clock->nextLook();
         m_supervisor = fork();
         if (m_supervisor == 0)
             supervise(plan);
@@ -154,7 +144,10 @@ private:
             } else if (!m_isEnding && m_stop.stop_requested()) {
                 endBecause(ProgramEnd::Cancelled);
             } else if (!m_isEnding && isLate) {
-                endBecause(ProgramEnd::TimedOut);
+                m_lateEnd = m_clock->look(computedBy(m_supervisor), Clock::now());
+                m_deadline = m_clock->nextLook();
+                if (m_lateEnd)
+                    endBecause(ProgramEnd::TimedOut);
             }
         }
         readAll(); // what was on its way
@@ -244,12 +237,10 @@ private:
             m_run.code = m_status ? WTERMSIG(*m_status) : SIGKILL;
         else if (m_run.end == ProgramEnd::Failed)
             m_run.code = WEXITSTATUS(*m_status);
-        m_run.isByClock = m_run.end == ProgramEnd::TimedOut && m_end;
-        if (m_run.end == ProgramEnd::TimedOut && !m_end)
-            m_run.told = QStringLiteral("it was ended after %1 s of computing")
-                             .arg(m_limits.wholeSeconds());
-        else if (!m_startError)
-            m_run.told = sentenceOf(m_run, m_limits);
+        if (m_startError)
+            return;
+        m_run.isByClock = m_lateEnd && m_lateEnd->isByClock;
+        m_run.told = m_lateEnd ? m_lateEnd->told : sentenceOf(m_run, m_limits);
     }
 
     StudentRun m_run;
@@ -257,9 +248,11 @@ private:
     std::stop_token m_stop;
     Pipe m_output, m_messages, m_control, m_report;
     pid_t m_supervisor = -1;
-    Clock::time_point m_deadline;
+    std::optional<ProgramClock> m_clock;
+    std::optional<LateEnd> m_lateEnd;
+    Clock::time_point m_deadline; ///< of the program's next look, then of the supervisor
     std::int64_t m_read = 0; ///< bytes of stdout and stderr
-    bool m_isEnding = false; ///< from then on the deadline is the supervisor's
+    bool m_isEnding = false; ///< it is waited for the supervisor alone
     std::optional<ProgramEnd> m_end; ///< where it is we who end it
     std::chrono::milliseconds m_computed{0};
     std::optional<int> m_status, m_startError;

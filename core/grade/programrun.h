@@ -16,7 +16,8 @@ namespace pixelplumb {
 /// What a student's program may use. In bytes, but for the time and the number of processes.
 struct ProgramLimits {
     std::chrono::milliseconds time{10'000}; ///< of computing, in whole seconds, for each process
-    /// By the clock on the wall, which goes on while a machine has others to serve.
+    /// By the clock on the wall: who computes nearly nothing for so long waits for what never
+    /// comes.
     std::chrono::milliseconds wallTime() const { return clockTimes * time; }
     int clockTimes = 4; ///< so many times as long as of computing
     std::int64_t wholeSeconds() const
@@ -48,7 +49,7 @@ struct StudentRun {
     QByteArray messages; ///< of stderr the first 64 KiB
     bool isSandboxed = false; ///< no network, no process but its own, nothing to write to but its
                               ///< folder
-    bool isByClock = false; ///< where it timed out: it had not computed for so long
+    bool isByClock = false; ///< where it timed out: it had waited, not computed
     QString told; ///< a sentence: how it ended
 };
 

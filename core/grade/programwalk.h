@@ -43,6 +43,8 @@ struct ProgramWalk {
     EndRounding first = EndRounding::ByRule;
     EndRounding last = EndRounding::ByRule;
     SpanDivisor divisor = SpanDivisor::Height;
+
+    friend bool operator==(const ProgramWalk &, const ProgramWalk &) = default;
 };
 
 /// ⌊ ⌋, the nearest or ⌈ ⌉ of a coordinate, px; by the rule ⌈ ⌉.
@@ -116,5 +118,8 @@ void walkAs(TriangleRuns &triangle, const ProgramWalk &walk);
 
 /// The same, to be done to any triangle.
 std::function<void(TriangleRuns &triangle)> walking(const ProgramWalk &walk);
+
+/// The same as a redrawing that can be done together with others.
+Redrawing redrawingBy(const ProgramWalk &walk, LevelOverflow overflow);
 
 } // namespace pixelplumb

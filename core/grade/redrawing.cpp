@@ -33,10 +33,16 @@ ArithmeticBound boundOn(const RoundingSide &side, const Triangle &triangle)
     return {triangle, isExact ? Arithmetic::Float64 : side.arithmetic};
 }
 
-/// R G B of the plane on a side of what rounding may do, rounded.
+ByteRounding roundingOf(const LevelBytes &bytes, const ScanSettings &settings)
+{
+    return bytes.rounding.value_or(settings.rounding);
+}
+
+/// R G B of the plane on a side of what rounding may do, as bytes become of them before they are
+/// clamped.
 WholeLevels levelsOn(const RoundingSide &side, const ArithmeticBound &bound,
-                     const Triangle &triangle, ByteRounding rounding, std::int64_t x,
-                     std::int64_t y)
+                     const Triangle &triangle, const ScanSettings &settings,
+                     const LevelBytes &bytes, std::int64_t x, std::int64_t y)
 {
     constexpr double any = 1024; // levels: beyond all bytes
     const bool isExact = side.arithmetic == Arithmetic::Exact;
@@ -44,8 +50,10 @@ WholeLevels levelsOn(const RoundingSide &side, const ArithmeticBound &bound,
     WholeLevels levels;
     for (std::size_t i = 0; i < 3; ++i) {
         const double error = isExact ? 0 : bound.levelError(x, y, i).value_or(any);
-        const double level = exact[i].toDouble() + (side.isUpward ? error : -error);
-        levels[i] = std::int64_t(std::floor(level + (rounding == ByteRounding::Nearest ? 0.5 : 0)));
+        const double level
+            = (exact[i].toDouble() + (side.isUpward ? error : -error)) * bytes.full / 255;
+        const bool isNearest = roundingOf(bytes, settings) == ByteRounding::Nearest;
+        levels[i] = std::int64_t(std::floor(level + (isNearest ? 0.5 : 0)));
     }
     return levels;
 }
@@ -58,6 +66,7 @@ public:
                     const std::optional<RoundingSide> &side = {})
         : m_frame(alone.frame)
         , m_overflow(redrawing.overflow)
+        , m_bytes(redrawing.bytes)
         , m_right(std::move(right))
     {
         const SpanAxis axis = spanAxisOf(alone);
@@ -134,14 +143,33 @@ private:
 
     Colour colourAt(const SampleRun &run, std::int64_t place, std::size_t index) const
     {
-        if (run.levels.empty() && m_right.covered[index] != 0)
+        const bool isOwn = run.levels.empty() && m_right.covered[index] != 0;
+        if (isOwn && m_bytes.isRight())
             return m_right.colours[index];
-        const WholeLevels levels = run.levels.empty() ? planeAt(run.span, place)
-                                                      : run.levels[std::size_t(place - run.first)];
+        const bool isOfPlane = m_runs.settings.variants.isEmpty();
+        const WholeLevels levels = !run.levels.empty() ? run.levels[std::size_t(place - run.first)]
+            : isOwn && !isOfPlane                      ? levelsOf(m_right.colours[index])
+                                                       : planeAt(run.span, place);
         Colour colour;
         for (std::size_t i = 0; i < 3; ++i)
             colour.channels[i] = byteOf(levels[i]);
         return colour;
+    }
+
+    /// Of a byte that was right: what is nearest to the level is all that is known of it.
+    WholeLevels levelsOf(const Colour &colour) const
+    {
+        WholeLevels levels;
+        for (std::size_t i = 0; i < 3; ++i)
+            levels[i] = wholeLevelOf({colour.channels[i], 1});
+        return levels;
+    }
+
+    std::int64_t wholeLevelOf(const CommonFraction &exact) const
+    {
+        const CommonFraction level{exact.numerator * m_bytes.full, exact.denominator * 255};
+        const bool isNearest = roundingOf(m_bytes, m_runs.settings) == ByteRounding::Nearest;
+        return std::int64_t(isNearest ? level.nearest() : level.floor());
     }
 
     WholeLevels planeAt(std::int64_t span, std::int64_t place) const
@@ -150,17 +178,15 @@ private:
         WholeLevels levels;
         if (m_runs.side)
             return levelsOn(*m_runs.side, boundOn(*m_runs.side, m_runs.triangle), m_runs.triangle,
-                            m_runs.settings.rounding, span, place);
-        for (std::size_t i = 0; i < 3; ++i) {
-            const CommonFraction level{exact[i].numerator(), exact[i].denominator()};
-            const bool isNearest = m_runs.settings.rounding == ByteRounding::Nearest;
-            levels[i] = std::int64_t(isNearest ? level.nearest() : level.floor());
-        }
+                            m_runs.settings, m_bytes, span, place);
+        for (std::size_t i = 0; i < 3; ++i)
+            levels[i] = wholeLevelOf({exact[i].numerator(), exact[i].denominator()});
         return levels;
     }
 
     FrameSpec m_frame;
     LevelOverflow m_overflow;
+    LevelBytes m_bytes;
     bool m_goesByRows = false;
     Picture m_right;
     TriangleRuns m_runs;
@@ -191,8 +217,7 @@ Picture boundedPicture(const Scene &alone, const RoundingSide &side)
                 continue;
             const std::size_t place
                 = picture.placeOf(int(x - frame.firstColumn), int(pictureLine(frame, y)));
-            const WholeLevels levels
-                = levelsOn(side, bound, triangle, alone.settings.rounding, x, y);
+            const WholeLevels levels = levelsOn(side, bound, triangle, alone.settings, {}, x, y);
             picture.covered[place] = 1;
             for (std::size_t i = 0; i < 3; ++i)
                 picture.colours[place].channels[i]

@@ -6,6 +6,7 @@
 #include "core/scan/interval.h"
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace pixelplumb {
@@ -51,11 +52,29 @@ enum class LevelOverflow { Clamps, Wraps };
 /// What becomes of a pixel that is painted twice: the later one stands, or none.
 enum class Repainting { Over, Toggles };
 
+/// How levels, 0 … 255 here, become bytes; where this is not as it should be, of all samples, those
+/// of the triangle's plane.
+struct LevelBytes {
+    int full = 255; ///< what a level of 255 is taken to
+    std::optional<ByteRounding> rounding = {}; ///< the scene's, if left out
+
+    bool isRight() const { return full == 255 && !rounding; }
+    friend bool operator==(const LevelBytes &, const LevelBytes &) = default;
+};
+
+struct ProgramWalk;
+
 struct Redrawing {
     std::function<void(TriangleRuns &triangle)> change;
     LevelOverflow overflow = LevelOverflow::Clamps;
     Repainting repainting = Repainting::Over;
+    LevelBytes bytes = {};
+    std::shared_ptr<const ProgramWalk> walk = {}; ///< where the change is to go through it so
 };
+
+/// What a program does that does both; none where they decide the same thing. One that goes through
+/// the triangle does so first, then the other leaves samples out.
+std::optional<Redrawing> together(const Redrawing &one, const Redrawing &other);
 
 /// The scene of triangles, each drawn by the scene's method and changed.
 Picture redrawn(const Scene &scene, const Redrawing &redrawing);

@@ -138,17 +138,17 @@ std::optional<PartingStep> partingOfRedrawing(const Scene &scene, const Defect &
 std::optional<PartingStep> partingStepOf(const Scene &scene, std::span<const Defect> defects)
 {
     const Scene defective = withDefects(scene, defects);
-    const auto redrawing = std::ranges::find(defects, DefectStage::Drawing, &Defect::stage);
+    const auto redrawing = redrawingAmong(defects);
     Scene right = scene;
     right.settings.arithmetic = defective.settings.arithmetic;
-    const bool isArithmeticAlone = right == defective && redrawing == defects.end();
+    const bool isArithmeticAlone = right == defective && !redrawing;
     if (isArithmeticAlone)
         right = scene;
     if (defective != right) {
         if (auto step = partingStepOf(right, defective))
             return step;
     }
-    if (redrawing == defects.end())
+    if (!redrawing)
         return std::nullopt;
     return partingOfRedrawing(defective, *redrawing);
 }

@@ -98,14 +98,18 @@ bool isInFrame(const Scene &scene)
 
 } // namespace
 
-CounterExample shrunk(CounterExample example, const PictureSource &one, const PictureSource &other)
+CounterExample shrunk(CounterExample example, const PictureSource &one, const PictureSource &other,
+                      const ProgressListener &listener)
 {
+    std::int64_t tried = 0;
     for (bool isSimpler = true; isSimpler;) {
         isSimpler = false;
         const Burden burden = burdenOf(example.scene);
         for (const Scene &scene : simplerOnes(example.scene)) {
             if (!isInFrame(scene))
                 continue;
+            if (!goesOn(listener, {JobPhase::Judging, ++tried, 0}))
+                return example;
             SceneTrial trial = tryScene(one, other, scene);
             if (trial.example && burdenOf(trial.example->scene) < burden) {
                 example = std::move(*trial.example);

@@ -23,7 +23,7 @@ InputError otherSize(const QString &name, const QSize &size, const FrameSpec &fr
     const QString text = QStringLiteral("%1 × %2 pixels");
     return {name,
             QStringLiteral("a picture of ") + text.arg(size.width()).arg(size.height())
-                + enlargementText(size, {frame.width, frame.height}),
+                + sizeHint(size, {frame.width, frame.height}),
             text.arg(frame.width).arg(frame.height)};
 }
 

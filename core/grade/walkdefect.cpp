@@ -224,17 +224,7 @@ Defect redrawnDefect(const QString &id, const QString &forStudent, const QString
             .replace(QStringLiteral("%2"),
                      goesByColumns ? QStringLiteral("x") : QStringLiteral("y"));
     };
-    return {id,
-            filledIn(forStudent),
-            filledIn(forAssistant),
-            {},
-            [redrawing](const Scene &scene) { return redrawn(scene, redrawing); },
-            {},
-            false,
-            QStringLiteral("spans"),
-            [redrawing](const Scene &scene, Arithmetic arithmetic) {
-                return redrawnRange(scene, redrawing, arithmetic);
-            }};
+    return redrawnBy(redrawing, {id, filledIn(forStudent), filledIn(forAssistant)});
 }
 
 std::vector<Defect> walkDefectsFor(SpanAxis axis)
@@ -244,7 +234,7 @@ std::vector<Defect> walkDefectsFor(SpanAxis axis)
     std::vector<Defect> defects;
     const auto add = [&](const NamedWalk &named) {
         defects.push_back(redrawnDefect(named.id, named.forStudent, named.forAssistant,
-                                        {walking(named.walk), named.overflow}, axis));
+                                        redrawingBy(named.walk, named.overflow), axis));
     };
     std::ranges::for_each(namedWalks(spanRows()), add);
     const auto addUpward = [&](NamedWalk named) {

@@ -6542,16 +6542,16 @@
         <translation>Richtig: Kein Pixel weicht ab.</translation>
     </message>
     <message>
-        <source>The whole picture is %1</source>
-        <translation>Das ganze Bild: %1</translation>
+        <source>Its transparency is ignored; its colours count.</source>
+        <translation>Durchsichtigkeit bleibt außer Betracht; die Farben zählen.</translation>
     </message>
     <message>
-        <source>: that explains every pixel.</source>
-        <translation>: Das erklärt jedes Pixel.</translation>
+        <source>The whole picture: %1. That explains every pixel.</source>
+        <translation>Das ganze Bild: %1. Das erklärt jedes Pixel.</translation>
     </message>
     <message>
-        <source>: that leaves %1.</source>
-        <translation>: Das lässt %1 übrig.</translation>
+        <source>The whole picture: %1. That leaves %2.</source>
+        <translation>Das ganze Bild: %1. Das lässt %2 übrig.</translation>
     </message>
     <message>
         <source>(%1, %2) student: %3, expected: %4</source>

@@ -125,7 +125,7 @@ QString StudentPicture::misfitOf(const Picture &picture) const
         .arg(picture.height)
         .arg(frame.width)
         .arg(frame.height)
-        .arg(enlargementText({picture.width, picture.height}, {frame.width, frame.height}));
+        .arg(sizeHint({picture.width, picture.height}, {frame.width, frame.height}));
 }
 
 void StudentPicture::open(const QString &path) { openAs(path, QFileInfo(path).fileName()); }
@@ -140,9 +140,7 @@ void StudentPicture::openAs(const QString &path, const QString &name)
 
 void StudentPicture::paste(const QImage &image, const QString &name)
 {
-    read(name, [image] {
-        return Result<Picture>(pictureIn(image.convertToFormat(QImage::Format_RGB32)));
-    });
+    read(name, [image] { return Result<Picture>(pictureIn(image)); });
 }
 
 void StudentPicture::paste(const QByteArray &raster, const QString &name)

@@ -164,7 +164,7 @@ void SubmissionPanel::showJudgement()
     m_causes->setVisible(!causes.isEmpty());
     if (judgement) {
         m_verdict->setText(verdictText(judgement->diff));
-        m_counts->setText(countsText(judgement->diff, palette()));
+        m_counts->setText(countsText(*judgement, palette()));
         m_link->setFrame(judgement->frame);
         m_next->setEnabled(judgement->firstDifference().has_value());
     } else if (!m_student->absence().isEmpty()) {

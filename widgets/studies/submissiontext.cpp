@@ -71,8 +71,9 @@ QString verdictText(const PictureDiff &diff)
     return SubmissionPanel::tr("Right: no pixel differs.");
 }
 
-QString countsText(const PictureDiff &diff, const QPalette &palette)
+QString countsText(const PictureJudgement &judgement, const QPalette &palette)
 {
+    const PictureDiff &diff = judgement.diff;
     QStringList lines;
     for (const PixelVerdict verdict : allPixelVerdicts) {
         const bool isSame = verdict == PixelVerdict::Same;
@@ -84,6 +85,8 @@ QString countsText(const PictureDiff &diff, const QPalette &palette)
         lines += QStringLiteral("<span style=\"color:%1\"><b><tt>%2</tt></b></span>&nbsp;%3")
                      .arg(colour, glyph, countText(diff, verdict));
     }
+    if (judgement.found.isTransparent)
+        lines += SubmissionPanel::tr("Its transparency is ignored; its colours count.");
     return lines.join(QStringLiteral("<br>"));
 }
 
@@ -92,9 +95,11 @@ QString causesText(const PictureDiff &diff)
     if (diff.causes.empty())
         return {};
     const PictureCause &best = diff.causes.front();
-    const QString what = SubmissionPanel::tr("The whole picture is %1").arg(best.name);
-    return best.left == 0 ? what + SubmissionPanel::tr(": that explains every pixel.")
-                          : what + SubmissionPanel::tr(": that leaves %1.").arg(pixels(best.left));
+    if (best.left == 0)
+        return SubmissionPanel::tr("The whole picture: %1. That explains every pixel.")
+            .arg(best.name);
+    return SubmissionPanel::tr("The whole picture: %1. That leaves %2.")
+        .arg(best.name, pixels(best.left));
 }
 
 QString pixelText(const PictureJudgement &judgement, const QPoint &pixel)

@@ -10,8 +10,9 @@ Sign signOf(PixelVerdict verdict); ///< of one that is not Same
 
 /// "Wrong: 12 pixels differ."
 QString verdictText(const PictureDiff &diff);
-/// How many of each kind, with its glyph in its colour; rich text.
-QString countsText(const PictureDiff &diff, const QPalette &palette);
+/// How many of each kind, with its glyph in its colour, and whether transparency is passed over;
+/// rich text.
+QString countsText(const PictureJudgement &judgement, const QPalette &palette);
 /// What done to the whole picture explains it; empty where nothing does.
 QString causesText(const PictureDiff &diff);
 /// The student's pixel beside the expected one.

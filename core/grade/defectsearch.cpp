@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/defectsearch.h"
+
+#include <algorithm>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr std::size_t nearestListed = 5;
+constexpr std::size_t nearestTried = 64; // of sets, whether rounding may decide what they leave
+constexpr auto unknown = PictureMatcher::unknown;
+
+} // namespace
+
+DefectSearch::DefectSearch(DefectPictures &pictures, PictureMatcher &matcher,
+                           const Diagnosis &diagnosis, const ProgressListener &listener)
+    : m_defects(pictures.defects())
+    , m_pictures(pictures)
+    , m_matcher(matcher)
+    , m_listener(listener)
+    , m_differing(diagnosis.differing)
+    , m_isExplained(diagnosis.verdict == DiagnosisVerdict::Undecidable)
+    , m_mostOpen(matcher.coveredPixels() / 8 + 8)
+{
+    const auto count = std::int64_t(m_defects.size());
+    m_sets = count * (count + 1) / 2; // at most
+}
+
+std::vector<DiagnosisCandidate> DefectSearch::candidates() const
+{
+    std::vector<SetMatch> matches = m_exact;
+    matches.insert(matches.end(), m_open.begin(), m_open.end());
+    matches.insert(matches.end(), m_completed.begin(), m_completed.end());
+    if (matches.empty() && !m_isExplained)
+        std::ranges::copy(std::span(m_nearest).first(std::min(m_nearest.size(), nearestListed)),
+                          std::back_inserter(matches));
+    std::vector<DiagnosisCandidate> result;
+    for (const SetMatch &match : matches)
+        result.push_back(candidateOf(match));
+    return result;
+}
+
+DiagnosisCandidate DefectSearch::candidateOf(const SetMatch &match) const
+{
+    DiagnosisCandidate candidate;
+    candidate.distance = match.distance;
+    candidate.undecidable = match.undecidable;
+    candidate.arithmetic = match.set.arithmetic;
+    candidate.defects = m_pictures.defectsIn(match.set);
+    const bool isTold = candidate.arithmetic
+        && (candidate.defects.empty() || !m_matcher.isTolerated(*candidate.arithmetic));
+    if (isTold)
+        candidate.defects.insert(candidate.defects.begin(),
+                                 m_pictures.arithmetics().at(*candidate.arithmetic));
+    return candidate;
+}
+
+/// Once a set explains the pictures, only others that equal them are of interest.
+std::int64_t DefectSearch::distanceUpTo(const DefectSet &set, std::int64_t limit)
+{
+    return m_matcher.distance(set, m_isExplained || !m_exact.empty() ? 1 : limit);
+}
+
+/// From here on a distance is of no interest.
+std::int64_t DefectSearch::limit() const
+{
+    return m_nearest.size() < nearestTried ? m_differing : m_nearest.back().distance;
+}
+
+void DefectSearch::addNear(const DefectSet &set, std::int64_t distance)
+{
+    if (distance == unknown || distance >= limit())
+        return;
+    const auto place = std::ranges::upper_bound(m_nearest, distance, {}, &SetMatch::distance);
+    m_nearest.insert(place, {set, distance, 0});
+    if (m_nearest.size() > nearestTried)
+        m_nearest.pop_back();
+}
+
+/// Of sets that come near, those that leave nothing but what may be either way.
+void DefectSearch::explainNearest(bool pairs)
+{
+    for (const SetMatch &near : m_nearest) {
+        if (near.distance > m_mostOpen || near.set.second.has_value() != pairs)
+            continue;
+        if (const auto match = m_matcher.allowedMatch(near.set))
+            (match->undecidable == 0 ? m_exact : m_open).push_back(*match);
+        else
+            addEqual(near.set);
+    }
+    std::ranges::stable_sort(m_open, {}, &SetMatch::undecidable);
+}
+
+void DefectSearch::addEqual(DefectSet set)
+{
+    for (const Arithmetic arithmetic : m_matcher.equalIn(set)) {
+        set.arithmetic = arithmetic;
+        m_exact.push_back({set});
+    }
+}
+
+/// What is computed in, alone: nobody is told what is allowed for.
+void DefectSearch::tryArithmetics()
+{
+    addEqual({});
+    if (m_isExplained)
+        std::erase_if(m_exact, [this](const SetMatch &match) {
+            return match.set.arithmetic && m_matcher.isTolerated(*match.set.arithmetic);
+        });
+}
+
+bool DefectSearch::trySingles()
+{
+    for (std::size_t i = 0; i < m_defects.size(); ++i) {
+        m_alone.push_back(distanceUpTo({i}, m_differing));
+        if (m_alone.back() == 0)
+            m_exact.push_back({{i}});
+        else if (m_exact.empty())
+            addNear({i}, m_alone.back());
+        if (!goesOnTrying())
+            return false;
+    }
+    tryArithmetics();
+    if (m_isExplained || !m_exact.empty())
+        return true;
+    explainNearest(false);
+    m_isExplained = !m_exact.empty() || !m_open.empty();
+    return true;
+}
+
+bool DefectSearch::hasPart(const std::vector<SetMatch> &matches, std::size_t first,
+                           std::size_t second) const
+{
+    return std::ranges::any_of(matches, [&](const SetMatch &match) {
+        return match.set.first && !match.set.second
+            && (match.set.first == first || match.set.first == second);
+    });
+}
+
+bool DefectSearch::canBePair(std::size_t first, std::size_t second) const
+{
+    const Defect &one = m_defects[first];
+    const Defect &other = m_defects[second];
+    const bool isPlain = !one.standsAlone && !other.standsAlone && !hasPart(m_exact, first, second);
+    // What two redrawings do together often has a name of its own.
+    const bool areRedrawings
+        = one.stage() == DefectStage::Drawing && other.stage() == DefectStage::Drawing;
+    return isPlain && !(areRedrawings && m_hasSingle) && canBeTogether(one, other);
+}
+
+void DefectSearch::tryPair(std::size_t first, std::size_t second)
+{
+    const DefectSet pair{first, second};
+    // A pair is one where each of the two is needed.
+    const std::int64_t least = std::min(m_alone[first], m_alone[second]);
+    const std::int64_t distance = distanceUpTo(pair, std::min(least, limit()));
+    if (distance == 0)
+        (hasPart(m_open, first, second) ? m_completed : m_exact).push_back({pair});
+    else if (distance < least && m_exact.empty() && !m_isExplained)
+        addNear(pair, distance);
+}
+
+bool DefectSearch::tryPairs()
+{
+    m_hasSingle = m_isExplained || !m_exact.empty();
+    for (std::size_t i = 0; i < m_defects.size(); ++i) {
+        for (std::size_t j = i + 1; j < m_defects.size(); ++j) {
+            if (!canBePair(i, j))
+                continue;
+            tryPair(i, j);
+            if (!goesOnTrying())
+                return false;
+        }
+    }
+    if (!m_isExplained && m_exact.empty())
+        explainNearest(true);
+    return true;
+}
+
+} // namespace pixelplumb

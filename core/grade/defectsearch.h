@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/diagnosis.h"
+
+namespace pixelplumb {
+
+/// Tries sets of one and of two defects.
+class DefectSearch {
+public:
+    /// It explains pictures that differ in so many pixels from the right ones, which may do without
+    /// an explanation.
+    DefectSearch(DefectPictures &pictures, PictureMatcher &matcher, const Diagnosis &diagnosis,
+                 const ProgressListener &listener);
+
+    /// False where the listener ended it.
+    bool run() { return trySingles() && tryPairs(); }
+
+    std::vector<DiagnosisCandidate> candidates() const;
+
+private:
+    DiagnosisCandidate candidateOf(const SetMatch &match) const;
+    bool goesOnTrying() { return goesOn(m_listener, {JobPhase::Judging, ++m_tried, m_sets}); }
+    std::int64_t distanceUpTo(const DefectSet &set, std::int64_t limit);
+    std::int64_t limit() const;
+    void addNear(const DefectSet &set, std::int64_t distance);
+    void explainNearest(bool pairs);
+    void addEqual(DefectSet set);
+    void tryArithmetics();
+    bool trySingles();
+    bool hasPart(const std::vector<SetMatch> &matches, std::size_t first, std::size_t second) const;
+    bool canBePair(std::size_t first, std::size_t second) const;
+    bool tryPairs();
+    void tryPair(std::size_t first, std::size_t second);
+
+    const std::vector<Defect> &m_defects;
+    DefectPictures &m_pictures;
+    PictureMatcher &m_matcher;
+    const ProgressListener &m_listener;
+    std::int64_t m_differing;
+    bool m_isExplained; ///< by what is right, or by a set with pixels that are left open
+    bool m_hasSingle = false; ///< one defect explains the pictures
+    std::int64_t m_mostOpen; ///< pixels: more are never a matter of rounding alone
+    std::int64_t m_sets = 0, m_tried = 0;
+    std::vector<std::int64_t> m_alone; ///< distances, by defect
+    std::vector<SetMatch> m_exact, m_open;
+    std::vector<SetMatch> m_completed; ///< pairs that are exact, one of which leaves open pixels
+    std::vector<SetMatch> m_nearest; ///< ascending
+};
+
+} // namespace pixelplumb

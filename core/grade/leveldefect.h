@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/defect.h"
+
+namespace pixelplumb {
+
+/// Mistakes in how a level of 0 … 1 becomes a byte: another factor than 255. None where the scene
+/// cannot be redrawn.
+std::vector<Defect> levelDefectsFor(const Scene &scene);
+
+} // namespace pixelplumb

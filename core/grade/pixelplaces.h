@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/picturecause.h"
+
+namespace pixelplumb {
+
+/// Pixels that are in other places than expected: flips, x and y exchanged, rows stored too far
+/// apart or too near, columns stored in place of rows, shifts.
+std::vector<PictureChange> placeChangesFor(const Picture &expected, const Colour &background);
+
+} // namespace pixelplumb

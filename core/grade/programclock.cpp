@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/programclock.h"
+
+#include <sys/wait.h>
+
+#include <csignal>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr int waitingShare = 64; // who computes less than 1/64 of its time waits
+constexpr int timesInAll = 16; // what all processes together may compute
+constexpr int timesByClock = 64; // whatever is computed
+
+} // namespace
+
+ProgramClock::ProgramClock(const ProgramLimits &limits, Clock::time_point start)
+    : m_limits(limits)
+    , m_start(start)
+    , m_nextLook(start + limits.wallTime())
+{
+}
+
+std::optional<LateEnd> ProgramClock::look(std::chrono::milliseconds computed, Clock::time_point now)
+{
+    const std::chrono::seconds own(m_limits.wholeSeconds());
+    if (computed >= timesInAll * own)
+        return LateEnd{false,
+                       QStringLiteral("it was ended after %1 s of computing in all its processes")
+                           .arg((timesInAll * own).count())};
+    // How often it was looked at before depends on what else the machine does: it is not told.
+    if (waitingShare * (computed - m_computedBefore) < own)
+        return LateEnd{true,
+                       QStringLiteral("it was ended by the clock: it had waited for %1 s")
+                           .arg(double(m_limits.wallTime().count()) / 1000)};
+    if (now >= m_start + timesByClock * own)
+        return LateEnd{true,
+                       QStringLiteral("it was ended after %1 s by the clock")
+                           .arg((timesByClock * own).count())};
+    m_computedBefore = computed;
+    m_nextLook = now + m_limits.wallTime();
+    return std::nullopt;
+}
+
+bool hasComputedTooLong(int status, std::chrono::milliseconds computed, const ProgramLimits &limits)
+{
+    constexpr int ofShells = 128;
+    const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : WEXITSTATUS(status) - ofShells;
+    return (signal == SIGXCPU || signal == SIGKILL)
+        && 2 * computed >= std::chrono::seconds(limits.wholeSeconds());
+}
+
+} // namespace pixelplumb
