@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/suggestion.h"
 #include "core/methods/method.h"
+#include "core/scan/choicenames.h"
 #include "version.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/look/numberformat.h"
@@ -32,6 +33,12 @@ namespace {
 
 constexpr int usageError = 2;
 
+template <class Choices>
+QString listed(const Choices &choices)
+{
+    return namesOf(choices).join(QStringLiteral(", "));
+}
+
 struct Options {
     QCommandLineOption palette{
         QStringLiteral("palette"),
@@ -50,14 +57,13 @@ struct Options {
                               QStringLiteral("name")};
     QCommandLineOption arithmetic{
         QStringLiteral("arithmetic"),
-        QCoreApplication::translate(
-            "main", "exact, float32, float64, fixed16.16 or fixed32.32, instead of the scene's."),
+        QCoreApplication::translate("main", "Instead of the scene's, one of: %1.")
+            .arg(listed(allArithmetics)),
         QStringLiteral("name")};
     QCommandLineOption fillRule{
         QStringLiteral("fill-rule"),
-        QCoreApplication::translate("main",
-                                    "closed, half-open-column, top-left, off-screen-point or open, "
-                                    "instead of the scene's."),
+        QCoreApplication::translate("main", "Instead of the scene's, one of: %1.")
+            .arg(listed(allFillRules)),
         QStringLiteral("name")};
 };
 
@@ -98,14 +104,14 @@ void overrideSettings(MainWindow &window, const QCommandLineParser &parser, cons
         const auto arithmetic = arithmeticNamed(parser.value(options.arithmetic).toStdString());
         if (!arithmetic)
             refuse(QStringLiteral("arithmetic"), parser.value(options.arithmetic),
-                   QStringLiteral("exact, float32, float64, fixed16.16 or fixed32.32"));
+                   QStringLiteral("one of ") + listed(allArithmetics));
         scene.settings.arithmetic = *arithmetic;
     }
     if (parser.isSet(options.fillRule)) {
         const auto rule = fillRuleNamed(parser.value(options.fillRule).toStdString());
         if (!rule)
             refuse(QStringLiteral("fill-rule"), parser.value(options.fillRule),
-                   QStringLiteral("closed, half-open-column, top-left, off-screen-point or open"));
+                   QStringLiteral("one of ") + listed(allFillRules));
         scene.settings.fillRule = *rule;
     }
     if (scene != window.parts().document->scene())

@@ -118,7 +118,8 @@ private slots:
             const bool cites = std::ranges::any_of(
                 sections.keys(), [&](const QString &name) { return source.contains(name); });
             QVERIFY2(cites, qPrintable(source));
-            QVERIFY2(text.contains(u'`' + id + u'`'), qPrintable(id));
+            QVERIFY2(text.contains(u'`' + id + u'`'),
+                     qPrintable(id + QStringLiteral(" is not in resources/sources.md")));
         };
         for (const Method &method : methods())
             verify(method.id, method.source);

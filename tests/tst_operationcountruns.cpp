@@ -40,7 +40,10 @@ private slots:
                 QVERIFY(!countingGap(method, Arithmetic::Exact).isEmpty());
                 continue;
             }
-            QVERIFY2(isCounted(method), qPrintable(method.id));
+            QVERIFY2(isCounted(method),
+                     qPrintable(method.id
+                                + QStringLiteral(" has no row in core/lab/countedtriangles.cpp or "
+                                                 "countedshapes.cpp")));
             for (const StandardExample &example : standardExamplesFor(method)) {
                 for (const Arithmetic arithmetic : method.arithmetics) {
                     const auto counts = countOperations(method, arithmetic, example);

@@ -125,6 +125,7 @@ private slots:
                 QCOMPARE(samples[i].x, std::int64_t(change.x));
                 QCOMPARE(samples[i].y, std::int64_t(change.y));
                 QCOMPARE(samples[i].fate == SampleFate::Written, change.isWritten());
+                // What shows which samples are still to come counts on their ascending order.
                 QCOMPARE(isRow ? samples[i].x : samples[i].y, record.firstDrawn + std::int64_t(i));
                 QCOMPARE(isRow ? samples[i].y : samples[i].x, record.place.coordinate);
                 QVERIFY(samples[i].cells.empty()

@@ -20,12 +20,8 @@
         <translation>Mit diesem Verfahren zeichnen.</translation>
     </message>
     <message>
-        <source>exact, float32, float64, fixed16.16 or fixed32.32, instead of the scene&apos;s.</source>
-        <translation>exact, float32, float64, fixed16.16 oder fixed32.32 anstelle dessen, was die Szene sagt.</translation>
-    </message>
-    <message>
-        <source>closed, half-open-column, top-left, off-screen-point or open, instead of the scene&apos;s.</source>
-        <translation>closed, half-open-column, top-left, off-screen-point oder open anstelle dessen, was die Szene sagt.</translation>
+        <source>Instead of the scene&apos;s, one of: %1.</source>
+        <translation>Anstelle dessen, was die Szene sagt, eines von: %1.</translation>
     </message>
     <message>
         <source>See and step through triangle scan conversion.</source>
