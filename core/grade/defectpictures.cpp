@@ -85,6 +85,8 @@ Scene DefectPictures::sceneIn(std::size_t scene, const DefectSet &set) const
 
 DefectPictures::SharedPicture DefectPictures::draw(std::size_t scene, const DefectSet &set)
 {
+    if (set.second && m_defects[*set.second].changePicture)
+        return changed(scene, set);
     const std::vector<Defect> defects = defectsIn(set);
     const Scene drawn = withDefects(sceneIn(scene, set), defects);
     const auto redrawing = redrawingAmong(defects);
@@ -99,6 +101,18 @@ DefectPictures::SharedPicture DefectPictures::draw(std::size_t scene, const Defe
                 defect.changePicture(*picture, drawn.frame.background));
     }
     return picture;
+}
+
+/// What its first defect draws, which many sets have, with the change that the second one is.
+DefectPictures::SharedPicture DefectPictures::changed(std::size_t scene, const DefectSet &set)
+{
+    const DefectSet first{set.first, {}, set.arithmetic};
+    const SharedPicture base = picture(scene, first);
+    if (!base)
+        return nullptr;
+    const Scene drawn = withDefects(sceneIn(scene, set), defectsIn(first));
+    return std::make_shared<const Picture>(
+        m_defects[*set.second].changePicture(*base, drawn.frame.background));
 }
 
 DefectPictures::SharedPicture DefectPictures::picture(std::size_t scene, const DefectSet &set)

@@ -63,6 +63,7 @@ private:
     SharedPicture scenePicture(std::size_t scene, const Scene &drawn);
     Scene sceneIn(std::size_t scene, const DefectSet &set) const; ///< in the set's arithmetic
     SharedPicture draw(std::size_t scene, const DefectSet &set);
+    SharedPicture changed(std::size_t scene, const DefectSet &set);
 
     std::vector<Scene> m_scenes;
     std::vector<Defect> m_defects;

@@ -7,6 +7,8 @@
 #include "core/scan/edgeteststate.h"
 
 #include <algorithm>
+#include <cstring>
+#include <type_traits>
 
 namespace pixelplumb {
 
@@ -42,6 +44,24 @@ void findCauses(const Picture &expected, const Picture &found, PictureDiff &diff
     std::ranges::stable_sort(diff.causes, {}, &PictureCause::left);
 }
 
+/// Block by block, most of which are the same: thousands of pictures are compared with one.
+template <class Entry>
+std::int64_t differingEntries(const std::vector<Entry> &expected, const std::vector<Entry> &found,
+                              std::int64_t limit)
+{
+    static_assert(std::has_unique_object_representations_v<Entry>);
+    constexpr std::size_t block = 32;
+    std::int64_t differing = 0;
+    for (std::size_t first = 0; first < expected.size() && differing < limit; first += block) {
+        const std::size_t end = std::min(first + block, expected.size());
+        if (std::memcmp(&expected[first], &found[first], (end - first) * sizeof(Entry)) == 0)
+            continue;
+        for (std::size_t i = first; i < end && differing < limit; ++i)
+            differing += int(expected[i] != found[i]);
+    }
+    return differing;
+}
+
 } // namespace
 
 QString nameOf(PixelVerdict verdict)
@@ -63,12 +83,9 @@ QString nameOf(PixelVerdict verdict)
 
 std::int64_t differingPixels(const Picture &expected, const Picture &found, std::int64_t limit)
 {
-    const bool haveColours = expected.hasColours && found.hasColours;
-    std::int64_t differing = 0;
-    for (std::size_t i = 0; i < expected.size() && differing < limit; ++i)
-        differing += int(haveColours ? expected.colours[i] != found.colours[i]
-                                     : expected.covered[i] != found.covered[i]);
-    return differing;
+    if (expected.hasColours && found.hasColours)
+        return differingEntries(expected.colours, found.colours, limit);
+    return differingEntries(expected.covered, found.covered, limit);
 }
 
 PictureDiff differenceOf(const Picture &expected, const Picture &found,
