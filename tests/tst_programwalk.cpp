@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/seededrandom.h"
+#include "core/grade/defectivescene.h"
 #include "core/grade/programwalk.h"
 #include "core/methods/method.h"
 
@@ -79,6 +80,30 @@ private slots:
                 const Picture right = pictureOf(scene);
                 for (const WalkOrder order : {WalkOrder::Ascending, WalkOrder::Descending})
                     QCOMPARE(redrawn(scene, {walking({.order = order})}), right);
+            }
+        }
+    }
+
+    void aChannelOfTheVerticesIsOneOfThePicture()
+    {
+        SeededRandom random(9);
+        const Scene scene = randomScene(random, QStringLiteral("column-scan"), FillRule::Closed);
+        const Picture right = pictureOf(scene);
+        const std::array<QString, 3> names
+            = {QStringLiteral("red"), QStringLiteral("green"), QStringLiteral("blue")};
+        const std::vector<Defect> defects = defectsFor(scene);
+        const auto channelWith = [&](const QString &id, std::size_t place, std::size_t channel) {
+            const auto defect = std::ranges::find(defects, id, &Defect::id);
+            return pictureWith(scene, std::span(&*defect, 1)).colours[place].channels[channel];
+        };
+        const auto place = std::size_t(std::ranges::find(right.covered, std::uint8_t(1))
+                                       - right.covered.begin());
+        for (std::size_t to = 0; to < 3; ++to) {
+            QCOMPARE(channelWith(names[to] + QStringLiteral("-not-set"), place, to), 0);
+            for (std::size_t from = 0; from < 3; ++from) {
+                const QString id = names[to] + QStringLiteral("-from-") + names[from];
+                if (from != to)
+                    QCOMPARE(channelWith(id, place, to), right.colours[place].channels[from]);
             }
         }
     }

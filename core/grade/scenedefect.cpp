@@ -151,6 +151,39 @@ bool keepOnly(PrimitiveEnd end, Scene &scene)
     return true;
 }
 
+/// One channel of the vertices, with which all is computed: another one's, or none.
+void appendChannels(std::vector<Defect> &defects, const Scene &scene)
+{
+    constexpr std::array<const char *, 3> names = {"red", "green", "blue"};
+    const auto add = [&](const QString &id, const QString &forAssistant,
+                         const std::function<void(Colour & colour)> &change) {
+        appendWhereItApplies(defects, scene, QStringLiteral("vertex channels"),
+                             {id, QStringLiteral("Are all three channels treated alike?"),
+                              forAssistant, [change](Scene &changed) {
+                                  for (Triangle &triangle : changed.triangles) {
+                                      for (Vertex &vertex : triangle.vertices)
+                                          change(vertex.colour);
+                                  }
+                                  return true;
+                              }});
+    };
+    for (std::size_t to = 0; to < 3; ++to) {
+        const QString name = QString::fromLatin1(names[to]);
+        const QString title = name.left(1).toUpper() + name.mid(1);
+        for (std::size_t from = 0; from < 3; ++from) {
+            if (from == to)
+                continue;
+            const QString other = QString::fromLatin1(names[from]);
+            add(name + QStringLiteral("-from-") + other,
+                QStringLiteral("%1 is computed from the %2 of the vertices.").arg(title, other),
+                [to, from](Colour &colour) { colour.channels[to] = colour.channels[from]; });
+        }
+        add(name + QStringLiteral("-not-set"),
+            QStringLiteral("%1 is not set: it is 0 in all that is drawn.").arg(title),
+            [to](Colour &colour) { colour.channels[to] = 0; });
+    }
+}
+
 void appendPrimitives(std::vector<Defect> &defects, const Scene &scene)
 {
     const auto cull = [&](const char *id, const char *turn, int sign) {
@@ -214,6 +247,7 @@ std::vector<Defect> sceneDefectsFor(const Scene &scene)
     std::vector<Defect> defects;
     appendPlaces(defects, scene);
     appendColours(defects, scene);
+    appendChannels(defects, scene);
     appendPrimitives(defects, scene);
     return defects;
 }
