@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/diagnosis.h"
 #include "core/grade/picturediff.h"
+#include "tests/support/mistakenprograms.h"
 #include "tests/support/probescenes.h"
 #include "tests/support/scanning.h"
-#include "tests/support/studentwalk.h"
 
 #include <QTest>
 
 #include <algorithm>
 
 using namespace pixelplumb;
+using Mistakes = std::set<WalkMistake>;
+
+Q_DECLARE_METATYPE(Mistakes)
 
 namespace {
 
@@ -137,29 +140,29 @@ private slots:
 
     void aStudentsProgramInDoubleIsNamed_data()
     {
-        QTest::addColumn<WalkMistake>("mistake");
         QTest::addColumn<QString>("id");
-        QTest::newRow("edge pre-step") << WalkMistake::NoEdgePreStep << "no-edge-pre-step";
-        QTest::newRow("edge colours")
-            << WalkMistake::NoEdgeColourPreStep << "colours-without-edge-pre-step";
-        QTest::newRow("unsorted") << WalkMistake::UnsortedColours << "unsorted-colours";
-        QTest::newRow("plus one") << WalkMistake::EdgeDivisorPlusOne << "divisor-plus-one";
-        QTest::newRow("span plus one")
-            << WalkMistake::SpanDivisorPlusOne << "colour-divisor-plus-one";
-        QTest::newRow("last span") << WalkMistake::LastSpanMissing << "last-span-missing";
-        QTest::newRow("no second half") << WalkMistake::NoSecondHalf << "second-half-missing";
+        QTest::addColumn<Mistakes>("mistakes");
+        for (const MistakenProgram &program : mistakenPrograms()) {
+            if (program.method == QStringLiteral("column-scan"))
+                QTest::newRow(qPrintable(program.id)) << program.id << program.mistakes;
+        }
     }
     void aStudentsProgramInDoubleIsNamed()
     {
-        QFETCH(WalkMistake, mistake);
         QFETCH(QString, id);
-        std::vector<Submission> submissions;
-        for (const Scene &scene : probeScenes())
-            submissions.push_back(
-                {scene, studentPictureInDouble(scene, WalkLines::Columns, {mistake})});
-        const auto diagnosis = diagnose(submissions);
-        QVERIFY2(diagnosis->isExplained(), qPrintable(idsOf(*diagnosis).join(u' ')));
-        QVERIFY2(idsOf(*diagnosis).contains(id), qPrintable(idsOf(*diagnosis).join(u' ')));
+        QFETCH(Mistakes, mistakes);
+        static DefectPictures pictures(probeSheet(QStringLiteral("column-scan")));
+        std::vector<FoundPicture> found;
+        for (const Scene &scene : pictures.scenes())
+            found.push_back(
+                {found.size(), studentPictureInDouble(scene, WalkLines::Columns, mistakes)});
+        const auto diagnosis = diagnose(pictures, found);
+        if (diagnosis->verdict == DiagnosisVerdict::Undecidable)
+            return; // samples on a vertex alone may be missing of a right program, too
+        // A quotient of colours that is cut jumps where it is whole: no bound holds for it.
+        const bool isCut = id.endsWith(QStringLiteral("-colour-rates"));
+        QVERIFY2(diagnosis->isExplained() || isCut, qPrintable(idsOf(*diagnosis).join(u' ')));
+        QCOMPARE(idsOf(diagnosis->candidates.front()), id);
     }
 
     void arithmeticIsBesideTwoDefects_data()

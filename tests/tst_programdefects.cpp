@@ -2,10 +2,10 @@
 #include "core/grade/diagnosis.h"
 #include "core/methods/method.h"
 #include "core/scene/scenefile.h"
+#include "tests/support/mistakenprograms.h"
+#include "tests/support/probescenes.h"
 #include "tests/support/sourcetree.h"
-#include "tests/support/studentwalk.h"
 
-#include <QDir>
 #include <QTest>
 
 #include <algorithm>
@@ -18,22 +18,23 @@ namespace {
 
 using Mistakes = std::set<WalkMistake>;
 
-std::vector<Scene> sheetOf(const QString &method)
-{
-    const QDir folder(resource(QStringLiteral("/probes")));
-    std::vector<Scene> scenes;
-    for (const QString &name : folder.entryList({method + QStringLiteral("-*.json")})) {
-        if (const auto reading = readSceneFile(folder.filePath(name)))
-            scenes.push_back(reading->scene);
-    }
-    return scenes;
-}
-
 Scene defaultScene(const QString &method)
 {
     const auto reading = readSceneFile(resource(QStringLiteral("/scenes/default.json")));
     Scene scene = reading ? reading->scene : Scene();
     scene.method = method.toStdString();
+    return scene;
+}
+
+/// Triangles of which two vertices stand one above the other, given in either order.
+Scene verticalEdges()
+{
+    Scene scene = defaultScene(QStringLiteral("column-scan"));
+    const auto triangle = [](const LatticePoint &a, const LatticePoint &b, const LatticePoint &c) {
+        return Triangle{{{{a, {{250, 40, 10}}}, {b, {{20, 200, 90}}}, {c, {{60, 30, 240}}}}}};
+    };
+    scene.triangles = {triangle(latticePixel(22, 30), latticePixel(3, 11), latticePixel(22, 4)),
+                       triangle(latticePixel(26, 5), latticePixel(44, 9), latticePixel(44, 41))};
     return scene;
 }
 
@@ -45,8 +46,8 @@ WalkLines linesOf(const QString &method)
 /// What the programs of a class draw, by method: one memory of defects' pictures for all.
 DefectPictures &defectPicturesOf(const QString &method)
 {
-    static DefectPictures ofColumns(sheetOf(QStringLiteral("column-scan")));
-    static DefectPictures ofRows(sheetOf(QStringLiteral("row-walk")));
+    static DefectPictures ofColumns(probeSheet(QStringLiteral("column-scan")));
+    static DefectPictures ofRows(probeSheet(QStringLiteral("row-walk")));
     return method == QStringLiteral("row-walk") ? ofRows : ofColumns;
 }
 
@@ -66,32 +67,6 @@ void addRow(const char *id, const Mistakes &mistakes, const char *method)
 {
     QTest::addRow("%s, %s", method, id)
         << QString::fromLatin1(method) << QString::fromLatin1(id) << mistakes;
-}
-
-/// Mistakes that go by columns and, from either end, by rows.
-void addOfEdges(const char *id, Mistakes mistakes)
-{
-    addRow(id, mistakes, "column-scan");
-    addRow(id, mistakes, "row-walk");
-    mistakes.insert(WalkMistake::FromBelow);
-    addRow(qPrintable(QString::fromLatin1(id) + QStringLiteral("-from-below")), mistakes,
-           "row-walk");
-}
-
-/// Of spans, where it does not matter from which end they are gone through.
-void addOfSpans(const char *id, Mistakes mistakes)
-{
-    addRow(id, mistakes, "column-scan");
-    addRow(id, mistakes, "row-walk");
-}
-
-/// From above the last row is that of the least y.
-void addOfEnds(const char *id, const char *fromAbove, Mistakes mistakes)
-{
-    addRow(id, mistakes, "column-scan");
-    addRow(fromAbove, mistakes, "row-walk");
-    mistakes.insert(WalkMistake::FromBelow);
-    addRow(id, mistakes, "row-walk");
 }
 
 } // namespace
@@ -114,60 +89,19 @@ private slots:
     {
         QFETCH(QString, method);
         QFETCH(Mistakes, mistakes);
-        for (const Scene &scene : sheetOf(method))
+        for (const Scene &scene : probeSheet(method))
             QCOMPARE(studentPicture(scene, linesOf(method), mistakes).colours,
                      pictureOf(scene).colours);
     }
 
     void theSheetNamesTheMistakeOfAProgram_data()
     {
-        using M = WalkMistake;
         QTest::addColumn<QString>("method");
         QTest::addColumn<QString>("id");
         QTest::addColumn<Mistakes>("mistakes");
-        addOfEdges("no-edge-pre-step", {M::NoEdgePreStep});
-        addOfEdges("colours-without-edge-pre-step", {M::NoEdgeColourPreStep});
-        addOfEdges("divisor-minus-one", {M::EdgeDivisorMinusOne});
-        addOfEdges("divisor-plus-one", {M::EdgeDivisorPlusOne});
-        addOfEdges("unsorted-colours", {M::UnsortedColours});
-        addOfEdges("whole-slopes", {M::WholeSlopes});
-        addOfEdges("whole-edge-colours", {M::WholeEdgeColours});
-        addOfEdges("whole-edge-steps", {M::WholeSlopes, M::WholeEdgeColours});
-        addOfEdges("whole-colours", {M::WholeEdgeColours, M::WholePreSteps, M::WholeSteps});
-        addOfEdges("whole-increments",
-                   {M::WholeSlopes, M::WholeEdgeColours, M::WholePreSteps, M::WholeSteps});
-        addOfSpans("whole-colour-steps", {M::WholeSteps});
-        addOfSpans("whole-colour-rates", {M::WholePreSteps, M::WholeSteps});
-        addOfSpans("colour-divisor-plus-one", {M::SpanDivisorPlusOne});
-        addOfSpans("colours-between-samples", {M::ColoursBetweenSamples});
-        addOfEnds("last-span-missing", "first-span-missing", {M::LastSpanMissing});
-        addOfEnds("first-span-missing", "last-span-missing", {M::FirstSpanMissing});
-        addOfEnds("open-at-last-vertex", "open-at-first-vertex", {M::OpenAtLastVertex});
-        addOfEnds("open-at-first-vertex", "open-at-last-vertex", {M::OpenAtFirstVertex});
-        addOfEnds("middle-span-missing", "middle-floor-span-missing", {M::SecondHalfAfterCeiling});
-        addOfEnds("middle-floor-span-missing", "middle-span-missing",
-                  {M::FirstHalfTruncated, M::SecondHalfAfterFloor});
-        addOfEnds("open-at-middle-vertex", "open-at-middle-vertex", {M::SecondHalfAfterFloor});
-        addOfEnds("middle-span-truncated", "middle-span-truncated-from-above",
-                  {M::FirstHalfTruncated});
-        addOfEnds("first-half-missing", "second-half-behind-middle-missing", {M::NoFirstHalf});
-        addOfEnds("second-half-missing", "first-half-and-middle-missing", {M::NoSecondHalf});
-        addOfEdges("no-pre-step-behind-middle", {M::SecondHalfWithoutPreStep});
-        addOfEdges("loops-truncated", {M::LoopsTruncated});
-        addOfEdges("floor-slopes", {M::WholeSlopes, M::DividesDown});
-        addOfEdges("floor-edge-colours", {M::WholeEdgeColours, M::DividesDown});
-        addOfEdges("floor-edge-steps", {M::WholeSlopes, M::WholeEdgeColours, M::DividesDown});
-        addOfEdges("floor-colours",
-                   {M::WholeEdgeColours, M::WholePreSteps, M::WholeSteps, M::DividesDown});
-        addOfEdges(
-            "floor-increments",
-            {M::WholeSlopes, M::WholeEdgeColours, M::WholePreSteps, M::WholeSteps, M::DividesDown});
-        addOfSpans("floor-colour-steps", {M::WholeSteps, M::DividesDown});
-        addOfSpans("floor-colour-rates", {M::WholePreSteps, M::WholeSteps, M::DividesDown});
-        addOfSpans("whole-span-levels", {M::WholeSpanLevels});
-        addOfSpans("middle-above-lost", {M::LongEdgeAlwaysUpper});
-        addOfSpans("middle-below-lost", {M::LongEdgeAlwaysLower});
-        addOfEdges("whole-levels", {M::WholeEdgeLevels, M::WholeSpanLevels});
+        for (const MistakenProgram &program : mistakenPrograms())
+            QTest::addRow("%s, %s", qPrintable(program.method), qPrintable(program.id))
+                << program.method << program.id << program.mistakes;
     }
     void theSheetNamesTheMistakeOfAProgram()
     {
@@ -200,24 +134,37 @@ private slots:
 
     void aProgramInDoubleHasTheDefectInDouble_data()
     {
-        using M = WalkMistake;
+        const QStringList ids = {QStringLiteral("no-edge-pre-step"),
+                                 QStringLiteral("whole-slopes"),
+                                 QStringLiteral("whole-edge-steps"),
+                                 QStringLiteral("whole-colours"),
+                                 QStringLiteral("whole-colour-rates"),
+                                 QStringLiteral("whole-places"),
+                                 QStringLiteral("colour-divisor-samples"),
+                                 QStringLiteral("colour-divisor-plus-one"),
+                                 QStringLiteral("long-edge-begun-again"),
+                                 QStringLiteral("edge-pre-step-backward"),
+                                 QStringLiteral("vertices-not-sorted"),
+                                 QStringLiteral("second-edge-carried-on"),
+                                 QStringLiteral("edges-stepped-first"),
+                                 QStringLiteral("extra-first-sample"),
+                                 QStringLiteral("colours-without-edge-pre-step")};
         QTest::addColumn<QString>("method");
         QTest::addColumn<QString>("id");
         QTest::addColumn<Mistakes>("mistakes");
-        addOfEdges("no-edge-pre-step", {M::NoEdgePreStep});
-        addOfEdges("colours-without-edge-pre-step", {M::NoEdgeColourPreStep});
-        addOfEdges("whole-slopes", {M::WholeSlopes});
-        addOfEdges("whole-edge-steps", {M::WholeSlopes, M::WholeEdgeColours});
-        addOfEdges("whole-colours", {M::WholeEdgeColours, M::WholePreSteps, M::WholeSteps});
-        addOfSpans("whole-colour-rates", {M::WholePreSteps, M::WholeSteps});
-        addOfSpans("colour-divisor-plus-one", {M::SpanDivisorPlusOne});
+        for (const MistakenProgram &program : mistakenPrograms()) {
+            QString id = program.id;
+            if (ids.contains(id.remove(QStringLiteral("-from-below"))))
+                QTest::addRow("%s, %s", qPrintable(program.method), qPrintable(program.id))
+                    << program.method << program.id << program.mistakes;
+        }
     }
     void aProgramInDoubleHasTheDefectInDouble()
     {
         QFETCH(QString, method);
         QFETCH(QString, id);
         QFETCH(Mistakes, mistakes);
-        for (Scene scene : sheetOf(method)) {
+        for (Scene scene : probeSheet(method)) {
             const Picture picture = studentPictureInDouble(scene, linesOf(method), mistakes);
             scene.settings.arithmetic = Arithmetic::Float64;
             const std::vector<Defect> defects = defectsFor(scene);
@@ -257,6 +204,76 @@ private slots:
         QVERIFY(words("no-edge-pre-step-from-below").contains(QStringLiteral("the least y up")));
         QVERIFY(words("whole-slopes").contains(QStringLiteral("from the greatest y down")));
         QVERIFY(!words("whole-colour-rates").contains(QStringLiteral("gone through")));
+        QVERIFY(words("edge-pre-step-of-fraction")
+                    .contains(QStringLiteral("by ⌈y₀⌉ − y₀ in place of y₀ − ⌊y₀⌋.")));
+        QVERIFY(words("edge-pre-step-of-fraction-from-below")
+                    .contains(QStringLiteral("by y₀ − ⌊y₀⌋ in place of ⌈y₀⌉ − y₀.")));
+        QVERIFY(words("colour-pre-step-of-fraction")
+                    .contains(QStringLiteral("by x_L − ⌊x_L⌋ in place of ⌈x_L⌉ − x_L.")));
+    }
+
+    void noSentenceHasAPlaceThatIsNotFilled()
+    {
+        for (const char *method : {"column-scan", "row-walk"}) {
+            Scene scene = defaultScene(QString::fromLatin1(method));
+            scene.triangles = verticalEdges().triangles;
+            for (const Defect &defect : defectsFor(scene)) {
+                QVERIFY2(!defect.forStudent.contains(u'%'), qPrintable(defect.forStudent));
+                QVERIFY2(!defect.forAssistant.contains(u'%'), qPrintable(defect.forAssistant));
+            }
+        }
+    }
+
+    void howAFlatEndIsDrawnIsToldBesideAMistakeAlone_data()
+    {
+        using M = WalkMistake;
+        QTest::addColumn<QString>("choice");
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<WalkMistake>("mistake");
+        QTest::addColumn<WalkMistake>("made");
+        const auto add = [](const char *id, M mistake) {
+            for (const auto &[choice, made] :
+                 {std::pair("equal-as-given", M::EqualAsGiven),
+                  std::pair("equal-descending", M::EqualDescending),
+                  std::pair("flat-end-from-vertices", M::FlatEndFromVertices),
+                  std::pair("flat-end-from-edges", M::FlatEndFromEdges)}) {
+                const bool isSeen = made == M::EqualAsGiven || made == M::EqualDescending
+                    || mistake != M::UnsortedColours;
+                if (isSeen)
+                    QTest::addRow("%s, %s", choice, id)
+                        << QString::fromLatin1(choice) << QString::fromLatin1(id) << mistake
+                        << made;
+            }
+        };
+        add("divisor-plus-one", M::EdgeDivisorPlusOne);
+        add("divisor-minus-one", M::EdgeDivisorMinusOne);
+        add("unsorted-colours", M::UnsortedColours);
+    }
+    void howAFlatEndIsDrawnIsToldBesideAMistakeAlone()
+    {
+        QFETCH(QString, choice);
+        QFETCH(QString, id);
+        QFETCH(WalkMistake, mistake);
+        QFETCH(WalkMistake, made);
+        const Scene scene = verticalEdges();
+        const auto drawn = [&scene](const Mistakes &all) {
+            return studentPicture(scene, WalkLines::Columns, all);
+        };
+        QCOMPARE(drawn({made}).colours, pictureOf(scene).colours);
+
+        const auto diagnosis = diagnose(std::vector{Submission{scene, drawn({mistake, made})}});
+
+        QVERIFY2(diagnosis->isExplained(), qPrintable(textOf(*diagnosis)));
+        const QStringList both{id, choice};
+        QVERIFY2(std::ranges::any_of(
+                     diagnosis->candidates,
+                     [&](const DiagnosisCandidate &candidate) { return candidate.ids() == both; }),
+                 qPrintable(textOf(*diagnosis)));
+        QVERIFY2(std::ranges::none_of(diagnosis->candidates,
+                                      [](const DiagnosisCandidate &candidate) {
+                                          return candidate.defects.size() == 1;
+                                      }),
+                 qPrintable(textOf(*diagnosis)));
     }
 
     void aRedrawingPartsWhereItsFirstPixelDiffers()

@@ -2,170 +2,282 @@
 #pragma once
 
 #include "core/grade/programwalk.h"
-#include "core/number/commonfraction.h"
-#include "core/scan/variedscan.h"
+#include "core/number/wideinteger.h"
 
 #include <algorithm>
 
 namespace pixelplumb {
 
-/// A program's walk in fractions. Of coordinates up to 2^15 px an edge's numerators stay below
-/// 2^48 and its denominator, ΔX·S, below 2^33.
+/// A program's walk in fractions. Of coordinates up to 2^15 px an edge's denominator, ΔX·S, stays
+/// below 2^33 and, where it is carried on from another's end, below 2^66; numerators below 2^90.
 struct ExactWalk {
     static bool represents(const LatticePoint &point) { return isNarrow(point); }
 
     /// What is left of a quotient; its denominator is positive.
-    static Int128 cut(const Int128 &numerator, const Int128 &denominator, Kept kept)
+    template <class Integer>
+    static Integer cut(const Integer &numerator, const Integer &denominator, Kept kept)
     {
-        return kept == Kept::Down ? floorDivide(numerator, denominator) : numerator / denominator;
+        if (kept == Kept::Nearest)
+            return floorDivide<Integer>(2 * numerator + denominator, 2 * denominator);
+        return kept == Kept::Down ? floorDivide<Integer>(numerator, denominator)
+                                  : Integer(numerator / denominator);
     }
+
+    /// Something that is stepped along an edge.
+    struct Track {
+        Int128 at = 0, rate = 0;
+        Int128 denominator = unitsPerPixel; ///< of both; > 0
+
+        Int128 floor() const { return floorDivide<Int128>(at, denominator); }
+        Int128 ceil() const { return ceilDivide<Int128>(at, denominator); }
+        void store(Kept kept)
+        {
+            if (kept != Kept::All)
+                at = cut<Int128>(at, denominator, kept) * denominator;
+        }
+        void step(Kept kept)
+        {
+            at += rate;
+            store(kept);
+        }
+        /// Goes on from where another one has come to.
+        void carryOn(const Track &other)
+        {
+            at = other.at * denominator;
+            rate *= other.denominator;
+            denominator *= other.denominator;
+        }
+    };
 
     /// Where an edge meets the span in hand.
     class Edge {
     public:
-        Edge(const Vertex &from, const Vertex &to, const WalkedProgram &program, std::int64_t span)
-            : m_ofPlaces(program.placesOf(from, to))
-            , m_ofColours(program.coloursOf(from, to))
-            , m_walk(program.walk)
-            , m_width(m_ofPlaces.b.position.x - m_ofPlaces.a.position.x)
-            , m_span(span)
+        Edge(const WalkedEdge &edge, const ProgramWalk &walk, std::int64_t span)
+            : m_walk(walk)
         {
-            m_denominator = Int128(std::max<Lattice>(m_width, 1)) * unitsPerPixel;
-            // What is lost of stored levels adds up from the edge's first span on.
-            if (storesWholeLevels())
-                m_span = std::min(ceilPixel(m_ofColours.a.position.x), span);
-            for (std::size_t i = 0; i < 3; ++i)
-                m_levels[i] = storedLevel(levelOf(i, m_span));
-            update();
-            while (m_span < span)
-                stepToNextSpan();
+            const Lattice width = edge.places.b.position.x - edge.places.a.position.x;
+            const Lattice rise = edge.places.b.position.y - edge.places.a.position.y;
+            m_places = trackOf({edge.firstPlace.position.y, rise, walk.slopes}, width,
+                               span * unitsPerPixel - edge.firstPlace.position.x);
+            m_places.store(walk.edgePlaces);
+            for (std::size_t i = 0; i < 3; ++i) {
+                const int from = edge.colours.a.colour.channels[i];
+                const int change = edge.colours.b.colour.channels[i] - from;
+                const int first = edge.firstColour.colour.channels[i];
+                m_levels[i]
+                    = trackOf({first * unitsPerPixel, change * unitsPerPixel, walk.edgeColours},
+                              width, span * unitsPerPixel - edge.firstColour.position.x);
+                m_levels[i].store(walk.edgeLevels);
+                if (walk.unsteppedAlongEdges.contains(i))
+                    m_levels[i].rate = 0;
+            }
         }
 
         void stepToNextSpan()
         {
-            ++m_span;
+            m_places.step(m_walk.edgePlaces);
+            for (Track &level : m_levels)
+                level.step(m_walk.edgeLevels);
+        }
+
+        void carryPlaceOf(const Edge &other) { m_places.carryOn(other.m_places); }
+        void carryColourOf(const Edge &other)
+        {
             for (std::size_t i = 0; i < 3; ++i)
-                m_levels[i]
-                    = storedLevel(m_levels[i] + levelOf(i, m_span) - levelOf(i, m_span - 1));
-            update();
+                m_levels[i].carryOn(other.m_levels[i]);
+        }
+        void goOnWithPlacesOf(const Edge &other) { m_places = other.m_places; }
+        void goOnWithColoursOf(const Edge &other) { m_levels = other.m_levels; }
+        void holdPlace() { m_places.rate = 0; }
+        void holdColour()
+        {
+            for (Track &level : m_levels)
+                level.rate = 0;
         }
 
         bool isBelow(const Edge &other) const
         {
-            return m_along * other.m_denominator < other.m_along * m_denominator;
+            return m_places.at * other.m_places.denominator
+                < other.m_places.at * m_places.denominator;
         }
-        std::int64_t floor() const { return std::int64_t(along().floor()); }
-        std::int64_t ceil() const
+        std::int64_t floor() const { return std::int64_t(m_places.floor()); }
+        std::int64_t ceil() const { return std::int64_t(m_places.ceil()); }
+        std::int64_t nearest() const
         {
-            return -std::int64_t(CommonFraction{-m_along, m_denominator}.floor());
+            return std::int64_t(cut<Int128>(m_places.at, m_places.denominator, Kept::Nearest));
         }
-        std::int64_t nearest() const { return std::int64_t(along().nearest()); }
 
     private:
         friend struct ExactWalk;
 
-        CommonFraction along() const { return {m_along, m_denominator}; }
-        /// One along the spans stays at its vertex.
-        void update()
+        /// What is stepped from a vertex on, in 1/256 px or of a level, and by how much it changes
+        /// to the other vertex.
+        struct Change {
+            Int128 from, by;
+            Kept kept; ///< of the quotient
+        };
+        /// At so many lattice units from the vertex. One along the spans stays at it.
+        static Track trackOf(Change change, Lattice width, Lattice way)
         {
-            const Vertex &a = m_ofPlaces.a;
-            const Int128 way = m_span * unitsPerPixel - a.position.x;
-            const Int128 rise = m_ofPlaces.b.position.y - a.position.y;
-            if (m_width == 0)
-                m_along = a.position.y;
-            else if (m_walk.slopes != Kept::All)
-                m_along = (a.position.y + way * cut(rise, m_width, m_walk.slopes)) * m_width;
-            else
-                m_along = Int128(a.position.y) * m_width + way * rise;
-        }
-        bool storesWholeLevels() const { return m_walk.edgeLevels != Kept::All; }
-        Int128 storedLevel(const Int128 &level) const
-        {
-            return storesWholeLevels()
-                ? cut(level, m_denominator, m_walk.edgeLevels) * m_denominator
-                : level;
-        }
-        Int128 levelOf(std::size_t channel, std::int64_t span) const
-        {
-            const Int128 level = m_ofColours.a.colour.channels[channel];
-            const Int128 rise = m_ofColours.b.colour.channels[channel] - level;
-            const Int128 way = span * unitsPerPixel - m_ofColours.a.position.x;
-            if (m_width == 0)
-                return level * unitsPerPixel;
-            if (m_walk.edgeColours != Kept::All)
-                return (level * unitsPerPixel
-                        + way * cut(rise * unitsPerPixel, m_width, m_walk.edgeColours))
-                    * m_width;
-            return (level * m_width + way * rise) * unitsPerPixel;
+            if (width == 0)
+                return {change.from, 0};
+            Int128 divisor = width;
+            if (width < 0) {
+                divisor = -divisor;
+                change.by = -change.by;
+            }
+            if (change.kept != Kept::All)
+                change.by = cut<Int128>(change.by, divisor, change.kept) * divisor;
+            return {change.from * divisor + way * change.by, change.by * unitsPerPixel,
+                    divisor * unitsPerPixel};
         }
 
-        VariedScan::Edge m_ofPlaces, m_ofColours;
         const ProgramWalk &m_walk;
-        Lattice m_width; ///< by which is divided; 0: nothing is
-        std::int64_t m_span;
-        Int128 m_denominator = 1; ///< of all
-        Int128 m_along = 0; ///< px
-        std::array<Int128, 3> m_levels = {};
+        Track m_places; ///< px
+        std::array<Track, 3> m_levels;
     };
+    using Bounds = WalkedBounds<Edge>;
 
     static const Edge &moved(const Edge &edge, double) { return edge; } // has no side
 
-    /// |y_T − y_B| over both denominators stays below 2^80, and all numerators below 2^122.
-    static std::vector<WholeLevels> levelsOf(const Edge &lower, const Edge &upper,
-                                             const WalkedSpan &span, const WalkedProgram &program)
+    static std::vector<WholeLevels> levelsOf(const Bounds &bounds, const WalkedSpan &span,
+                                             const WalkedProgram &program)
     {
-        const ProgramWalk &walk = program.walk;
-        const Int128 unit = lower.m_denominator * upper.m_denominator;
-        Int128 height = upper.m_along * lower.m_denominator - lower.m_along * upper.m_denominator;
-        if (walk.divisor == SpanDivisor::HeightAndOne)
-            height += unit;
-        if (walk.divisor == SpanDivisor::WholeSteps)
-            height = (span.end - 1 - span.first) * unit;
-        const Int128 sign = height < 0 ? -1 : 1;
-        const bool isFlat = height == 0; // nothing to share out
-        height = isFlat ? 1 : sign * height;
-        const Int128 denominator = lower.m_denominator * height;
-        const bool hasPreStep = !isFlat && program.hasColourPreStep();
-        const Int128 way = hasPreStep ? span.first * lower.m_denominator - lower.m_along : 0;
         std::vector<WholeLevels> levels(std::size_t(span.endDrawn - span.firstDrawn));
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Int128 rise = isFlat ? 0
-                                       : sign
-                    * (upper.m_levels[i] * lower.m_denominator
-                       - lower.m_levels[i] * upper.m_denominator);
-            const Int128 preStep
-                = walk.preSteps == Kept::All ? rise : cut(rise, height, walk.preSteps) * height;
-            const Int128 first = lower.m_levels[i] * height + way * preStep;
-            const Int128 step = walk.steps == Kept::All
-                ? rise * lower.m_denominator
-                : cut(rise, height, walk.steps) * denominator;
-            if (walk.levels != Kept::All) {
-                storeWhole({first, step, denominator}, span, walk.levels, levels, i);
-                continue;
-            }
-            for (std::size_t place = 0; place < levels.size(); ++place) {
-                const Int128 steps = span.firstDrawn - span.first + std::int64_t(place);
-                const CommonFraction level{first + steps * step, denominator};
-                levels[place][i] = std::int64_t(
-                    program.rounding == ByteRounding::Nearest ? level.nearest() : level.floor());
-            }
-        }
+        for (std::size_t i = 0; i < 3; ++i)
+            store(rampOf(bounds, span, program, i), span, program, levels, i);
         return levels;
     }
 
 private:
+    /// A level along a span: at its first sample, and what is added to it.
     struct Ramp {
-        Int128 first, step, denominator;
+        Int256 first, step;
+        Int256 denominator; ///< of both; > 0
     };
+
+    /// y_T − y_B in fractions, or what is taken for it; its denominator is positive.
+    static Int128 heightOf(const Track &lower, const Track &upper, const WalkedSpan &span,
+                           SpanDivisor divisor)
+    {
+        const Int128 unit = lower.denominator * upper.denominator;
+        switch (divisor) {
+        case SpanDivisor::Samples:
+            return (span.end - span.first) * unit;
+        case SpanDivisor::Steps:
+            return (span.end - 1 - span.first) * unit;
+        case SpanDivisor::Height:
+        case SpanDivisor::HeightAndOne:
+            break;
+        }
+        const Int128 height = upper.at * lower.denominator - lower.at * upper.denominator;
+        return divisor == SpanDivisor::Height ? height : height + unit;
+    }
+
+    /// The way to the first sample over the lower bound's denominator.
+    static Int128 preStepOf(const Track &lower, const WalkedSpan &span, PreStep preStep)
+    {
+        const Int128 toSample = span.first * lower.denominator - lower.at;
+        switch (preStep) {
+        case PreStep::ToSample:
+            return toSample;
+        case PreStep::Backward:
+            return -toSample;
+        case PreStep::Fraction:
+            return lower.at - lower.floor() * lower.denominator;
+        case PreStep::None:
+            break;
+        }
+        return 0;
+    }
+
+    /// All below 2^240.
+    static Ramp rampOf(const Bounds &bounds, const WalkedSpan &span, const WalkedProgram &program,
+                       std::size_t channel)
+    {
+        const ProgramWalk &walk = program.walk;
+        const Track &lower = bounds.lower.m_places;
+        const Track &upper = bounds.upper.m_places;
+        const Track &atLower = bounds.lowerColours.m_levels[channel];
+        const Track &atUpper = bounds.upperColours.m_levels[channel];
+        const Int128 height = heightOf(lower, upper, span, walk.divisor);
+        if (height == 0) // nothing to share out
+            return {atLower.at, 0, atLower.denominator};
+        const Int256 unit = Int256(lower.denominator) * Int256(upper.denominator);
+        const Int256 lift = atUpper.at * atLower.denominator - atLower.at * atUpper.denominator;
+        const Int256 rise = height < 0 ? Int256(-lift) : lift;
+        const Int256 steepness = absolute(height);
+        Ramp ramp{Int256(atLower.at) * Int256(atUpper.denominator) * steepness, rise * unit,
+                  Int256(atLower.denominator) * Int256(atUpper.denominator) * steepness};
+        const Int256 way = preStepOf(lower, span, program.spanPreStep());
+        if (walk.preSteps == Kept::All)
+            ramp.first += way * rise * Int256(upper.denominator);
+        else
+            ramp = preSteppedBy(cut(ramp.step, ramp.denominator, walk.preSteps) * way, ramp,
+                                lower.denominator);
+        if (walk.steps != Kept::All)
+            ramp.step = cut(ramp.step, ramp.denominator, walk.steps) * ramp.denominator;
+        if (walk.unsteppedAlongSpans.contains(channel))
+            ramp.step = 0;
+        if (walk.spanStepping == Stepping::BeforeDrawing)
+            ramp.first += ramp.step;
+        return ramp;
+    }
+    /// With something of another denominator added to its first sample.
+    static Ramp preSteppedBy(const Int256 &added, const Ramp &ramp, const Int256 &denominator)
+    {
+        return {ramp.first * denominator + added * ramp.denominator, ramp.step * denominator,
+                ramp.denominator * denominator};
+    }
+
+    static void store(const Ramp &ramp, const WalkedSpan &span, const WalkedProgram &program,
+                      std::vector<WholeLevels> &levels, std::size_t channel)
+    {
+        const bool isNearest = program.rounding == ByteRounding::Nearest;
+        const Int256 skipped = span.firstDrawn - span.first;
+        if (program.walk.levels != Kept::All)
+            storeWhole(ramp, span, program.walk.levels, levels, channel);
+        else if (isNearest) // ⌊v + ½⌋
+            storeFloors({2 * (ramp.first + skipped * ramp.step) + ramp.denominator, 2 * ramp.step,
+                         2 * ramp.denominator},
+                        levels, channel);
+        else
+            storeFloors({ramp.first + skipped * ramp.step, ramp.step, ramp.denominator}, levels,
+                        channel);
+    }
+    /// Quotients and remainders are stepped: nothing is divided from sample to sample.
+    static void storeFloors(const Ramp &ramp, std::vector<WholeLevels> &levels, std::size_t channel)
+    {
+        const Int256 level = cut(ramp.first, ramp.denominator, Kept::Down);
+        const Int256 step = cut(ramp.step, ramp.denominator, Kept::Down);
+        Int256 rest = ramp.first - level * ramp.denominator;
+        const Int256 restStep = ramp.step - step * ramp.denominator;
+        auto whole = std::int64_t(level);
+        const auto wholeStep = std::int64_t(step);
+        for (WholeLevels &each : levels) {
+            each[channel] = whole;
+            whole += wholeStep;
+            rest += restStep;
+            if (rest >= ramp.denominator) {
+                ++whole;
+                rest -= ramp.denominator;
+            }
+        }
+    }
     /// A channel whose level is a whole number at each sample.
     static void storeWhole(const Ramp &ramp, const WalkedSpan &span, Kept kept,
                            std::vector<WholeLevels> &levels, std::size_t channel)
     {
-        Int128 level = cut(ramp.first, ramp.denominator, kept);
+        auto level = std::int64_t(cut(ramp.first, ramp.denominator, kept));
+        const auto down = std::int64_t(cut(ramp.step, ramp.denominator, Kept::Down));
+        const auto nearest = std::int64_t(cut(ramp.step, ramp.denominator, Kept::Nearest));
+        const bool isWhole = ramp.step % ramp.denominator == 0;
         for (std::int64_t place = span.first; place < span.endDrawn; ++place) {
             if (place >= span.firstDrawn)
-                levels[std::size_t(place - span.firstDrawn)][channel] = std::int64_t(level);
-            level = cut(level * ramp.denominator + ramp.step, ramp.denominator, kept);
+                levels[std::size_t(place - span.firstDrawn)][channel] = level;
+            // A whole number and a step between two: below 0 it is cut upward.
+            const bool isCutUpward = kept == Kept::TowardZero && level + down < 0 && !isWhole;
+            level += kept == Kept::Nearest ? nearest : down + (isCutUpward ? 1 : 0);
         }
     }
 };

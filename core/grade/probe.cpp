@@ -24,7 +24,8 @@ std::vector<Defect> allDefectsOf(std::span<const Scene> scenes)
     std::vector<Defect> all;
     for (const Scene &scene : scenes) {
         for (Defect &defect : defectsFor(scene)) {
-            if (std::ranges::find(all, defect.id, &Defect::id) == all.end())
+            const bool isKnown = std::ranges::find(all, defect.id, &Defect::id) != all.end();
+            if (!isKnown && !defect.isRightAlone)
                 all.push_back(std::move(defect));
         }
     }

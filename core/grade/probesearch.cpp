@@ -157,6 +157,8 @@ std::optional<std::vector<Scene>> searchProbes(const Scene &conventions, std::ui
         auto &ofScene = digests.emplace_back();
         ofScene[{}] = digestOf(pictureOf(scene));
         for (const Defect &defect : defectsFor(scene)) {
+            if (defect.isRightAlone)
+                continue;
             ofScene[defect.id] = digestOf(pictureWith(scene, std::span(&defect, 1)));
             classes[defect.id] = 0;
         }

@@ -50,6 +50,24 @@ TriangleRuns seenFrom(const TriangleRuns &triangle, WalkOrder order)
     return seen;
 }
 
+/// The vertices that are taken for P₀ P₁ P₂.
+std::array<int, 3> orderOf(const Triangle &triangle, VertexOrder vertices)
+{
+    if (vertices == VertexOrder::ByX)
+        return sortedByColumn(triangle);
+    std::array<int, 3> order = {0, 1, 2};
+    if (vertices == VertexOrder::AsGiven)
+        return order;
+    const auto keyOf = [&](int index) {
+        const LatticePoint &place = triangle.vertices[std::size_t(index)].position;
+        if (vertices == VertexOrder::ByY)
+            return LatticePoint{place.y, 0};
+        return LatticePoint{place.x, vertices == VertexOrder::ByXThenDown ? -place.y : 0};
+    };
+    std::ranges::stable_sort(order, {}, keyOf);
+    return order;
+}
+
 /// The triangle's spans from the first vertex to the last, in one kind of numbers.
 template <class Numbers>
 class Walking {
@@ -59,12 +77,13 @@ public:
     Walking(TriangleRuns &seen, const WalkedProgram &program)
         : m_seen(seen)
         , m_program(program)
+        , m_walk(program.walk)
     {
     }
 
     void run()
     {
-        const std::array<int, 3> order = sortedByColumn(m_seen.triangle);
+        const std::array<int, 3> order = orderOf(m_seen.triangle, m_walk.vertices);
         const Triangle triangle = m_program.departures.contains(Variant::UnsortedColours)
             ? withUnsortedColours(m_seen.triangle, order)
             : m_seen.triangle;
@@ -82,21 +101,73 @@ public:
         const std::int64_t endSpan = isByRule
             ? endSampleAt(p2.position.x, columns)
             : wholePixel(p2.position.x, spans) + (ownsLast(columns) ? 1 : 0);
-        const auto first = std::max(firstSpan, m_seen.firstSpan);
+        const auto first = m_walk.remembers() ? firstSpan : std::max(firstSpan, m_seen.firstSpan);
         const auto end = std::min(endSpan, m_seen.endSpan);
-        if (first >= end)
+        const bool isSorted = p0.position.x <= p1.position.x && p1.position.x <= p2.position.x;
+        if (isSorted && first >= end)
             return;
-        const auto middle = std::clamp(wholePixel(p1.position.x, spans), first, end);
+        const std::int64_t behind = wholePixel(p1.position.x, spans);
+        const std::int64_t middle = isSorted ? std::clamp(behind, first, end) : behind;
         m_isLongUpper = doubledArea(p0.position, p1.position, p2.position) >= 0;
-        Edge across(p0, p2, m_program, first);
-        walkHalf(first, middle, Edge(p0, p1, m_program, first), across);
-        walkHalf(middle, end, Edge(p1, p2, m_program.behindMiddle(), middle), across);
+        const WalkedEdge ofLong = m_program.edge(p0, p2);
+        Edge across(ofLong, m_walk, first);
+        Edge along(m_program.edge(p0, p1), m_walk, first);
+        walkHalf(first, std::min(middle, m_seen.endSpan), along, across);
+        const WalkedEdge ofShort = m_program.behindMiddle().edge(p1, p2);
+        goOnAcross(ofLong, ofShort, middle, across);
+        Edge behindMiddle = edgeBehind(ofShort, p0, middle, along);
+        if (p1.position.x == p2.position.x && m_walk.flatEnd == FlatEnd::FromVertices) {
+            const Edge last(m_program.edge(p2, p2), m_walk, middle);
+            across.goOnWithPlacesOf(last);
+            across.goOnWithColoursOf(last);
+        }
+        if (p1.position.x == p2.position.x && m_walk.flatEnd == FlatEnd::FromEdgesBefore) {
+            behindMiddle.carryPlaceOf(along);
+            behindMiddle.carryColourOf(along);
+        }
+        walkHalf(middle, end, behindMiddle, across);
     }
 
 private:
-    void walkHalf(std::int64_t first, std::int64_t end, Edge along, Edge &across)
+    /// The short edge from the middle vertex on, where the one before it ends.
+    Edge edgeBehind(WalkedEdge edge, const Vertex &p0, std::int64_t middle, const Edge &before)
     {
+        if (m_walk.shortPlacesBehind == ShortEdgeBehind::FromFirst)
+            edge.firstPlace.position.y = p0.position.y;
+        if (m_walk.shortColoursBehind == ShortEdgeBehind::FromFirst)
+            edge.firstColour.colour = p0.colour;
+        Edge behind(edge, m_walk, middle);
+        if (m_walk.shortPlacesBehind == ShortEdgeBehind::CarriedOn)
+            behind.carryPlaceOf(before);
+        if (m_walk.shortColoursBehind == ShortEdgeBehind::CarriedOn)
+            behind.carryColourOf(before);
+        return behind;
+    }
+
+    void goOnAcross(WalkedEdge edge, const WalkedEdge &ofShort, std::int64_t middle, Edge &across)
+    {
+        edge.firstPlace = ofShort.places.a;
+        edge.firstColour = ofShort.colours.a;
+        const Edge anew(edge, m_walk, middle);
+        if (m_walk.longPlacesBehind == LongEdgeBehind::FromMiddle)
+            across.goOnWithPlacesOf(anew);
+        if (m_walk.longColoursBehind == LongEdgeBehind::FromMiddle)
+            across.goOnWithColoursOf(anew);
+        if (m_walk.longPlacesBehind == LongEdgeBehind::Stands)
+            across.holdPlace();
+        if (m_walk.longColoursBehind == LongEdgeBehind::Stands)
+            across.holdColour();
+    }
+
+    void walkHalf(std::int64_t first, std::int64_t end, Edge &along, Edge &across)
+    {
+        const auto step = [&] {
+            along.stepToNextSpan();
+            across.stepToNextSpan();
+        };
         for (std::int64_t span = first; span < end; ++span) {
+            if (m_walk.edgeStepping == Stepping::BeforeDrawing)
+                step();
             // As in the scan: bounds that have passed each other change places where both are
             // owned.
             const bool isClosed = m_seen.intervals.rows == Interval::Closed;
@@ -105,27 +176,49 @@ private:
                 isAcrossUpper = false;
             if (isClosed && along.isBelow(across))
                 isAcrossUpper = true;
-            addSpan(span, isAcrossUpper ? along : across, isAcrossUpper ? across : along);
-            along.stepToNextSpan();
-            across.stepToNextSpan();
+            const WalkedSpan samples
+                = samplesOf(isAcrossUpper ? along : across, isAcrossUpper ? across : along);
+            addSpan(span, samples, boundsOf(isAcrossUpper, along, across));
+            const bool isEmpty = samples.first >= samples.end;
+            const bool waits = isEmpty && m_walk.emptySpans == EmptySpan::Waits;
+            if (m_walk.edgeStepping == Stepping::AfterDrawing && !waits)
+                step();
         }
     }
 
-    void addSpan(std::int64_t span, const Edge &lower, const Edge &upper)
+    typename Numbers::Bounds boundsOf(bool isAcrossUpper, const Edge &along,
+                                      const Edge &across) const
+    {
+        const bool hasColoursOfAlong = m_walk.lowerColours == LowerColours::OfShortEdge
+            || (m_walk.lowerColours == LowerColours::OfItsEdge && isAcrossUpper);
+        return {isAcrossUpper ? along : across, isAcrossUpper ? across : along,
+                hasColoursOfAlong ? along : across, hasColoursOfAlong ? across : along};
+    }
+
+    WalkedSpan samplesOf(const Edge &lower, const Edge &upper) const
     {
         const double inward = m_program.side.inward();
+        const Interval rows = m_seen.intervals.rows;
         WalkedSpan samples{
-            firstOf(Numbers::moved(lower, inward), m_program.walk.first, m_seen.intervals.rows),
-            endOf(Numbers::moved(upper, -inward), m_program.walk.last, m_seen.intervals.rows)};
+            firstOf(Numbers::moved(lower, inward), m_walk.first, rows) - m_walk.extraBefore,
+            endOf(Numbers::moved(upper, -inward), m_walk.last, rows) + m_walk.extraBehind};
         samples.firstDrawn = std::max(samples.first, m_seen.firstSample);
         samples.endDrawn = std::min(samples.end, m_seen.endSample);
-        if (samples.firstDrawn < samples.endDrawn)
+        return samples;
+    }
+
+    void addSpan(std::int64_t span, const WalkedSpan &samples,
+                 const typename Numbers::Bounds &bounds)
+    {
+        const bool isInFrame = span >= m_seen.firstSpan && span < m_seen.endSpan;
+        if (isInFrame && samples.firstDrawn < samples.endDrawn)
             m_seen.runs.push_back({span, samples.firstDrawn, samples.endDrawn,
-                                   Numbers::levelsOf(lower, upper, samples, m_program)});
+                                   Numbers::levelsOf(bounds, samples, m_program)});
     }
 
     TriangleRuns &m_seen;
     const WalkedProgram &m_program;
+    const ProgramWalk &m_walk;
     bool m_isLongUpper = true;
 };
 
@@ -145,8 +238,9 @@ void walkIn(TriangleRuns &triangle, const ProgramWalk &walk)
 {
     const WalkOrder order = walk.order.value_or(triangle.order);
     TriangleRuns seen = seenFrom(triangle, order);
-    const bool isHeld = std::ranges::all_of(seen.triangle.vertices, [](const Vertex &vertex) {
-        return Numbers::represents(vertex.position);
+    const bool isHeld = std::ranges::all_of(seen.triangle.vertices, [&](const Vertex &vertex) {
+        return Numbers::represents(vertex.position)
+            && (!walk.remembers() || isNarrow(vertex.position));
     });
     if (!isHeld)
         return;

@@ -17,23 +17,43 @@ public:
         , m_other(other)
     {
         // All members by name: one more does not compile before it has its line here.
-        const auto &[order, departures, behindMiddle, slopes, edgeColours, preSteps, steps,
-                     edgeLevels, levels, edgeColourStart, spans, first, last, divisor]
+        const auto &[order, vertices, departures, departuresBehind, slopes, edgeColours, preSteps,
+                     steps, edgePlaces, edgeLevels, levels, placePreStep, edgeColourPreStep,
+                     spanPreStep, unsteppedAlongEdges, unsteppedAlongSpans, edgeStepping,
+                     spanStepping, emptySpans, shortPlaces, shortColours, longPlaces, longColours,
+                     flatEnd, spans, first, last, extraBefore, extraBehind, divisor, lowerColours]
             = m_right;
         m_both.order = one.order ? one.order : other.order ? other.order : order;
         takeDepartures(&ProgramWalk::departures, departures);
-        takeDepartures(&ProgramWalk::departuresBehindMiddle, behindMiddle);
+        takeDepartures(&ProgramWalk::departuresBehindMiddle, departuresBehind);
+        takeChannels(&ProgramWalk::unsteppedAlongEdges, unsteppedAlongEdges);
+        takeChannels(&ProgramWalk::unsteppedAlongSpans, unsteppedAlongSpans);
+        take(&ProgramWalk::vertices, vertices);
         take(&ProgramWalk::slopes, slopes);
         take(&ProgramWalk::edgeColours, edgeColours);
         take(&ProgramWalk::preSteps, preSteps);
         take(&ProgramWalk::steps, steps);
+        take(&ProgramWalk::edgePlaces, edgePlaces);
         take(&ProgramWalk::edgeLevels, edgeLevels);
         take(&ProgramWalk::levels, levels);
-        take(&ProgramWalk::edgeColourStart, edgeColourStart);
+        take(&ProgramWalk::placePreStep, placePreStep);
+        take(&ProgramWalk::edgeColourPreStep, edgeColourPreStep);
+        take(&ProgramWalk::spanPreStep, spanPreStep);
+        take(&ProgramWalk::edgeStepping, edgeStepping);
+        take(&ProgramWalk::spanStepping, spanStepping);
+        take(&ProgramWalk::emptySpans, emptySpans);
+        take(&ProgramWalk::shortPlacesBehind, shortPlaces);
+        take(&ProgramWalk::shortColoursBehind, shortColours);
+        take(&ProgramWalk::longPlacesBehind, longPlaces);
+        take(&ProgramWalk::longColoursBehind, longColours);
+        take(&ProgramWalk::flatEnd, flatEnd);
         take(&ProgramWalk::spans, spans);
         take(&ProgramWalk::first, first);
         take(&ProgramWalk::last, last);
+        take(&ProgramWalk::extraBefore, extraBefore);
+        take(&ProgramWalk::extraBehind, extraBehind);
         take(&ProgramWalk::divisor, divisor);
+        take(&ProgramWalk::lowerColours, lowerColours);
     }
 
     std::optional<ProgramWalk> both() const
@@ -65,6 +85,15 @@ private:
         m_both.*member = both;
     }
 
+    void takeChannels(ChannelSet ProgramWalk::*member, const ChannelSet &right)
+    {
+        const ChannelSet one = m_one.*member;
+        const ChannelSet other = m_other.*member;
+        if ((one.bits & other.bits) != 0)
+            m_isContradiction = true;
+        m_both.*member = {std::uint8_t(right.bits | one.bits | other.bits)};
+    }
+
     const ProgramWalk m_right;
     const ProgramWalk &m_one, &m_other;
     ProgramWalk m_both;
@@ -79,9 +108,19 @@ bool hasOrder(ProgramWalk walk)
     walk.preSteps = right.preSteps;
     walk.steps = right.steps;
     walk.levels = right.levels;
+    walk.spanPreStep = right.spanPreStep;
+    walk.unsteppedAlongSpans = right.unsteppedAlongSpans;
+    walk.spanStepping = right.spanStepping;
     walk.first = right.first;
     walk.last = right.last;
+    walk.extraBefore = right.extraBefore;
+    walk.extraBehind = right.extraBehind;
     walk.divisor = right.divisor;
+    walk.lowerColours = right.lowerColours;
+    // What is no mistake from either end.
+    walk.flatEnd = right.flatEnd;
+    if (walk.vertices == VertexOrder::ByXThenAsGiven || walk.vertices == VertexOrder::ByXThenDown)
+        walk.vertices = right.vertices;
     return walk != right;
 }
 

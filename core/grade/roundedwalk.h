@@ -26,24 +26,55 @@ struct RoundedWalk {
     {
         if (kept == Kept::Down)
             return Traits::fromInteger(A::floor(value));
+        if (kept == Kept::Nearest)
+            return Traits::fromInteger(A::level(value, ByteRounding::Nearest));
         return kept == Kept::TowardZero ? cast(value) : value;
     }
 
     class Edge {
     public:
-        Edge(const Vertex &from, const Vertex &to, const WalkedProgram &program, std::int64_t span)
-            : Edge(program.placesOf(from, to), program.coloursOf(from, to), program.walk, span)
+        Edge(const WalkedEdge &edge, const ProgramWalk &walk, std::int64_t span)
+            : m_walk(walk)
+            , m_slope(left(A::edgeSlope(edge.places.a, edge.places.b), walk.slopes))
+            , m_along(left(A::edgeOrdinate(edge.firstPlace, edge.places.b,
+                                           A::runTo(span, edge.firstPlace), m_slope),
+                           walk.edgePlaces))
         {
+            const auto &[a, b] = edge.colours;
+            const Value run = A::runTo(span, edge.firstColour);
+            for (std::size_t i = 0; i < 3; ++i) {
+                m_rates[i] = left(A::edgeColourRate(a, b, i), walk.edgeColours);
+                m_levels[i]
+                    = left(A::edgeColour(edge.firstColour, b, i, run, m_rates[i]), walk.edgeLevels);
+                if (walk.unsteppedAlongEdges.contains(i))
+                    m_rates[i] = Traits::fromInteger(0);
+            }
         }
 
         void stepToNextSpan()
         {
             A::advance(m_along, m_slope);
+            m_along = left(m_along, m_walk.edgePlaces);
             for (std::size_t i = 0; i < 3; ++i) {
                 A::advance(m_levels[i], m_rates[i]);
-                m_levels[i] = left(m_levels[i], m_edgeLevels);
+                m_levels[i] = left(m_levels[i], m_walk.edgeLevels);
             }
         }
+
+        void carryPlaceOf(const Edge &other) { m_along = other.m_along; }
+        void carryColourOf(const Edge &other) { m_levels = other.m_levels; }
+        void goOnWithPlacesOf(const Edge &other)
+        {
+            m_along = other.m_along;
+            m_slope = other.m_slope;
+        }
+        void goOnWithColoursOf(const Edge &other)
+        {
+            m_levels = other.m_levels;
+            m_rates = other.m_rates;
+        }
+        void holdPlace() { m_slope = Traits::fromInteger(0); }
+        void holdColour() { m_rates.fill(Traits::fromInteger(0)); }
 
         bool isBelow(const Edge &other) const { return m_along < other.m_along; }
         std::int64_t floor() const { return A::floor(m_along); }
@@ -53,32 +84,12 @@ struct RoundedWalk {
     private:
         friend struct RoundedWalk;
 
-        Edge(const VariedScan::Edge &places, const VariedScan::Edge &colours,
-             const ProgramWalk &walk, std::int64_t span)
-            : m_edgeLevels(walk.edgeLevels)
-            , m_slope(left(A::edgeSlope(places.a, places.b), walk.slopes))
-            , m_along(A::edgeOrdinate(places.a, places.b, A::runTo(span, places.a), m_slope))
-        {
-            const auto &[a, b] = colours;
-            // What is lost adds up from the edge's first span on.
-            const std::int64_t first
-                = m_edgeLevels == Kept::All ? span : std::min(ceilPixel(a.position.x), span);
-            for (std::size_t i = 0; i < 3; ++i) {
-                m_rates[i] = left(A::edgeColourRate(a, b, i), walk.edgeColours);
-                m_levels[i]
-                    = left(A::edgeColour(a, b, i, A::runTo(first, a), m_rates[i]), m_edgeLevels);
-                for (std::int64_t stepped = first; stepped < span; ++stepped) {
-                    A::advance(m_levels[i], m_rates[i]);
-                    m_levels[i] = left(m_levels[i], m_edgeLevels);
-                }
-            }
-        }
-
-        Kept m_edgeLevels;
+        const ProgramWalk &m_walk;
         Value m_slope; ///< px per span
         Value m_along; ///< px
         std::array<Value, 3> m_levels, m_rates;
     };
+    using Bounds = WalkedBounds<Edge>;
 
     /// On a side of what rounding may do, which is walked in float64.
     static Edge moved(Edge edge, double along)
@@ -94,31 +105,30 @@ struct RoundedWalk {
         return Traits::fromInteger(0);
     }
 
-    static std::vector<WholeLevels> levelsOf(const Edge &lower, const Edge &upper,
-                                             const WalkedSpan &span, const WalkedProgram &program)
+    static std::vector<WholeLevels> levelsOf(const Bounds &bounds, const WalkedSpan &span,
+                                             const WalkedProgram &program)
     {
         const ProgramWalk &walk = program.walk;
         const Value none = Traits::fromInteger(0);
-        Value height = upper.m_along - lower.m_along;
-        if (walk.divisor == SpanDivisor::HeightAndOne)
-            height = height + Traits::fromInteger(1);
-        if (walk.divisor == SpanDivisor::WholeSteps)
-            height = Traits::fromInteger(span.end - 1 - span.first);
-        const Value from
-            = program.hasColourPreStep() ? lower.m_along : Traits::fromInteger(span.first);
+        const Value height = heightOf(bounds, span, walk.divisor);
+        const Value &lower = bounds.lower.m_along;
+        const PreStep preStep = program.spanPreStep();
         // One rate for both: the first sample that the frame has is reached at once, as in the
         // scan.
-        const bool isReachedAtOnce = walk.preSteps == walk.steps && walk.levels == Kept::All;
+        const bool isReachedAtOnce = walk.preSteps == walk.steps && walk.levels == Kept::All
+            && preStep == PreStep::ToSample && walk.unsteppedAlongSpans.isEmpty();
         const std::int64_t reached = isReachedAtOnce ? span.firstDrawn : span.first;
         std::vector<WholeLevels> levels(std::size_t(span.endDrawn - span.firstDrawn));
         for (std::size_t i = 0; i < 3; ++i) {
+            const Value &from = bounds.lowerColours.m_levels[i];
             const Value rate
-                = height == none ? none : (upper.m_levels[i] - lower.m_levels[i]) / height;
-            const Value step = left(rate, walk.steps);
+                = height == none ? none : (bounds.upperColours.m_levels[i] - from) / height;
+            const Value step = walk.unsteppedAlongSpans.contains(i) ? none : left(rate, walk.steps);
             const Value error = upward(program, rate, height);
-            Value level = lower.m_levels[i]
-                + (Traits::fromInteger(reached) - from) * left(rate, walk.preSteps);
+            Value level = from + preStepOf(lower, reached, preStep) * left(rate, walk.preSteps);
             level = left(level, walk.levels);
+            if (walk.spanStepping == Stepping::BeforeDrawing)
+                A::advance(level, step);
             std::int64_t place = reached;
             if (walk.levels == Kept::All) {
                 level = level + Traits::fromInteger(span.firstDrawn - reached) * step;
@@ -133,6 +143,38 @@ struct RoundedWalk {
             }
         }
         return levels;
+    }
+
+private:
+    static Value heightOf(const Bounds &bounds, const WalkedSpan &span, SpanDivisor divisor)
+    {
+        const Value height = bounds.upper.m_along - bounds.lower.m_along;
+        switch (divisor) {
+        case SpanDivisor::Height:
+            break;
+        case SpanDivisor::HeightAndOne:
+            return height + Traits::fromInteger(1);
+        case SpanDivisor::Samples:
+            return Traits::fromInteger(span.end - span.first);
+        case SpanDivisor::Steps:
+            return Traits::fromInteger(span.end - 1 - span.first);
+        }
+        return height;
+    }
+    static Value preStepOf(const Value &lower, std::int64_t sample, PreStep preStep)
+    {
+        const Value at = Traits::fromInteger(sample);
+        switch (preStep) {
+        case PreStep::ToSample:
+            break;
+        case PreStep::Backward:
+            return lower - at;
+        case PreStep::Fraction:
+            return lower - Traits::fromInteger(A::floor(lower));
+        case PreStep::None:
+            return Traits::fromInteger(0);
+        }
+        return at - lower;
     }
 };
 

@@ -5,6 +5,9 @@
 #include "core/grade/walkdefect.h"
 #include "core/runs/sceneplan.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace pixelplumb {
 
 namespace {
@@ -21,6 +24,8 @@ constexpr const char *spansQuestion
     = "From which to which %1 does a triangle go? What if a vertex lies on one, or between two?";
 constexpr const char *halvesQuestion = "What happens where one edge ends and the next begins?";
 constexpr const char *swappedQuestion = "Which of the two edges comes first? Always?";
+constexpr const char *alongQuestion
+    = "What happens to a triangle that has an edge along a %1, which has no slope?";
 constexpr const char *edgesQuestion = "Are all three edges tested alike?";
 constexpr const char *boxQuestion
     = "Which samples of the bounding box are tested, and which are inside?";
@@ -95,8 +100,44 @@ const std::vector<SpanDefect> &omissions()
          "The long edge is always taken for the lower bound of a %1: triangles whose middle "
          "vertex lies before it are not drawn, but for a tip on a sample.",
          {omitWithMiddleBelow}},
+        {"first-edge-along-lost",
+         alongQuestion,
+         "Nothing is drawn of a triangle two vertices of which have its least %2: it is given up "
+         "where an edge has no slope.",
+         {omitWithFirstEdgeAlong}},
+        {"last-edge-along-lost",
+         alongQuestion,
+         "Nothing is drawn of a triangle two vertices of which have its greatest %2: it is given "
+         "up where an edge has no slope.",
+         {omitWithLastEdgeAlong}},
+        {"edge-along-lost",
+         alongQuestion,
+         "Nothing is drawn of a triangle two vertices of which have one %2: it is given up where "
+         "an edge has no slope.",
+         {omitWithEdgeAlong}},
+        {"last-edge-along-missing",
+         alongQuestion,
+         "Where two vertices of a triangle have its greatest %2, the %1 through them is left out: "
+         "the half that would be this %1 alone is not drawn.",
+         {omitLastEdgeAlong}},
+        {"outline-alone",
+         "What lies between the first and the last sample of a %1?",
+         "Of each %1 only the first and the last sample are drawn.",
+         {omitBetweenEnds}},
     };
     return rows;
+}
+
+/// What goes by rows may begin at either end.
+const SpanDefect &omissionAtLeastRow()
+{
+    static const SpanDefect row = {
+        "first-edge-along-missing",
+        alongQuestion,
+        "Where two vertices of a triangle have its least %2, the %1 through them is left out: the "
+        "half that would be this %1 alone is not drawn.",
+        {omitFirstEdgeAlong}};
+    return row;
 }
 
 /// Downward ⌈y₁⌉ is what ⌊x₁⌋ is from left to right.
@@ -146,6 +187,18 @@ const std::vector<SpanDefect> &boxDefects()
     return rows;
 }
 
+/// Whether two vertices of a triangle share their span: programs may sort them otherwise.
+bool hasEdgeAlong(const Scene &scene, SpanAxis axis)
+{
+    const auto spanOf = [axis](const Vertex &vertex) {
+        return axis == SpanAxis::Row ? vertex.position.y : vertex.position.x;
+    };
+    return std::ranges::any_of(scene.triangles, [&](const Triangle &triangle) {
+        const auto &[a, b, c] = triangle.vertices;
+        return spanOf(a) == spanOf(b) || spanOf(b) == spanOf(c) || spanOf(c) == spanOf(a);
+    });
+}
+
 } // namespace
 
 std::vector<Defect> spanDefectsFor(const Scene &scene)
@@ -154,9 +207,12 @@ std::vector<Defect> spanDefectsFor(const Scene &scene)
     if (!canBeRedrawn(scene))
         return {};
     const SpanAxis axis = method.spanAxis;
+    const bool walksEdges = method.supports(Variant::NoEdgePreStep);
     std::vector<Defect> defects;
-    if (method.supports(Variant::NoEdgePreStep)) // steps along its edges
-        defects = walkDefectsFor(axis);
+    if (walksEdges && hasEdgeAlong(scene, axis))
+        defects = flatEdgeChoicesFor(axis);
+    if (walksEdges)
+        std::ranges::move(walkDefectsFor(axis), std::back_inserter(defects));
     const auto add = [&](const SpanDefect &row) {
         defects.push_back(redrawnDefect(QString::fromLatin1(row.id),
                                         QString::fromUtf8(row.forStudent),
@@ -164,8 +220,10 @@ std::vector<Defect> spanDefectsFor(const Scene &scene)
     };
     for (const SpanDefect &row : axis == SpanAxis::Free ? boxDefects() : omissions())
         add(row);
-    if (axis == SpanAxis::Row)
+    if (axis == SpanAxis::Row) {
         add(omissionFromAbove());
+        add(omissionAtLeastRow());
+    }
     const auto unchanged = [](TriangleRuns &) {};
     add({"parity",
          "What happens to a pixel that two triangles paint?",

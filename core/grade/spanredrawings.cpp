@@ -33,21 +33,35 @@ void omitSpanOfVertex(TriangleRuns &triangle, std::size_t place)
 }
 
 /// Of a program that takes the long edge for the same bound always: where it is the other one,
-/// spans end before they begin.
+/// spans end before they begin. Of two vertices with one x that comes first which has the least y,
+/// from whichever end spans are gone through: so an edge along them decides which edge is long.
 void omitWithMiddle(TriangleRuns &triangle, int side)
 {
-    const Triangle &of = triangle.triangle;
+    const int onward = triangle.order == WalkOrder::Ascending ? 1 : -1;
+    Triangle of = triangle.triangle;
+    for (Vertex &vertex : of.vertices)
+        vertex.position.x *= onward;
     const Int128 area = doubledArea(sortedVertex(of, 0), sortedVertex(of, 2), sortedVertex(of, 1));
     if (side > 0 ? area <= 0 : area >= 0)
         return;
     const LatticePoint &middle = sortedVertex(of, 1);
     const auto isTip = [&](const SampleRun &run, const LatticePoint &vertex) {
-        const LatticePoint sample = latticePixel(run.span, run.first);
+        const LatticePoint sample = latticePixel(onward * run.span, run.first);
         return sample == vertex && run.end == run.first + 1 && vertex.x != middle.x;
     };
     std::erase_if(triangle.runs, [&](const SampleRun &run) {
         return !isTip(run, sortedVertex(of, 0)) && !isTip(run, sortedVertex(of, 2));
     });
+}
+
+bool hasFirstEdgeAlong(const TriangleRuns &triangle)
+{
+    return spanOfVertex(triangle, 0) == spanOfVertex(triangle, 1);
+}
+
+bool hasLastEdgeAlong(const TriangleRuns &triangle)
+{
+    return spanOfVertex(triangle, 1) == spanOfVertex(triangle, 2);
 }
 
 } // namespace
@@ -126,6 +140,51 @@ void omitBehindMiddle(TriangleRuns &triangle)
 {
     const std::int64_t middle = floorPixel(spanOfVertex(triangle, 1));
     std::erase_if(triangle.runs, [&](const SampleRun &run) { return run.span > middle; });
+}
+
+void omitWithFirstEdgeAlong(TriangleRuns &triangle)
+{
+    if (hasFirstEdgeAlong(triangle))
+        triangle.runs.clear();
+}
+
+void omitWithLastEdgeAlong(TriangleRuns &triangle)
+{
+    if (hasLastEdgeAlong(triangle))
+        triangle.runs.clear();
+}
+
+void omitWithEdgeAlong(TriangleRuns &triangle)
+{
+    omitWithFirstEdgeAlong(triangle);
+    omitWithLastEdgeAlong(triangle);
+}
+
+void omitFirstEdgeAlong(TriangleRuns &triangle)
+{
+    if (hasFirstEdgeAlong(triangle))
+        omitSpanOfVertex(triangle, 0);
+}
+
+void omitLastEdgeAlong(TriangleRuns &triangle)
+{
+    if (hasLastEdgeAlong(triangle))
+        omitSpanOfVertex(triangle, 2);
+}
+
+void omitBetweenEnds(TriangleRuns &triangle)
+{
+    std::vector<SampleRun> runs;
+    for (const SampleRun &run : triangle.runs) {
+        SampleRun end = run;
+        end.end = run.first + 1;
+        runs.push_back(end);
+        end = run;
+        end.first = run.end - 1;
+        if (end.first > run.first)
+            runs.push_back(end);
+    }
+    triangle.runs = std::move(runs);
 }
 
 void omitWithMiddleAbove(TriangleRuns &triangle) { omitWithMiddle(triangle, 1); }

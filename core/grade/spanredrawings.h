@@ -23,6 +23,15 @@ void omitSecondHalf(TriangleRuns &triangle);
 void omitToMiddle(TriangleRuns &triangle); ///< the first half and a span through the middle vertex
 void omitBehindMiddle(TriangleRuns &triangle); ///< the second half without this span
 
+// Of triangles that have an edge along a span, before the others or behind them.
+void omitWithFirstEdgeAlong(TriangleRuns &triangle); ///< all
+void omitWithLastEdgeAlong(TriangleRuns &triangle); ///< all
+void omitWithEdgeAlong(TriangleRuns &triangle); ///< all, whichever it is
+void omitFirstEdgeAlong(TriangleRuns &triangle); ///< the span through it
+void omitLastEdgeAlong(TriangleRuns &triangle);
+
+void omitBetweenEnds(TriangleRuns &triangle); ///< all but a span's first and last sample
+
 /// All of a triangle whose middle vertex lies on that side of the long edge: of a program that
 /// takes this edge for the same bound always, spans end before they begin. A tip on a sample, where
 /// its bounds meet, is left.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/walkdefect.h"
 
-#include "core/grade/programwalk.h"
+#include "core/grade/walkrows.h"
 #include "core/scan/choicenames.h"
 
 #include <algorithm>
@@ -11,129 +11,11 @@ namespace pixelplumb {
 
 namespace {
 
-struct WalkDefect {
-    const char *id;
-    const char *forStudent;
-    const char *forAssistant;
-    ProgramWalk walk;
-    LevelOverflow overflow = LevelOverflow::Clamps;
-};
-
 struct NamedWalk {
     QString id, forStudent, forAssistant;
     ProgramWalk walk;
     LevelOverflow overflow = LevelOverflow::Clamps;
 };
-
-constexpr const char *endsQuestion
-    = "From which to which sample does a span go? What if its bound lies "
-      "between two?";
-constexpr const char *stepsQuestion = "What does a division of two whole numbers give you?";
-constexpr const char *storedQuestion = "What type has a colour while it is stepped?";
-
-const std::vector<WalkDefect> &spanRows()
-{
-    constexpr auto down = EndRounding::Down;
-    constexpr auto up = EndRounding::Up;
-    static const std::vector<WalkDefect> rows = {
-        {"ends-truncated",
-         endsQuestion,
-         "Both bounds of a %1 are cast to whole numbers: ⌊ ⌋ of both.",
-         {.first = down, .last = down}},
-        {"ends-truncated-wrapping",
-         endsQuestion,
-         "Both bounds of a %1 are cast to whole numbers, and levels beyond 0 … 255, which come "
-         "from that, wrap.",
-         {.first = down, .last = down},
-         LevelOverflow::Wraps},
-        {"ends-nearest",
-         endsQuestion,
-         "Both bounds of a %1 are rounded to the nearest.",
-         {.first = EndRounding::Nearest, .last = EndRounding::Nearest}},
-        {"ends-outward",
-         endsQuestion,
-         "A %1 goes from ⌊ ⌋ of its lower bound to ⌈ ⌉ of its upper one.",
-         {.first = down, .last = up}},
-        {"ends-upward",
-         endsQuestion,
-         "A %1 goes from ⌈ ⌉ of its lower bound to ⌈ ⌉ of its upper one.",
-         {.first = up, .last = up}},
-        {"whole-colour-steps",
-         stepsQuestion,
-         "The step of colour along a %1 is a whole number; its first sample is right.",
-         {.steps = Kept::TowardZero}},
-        {"whole-colour-rates",
-         stepsQuestion,
-         "The step of colour along a %1 is a whole number, in the pre-step to its first sample, "
-         "too.",
-         {.preSteps = Kept::TowardZero, .steps = Kept::TowardZero}},
-        {"whole-span-levels",
-         storedQuestion,
-         "The colour along a %1 is kept as a whole number: at each sample its fraction is lost.",
-         {.levels = Kept::TowardZero}},
-        {"colour-divisor-plus-one",
-         "By what is a difference of colours divided to have a step of colour?",
-         "The step of colour along a %1 is divided by its length and one, not by its length.",
-         {.divisor = SpanDivisor::HeightAndOne}},
-        {"colours-between-samples",
-         "Which colour has a bound that lies between two samples, and which the sample beside it?",
-         "The first and the last sample of a %1 have the colours of its bounds: the step of colour "
-         "is divided by the steps from the one to the other.",
-         {.divisor = SpanDivisor::WholeSteps}},
-    };
-    return rows;
-}
-
-const std::vector<WalkDefect> &edgeRows()
-{
-    constexpr auto whole = Kept::TowardZero;
-    static const std::vector<WalkDefect> rows = {
-        {"colours-without-edge-pre-step",
-         "Which colour has an edge where it meets its first %1? Not its vertex' own.",
-         "The colours of an edge begin with its vertex' own at its first %1; its ends have their "
-         "pre-step.",
-         {.edgeColourStart = EdgeColourStart::OfVertex}},
-        {"whole-slopes",
-         stepsQuestion,
-         "The slopes of the edges are whole numbers; colours along them are right, and those of a "
-         "%1 go from one of its wrong ends to the other.",
-         {.slopes = whole}},
-        {"whole-edge-colours",
-         stepsQuestion,
-         "The steps of colour along the edges are whole numbers; their slopes are not.",
-         {.edgeColours = whole}},
-        {"whole-edge-steps",
-         stepsQuestion,
-         "The slopes of the edges and the steps of colour along them are whole numbers; the step "
-         "of colour along a %1 is not.",
-         {.slopes = whole, .edgeColours = whole}},
-        {"whole-colours",
-         stepsQuestion,
-         "All steps of colour are whole numbers, along edges and along a %1; slopes are not.",
-         {.edgeColours = whole, .preSteps = whole, .steps = whole}},
-        {"whole-increments",
-         stepsQuestion,
-         "All increments are whole numbers: slopes and steps of colour, along edges and along a "
-         "%1.",
-         {.slopes = whole, .edgeColours = whole, .preSteps = whole, .steps = whole}},
-        {"whole-levels",
-         storedQuestion,
-         "Colours are kept as whole numbers, along edges and along a %1: at each step their "
-         "fraction is lost.",
-         {.edgeLevels = whole, .levels = whole}},
-        {"no-pre-step-behind-middle",
-         "Where does the second of the two short edges begin? And which colour has it there?",
-         "The edge from the middle vertex to the last has no pre-step: at its first %1 it has the "
-         "vertex' own place and colour. The others have theirs.",
-         {.departuresBehindMiddle = VariantSet().with(Variant::NoEdgePreStep)}},
-        {"loops-truncated",
-         "At which %1 do your loops begin and end, and where is the edge there?",
-         "Loops go from (int)%2 of a vertex to (int)%2 of the next; an edge has its vertex' own "
-         "place and colour at the first %1.",
-         {.spans = EndRounding::Down}},
-    };
-    return rows;
-}
 
 /// The same with whole numbers as Python's // gives them; none where nothing is divided so.
 std::optional<ProgramWalk> dividedDown(ProgramWalk walk)
@@ -149,10 +31,10 @@ std::optional<ProgramWalk> dividedDown(ProgramWalk walk)
 }
 
 /// The rows, and behind each that divides as C does the one that does as Python.
-std::vector<NamedWalk> namedWalks(const std::vector<WalkDefect> &rows)
+std::vector<NamedWalk> namedWalks(const std::vector<WalkRow> &rows)
 {
     std::vector<NamedWalk> walks;
-    for (const WalkDefect &row : rows) {
+    for (const WalkRow &row : rows) {
         NamedWalk walk{QString::fromLatin1(row.id), QString::fromUtf8(row.forStudent),
                        QString::fromUtf8(row.forAssistant), row.walk, row.overflow};
         const auto down = dividedDown(row.walk);
@@ -172,13 +54,30 @@ std::vector<NamedWalk> namedWalks(const std::vector<WalkDefect> &rows)
     return walks;
 }
 
-QString fromBelow(const QString &id) { return id + QStringLiteral("-from-below"); }
-
 QString orderSentence(WalkOrder order)
 {
     return order == WalkOrder::Descending
         ? QStringLiteral(" The rows are gone through from the greatest y down.")
         : QStringLiteral(" The rows are gone through from the least y up.");
+}
+
+/// With the ways from a vertex to the spans behind it and before it in the words.
+NamedWalk withWays(NamedWalk named, WalkOrder order)
+{
+    const bool isUpward = order == WalkOrder::Ascending;
+    const auto up = QStringLiteral("⌈%2₀⌉ − %2₀");
+    const auto down = QStringLiteral("%2₀ − ⌊%2₀⌋");
+    named.forAssistant.replace(QStringLiteral("%5"), isUpward ? up : down)
+        .replace(QStringLiteral("%6"), isUpward ? down : up);
+    return named;
+}
+
+NamedWalk fromBelow(NamedWalk named)
+{
+    named.id += QStringLiteral("-from-below");
+    named.forAssistant += orderSentence(WalkOrder::Ascending);
+    named.walk.order = WalkOrder::Ascending;
+    return named;
 }
 
 QString variantSentence(Variant variant, SpanAxis axis)
@@ -190,8 +89,8 @@ QString variantSentence(Variant variant, SpanAxis axis)
     if (variant != Variant::DivisorMinusOne)
         return sentence;
     return sentence
-        + QStringLiteral(" Where that leaves nothing to divide by, an edge keeps its "
-                         "vertex' place and colour.");
+        + QStringLiteral(" An edge of at most a pixel is not divided by what is left, 0 or less: "
+                         "it keeps its vertex' place and colour.");
 }
 
 /// From below an edge has another way to its first row than the words of the method tell.
@@ -216,13 +115,17 @@ QString sentenceOf(Variant variant, SpanAxis axis)
 Defect redrawnDefect(const QString &id, const QString &forStudent, const QString &forAssistant,
                      const Redrawing &redrawing, SpanAxis axis)
 {
-    const auto filledIn = [axis](QString text) {
-        const bool goesByColumns = axis == SpanAxis::Column;
-        return text
-            .replace(QStringLiteral("%1"),
-                     goesByColumns ? QStringLiteral("column") : QStringLiteral("row"))
-            .replace(QStringLiteral("%2"),
-                     goesByColumns ? QStringLiteral("x") : QStringLiteral("y"));
+    const bool goesByColumns = axis == SpanAxis::Column;
+    const auto filledIn = [goesByColumns](QString text) {
+        const auto fill = [&](const char *place, const char *ofColumns, const char *ofRows) {
+            text.replace(QLatin1String(place),
+                         QString::fromUtf8(goesByColumns ? ofColumns : ofRows));
+        };
+        fill("%1", "column", "row");
+        fill("%2", "x", "y");
+        fill("%3", "y", "x");
+        fill("%4", "y_B", "x_L");
+        return text;
     };
     return redrawnBy(redrawing, {id, filledIn(forStudent), filledIn(forAssistant)});
 }
@@ -236,30 +139,57 @@ std::vector<Defect> walkDefectsFor(SpanAxis axis)
         defects.push_back(redrawnDefect(named.id, named.forStudent, named.forAssistant,
                                         redrawingBy(named.walk, named.overflow), axis));
     };
-    std::ranges::for_each(namedWalks(spanRows()), add);
-    const auto addUpward = [&](NamedWalk named) {
-        named.id = fromBelow(named.id);
-        named.forAssistant += orderSentence(WalkOrder::Ascending);
-        named.walk.order = WalkOrder::Ascending;
-        add(named);
-    };
+    std::ranges::for_each(namedWalks(spanWalkRows()), add);
     const bool hasOrder = axis == SpanAxis::Row;
-    for (const NamedWalk &named : namedWalks(edgeRows())) {
-        NamedWalk ofMethod = named;
-        if (hasOrder)
-            ofMethod.forAssistant += orderSentence(WalkOrder::Descending);
+    for (const NamedWalk &named : namedWalks(edgeWalkRows())) {
+        if (!hasOrder) {
+            add(withWays(named, WalkOrder::Ascending));
+            continue;
+        }
+        NamedWalk ofMethod = withWays(named, WalkOrder::Descending);
+        ofMethod.forAssistant += orderSentence(WalkOrder::Descending);
         add(ofMethod);
-        if (hasOrder)
-            addUpward(named);
+        add(fromBelow(withWays(named, WalkOrder::Ascending)));
     }
     for (const Variant variant : variantsAlongEdges) {
         if (hasOrder)
-            addUpward({nameText(nameOf(variant)),
-                       nameText(wordsOf(variant, axis).fault),
-                       upwardSentence(variant),
-                       {.departures = VariantSet().with(variant)}});
+            add(fromBelow({nameText(nameOf(variant)),
+                           nameText(wordsOf(variant, axis).fault),
+                           upwardSentence(variant),
+                           {.departures = VariantSet().with(variant)}}));
     }
     return defects;
+}
+
+std::vector<Defect> flatEdgeChoicesFor(SpanAxis axis)
+{
+    const auto choice = [axis](const char *id, const char *forStudent, const char *forAssistant,
+                               const ProgramWalk &walk) {
+        Defect defect = redrawnDefect(QString::fromLatin1(id), QString::fromUtf8(forStudent),
+                                      QString::fromUtf8(forAssistant)
+                                          + QStringLiteral(" That alone is no mistake."),
+                                      redrawingBy(walk, LevelOverflow::Clamps), axis);
+        defect.isRightAlone = true;
+        return defect;
+    };
+    constexpr const char *order = "Which of two vertices with one %2 comes first?";
+    constexpr const char *end = "Between what does the last %1 lie, where two vertices do?";
+    return {choice("equal-as-given", order,
+                   "Of two vertices with one %2 the one that was given first comes first, not the "
+                   "one with the least %3.",
+                   {.vertices = VertexOrder::ByXThenAsGiven}),
+            choice("equal-descending", order,
+                   "Of two vertices with one %2 the one with the greatest %3 comes first, not the "
+                   "one with the least.",
+                   {.vertices = VertexOrder::ByXThenDown}),
+            choice("flat-end-from-vertices", end,
+                   "Where two vertices lie on the last %1, it goes from the one to the other, not "
+                   "to where the long edge has come.",
+                   {.flatEnd = FlatEnd::FromVertices}),
+            choice("flat-end-from-edges", end,
+                   "Where two vertices lie on the last %1, its bounds are what the two edges "
+                   "before it have come to, and neither vertex.",
+                   {.flatEnd = FlatEnd::FromEdgesBefore})};
 }
 
 } // namespace pixelplumb

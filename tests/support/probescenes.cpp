@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/support/probescenes.h"
 
+#include "core/scene/scenefile.h"
+#include "tests/support/sourcetree.h"
+
+#include <QDir>
+
 namespace pixelplumb {
 
 Triangle coloured(const std::array<LatticePoint, 3> &points)
@@ -32,6 +37,17 @@ std::vector<Scene> probeScenes(const char *method)
                        coloured({at(10, 10), at(40, 10), at(10, 40)}),
                        coloured({at(40, 40), at(40, 10), at(10, 40)})},
                       method)};
+}
+
+std::vector<Scene> probeSheet(const QString &method)
+{
+    const QDir folder(resource(QStringLiteral("/probes")));
+    std::vector<Scene> scenes;
+    for (const QString &name : folder.entryList({method + QStringLiteral("-*.json")})) {
+        if (const auto reading = readSceneFile(folder.filePath(name)))
+            scenes.push_back(reading->scene);
+    }
+    return scenes;
 }
 
 } // namespace pixelplumb

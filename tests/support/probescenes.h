@@ -3,6 +3,8 @@
 
 #include "core/scene/scene.h"
 
+#include <QString>
+
 #include <array>
 #include <vector>
 
@@ -14,5 +16,7 @@ Triangle coloured(const std::array<LatticePoint, 3> &points);
 Scene sceneWith(std::vector<Triangle> triangles, const char *method = "column-scan");
 /// Three scenes that part what one does not, two triangles in one of them with a shared edge.
 std::vector<Scene> probeScenes(const char *method = "column-scan");
+/// Those in resources/probes/ that tell all known defects of the method apart.
+std::vector<Scene> probeSheet(const QString &method);
 
 } // namespace pixelplumb

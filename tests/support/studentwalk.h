@@ -37,6 +37,45 @@ enum class WalkMistake {
     WholeEdgeLevels,
     LongEdgeAlwaysUpper,
     LongEdgeAlwaysLower,
+    ShortEdgesColoursBelow, ///< if (y_B > y_T) swap(y_B, y_T), y_B being the short edge's
+    LongEdgesColoursBelow, ///< the same, y_B being the long edge's
+    SpanDivisorSamples, ///< ΔR = (R_T − R_B)/(⌊y_T⌋ − ⌈y_B⌉ + 1)
+    SpanDivisorSteps, ///< ΔR = (R_T − R_B)/(⌊y_T⌋ − ⌈y_B⌉)
+    SpanPreStepOfFraction,
+    SpanPreStepBackward,
+    ColoursSteppedFirst,
+    LastSampleTooMany,
+    FirstSampleTooMany,
+    FirstSampleTooManyOfNextColour,
+    RedNotSteppedAlongSpans,
+    GreenNotSteppedAlongSpans,
+    BlueNotSteppedAlongSpans,
+    OutlineAlone,
+    RedNotSteppedAlongEdges,
+    GreenNotSteppedAlongEdges,
+    BlueNotSteppedAlongEdges,
+    EdgePreStepOfFraction,
+    EdgePreStepBackward,
+    EdgesSteppedFirst,
+    EmptySpansContinue, ///< if (⌈y_B⌉ > ⌊y_T⌋) continue, before the increments
+    WholePlaces, ///< int y; y += m
+    RoundedPlaces, ///< y = round(y + m)
+    NotSorted,
+    SortedByTheOther,
+    EqualAsGiven, ///< no mistake by itself: vertices of one x in the order in which they came
+    EqualDescending, ///< no mistake by itself
+    FlatEndFromVertices, ///< no mistake by itself: if (x₁ == x₂) from (y₁, R₁) to (y₂, R₂)
+    FlatEndFromEdges, ///< no mistake by itself: if (x₁ == x₂) L₀₁ is gone on with for one more
+    SecondEdgeOfFirstColour,
+    SecondPlaceCarriedOn,
+    SecondColoursCarriedOn,
+    LongPlaceBegunAgain,
+    LongColoursBegunAgain,
+    LongPlaceStands,
+    LongColoursStand,
+    ReturnsAtFirstVertical, ///< if (x₀ == x₁) return
+    ReturnsAtLastVertical, ///< if (x₁ == x₂) return
+    NoSecondHalfAtVertical, ///< if (x₁ == x₂) return, behind the first half
 };
 
 enum class WalkLines { Columns, Rows };

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/programwalk.h"
+
+#include <vector>
+
+namespace pixelplumb {
+
+/// A mistake in a walk and what is said of it. In the words %1 is a span, %2 the coordinate that
+/// its samples share, %3 the other one, %4 its lower bound; of edges %5 is the way from a vertex to
+/// its first span and %6 that to the one before.
+struct WalkRow {
+    const char *id;
+    const char *forStudent;
+    const char *forAssistant;
+    ProgramWalk walk;
+    LevelOverflow overflow = LevelOverflow::Clamps;
+};
+
+/// Of what is done along a span: from which end spans are gone through makes no difference.
+const std::vector<WalkRow> &spanWalkRows();
+/// Of what is done along edges, where it does.
+const std::vector<WalkRow> &edgeWalkRows();
+
+namespace walkquestions {
+
+inline constexpr const char *division = "What does a division of two whole numbers give you?";
+inline constexpr const char *stored = "What type has a colour while it is stepped?";
+inline constexpr const char *channels = "Are all three channels treated alike?";
+
+} // namespace walkquestions
+
+} // namespace pixelplumb

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/mistakenprograms.h"
+
+namespace pixelplumb {
+
+namespace {
+
+using M = WalkMistake;
+using Mistakes = std::set<WalkMistake>;
+
+class Programs {
+public:
+    /// Mistakes that go by columns and, from either end, by rows.
+    void addOfEdges(const char *id, Mistakes mistakes)
+    {
+        add(id, mistakes, "column-scan");
+        add(id, mistakes, "row-walk");
+        mistakes.insert(M::FromBelow);
+        add(qPrintable(QString::fromLatin1(id) + QStringLiteral("-from-below")), mistakes,
+            "row-walk");
+    }
+    /// Of spans, where it does not matter from which end they are gone through.
+    void addOfSpans(const char *id, const Mistakes &mistakes)
+    {
+        add(id, mistakes, "column-scan");
+        add(id, mistakes, "row-walk");
+    }
+    /// From above the last row is that of the least y.
+    void addOfEnds(const char *id, const char *fromAbove, Mistakes mistakes)
+    {
+        add(id, mistakes, "column-scan");
+        add(fromAbove, mistakes, "row-walk");
+        mistakes.insert(M::FromBelow);
+        add(id, mistakes, "row-walk");
+    }
+
+    std::vector<MistakenProgram> all;
+
+private:
+    void add(const char *id, const Mistakes &mistakes, const char *method)
+    {
+        all.push_back({QString::fromLatin1(method), QString::fromLatin1(id), mistakes});
+    }
+};
+
+void addKnown(Programs &programs)
+{
+    programs.addOfEdges("no-edge-pre-step", {M::NoEdgePreStep});
+    programs.addOfEdges("colours-without-edge-pre-step", {M::NoEdgeColourPreStep});
+    programs.addOfEdges("divisor-minus-one", {M::EdgeDivisorMinusOne});
+    programs.addOfEdges("divisor-plus-one", {M::EdgeDivisorPlusOne});
+    programs.addOfEdges("unsorted-colours", {M::UnsortedColours});
+    programs.addOfEdges("whole-slopes", {M::WholeSlopes});
+    programs.addOfEdges("whole-edge-colours", {M::WholeEdgeColours});
+    programs.addOfEdges("whole-edge-steps", {M::WholeSlopes, M::WholeEdgeColours});
+    programs.addOfEdges("whole-colours", {M::WholeEdgeColours, M::WholePreSteps, M::WholeSteps});
+    programs.addOfEdges("whole-increments",
+                        {M::WholeSlopes, M::WholeEdgeColours, M::WholePreSteps, M::WholeSteps});
+    programs.addOfSpans("whole-colour-steps", {M::WholeSteps});
+    programs.addOfSpans("whole-colour-rates", {M::WholePreSteps, M::WholeSteps});
+    programs.addOfSpans("colour-divisor-plus-one", {M::SpanDivisorPlusOne});
+    programs.addOfSpans("colours-between-samples", {M::ColoursBetweenSamples});
+    programs.addOfEnds("last-span-missing", "first-span-missing", {M::LastSpanMissing});
+    programs.addOfEnds("first-span-missing", "last-span-missing", {M::FirstSpanMissing});
+    programs.addOfEnds("open-at-last-vertex", "open-at-first-vertex", {M::OpenAtLastVertex});
+    programs.addOfEnds("open-at-first-vertex", "open-at-last-vertex", {M::OpenAtFirstVertex});
+    programs.addOfEnds("middle-span-missing", "middle-floor-span-missing",
+                       {M::SecondHalfAfterCeiling});
+    programs.addOfEnds("middle-floor-span-missing", "middle-span-missing",
+                       {M::FirstHalfTruncated, M::SecondHalfAfterFloor});
+    programs.addOfEnds("open-at-middle-vertex", "open-at-middle-vertex", {M::SecondHalfAfterFloor});
+    programs.addOfEnds("middle-span-truncated", "middle-span-truncated-from-above",
+                       {M::FirstHalfTruncated});
+    programs.addOfEnds("first-half-missing", "second-half-behind-middle-missing", {M::NoFirstHalf});
+    programs.addOfEnds("second-half-missing", "first-half-and-middle-missing", {M::NoSecondHalf});
+    programs.addOfEdges("no-pre-step-behind-middle", {M::SecondHalfWithoutPreStep});
+    programs.addOfEdges("loops-truncated", {M::LoopsTruncated});
+    programs.addOfEdges("floor-slopes", {M::WholeSlopes, M::DividesDown});
+    programs.addOfEdges("floor-edge-colours", {M::WholeEdgeColours, M::DividesDown});
+    programs.addOfEdges("floor-edge-steps", {M::WholeSlopes, M::WholeEdgeColours, M::DividesDown});
+    programs.addOfEdges("floor-colours",
+                        {M::WholeEdgeColours, M::WholePreSteps, M::WholeSteps, M::DividesDown});
+    programs.addOfEdges(
+        "floor-increments",
+        {M::WholeSlopes, M::WholeEdgeColours, M::WholePreSteps, M::WholeSteps, M::DividesDown});
+    programs.addOfSpans("floor-colour-steps", {M::WholeSteps, M::DividesDown});
+    programs.addOfSpans("floor-colour-rates", {M::WholePreSteps, M::WholeSteps, M::DividesDown});
+    programs.addOfSpans("whole-span-levels", {M::WholeSpanLevels});
+    programs.addOfSpans("middle-above-lost", {M::LongEdgeAlwaysUpper});
+    programs.addOfSpans("middle-below-lost", {M::LongEdgeAlwaysLower});
+    programs.addOfEdges("whole-levels", {M::WholeEdgeLevels, M::WholeSpanLevels});
+}
+
+void addOfWalks(Programs &programs)
+{
+    programs.addOfSpans("colour-divisor-samples", {M::SpanDivisorSamples});
+    programs.addOfSpans("colour-divisor-steps", {M::SpanDivisorSteps});
+    programs.addOfSpans("colour-pre-step-of-fraction", {M::SpanPreStepOfFraction});
+    programs.addOfSpans("colour-pre-step-backward", {M::SpanPreStepBackward});
+    programs.addOfSpans("colours-stepped-first", {M::ColoursSteppedFirst});
+    programs.addOfSpans("colours-of-short-edge-below", {M::ShortEdgesColoursBelow});
+    programs.addOfSpans("colours-of-long-edge-below", {M::LongEdgesColoursBelow});
+    programs.addOfSpans("extra-last-sample", {M::LastSampleTooMany});
+    programs.addOfSpans("extra-first-sample", {M::FirstSampleTooMany});
+    programs.addOfSpans("extra-first-sample-of-next-colour", {M::FirstSampleTooManyOfNextColour});
+    programs.addOfSpans("red-not-stepped-along-spans", {M::RedNotSteppedAlongSpans});
+    programs.addOfSpans("green-not-stepped-along-spans", {M::GreenNotSteppedAlongSpans});
+    programs.addOfSpans("blue-not-stepped-along-spans", {M::BlueNotSteppedAlongSpans});
+    programs.addOfSpans(
+        "colours-not-stepped-along-spans",
+        {M::RedNotSteppedAlongSpans, M::GreenNotSteppedAlongSpans, M::BlueNotSteppedAlongSpans});
+    programs.addOfEdges(
+        "colours-not-stepped-along-edges",
+        {M::RedNotSteppedAlongEdges, M::GreenNotSteppedAlongEdges, M::BlueNotSteppedAlongEdges});
+    programs.addOfSpans("outline-alone", {M::OutlineAlone});
+    programs.addOfSpans("edge-along-lost", {M::ReturnsAtFirstVertical, M::ReturnsAtLastVertical});
+    programs.addOfEdges("red-not-stepped-along-edges", {M::RedNotSteppedAlongEdges});
+    programs.addOfEdges("green-not-stepped-along-edges", {M::GreenNotSteppedAlongEdges});
+    programs.addOfEdges("blue-not-stepped-along-edges", {M::BlueNotSteppedAlongEdges});
+    programs.addOfEdges("edge-pre-step-of-fraction", {M::EdgePreStepOfFraction});
+    programs.addOfEdges("edge-pre-step-backward", {M::EdgePreStepBackward});
+    programs.addOfEdges("edges-stepped-first", {M::EdgesSteppedFirst});
+    programs.addOfEdges("edges-wait-at-empty-spans", {M::EmptySpansContinue});
+    programs.addOfEdges("whole-places", {M::WholePlaces});
+    programs.addOfEdges("rounded-places", {M::RoundedPlaces});
+    programs.addOfEdges("vertices-not-sorted", {M::NotSorted});
+    programs.addOfEdges("vertices-sorted-by-the-other", {M::SortedByTheOther});
+    programs.addOfEdges("second-edge-of-first-colour", {M::SecondEdgeOfFirstColour});
+    programs.addOfEdges("second-edge-carried-on",
+                        {M::SecondPlaceCarriedOn, M::SecondColoursCarriedOn});
+    programs.addOfEdges("second-edge-place-carried-on", {M::SecondPlaceCarriedOn});
+    programs.addOfEdges("second-edge-colours-carried-on", {M::SecondColoursCarriedOn});
+    programs.addOfEdges("long-edge-begun-again",
+                        {M::LongPlaceBegunAgain, M::LongColoursBegunAgain});
+    programs.addOfEdges("long-edge-place-begun-again", {M::LongPlaceBegunAgain});
+    programs.addOfEdges("long-edge-colours-begun-again", {M::LongColoursBegunAgain});
+    programs.addOfEdges("long-edge-stands", {M::LongPlaceStands, M::LongColoursStand});
+    programs.addOfEdges("long-edge-place-stands", {M::LongPlaceStands});
+    programs.addOfEdges("long-edge-colours-stand", {M::LongColoursStand});
+    programs.addOfEnds("first-edge-along-lost", "last-edge-along-lost",
+                       {M::ReturnsAtFirstVertical});
+    programs.addOfEnds("last-edge-along-lost", "first-edge-along-lost", {M::ReturnsAtLastVertical});
+    programs.addOfEnds("last-edge-along-missing", "first-edge-along-missing",
+                       {M::NoSecondHalfAtVertical});
+}
+
+} // namespace
+
+std::vector<MistakenProgram> mistakenPrograms()
+{
+    Programs programs;
+    addKnown(programs);
+    addOfWalks(programs);
+    return programs.all;
+}
+
+} // namespace pixelplumb

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/support/studentwalk.h"
+
+#include <QString>
+
+#include <vector>
+
+namespace pixelplumb {
+
+/// A student's program and the defect that is its mistake.
+struct MistakenProgram {
+    QString method; ///< "column-scan" or "row-walk"
+    QString id; ///< of the defect
+    std::set<WalkMistake> mistakes;
+};
+
+std::vector<MistakenProgram> mistakenPrograms();
+
+} // namespace pixelplumb
