@@ -23,6 +23,9 @@ public:
     {
     }
 
+    /// From now on, of these instead.
+    void keepClearOf(std::span<const QRectF> taken) { m_taken = taken; }
+
     /// Where nothing else stands, as near to its anchor as can be, with a line to it when it is not
     /// beside it; nowhere when the anchor is far out of view.
     void place(const QString &text, const QPointF &anchor, LayerInk ink);

@@ -148,8 +148,6 @@ QStringList LayerPainter::paintLabels(QPainter &painter, const LayerDrawing &dra
     const std::vector<QRectF> bars = measurePlaces(drawing, surface);
     std::vector<QRectF> kept = bars;
     kept.insert(kept.end(), taken.begin(), taken.end());
-    const std::vector<QRectF> shown = namedPlaces(drawing, surface);
-    kept.insert(kept.end(), shown.begin(), shown.end());
     LayerLabels labels(painter, surface, m_glyphs, kept);
     // The texts of measures before others, which may go farther from their places.
     for (std::size_t i = 0; i < bars.size(); ++i) {
@@ -159,6 +157,9 @@ QStringList LayerPainter::paintLabels(QPainter &painter, const LayerDrawing &dra
         labels.placeBeside(measure.text, bars[i], besideMeasure(measure, surface, 1), others,
                            measure.ink);
     }
+    const std::vector<QRectF> shown = namedPlaces(drawing, surface);
+    kept.insert(kept.end(), shown.begin(), shown.end());
+    labels.keepClearOf(kept);
     for (const LayerDrawing::Label &label : drawing.labels)
         labels.place(label.text, surface.fromSamples.map(label.place), label.ink);
     labels.paint();
