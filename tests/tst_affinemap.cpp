@@ -104,7 +104,7 @@ Corners randomCorners(SeededRandom &random, std::int64_t largest)
 Scene sceneOf(const Corners &corners)
 {
     Scene scene;
-    scene.method = "edge-equations"; // whose P₀, P₁, P₂ are those of the file
+    scene.method = "edge-equations";
     scene.triangles = {triangleAtUnits(corners[0], corners[1], corners[2])};
     return scene;
 }
@@ -248,7 +248,7 @@ private slots:
                  qPrintable(drawing.notes[0]));
     }
 
-    void theNamesAreThoseOfTheMethod()
+    void theWeightsAreThoseOfTheScenesVerticesWhateverTheMethodSorts()
     {
         Scene scene = sceneOf({latticePixel(9, 0), latticePixel(0, 0), latticePixel(3, 8)});
         scene.method = "column-scan"; // sorted by x: the vertices 1, 2, 0
@@ -258,9 +258,9 @@ private slots:
 
         const LayerDrawing drawing = look.drawing("affine-map");
 
-        QCOMPARE(labelOf(drawing, QStringLiteral("P2′")), QStringLiteral("P2′ (40, 10)"));
+        QCOMPARE(labelOf(drawing, QStringLiteral("a′")), QStringLiteral("a′ = P2′ (40, 10)"));
         QCOMPARE(labelOf(drawing, QStringLiteral("p′:")),
-                 QStringLiteral("p′: α = 0, β = 0, γ = 1"));
+                 QStringLiteral("p′: α = 1, β = 0, γ = 0"));
     }
 
     void theSampleIsThePickedPixelElseThatOfTheStep()

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/pixelhistory.h"
 #include "tests/support/canvasbench.h"
+#include "tests/support/scanning.h"
 
 #include <QTest>
 
@@ -26,6 +28,7 @@ private slots:
     void inspectingFollowsTheHeldButton();
     void theReadoutNamesPixelColourPainterAndNearestEdge();
     void theReadoutSaysWhichEdgeKeepsAnUnpaintedPixelOut();
+    void theReadoutSaysThatASampleIsOnAnEdge();
     void theReadoutHasTheVertexWhereItIsNoPixel();
 };
 
@@ -90,6 +93,30 @@ void TestCanvasInspecting::theReadoutSaysWhichEdgeKeepsAnUnpaintedPixelOut()
 
     bench.send(QEvent::MouseButtonPress, bench.at(31, 1), Qt::LeftButton, Qt::LeftButton);
     QCOMPARE(bench.canvas.readout(), QString()); // the button does something
+}
+
+void TestCanvasInspecting::theReadoutSaysThatASampleIsOnAnEdge()
+{
+    // (14, 9) is in the middle of the edge from (8, 6) to (20, 12).
+    Scene scene;
+    scene.triangles = {triangleAt(8, 6, 20, 12, 8, 30)};
+    scene.settings.fillRule = FillRule::Open;
+    CanvasBench open(scene);
+    open.playhead.seek(open.playhead.end());
+    point(open, open.at(14, 9));
+    QCOMPARE(open.canvas.readout(),
+             QStringLiteral("(14, 9) #000000\nnot painted · on L₀₂ of triangle 0"));
+    // As the Pixel panel tells it.
+    QVERIFY(pixelHistory(*open.playhead.traced(), 14, 9)
+                .front()
+                .reason.startsWith("The sample lies exactly on L₀₂"));
+
+    scene.settings.fillRule = FillRule::Closed;
+    CanvasBench closed(scene);
+    closed.playhead.seek(closed.playhead.end());
+    point(closed, closed.at(14, 9));
+    QVERIFY2(closed.canvas.readout().endsWith("triangle 0 · on L₀₂"),
+             qPrintable(closed.canvas.readout()));
 }
 
 void TestCanvasInspecting::theReadoutHasTheVertexWhereItIsNoPixel()

@@ -109,6 +109,34 @@ private slots:
         QVERIFY(seen > 2);
     }
 
+    void thePlumbLineStrikesNoNumberThrough()
+    {
+        CanvasBench bench(firstScene());
+        bench.canvas.setZoom(int(48 * bench.canvas.devicePixelRatioF()));
+        const ScanTrace &trace = *bench.playhead.traced()->trace;
+        const std::size_t sample = trace.sampleCount() / 2;
+        bench.playhead.seek(trace.indexOfSample(sample) + 1);
+        const PixelChange change = trace.changes()[sample];
+        // Along the line, in the cell of the sample in hand.
+        const auto line = [&] {
+            const QImage grabbed = bench.canvas.grab().toImage();
+            const double ratio = grabbed.devicePixelRatio();
+            const QPoint centre
+                = (bench.canvas.positionOf(latticePixel(change.x, change.y)) * ratio).toPoint();
+            std::vector<QRgb> pixels;
+            for (int dy = int(-18 * ratio); dy <= int(18 * ratio); ++dy)
+                pixels.push_back(grabbed.pixel(centre.x(), centre.y() + dy));
+            return pixels;
+        };
+        bench.options.setLayers({QStringLiteral("memory")});
+        const std::vector<QRgb> withNumber = line();
+        bench.options.setLayers({QStringLiteral("weights")});
+        const std::vector<QRgb> withOthers = line();
+
+        // Were the line above them, it would hide both.
+        QVERIFY(withNumber != withOthers);
+    }
+
     void whatIsAheadIsHiddenAndShownAgain()
     {
         CanvasBench bench(firstScene());

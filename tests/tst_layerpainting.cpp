@@ -102,7 +102,8 @@ private slots:
         QPainter painter(&paper.picture);
 
         const QStringList said
-            = LayerPainter().paintGround(painter, drawingWithSamples(), paper.surface);
+            = LayerPainter().paintNumbers(painter, drawingWithSamples(), paper.surface);
+        LayerPainter().paintGround(painter, drawingWithSamples(), paper.surface);
         painter.end();
 
         QCOMPARE(said, QStringList("In the cells: address"));
@@ -124,14 +125,14 @@ private slots:
             drawing.cells.push_back({1, 1, QString::fromLatin1(text)});
         drawing.cellNames = {QStringLiteral("α, β, γ"), QStringLiteral("R, G")};
 
-        QStringList said = LayerPainter().paintGround(painter, drawing, paper.surface);
+        QStringList said = LayerPainter().paintNumbers(painter, drawing, paper.surface);
         QCOMPARE(said,
                  QStringList("No room for the numbers in the cells (α, β, γ, R, G): they need "
                              "cells of 40 pixels; enlarge the picture, or show fewer layers"));
 
         Paper larger(40);
         QPainter again(&larger.picture);
-        said = LayerPainter().paintGround(again, drawing, larger.surface);
+        said = LayerPainter().paintNumbers(again, drawing, larger.surface);
         QCOMPARE(said, QStringList("In the cells, from the top: α, β, γ, R, G"));
     }
 
@@ -143,7 +144,7 @@ private slots:
         const auto saidAt = [&drawing](double cell) {
             Paper paper(cell);
             QPainter painter(&paper.picture);
-            return LayerPainter().paintGround(painter, drawing, paper.surface).front();
+            return LayerPainter().paintNumbers(painter, drawing, paper.surface).front();
         };
 
         // Three lines of 6 px below the middle's dot.

@@ -101,7 +101,8 @@ private slots:
         QTest::addColumn<QStringList>("names");
         QTest::newRow("in the order of columns")
             << QByteArray("column-scan")
-            << QStringList{"P0 (−2, 0)", "P1 (3, 9)", "P2 (12, 3 1/2)"};
+            << QStringList{"P0 = vertex 1 (−2, 0)", "P1 = vertex 2 (3, 9)",
+                           "P2 = vertex 0 (12, 3 1/2)"};
         QTest::newRow("as given") << QByteArray("edge-equations")
                                   << QStringList{"P0 (12, 3 1/2)", "P1 (−2, 0)", "P2 (3, 9)"};
     }
@@ -232,15 +233,23 @@ private slots:
 
     void weightsThatAMethodDoesNotComputeAreThoseOfBarycentricOnes()
     {
-        const LayerDrawing exact
-            = Look(sceneBy("column-scan", triangleAt(0, 0, 8, 0, 0, 4))).drawing("weights");
+        Look look(sceneBy("column-scan", triangleAt(0, 0, 8, 0, 0, 4)));
+        const LayerDrawing exact = look.drawing("weights");
 
         QCOMPARE(textsIn(exact, 2, 1), QStringList({"0.50", "0.25", "0.25"}));
-        QCOMPARE(textsIn(exact, 8, 4), QStringList({"−1", "1", "1"}));
-        QCOMPARE(exact.notes,
-                 QStringList("α, β, γ belong to the vertices 0, 1, 2 and are exact, since “Column "
-                             "scan” computes none"));
+        QCOMPARE(
+            exact.notes,
+            QStringList("α, β, γ belong to a, b, c, the vertices 0, 1, 2, and are exact, since "
+                        "“Column scan” computes none"));
         QCOMPARE(exact.cellNames, QStringList({"α", "β", "γ"}));
+
+        // As the tool tip has it: of the samples that the method has visited.
+        const ScanTrace &trace = *look.traced->trace;
+        QCOMPARE(exact.cells.size(), 3 * trace.sampleCount());
+        for (const std::size_t done : {std::size_t(0), trace.sampleCount() / 2}) {
+            look.view.position = done == 0 ? 1 : trace.indexOfSample(done - 1) + 1;
+            QCOMPARE(look.drawing("weights").cells.size(), 3 * done);
+        }
     }
 
     void levelsAreThoseOfTheSamples()
@@ -254,7 +263,7 @@ private slots:
 
     void specialPointsHaveTheirWeights()
     {
-        // P₀ is the first in the order of columns, as the column scan sorts them: (0, 0).
+        // a, b, c are those of the scene, P0, P1, P2 those of the column scan, which sorts them.
         const Look look(sceneBy("column-scan", triangleAt(12, 3, 0, 0, 3, 9)));
         const LayerDrawing drawing = look.drawing("barycentric-axes");
         const auto placeOfLabel = [&](const char *text) {
@@ -263,15 +272,15 @@ private slots:
             return found == drawing.labels.end() ? QPointF(-99, -99) : found->place;
         };
 
-        QCOMPARE(placeOfLabel("P₀ (1, 0, 0)"), QPointF(0, 0));
-        QCOMPARE(placeOfLabel("P₁ (0, 1, 0)"), QPointF(3, 9));
-        QCOMPARE(placeOfLabel("P₂ (0, 0, 1)"), QPointF(12, 3));
-        QCOMPARE(placeOfLabel("(½, ½, 0)"), QPointF(1.5, 4.5));
-        QCOMPARE(placeOfLabel("(0, ½, ½)"), QPointF(7.5, 6));
+        QCOMPARE(placeOfLabel("a = P2 (1, 0, 0)"), QPointF(12, 3));
+        QCOMPARE(placeOfLabel("b = P0 (0, 1, 0)"), QPointF(0, 0));
+        QCOMPARE(placeOfLabel("c = P1 (0, 0, 1)"), QPointF(3, 9));
+        QCOMPARE(placeOfLabel("(½, ½, 0)"), QPointF(6, 1.5));
+        QCOMPARE(placeOfLabel("(0, ½, ½)"), QPointF(1.5, 4.5));
         QCOMPARE(placeOfLabel("(⅓, ⅓, ⅓)"), QPointF(5, 4));
-        // β = 1 goes through P₁ along γ's axis, from γ = −1 to 2.
+        // β = 1 goes through b along γ's axis, c − a, from γ = −1 to 2.
         const LayerDrawing::Line line
-            = {{-9, 6}, {27, 15}, LayerInk::First, LayerDrawing::Stroke::Dashed};
+            = {{9, -6}, {-18, 12}, LayerInk::First, LayerDrawing::Stroke::Dashed};
         QVERIFY(std::ranges::count(drawing.lines, line) == 1);
     }
 
@@ -331,12 +340,13 @@ private slots:
 
     void specialPointsBesideTheFrameAndEveryAxisHaveTheirNames()
     {
-        // P₁ is above the frame, P₂ right of it, and all places before P₀ left of it.
+        // b is above the frame, c right of it, and all places before a left of it.
         const LayerDrawing drawing = Look(sceneBy("column-scan", triangleAt(2, 5, 30, 48, 64, 3)))
                                          .drawing("barycentric-axes");
         const QStringList names = textsOf(drawing.labels);
 
-        for (const char *name : {"P₀ (1, 0, 0)", "P₁ (0, 1, 0)", "P₂ (0, 0, 1)", "β = 0", "γ = 0"})
+        for (const char *name :
+             {"a = P0 (1, 0, 0)", "b = P1 (0, 1, 0)", "c = P2 (0, 0, 1)", "β = 0", "γ = 0"})
             QVERIFY2(names.contains(QString::fromUtf8(name)), name);
         const auto axis = std::ranges::find(drawing.labels, QStringLiteral("β = 0"),
                                             &LayerDrawing::Label::text);

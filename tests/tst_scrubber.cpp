@@ -3,6 +3,7 @@
 #include "tests/support/openwindow.h"
 #include "tests/support/scanning.h"
 #include "widgets/canvas/canvas.h"
+#include "widgets/model/steptext.h"
 #include "widgets/stepping/scrubber.h"
 
 #include <QAccessible>
@@ -123,6 +124,48 @@ private slots:
         const int lane = 11;
         QVERIFY2(*lines.begin() >= 4 + 3 * lane, qPrintable(QString::number(*lines.begin())));
         QVERIFY2(*lines.rbegin() < 4 + 4 * lane, qPrintable(QString::number(*lines.rbegin())));
+    }
+
+    void theMarkOfTheFirstDifferenceNamesThePixelThatDiffers_data()
+    {
+        QTest::addColumn<Scene>("scene");
+        QTest::addColumn<QString>("told");
+        // Drawn to (29, 44) by a loop that ends one step too early.
+        const Colour white = {{255, 255, 255}};
+        Shape line;
+        line.kind = PrimitiveKind::Line;
+        line.vertices = {{latticePixel(20, 41), white}, {latticePixel(30, 44), white}};
+        Scene shortLine;
+        shortLine.method = "line-bresenham";
+        shortLine.shapes = {line};
+        shortLine.settings.variants = VariantSet().with(Variant::OneStepShort);
+        QTest::newRow("missing in the end")
+            << shortLine << "pixel (30, 44) is missing when the run ends";
+        // (int)(5 + .5) … (int)(44 − .5): the topmost row is not visited.
+        Scene box;
+        box.method = "edge-equations";
+        box.triangles = {triangleAt(4, 5, 58, 12, 26, 44)};
+        box.settings.variants = VariantSet().with(Variant::RoundedBox);
+        QTest::newRow("missing on the way") << box
+                                            << "pixel (58, 12) is missing, and this step was "
+                                               "the last that could have drawn it";
+        Scene colours = box;
+        colours.method = "column-scan";
+        colours.settings.variants = VariantSet().with(Variant::UnsortedColours);
+        std::swap(colours.triangles[0].vertices[0], colours.triangles[0].vertices[1]);
+        QTest::newRow("colour") << colours << "pixel (4, 5) has another colour";
+    }
+    void theMarkOfTheFirstDifferenceNamesThePixelThatDiffers()
+    {
+        QFETCH(Scene, scene);
+        QFETCH(QString, told);
+        const auto traced = traceScene(scene);
+        const auto mark
+            = std::ranges::find(traced->marks, MarkKind::FirstDifference, &TraceMark::kind);
+        QVERIFY(mark != traced->marks.end());
+
+        QCOMPARE(markText(*traced, *mark),
+                 QStringLiteral("first difference from the truth: ") + told);
     }
 
     void aDragSeeksLive()

@@ -250,20 +250,51 @@ private slots:
         }
     }
 
-    void theMidpointOfACircleHasItsF()
+    void theMidpointThatDecidedAStepOfACircleHasItsF()
     {
         Look look(sceneOf(circleAt(32, 24, 10), "circle-midpoint", {}));
         const ScanTrace &trace = *look.traced->trace;
-        for (std::size_t span = 0; span < trace.spanCount(); ++span) {
+        look.view.position = trace.indexOfSpan(0) + 1;
+        QVERIFY(look.drawing("decisions").isEmpty()); // no decision led to the first pixel
+        for (std::size_t span = 1; span < trace.spanCount(); ++span) {
             look.view.position = trace.indexOfSpan(span) + 1;
             const LayerDrawing drawing = look.drawing("decisions");
             const QPointF midpoint = drawing.points.back().place - QPointF(32, 24);
             const double f = QPointF::dotProduct(midpoint, midpoint) - 100;
             QCOMPARE(drawing.labels.front().text,
-                     QStringLiteral("F = p_k₊₁ = %1")
+                     QStringLiteral("F = p_k = %1")
                          .arg(toDecimal(Quantity::of(f), std::abs(f) < 10 ? 2 : 1))
                          .replace(u'-', QChar(0x2212)));
+            // The step's words and pixel are those of the same decision.
+            QCOMPARE(spanNumber(*look.traced, span, QStringLiteral("p_k")).toDouble(), f);
+            const QPointF drawn(
+                32 + spanNumber(*look.traced, span, QStringLiteral("x_k")).toDouble(),
+                24 + spanNumber(*look.traced, span, QStringLiteral("y_k")).toDouble());
+            QCOMPARE(drawn, drawing.points[f > 0 ? 2 : 1].place);
         }
+    }
+
+    void theDecisionOfAMidpointIsAWholeNumberOfQuarters_data()
+    {
+        QTest::addColumn<Shape>("shape");
+        QTest::newRow("circle") << circleAt(32, 24, 10);
+        QTest::newRow("ellipse") << ellipseAtUnits(latticePixel(32, 24), 13 * unitsPerPixel,
+                                                   9 * unitsPerPixel);
+    }
+    void theDecisionOfAMidpointIsAWholeNumberOfQuarters()
+    {
+        QFETCH(Shape, shape);
+        const Look look(sceneOf(shape, "circle-midpoint", {}));
+        QVERIFY(
+            look.traced->method->summary.contains("F at midpoints, a whole number of quarters"));
+        bool isWhole = true;
+        QVERIFY(look.traced->trace->spanCount() > 5);
+        for (std::size_t span = 0; span < look.traced->trace->spanCount(); ++span) {
+            const double next = spanNumber(*look.traced, span, QStringLiteral("p_next")).toDouble();
+            QCOMPARE(4 * next, std::round(4 * next));
+            isWhole = isWhole && next == std::round(next);
+        }
+        QVERIFY(!isWhole); // it is no integer, as the table shows
     }
 
     void addressesAreThoseThatPointsAreWrittenBy()

@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/lab/countedarithmetic.h"
+#include "core/scan/linebresenham.h"
 #include "tests/support/countedbyhand.h"
 #include "tests/support/shapes.h"
 
@@ -39,6 +41,41 @@ private slots:
         QCOMPARE(counts.of(WorkStage::Pixel, Division), std::int64_t(0));
         // Those of the colours alone: 3 levels and 3 rates.
         QCOMPARE(counts.of(WorkStage::SetUp, Division), std::int64_t(3 + 3));
+    }
+
+    void theDivisionsAndMultiplicationsOfALineByBresenhamAreThoseOfItsColour()
+    {
+        const OperationCounts all = countsOf("line-bresenham", Arithmetic::Exact, oneColourLine());
+        const OperationTally places; // what finds the pixels, without a colour
+        using Integer = Counted<std::int64_t>;
+        const auto setUp = bresenhamSetUp<Integer>({0, 0}, {5, 2});
+        auto step = bresenhamStepAt(setUp, 0);
+        const OperationRow begun = places.counts.totals();
+        for (std::int64_t i = 0; i < 5; ++i)
+            advance(setUp, step);
+        QCOMPARE(step.place.along, std::int64_t(5));
+        QCOMPARE(step.place.across, std::int64_t(2));
+
+        const OperationRow row = places.counts.totals();
+        for (const Operation none : {Division, Rounding, FloatAddition, Conversion, Function})
+            QCOMPARE(row[std::size_t(none)], std::int64_t(0));
+        QCOMPARE(row[std::size_t(Multiplication)], std::int64_t(2)); // 2Δx, 2Δy
+        const auto ofSteps = [&](Operation operation) {
+            return row[std::size_t(operation)] - begun[std::size_t(operation)];
+        };
+        QCOMPARE(ofSteps(Operation::Comparison), std::int64_t(5));
+        QCOMPARE(ofSteps(IntegerAddition), std::int64_t(5));
+        QVERIFY(all.totals()[std::size_t(Division)] > 0);
+        QVERIFY(all.totals()[std::size_t(Multiplication)] > 2);
+        // From column 4 on: the frame cuts the start off.
+        bresenhamStepAt(setUp, 4);
+        QCOMPARE(places.counts.totals()[std::size_t(Division)], std::int64_t(1));
+        for (const char *part :
+             {"no division, no rounding and no floating point", "Δx and Δy are doubled",
+              "one comparison and one addition", "one division finds the first pixel"})
+            QVERIFY2(countingGap(*methodNamed(u"line-bresenham"), Arithmetic::Exact)
+                         .contains(QString::fromUtf8(part)),
+                     part);
     }
 
     void theDdaRoundsAndAddsOnceAStep()

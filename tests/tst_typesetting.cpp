@@ -2,6 +2,7 @@
 #include "widgets/look/appearance.h"
 #include "widgets/look/elidingbox.h"
 #include "widgets/look/formulahtml.h"
+#include "widgets/look/symboltext.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QTest>
@@ -52,6 +53,14 @@ private slots:
             }
         }
         QVERIFY(broke);
+    }
+
+    void anExponentIsNotLoweredWithAnIndex()
+    {
+        QCOMPARE(SymbolText(QStringLiteral("h = ⌊256·√(r_x² − d²)⌋/256")).html(),
+                 QStringLiteral("h = ⌊256·√(r<sub>x</sub>² − d²)⌋/256"));
+        QCOMPARE(SymbolText(QStringLiteral("2⁻²·x_start³ + y_B2")).html(),
+                 QStringLiteral("2⁻²·x<sub>start</sub>³ + y<sub>B2</sub>"));
     }
 
     void aSwitchHasAFrameAndIsFilledWhereItIsOn_data()

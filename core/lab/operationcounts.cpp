@@ -82,6 +82,14 @@ QString countingGap(const Method &method, Arithmetic arithmetic)
         return QStringLiteral(
             "Annotated step by step, not counted by its numbers; what integers compute "
             "outside the proved domain is not counted.");
+    if (method.id == QLatin1String("line-bresenham"))
+        return QStringLiteral(
+            "The places of the pixels take no division, no rounding and no floating point: Δx and "
+            "Δy are doubled, then each step is one comparison and one addition. Every other "
+            "multiplication and every division is the colour's, whose R, G and B are exact "
+            "fractions between the ends', even where these are the same; but where the frame cuts "
+            "the line's start off, one division finds the first pixel. Rounding the ends to whole "
+            "pixels is not counted.");
     if (method.id == QLatin1String("polygon-fan") || method.id == QLatin1String("polygon-delaunay")
         || method.id == QLatin1String("polygon-tessellation"))
         return QStringLiteral("Finding the triangles is not counted, filling them is.");

@@ -46,7 +46,8 @@ struct OperationCounts {
     friend bool operator==(const OperationCounts &, const OperationCounts &) = default;
 };
 
-/// What the résumé of a method leaves out or why it has none, a sentence; empty when it has all.
+/// What the résumé of a method leaves out, or why it has none, or which of its operations are
+/// whose, in words; empty where there is nothing to add.
 QString countingGap(const Method &method, Arithmetic arithmetic);
 /// Whether the operations of a method can be counted at all.
 bool isCounted(const Method &method);

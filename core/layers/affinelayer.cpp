@@ -63,12 +63,11 @@ public:
         , m_drawing(drawing)
     {
         const Corners images = imagesOf(moment.view, moment.primitive);
-        const std::array<int, 3> order = moment.trace().setUp(moment.primitive).order;
         const Lattice offset = sampleOffset(moment.frame());
         for (std::size_t i = 0; i < 3; ++i) {
-            m_onSamples[i] = moment.corners()[i];
+            m_onSamples[i] = moment.weightedCorners()[i];
             m_corners[i] = {m_onSamples[i].x + offset, m_onSamples[i].y + offset};
-            m_images[i] = images[std::size_t(order[i])];
+            m_images[i] = images[i];
             m_imagePlaces[i] = placeInFrame(rationalPoint(m_images[i]), moment.frame());
         }
         m_map = affineMapOf(m_corners, m_images);
@@ -90,9 +89,9 @@ public:
             m_drawing.lines.push_back({m_imagePlaces[i], m_imagePlaces[next], LayerInk::Second,
                                        LayerDrawing::Stroke::Dashed});
             m_drawing.points.push_back({m_imagePlaces[i], LayerInk::Second});
-            m_drawing.labels.push_back(
-                {QStringLiteral("P%1′ %2").arg(i).arg(pointText(rationalPoint(m_images[i]))),
-                 m_imagePlaces[i], LayerInk::Second});
+            m_drawing.labels.push_back({m_moment.weightedCornerName(i, QStringLiteral("′")) + u' '
+                                            + pointText(rationalPoint(m_images[i])),
+                                        m_imagePlaces[i], LayerInk::Second});
         }
     }
 
@@ -176,7 +175,7 @@ private:
 
     const LayerMoment &m_moment;
     LayerDrawing &m_drawing;
-    Corners m_onSamples; ///< P₀, P₁, P₂ in sample coordinates
+    Corners m_onSamples; ///< a, b, c in sample coordinates
     Corners m_corners; ///< the same in the scene's
     Corners m_images;
     std::array<QPointF, 3> m_imagePlaces; ///< in sample coordinates, px
@@ -206,9 +205,9 @@ Layer affineMapLayer()
             .toolTip = QStringLiteral(
                 "The triangle's image under an affine map, with the images of the lines between "
                 "cells, of every second, fourth … where they are many, and the weights of the "
-                "sample in hand before and after, each from its own "
-                "triangle's areas. The image's corners can be dragged; a double click on one "
-                "brings the first map back."),
+                "sample in hand before and after, each from its own triangle's areas: α, β, γ of "
+                "a, b, c, the vertices 0, 1, 2 of the scene. The image's corners can be dragged; "
+                "a double click on one brings the first map back."),
             .source = QStringLiteral("Rasterization slides, “Barycentric Coordinates – "
                                      "Invariance”"),
             .kinds = {PrimitiveKind::Triangle},

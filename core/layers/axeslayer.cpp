@@ -9,13 +9,13 @@ namespace pixelplumb {
 
 namespace {
 
-/// P₀, P₁, P₂ as the run names them, px.
-struct NamedCorners {
+/// a, b, c, px.
+struct WeightedCorners {
     std::array<QPointF, 3> places;
 
-    explicit NamedCorners(const LayerMoment &moment)
+    explicit WeightedCorners(const LayerMoment &moment)
     {
-        std::ranges::transform(moment.corners(), places.begin(), placeOf);
+        std::ranges::transform(moment.weightedCorners(), places.begin(), placeOf);
     }
 
     /// p = a + β·(b − a) + γ·(c − a).
@@ -31,7 +31,8 @@ constexpr double lastAxisValue = 2;
 class AxesDrawer {
 public:
     AxesDrawer(const LayerMoment &moment, LayerDrawing &drawing)
-        : m_corners(moment)
+        : m_moment(moment)
+        , m_corners(moment)
         , m_seen(double(moment.view.seen.firstX) - 0.5, double(moment.view.seen.firstY) - 0.5,
                  double(moment.view.seen.endX - moment.view.seen.firstX),
                  double(moment.view.seen.endY - moment.view.seen.firstY))
@@ -62,9 +63,9 @@ public:
 
     void appendSpecialPoints()
     {
-        appendPoint(QStringLiteral("P₀ (1, 0, 0)"), 0, 0);
-        appendPoint(QStringLiteral("P₁ (0, 1, 0)"), 1, 0);
-        appendPoint(QStringLiteral("P₂ (0, 0, 1)"), 0, 1);
+        appendPoint(m_moment.weightedCornerName(0) + QStringLiteral(" (1, 0, 0)"), 0, 0);
+        appendPoint(m_moment.weightedCornerName(1) + QStringLiteral(" (0, 1, 0)"), 1, 0);
+        appendPoint(m_moment.weightedCornerName(2) + QStringLiteral(" (0, 0, 1)"), 0, 1);
         appendPoint(QStringLiteral("(½, ½, 0)"), 0.5, 0);
         appendPoint(QStringLiteral("(½, 0, ½)"), 0, 0.5);
         appendPoint(QStringLiteral("(0, ½, ½)"), 0.5, 0.5);
@@ -90,7 +91,8 @@ private:
         m_drawing.labels.push_back({name, place, LayerInk::Third});
     }
 
-    NamedCorners m_corners;
+    const LayerMoment &m_moment;
+    WeightedCorners m_corners;
     QRectF m_seen; ///< the pixels in view, px
     LayerDrawing &m_drawing;
 };
@@ -110,16 +112,17 @@ void drawAxes(const LayerMoment &moment, LayerDrawing &drawing)
 
 Layer barycentricAxesLayer()
 {
-    return {.id = QStringLiteral("barycentric-axes"),
-            .title = QStringLiteral("Barycentric axes and points"),
-            .toolTip = QStringLiteral(
-                "The oblique axes from P₀: β towards P₁, γ towards P₂, the lines of their whole "
-                "values, and (α, β, γ) of the vertices, the middles of the edges and the centroid; "
-                "exact, from the vertices."),
-            .source = QStringLiteral("Triangles slides, “p = a + β(b − a) + γ(c − a)”; "
-                                     "Rasterization slides, “BC – Special Points”"),
-            .kinds = {PrimitiveKind::Triangle},
-            .draw = drawAxes};
+    return {
+        .id = QStringLiteral("barycentric-axes"),
+        .title = QStringLiteral("Barycentric axes and points"),
+        .toolTip = QStringLiteral(
+            "The oblique axes from a: β towards b, γ towards c, the lines of their whole values, "
+            "and (α, β, γ) of the vertices, the middles of the edges and the centroid; exact. "
+            "a, b, c are the vertices 0, 1, 2 of the scene, whatever the method sorts."),
+        .source = QStringLiteral("Triangles slides, “p = a + β(b − a) + γ(c − a)”; "
+                                 "Rasterization slides, “BC – Special Points”"),
+        .kinds = {PrimitiveKind::Triangle},
+        .draw = drawAxes};
 }
 
 } // namespace pixelplumb

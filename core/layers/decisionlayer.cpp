@@ -45,11 +45,15 @@ void drawLineDecision(const NamedNumbers &setUp, SpanAxis axis, const NamedNumbe
     const QPointF onLine = at(line.toDouble());
     const QPointF stayer = at(stays.toDouble());
     const QPointF across = at(stays.toDouble() + (falls ? -1 : 1));
+    // Below 0, where the line is not between the two, a distance is measured the other way.
+    const auto wayOf = [&](const QPointF &from, const QPointF &to) {
+        return from == to ? across - stayer : to - from;
+    };
     const auto measured = [&](const QString &name) { return named(name, step[name]); };
-    drawing.measures.push_back(
-        {stayer, onLine, measured(QStringLiteral("d_lower")), LayerInk::First});
-    drawing.measures.push_back(
-        {onLine, across, measured(QStringLiteral("d_upper")), LayerInk::Second});
+    drawing.measures.push_back({stayer, onLine, measured(QStringLiteral("d_lower")),
+                                LayerInk::First, wayOf(stayer, onLine)});
+    drawing.measures.push_back({onLine, across, measured(QStringLiteral("d_upper")),
+                                LayerInk::Second, wayOf(onLine, across)});
     drawing.points.push_back({stayer, LayerInk::First});
     drawing.points.push_back({across, LayerInk::Second});
     drawing.points.push_back({onLine, LayerInk::Hand});
@@ -64,24 +68,28 @@ void drawLineDecision(const NamedNumbers &setUp, SpanAxis axis, const NamedNumbe
                 .arg(side, sideOf(falls ? Neighbour::Lesser : Neighbour::Greater, axis, origin)));
 }
 
-/// The midpoint whose F decides which of two rows the next pixel is in.
-void drawCircleDecision(const NamedNumbers &setUp, const NamedNumbers &step, LayerDrawing &drawing)
+/// The midpoint of which F decided between two rows at a step: below the row of the step before.
+void drawCircleDecision(const NamedNumbers &setUp, const NamedNumbers &before,
+                        const NamedNumbers &step, LayerDrawing &drawing)
 {
+    const Quantity decision = step[QStringLiteral("p_k")];
+    if (decision.isNone())
+        return; // no decision led to the first pixel of an arc
     const QPointF centre(setUp[QStringLiteral("x_c")].toDouble(),
                          setUp[QStringLiteral("y_c")].toDouble());
     const double x = step[QStringLiteral("x_k")].toDouble();
-    const double y = step[QStringLiteral("y_k")].toDouble();
+    const double stays = before[QStringLiteral("y_k")].toDouble();
     const bool isSecondArc = step[QStringLiteral("arc")] == Quantity::integer(2);
     const auto at = [&](double along, double across) {
         return centre + (isSecondArc ? QPointF(across, along) : QPointF(along, across));
     };
-    drawing.points.push_back({at(x, y), LayerInk::Hand});
-    drawing.points.push_back({at(x + 1, y), LayerInk::First});
-    drawing.points.push_back({at(x + 1, y - 1), LayerInk::Second});
-    drawing.lines.push_back({at(x + 1, y), at(x + 1, y - 1), LayerInk::Mark});
-    drawing.points.push_back({at(x + 1, y - 0.5), LayerInk::Third});
-    drawing.labels.push_back({named(QStringLiteral("F = p_k₊₁"), step[QStringLiteral("p_next")]),
-                              at(x + 1, y - 0.5), LayerInk::Third});
+    drawing.points.push_back({at(x - 1, stays), LayerInk::Hand});
+    drawing.points.push_back({at(x, stays), LayerInk::First});
+    drawing.points.push_back({at(x, stays - 1), LayerInk::Second});
+    drawing.lines.push_back({at(x, stays), at(x, stays - 1), LayerInk::Mark});
+    drawing.points.push_back({at(x, stays - 0.5), LayerInk::Third});
+    drawing.labels.push_back(
+        {named(QStringLiteral("F = p_k"), decision), at(x, stays - 0.5), LayerInk::Third});
 }
 
 void drawDecision(const LayerMoment &moment, LayerDrawing &drawing)
@@ -90,7 +98,10 @@ void drawDecision(const LayerMoment &moment, LayerDrawing &drawing)
     if (!span)
         return;
     const SpanRecord record = moment.trace().span(*span);
-    const NamedNumbers step(moment.trace().numbers().span, record.cells);
+    const std::vector<NumberDescription> &numbers = moment.trace().numbers().span;
+    const NamedNumbers step(numbers, record.cells);
+    const bool isFirst = *span == moment.trace().firstSpanOf(moment.primitive);
+    const SpanRecord before = isFirst ? record : moment.trace().span(*span - 1);
     const SetUpRecord begin = moment.trace().setUp(moment.primitive);
     const NamedNumbers setUp(moment.trace().numbers().setUp, begin.cells);
     const PrimitiveKind kind = moment.primitives().kindOf(moment.primitive);
@@ -99,27 +110,28 @@ void drawDecision(const LayerMoment &moment, LayerDrawing &drawing)
     else if (kind == PrimitiveKind::Polygon) // each step has the set-up of its edge
         drawLineDecision(step, record.place.axis, step, moment.frame().origin, drawing);
     else
-        drawCircleDecision(setUp, step, drawing);
+        drawCircleDecision(setUp, NamedNumbers(numbers, before.cells), step, drawing);
 }
 
 } // namespace
 
 Layer decisionsLayer()
 {
-    return {.id = QStringLiteral("decisions"),
-            .title = QStringLiteral("Decision of the step"),
-            .toolTip = QStringLiteral(
-                "Of a line or an edge by Bresenham, d_lower to the pixel that stays and d_upper to "
-                "the one across, at the step in hand, measured beside it; of a circle, the "
-                "midpoint between two pixels and its F, which decides the next step."),
-            .source = QStringLiteral("Rasterization slides, “Bresenham's Line Algorithm (1/4)”; "
-                                     "Scan Conversion slides, “Lines and Curves: Implicit”"),
-            .kinds = {PrimitiveKind::Line, PrimitiveKind::Circle, PrimitiveKind::Ellipse,
-                      PrimitiveKind::Polygon},
-            .methods
-            = {QStringLiteral("line-bresenham"), QStringLiteral("line-bresenham-symmetric"),
-               QStringLiteral("circle-midpoint"), QStringLiteral("polygon-outline")},
-            .draw = drawDecision};
+    return {
+        .id = QStringLiteral("decisions"),
+        .title = QStringLiteral("Decision of the step"),
+        .toolTip = QStringLiteral(
+            "Of a line or an edge by Bresenham, d_lower to the pixel that stays and d_upper to "
+            "the one across, at the step in hand, measured beside it; of a circle, the "
+            "two pixels that the step chose from, the midpoint between them and its F, by whose "
+            "sign it chose."),
+        .source = QStringLiteral("Rasterization slides, “Bresenham's Line Algorithm (1/4)”; "
+                                 "Scan Conversion slides, “Lines and Curves: Implicit”"),
+        .kinds = {PrimitiveKind::Line, PrimitiveKind::Circle, PrimitiveKind::Ellipse,
+                  PrimitiveKind::Polygon},
+        .methods = {QStringLiteral("line-bresenham"), QStringLiteral("line-bresenham-symmetric"),
+                    QStringLiteral("circle-midpoint"), QStringLiteral("polygon-outline")},
+        .draw = drawDecision};
 }
 
 } // namespace pixelplumb

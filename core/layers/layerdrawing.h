@@ -59,6 +59,7 @@ struct LayerDrawing {
         QPointF from, to;
         QString text;
         LayerInk ink = LayerInk::Mark;
+        QPointF way = to - from; ///< its direction, which a distance of 0 has too; never null
 
         friend bool operator==(const Measure &, const Measure &) = default;
     };

@@ -16,6 +16,10 @@ namespace {
 // Logical pixels.
 constexpr double labelEm = 12;
 constexpr std::array labelGaps = {6.0, 20.0, 36.0, 54.0, 76.0}; ///< from the anchor, to each side
+constexpr std::array barGaps = {2.0, 16.0, 32.0, 50.0, 72.0}; ///< from a bar to its text
+constexpr double beyondMeasured = 16; ///< added to that on the side of what the bar measures
+constexpr double sameDistance = 1e-6;
+constexpr double barSeparation = 1; ///< of a bar's text from the end where another bar goes on
 constexpr double leaderGap = 8; ///< a label that is farther from its anchor has a line to it
 constexpr double paperPadding = 3;
 constexpr double nearView = 20; ///< names of what is farther would crowd the border
@@ -36,6 +40,45 @@ std::vector<QPointF> placesAround(const QPointF &anchor, const QSizeF &size)
         if (gap > leaderGap)
             places.insert(places.end(),
                           {{middle, above}, {middle, below}, {right, level}, {left, level}});
+    }
+    return places;
+}
+
+/// How far apart two rectangles are; 0 where they meet.
+double distanceOf(const QRectF &a, const QRectF &b)
+{
+    return std::hypot(std::max({0.0, a.left() - b.right(), b.left() - a.right()}),
+                      std::max({0.0, a.top() - b.bottom(), b.top() - a.bottom()}));
+}
+
+/// Where along an axis the text of a bar begins: in the middle of the bar, but not on the far side
+/// of the end at which another bar goes on.
+double besideStart(double first, double last, double length, double otherMiddle)
+{
+    const double middle = (first + last - length) / 2;
+    return otherMiddle < (first + last) / 2 ? std::max(middle, first + barSeparation)
+                                            : std::min(middle, last - barSeparation - length);
+}
+
+/// Where the text of a bar may stand, the nearest places first: on the side of it that `away`
+/// points to, then beyond what it measures, then farther aside.
+std::vector<QRectF> placesBeside(const QRectF &bar, const QPointF &away,
+                                 std::span<const QRectF> otherBars, const QSizeF &size)
+{
+    const bool isUpright = std::abs(away.x()) > std::abs(away.y());
+    const QPointF other = otherBars.empty() ? bar.center() : otherBars.front().center();
+    const double x = besideStart(bar.left(), bar.right(), size.width(), other.x());
+    const double y = besideStart(bar.top(), bar.bottom(), size.height(), other.y());
+    std::vector<QRectF> places;
+    const auto addPlace = [&](double sign, double gap) {
+        const double right = sign > 0 ? bar.right() + gap : bar.left() - gap - size.width();
+        const double below = sign > 0 ? bar.bottom() + gap : bar.top() - gap - size.height();
+        places.push_back({isUpright ? QPointF(right, y) : QPointF(x, below), size});
+    };
+    const double sign = isUpright ? away.x() : away.y();
+    for (const double gap : barGaps) {
+        addPlace(sign, gap);
+        addPlace(-sign, gap + beyondMeasured);
     }
     return places;
 }
@@ -85,13 +128,47 @@ bool LayerLabels::isUnstruck(const Placed &label) const
 
 void LayerLabels::place(const QString &text, const QPointF &anchor, LayerInk ink)
 {
-    if (!m_surface.view.adjusted(-nearView, -nearView, nearView, nearView).contains(anchor))
+    if (!isNearView(anchor))
         return;
-    const QSizeF size(m_glyphs.widthOf(text) * labelEm + 2 * paperPadding,
-                      lineHeight * labelEm + 2);
+    const QSizeF size = sizeOf(text);
+    std::vector<QRectF> rects;
+    for (const QPointF &corner : placesAround(anchor, size))
+        rects.push_back(movedInto({corner, size}, m_surface.view));
+    placeAt(text, anchor, ink, rects);
+}
+
+void LayerLabels::placeBeside(const QString &text, const QRectF &bar, const QPointF &away,
+                              std::span<const QRectF> otherBars, LayerInk ink)
+{
+    if (!isNearView(bar.center()))
+        return;
+    std::vector<QRectF> rects;
+    for (const QRectF &rect : placesBeside(bar, away, otherBars, sizeOf(text))) {
+        const QRectF inView = movedInto(rect, m_surface.view);
+        const double own = distanceOf(inView, bar);
+        if (std::ranges::all_of(otherBars, [&](const QRectF &other) {
+                return distanceOf(inView, other) > own - sameDistance;
+            }))
+            rects.push_back(inView);
+    }
+    placeAt(text, bar.center(), ink, rects);
+}
+
+bool LayerLabels::isNearView(const QPointF &anchor) const
+{
+    return m_surface.view.adjusted(-nearView, -nearView, nearView, nearView).contains(anchor);
+}
+
+QSizeF LayerLabels::sizeOf(const QString &text)
+{
+    return {m_glyphs.widthOf(text) * labelEm + 2 * paperPadding, lineHeight * labelEm + 2};
+}
+
+void LayerLabels::placeAt(const QString &text, const QPointF &anchor, LayerInk ink,
+                          std::span<const QRectF> rects)
+{
     std::optional<Placed> found;
-    for (const QPointF &corner : placesAround(anchor, size)) {
-        const QRectF rect = movedInto({corner, size}, m_surface.view);
+    for (const QRectF &rect : rects) {
         const Placed label{text, rect, leaderTo(rect, anchor), ink};
         if (!isFree(rect))
             continue;

@@ -23,9 +23,16 @@ public:
     {
     }
 
+    /// From now on, of these instead.
+    void keepClearOf(std::span<const QRectF> taken) { m_taken = taken; }
+
     /// Where nothing else stands, as near to its anchor as can be, with a line to it when it is not
     /// beside it; nowhere when the anchor is far out of view.
     void place(const QString &text, const QPointF &anchor, LayerInk ink);
+    /// The text of a bar, on the side of it that `away` points to or on the other one, never nearer
+    /// to another bar: of two bars in a row each text stands at its own outer end.
+    void placeBeside(const QString &text, const QRectF &bar, const QPointF &away,
+                     std::span<const QRectF> otherBars, LayerInk ink);
     void paint();
     /// How many had no room.
     std::size_t omitted() const { return m_omitted; }
@@ -40,6 +47,11 @@ private:
         LayerInk ink = LayerInk::Mark;
     };
 
+    bool isNearView(const QPointF &anchor) const;
+    QSizeF sizeOf(const QString &text);
+    /// Takes the first of the places that is free, if possible one with an unstruck leader.
+    void placeAt(const QString &text, const QPointF &anchor, LayerInk ink,
+                 std::span<const QRectF> rects);
     /// Whether it covers no other name and nothing that is taken.
     bool isFree(const QRectF &rect) const;
     /// Whether its line and those of others pass by all names.

@@ -14,7 +14,6 @@ namespace {
 // Logical pixels.
 constexpr double lineWidth = 1.5;
 constexpr double casingWidth = 1; ///< to each side
-constexpr double bandWidth = 6;
 constexpr double arrowLength = 9;
 constexpr double measureDistance = 12; ///< from what is measured
 constexpr double tickLength = 5; ///< to each side
@@ -38,24 +37,26 @@ Qt::PenStyle penStyleOf(LayerDrawing::Stroke stroke)
     return Qt::SolidLine;
 }
 
-/// Towards the right of a line's way as seen, so long; null where the line is a point.
-QPointF rightOf(const QLineF &line, double length)
-{
-    return line.length() > 0 ? QPointF(-line.dy(), line.dx()) / line.length() * length : QPointF();
-}
-
 } // namespace
+
+QPointF besideMeasure(const LayerDrawing::Measure &measure, const LayerSurface &surface,
+                      double length)
+{
+    const QLineF way(surface.fromSamples.map(measure.from),
+                     surface.fromSamples.map(measure.from + measure.way));
+    return QPointF(-way.dy(), way.dx()) / way.length() * length;
+}
 
 QLineF measureLine(const LayerDrawing::Measure &measure, const LayerSurface &surface)
 {
     const QLineF way(surface.fromSamples.map(measure.from), surface.fromSamples.map(measure.to));
-    return way.translated(rightOf(way, measureDistance));
+    return way.translated(besideMeasure(measure, surface, measureDistance));
 }
 
 QRectF measureRect(const LayerDrawing::Measure &measure, const LayerSurface &surface)
 {
     const QLineF line = measureLine(measure, surface);
-    const QPointF arm = rightOf(line, tickLength);
+    const QPointF arm = besideMeasure(measure, surface, tickLength);
     return QRectF(line.p1() - arm, line.p2() + arm).normalized();
 }
 
@@ -134,7 +135,7 @@ void LayerMarks::paint(const LayerDrawing::Measure &measure)
 {
     const QLineF shown = measureLine(measure, m_surface);
     const QPen pen(colourOf(measure.ink, m_surface.tone), measureWidth, Qt::SolidLine, Qt::FlatCap);
-    const QPointF arm = rightOf(shown, tickLength);
+    const QPointF arm = besideMeasure(measure, m_surface, tickLength);
     for (const QPointF &end : {shown.p1(), shown.p2()})
         paintStroke({end - arm, end + arm}, pen);
     paintStroke(shown, pen);

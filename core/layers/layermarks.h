@@ -8,6 +8,12 @@ namespace pixelplumb {
 /// Of a point, logical px; small cells have room for smaller ones alone.
 inline constexpr double largestPointRadius = 3.5;
 
+/// Of what is seen beside a line that lies along it, logical px.
+inline constexpr double bandWidth = 6;
+
+/// Towards the right of a measure's way as seen, in the paint device: so long.
+QPointF besideMeasure(const LayerDrawing::Measure &measure, const LayerSurface &surface,
+                      double length);
 /// Where the line of a measure is, in the paint device.
 QLineF measureLine(const LayerDrawing::Measure &measure, const LayerSurface &surface);
 /// That and its ticks.

@@ -14,6 +14,19 @@ std::array<LatticePoint, 3> LayerMoment::corners() const
     return places;
 }
 
+std::array<LatticePoint, 3> LayerMoment::weightedCorners() const
+{
+    const auto &[a, b, c] = triangle().vertices;
+    return {a.position, b.position, c.position};
+}
+
+QString LayerMoment::weightedCornerName(std::size_t vertex, const QString &suffix) const
+{
+    const std::array<int, 3> order = trace().setUp(primitive).order;
+    const auto rank = std::ranges::find(order, int(vertex)) - order.begin();
+    return QStringLiteral("%1%3 = P%2%3").arg(QChar(char16_t(u'a' + vertex))).arg(rank).arg(suffix);
+}
+
 std::optional<std::size_t> LayerMoment::spanInHand() const
 {
     const std::size_t first = trace().firstSpanOf(primitive);

@@ -39,6 +39,10 @@ struct LayerMoment {
     SampleBox seen() const { return intersection(view.seen, samplesOf(windowOf(frame()))); }
     /// P₀, P₁, P₂ of the triangle, as the run names them.
     std::array<LatticePoint, 3> corners() const;
+    /// a, b, c of p = αa + βb + γc: in the order of the scene, whatever the method sorts.
+    std::array<LatticePoint, 3> weightedCorners() const;
+    /// "b = P2": one of these, and which it is to the run.
+    QString weightedCornerName(std::size_t vertex, const QString &suffix = {}) const;
     /// The span of the primitive that is in hand, or its last one; none where none is entered yet.
     std::optional<std::size_t> spanInHand() const;
     bool hasDone(std::size_t step) const { return step < view.position; }

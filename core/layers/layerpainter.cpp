@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/layerpainter.h"
 
+#include "core/layers/clippedline.h"
 #include "core/layers/layerlabels.h"
 #include "core/layers/layermarks.h"
 #include "core/layers/layertexts.h"
@@ -31,6 +32,25 @@ private:
 /// A line in the ink of edges.
 bool isPlain(const LayerDrawing::Line &line) { return line.ink == LayerInk::Mark; }
 
+/// The points and bands of a drawing, which a name would hide that stands over them.
+std::vector<QRectF> namedPlaces(const LayerDrawing &drawing, const LayerSurface &surface)
+{
+    const QPointF radius(largestPointRadius, largestPointRadius);
+    std::vector<QRectF> places;
+    for (const LayerDrawing::Point &point : drawing.points) {
+        const QPointF place = surface.fromSamples.map(point.place);
+        places.emplace_back(place - radius, place + radius);
+    }
+    for (const LayerDrawing::Line &line : drawing.lines) {
+        if (line.stroke == LayerDrawing::Stroke::Band)
+            places.push_back(
+                QRectF(surface.fromSamples.map(line.from), surface.fromSamples.map(line.to))
+                    .normalized()
+                    .adjusted(0, -bandWidth / 2, 0, bandWidth / 2));
+    }
+    return places;
+}
+
 } // namespace
 
 QTransform pictureTransform(const FrameSpec &frame, const QPointF &corner, double cell)
@@ -48,14 +68,15 @@ QTransform pictureTransform(const FrameSpec &frame, const QPointF &corner, doubl
 QStringList LayerPainter::paint(QPainter &painter, const LayerDrawing &drawing,
                                 const LayerSurface &surface)
 {
-    QStringList said = paintGround(painter, drawing, surface);
+    paintGround(painter, drawing, surface);
+    QStringList said = paintNumbers(painter, drawing, surface);
     paintMarks(painter, drawing, surface);
     said += paintLabels(painter, drawing, surface, {});
     return said;
 }
 
-QStringList LayerPainter::paintGround(QPainter &painter, const LayerDrawing &drawing,
-                                      const LayerSurface &surface)
+void LayerPainter::paintGround(QPainter &painter, const LayerDrawing &drawing,
+                               const LayerSurface &surface)
 {
     const PaintingInView inView(painter, surface);
     LayerMarks marks(painter, surface);
@@ -67,6 +88,12 @@ QStringList LayerPainter::paintGround(QPainter &painter, const LayerDrawing &dra
     }
     for (const LayerDrawing::Point &sample : drawing.samples)
         marks.paint(sample);
+}
+
+QStringList LayerPainter::paintNumbers(QPainter &painter, const LayerDrawing &drawing,
+                                       const LayerSurface &surface)
+{
+    const PaintingInView inView(painter, surface);
     const QString said = LayerTexts(painter, surface, m_glyphs).paintCells(drawing);
     return said.isEmpty() ? QStringList() : QStringList(said);
 }
@@ -97,16 +124,42 @@ std::vector<QRectF> LayerPainter::measurePlaces(const LayerDrawing &drawing,
     return places;
 }
 
+std::vector<QRectF> LayerPainter::figurePlaces(const LayerDrawing &drawing,
+                                               const LayerSurface &surface)
+{
+    constexpr double piece = 8; // logical px
+    std::vector<QRectF> places = measurePlaces(drawing, surface);
+    for (const LayerDrawing::Line &line : drawing.lines) {
+        const std::optional<QLineF> visible
+            = clipped(QLineF(surface.fromSamples.map(line.from), surface.fromSamples.map(line.to)),
+                      surface.view);
+        const double length = visible ? visible->length() : 0;
+        for (double at = 0; at < length; at += piece)
+            places.emplace_back(visible->pointAt(at / length) - QPointF(piece, piece) / 2,
+                                QSizeF(piece, piece));
+    }
+    return places;
+}
+
 QStringList LayerPainter::paintLabels(QPainter &painter, const LayerDrawing &drawing,
                                       const LayerSurface &surface, std::span<const QRectF> taken)
 {
     const PaintingInView inView(painter, surface);
-    std::vector<QRectF> kept = measurePlaces(drawing, surface);
+    const std::vector<QRectF> bars = measurePlaces(drawing, surface);
+    std::vector<QRectF> kept = bars;
     kept.insert(kept.end(), taken.begin(), taken.end());
     LayerLabels labels(painter, surface, m_glyphs, kept);
     // The texts of measures before others, which may go farther from their places.
-    for (const LayerDrawing::Measure &measure : drawing.measures)
-        labels.place(measure.text, measureLine(measure, surface).center(), measure.ink);
+    for (std::size_t i = 0; i < bars.size(); ++i) {
+        std::vector<QRectF> others = bars;
+        others.erase(others.begin() + std::ptrdiff_t(i));
+        const LayerDrawing::Measure &measure = drawing.measures[i];
+        labels.placeBeside(measure.text, bars[i], besideMeasure(measure, surface, 1), others,
+                           measure.ink);
+    }
+    const std::vector<QRectF> shown = namedPlaces(drawing, surface);
+    kept.insert(kept.end(), shown.begin(), shown.end());
+    labels.keepClearOf(kept);
     for (const LayerDrawing::Label &label : drawing.labels)
         labels.place(label.text, surface.fromSamples.map(label.place), label.ink);
     labels.paint();

@@ -36,16 +36,21 @@ public:
     /// All of a drawing.
     QStringList paint(QPainter &painter, const LayerDrawing &drawing, const LayerSurface &surface);
     /// What lies below the lines and signs of a window: areas, plain edges, which it outlines
-    /// itself, samples, and the numbers in the cells.
-    QStringList paintGround(QPainter &painter, const LayerDrawing &drawing,
-                            const LayerSurface &surface);
+    /// itself, and samples.
+    void paintGround(QPainter &painter, const LayerDrawing &drawing, const LayerSurface &surface);
+    /// The numbers in the cells: over a window's own lines, which would strike them through.
+    QStringList paintNumbers(QPainter &painter, const LayerDrawing &drawing,
+                             const LayerSurface &surface);
     /// What would not be seen below them: all else but texts.
     void paintMarks(QPainter &painter, const LayerDrawing &drawing, const LayerSurface &surface);
     /// Where the measures of a drawing stand, in the paint device: what has a place as names have.
     static std::vector<QRectF> measurePlaces(const LayerDrawing &drawing,
                                              const LayerSurface &surface);
-    /// Labels and the texts of measures, clear of each other and of what is taken in the paint
-    /// device.
+    /// These and pieces of all lines, which a note had better leave in sight.
+    static std::vector<QRectF> figurePlaces(const LayerDrawing &drawing,
+                                            const LayerSurface &surface);
+    /// Labels and the texts of measures, clear of each other, of points and bands and of what is
+    /// taken in the paint device.
     QStringList paintLabels(QPainter &painter, const LayerDrawing &drawing,
                             const LayerSurface &surface, std::span<const QRectF> taken);
     /// Where the labels stand that were painted last, in the paint device.

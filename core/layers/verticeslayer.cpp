@@ -6,22 +6,27 @@ namespace pixelplumb {
 
 namespace {
 
-void appendVertex(const LayerMoment &moment, std::size_t number, const LatticePoint &vertex,
+void appendVertex(const LayerMoment &moment, const QString &name, const LatticePoint &vertex,
                   LayerDrawing &drawing)
 {
-    QString name
-        = QStringLiteral("P%1 (%2, %3)")
-              .arg(QString::number(number), moment.inScene(vertex.x), moment.inScene(vertex.y));
+    QString text = QStringLiteral("%1 (%2, %3)")
+                       .arg(name, moment.inScene(vertex.x), moment.inScene(vertex.y));
     drawing.points.push_back({placeOf(vertex), LayerInk::Mark});
-    drawing.labels.push_back({name.replace(u'-', QChar(0x2212)), placeOf(vertex), LayerInk::Mark});
+    drawing.labels.push_back({text.replace(u'-', QChar(0x2212)), placeOf(vertex), LayerInk::Mark});
 }
 
 void appendTriangle(const LayerMoment &moment, LayerDrawing &drawing)
 {
     const std::array<LatticePoint, 3> corners = moment.corners();
+    const std::array<int, 3> order = moment.trace().setUp(moment.primitive).order;
     for (std::size_t i = 0; i < 3; ++i) {
         drawing.lines.push_back({placeOf(corners[i]), placeOf(corners[(i + 1) % 3])});
-        appendVertex(moment, i, corners[i], drawing);
+        // Both names where the method's is not the scene's, as the set-up's words have them.
+        const bool isSorted = order[i] != int(i);
+        appendVertex(moment,
+                     isSorted ? QStringLiteral("P%1 = vertex %2").arg(i).arg(order[i])
+                              : QStringLiteral("P%1").arg(i),
+                     corners[i], drawing);
     }
 }
 
@@ -37,7 +42,7 @@ void appendShape(const LayerMoment &moment, LayerDrawing &drawing)
         const LatticePoint &vertex = shape.vertices[i].position;
         if (i > 0 && shape.kind != PrimitiveKind::Polygon)
             drawing.lines.push_back({placeOf(shape.vertices[i - 1].position), placeOf(vertex)});
-        appendVertex(moment, i, vertex, drawing);
+        appendVertex(moment, QStringLiteral("P%1").arg(i), vertex, drawing);
     }
 }
 
@@ -55,9 +60,10 @@ Layer verticesLayer()
 {
     return {.id = QStringLiteral("vertices"),
             .title = QStringLiteral("Vertices and edges"),
-            .toolTip = QStringLiteral(
-                "The vertices by the names that the method gives them, with their coordinates, and "
-                "the edges between them; of a curve its control polygon."),
+            .toolTip = QStringLiteral("The vertices by the names that the method gives them, with "
+                                      "the scene's number where it "
+                                      "sorts them, their coordinates, and "
+                                      "the edges between them; of a curve its control polygon."),
             .source = QStringLiteral("Assignment (Borst), “The Triangle Awakens”"),
             .kinds = {PrimitiveKind::Triangle, PrimitiveKind::Line, PrimitiveKind::Bezier,
                       PrimitiveKind::Polygon},

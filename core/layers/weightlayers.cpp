@@ -40,31 +40,24 @@ void appendNumber(std::int64_t x, std::int64_t y, const Quantity &number, LayerD
         drawing.cells.push_back({x, y, cellNumber(number), inkOf(number)});
 }
 
-/// Of the samples of the triangle's box that are in view; where it is hidden which of them come,
-/// of those that the method has visited.
 void appendExactWeights(const LayerMoment &moment, LayerDrawing &drawing)
 {
     const Triangle &triangle = moment.triangle();
     if (doubledArea(triangle) == 0)
         return drawing.notes.append(
             QStringLiteral("Weights: the triangle has no area, so that no point has any"));
-    const auto appendAt = [&](std::int64_t x, std::int64_t y) {
-        const oracle::PlaneWeights weights = oracle::barycentricWeights(triangle, x, y);
+    visitSamples(moment, [&](const SampleRecord &sample) {
+        const oracle::PlaneWeights weights
+            = oracle::barycentricWeights(triangle, sample.x, sample.y);
         for (const BigInteger &part : weights.parts)
             appendNumber(
-                x, y, Quantity::of(part.convert_to<double>() / weights.whole.convert_to<double>()),
+                sample.x, sample.y,
+                Quantity::of(part.convert_to<double>() / weights.whole.convert_to<double>()),
                 drawing);
-    };
-    const SampleBox box = intersection(boundingBoxOf(triangle), moment.seen());
-    for (std::int64_t y = box.firstY; y < box.endY && !moment.hidesSteps(); ++y) {
-        for (std::int64_t x = box.firstX; x < box.endX; ++x)
-            appendAt(x, y);
-    }
-    if (moment.hidesSteps())
-        visitSamples(moment, [&](const SampleRecord &sample) { appendAt(sample.x, sample.y); });
+    });
     drawing.cellNames += {QStringLiteral("α"), QStringLiteral("β"), QStringLiteral("γ")};
-    drawing.notes.append(QStringLiteral("α, β, γ belong to the vertices 0, 1, 2 and are exact, "
-                                        "since “%1” computes none")
+    drawing.notes.append(QStringLiteral("α, β, γ belong to a, b, c, the vertices 0, 1, 2, and are "
+                                        "exact, since “%1” computes none")
                              .arg(moment.view.traced->method->title));
 }
 
@@ -105,7 +98,8 @@ Layer weightsLayer()
             .title = QStringLiteral("Weights in the cells"),
             .toolTip = QStringLiteral(
                 "What decides each sample that the method has visited: α β γ, u v w or E₀ E₁ E₂, "
-                "one below the other, as it computed them; exact α β γ where it has none."),
+                "one below the other, as it computed them; exact α β γ where it has none. α β γ "
+                "belong to the vertices 0, 1, 2 of the scene, whatever the method sorts."),
             .source = QStringLiteral("Rasterization slides, “BC – Inside Triangle Test”"),
             .kinds = {PrimitiveKind::Triangle},
             .draw = drawWeights};

@@ -120,8 +120,9 @@ Method circleMidpointMethod()
             {Moment::Stay, Moment::Cross}},
            {1, QStringLiteral("pixel (x_c + x, y_c + y) ← colour"), {Moment::First}},
            {1, QStringLiteral("its mirror images ← colour"), {Moment::Next}}};
-    method.summary = QStringLiteral("Steps through an octant by the sign of F at midpoints, an "
-                                    "integer, and mirrors each pixel into the other seven.");
+    method.summary
+        = QStringLiteral("Steps through an octant by the sign of F at midpoints, a "
+                         "whole number of quarters, and mirrors each pixel into the other seven.");
     method.remarks += QStringLiteral("whole-pixel centre and radii");
     method.variants = {Variant::StayAtZero};
     return method;

@@ -3,6 +3,13 @@
 
 namespace pixelplumb {
 
+namespace {
+
+/// "²": it belongs to the whole symbol, not to what is lowered before it.
+bool isExponent(QChar character) { return QStringLiteral("⁰¹²³⁴⁵⁶⁷⁸⁹").contains(character); }
+
+} // namespace
+
 std::vector<SymbolRun> symbolRuns(const QString &text)
 {
     using Level = SymbolRun::Level;
@@ -13,8 +20,9 @@ std::vector<SymbolRun> symbolRuns(const QString &text)
         runs.back().text += character;
     };
     for (qsizetype i = 0; i < text.size(); ++i) {
-        const auto isLowered
-            = [&](qsizetype at) { return at < text.size() && text[at].isLetterOrNumber(); };
+        const auto isLowered = [&](qsizetype at) {
+            return at < text.size() && text[at].isLetterOrNumber() && !isExponent(text[at]);
+        };
         if (text[i] != u'_' || !isLowered(i + 1)) {
             append(text[i], Level::Line);
             continue;

@@ -18,7 +18,7 @@ struct SymbolRun {
 };
 
 /// How the symbols in a text are set: an underscore lowers the letters and digits that follow it,
-/// as in "⌈y_B⌉" and "x_start".
+/// as in "⌈y_B⌉" and "x_start"; the exponent in "r_x²" stays up.
 std::vector<SymbolRun> symbolRuns(const QString &text);
 
 } // namespace pixelplumb

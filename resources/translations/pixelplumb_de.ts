@@ -4027,8 +4027,8 @@
         <translation>Bresenhams Entscheidungen zwischen beliebigen Gitterpunkten; Grenzfälle gehen zum oberen oder rechten Pixel, ob die Linie steigt oder fällt.</translation>
     </message>
     <message>
-        <source>Steps through an octant by the sign of F at midpoints, an integer, and mirrors each pixel into the other seven.</source>
-        <translation>Geht durch einen Oktanten nach dem Vorzeichen von F an Mittelpunkten, einer ganzen Zahl, und spiegelt jedes Pixel in die anderen sieben.</translation>
+        <source>Steps through an octant by the sign of F at midpoints, a whole number of quarters, and mirrors each pixel into the other seven.</source>
+        <translation>Geht durch einen Oktanten nach dem Vorzeichen von F an Mittelpunkten, einer ganzen Zahl von Vierteln, und spiegelt jedes Pixel in die anderen sieben.</translation>
     </message>
     <message>
         <source>Computes y = ±√(r² − x²) for each column; there are gaps where the curve is steep.</source>
@@ -5007,20 +5007,36 @@
 <context>
     <name>pixelplumb::PointerReadout</name>
     <message>
-        <source>%1 · %2 px from %3</source>
-        <translation>%1 · %2 px von %3</translation>
+        <source>less than 0.01 px</source>
+        <translation>weniger als 0.01 px</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>%1 · on %2</source>
+        <translation>%1 · auf %2</translation>
+    </message>
+    <message>
+        <source>%1 · %2 from %3</source>
+        <translation>%1 · %2 von %3</translation>
     </message>
     <message>
         <source>not painted</source>
         <translation>nicht gezeichnet</translation>
     </message>
     <message>
-        <source>not painted · %1 px inside %2 of %3</source>
-        <translation>nicht gezeichnet · %1 px innerhalb von %2, %3</translation>
+        <source>not painted · on %1 of %2</source>
+        <translation>nicht gezeichnet · auf %1, %2</translation>
     </message>
     <message>
-        <source>not painted · %1 px outside %2 of %3</source>
-        <translation>nicht gezeichnet · %1 px außerhalb von %2, %3</translation>
+        <source>not painted · %1 inside %2 of %3</source>
+        <translation>nicht gezeichnet · %1 innerhalb von %2, %3</translation>
+    </message>
+    <message>
+        <source>not painted · %1 outside %2 of %3</source>
+        <translation>nicht gezeichnet · %1 außerhalb von %2, %3</translation>
     </message>
     <message>
         <source>student: %1</source>
@@ -6314,8 +6330,20 @@
         <translation>Begrenzung: Ein Farbwert verließ 0 … 255</translation>
     </message>
     <message>
-        <source>the first pixel that differs from the truth</source>
-        <translation>das erste Pixel, das von der Wahrheit abweicht</translation>
+        <source>first difference from the truth: pixel (%1, %2) is missing when the run ends</source>
+        <translation>erste Abweichung von der Wahrheit: Pixel (%1, %2) fehlt am Ende des Laufs</translation>
+    </message>
+    <message>
+        <source>first difference from the truth: pixel (%1, %2) is missing, and this step was the last that could have drawn it</source>
+        <translation>erste Abweichung von der Wahrheit: Pixel (%1, %2) fehlt; dieser Schritt war der letzte, der es hätte zeichnen können</translation>
+    </message>
+    <message>
+        <source>first difference from the truth: pixel (%1, %2) is extra</source>
+        <translation>erste Abweichung von der Wahrheit: Pixel (%1, %2) ist überzählig</translation>
+    </message>
+    <message>
+        <source>first difference from the truth: pixel (%1, %2) has another colour</source>
+        <translation>erste Abweichung von der Wahrheit: Pixel (%1, %2) hat eine andere Farbe</translation>
     </message>
     <message>
         <source>before the first step</source>

@@ -88,12 +88,13 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     frame.drawFrameEdge();
     const LayerSurface surface = layerSurface(view.mapping(), area, palette);
     QStringList said = scene.layers.notes;
-    said += m_layers.paintGround(painter, scene.layers, surface);
+    m_layers.paintGround(painter, scene.layers, surface);
     drawOutlines(frame, scene);
     drawSigns(frame, scene);
     drawHandles(frame, scene);
     // Over lines, frames and handles, so that every digit can be read; not where a layer's numbers
     // or dots stand in the cells.
+    said += m_layers.paintNumbers(painter, scene.layers, surface);
     if (scene.frame && scene.layers.cells.empty() && scene.layers.samples.empty())
         drawValues(painter, *scene.frame, view.mapping(), area, scene.notation);
     if (scene.marked)
@@ -106,7 +107,7 @@ void CanvasPainter::paint(QPainter &painter, const CanvasScene &scene, const Can
     for (const CanvasScene::Note &note : scene.notes)
         frame.drawNote(note.text, note.anchor, note.side);
     if (!said.isEmpty())
-        frame.drawCornerNote(said.join(u'\n'), LayerPainter::measurePlaces(scene.layers, surface));
+        frame.drawCornerNote(said.join(u'\n'), LayerPainter::figurePlaces(scene.layers, surface));
     // The last, so that they keep clear of all that has a name of its own.
     const QStringList omissions
         = m_layers.paintLabels(painter, scene.layers, surface, frame.plates());

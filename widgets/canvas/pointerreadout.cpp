@@ -25,9 +25,18 @@ constexpr std::size_t mostJudged = 256;
 struct NearestEdge {
     std::size_t triangle = 0;
     oracle::EdgeVerdict edge;
+
+    bool isOnEdge() const { return edge.edgeFunction == 0; }
 };
 
-QString distanceText(double pixels) { return QString::number(std::abs(pixels), 'f', 2); }
+/// "0.25 px"; what is not on an edge is not "0.00 px" from it.
+QString distanceText(double pixels)
+{
+    constexpr double leastShown = 0.005;
+    return std::abs(pixels) < leastShown
+        ? PointerReadout::tr("less than 0.01 px")
+        : PointerReadout::tr("%1 px").arg(QString::number(std::abs(pixels), 'f', 2));
+}
 
 /// The primitive that wrote the pixel last, of those that are done.
 std::optional<std::size_t> painterOf(const QPoint &pixel, const Playhead &playhead)
@@ -46,9 +55,12 @@ std::optional<NearestEdge> edgeNearest(const QPoint &pixel, const TracedScene &t
         traced.primitives.triangles[triangle], boundaryRuleOf(traced.scene), pixel.x(), pixel.y());
     if (verdict.zeroArea)
         return std::nullopt;
-    // Distances are positive inside: outside, it is the edge that keeps the pixel out by most.
+    // Distances are positive inside: outside, it is the edge that keeps the pixel out by most. Of
+    // two that a sample lies on, it is the one that refuses it.
     return NearestEdge{
-        triangle, *std::ranges::min_element(verdict.edges, {}, &oracle::EdgeVerdict::distance)};
+        triangle, *std::ranges::min_element(verdict.edges, {}, [](const oracle::EdgeVerdict &edge) {
+            return std::pair(edge.accepts, edge.distance);
+        })};
 }
 
 QString nameOfEdge(const NearestEdge &nearest, const ScanTrace &trace)
@@ -68,7 +80,9 @@ QString paintedText(const QPoint &pixel, const TracedScene &traced, std::size_t 
     const std::optional<NearestEdge> nearest = edgeNearest(pixel, traced, primitive);
     if (!nearest)
         return name;
-    return PointerReadout::tr("%1 · %2 px from %3")
+    if (nearest->isOnEdge())
+        return PointerReadout::tr("%1 · on %2").arg(name, nameOfEdge(*nearest, *traced.trace));
+    return PointerReadout::tr("%1 · %2 from %3")
         .arg(name, distanceText(nearest->edge.distance), nameOfEdge(*nearest, *traced.trace));
 }
 
@@ -83,13 +97,16 @@ QString unpaintedText(const QPoint &pixel, const TracedScene &traced)
     }
     if (!nearest || !traced.method->draws(PrimitiveKind::Triangle))
         return PointerReadout::tr("not painted");
+    const QString edge = nameOfEdge(*nearest, *traced.trace);
+    const QString triangle = QStringLiteral("%1 %2")
+                                 .arg(coreWord(nameOf(PrimitiveKind::Triangle)))
+                                 .arg(nearest->triangle);
+    if (nearest->isOnEdge())
+        return PointerReadout::tr("not painted · on %1 of %2").arg(edge, triangle);
     const QString side = nearest->edge.distance >= 0
-        ? PointerReadout::tr("not painted · %1 px inside %2 of %3")
-        : PointerReadout::tr("not painted · %1 px outside %2 of %3");
-    return side.arg(distanceText(nearest->edge.distance), nameOfEdge(*nearest, *traced.trace),
-                    QStringLiteral("%1 %2")
-                        .arg(coreWord(nameOf(PrimitiveKind::Triangle)))
-                        .arg(nearest->triangle));
+        ? PointerReadout::tr("not painted · %1 inside %2 of %3")
+        : PointerReadout::tr("not painted · %1 outside %2 of %3");
+    return side.arg(distanceText(nearest->edge.distance), edge, triangle);
 }
 
 /// "student: #000000, missing"; empty where the student's pixel is the same.

@@ -179,7 +179,7 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
     const LayerSurface surface = layerSurface(layout.mapping, layout.view, palette);
     LayerPainter layers;
     QStringList said = drawing.notes;
-    said += layers.paintGround(painter, drawing, surface);
+    layers.paintGround(painter, drawing, surface);
     drawTriangles(painter, frame, playhead, layout.mapping);
     if (options.areDifferencesShown() && !isTruthShown(playhead, options))
         drawDifferences(painter, traced, playhead.position(), layout.mapping, palette);
@@ -189,6 +189,7 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
     const SpanRecord record = span ? traced.trace->span(*span) : SpanRecord();
     if (span)
         frame.drawPlumbLine(record.place);
+    said += layers.paintNumbers(painter, drawing, surface);
     layers.paintMarks(painter, drawing, surface);
     if (span) {
         frame.drawEdgeTicks(record);
@@ -199,7 +200,7 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
             rowMarks.push_back(mark);
     }
     if (!said.isEmpty())
-        frame.drawCornerNote(said.join(u'\n'), LayerPainter::measurePlaces(drawing, surface));
+        frame.drawCornerNote(said.join(u'\n'), LayerPainter::figurePlaces(drawing, surface));
     const QStringList omissions = layers.paintLabels(painter, drawing, surface, frame.plates());
     if (!omissions.isEmpty())
         frame.drawCornerNote(omissions.join(u'\n'), layers.labels());

@@ -97,8 +97,8 @@ constexpr const char *context = "pixelplumb::MethodSummary";
                       "Bresenham's decisions from any lattice point to any other, ties to the "
                       "upper or right pixel whether the line rises or falls."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
-                      "Steps through an octant by the sign of F at midpoints, an integer, and "
-                      "mirrors each pixel into the other seven."),
+                      "Steps through an octant by the sign of F at midpoints, a whole number "
+                      "of quarters, and mirrors each pixel into the other seven."),
     QT_TRANSLATE_NOOP(
         "pixelplumb::MethodSummary",
         "Computes y = ±√(r² − x²) for each column; there are gaps where the curve is steep."),

@@ -29,6 +29,31 @@ QString primitiveText(const TracedScene &traced, std::size_t primitive)
         .arg(primitive);
 }
 
+/// Which pixel it is, and how it differs: the step need not have drawn it.
+QString firstDifferenceText(const TracedScene &traced)
+{
+    const std::optional<TracedScene::WrongPixel> wrong = traced.firstWrongPixel();
+    if (!wrong)
+        return {};
+    const auto text = [&] {
+        switch (traced.differences.at(wrong->x, wrong->y)) {
+        case Difference::Missing:
+            return wrong->decidedAt == traced.trace->stepCount()
+                ? StepText::tr("first difference from the truth: pixel (%1, %2) is missing when "
+                               "the run ends")
+                : StepText::tr("first difference from the truth: pixel (%1, %2) is missing, and "
+                               "this step was the last that could have drawn it");
+        case Difference::Extra:
+            return StepText::tr("first difference from the truth: pixel (%1, %2) is extra");
+        case Difference::Colour:
+        case Difference::None:
+            break;
+        }
+        return StepText::tr("first difference from the truth: pixel (%1, %2) has another colour");
+    };
+    return text().arg(wrong->x).arg(wrong->y);
+}
+
 } // namespace
 
 QString stepText(const TracedScene &traced, std::size_t position)
@@ -53,9 +78,9 @@ QString stepText(const TracedScene &traced, std::size_t position)
     return {};
 }
 
-QString markText(MarkKind kind)
+QString markText(const TracedScene &traced, const TraceMark &mark)
 {
-    switch (kind) {
+    switch (mark.kind) {
     case MarkKind::PartBegins:
         return StepText::tr("here a part of the primitive begins or ends: a vertex");
     case MarkKind::Tie:
@@ -64,7 +89,7 @@ QString markText(MarkKind kind)
     case MarkKind::Clamp:
         return StepText::tr("clamp: a colour level left 0 … 255");
     case MarkKind::FirstDifference:
-        return StepText::tr("the first pixel that differs from the truth");
+        return firstDifferenceText(traced);
     }
     return {};
 }

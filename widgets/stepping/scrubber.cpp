@@ -294,7 +294,7 @@ QString Scrubber::hoverText(double x) const
         = tr("step %1: %2")
               .arg(position)
               .arg(isAhead ? tr("still ahead, predict it") : stepText(*traced, position));
-    return mark ? step + QLatin1Char('\n') + markText(mark->kind) : step;
+    return mark ? step + QLatin1Char('\n') + markText(*traced, *mark) : step;
 }
 
 } // namespace pixelplumb
