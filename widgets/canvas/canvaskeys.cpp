@@ -177,7 +177,8 @@ void CanvasKeys::placeAtPickedPixel()
     const std::optional<QPoint> pixel = m_playhead.pickedPixel();
     if (!pixel)
         return;
-    m_document.placeVertex(m_view.fromSamples(latticePixel(pixel->x(), pixel->y())));
+    m_document.placeVertex(
+        m_document.fromFrameInHand(m_view.fromSamples(latticePixel(pixel->x(), pixel->y()))));
 }
 
 void CanvasKeys::cycleSelection(int step)

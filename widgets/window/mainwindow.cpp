@@ -203,6 +203,7 @@ void MainWindow::connectParts()
     connect(document, &SceneDocument::sceneChanged, m_parts.messageBar, &QWidget::hide);
     connect(document, &SceneDocument::pendingChanged, m_parts.messageBar, &QWidget::hide);
     connect(document, &SceneDocument::sceneChanged, this, &MainWindow::traceDocument);
+    connect(document, &SceneDocument::frameInHandChanged, this, &MainWindow::traceDocument);
     connect(m_parts.effects, &EffectSwitches::changed, this, &MainWindow::traceDocument);
     connect(document, &SceneDocument::modifiedChanged, this, &QWidget::setWindowModified);
     connect(document, &SceneDocument::refused, m_parts.messageBar, &MessageBar::complain);
@@ -246,7 +247,7 @@ void MainWindow::connectParts()
 void MainWindow::traceDocument()
 {
     const std::shared_ptr<const Scene> scene
-        = m_parts.effects->applied(m_parts.document->snapshot());
+        = m_parts.effects->applied(m_parts.document->snapshotInHand());
     m_parts.student->follow(scene);
     m_parts.tracer->trace(scene);
     if (m_parts.tracer->isRunning())
