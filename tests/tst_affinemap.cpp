@@ -416,8 +416,14 @@ private slots:
         QCOMPARE(bench.document.scene(), scene);
         QVERIFY(!bench.document.isModified());
         QVERIFY(bench.document.pendingVertices().empty());
-        QCOMPARE(bench.document.undoStack()->count(), 0);
         QVERIFY(!bench.playhead.pickedPixel());
+        QCOMPARE(bench.document.undoStack()->count(), 1); // all moves of the drag
+        bench.document.undoStack()->undo();
+        QVERIFY(!bench.options.affineImage().has_value());
+        QCOMPARE(bench.document.scene(), scene);
+        bench.document.undoStack()->redo();
+        QCOMPARE(bench.options.affineImage()->corners, moved);
+        QVERIFY(!bench.document.isModified());
     }
 
     void aDoubleClickOnACornerBringsTheFirstMapBack()
@@ -434,6 +440,8 @@ private slots:
 
         QVERIFY(!bench.options.affineImage().has_value());
         QVERIFY(bench.document.pendingVertices().empty());
+        bench.document.undoStack()->undo();
+        QCOMPARE(bench.options.affineImage()->corners[1], latticePixel(30, 40));
     }
 
     void escapeDuringADragLeavesTheMapAsItWas()
@@ -450,6 +458,22 @@ private slots:
         QTest::keyClick(&bench.canvas, Qt::Key_Escape);
 
         QCOMPARE(bench.options.affineImage(), std::optional(before));
+        QVERIFY(!bench.document.undoStack()->canUndo());
+    }
+
+    void verticesThatWaitAreDiscardedAfterADragOfACorner()
+    {
+        CanvasBench bench(firstScene());
+        bench.options.setLayers({layerId});
+        bench.options.setAffineImage(
+            AffineImage{0, {latticePixel(10, 40), latticePixel(30, 40), latticePixel(10, 20)}});
+        bench.document.placeVertex(latticePixel(1, 1));
+        bench.drag(bench.at(30, 40), bench.at(40, 30));
+        QTest::keyClick(&bench.canvas, Qt::Key_Escape);
+        QVERIFY(bench.document.pendingVertices().empty());
+        bench.document.undoStack()->undo(); // of the discarding
+        bench.document.undoStack()->undo();
+        QCOMPARE(bench.options.affineImage()->corners[1], latticePixel(30, 40));
     }
 
     void keysAloneMoveACorner()
@@ -466,6 +490,10 @@ private slots:
 
         QCOMPARE(bench.options.affineImage()->corners[2], latticePixel(11, 21));
         QVERIFY(!bench.document.isModified());
+        bench.document.undoStack()->undo(); // one for each time that Control was held
+        QCOMPARE(bench.options.affineImage()->corners[2], latticePixel(11, 20));
+        bench.document.undoStack()->undo();
+        QCOMPARE(bench.options.affineImage()->corners[2], latticePixel(10, 20));
         QTest::keyClick(&bench.canvas, Qt::Key_BracketRight); // around to the first vertex
         QCOMPARE(bench.canvas.spokenState(), QStringLiteral("vertex 0 of triangle 0 at (4, 5)"));
     }

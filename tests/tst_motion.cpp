@@ -7,6 +7,8 @@
 #include "tests/support/openwindow.h"
 #include "tests/support/programrun.h"
 #include "tests/support/sourcetree.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/studies/motionpanel.h"
 #include "widgets/studies/motionview.h"
@@ -17,9 +19,11 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QScrollBar>
 #include <QSlider>
 #include <QTableWidget>
 #include <QTest>
+#include <QToolButton>
 
 using namespace pixelplumb;
 
@@ -186,6 +190,112 @@ private slots:
         QVERIFY(named<QLabel>(*window, "motionSummary")
                     ->text()
                     .contains(QString::number(study.toggled())));
+    }
+
+    void theFrameOfTheSliderIsWhatIsSeenAndStepped()
+    {
+        const IsolatedSettings settings;
+        const auto window = openedWindow(movingScene());
+        window->resize(1366, 768);
+        SceneDocument &document = *window->parts().document;
+        const Playhead &playhead = *window->parts().playhead;
+        Canvas &canvas = *window->parts().canvas;
+        action(*window, "motionDockToggle")->trigger();
+        auto *slider = named<QSlider>(*window, "motionSlider");
+        const auto isAt = [&](int frame) {
+            Scene moved = sceneAtFrame(movingScene(), frame);
+            moved.motion = playhead.traced()->scene.motion; // that of frame 0 moves on
+            return playhead.traced()->scene == moved;
+        };
+        slider->setFocus();
+        for (int i = 0; i < 8; ++i)
+            QTest::keyClick(slider, Qt::Key_Right);
+        QTRY_VERIFY(isAt(8));
+        QVERIFY(!document.isModified());
+        QCOMPARE(document.undoStack()->count(), 0);
+        QCOMPARE(document.scene(), movingScene());
+
+        // 8 of 24 frames: by 4/3 and 1 px; a handle is where it is seen, and moves the scene's
+        // vertex.
+        const LatticePoint start = movingScene().triangles.front().vertices[0].position;
+        const LatticePoint seen = sceneAtFrame(movingScene(), 8).triangles[0].vertices[0].position;
+        canvas.setTool(CanvasTool::Draw);
+        QCOMPARE(canvas.vertexAt(canvas.positionOf(seen)), std::optional(VertexRef{0, 0}));
+        QVERIFY(!canvas.vertexAt(canvas.positionOf(start)));
+        QTest::mouseClick(&canvas, Qt::LeftButton, {}, canvas.positionOf(QPoint(20, 3)).toPoint());
+        QCOMPARE(document.atFrameInHand(document.pendingVertices().front().position),
+                 latticePixel(20, 3));
+        QTest::keyClick(&canvas, Qt::Key_Escape);
+
+        auto *table = named<QTableWidget>(*window, "motionTable");
+        QTRY_COMPARE(table->rowCount(), 25);
+        QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                          table->visualItemRect(table->item(11, 1)).center());
+        QTRY_VERIFY(isAt(11));
+        QCOMPARE(slider->value(), 11);
+        QTest::mouseClick(named<QToolButton>(*window, "motionPlay"), Qt::LeftButton);
+        QTRY_VERIFY(isAt(13));
+        QTest::mouseClick(named<QToolButton>(*window, "motionPlay"), Qt::LeftButton);
+
+        // Its steps are this frame's, also when another panel stands in front.
+        const int frame = slider->value();
+        action(*window, "columnsDockToggle")->trigger();
+        action(*window, "runToEnd")->trigger();
+        QVERIFY(isAt(frame));
+        const Scene moved = sceneAtFrame(movingScene(), frame);
+        const FrameBuffer drawn(moved.frame);
+        drawScene(moved, drawn);
+        QCOMPARE(playhead.frame()->copy(), drawn.copy());
+    }
+
+    void aSceneThatIsOpenedBeginsAtItsFirstFrame()
+    {
+        const IsolatedSettings settings;
+        const auto window = openedWindow(movingScene());
+        action(*window, "motionDockToggle")->trigger();
+        auto *slider = named<QSlider>(*window, "motionSlider");
+        slider->setValue(20);
+        QTRY_COMPARE(window->parts().document->frameInHand(), 20);
+        Scene other = movingScene();
+        other.motion = Motion{{256, 0}, 11};
+        window->parts().document->reset(other);
+        QCOMPARE(window->parts().document->frameInHand(), 0);
+        QCOMPARE(slider->value(), 0);
+        QCOMPARE(window->parts().playhead->traced()->scene.triangles, other.triangles);
+    }
+
+    void theThumbnailShowsTheOutlineAndWhatTheTruthHasBeside()
+    {
+        const MotionStudy study = *studyMotion(movingScene());
+        int frames = 0;
+        for (int frame = 0; frame < int(study.frames.size()); ++frame) {
+            const MotionPicture picture = motionPicture(movingScene(), frame);
+            const MotionFrame &counted = study.frames[std::size_t(frame)];
+            QVERIFY(std::int64_t(picture.missing.size()) >= counted.truth - counted.drawn);
+            QVERIFY(std::int64_t(picture.missing.size()) <= counted.truth);
+            frames += int(!picture.missing.empty());
+            QCOMPARE(picture.outlines.size(), std::size_t(1));
+            // y upward: the vertex (6, 6) moves 1/6 and 1/8 px a frame; sample (6, 6) is line 17.
+            const LatticePoint at
+                = sceneAtFrame(movingScene(), frame).triangles[0].vertices[0].position;
+            const QPointF corner = picture.outlines.front().front();
+            QCOMPARE(corner.x(), double(at.x) / unitsPerPixel + 0.5);
+            QCOMPARE(corner.y(), 23 - double(at.y) / unitsPerPixel + 0.5);
+        }
+        QVERIFY(frames > 0); // float32 loses pixels of this sliver
+    }
+
+    void allColumnsOfTheTableAreInView()
+    {
+        const IsolatedSettings settings;
+        const auto window = openedWindow(movingScene());
+        window->resize(1366, 768);
+        action(*window, "motionDockToggle")->trigger();
+        auto *table = named<QTableWidget>(*window, "motionTable");
+        QTRY_COMPARE(table->rowCount(), 25);
+        QTRY_VERIFY(table->columnViewportPosition(3) + table->columnWidth(3)
+                    <= table->viewport()->width());
+        QVERIFY(!table->horizontalScrollBar()->isVisible());
     }
 
     void aStillSceneTakesNoRoomForWhatIsNotThere()

@@ -1,14 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/formulaexplanation.h"
 #include "tests/support/defaultscene.h"
+#include "tests/support/shapes.h"
 #include "tests/support/spacescenes.h"
 #include "widgets/inspect/formulapanel.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/model/playhead.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QLabel>
 #include <QScrollBar>
 #include <QTest>
+#include <QTextBlock>
 #include <QTextBrowser>
 
 using namespace pixelplumb;
@@ -22,6 +25,8 @@ private slots:
     void theChangeOfHalfIsAnEvent();
     void anEmptySceneSaysWhatToDo();
     void formulasKeepTheirPlaceWhileStepping();
+    void shortFormulasHaveNoScrollBarAtAnyWidth();
+    void aShortFormulaStandsBesideItsChannels();
 };
 
 void TestPanels::formulasNameTheNumbersOfTheStep()
@@ -113,6 +118,45 @@ void TestPanels::formulasKeepTheirPlaceWhileStepping()
 
     QCOMPARE(formulas->geometry(), place);
     QCOMPARE(formulas->verticalScrollBar()->value(), 60);
+}
+
+void TestPanels::shortFormulasHaveNoScrollBarAtAnyWidth()
+{
+    const Scene scene = sceneOf(lineAt(20, 41, 30, 44), "line-bresenham", frameOf(64, 48));
+    Playhead playhead;
+    playhead.setTraced(traceScene(scene));
+    playhead.seekToSpan(0);
+    FormulaPanel panel(&playhead);
+    panel.show();
+    const auto *bar = panel.findChild<QTextBrowser *>()->horizontalScrollBar();
+    for (int width = 300; width <= 520; width += 4) {
+        panel.resize(width, 300);
+        QCoreApplication::processEvents();
+        QVERIFY2(!bar->isVisible(), qPrintable(QString::number(width)));
+    }
+}
+
+void TestPanels::aShortFormulaStandsBesideItsChannels()
+{
+    Playhead playhead;
+    playhead.setTraced(traceScene(defaultSceneIn(Arithmetic::Exact)));
+    FormulaPanel panel(&playhead);
+    panel.resize(480, 600);
+    panel.show();
+    playhead.seekToSpan(std::size_t(rowOf(30)));
+    const auto *formulas = panel.findChild<QTextBrowser *>();
+    const QTextDocument &document = *formulas->document();
+    const auto topOf = [&](const char *text) {
+        const QTextCursor found = document.find(QString::fromUtf8(text));
+        return found.isNull() ? -1
+                              : document.documentLayout()->blockBoundingRect(found.block()).top();
+    };
+    const double symbols = topOf("CB ← CB′");
+    QVERIFY(symbols > 0);
+    const QTextCursor channel
+        = document.find(QStringLiteral("R "), document.find(QStringLiteral("CB ← CB′")));
+    QCOMPARE(document.documentLayout()->blockBoundingRect(channel.block()).top(), symbols);
+    QVERIFY(topOf("first C") > symbols);
 }
 
 QTEST_MAIN(TestPanels)

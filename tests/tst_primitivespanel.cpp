@@ -17,6 +17,7 @@
 #include <QApplication>
 #include <QColorDialog>
 #include <QContextMenuEvent>
+#include <QDockWidget>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMenu>
@@ -96,6 +97,21 @@ private slots:
         QVERIFY(m_tree->isExpanded(m_model->indexOfPrimitive(0)));
         document().undoStack()->undo();
         QCOMPARE(document().scene(), fourPrimitives());
+    }
+
+    void aLongNumberIsReadToItsLastDigitWhereThereIsRoom()
+    {
+        auto *dock = named<QDockWidget>(*m_window, "primitivesDock");
+        dock->setFloating(true);
+        dock->resize(460, 400);
+        const QModelIndex whole = m_model->indexOfPrimitive(0);
+        m_tree->expand(whole);
+        const QModelIndex x = m_model->index(1, PrimitiveListModel::X, whole);
+        type(x, "61/3"); // 5205/256 is nearest
+        QTest::keyClick(field(), Qt::Key_Return);
+        QTRY_COMPARE(x.data().toString(), QStringLiteral("5205/256"));
+        QTRY_VERIFY(m_tree->visualRect(x).width()
+                    > m_tree->fontMetrics().horizontalAdvance(x.data().toString()));
     }
 
     void primitivesChangePlacesInTheDrawingOrder()

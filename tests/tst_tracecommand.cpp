@@ -5,6 +5,7 @@
 #include <QJsonArray>
 #include <QJsonDocument>
 #include <QJsonObject>
+#include <QRegularExpression>
 #include <QTemporaryDir>
 #include <QTest>
 
@@ -39,6 +40,39 @@ private slots:
         QCOMPARE(wide.exitCode, 0);
         QVERIFY(wide.output.startsWith("x,y_B,y_T_error\r\n"));
         QCOMPARE(wide.output, close.output);
+    }
+
+    void columnsMayBeNamedAsTheTextHeadsThem()
+    {
+        const QStringList text = {"trace", defaultScene(), "--format", "text", "--columns"};
+        const ProgramRun byName = run(text + QStringList{"x,first_row,delta_R,pixels,first_R"});
+        const ProgramRun byTitle = run(text + QStringList{"x,⌈y_B⌉,ΔR,px,first R"});
+        QCOMPARE(byTitle.exitCode, 0);
+        QVERIFY(byTitle.output.contains("⌈y_B⌉"));
+        QCOMPARE(byTitle.output, byName.output);
+
+        const QString line = sceneFile(QStringLiteral("lines.json"));
+        const ProgramRun decisions
+            = run({"trace", line, "--method", "line-bresenham", "--columns", "p_k₊₁"});
+        QCOMPARE(decisions.exitCode, 0);
+        QVERIFY(decisions.output.startsWith("p_next\r\n"));
+
+        const ProgramRun twice = run(text + QStringList{"ΔR,delta_R"});
+        QCOMPARE(twice.exitCode, 2);
+        QVERIFY(twice.messages.contains("named twice"));
+    }
+
+    void everyTitleOfATextTableNamesItsColumn()
+    {
+        const ProgramRun whole = run({"trace", defaultScene(), "--format", "text"});
+        const QString header = QString::fromUtf8(whole.output).section(u'\n', 0, 0);
+        const QStringList titles
+            = header.split(QRegularExpression(QStringLiteral("\\s{2,}")), Qt::SkipEmptyParts);
+        QVERIFY(titles.size() > 10);
+        const ProgramRun named
+            = run({"trace", defaultScene(), "--format", "text", "--columns", titles.join(u',')});
+        QCOMPARE(named.exitCode, 0);
+        QCOMPARE(named.output, whole.output);
     }
 
     void printsTheRowsOfOneTriangleColumnOrRow_data()

@@ -161,6 +161,21 @@ private slots:
                  qPrintable(reason));
         QVERIFY2(reason.contains(u"“Rounded box”: left = (int)"), qPrintable(reason));
     }
+
+    void ofSeveralVariantsOnlyThoseAreBlamedWithoutWhichThePixelIsAnother()
+    {
+        Scene scene = sceneOf(lineAt(20, 41, 30, 44), "line-bresenham", frameOf(64, 48));
+        const auto reasonAt = [&](VariantSet variants, int x, int y) {
+            scene.settings.variants = variants;
+            return pixelHistory(*traceScene(scene), x, y).front().reason;
+        };
+        const VariantSet both = VariantSet().with(Variant::StayAtZero).with(Variant::OneStepShort);
+
+        const QString extra = reasonAt(both, 25, 42); // p = 0 there
+        QVERIFY2(extra.contains(u"p ≤ 0") && !extra.contains(u"Δx − 1"), qPrintable(extra));
+        const QString missing = reasonAt(both, 30, 44); // the last
+        QVERIFY2(!missing.contains(u"p ≤ 0") && missing.contains(u"Δx − 1"), qPrintable(missing));
+    }
 };
 
 QTEST_GUILESS_MAIN(TestVariantWords)

@@ -64,16 +64,17 @@ Result<QStringList> chosenColumns(const CommandLine &line, const TraceNumbers &n
     const QString place = QStringLiteral("--") + option;
     QStringList columns;
     for (const QString &word : line.value(option).split(u',')) {
-        const QString name = word.trimmed();
-        if (name.isEmpty())
+        const QString written = word.trimmed();
+        if (written.isEmpty())
             return InputError{place, QStringLiteral("a name is missing"),
                               QStringLiteral("names separated by commas, of ")
                                   + names.join(QStringLiteral(", "))};
-        if (!names.contains(name))
-            return unknownName(place, QStringLiteral("column"), name, names);
+        const QString name = traceColumnNamed(numbers, level, written);
+        if (name.isEmpty())
+            return unknownName(place, QStringLiteral("column"), written, names);
         // A second one of the same name would be lost to whoever reads by name.
         if (columns.contains(name))
-            return InputError{place, QStringLiteral("“%1” is named twice").arg(name),
+            return InputError{place, QStringLiteral("“%1” is named twice").arg(written),
                               QStringLiteral("each column once")};
         columns.append(name);
     }
@@ -168,8 +169,8 @@ ExitCode trace(const Command &command, const QStringList &arguments)
                                    "else csv."),
                     QStringLiteral("format")});
     line.addOption({QStringLiteral("columns"),
-                    QStringLiteral("Print these columns alone, named as in the CSV's header: "
-                                   "a,b,c."),
+                    QStringLiteral("Print these columns alone, named as in the header of the CSV "
+                                   "or of the text: a,b,c."),
                     QStringLiteral("names")});
     line.addOption(
         {QStringLiteral("decimal"), QStringLiteral("In text, print 5.129630 instead of 5 7/54.")});

@@ -5,6 +5,8 @@
 #include "core/runs/spanheadings.h"
 #include "core/scan/choicenames.h"
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 namespace {
@@ -169,21 +171,43 @@ QStringList namesOf(const TraceTable<Row> &table)
     return names;
 }
 
+/// Names come first: a title may be another column's name.
+template <class Row>
+QString nameMeantBy(const QString &word, const TraceTable<Row> &table)
+{
+    if (table.contains(word))
+        return word;
+    const auto found = std::ranges::find(table.fields(), word, &Field::title);
+    return found != table.fields().end() ? found->name : QString();
+}
+
+/// What a function says of the table that traces have at a level.
+template <class Read>
+auto ofTable(const TraceNumbers &numbers, TraceLevel level, const Read &read)
+{
+    switch (level) {
+    case TraceLevel::SetUp:
+        return read(setUpTable(numbers.setUp));
+    case TraceLevel::Column:
+        return read(spanTable(numbers.span));
+    case TraceLevel::Stage:
+        return read(stageTable());
+    case TraceLevel::Pixel:
+        break;
+    }
+    return read(sampleTable(numbers.sample));
+}
+
 } // namespace
 
 QStringList traceColumnNames(const TraceNumbers &numbers, TraceLevel level)
 {
-    switch (level) {
-    case TraceLevel::SetUp:
-        return namesOf(setUpTable(numbers.setUp));
-    case TraceLevel::Column:
-        return namesOf(spanTable(numbers.span));
-    case TraceLevel::Stage:
-        return namesOf(stageTable());
-    case TraceLevel::Pixel:
-        break;
-    }
-    return namesOf(sampleTable(numbers.sample));
+    return ofTable(numbers, level, [](const auto &table) { return namesOf(table); });
+}
+
+QString traceColumnNamed(const TraceNumbers &numbers, TraceLevel level, const QString &word)
+{
+    return ofTable(numbers, level, [&word](const auto &table) { return nameMeantBy(word, table); });
 }
 
 bool exportTrace(const TracedScene &traced, const TraceExportOptions &options, QIODevice &device)

@@ -41,6 +41,9 @@ struct TraceExportOptions {
 
 /// The names of all columns that a method's traces have at a level.
 QStringList traceColumnNames(const TraceNumbers &numbers, TraceLevel level);
+/// The name of the column that a name or the title in a text table's header means: delta_R of
+/// "ΔR". Empty where there is none.
+QString traceColumnNamed(const TraceNumbers &numbers, TraceLevel level, const QString &word);
 
 /// Writes the numbers that the kernel used, with the exact ones and the errors beside them.
 ///

@@ -80,7 +80,10 @@ Pseudocode edgeTestPseudocode(const EdgeTestForm &form)
     Pseudocode code = {{0, linesText(form), {SetUp}}};
     if (form.inside == InsideTest::Signs)
         code.push_back(
-            {0, QStringLiteral("flip those that are negative at the vertex opposite"), {SetUp}});
+            {0,
+             QStringLiteral("F₁, F₂, F₀ ← E₁, E₂, E₀ at P₀, P₁, P₂, the vertex opposite; where "
+                            "negative, flip E and F"),
+             {SetUp}});
     if (form.visited == VisitedSamples::Frame)
         code.push_back({0, QStringLiteral("box ← the whole frame"), {SetUp}});
     else

@@ -164,6 +164,13 @@ void appendGiven(Explanation &explanation, const std::vector<NumberDescription> 
     }
 }
 
+/// Whether samples lie in it or not; pixels of the others are chosen step by step along them.
+bool isCovering(PrimitiveKind kind)
+{
+    return kind == PrimitiveKind::Triangle || kind == PrimitiveKind::Polygon
+        || kind == PrimitiveKind::Text;
+}
+
 Explanation explainSample(const TracedScene &traced, const TraceStep &step)
 {
     const ScanTrace &trace = *traced.trace;
@@ -194,7 +201,9 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
     explanation.sentence = words.sentence;
     if (words.sentence.isEmpty())
         explanation.sentence = isWritten
-            ? QStringLiteral("The sample is covered and written.")
+            ? (isCovering(traced.primitives.kindOf(step.primitive))
+                   ? QStringLiteral("The sample is covered and written.")
+                   : QStringLiteral("The pixel is one of this step's, and written."))
             : refusalSentence(traced, step.primitive, sample, decisionsOf(words.numbers, sample));
     if (sample.clamped)
         explanation.sentence += QStringLiteral(" A level left 0 … 255 and is clamped.");

@@ -65,6 +65,22 @@ bool isRounding(const QString &rule)
         || computed.startsWith(QStringLiteral(" = ⌊"));
 }
 
+/// A number that words name goes by what stands for it: "⌈y_B⌉", not "first row".
+QString titleOf(const QString &symbols)
+{
+    const QString assigned = assignedIn(symbols);
+    return isRounding(symbols) ? symbols.sliced(assigned.size() + QStringLiteral(" = ").size())
+                               : assigned;
+}
+
+/// The formula with its numbers, which may be the value already: y_B ← y₀ = 4.
+QString reasonOf(const FormulaLine &line)
+{
+    return line.substituted == term(line.used)
+        ? line.symbols
+        : line.symbols + QStringLiteral(" = ") + line.substituted;
+}
+
 /// How many digits stand behind the point; none of what is no decimal.
 int placesOf(const QString &typed)
 {
@@ -115,6 +131,14 @@ bool isCutOff(double typed, double value, int places)
 
 } // namespace
 
+bool asksForWhole(const Prediction &prediction)
+{
+    if (isRounding(prediction.rule))
+        return true;
+    const auto isBroken = [](QChar sign) { return sign == u'/' || sign == u'.'; };
+    return prediction.value.isInteger() && std::ranges::none_of(prediction.reason, isBroken);
+}
+
 std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t position)
 {
     const ScanTrace &trace = *traced.trace;
@@ -134,9 +158,9 @@ std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t 
             || isTakenOver(line.symbols))
             continue; // the question itself, or the step in hand, names it
         const FormulaLine *earlier = before ? lineOf(*before, line) : nullptr;
-        predictions.push_back({next.heading, assignedIn(line.symbols), askedFor(line.symbols),
+        predictions.push_back({next.heading, titleOf(line.symbols), askedFor(line.symbols),
                                line.used, earlier ? earlier->used : Quantity(), line.symbols,
-                               line.symbols + QStringLiteral(" = ") + line.substituted});
+                               reasonOf(line)});
     }
     return predictions;
 }

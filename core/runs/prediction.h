@@ -16,7 +16,7 @@ struct TracedScene;
 /// A number of the next column, row or step, which a student is to foretell.
 struct Prediction {
     QString place; ///< "Column 31, second half"
-    QString title; ///< "y_B", "first row"
+    QString title; ///< "y_B", "⌈y_B⌉"
     QString words; ///< what is asked for: "y_B", "the first row, ⌈y_B⌉"
     Quantity value; ///< what the kernel computes
     /// The same number one span earlier; none where the primitive's part begins.
@@ -24,6 +24,10 @@ struct Prediction {
     QString rule; ///< the formula: "y_B ← y_B′ + m₀₂"
     QString reason; ///< the formula with its numbers: "y_B ← y_B′ + m₀₂ = (8 10/27) + (7/54)"
 };
+
+/// Whether it can be nothing but a whole number: it is rounded to one, or made of whole numbers
+/// without a division.
+bool asksForWhole(const Prediction &prediction);
 
 /// The numbers that the next span behind a position (0 … stepCount()) computes by formulas, as the
 /// explanation of that step has them, but for what counts the spans and what is taken over from the

@@ -200,6 +200,14 @@
         <source>P1 (corner of its box)</source>
         <translation>P1 (Ecke des Rechtecks)</translation>
     </message>
+    <message>
+        <source>Frame %1 of %2 of the motion</source>
+        <translation>Bild %1 von %2 der Bewegung</translation>
+    </message>
+    <message>
+        <source>move image</source>
+        <translation>Bild des Dreiecks verschieben</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::CanvasMenu</name>
@@ -4293,6 +4301,13 @@
             <numerusform>%n Pixel kamen oder gingen</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n pixels of the truth are missing</source>
+        <translation>
+            <numerusform>%n Pixel der Wahrheit fehlt</numerusform>
+            <numerusform>%n Pixel der Wahrheit fehlen</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::NumberToolTip</name>
@@ -5240,10 +5255,6 @@
         <translation>&amp;Antwort</translation>
     </message>
     <message>
-        <source>%1: what is %2? A fraction, or a decimal rounded to %3 places or more.</source>
-        <translation>%1: Was ist %2? Ein Bruch oder eine Dezimalzahl, auf %3 Stellen oder mehr gerundet.</translation>
-    </message>
-    <message>
         <source>Which pixel is written next? Type its x, y, right-click it, or go there with the arrow keys and press Check.</source>
         <translation>Welches Pixel wird als nächstes geschrieben? Sein x, y eingeben, es mit der rechten Maustaste wählen oder mit den Pfeiltasten hingehen und „Prüfen“ drücken.</translation>
     </message>
@@ -5254,6 +5265,22 @@
     <message>
         <source>Type the pixel&apos;s x and y, such as 12, 7.</source>
         <translation>x und y des Pixels eingeben, etwa 12, 7.</translation>
+    </message>
+    <message>
+        <source>9</source>
+        <translation>9</translation>
+    </message>
+    <message>
+        <source>%1: what is %2?</source>
+        <translation>%1: Was ist %2?</translation>
+    </message>
+    <message>
+        <source>A whole number.</source>
+        <translation>Eine ganze Zahl.</translation>
+    </message>
+    <message>
+        <source>A fraction, or a decimal rounded to %1 places or more.</source>
+        <translation>Ein Bruch oder eine Dezimalzahl, auf %1 Stellen oder mehr gerundet.</translation>
     </message>
 </context>
 <context>
@@ -7026,10 +7053,6 @@
         <translation>Das aktuelle Verfahren: was es tut, woher es kommt, und sein Pseudocode; die Zeilen, die der aktuelle Schritt ausführt, sind markiert.</translation>
     </message>
     <message>
-        <source>Lets the scene move by a fraction of a pixel a frame, and counts the pixels that flicker beside those of the truth.</source>
-        <translation>Lässt die Szene sich je Bild um einen Bruchteil eines Pixels bewegen und zählt die Pixel, die flimmern, neben denen der Wahrheit.</translation>
-    </message>
-    <message>
         <source>The scene&apos;s primitives in drawing order. The box before a name shows or hides the primitive, coordinates are typed in place, and the buttons below, which a right click shows as a menu, move, recolour and delete it.</source>
         <translation>Die Primitive der Szene in Zeichenreihenfolge. Das Kästchen vor einem Namen blendet das Primitiv ein oder aus, Koordinaten werden an Ort und Stelle getippt, und die Knöpfe darunter, die ein Rechtsklick als Menü zeigt, verschieben, färben und löschen es.</translation>
     </message>
@@ -7084,6 +7107,10 @@
     <message>
         <source>The run on one line, with marks where vertices, ties and clamps are and where the first pixel is wrong; columns stand below those of the canvas, at every zoom. A drag goes to another step. Arrows go by the unit of playing, with Ctrl from mark to mark, PageUp and PageDown by columns or rows, Home and End to the ends.</source>
         <translation>Der Lauf auf einer Linie, mit Marken, wo Eckpunkte, Grenzfälle und Begrenzungen sind und wo das erste Pixel falsch ist; Spalten stehen in jeder Vergrößerung unter denen der Zeichenfläche. Ziehen geht zu einem anderen Schritt. Pfeile gehen in der Einheit des Abspielens, mit Strg von Marke zu Marke, Bild auf und Bild ab um Spalten oder Zeilen, Pos1 und Ende an die Enden.</translation>
+    </message>
+    <message>
+        <source>Lets the scene move by a fraction of a pixel a frame, and counts the pixels that flicker beside those of the truth. The frame of its slider is what the canvas shows and what is stepped through.</source>
+        <translation>Lässt die Szene sich je Bild um einen Bruchteil eines Pixels bewegen und zählt die Pixel, die flimmern, neben denen der Wahrheit. Das Bild des Reglers ist das, das die Zeichenfläche zeigt und das in Schritten gezeichnet wird.</translation>
     </message>
 </context>
 <context>

@@ -139,6 +139,13 @@
             <numerusform>%n pixels came or went</numerusform>
         </translation>
     </message>
+    <message numerus="yes">
+        <source>%n pixels of the truth are missing</source>
+        <translation>
+            <numerusform>%n pixel of the truth is missing</numerusform>
+            <numerusform>%n pixels of the truth are missing</numerusform>
+        </translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::OverdrawOverlay</name>

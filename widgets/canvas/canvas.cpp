@@ -60,6 +60,7 @@ void Canvas::connectSources()
     const SceneDocument *document = m_sources.document;
     const Playhead *playhead = m_sources.playhead;
     connect(document, &SceneDocument::sceneChanged, this, &Canvas::followScene);
+    connect(document, &SceneDocument::frameInHandChanged, this, &Canvas::followScene);
     connect(document, &SceneDocument::trianglesRenumbered, this,
             [this](const TriangleRenumbering &numberAfter) {
                 followTriangle(m_sources, numberAfter, m_imageOfUndrawn);
@@ -260,7 +261,8 @@ void Canvas::contextMenuEvent(QContextMenuEvent *event)
         return;
     const SceneDocument &document = *m_sources.document;
     if (const std::optional<VertexRef> ref = document.selectedVertex())
-        m_mouse.openVertexMenu(*ref, positionOf(document.vertexAt(*ref)->position));
+        m_mouse.openVertexMenu(
+            *ref, positionOf(document.atFrameInHand(document.vertexAt(*ref)->position)));
 }
 
 void Canvas::wheelEvent(QWheelEvent *event) { m_mouse.turn(event); }

@@ -41,7 +41,7 @@ std::optional<std::size_t> spanNear(const ScanTrace &trace, std::size_t preferre
 void PlaceVertexGesture::releaseAt(const QPointF &position)
 {
     if (m_view.area().contains(position))
-        m_document.placeVertex(m_view.placeAt(position));
+        m_document.placeVertex(m_document.fromFrameInHand(m_view.placeAt(position)));
 }
 
 MovePointGesture::MovePointGesture(const CanvasView &view, const QPointF &press,

@@ -177,7 +177,8 @@ void CanvasKeys::placeAtPickedPixel()
     const std::optional<QPoint> pixel = m_playhead.pickedPixel();
     if (!pixel)
         return;
-    m_document.placeVertex(m_view.fromSamples(latticePixel(pixel->x(), pixel->y())));
+    m_document.placeVertex(
+        m_document.fromFrameInHand(m_view.fromSamples(latticePixel(pixel->x(), pixel->y()))));
 }
 
 void CanvasKeys::cycleSelection(int step)
@@ -234,8 +235,10 @@ void CanvasKeys::moveChosenCornerBy(const LatticePoint &way)
     const std::optional<AffineImage> image = corner ? imageInView(m_sources) : std::nullopt;
     if (!image)
         return;
+    if (!m_drag)
+        m_drag = m_document.newDrag();
     const LatticePoint place = image->corners[*corner];
-    moveImageCorner(m_sources, *image, *corner, {place.x + way.x, place.y + way.y});
+    moveImageCorner(m_sources, *image, *corner, {place.x + way.x, place.y + way.y}, *m_drag);
 }
 
 void CanvasKeys::setPeek(Peek peek)

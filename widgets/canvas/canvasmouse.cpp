@@ -6,6 +6,7 @@
 #include "widgets/canvas/canvasoutlines.h"
 #include "widgets/canvas/canvasview.h"
 #include "widgets/canvas/imagecornergesture.h"
+#include "widgets/canvas/imageedit.h"
 #include "widgets/canvas/imagehandles.h"
 #include "widgets/model/playhead.h"
 
@@ -123,7 +124,8 @@ void CanvasMouse::doubleClick(QMouseEvent *event)
         toggleBreakpointAt(position);
     } else if (event->button() == Qt::LeftButton && m_chosenCorner
                && m_chosenCorner == imageCornerAt(position, m_sources, m_view)) {
-        m_sources.options->setAffineImage(std::nullopt);
+        if (m_sources.options->affineImage())
+            m_document.undoStack()->push(new ImageEdit(*m_sources.options, std::nullopt));
     } else if (event->button() == Qt::LeftButton && ref && m_tool == CanvasTool::Draw) {
         if (ref == m_pressedVertex) // else the first click placed it
             emit m_canvas.colourRequested(*ref);

@@ -21,6 +21,15 @@ constexpr double bareHitRadius = 3; ///< of a vertex without a handle, between m
 
 constexpr std::size_t mostNames = 12; // more would hide what they name
 
+/// As it is drawn: a scene that moves is seen at its frame in hand.
+Triangle drawnTriangle(const SceneDocument &document, std::size_t index)
+{
+    Triangle triangle = document.scene().triangles[index];
+    for (Vertex &vertex : triangle.vertices)
+        vertex.position = document.atFrameInHand(vertex.position);
+    return triangle;
+}
+
 std::array<LatticePoint, 3> cornersOf(const Triangle &triangle, const CanvasView &view)
 {
     std::array<LatticePoint, 3> corners;
@@ -68,7 +77,7 @@ std::optional<SetUpRecord> setUpOf(int triangle, const CanvasSources &sources)
     // A drag may be ahead of the trace: numbers of a triangle that was there before are not shown.
     if (!traced || index >= traced->trace->primitiveCount()
         || index >= traced->scene.triangles.size()
-        || traced->scene.triangles[index] != sources.document->scene().triangles[index])
+        || traced->scene.triangles[index] != drawnTriangle(*sources.document, index))
         return std::nullopt;
     return traced->trace->setUp(index);
 }
@@ -108,13 +117,13 @@ void addOutline(CanvasScene &scene, int primitive, const CanvasSources &sources,
     if (index >= drawn.triangles.size()) {
         Shape &shape = scene.shapes.emplace_back(drawn.shapes[index - drawn.triangles.size()]);
         for (Vertex &vertex : shape.vertices)
-            vertex.position = view.onSamples(vertex.position);
+            vertex.position = view.onSamples(sources.document->atFrameInHand(vertex.position));
         return;
     }
     const bool isInHand = steppedPrimitive(sources) == primitive;
     const std::optional<SetUpRecord> setUp = isInHand ? setUpOf(primitive, sources) : std::nullopt;
-    scene.outlines.push_back(
-        {cornersOf(drawn.triangles[index], view), setUp ? rolesOf(*setUp) : EdgeRoles{}});
+    scene.outlines.push_back({cornersOf(drawnTriangle(*sources.document, index), view),
+                              setUp ? rolesOf(*setUp) : EdgeRoles{}});
 }
 
 /// Both names of a vertex where the method's is not the file's.
@@ -139,7 +148,9 @@ void addNames(CanvasScene &scene, int primitive, const CanvasSources &sources,
               const CanvasView &view)
 {
     const SceneDocument &document = *sources.document;
-    const std::vector<Vertex> vertices = document.verticesOf(primitive);
+    std::vector<Vertex> vertices = document.verticesOf(primitive);
+    for (Vertex &vertex : vertices)
+        vertex.position = document.atFrameInHand(vertex.position);
     std::vector<std::size_t> order(vertices.size());
     std::iota(order.begin(), order.end(), std::size_t(0));
     if (document.kindOf(primitive) == PrimitiveKind::Triangle) {
@@ -171,7 +182,8 @@ void addOutlines(CanvasScene &scene, const CanvasSources &sources, const CanvasV
             state = HandleState::Selected;
         else if (ref == hand.hovered)
             state = HandleState::Hovered;
-        scene.handles.push_back({view.onSamples(vertex.position), vertex.colour, state});
+        scene.handles.push_back(
+            {view.onSamples(document.atFrameInHand(vertex.position)), vertex.colour, state});
     };
     for (const int primitive : choice.primitives(primitivesInHand(sources, hand.hovered))) {
         addOutline(scene, primitive, sources, view);
@@ -198,10 +210,11 @@ std::optional<VertexRef> vertexAt(const QPointF &position, const CanvasSources &
     NearestVertex nearest;
     const auto offer = [&](int primitive, std::span<const Vertex> vertices) {
         for (std::size_t i = 0; i < vertices.size(); ++i) {
-            if (!box.contains(vertices[i].position))
+            const LatticePoint place = sources.document->atFrameInHand(vertices[i].position);
+            if (!box.contains(place))
                 continue;
             const bool hasHandle = !choice.isCrowded() || inHand.holds(primitive);
-            nearest.offer({primitive, int(i)}, view.positionOf(vertices[i].position) - position,
+            nearest.offer({primitive, int(i)}, view.positionOf(place) - position,
                           hasHandle ? handleHitRadius : bareHitRadius);
         }
     };

@@ -105,7 +105,8 @@ public:
         m_scene.candidate = {tip, colour};
         std::vector<Vertex> vertices;
         for (const Vertex &vertex : m_document.pendingVertices()) {
-            vertices.push_back({m_view.onSamples(vertex.position), vertex.colour});
+            const LatticePoint place = m_document.atFrameInHand(vertex.position);
+            vertices.push_back({m_view.onSamples(place), vertex.colour});
             m_scene.pending.push_back({vertices.back().position, vertex.colour, HandleState::Idle});
         }
         if (!vertices.empty()) {
@@ -122,7 +123,8 @@ public:
     {
         const std::optional<VertexRef> ref = m_document.selectedVertex();
         if (ref && m_hand.isMoving) {
-            const LatticePoint point = m_document.vertexAt(*ref)->position;
+            const LatticePoint point
+                = m_document.atFrameInHand(m_document.vertexAt(*ref)->position);
             m_scene.notes.push_back(
                 {coordinateNote(point), m_view.positionOf(point), NoteSide::BelowRight});
         }
@@ -190,6 +192,10 @@ private:
     QString viewNote(const OutlineChoice &choice) const
     {
         QStringList notes;
+        if (const auto &motion = m_document.scene().motion; motion && m_document.frameInHand() > 0)
+            notes += tr("Frame %1 of %2 of the motion")
+                         .arg(m_document.frameInHand())
+                         .arg(motion->frames - 1);
         if (m_scene.marked && m_judgement)
             notes += tr("Marked: the student's picture");
         if (shownPreview() && !m_isTruth && !m_previewer->isAheadOfTrace())

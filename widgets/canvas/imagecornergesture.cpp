@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/canvas/imagecornergesture.h"
 
+#include "widgets/canvas/imageedit.h"
 #include "widgets/canvas/imagehandles.h"
 
 namespace pixelplumb {
@@ -12,14 +13,19 @@ MoveImageCornerGesture::MoveImageCornerGesture(const CanvasView &view, const Can
     , m_corner(corner)
     , m_before(sources.options->affineImage())
     , m_image(*imageInView(sources))
+    , m_drag(sources.document->newDrag())
 {
 }
 
 void MoveImageCornerGesture::movePoint(const LatticePoint &place)
 {
-    moveImageCorner(m_sources, m_image, m_corner, place);
+    moveImageCorner(m_sources, m_image, m_corner, place, m_drag);
 }
 
-void MoveImageCornerGesture::cancel() { m_sources.options->setAffineImage(m_before); }
+void MoveImageCornerGesture::cancel()
+{
+    if (hasMoved() && m_sources.options->affineImage() != m_before)
+        m_sources.document->undoStack()->push(new ImageEdit(*m_sources.options, m_before, m_drag));
+}
 
 } // namespace pixelplumb

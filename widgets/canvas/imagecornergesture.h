@@ -23,6 +23,7 @@ private:
     std::size_t m_corner;
     std::optional<AffineImage> m_before; ///< that was asked for
     AffineImage m_image; ///< as it was at the press
+    int m_drag;
 };
 
 } // namespace pixelplumb

@@ -5,6 +5,7 @@
 #include "core/layers/layer.h"
 #include "widgets/canvas/canvasoutlines.h"
 #include "widgets/canvas/canvasview.h"
+#include "widgets/canvas/imageedit.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenepreviewer.h"
 
@@ -68,11 +69,11 @@ std::optional<std::size_t> imageCornerAt(const QPointF &position, const CanvasSo
 }
 
 void moveImageCorner(const CanvasSources &sources, AffineImage image, std::size_t corner,
-                     const LatticePoint &target)
+                     const LatticePoint &target, int drag)
 {
     image.corners[corner] = sources.document->snapped(target);
-    if (isWithinRange(image.corners[corner]))
-        sources.options->setAffineImage(image);
+    if (isWithinRange(image.corners[corner]) && sources.options->affineImage() != image)
+        sources.document->undoStack()->push(new ImageEdit(*sources.options, image, drag));
 }
 
 void followTriangle(const CanvasSources &sources, const TriangleRenumbering &numberAfter,

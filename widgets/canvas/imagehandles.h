@@ -19,9 +19,9 @@ std::optional<std::size_t> imageCornerAt(const QPointF &position, const CanvasSo
                                          const CanvasView &view);
 
 /// Asks for an image with one corner elsewhere, where the document's snap puts it; beyond ±2^30 px
-/// nothing happens.
+/// nothing happens. Moves that share a drag number are one edit.
 void moveImageCorner(const CanvasSources &sources, AffineImage image, std::size_t corner,
-                     const LatticePoint &target);
+                     const LatticePoint &target, int drag);
 
 /// The image that was asked for of a triangle which is not drawn now: hidden, or taken away.
 struct ImageOfUndrawn {

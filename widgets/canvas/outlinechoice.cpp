@@ -42,8 +42,10 @@ void OutlineChoice::lookUp(const SceneDocument &document, const ViewMapping &map
     m_view = view;
     m_inView.clear();
     const Scene &scene = document.scene();
-    const SceneBox box = sceneBoxOf(
+    SceneBox box = sceneBoxOf(
         view.adjusted(-handleMargin, -handleMargin, handleMargin, handleMargin), mapping);
+    box.least = document.fromFrameInHand(box.least);
+    box.greatest = document.fromFrameInHand(box.greatest);
     for (std::size_t i = 0; i < scene.triangles.size() && m_inView.size() <= mostInView; ++i) {
         if (box.touches(scene.triangles[i]))
             m_inView.push_back(int(i));

@@ -187,6 +187,7 @@ void SceneFiles::newScene()
     Scene scene;
     scene.frame = m_document->scene().frame;
     scene.settings = m_document->scene().settings;
+    scene.settings.variants = {}; // what is begun is begun right
     scene.method = m_document->scene().method;
     replaceBy(std::move(scene), {});
     emit begun();

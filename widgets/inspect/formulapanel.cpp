@@ -27,7 +27,9 @@ namespace pixelplumb {
 namespace {
 
 constexpr int leastFormulaLines = 1;
+constexpr int widthForBeside = 55; ///< characters
 constexpr float bannerTint = 0.18F;
+constexpr double tableExcess = 2; // logical pixels, by columns' widths that are rounded up
 
 QString nounOf(SpanAxis axis)
 {
@@ -151,10 +153,11 @@ void FormulaPanel::present(const Explanation &explanation)
                                         + sentenceHtml(explanation.event)));
     m_sentence->setText(sentenceHtml(explanation.sentence));
 
+    m_symbols = channelSymbols();
     const int scrolled = m_formulas->verticalScrollBar()->value();
     // From space to the frame comes before what is done there.
     m_formulas->setHtml(stagesHtml(explanation, arithmetic(), palette())
-                        + formulaHtml(explanation, arithmetic(), palette()));
+                        + formulaHtml(explanation, arithmetic(), palette(), channelSymbols()));
     m_formulas->verticalScrollBar()->setValue(scrolled);
     setAccessibleDescription(heading + QStringLiteral(". ") + explanation.sentence + u'\n'
                              + formulaText(explanation, arithmetic()));
@@ -174,7 +177,8 @@ bool FormulaPanel::isScrolledTo(const Explanation &explanation) const
 /// A table of the whole width is taken to be a little wider than it can be.
 void FormulaPanel::fitScrollBar()
 {
-    const bool fits = m_formulas->document()->idealWidth() <= m_formulas->viewport()->width();
+    const double excess = m_formulas->document()->idealWidth() - m_formulas->viewport()->width();
+    const bool fits = excess <= tableExcess;
     m_formulas->setHorizontalScrollBarPolicy(fits ? Qt::ScrollBarAlwaysOff : Qt::ScrollBarAsNeeded);
 }
 
@@ -194,6 +198,13 @@ void FormulaPanel::growTo(int formulas)
     emit neededHeightChanged();
 }
 
+ChannelSymbols FormulaPanel::channelSymbols() const
+{
+    return m_formulas->viewport()->width() >= widthForBeside * fontMetrics().averageCharWidth()
+        ? ChannelSymbols::Beside
+        : ChannelSymbols::Above;
+}
+
 /// Were the explanation in the panel.
 int FormulaPanel::sentenceHeight(const Explanation &explanation) const
 {
@@ -211,7 +222,7 @@ int FormulaPanel::formulasHeight(const Explanation &explanation) const
     QTextDocument document;
     document.setDefaultFont(m_formulas->font());
     document.setDocumentMargin(m_formulas->document()->documentMargin());
-    document.setHtml(formulaHtml(explanation, arithmetic(), palette()));
+    document.setHtml(formulaHtml(explanation, arithmetic(), palette(), channelSymbols()));
     document.setTextWidth(m_formulas->viewport()->width());
     return int(std::ceil(document.size().height()));
 }
@@ -263,6 +274,8 @@ void FormulaPanel::showEvent(QShowEvent *event)
 void FormulaPanel::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
+    if (channelSymbols() != m_symbols)
+        explainStep();
     fitScrollBar();
     const bool isSqueezed
         = height() < m_neededHeight && QGuiApplication::mouseButtons() == Qt::NoButton;

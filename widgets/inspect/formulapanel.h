@@ -2,6 +2,7 @@
 #pragma once
 
 #include "core/scan/scansettings.h"
+#include "widgets/look/formulahtml.h"
 
 #include <QString>
 #include <QTimer>
@@ -51,11 +52,13 @@ private:
     int sentenceHeight(const Explanation &explanation) const;
     int formulasHeight(const Explanation &explanation) const;
     Arithmetic arithmetic() const;
+    ChannelSymbols channelSymbols() const;
 
     Playhead *m_playhead;
     QLabel *m_heading;
     QLabel *m_sentence;
     QTextBrowser *m_formulas;
+    ChannelSymbols m_symbols = ChannelSymbols::Above; ///< as they are shown
     int m_neededHeight = 0;
     /// What the needed height is of: method, arithmetic and the width of the formulas.
     std::tuple<QString, Arithmetic, int> m_measured;

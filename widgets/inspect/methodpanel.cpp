@@ -11,8 +11,10 @@
 #include "widgets/look/signs.h"
 #include "widgets/model/playhead.h"
 
+#include <QAbstractTextDocumentLayout>
 #include <QEvent>
 #include <QScrollBar>
+#include <QTextBlock>
 #include <QTextBrowser>
 #include <QVBoxLayout>
 
@@ -24,6 +26,8 @@ namespace {
 
 constexpr int indentation = 20; // logical pixels a depth
 constexpr float lineTint = 0.18F;
+constexpr int roomAround = 8; // logical pixels beside the lines in hand, when they are scrolled to
+const QString lineMark = QStringLiteral("▶");
 
 /// A row of the table of lines: the mark beside it, then the text.
 QString lineHtml(const PseudocodeLine &line, bool isInHand, const QColor &tint)
@@ -31,7 +35,7 @@ QString lineHtml(const PseudocodeLine &line, bool isInHand, const QColor &tint)
     return QStringLiteral("<tr%1><td width=16 align=center>%2</td><td style=\"padding-left:%3px\">"
                           "%4</td></tr>")
         .arg(isInHand ? QStringLiteral(" bgcolor=\"%1\"").arg(tint.name()) : QString(),
-             isInHand ? QStringLiteral("▶") : QString())
+             isInHand ? lineMark : QString())
         .arg(indentation * line.depth + 4)
         .arg(sentenceHtml(line.text));
 }
@@ -117,7 +121,35 @@ void MethodPanel::present()
                              variantsHtml(traced->scene.settings.variants, method.spanAxis), rows,
                              tr("From: %1.").arg(method.source).toHtmlEscaped()));
     m_text->verticalScrollBar()->setValue(scrolled);
+    showLinesInHand();
     setAccessibleDescription(inHand.join(QStringLiteral("; ")));
+}
+
+/// As little as is needed: all lines in hand, or as many as there is room for, from the first.
+void MethodPanel::showLinesInHand()
+{
+    const QTextDocument &document = *m_text->document();
+    QRectF lines;
+    for (QTextCursor mark = document.find(lineMark); !mark.isNull();
+         mark = document.find(lineMark, mark)) {
+        // The row's end is that of its text, in the cell behind the mark's.
+        const QTextBlock text = mark.block().next();
+        lines |= document.documentLayout()->blockBoundingRect(mark.block());
+        lines |= document.documentLayout()->blockBoundingRect(text);
+    }
+    if (lines.isNull())
+        return;
+    QScrollBar *bar = m_text->verticalScrollBar();
+    const int top = int(lines.top()) - roomAround;
+    const int bottom = int(lines.bottom()) + 1 + roomAround;
+    const int lowest = std::max(bar->value(), bottom - m_text->viewport()->height());
+    bar->setValue(std::min(lowest, top));
+}
+
+void MethodPanel::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    showLinesInHand();
 }
 
 void MethodPanel::changeEvent(QEvent *event)

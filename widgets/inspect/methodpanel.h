@@ -10,7 +10,8 @@ namespace pixelplumb {
 class Playhead;
 
 /// This method: what it does, where it comes from, and its pseudocode with the lines that the step
-/// in hand does marked by ▶ and a tint (objectName "methodPanel", its text "methodText").
+/// in hand does marked by ▶ and a tint, and in view (objectName "methodPanel", its text
+/// "methodText").
 class MethodPanel : public QWidget {
     Q_OBJECT
 
@@ -21,11 +22,13 @@ public:
 
 protected:
     void changeEvent(QEvent *event) override;
+    void resizeEvent(QResizeEvent *event) override;
     void showEvent(QShowEvent *event) override;
 
 private:
     void schedulePresentation();
     void present();
+    void showLinesInHand();
 
     Playhead *m_playhead;
     QTextBrowser *m_text;

@@ -185,25 +185,25 @@ void PredictPanel::ask()
     m_state = State::Open;
     m_answer->clear();
     m_verdict->clear();
-    const Prediction *asked = prediction();
-    if (asked)
-        m_question->setText(sentenceHtml(
-            tr("%1: what is %2? A fraction, or a decimal rounded to %3 places or more.")
-                .arg(coreWord(asked->place), asked->words)
-                .arg(leastPlaces)));
-    else if (asksForPixel())
+    QString example;
+    if (const Prediction *asked = prediction()) {
+        const bool isWhole = asksForWhole(*asked);
+        example = isWhole ? tr("9") : tr("9, 8.63, 53/2 or 8 10/27");
+        m_question->setText(
+            sentenceHtml(tr("%1: what is %2?").arg(coreWord(asked->place), asked->words) + u' '
+                         + (isWhole ? tr("A whole number.")
+                                    : tr("A fraction, or a decimal rounded to %1 places or more.")
+                                          .arg(leastPlaces))));
+    } else if (asksForPixel()) {
+        example = tr("x, y");
         m_question->setText(
             tr("Which pixel is written next? Type its x, y, right-click it, or go there with the "
                "arrow keys and press Check."));
-    else
+    } else {
         m_question->setText(tr("Nothing lies ahead: step back, or run to the start."));
-    m_answer->setPlaceholderText(asked                ? tr("9, 8.63, 53/2 or 8 10/27")
-                                     : asksForPixel() ? tr("x, y")
-                                                      : QString());
-    if (asked || asksForPixel())
-        offer({m_answer, m_check, m_show});
-    else
-        offer({});
+    }
+    m_answer->setPlaceholderText(example);
+    offer(example.isEmpty() ? QList<QWidget *>() : QList<QWidget *>{m_answer, m_check, m_show});
 }
 
 void PredictPanel::check()

@@ -23,6 +23,7 @@ namespace {
 // Logical pixels.
 constexpr int cellMargin = 4;
 constexpr int widthForPlaces = 360; ///< of the panel
+constexpr int nameWidth = 110; ///< that long numbers leave
 
 } // namespace
 
@@ -72,23 +73,31 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     });
     connect(m_model, &QAbstractItemModel::modelReset, this, &PrimitivesPanel::followReset);
     connect(document, &SceneDocument::sceneChanged, this, &PrimitivesPanel::update);
+    connect(m_tree, &QTreeView::expanded, this, &PrimitivesPanel::fitColumns);
     followSelection();
 }
 
-/// A name has what numbers and a colour, which are read to their last digit, leave of the width.
+/// A name has what numbers and a colour leave of the width. Numbers are read to their last digit:
+/// those in view, while there is room for the names.
 void PrimitivesPanel::fitColumns()
 {
     QHeaderView *header = m_tree->header();
-    const QFontMetrics metrics = m_tree->fontMetrics();
     const auto fit = [&](int column, const QString &widest, int beside) {
-        const int text = metrics.horizontalAdvance(widest) + beside + 2 * cellMargin;
+        const int text = m_tree->fontMetrics().horizontalAdvance(widest) + beside + 2 * cellMargin;
         header->resizeSection(column, std::max(text, header->sectionSizeHint(column)));
     };
     fit(PrimitiveListModel::Place, QStringLiteral("00"), 0);
-    fit(PrimitiveListModel::X, QStringLiteral("000.0"), 0);
-    fit(PrimitiveListModel::Y, QStringLiteral("000.0"), 0);
     fit(PrimitiveListModel::ColourText, QStringLiteral("#dddddd"),
         style()->pixelMetric(QStyle::PM_SmallIconSize) + cellMargin);
+    const int room = m_tree->viewport()->width() - nameWidth
+        - header->sectionSize(PrimitiveListModel::Place) // hidden: 0
+        - header->sectionSize(PrimitiveListModel::ColourText);
+    for (const int column : {PrimitiveListModel::X, PrimitiveListModel::Y}) {
+        fit(column, QStringLiteral("000.0"), 0);
+        const int least = header->sectionSize(column);
+        const int asked = static_cast<QAbstractItemView *>(m_tree)->sizeHintForColumn(column);
+        header->resizeSection(column, std::clamp(asked, least, std::max(least, room / 2)));
+    }
     header->setStretchLastSection(false);
     header->setSectionResizeMode(PrimitiveListModel::Name, QHeaderView::Stretch);
 }
@@ -98,6 +107,7 @@ void PrimitivesPanel::resizeEvent(QResizeEvent *event)
 {
     QWidget::resizeEvent(event);
     m_tree->setColumnHidden(PrimitiveListModel::Place, width() < widthForPlaces);
+    fitColumns();
 }
 
 /// Each as a button below the list and as an entry of the menu of its rows.
@@ -201,6 +211,7 @@ void PrimitivesPanel::followSelection()
 
 void PrimitivesPanel::update()
 {
+    fitColumns();
     const int count = m_document->primitiveCount();
     const std::size_t solids = m_document->scene().solids.size();
     QString text = tr("%n primitives", nullptr, count);

@@ -27,7 +27,6 @@ struct FormulaHtml {
     Q_DECLARE_TR_FUNCTIONS(pixelplumb::FormulaHtml)
 };
 
-/// What a group's first line begins with.
 QString titleOf(NumberSubject subject)
 {
     if (subject == NumberSubject::LowerEdge)
@@ -109,8 +108,10 @@ QString errorText(const FormulaLine &line)
 
 class HtmlWriter {
 public:
-    HtmlWriter(Arithmetic arithmetic, const QPalette &palette)
+    HtmlWriter(Arithmetic arithmetic, const QPalette &palette,
+               ChannelSymbols symbols = ChannelSymbols::Above)
         : m_arithmetic(arithmetic)
+        , m_symbols(symbols)
         , m_palette(palette)
         , m_quiet(blended(palette.color(QPalette::Text), palette.color(QPalette::Base), quietShare)
                       .name())
@@ -147,16 +148,21 @@ public:
         compare(line);
     }
 
-    /// The symbols once, then a row for each channel.
+    /// The symbols once, beside the channels' rows where they are short, else above them.
     void append(const ChannelFormula &formula)
     {
-        row(wide(typesetHtml(formula.symbols)));
+        const auto place = isShort(*formula.lines.front()) ? m_symbols : ChannelSymbols::Above;
+        const bool isBeside = place == ChannelSymbols::Beside;
+        QString symbols = typesetHtml(formula.symbols);
+        if (!isBeside)
+            row(wide(symbols));
         for (const FormulaLine *line : formula.lines) {
-            row(QStringLiteral("<td width='16'>%1</td><td>%2</td>")
-                    .arg(channelOf(*line).value_or(QChar()))
-                    .arg(quiet(equals(*line)))
+            const QString channel = QStringLiteral("%1 &nbsp;%2")
+                                        .arg(channelOf(*line).value_or(QChar()))
+                                        .arg(quiet(equals(*line)));
+            row((isBeside ? beside(std::exchange(symbols, {}), channel) : wide(channel))
                 + used(*line));
-            compare(*line);
+            compare(*line, place);
         }
     }
 
@@ -186,17 +192,28 @@ private:
         return QStringLiteral("<td colspan='2'>%1</td>").arg(html);
     }
 
+    /// The first cell is as wide as its text.
+    static QString beside(const QString &symbols, const QString &html)
+    {
+        return QStringLiteral("<td width='1'><p style='white-space:nowrap; margin:0'>%1</p></td>"
+                              "<td>%2</td>")
+            .arg(symbols.isEmpty() ? symbols : symbols + QStringLiteral(" &nbsp;"), html);
+    }
+
     QString used(const FormulaLine &line) const
     {
         return QStringLiteral("<td align='right'>%1</td>").arg(usedHtml(line, m_arithmetic));
     }
 
     /// The exact number and the error, where the arithmetic rounds.
-    void compare(const FormulaLine &line)
+    void compare(const FormulaLine &line, ChannelSymbols symbols = ChannelSymbols::Above)
     {
-        if (isCompared(line, m_arithmetic))
-            row(QStringLiteral("<td width='16'></td><td>%1</td><td align='right'>%2</td>")
-                    .arg(quiet(typesetHtml(exactText(line))), quiet(errorText(line))));
+        if (!isCompared(line, m_arithmetic))
+            return;
+        const QString exact
+            = QStringLiteral("&nbsp; &nbsp; ") + quiet(typesetHtml(exactText(line)));
+        row((symbols == ChannelSymbols::Beside ? beside({}, exact) : wide(exact))
+            + QStringLiteral("<td align='right'>%1</td>").arg(quiet(errorText(line))));
     }
 
     void row(const QString &cells)
@@ -211,6 +228,7 @@ private:
     }
 
     Arithmetic m_arithmetic;
+    ChannelSymbols m_symbols;
     const QPalette &m_palette;
     QString m_quiet;
     QString m_bar;
@@ -220,9 +238,10 @@ private:
 
 } // namespace
 
-QString formulaHtml(const Explanation &explanation, Arithmetic arithmetic, const QPalette &palette)
+QString formulaHtml(const Explanation &explanation, Arithmetic arithmetic, const QPalette &palette,
+                    ChannelSymbols symbols)
 {
-    HtmlWriter writer(arithmetic, palette);
+    HtmlWriter writer(arithmetic, palette, symbols);
     for (const NumberSubject subject : otherSubjects) {
         bool hasBegun = false;
         for (const FormulaLine &line : explanation.lines) {

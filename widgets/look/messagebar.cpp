@@ -4,9 +4,11 @@
 #include "widgets/look/signs.h"
 
 #include <QAccessible>
+#include <QApplication>
 #include <QBoxLayout>
-#include <QEvent>
+#include <QKeyEvent>
 #include <QLabel>
+#include <QMouseEvent>
 #include <QToolButton>
 
 #include <algorithm>
@@ -31,7 +33,7 @@ MessageBar::MessageBar(QWidget *covered)
     setAccessibleName(tr("Message"));
     setAutoFillBackground(true);
     setFrameShape(QFrame::StyledPanel);
-    setCursor(Qt::ArrowCursor);
+    setMouseTracking(true); // what is not the button's goes on to the widget below
     setBackgroundRole(QPalette::ToolTipBase);
     setForegroundRole(QPalette::ToolTipText);
     m_glyph->setObjectName(QStringLiteral("messageKind"));
@@ -39,8 +41,9 @@ MessageBar::MessageBar(QWidget *covered)
     m_text->setAccessibleName(tr("No message"));
     m_text->setWordWrap(true);
     m_text->setTextFormat(Qt::PlainText);
-    m_text->setTextInteractionFlags(Qt::TextSelectableByMouse);
     m_text->setForegroundRole(QPalette::ToolTipText);
+    for (QLabel *label : {m_glyph, m_text})
+        label->setAttribute(Qt::WA_TransparentForMouseEvents);
     QFont bold = font();
     bold.setBold(true);
     m_glyph->setFont(bold);
@@ -50,6 +53,7 @@ MessageBar::MessageBar(QWidget *covered)
     close->setText(tr("Close"));
     close->setAccessibleName(tr("Close the message"));
     close->setAutoRaise(true);
+    close->setCursor(Qt::ArrowCursor);
     connect(close, &QToolButton::clicked, this, &QWidget::hide);
 
     auto *row = new QHBoxLayout(this);
@@ -64,9 +68,43 @@ MessageBar::MessageBar(QWidget *covered)
 
 bool MessageBar::eventFilter(QObject *watched, QEvent *event)
 {
-    if (event->type() == QEvent::Resize && !isHidden())
+    if (watched == parentWidget() && event->type() == QEvent::Resize && !isHidden())
         place();
+    if (isNextChoice(*watched, *event))
+        hide();
     return QFrame::eventFilter(watched, event);
+}
+
+/// Shift and its like alone choose nothing. A click on the bar is one on what lies below, which
+/// gets it through the bar: that goes at its end.
+bool MessageBar::isNextChoice(const QObject &watched, const QEvent &event) const
+{
+    if (!watched.isWidgetType() || !isVisible())
+        return false;
+    if (event.type() == QEvent::MouseButtonRelease)
+        return &watched == this;
+    if (event.type() == QEvent::MouseButtonPress) {
+        const auto *pressed = static_cast<const QWidget *>(&watched);
+        const QPoint place = static_cast<const QMouseEvent &>(event).position().toPoint();
+        const bool isThroughBar = pressed == parentWidget() && geometry().contains(place);
+        return pressed != this && !isAncestorOf(pressed) && !isThroughBar;
+    }
+    if (event.type() != QEvent::KeyPress && event.type() != QEvent::ShortcutOverride)
+        return false;
+    const int key = static_cast<const QKeyEvent &>(event).key();
+    return key < Qt::Key_Shift || key > Qt::Key_ScrollLock;
+}
+
+void MessageBar::showEvent(QShowEvent *event)
+{
+    QFrame::showEvent(event);
+    qApp->installEventFilter(this);
+}
+
+void MessageBar::hideEvent(QHideEvent *event)
+{
+    QFrame::hideEvent(event);
+    qApp->removeEventFilter(this);
 }
 
 /// As wide as the text asks for, and as high as that makes it.

@@ -8,7 +8,8 @@ class QLabel;
 namespace pixelplumb {
 
 /// What went wrong or is worth knowing, told over the lower part of a widget without moving it.
-/// Stays until it is closed, replaced or hidden.
+/// Stays until it is closed, replaced or hidden, or until the person goes on: with a key, or with a
+/// press elsewhere. What lies under it can be clicked all the same.
 class MessageBar : public QFrame {
     Q_OBJECT
 
@@ -25,10 +26,13 @@ public slots:
 
 protected:
     bool eventFilter(QObject *watched, QEvent *event) override;
+    void showEvent(QShowEvent *event) override;
+    void hideEvent(QHideEvent *event) override;
 
 private:
     void show(Kind kind, const QString &text);
     void place();
+    bool isNextChoice(const QObject &watched, const QEvent &event) const;
 
     QLabel *m_glyph;
     QLabel *m_text;

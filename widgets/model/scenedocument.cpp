@@ -170,6 +170,7 @@ void SceneDocument::reset(Scene scene)
     m_pending.clear();
     m_chosenColour.reset();
     m_selected.reset();
+    m_frameInHand = 0;
     m_undoStack.clear();
     markSaved();
     emit opened();

@@ -32,6 +32,13 @@ public:
     int hiddenCount() const { return int(m_scene.hidden.size()); } ///< without solids
     /// The scene as it stands, for work beside the GUI thread. Made once a change, when asked for.
     std::shared_ptr<const Scene> snapshot() const;
+    /// The frame of the scene's motion that is looked at, 0 … frames − 1; no part of what is saved.
+    int frameInHand() const { return m_frameInHand; }
+    /// The scene at that frame, where it stands; at frame 0 the snapshot itself.
+    std::shared_ptr<const Scene> snapshotInHand() const;
+    /// Where a point of the scene is at that frame, and of which point a place there is.
+    LatticePoint atFrameInHand(const LatticePoint &point) const;
+    LatticePoint fromFrameInHand(const LatticePoint &place) const;
     const std::vector<Vertex> &pendingVertices() const { return m_pending; }
     QUndoStack *undoStack() { return &m_undoStack; }
     /// Whether closing would lose something: the primitives, settings or waiting vertices are not
@@ -123,12 +130,14 @@ public slots:
     void setSnap(pixelplumb::Snap snap);
     void setNextColour(const pixelplumb::Colour &colour);
     void selectVertex(const std::optional<pixelplumb::VertexRef> &ref);
+    void setFrameInHand(int frame); ///< the nearest that there is
 
 signals:
     void opened(); ///< reset() has taken another scene
     /// An edit gives the triangles of the run, those of solids among them, these numbers.
     void trianglesRenumbered(const pixelplumb::TriangleRenumbering &numberAfter);
     void sceneChanged(); ///< primitives, frame, settings or method
+    void frameInHandChanged(); ///< while the scene stays as it is
     void pendingChanged();
     void selectionChanged();
     void snapChanged();
@@ -152,11 +161,14 @@ private:
     void tellRenumbering(const ScenePiece &before, const ScenePiece &after);
     void tellModified();
     bool accepts(const LatticePoint &position);
+    void followMotion();
     void tellSceneChanged();
     void tellAdaptation(const ScanSettings &asked);
 
     Scene m_scene;
     mutable std::shared_ptr<const Scene> m_snapshot; ///< null until asked for after a change
+    int m_frameInHand = 0;
+    LatticePoint m_way; ///< from frame 0 to the frame in hand
     std::vector<Vertex> m_pending;
     QUndoStack m_undoStack;
     /// Numbers of the scene's states, waiting vertices apart: an edit of these alone keeps it.

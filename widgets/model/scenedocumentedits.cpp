@@ -161,7 +161,9 @@ void SceneDocument::discardPending()
 {
     const auto isOfPending = [this] {
         const int last = m_undoStack.index() - 1;
-        return last >= 0 && static_cast<const SceneEdit *>(m_undoStack.command(last))->keepsScene();
+        const auto *edit
+            = last >= 0 ? dynamic_cast<const SceneEdit *>(m_undoStack.command(last)) : nullptr;
+        return edit && edit->keepsScene();
     };
     while (!m_pending.empty() && isOfPending())
         m_undoStack.undo();

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/model/scenedocument.h"
 
+#include <algorithm>
+#include <utility>
+
 /// The states that a document goes through: a scene for others to work on, saved or not.
 namespace pixelplumb {
 
@@ -17,9 +20,46 @@ std::shared_ptr<const Scene> SceneDocument::snapshot() const
     return m_snapshot;
 }
 
+std::shared_ptr<const Scene> SceneDocument::snapshotInHand() const
+{
+    if (m_frameInHand == 0)
+        return snapshot(); // all that is known of the scene is known of this very one
+    return std::make_shared<const Scene>(sceneAtFrame(*snapshot(), m_frameInHand));
+}
+
+LatticePoint SceneDocument::atFrameInHand(const LatticePoint &point) const
+{
+    return {point.x + m_way.x, point.y + m_way.y};
+}
+
+LatticePoint SceneDocument::fromFrameInHand(const LatticePoint &place) const
+{
+    return {place.x - m_way.x, place.y - m_way.y};
+}
+
+void SceneDocument::setFrameInHand(int frame)
+{
+    const int before = std::exchange(m_frameInHand, frame);
+    followMotion();
+    if (m_frameInHand != before)
+        emit frameInHandChanged();
+}
+
+/// The way is that of a triangle at the origin, so that it is rounded as the scene's are.
+void SceneDocument::followMotion()
+{
+    Scene origin;
+    origin.motion = m_scene.motion;
+    origin.triangles.resize(1);
+    const int last = m_scene.motion ? m_scene.motion->frames - 1 : 0;
+    m_frameInHand = std::clamp(m_frameInHand, 0, last);
+    m_way = sceneAtFrame(origin, m_frameInHand).triangles.front().vertices[0].position;
+}
+
 void SceneDocument::tellSceneChanged()
 {
     m_snapshot.reset();
+    followMotion();
     emit sceneChanged();
 }
 

@@ -4,7 +4,6 @@
 #include <QAbstractButton>
 #include <QAbstractItemView>
 #include <QApplication>
-#include <QComboBox>
 #include <QKeyEvent>
 
 namespace pixelplumb {
@@ -19,7 +18,7 @@ bool isSpace(const QKeyEvent &event)
 /// Fields that are typed in keep the key by themselves.
 bool usesSpace(const QWidget *focus)
 {
-    if (qobject_cast<const QAbstractButton *>(focus) || qobject_cast<const QComboBox *>(focus))
+    if (qobject_cast<const QAbstractButton *>(focus))
         return true;
     const auto *view = qobject_cast<const QAbstractItemView *>(focus);
     return view && view->currentIndex().flags().testFlag(Qt::ItemIsUserCheckable);

@@ -7,9 +7,9 @@ class QWidget;
 
 namespace pixelplumb {
 
-/// Leaves Space to those who have a use for it: to fields that are typed in, to a button or a box
-/// in focus, which it presses or opens, and to a cell in hand that it checks. From everywhere else
-/// it plays or pauses.
+/// Leaves Space to those who have a use for it: to fields that are typed in, to a button in focus,
+/// which it presses, and to a cell in hand that it checks. From everywhere else it plays or pauses:
+/// also from a box, which other keys open and in which something was just chosen.
 class PlayKey : public QObject {
     Q_OBJECT
 

@@ -66,6 +66,7 @@ EffectsPanel::EffectsPanel(SceneDocument *document, EffectSwitches *switches, QW
     layout->addLayout(controls());
     layout->addWidget(m_table, 1);
     connect(document, &SceneDocument::sceneChanged, this, &EffectsPanel::forget);
+    connect(document, &SceneDocument::frameInHandChanged, this, &EffectsPanel::forget);
     connect(switches, &EffectSwitches::changed, this, &EffectsPanel::forget);
     forget();
 }
@@ -157,7 +158,7 @@ void EffectsPanel::addSwitch(int row, Effect effect)
 
 std::shared_ptr<const Scene> EffectsPanel::drawnScene() const
 {
-    return m_switches->applied(m_document->snapshot());
+    return m_switches->applied(m_document->snapshotInHand());
 }
 
 void EffectsPanel::forget()
@@ -261,7 +262,7 @@ void EffectsPanel::measure()
     m_timing.reset();
     showTiming();
     m_measureJob.start(
-        [scene = m_document->snapshot()](const ProgressListener &listener) {
+        [scene = m_document->snapshotInHand()](const ProgressListener &listener) {
             TimingOptions options;
             options.progress = listener;
             return timeEffects(*scene, options);

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/motionpanel.h"
 
-#include "core/frame/framebuffer.h"
 #include "core/runs/sceneplan.h"
-#include "core/runs/tracedscene.h"
 #include "core/scene/coordinatetext.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/look/stepicons.h"
@@ -18,6 +16,7 @@
 #include <QSignalBlocker>
 #include <QSlider>
 #include <QSpinBox>
+#include <QStyle>
 #include <QTableWidget>
 #include <QToolButton>
 
@@ -33,15 +32,6 @@ Part *namedPart(Part *part, const char *name, const QString &accessible)
     part->setObjectName(QString::fromLatin1(name));
     part->setAccessibleName(accessible);
     return part;
-}
-
-/// The scene's picture at a frame, and where it differs from the frame before in what is painted.
-MotionPicture pictureAt(const Scene &scene, int frame)
-{
-    const Scene moved = sceneAtFrame(scene, frame);
-    const FrameBuffer buffer(moved.frame);
-    drawScene(moved, buffer);
-    return {buffer.copy(), toggledPixels(scene, frame)};
 }
 
 } // namespace
@@ -69,7 +59,7 @@ MotionPanel::MotionPanel(SceneDocument *document, QWidget *parent)
     auto *shown = new QHBoxLayout;
     shown->setSpacing(8);
     shown->addWidget(m_view, 1);
-    shown->addWidget(m_table, 1);
+    shown->addWidget(m_table);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(8, 8, 8, 8);
     layout->setSpacing(8);
@@ -82,6 +72,8 @@ MotionPanel::MotionPanel(SceneDocument *document, QWidget *parent)
         m_slider->setValue(m_slider->value() < m_slider->maximum() ? m_slider->value() + 1 : 0);
     });
     connect(document, &SceneDocument::sceneChanged, this, &MotionPanel::followScene);
+    connect(document, &SceneDocument::frameInHandChanged, this,
+            [this] { m_slider->setValue(m_document->frameInHand()); });
     followScene();
 }
 
@@ -132,6 +124,7 @@ QBoxLayout *MotionPanel::playRow()
     row->addWidget(m_slider, 1);
     row->addWidget(m_position);
     connect(m_play, &QToolButton::toggled, this, &MotionPanel::play);
+    connect(m_slider, &QSlider::valueChanged, m_document, &SceneDocument::setFrameInHand);
     connect(m_slider, &QSlider::valueChanged, this, &MotionPanel::showFrame);
     return row;
 }
@@ -151,6 +144,17 @@ void MotionPanel::makeTable()
     m_table->horizontalHeader()->setDefaultAlignment(Qt::AlignRight | Qt::AlignVCenter);
     connect(m_table, &QTableWidget::currentCellChanged, m_slider,
             [this](int row) { m_slider->setValue(std::max(row, 0)); });
+}
+
+/// The picture takes the room that is left.
+void MotionPanel::showAllColumns()
+{
+    int width = m_table->verticalHeader()->sizeHint().width()
+        + m_table->style()->pixelMetric(QStyle::PM_ScrollBarExtent);
+    for (int column = 0; column < m_table->columnCount(); ++column)
+        width += std::max(m_table->horizontalHeader()->sectionSizeHint(column),
+                          static_cast<QAbstractItemView *>(m_table)->sizeHintForColumn(column));
+    m_table->setFixedWidth(width + 4); // px: what styles keep about a bar
 }
 
 void MotionPanel::play(bool isPlaying)
@@ -188,6 +192,7 @@ void MotionPanel::followScene()
     m_stop->setEnabled(motion.has_value());
     m_play->setEnabled(motion.has_value());
     m_slider->setEnabled(motion.has_value());
+    m_slider->setValue(m_document->frameInHand()); // before a new end moves it
     m_slider->setMaximum(motion ? motion->frames - 1 : 0);
     for (QWidget *each :
          std::initializer_list<QWidget *>{m_view, m_table, m_slider, m_play, m_position})
@@ -247,6 +252,7 @@ void MotionPanel::take(std::optional<MotionStudy> study)
             m_table->setItem(int(row), column++, item);
         }
     }
+    showAllColumns();
     m_table->setCurrentCell(m_slider->value(), 0);
     tell();
     emit studied();
@@ -283,8 +289,9 @@ void MotionPanel::showFrame()
         return;
     }
     m_position->setText(tr("frame %1 of %2").arg(frame).arg(scene->motion->frames - 1));
-    m_drawing.start([scene, frame](const ProgressListener &) { return pictureAt(*scene, frame); },
-                    [this](const MotionPicture &picture) { m_view->setPicture(picture); });
+    m_drawing.start(
+        [scene, frame](const ProgressListener &) { return motionPicture(*scene, frame); },
+        [this](const MotionPicture &picture) { m_view->setPicture(picture); });
     const QSignalBlocker blocker(m_table);
     m_table->setCurrentCell(frame, 0);
 }

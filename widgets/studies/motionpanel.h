@@ -23,8 +23,8 @@ class SceneDocument;
 
 /// Moving slivers: lets the document's scene move, plays it, and counts what flickers: the pixels
 /// of each frame and those that come or go, beside the truth (objectName "motion", its table
-/// "motionTable"). Draws beside the GUI thread, and only while it is seen. The document's own
-/// picture stays at frame 0.
+/// "motionTable"). Draws beside the GUI thread, and only while it is seen. The frame of its slider
+/// is the document's frame in hand, which the window traces and shows.
 class MotionPanel : public QWidget {
     Q_OBJECT
 
@@ -48,6 +48,7 @@ private:
     QBoxLayout *motionRow();
     QBoxLayout *playRow();
     void makeTable();
+    void showAllColumns();
     void setMotion();
     void followScene();
     void count();

@@ -13,6 +13,8 @@ namespace pixelplumb {
 namespace {
 
 constexpr double leastMarkedCell = 3; // logical pixels: in a smaller one a frame would hide it
+constexpr double leastSignCell = 7; // logical pixels: in a smaller one a glyph is a blot
+constexpr QColor outlineColour(150, 150, 150); // told from a black and from a white ground
 
 } // namespace
 
@@ -26,8 +28,27 @@ MotionView::MotionView(QWidget *parent)
 void MotionView::setPicture(const MotionPicture &picture)
 {
     m_picture = picture;
-    setAccessibleDescription(tr("%n pixels came or went", nullptr, int(picture.toggled.size())));
+    setAccessibleDescription(
+        tr("%n pixels came or went", nullptr, int(picture.toggled.size())) + QStringLiteral(", ")
+        + tr("%n pixels of the truth are missing", nullptr, int(picture.missing.size())));
     update();
+}
+
+void MotionView::drawMissing(QPainter &painter, double cell) const
+{
+    const QColor colour = signColour(Sign::Missing, palette());
+    QFont glyph = font();
+    glyph.setPixelSize(std::max(1, int(cell * 0.9)));
+    painter.setFont(glyph);
+    for (const QPoint &pixel : m_picture.missing) {
+        const QRectF place(pixel.x() * cell, pixel.y() * cell, cell, cell);
+        painter.fillRect(place, palette().color(QPalette::Base));
+        painter.setPen(colour);
+        if (cell >= leastSignCell)
+            painter.drawText(place, Qt::AlignCenter, signGlyph(Sign::Missing));
+        else
+            painter.fillRect(place.adjusted(1, 1, -1, -1), colour);
+    }
 }
 
 void MotionView::paintEvent(QPaintEvent *)
@@ -39,8 +60,15 @@ void MotionView::paintEvent(QPaintEvent *)
     const double fit = std::min(double(width()) / image.width(), double(height()) / image.height());
     const double cell = fit >= 1 ? std::floor(fit) : fit;
     painter.drawImage(QRectF(0, 0, cell * image.width(), cell * image.height()), image);
+    painter.setClipRect(QRectF(0, 0, cell * image.width(), cell * image.height()));
+    painter.setRenderHint(QPainter::Antialiasing);
+    painter.setPen(QPen(outlineColour, 1));
+    for (const QPolygonF &outline : m_picture.outlines)
+        painter.drawPolygon(QTransform::fromScale(cell, cell).map(outline));
+    painter.setRenderHint(QPainter::Antialiasing, false);
     if (cell < leastMarkedCell)
         return;
+    drawMissing(painter, cell);
     painter.setPen(QPen(signColour(Sign::Changed, palette()), 1.5));
     for (const QPoint &pixel : m_picture.toggled)
         painter.drawRect(QRectF(pixel.x() * cell + 1, pixel.y() * cell + 1, cell - 2, cell - 2));

@@ -1,22 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QImage>
+#include "widgets/studies/motionpicture.h"
+
 #include <QWidget>
 
-#include <vector>
+class QPainter;
 
 namespace pixelplumb {
 
-/// A frame's picture, and the pixels that came or went since the frame before: places in the
-/// picture, from its top left corner.
-struct MotionPicture {
-    QImage image;
-    std::vector<QPoint> toggled;
-};
-
-/// One frame of a motion, as large as it fits in whole cells, with the pixels that came or went
-/// since the frame before in a frame of their own (objectName "motionView").
+/// One frame of a motion, as large as it fits in whole cells, under the outlines of its triangles;
+/// pixels that came or went since the frame before have a frame of their own, and those that the
+/// truth has beside it a `?` (objectName "motionView").
 class MotionView : public QWidget {
     Q_OBJECT
 
@@ -33,6 +28,8 @@ protected:
     void paintEvent(QPaintEvent *event) override;
 
 private:
+    void drawMissing(QPainter &painter, double cell) const;
+
     MotionPicture m_picture;
 };
 

@@ -2,6 +2,7 @@
 #include "widgets/window/layersmenu.h"
 
 #include "core/layers/layer.h"
+#include "widgets/canvas/imageedit.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/menuaction.h"
@@ -24,8 +25,11 @@ LayersMenu::LayersMenu(const WindowParts &parts, QWidget *window)
     const auto update = [options, none] { none->setEnabled(!options->layers().isEmpty()); };
     connect(options, &DisplayOptions::changed, none, update);
     update();
-    QAction *firstMap = addMenuAction(this, "firstAffineMap", tr("&First affine map again"), {},
-                                      [options] { options->setAffineImage(std::nullopt); });
+    QAction *firstMap
+        = addMenuAction(this, "firstAffineMap", tr("&First affine map again"), {},
+                        [options, document = parts.document] {
+                            document->undoStack()->push(new ImageEdit(*options, std::nullopt));
+                        });
     const auto follow
         = [options, firstMap] { firstMap->setEnabled(options->affineImage().has_value()); };
     connect(options, &DisplayOptions::changed, firstMap, follow);

@@ -29,6 +29,7 @@
 #include "widgets/stepping/stepactions.h"
 #include "widgets/stepping/stepperbar.h"
 #include "widgets/window/editmenu.h"
+#include "widgets/window/escapekey.h"
 #include "widgets/window/filemenu.h"
 #include "widgets/window/helpmenu.h"
 #include "widgets/window/layersmenu.h"
@@ -82,9 +83,13 @@ MainWindow::MainWindow(QWidget *parent)
     m_docks->panel<PrimitivesPanel>()->takeKeysOf(m_editMenu->deletion());
     new WheelGuard(this);
     auto *playKey = new PlayKey(this);
+    auto *escapeKey = new EscapeKey(m_parts.canvas, this);
     playKey->watch(this);
-    for (QDockWidget *dock : m_docks->all())
+    escapeKey->watch(this);
+    for (QDockWidget *dock : m_docks->all()) {
         playKey->watch(dock);
+        escapeKey->watch(dock);
+    }
     m_settings = std::make_unique<WindowSettings>(m_parts, this);
     if (!m_settings->restore())
         m_docks->reset();
@@ -203,6 +208,7 @@ void MainWindow::connectParts()
     connect(document, &SceneDocument::sceneChanged, m_parts.messageBar, &QWidget::hide);
     connect(document, &SceneDocument::pendingChanged, m_parts.messageBar, &QWidget::hide);
     connect(document, &SceneDocument::sceneChanged, this, &MainWindow::traceDocument);
+    connect(document, &SceneDocument::frameInHandChanged, this, &MainWindow::traceDocument);
     connect(m_parts.effects, &EffectSwitches::changed, this, &MainWindow::traceDocument);
     connect(document, &SceneDocument::modifiedChanged, this, &QWidget::setWindowModified);
     connect(document, &SceneDocument::refused, m_parts.messageBar, &MessageBar::complain);
@@ -217,8 +223,10 @@ void MainWindow::connectParts()
     connect(m_parts.files, &SceneFiles::replacing, m_parts.playhead,
             [this] { m_parts.playhead->setTraced(nullptr); });
     connect(m_parts.files, &SceneFiles::replacing, m_parts.effects, &EffectSwitches::reset);
-    connect(m_parts.files, &SceneFiles::begun, m_parts.canvas,
-            [canvas = m_parts.canvas] { canvas->setTool(CanvasTool::Draw); });
+    connect(m_parts.files, &SceneFiles::begun, m_parts.canvas, [canvas = m_parts.canvas] {
+        canvas->setTool(CanvasTool::Draw);
+        canvas->fitToView();
+    });
     // The keys of the canvas are for the scene that has come, whichever panel had the focus.
     for (const auto come : {&SceneFiles::begun, &SceneFiles::loaded})
         connect(m_parts.files, come, m_parts.canvas, qOverload<>(&QWidget::setFocus));
@@ -246,7 +254,7 @@ void MainWindow::connectParts()
 void MainWindow::traceDocument()
 {
     const std::shared_ptr<const Scene> scene
-        = m_parts.effects->applied(m_parts.document->snapshot());
+        = m_parts.effects->applied(m_parts.document->snapshotInHand());
     m_parts.student->follow(scene);
     m_parts.tracer->trace(scene);
     if (m_parts.tracer->isRunning())

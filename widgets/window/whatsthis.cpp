@@ -136,7 +136,8 @@ constexpr PartExplanation explanations[] = {
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",
          "Lets the scene move by a fraction of a pixel a frame, and counts the pixels that flicker "
-         "beside those of the truth.")},
+         "beside those of the truth. The frame of its slider is what the canvas shows and what is "
+         "stepped through.")},
     {"primitivesDock",
      QT_TRANSLATE_NOOP(
          "pixelplumb::WhatsThis",

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/support/colours.h"
+#include "tests/support/isolatedsettings.h"
+#include "tests/support/openwindow.h"
+#include "tests/support/shapes.h"
+#include "widgets/canvas/canvas.h"
+#include "widgets/files/scenefiles.h"
+#include "widgets/look/messagebar.h"
+#include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
+
+#include <QAbstractItemView>
+#include <QAbstractTextDocumentLayout>
+#include <QApplication>
+#include <QComboBox>
+#include <QDockWidget>
+#include <QScrollBar>
+#include <QTest>
+#include <QTextBlock>
+#include <QTextBrowser>
+#include <QWindow>
+
+using namespace pixelplumb;
+
+namespace {
+
+Scene lineWithTwoVariants()
+{
+    Scene scene = sceneOf(lineAt(20, 41, 30, 44), "line-bresenham", frameOf(64, 48));
+    scene.settings.variants = VariantSet().with(Variant::StayAtZero).with(Variant::OneStepShort);
+    return scene;
+}
+
+/// Whether a marked line of the pseudocode reaches out of what is seen of it; the marks are
+/// counted.
+bool isMarkOutOfView(const QTextBrowser &text, int &marks)
+{
+    const int top = text.verticalScrollBar()->value();
+    const auto &document = *text.document();
+    bool isOut = false;
+    for (QTextCursor mark = document.find(QStringLiteral("▶")); !mark.isNull();
+         mark = document.find(QStringLiteral("▶"), mark)) {
+        const QRectF line = document.documentLayout()->blockBoundingRect(mark.block());
+        isOut = isOut || line.top() < top || line.bottom() > top + text.viewport()->height();
+        ++marks;
+    }
+    return isOut;
+}
+
+} // namespace
+
+/// What a hand expects of the window as a whole.
+class TestWindowHabits : public QObject {
+    Q_OBJECT
+
+private slots:
+    void init() { m_settings.clear(); }
+
+    void theLinesOfTheMethodInHandAreInView()
+    {
+        const auto window = openedWindow(lineWithTwoVariants());
+        window->resize(1366, 768);
+        action(*window, "methodDockToggle")->trigger();
+        const auto *text = named<QTextBrowser>(*window, "methodText");
+        QTRY_VERIFY(text->isVisible());
+        QVERIFY(text->verticalScrollBar()->maximum() > 0); // else nothing is asked of it
+        action(*window, "runToStart")->trigger();
+        int marks = 0;
+        bool hasScrolled = false;
+        for (int step = 0; step < 12; ++step) {
+            action(*window, "nextPixel")->trigger();
+            QVERIFY2(!isMarkOutOfView(*text, marks), qPrintable(QString::number(step)));
+            hasScrolled = hasScrolled || text->verticalScrollBar()->value() > 0;
+        }
+        QVERIFY(marks > 12);
+        QVERIFY(hasScrolled);
+    }
+
+    void theFormulasOfEachColumnAreWhollySeenInALowWindow()
+    {
+        Scene scene;
+        scene.frame = frameOf(24, 24);
+        scene.triangles = {{{{{latticePixel(3, 4), red},
+                              {latticePixel(20, 7), green},
+                              {latticePixel(8, 21), blue}}}}};
+        const auto window = openedWindow(scene);
+        window->resize(1366, 740); // 768 less a title bar
+        action(*window, "resetLayout")->trigger();
+        const auto *formulas = named<QTextBrowser>(*window, "formulaText");
+        action(*window, "runToStart")->trigger();
+        for (int column = 0; column < 17; ++column) {
+            action(*window, "nextColumn")->trigger();
+            QTRY_VERIFY2(!formulas->verticalScrollBar()->isVisible(),
+                         qPrintable(formulas->toPlainText()));
+        }
+    }
+
+    void escapeBringsTheKeysOfTheCanvasBack_data()
+    {
+        QTest::addColumn<QString>("toggle");
+        QTest::addColumn<QString>("part");
+        QTest::newRow("this method") << "methodDockToggle"
+                                     << "methodText";
+        QTest::newRow("primitives") << "primitivesDockToggle"
+                                    << "primitivesTree";
+        QTest::newRow("columns") << ""
+                                 << "columnTable";
+        QTest::newRow("method box") << ""
+                                    << "methodBox";
+        QTest::newRow("speed") << ""
+                               << "speedBox";
+        QTest::newRow("motion") << "motionDockToggle"
+                                << "motionX";
+        QTest::newRow("predict") << "predictDockToggle"
+                                 << "predictAnswer";
+    }
+    void escapeBringsTheKeysOfTheCanvasBack()
+    {
+        QFETCH(QString, toggle);
+        QFETCH(QString, part);
+        const auto window = openedWindow();
+        if (!toggle.isEmpty())
+            action(*window, qPrintable(toggle))->trigger();
+        auto *focus = named<QWidget>(*window, qPrintable(part));
+        focus->setFocus();
+        QVERIFY(focus->hasFocus());
+
+        QTest::keyClick(focus, Qt::Key_Escape);
+        QVERIFY(window->parts().canvas->hasFocus());
+        QTest::keyClick(window->parts().canvas, Qt::Key_2);
+        QCOMPARE(window->parts().document->scene().method, methods()[1].id.toStdString());
+    }
+
+    void escapeInAFloatingPanelBringsTheFocusToTheCanvas()
+    {
+        const auto window = openedWindow();
+        named<QDockWidget>(*window, "columnsDock")->setFloating(true);
+        auto *table = named<QWidget>(*window, "columnTable");
+        QTest::keyClick(table, Qt::Key_Escape);
+        QCOMPARE(window->focusWidget(), window->parts().canvas);
+    }
+
+    void spacePlaysFromABoxInWhichAMethodWasChosen()
+    {
+        const auto window = openedWindow();
+        auto *box = named<QComboBox>(*window, "methodBox");
+        box->setFocus();
+        QTest::keyClick(box, Qt::Key_Down);
+        QTest::keyClick(box, Qt::Key_Space);
+        QVERIFY(window->parts().playhead->isPlaying());
+        QVERIFY(!box->view()->isVisible());
+    }
+
+    void aClickWhereANoteLiesPlacesAVertex()
+    {
+        Scene scene;
+        scene.frame = frameOf(64, 48);
+        const auto window = openedWindow(scene);
+        Canvas &canvas = *window->parts().canvas;
+        MessageBar &bar = *window->parts().messageBar;
+        canvas.setTool(CanvasTool::Draw);
+        bar.complain(QStringLiteral("It lies over the canvas, and is as wide as this."));
+        const QPoint onBar = bar.geometry().center();
+        const std::optional<QPoint> pixel = canvas.pixelAt(onBar);
+        QVERIFY(pixel);
+
+        QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
+                          canvas.mapTo(window.get(), onBar));
+        QCOMPARE(window->parts().document->pendingVertices().size(), std::size_t(1));
+        QCOMPARE(window->parts().document->pendingVertices().front().position,
+                 latticePixel(pixel->x(), pixel->y()));
+        QVERIFY(!bar.isVisible());
+
+        bar.complain(QStringLiteral("Its own button is its own."));
+        auto *close = named<QWidget>(*window, "closeMessage");
+        QTest::mouseClick(window->windowHandle(), Qt::LeftButton, {},
+                          close->mapTo(window.get(), close->rect().center()));
+        QVERIFY(!bar.isVisible());
+        QCOMPARE(window->parts().document->pendingVertices().size(), std::size_t(1));
+    }
+
+    void aNoteGoesAtTheNextKey_data()
+    {
+        QTest::addColumn<int>("key");
+        QTest::newRow("Escape") << int(Qt::Key_Escape);
+        QTest::newRow("Space") << int(Qt::Key_Space);
+        QTest::newRow("F10") << int(Qt::Key_F10);
+        QTest::newRow("an arrow") << int(Qt::Key_Left);
+    }
+    void aNoteGoesAtTheNextKey()
+    {
+        QFETCH(int, key);
+        const auto window = openedWindow();
+        MessageBar &bar = *window->parts().messageBar;
+        bar.complain(QStringLiteral("“abc” is no coordinate."));
+        QTest::keyClick(window->parts().canvas, Qt::Key_Shift);
+        QVERIFY(bar.isVisible());
+        QTest::keyClick(window->parts().canvas, Qt::Key(key));
+        QVERIFY(!bar.isVisible());
+    }
+
+    void aNewDocumentIsRightAndSeenWhole()
+    {
+        const auto window = openedWindow(lineWithTwoVariants());
+        Canvas &canvas = *window->parts().canvas;
+        const int fitted = canvas.zoom();
+        canvas.zoomIn();
+        canvas.zoomIn();
+        QVERIFY(canvas.zoom() != fitted);
+
+        window->parts().files->newScene();
+        QVERIFY(window->parts().document->scene().settings.variants.isEmpty());
+        QCOMPARE(window->parts().document->scene().method, std::string("line-bresenham"));
+        QCOMPARE(canvas.zoom(), fitted);
+    }
+
+private:
+    IsolatedSettings m_settings;
+};
+
+QTEST_MAIN(TestWindowHabits)
+#include "tst_windowhabits.moc"
