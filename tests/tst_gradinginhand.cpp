@@ -76,6 +76,19 @@ private slots:
         QTRY_COMPARE(window->parts().student->name(), "bob · small");
     }
 
+    void theKeysStayInTheTableAsEachSubmissionBringsItsScene()
+    {
+        const Classroom classroom;
+        const auto window = windowWithGrades(classroom);
+        table(*window)->setFocus();
+        for (const char *shown : {"ada · small", "bob · small", "cyd · small"}) {
+            QTest::keyClick(window->focusWidget(), Qt::Key_J);
+            QTRY_COMPARE(window->parts().student->name(), QString::fromUtf8(shown));
+            QTRY_VERIFY(window->parts().student->judgement());
+            QCOMPARE(window->focusWidget(), table(*window));
+        }
+    }
+
     void nobodyIsInHandWhileAnotherPictureIsOnShow()
     {
         const Classroom classroom;

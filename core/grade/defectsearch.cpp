@@ -32,9 +32,13 @@ std::vector<DiagnosisCandidate> DefectSearch::candidates() const
     std::vector<SetMatch> matches = m_exact;
     matches.insert(matches.end(), m_open.begin(), m_open.end());
     matches.insert(matches.end(), m_completed.begin(), m_completed.end());
-    if (matches.empty() && !m_isExplained)
-        std::ranges::copy(std::span(m_nearest).first(std::min(m_nearest.size(), nearestListed)),
-                          std::back_inserter(matches));
+    if (matches.empty() && !m_isExplained) {
+        // What leaves more than nine tenths is near to nothing.
+        std::ranges::copy_if(std::span(m_nearest).first(std::min(m_nearest.size(), nearestListed)),
+                             std::back_inserter(matches), [this](const SetMatch &near) {
+                                 return 10 * near.distance <= 9 * m_differing;
+                             });
+    }
     std::vector<DiagnosisCandidate> result;
     for (const SetMatch &match : matches)
         result.push_back(candidateOf(match));

@@ -50,7 +50,8 @@ QString figure(const QImage &image, const QString &caption)
         .arg(html(caption), QString::fromLatin1(png.toBase64()));
 }
 
-// Okabe and Ito's colours: missing vermilion, extra blue, another colour yellow.
+// Those of a marked picture by diff (Okabe and Ito's): missing vermilion, extra blue, another
+// colour purple, undecidable yellow.
 QRgb inkOf(PixelVerdict verdict)
 {
     switch (verdict) {
@@ -59,9 +60,9 @@ QRgb inkOf(PixelVerdict verdict)
     case PixelVerdict::Extra:
         return qRgb(0x00, 0x72, 0xb2);
     case PixelVerdict::Colour:
-        return qRgb(0xf0, 0xe4, 0x42);
-    case PixelVerdict::Undecidable:
         return qRgb(0xcc, 0x79, 0xa7);
+    case PixelVerdict::Undecidable:
+        return qRgb(0xf0, 0xe4, 0x42);
     case PixelVerdict::Same:
         break;
     }
@@ -177,7 +178,7 @@ private:
         m_page
             += figure(imageOf(diff, expected),
                       QStringLiteral("%1 missing (orange), %2 extra (blue), %3 of another colour "
-                                     "(yellow), %4 undecidable (pink)")
+                                     "(purple), %4 undecidable (yellow)")
                           .arg(diff.count(PixelVerdict::Missing))
                           .arg(diff.count(PixelVerdict::Extra))
                           .arg(diff.count(PixelVerdict::Colour))

@@ -227,9 +227,8 @@ void MainWindow::connectParts()
         canvas->setTool(CanvasTool::Draw);
         canvas->fitToView();
     });
-    // The keys of the canvas are for the scene that has come, whichever panel had the focus.
     for (const auto come : {&SceneFiles::begun, &SceneFiles::loaded})
-        connect(m_parts.files, come, m_parts.canvas, qOverload<>(&QWidget::setFocus));
+        connect(m_parts.files, come, this, &MainWindow::giveKeysToTheScene);
     connect(m_parts.files, &SceneFiles::loaded, this, [this] {
         m_parts.canvas->setTool(CanvasTool::Inspect); // a person looks at what others made
         if (!m_parts.files->path().isEmpty())

@@ -64,6 +64,7 @@ private:
     void traceDocument();
     void takeTrace(const std::shared_ptr<const TracedScene> &traced);
     void goToOpeningPlace();
+    void giveKeysToTheScene();
     void recover(const UnsavedScene &left);
     void updateTitle();
 

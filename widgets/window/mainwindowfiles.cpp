@@ -7,6 +7,7 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenetracer.h"
 #include "widgets/studies/gradebook.h"
+#include "widgets/canvas/canvas.h"
 #include "widgets/studies/gradingpanel.h"
 #include "widgets/window/mainwindow.h"
 #include "widgets/window/windowdocks.h"
@@ -70,6 +71,15 @@ void MainWindow::goToOpeningPlace()
         return;
     m_parts.playhead->seek(positionOf(*m_openingPlace, *m_parts.playhead->traced()->trace));
     m_openingPlace.reset();
+}
+
+/// The keys of the canvas are for the scene that has come, whichever panel had the focus: but for
+/// the one whose keys go from submission to submission, each of which brings its scene.
+void MainWindow::giveKeysToTheScene()
+{
+    const QWidget *inHand = focusWidget();
+    if (!inHand || !m_docks->panel<GradingPanel>()->isAncestorOf(inHand))
+        m_parts.canvas->setFocus();
 }
 
 void MainWindow::offerRecovery()
