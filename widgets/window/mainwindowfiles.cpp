@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/scenefile.h"
+#include "widgets/canvas/canvas.h"
 #include "widgets/files/autosave.h"
 #include "widgets/files/scenefiles.h"
 #include "widgets/files/studentpicturefiles.h"
@@ -7,7 +8,6 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenetracer.h"
 #include "widgets/studies/gradebook.h"
-#include "widgets/canvas/canvas.h"
 #include "widgets/studies/gradingpanel.h"
 #include "widgets/window/mainwindow.h"
 #include "widgets/window/windowdocks.h"
