@@ -288,6 +288,13 @@ private slots:
         damaged[signature.size() + 8 + 3] = 2; // another width than its checksum is of
         QTest::newRow("damaged")
             << damaged << QByteArray("-: no picture: a broken PNG: the checksum of IHDR at byte 8");
+        const QByteArray bitmap = bmpOf(QImage(5, 3, QImage::Format_RGB32));
+        QTest::newRow("a BMP cut by a byte")
+            << bitmap.chopped(1)
+            << QByteArray(
+                   "-: no picture: a BMP that ends early, 1 of 60 bytes of pixels are missing");
+        QTest::newRow("a BMP cut in its header")
+            << bitmap.left(30) << QByteArray("-: no picture: a BMP that ends early, in its header");
         QTest::newRow("ragged") << QByteArray("##\n#\n") << QByteArray("-: ");
         QTest::newRow("broken scene") << QByteArray("{ \"pixelplumb\": 1 ") << QByteArray("-, ");
     }
@@ -304,7 +311,15 @@ private slots:
     }
 
 private:
-    static QByteArray pngOfOnePixel()
+    static QByteArray bmpOf(const QImage &image)
+    {
+        QByteArray content;
+        QBuffer buffer(&content);
+        image.save(&buffer, "bmp");
+        return content;
+    }
+
+    QByteArray pngOfOnePixel()
     {
         QByteArray bytes;
         QBuffer buffer(&bytes);

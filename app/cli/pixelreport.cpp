@@ -248,10 +248,14 @@ QStringList textOf(const PixelReport &report)
                           .arg(report.x)
                           .arg(report.y)
                           .arg(colourText(finalColour(report)));
-    heading += difference == Difference::None
-        ? QStringLiteral(", as %1").arg(truth)
-        : QStringLiteral(", differs from %1, %2: %3")
-              .arg(truth, colourText(trueColour(report)), nameOfDifference(difference));
+    if (traced.trace->isCut())
+        heading += QStringLiteral(" so far as the recording goes; the truth is ")
+            + colourText(trueColour(report));
+    else
+        heading += difference == Difference::None
+            ? QStringLiteral(", as %1").arg(truth)
+            : QStringLiteral(", differs from %1, %2: %3")
+                  .arg(truth, colourText(trueColour(report)), nameOfDifference(difference));
     if (!undrawn.isEmpty())
         heading
             += QStringLiteral("; the truth of the scene is %1, for %2 covers it too")

@@ -11,6 +11,7 @@
 #include "app/cli/suggestion.h"
 #include "app/cli/wholenumber.h"
 #include "core/frame/framebuffer.h"
+#include "core/grade/showntext.h"
 #include "core/lab/costorder.h"
 #include "core/runs/tracedscene.h"
 #include "core/scene/asciiraster.h"
@@ -188,7 +189,7 @@ ExitCode render(const Command &command, const QStringList &arguments)
     ExitCode code = ExitCode::Done;
     for (qsizetype i = 0; i < scenes.size(); ++i) {
         if (request->wantsAscii && scenes.size() > 1)
-            printLine(scenes[i] + u':');
+            printLine(escapedControls(scenes[i]) + u':');
         code = std::max(code, renderScene(line, *request, scenes[i], request->pictures.value(i)));
     }
     return code;

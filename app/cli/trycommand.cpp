@@ -37,7 +37,7 @@ QString stepText(const TraceDifference &difference)
 QStringList linesOf(const SceneTrial &tried)
 {
     const Trial &trial = tried.trial;
-    QStringList lines = {tried.path + QStringLiteral(": ") + trial.run.told};
+    QStringList lines = {escapedControls(tried.path) + QStringLiteral(": ") + trial.run.told};
     if (trial.fault && trial.run.end == ProgramEnd::Finished)
         lines += QStringLiteral("    ") + trial.fault->message();
     if (trial.picture) {

@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int side = SampleView::side;
+constexpr int viewSide = SampleView::side;
 constexpr int shift = 3; // px
 
 /// Samples of both lie on the shared edge, which under a watertight rule none does.
@@ -33,8 +33,8 @@ public:
         : m_source(source)
         , m_conventions(conventions)
     {
-        m_conventions.frame.width = side;
-        m_conventions.frame.height = side;
+        m_conventions.frame.width = viewSide;
+        m_conventions.frame.height = viewSide;
         m_conventions.triangles.clear();
         m_conventions.shapes.clear();
     }
@@ -123,7 +123,7 @@ private:
             return;
         const SampleView there(movedScene, *picture);
         note(Invariant::Translation, SampleView::holdsEverywhere([&](int x, int y) {
-                 if (x + shift >= side || y + shift >= side)
+                 if (x + shift >= viewSide || y + shift >= viewSide)
                      return true;
                  const bool covers = view.covers(x, y);
                  return covers == there.covers(x + shift, y + shift)
@@ -179,7 +179,7 @@ InvariantReport checkInvariants(const PictureSource &source, const Scene &conven
         const auto vertex = [&] {
             const auto coordinate = [&] {
                 return random.between(unitsPerPixel / unit,
-                                      (side - shift - 2) * unitsPerPixel / unit)
+                                      (viewSide - shift - 2) * unitsPerPixel / unit)
                     * unit;
             };
             return Vertex{{coordinate(), coordinate()}, random.colour()};

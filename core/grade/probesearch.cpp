@@ -11,7 +11,7 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr int side = 48; // px
+constexpr int frameSide = 48; // px
 
 /// A place inside the frame, to a fraction of a pixel.
 LatticePoint randomPlace(SeededRandom &random, int denominator, int width, int height)
@@ -25,7 +25,8 @@ std::vector<Vertex> randomVertices(SeededRandom &random, int count, int denomina
 {
     std::vector<Vertex> vertices;
     for (int i = 0; i < count; ++i)
-        vertices.push_back({randomPlace(random, denominator, side, side), random.colour()});
+        vertices.push_back(
+            {randomPlace(random, denominator, frameSide, frameSide), random.colour()});
     return vertices;
 }
 
@@ -47,15 +48,15 @@ void addRectangle(Scene &scene, SeededRandom &random)
 /// A long edge whose slope has a small odd divisor, so that samples lie on it.
 void addTies(Scene &scene, SeededRandom &random)
 {
-    scene.frame.width = 2 * side;
+    scene.frame.width = 2 * frameSide;
     const std::int64_t divisor = 2 * random.between(1, 6) + 1;
-    const std::int64_t length = divisor * ((2 * side - 4) / divisor);
+    const std::int64_t length = divisor * ((2 * frameSide - 4) / divisor);
     const std::int64_t rise = length / divisor * random.between(1, divisor - 1);
     const LatticePoint from = latticePixel(1, random.between(1, 8));
     const LatticePoint to = {from.x + length * unitsPerPixel,
-                             from.y + std::min<std::int64_t>(rise, side - 10) * unitsPerPixel};
+                             from.y + std::min<std::int64_t>(rise, frameSide - 10) * unitsPerPixel};
     add(scene, {from, random.colour()}, {to, random.colour()},
-        {randomPlace(random, 1, 2 * side, side), random.colour()});
+        {randomPlace(random, 1, 2 * frameSide, frameSide), random.colour()});
 }
 
 /// Whole coordinates become those of samples, whatever the pixel centre.
@@ -100,8 +101,8 @@ void addLines(Scene &scene, SeededRandom &random)
 Scene randomScene(const Scene &conventions, SeededRandom &random)
 {
     Scene scene;
-    scene.frame.width = side;
-    scene.frame.height = side;
+    scene.frame.width = frameSide;
+    scene.frame.height = frameSide;
     scene.frame.origin = conventions.frame.origin;
     scene.frame.pixelCentre = conventions.frame.pixelCentre;
     scene.method = conventions.method;

@@ -3,6 +3,7 @@
 
 #include "core/grade/showntext.h"
 #include "core/scene/asciiraster.h"
+#include "core/scene/bmpfault.h"
 #include "core/scene/pngfault.h"
 
 #include <QBuffer>
@@ -43,6 +44,8 @@ std::optional<InputError> objectionToHeader(const QString &name, const QByteArra
                                             const FrameSpec &frame)
 {
     if (const QString fault = pngFault(output); !fault.isEmpty())
+        return InputError{name, fault, {}};
+    if (const QString fault = bmpFault(output); !fault.isEmpty())
         return InputError{name, fault, {}};
     QByteArray bytes = output;
     QBuffer buffer(&bytes);

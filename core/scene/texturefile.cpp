@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/texturefile.h"
 
+#include "core/scene/bmpfault.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/pngfault.h"
 
@@ -31,6 +32,9 @@ Result<Texture> readTexture(const QString &path)
     if (!content)
         return content.error();
     if (const QString fault = pngFault(*content); !fault.isEmpty())
+        return InputError{path, QStringLiteral("no picture: ") + fault,
+                          QStringLiteral("a whole file")};
+    if (const QString fault = bmpFault(*content); !fault.isEmpty())
         return InputError{path, QStringLiteral("no picture: ") + fault,
                           QStringLiteral("a whole file")};
     QBuffer buffer(&content.value());
