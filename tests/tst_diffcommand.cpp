@@ -319,7 +319,7 @@ private:
         return content;
     }
 
-    QByteArray pngOfOnePixel()
+    static QByteArray pngOfOnePixel()
     {
         QByteArray bytes;
         QBuffer buffer(&bytes);
