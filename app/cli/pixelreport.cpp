@@ -244,13 +244,10 @@ QStringList textOf(const PixelReport &report)
     const QString truth = undrawn.isEmpty()
         ? QStringLiteral("the truth")
         : QStringLiteral("the truth of what %1 draws").arg(traced.method->id);
-    QString heading = QStringLiteral("pixel (%1, %2) %3")
-                          .arg(report.x)
-                          .arg(report.y)
-                          .arg(colourText(finalColour(report)));
+    QString heading = QStringLiteral("pixel (%1, %2) ").arg(report.x).arg(report.y);
+    heading += colourText(finalColour(report));
     if (traced.trace->isCut())
-        heading += QStringLiteral(" so far as the recording goes; the truth is ")
-            + colourText(trueColour(report));
+        heading += QStringLiteral(", as recorded; the truth is ") + colourText(trueColour(report));
     else
         heading += difference == Difference::None
             ? QStringLiteral(", as %1").arg(truth)
@@ -262,7 +259,7 @@ QStringList textOf(const PixelReport &report)
                    .arg(colourText(trueColourOfAll(report)), undrawn.join(QStringLiteral(", ")));
     QStringList lines = {heading};
     if (report.attempts.empty())
-        lines.append(QStringLiteral("the scene has nothing that the method draws"));
+        lines += QStringLiteral("the scene has nothing that the method draws");
     for (const PixelAttempt &attempt : report.attempts) {
         QString line = QStringLiteral("%1 %2: %3")
                            .arg(nameOf(attempt.kind))
