@@ -292,7 +292,7 @@ private slots:
         QTest::newRow("a BMP cut by a byte")
             << bitmap.chopped(1)
             << QByteArray(
-                   "-: no picture: a BMP that ends early, 1 of 60 bytes of pixels are missing");
+                   "-: no picture: a BMP that ends early, 1 of 48 bytes of pixels are missing");
         QTest::newRow("a BMP cut in its header")
             << bitmap.left(30) << QByteArray("-: no picture: a BMP that ends early, in its header");
         QTest::newRow("ragged") << QByteArray("##\n#\n") << QByteArray("-: ");
