@@ -138,7 +138,7 @@ QString channelText(const PixelAttempt &attempt, std::size_t channel)
 
 QString carriedText(const PixelAttempt::Carried &number)
 {
-    const QString text = QStringLiteral("    %1 = %2").arg(number.title, toText(number.used));
+    QString text = QStringLiteral("    %1 = %2").arg(number.title, toText(number.used));
     if (number.exact.isNone())
         return text;
     return text
