@@ -3,8 +3,7 @@
 
 #include "core/runs/tracedscene.h"
 #include "core/scene/asciiraster.h"
-#include "core/scene/bmpfault.h"
-#include "core/scene/pngfault.h"
+#include "core/scene/picturefault.h"
 #include "core/scene/pnmfault.h"
 
 #include <QBuffer>
@@ -157,10 +156,7 @@ Result<Picture> parsePicture(const QByteArray &content, const QString &name)
         takeCoverage(*raster, picture);
         return picture;
     }
-    if (const QString fault = pngFault(content); !fault.isEmpty())
-        return InputError{name, QStringLiteral("no picture: ") + fault,
-                          QStringLiteral("a whole file")};
-    if (const QString fault = bmpFault(content); !fault.isEmpty())
+    if (const QString fault = pictureFault(content); !fault.isEmpty())
         return InputError{name, QStringLiteral("no picture: ") + fault,
                           QStringLiteral("a whole file")};
     if (const QString fault = pnmFault(content); !fault.isEmpty())

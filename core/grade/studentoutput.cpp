@@ -3,8 +3,7 @@
 
 #include "core/grade/showntext.h"
 #include "core/scene/asciiraster.h"
-#include "core/scene/bmpfault.h"
-#include "core/scene/pngfault.h"
+#include "core/scene/picturefault.h"
 
 #include <QBuffer>
 #include <QImageReader>
@@ -43,9 +42,7 @@ InputError noPicture(const QString &name, const QByteArray &output)
 std::optional<InputError> objectionToHeader(const QString &name, const QByteArray &output,
                                             const FrameSpec &frame)
 {
-    if (const QString fault = pngFault(output); !fault.isEmpty())
-        return InputError{name, fault, {}};
-    if (const QString fault = bmpFault(output); !fault.isEmpty())
+    if (const QString fault = pictureFault(output); !fault.isEmpty())
         return InputError{name, fault, {}};
     QByteArray bytes = output;
     QBuffer buffer(&bytes);

@@ -1,9 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/texturefile.h"
 
-#include "core/scene/bmpfault.h"
 #include "core/scene/fileaccess.h"
-#include "core/scene/pngfault.h"
+#include "core/scene/picturefault.h"
 
 #include <QBuffer>
 #include <QImageReader>
@@ -31,10 +30,7 @@ Result<Texture> readTexture(const QString &path)
     Result<QByteArray> content = readRegularFile(path);
     if (!content)
         return content.error();
-    if (const QString fault = pngFault(*content); !fault.isEmpty())
-        return InputError{path, QStringLiteral("no picture: ") + fault,
-                          QStringLiteral("a whole file")};
-    if (const QString fault = bmpFault(*content); !fault.isEmpty())
+    if (const QString fault = pictureFault(*content); !fault.isEmpty())
         return InputError{path, QStringLiteral("no picture: ") + fault,
                           QStringLiteral("a whole file")};
     QBuffer buffer(&content.value());
