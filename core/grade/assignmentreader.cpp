@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/assignment.h"
+#include "core/grade/defect.h"
 #include "core/runs/sceneplan.h"
 #include "core/scan/choicenames.h"
 #include "core/scene/choicereader.h"
@@ -19,13 +20,6 @@ namespace pixelplumb {
 namespace {
 
 const QString formatKey = QStringLiteral("pixelplumbAssignment");
-
-/// Divided is by Δ − 1 and one more: by Δ.
-bool cancelEachOther(VariantSet variants)
-{
-    return variants.contains(Variant::DivisorMinusOne)
-        && variants.contains(Variant::DivisorPlusOne);
-}
 
 /// Reads the parts of an assignment out of a JSON text; errors stay with the JsonReader.
 class AssignmentReader {
@@ -161,7 +155,7 @@ private:
                         QStringLiteral("method “%1” %2")
                             .arg(QString::fromStdString(scene.method), objection),
                         {});
-        else if (cancelEachOther(scene.settings.variants))
+        else if (undoEachOther(scene.settings.variants))
             m_json.fail(node,
                         QStringLiteral("the variants %1 and %2 cancel each other: divided is by "
                                        "Δ again")

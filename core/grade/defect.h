@@ -21,6 +21,13 @@ inline constexpr const char *arithmeticChoice = "arithmetic";
 /// The choice of how a level is rounded to a byte.
 inline constexpr const char *roundingChoice = "rounding";
 
+/// Whether two of the departures undo each other: divided is by Δ − 1 and one more, by Δ.
+constexpr bool undoEachOther(VariantSet departures)
+{
+    return departures.contains(Variant::DivisorMinusOne)
+        && departures.contains(Variant::DivisorPlusOne);
+}
+
 /// A mistake that programs make, as something done to the scene before it is drawn by the ordinary
 /// kernels (the variants and the choices of its settings among them), to how it is drawn, or to the
 /// finished picture.

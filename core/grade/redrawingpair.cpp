@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/defect.h"
 #include "core/grade/programwalk.h"
 
 #include <algorithm>
@@ -78,9 +79,7 @@ private:
         const VariantSet other = m_other.*member;
         VariantSet both = right;
         both.bits |= one.bits | other.bits;
-        const bool areUndone
-            = both.contains(Variant::DivisorMinusOne) && both.contains(Variant::DivisorPlusOne);
-        if ((one.bits & other.bits) != 0 || areUndone)
+        if ((one.bits & other.bits) != 0 || undoEachOther(both))
             m_isContradiction = true;
         m_both.*member = both;
     }
