@@ -133,17 +133,6 @@ QJsonObject jsonOf(const Sides &sides, const CounterSearch &search)
     return object;
 }
 
-/// The search counts scenes of a total, then the shrinking counts those that are simpler.
-ProgressListener listenerOf(Progress &progress)
-{
-    return [&progress, searching = progress.listener()](const JobProgress &state) {
-        if (state.total > 0)
-            return searching(state);
-        progress.show(QStringLiteral("shrinking: %1").arg(state.done));
-        return true;
-    };
-}
-
 } // namespace
 
 ExitCode counterExample(const Command &command, const QStringList &arguments)
@@ -168,8 +157,8 @@ ExitCode counterExample(const Command &command, const QStringList &arguments)
     if (!sides)
         return line.refuse(sides.error());
     Progress progress;
-    const CounterSearch search = findCounterExample(
-        sides->sources[0], sides->sources[1], sides->conventions, *seed, listenerOf(progress));
+    const CounterSearch search = findCounterExample(sides->sources[0], sides->sources[1],
+                                                    sides->conventions, *seed, progress.listener());
     progress.clear();
     if (search.compared == 0) {
         sayLine(QStringLiteral("%1 and %2 have no picture of the same scene: of %3 that were asked "

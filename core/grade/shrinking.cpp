@@ -108,7 +108,7 @@ CounterExample shrunk(CounterExample example, const PictureSource &one, const Pi
         for (const Scene &scene : simplerOnes(example.scene)) {
             if (!isInFrame(scene))
                 continue;
-            if (!goesOn(listener, {JobPhase::Judging, ++tried, 0}))
+            if (!goesOn(listener, {JobPhase::Shrinking, ++tried, 0}))
                 return example;
             SceneTrial trial = tryScene(one, other, scene);
             if (trial.example && burdenOf(trial.example->scene) < burden) {

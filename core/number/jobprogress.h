@@ -19,6 +19,7 @@ enum class JobPhase {
     Measuring, ///< counts samples of time
     Writing, ///< counts spans
     Checking, ///< counts methods
+    Shrinking, ///< a scene; counts those that are simpler
 };
 
 constexpr std::string_view nameOf(JobPhase phase)
@@ -44,6 +45,8 @@ constexpr std::string_view nameOf(JobPhase phase)
         return "writing";
     case JobPhase::Checking:
         return "checking";
+    case JobPhase::Shrinking:
+        return "shrinking";
     }
     return {};
 }
