@@ -134,6 +134,8 @@ private slots:
 
     void aProgramInDoubleHasTheDefectInDouble_data()
     {
+        // Of vertices that are not sorted spans begin outside the frame, where a program adds up
+        // what the walk reaches at once.
         const QStringList ids = {QStringLiteral("no-edge-pre-step"),
                                  QStringLiteral("whole-slopes"),
                                  QStringLiteral("whole-edge-steps"),
@@ -144,7 +146,6 @@ private slots:
                                  QStringLiteral("colour-divisor-plus-one"),
                                  QStringLiteral("long-edge-begun-again"),
                                  QStringLiteral("edge-pre-step-backward"),
-                                 QStringLiteral("vertices-not-sorted"),
                                  QStringLiteral("second-edge-carried-on"),
                                  QStringLiteral("edges-stepped-first"),
                                  QStringLiteral("extra-first-sample"),

@@ -7,8 +7,11 @@ namespace {
 
 constexpr const char *firstSpanQuestion
     = "How far is it from a vertex to the first %1 behind it, and in which direction?";
-constexpr const char *middleQuestion
-    = "Which edge ends at the middle vertex, which begins there, and which goes on?";
+constexpr const char *steppedFirstQuestion
+    = "Which comes first, that a %1 is drawn or that its edges are stepped?";
+constexpr const char *slopeQuestion = "What is a slope, and which of its parts has which sign?";
+constexpr const char *edgeDivisorQuestion
+    = "How many steps does an edge take from one vertex to the next?";
 constexpr const char *sortQuestion = "Which vertex is P₀? For every triangle?";
 constexpr const char *placesQuestion = "What type has an edge's %3 while it is stepped?";
 
@@ -44,6 +47,16 @@ std::vector<WalkRow> numberRows()
          "Colours are kept as whole numbers, along edges and along a %1: at each step their "
          "fraction is lost.",
          {.edgeLevels = whole, .levels = whole}},
+        {"rounded-slopes",
+         walkquestions::division,
+         "The slopes of the edges are rounded to the nearest whole numbers; colours along them are "
+         "not.",
+         {.slopes = Kept::Nearest}},
+        {"whole-edge-levels",
+         walkquestions::stored,
+         "The colours of an edge are kept as whole numbers: at each %1 their fraction is lost, not "
+         "so that of the colours along a %1.",
+         {.edgeLevels = whole}},
         {"whole-places",
          placesQuestion,
          "An edge's %3 is kept as a whole number: at each %1 its fraction is lost, not so that of "
@@ -65,6 +78,11 @@ std::vector<WalkRow> stepRows()
          "The colours of an edge begin with its vertex' own at its first %1; its ends have their "
          "pre-step.",
          {.edgeColourPreStep = PreStep::None}},
+        {"place-without-edge-pre-step",
+         "Where does an edge meet its first %1? Not in its vertex.",
+         "The %3 of an edge begins with its vertex' own at its first %1; its colours have their "
+         "pre-step.",
+         {.placePreStep = PreStep::None}},
         {"edge-pre-step-of-fraction",
          firstSpanQuestion,
          "The pre-step of an edge, of its place and of its colours, goes by %6 in place of %5.",
@@ -80,10 +98,21 @@ std::vector<WalkRow> stepRows()
          "place and colour at the first %1.",
          {.spans = EndRounding::Down}},
         {"edges-stepped-first",
-         "Which comes first, that a %1 is drawn or that its edges are stepped?",
+         steppedFirstQuestion,
          "The edges are stepped before a %1 is drawn, not behind it: each %1 has the ends and the "
          "colours that belong to the next one.",
-         {.edgeStepping = Stepping::BeforeDrawing}},
+         {.placeStepping = Stepping::BeforeDrawing, .edgeColourStepping = Stepping::BeforeDrawing}},
+        {"places-stepped-first",
+         steppedFirstQuestion,
+         "The %3 of the edges is stepped before a %1 is drawn, their colours behind it: each %1 "
+         "has "
+         "the ends of the next one and its own colours.",
+         {.placeStepping = Stepping::BeforeDrawing}},
+        {"edge-colours-stepped-first",
+         steppedFirstQuestion,
+         "The colours of the edges are stepped before a %1 is drawn, their %3 behind it: each %1 "
+         "has its own ends and the colours of the next one.",
+         {.edgeColourStepping = Stepping::BeforeDrawing}},
         {"edges-wait-at-empty-spans",
          "What is done at a %1 between whose bounds no sample lies?",
          "At a %1 without samples the edges are not stepped (continue): at all that follow they "
@@ -106,6 +135,12 @@ std::vector<WalkRow> stepRows()
          walkquestions::channels,
          "Blue is not stepped along the edges: it stays what it is at an edge's first %1.",
          {.unsteppedAlongEdges = blueAlone}},
+    };
+}
+
+std::vector<WalkRow> orderRows()
+{
+    return {
         {"vertices-not-sorted",
          sortQuestion,
          "The vertices are not sorted: the loops go from %2 of the first one given to that of the "
@@ -119,68 +154,77 @@ std::vector<WalkRow> stepRows()
          "lies before; the long edge begins at the first and is stepped as often as a loop goes "
          "round.",
          {.vertices = VertexOrder::ByY}},
+        {"sorted-by-01",
+         sortQuestion,
+         "Only the first vertex given is compared with the second and exchanged with it; the third "
+         "stays the last.",
+         {.vertices = VertexOrder::Compared01}},
+        {"sorted-by-12",
+         sortQuestion,
+         "Only the second vertex given is compared with the third and exchanged with it; the first "
+         "stays the first.",
+         {.vertices = VertexOrder::Compared12}},
+        {"sorted-by-02",
+         sortQuestion,
+         "Only the first vertex given is compared with the third and exchanged with it; the second "
+         "stays the middle one.",
+         {.vertices = VertexOrder::Compared02}},
+        {"sorted-by-01-12",
+         sortQuestion,
+         "Of the three comparisons that sort three vertices the last is missing: the first with "
+         "the second, then the second with the third. The greatest %2 is last, the two before it "
+         "may be exchanged.",
+         {.vertices = VertexOrder::Compared01And12}},
+        {"sorted-by-12-01",
+         sortQuestion,
+         "Of the three comparisons that sort three vertices the last is missing: the second with "
+         "the third, then the first with the second. The least %2 is first, the two behind it may "
+         "be exchanged.",
+         {.vertices = VertexOrder::Compared12And01}},
+        {"sorted-by-01-02",
+         sortQuestion,
+         "Of the three comparisons that sort three vertices the last is missing: the first with "
+         "the second, then the first with the third. The least %2 is first, the two behind it may "
+         "be exchanged.",
+         {.vertices = VertexOrder::Compared01And02}},
+        {"sorted-by-02-12",
+         sortQuestion,
+         "Of the three comparisons that sort three vertices the last is missing: the first with "
+         "the third, then the second with the third. The greatest %2 is last, the two before it "
+         "may be exchanged.",
+         {.vertices = VertexOrder::Compared02And12}},
     };
 }
 
-std::vector<WalkRow> middleRows()
+std::vector<WalkRow> rateRows()
 {
-    constexpr auto carriedOn = ShortEdgeBehind::CarriedOn;
-    constexpr auto fromMiddle = LongEdgeBehind::FromMiddle;
-    constexpr auto stands = LongEdgeBehind::Stands;
+    const VariantSet minusOne = VariantSet().with(Variant::DivisorMinusOne);
+    const VariantSet plusOne = VariantSet().with(Variant::DivisorPlusOne);
     return {
-        {"no-pre-step-behind-middle",
-         "Where does the second of the two short edges begin? And which colour has it there?",
-         "The edge from the middle vertex to the last has no pre-step: at its first %1 it has the "
-         "vertex' own place and colour. The others have theirs.",
-         {.departuresBehindMiddle = VariantSet().with(Variant::NoEdgePreStep)}},
-        {"second-edge-of-first-colour",
-         middleQuestion,
-         "The edge from the middle vertex to the last begins there with the colours of the first "
-         "vertex, and is stepped by its own; its %3 is right.",
-         {.shortColoursBehind = ShortEdgeBehind::FromFirst}},
-        {"second-edge-carried-on",
-         middleQuestion,
-         "The edge from the middle vertex to the last is not begun there: %3 and colours go on "
-         "from what the edge before it has come to, by steps of its own.",
-         {.shortPlacesBehind = carriedOn, .shortColoursBehind = carriedOn}},
-        {"second-edge-place-carried-on",
-         middleQuestion,
-         "The edge from the middle vertex to the last is not begun there: its %3 goes on from what "
-         "the edge before it has come to, by steps of its own; its colours are right.",
-         {.shortPlacesBehind = carriedOn}},
-        {"second-edge-colours-carried-on",
-         middleQuestion,
-         "The colours of the edge from the middle vertex to the last are not begun there: they go "
-         "on from what those of the edge before it have come to, by steps of its own; its %3 is "
-         "right.",
-         {.shortColoursBehind = carriedOn}},
-        {"long-edge-begun-again",
-         middleQuestion,
-         "The long edge begins again with the middle vertex' place and colours, and goes on by its "
-         "own steps.",
-         {.longPlacesBehind = fromMiddle, .longColoursBehind = fromMiddle}},
-        {"long-edge-place-begun-again",
-         middleQuestion,
-         "The long edge begins again with the middle vertex' place, and goes on by its own steps; "
-         "its colours are right.",
-         {.longPlacesBehind = fromMiddle}},
-        {"long-edge-colours-begun-again",
-         middleQuestion,
-         "The colours of the long edge begin again with the middle vertex', and go on by its own "
-         "steps; its %3 is right.",
-         {.longColoursBehind = fromMiddle}},
-        {"long-edge-stands",
-         middleQuestion,
-         "The long edge is not stepped behind the middle vertex, neither its %3 nor its colours.",
-         {.longPlacesBehind = stands, .longColoursBehind = stands}},
-        {"long-edge-place-stands",
-         middleQuestion,
-         "The long edge's %3 is not stepped behind the middle vertex; its colours are.",
-         {.longPlacesBehind = stands}},
-        {"long-edge-colours-stand",
-         middleQuestion,
-         "The long edge's colours are not stepped behind the middle vertex; its %3 is.",
-         {.longColoursBehind = stands}},
+        {"slopes-inverted",
+         slopeQuestion,
+         "The slope of an edge is Δ%2/Δ%3 in place of Δ%3/Δ%2; its colours are divided by Δ%2.",
+         {.slopeForm = SlopeForm::RunOverRise}},
+        {"slopes-negated",
+         slopeQuestion,
+         "The slopes of all edges have the wrong sign.",
+         {.slopeForm = SlopeForm::Negated}},
+        {"slope-divisor-minus-one",
+         edgeDivisorQuestion,
+         "The slope of an edge is divided by Δ%2 − 1 in place of Δ%2; its colours are not.",
+         {.departures = minusOne, .divided = EdgeRates::Slope}},
+        {"slope-divisor-plus-one",
+         edgeDivisorQuestion,
+         "The slope of an edge is divided by Δ%2 + 1 in place of Δ%2; its colours are not.",
+         {.departures = plusOne, .divided = EdgeRates::Slope}},
+        {"edge-colour-divisor-minus-one",
+         edgeDivisorQuestion,
+         "The colours of an edge are divided by Δ%2 − 1 in place of Δ%2; its slope is not.",
+         {.departures = minusOne, .divided = EdgeRates::Colours}},
+        {"edge-colour-divisor-plus-one",
+         edgeDivisorQuestion,
+         "The colours of an edge are divided by Δ%2 + 1 in place of Δ%2; its slope is not.",
+         {.departures = plusOne, .divided = EdgeRates::Colours}},
     };
 }
 
@@ -190,7 +234,7 @@ const std::vector<WalkRow> &edgeWalkRows()
 {
     static const std::vector<WalkRow> rows = [] {
         std::vector<WalkRow> all;
-        for (const std::vector<WalkRow> &some : {stepRows(), numberRows(), middleRows()})
+        for (const std::vector<WalkRow> &some : {stepRows(), orderRows(), numberRows(), rateRows()})
             all.insert(all.end(), some.begin(), some.end());
         return all;
     }();

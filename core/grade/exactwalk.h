@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/programwalk.h"
+#include "core/grade/walkedprogram.h"
 #include "core/number/wideinteger.h"
 
 #include <algorithm>
@@ -60,22 +60,23 @@ struct ExactWalk {
             m_places = trackOf({edge.firstPlace.position.y, rise, walk.slopes}, width,
                                span * unitsPerPixel - edge.firstPlace.position.x);
             m_places.store(walk.edgePlaces);
+            const Lattice ofColours = edge.colours.b.position.x - edge.colours.a.position.x;
             for (std::size_t i = 0; i < 3; ++i) {
                 const int from = edge.colours.a.colour.channels[i];
                 const int change = edge.colours.b.colour.channels[i] - from;
                 const int first = edge.firstColour.colour.channels[i];
                 m_levels[i]
                     = trackOf({first * unitsPerPixel, change * unitsPerPixel, walk.edgeColours},
-                              width, span * unitsPerPixel - edge.firstColour.position.x);
+                              ofColours, span * unitsPerPixel - edge.firstColour.position.x);
                 m_levels[i].store(walk.edgeLevels);
                 if (walk.unsteppedAlongEdges.contains(i))
                     m_levels[i].rate = 0;
             }
         }
 
-        void stepToNextSpan()
+        void stepPlace() { m_places.step(m_walk.edgePlaces); }
+        void stepColour()
         {
-            m_places.step(m_walk.edgePlaces);
             for (Track &level : m_levels)
                 level.step(m_walk.edgeLevels);
         }
@@ -88,6 +89,13 @@ struct ExactWalk {
         }
         void goOnWithPlacesOf(const Edge &other) { m_places = other.m_places; }
         void goOnWithColoursOf(const Edge &other) { m_levels = other.m_levels; }
+        /// Steps from here on as another one does that has the same denominators.
+        void stepAsPlacesOf(const Edge &other) { m_places.rate = other.m_places.rate; }
+        void stepAsColoursOf(const Edge &other)
+        {
+            for (std::size_t i = 0; i < 3; ++i)
+                m_levels[i].rate = other.m_levels[i].rate;
+        }
         void holdPlace() { m_places.rate = 0; }
         void holdColour()
         {
@@ -143,9 +151,17 @@ struct ExactWalk {
     static std::vector<WholeLevels> levelsOf(const Bounds &bounds, const WalkedSpan &span,
                                              const WalkedProgram &program)
     {
+        const ProgramWalk &walk = program.walk();
+        const std::array<Ramp, 3> ramps
+            = {rampOf(bounds, span, program, 0), rampOf(bounds, span, program, 1),
+               rampOf(bounds, span, program, 2)};
         std::vector<WholeLevels> levels(std::size_t(span.endDrawn - span.firstDrawn));
-        for (std::size_t i = 0; i < 3; ++i)
-            store(rampOf(bounds, span, program, i), span, program, levels, i);
+        for (std::size_t i = 0; i < 3; ++i) {
+            Ramp ramp = ramps[i];
+            if (walk.stepsAlongSpansOf[i] != i) // channels have one denominator
+                ramp.step = ramps[walk.stepsAlongSpansOf[i]].step;
+            store(ramp, span, program, levels, i);
+        }
         return levels;
     }
 
@@ -180,6 +196,7 @@ private:
         const Int128 toSample = span.first * lower.denominator - lower.at;
         switch (preStep) {
         case PreStep::ToSample:
+        case PreStep::WithoutRate:
             return toSample;
         case PreStep::Backward:
             return -toSample;
@@ -195,22 +212,31 @@ private:
     static Ramp rampOf(const Bounds &bounds, const WalkedSpan &span, const WalkedProgram &program,
                        std::size_t channel)
     {
-        const ProgramWalk &walk = program.walk;
+        const ProgramWalk &walk = program.walk();
         const Track &lower = bounds.lower.m_places;
         const Track &upper = bounds.upper.m_places;
-        const Track &atLower = bounds.lowerColours.m_levels[channel];
-        const Track &atUpper = bounds.upperColours.m_levels[channel];
+        Track atLower = bounds.lowerColours.m_levels[channel];
+        Track atUpper = bounds.upperColours.m_levels[channel];
+        atLower.store(walk.bounds);
+        atUpper.store(walk.bounds);
+        const bool isFromUpper = walk.spanColours == SpanColours::FromUpperBound;
+        const Track &from = isFromUpper ? atUpper : atLower;
+        const Track &other = isFromUpper ? atLower : atUpper;
         const Int128 height = heightOf(lower, upper, span, walk.divisor);
         if (height == 0) // nothing to share out
-            return {atLower.at, 0, atLower.denominator};
+            return {from.at, 0, from.denominator};
         const Int256 unit = Int256(lower.denominator) * Int256(upper.denominator);
         const Int256 lift = atUpper.at * atLower.denominator - atLower.at * atUpper.denominator;
-        const Int256 rise = height < 0 ? Int256(-lift) : lift;
+        const bool isNegative = (height < 0) != (walk.spanColours == SpanColours::Falling);
+        const Int256 rise = isNegative ? Int256(-lift) : lift;
         const Int256 steepness = absolute(height);
-        Ramp ramp{Int256(atLower.at) * Int256(atUpper.denominator) * steepness, rise * unit,
+        Ramp ramp{Int256(from.at) * Int256(other.denominator) * steepness, rise * unit,
                   Int256(atLower.denominator) * Int256(atUpper.denominator) * steepness};
-        const Int256 way = preStepOf(lower, span, program.spanPreStep());
-        if (walk.preSteps == Kept::All)
+        const PreStep preStep = program.spanPreStep();
+        const Int256 way = preStepOf(lower, span, preStep);
+        if (preStep == PreStep::WithoutRate)
+            ramp = preSteppedBy(way, ramp, lower.denominator);
+        else if (walk.preSteps == Kept::All)
             ramp.first += way * rise * Int256(upper.denominator);
         else
             ramp = preSteppedBy(cut(ramp.step, ramp.denominator, walk.preSteps) * way, ramp,
@@ -233,10 +259,10 @@ private:
     static void store(const Ramp &ramp, const WalkedSpan &span, const WalkedProgram &program,
                       std::vector<WholeLevels> &levels, std::size_t channel)
     {
-        const bool isNearest = program.rounding == ByteRounding::Nearest;
+        const bool isNearest = program.rounding() == ByteRounding::Nearest;
         const Int256 skipped = span.firstDrawn - span.first;
-        if (program.walk.levels != Kept::All)
-            storeWhole(ramp, span, program.walk.levels, levels, channel);
+        if (program.walk().levels != Kept::All)
+            storeWhole(ramp, span, program.walk().levels, levels, channel);
         else if (isNearest) // ⌊v + ½⌋
             storeFloors({2 * (ramp.first + skipped * ramp.step) + ramp.denominator, 2 * ramp.step,
                          2 * ramp.denominator},

@@ -2,8 +2,6 @@
 #pragma once
 
 #include "core/grade/redrawing.h"
-#include "core/grade/walkside.h"
-#include "core/scan/variedscan.h"
 
 namespace pixelplumb {
 
@@ -11,31 +9,72 @@ namespace pixelplumb {
 /// one, in C (toward 0), by Python's // (down) or by round().
 enum class Kept { All, TowardZero, Down, Nearest };
 /// How far a first value lies from where it is known: a vertex' first span ⌈x₀⌉ − x₀ from it, a
-/// bound's first sample ⌈y_B⌉ − y_B; nothing; x₀ − ⌊x₀⌋; or the right way in the wrong direction.
-enum class PreStep { ToSample, None, Fraction, Backward };
+/// bound's first sample ⌈y_B⌉ − y_B; nothing; x₀ − ⌊x₀⌋; the right way in the wrong direction; or,
+/// of a span alone, the right way by which nothing is multiplied: R_B + (⌈y_B⌉ − y_B).
+enum class PreStep { ToSample, None, Fraction, Backward, WithoutRate };
 /// When what is stepped is stepped.
 enum class Stepping { AfterDrawing, BeforeDrawing };
 /// What happens to the edges at a span without samples.
 enum class EmptySpan { Steps, Waits };
-/// To which sample a bound of a span is taken: what the fill rule says, ⌊ ⌋, the nearest, ⌈ ⌉.
-enum class EndRounding { ByRule, Down, Nearest, Up };
+/// To which sample a bound of a span is taken: what the fill rule says, ⌊ ⌋, the nearest, ⌈ ⌉; or
+/// as the rule says but for a sample on the bound itself, which is owned where it is not by the
+/// rule.
+enum class EndRounding { ByRule, Down, Nearest, Up, OnBoundOtherwise };
 /// By what a span's difference of colours is divided: y_T − y_B; this and one; the number of its
 /// samples; or the steps from its first sample to its last. By 0 nothing is, and nothing stepped.
 enum class SpanDivisor { Height, HeightAndOne, Samples, Steps };
-/// Whose colours are taken for the lower bound's: its own edge's, or always those of the short edge
-/// or of the long one, the other bound having the other's.
-enum class LowerColours { OfItsEdge, OfShortEdge, OfLongEdge };
+/// Whose colours are taken for the lower bound's: its own edge's, or always those of the short
+/// edge, of the long one or of the upper bound, the other bound having the other's.
+enum class LowerColours { OfItsEdge, OfShortEdge, OfLongEdge, OfUpperEdge };
+/// How the colours go along a span: from y_B up by ΔR; from y_T up; down from y_B by as much; or
+/// from the last sample, which has what is the first one's.
+enum class SpanColours { FromLowerBound, FromUpperBound, Falling, FromLastSample };
+/// Which edge of a span is its upper bound: the one that is; or L₀₂ always, never, where
+/// y₁ < y₀, or where y₁ < y₂.
+enum class UpperEdge { TheUpper, Long, Short, LongIfBelowFirst, LongIfBelowLast };
+/// What a slope is: Δy/Δx, Δx/Δy, or −Δy/Δx.
+enum class SlopeForm { RiseOverRun, RunOverRise, Negated };
 /// With what L₁₂ begins: with P₁'s own, with P₀'s, or with what L₀₁ has come to.
 enum class ShortEdgeBehind { FromMiddle, FromFirst, CarriedOn };
-/// What L₀₂ does behind P₁: it goes on, begins anew with P₁'s own, or stays as it is there.
-enum class LongEdgeBehind { GoesOn, FromMiddle, Stands };
+/// Between which vertices a rate of L₁₂ is: its own; those of L₀₁; with a rise from P₀; with a run
+/// from P₀.
+enum class ShortRateBehind { Own, OfFirstEdge, RiseFromFirst, RunFromFirst };
+/// What L₀₂ does behind P₁: it goes on, begins anew with P₁'s own or with P₀'s, or stays as it is
+/// there.
+enum class LongEdgeBehind { GoesOn, FromMiddle, FromFirst, Stands };
+/// What L₀₂ does before P₁: it is stepped, or waits.
+enum class LongEdgeBefore { Steps, Waits };
+/// To which half the span belongs on which P₁ lies: the second one; or to both, for each of which
+/// L₀₂ is stepped.
+enum class MiddleSpan { InSecondHalf, InBothHalves };
 /// Between what the span of P₁ and P₂ lies that have the same x: P₁ and what L₀₂ has come to, the
 /// two vertices, or what L₀₁ and L₀₂ have come to. Of a right program that is the same.
 enum class FlatEnd { ByEdges, FromVertices, FromEdgesBefore };
 /// Which vertices are taken for P₀ P₁ P₂: sorted by x, and where that is equal by y, as they were
-/// given, or by y from the greatest down; sorted by y; or not sorted. A right program draws the
-/// same by any of the first three.
-enum class VertexOrder { ByX, ByXThenAsGiven, ByXThenDown, ByY, AsGiven };
+/// given, or by y from the greatest down; sorted by y; not sorted; or by x with these comparisons
+/// alone, the one after the other: 01 12 is the first vertex with the second, the second with the
+/// third. A right program draws the same by any of the first three.
+enum class VertexOrder {
+    ByX,
+    ByXThenAsGiven,
+    ByXThenDown,
+    ByY,
+    AsGiven,
+    Compared01,
+    Compared12,
+    Compared02,
+    Compared01And12,
+    Compared12And01,
+    Compared01And02,
+    Compared02And12
+};
+/// Whether each of three vertices has its place then.
+constexpr bool isSortedByX(VertexOrder order) { return order <= VertexOrder::ByXThenDown; }
+
+/// Edges of a triangle: all, or L₀₁, L₁₂ or L₀₂ alone.
+enum class WalkedEdges { All, First, Second, Long };
+/// What is divided by an edge's Δx: its rise and the differences of its colours, or one of these.
+enum class EdgeRates { All, Slope, Colours };
 
 /// Some of R G B.
 struct ChannelSet {
@@ -47,6 +86,9 @@ struct ChannelSet {
     friend constexpr bool operator==(const ChannelSet &, const ChannelSet &) = default;
 };
 inline constexpr ChannelSet redAlone = {1}, greenAlone = {2}, blueAlone = {4}, allChannels = {7};
+/// Which channel each of R G B takes something of.
+using ChannelSources = std::array<std::uint8_t, 3>;
+inline constexpr ChannelSources ownChannels = {0, 1, 2};
 
 /// Departures along an edge: from which end spans are gone through makes a difference.
 inline constexpr std::array variantsAlongEdges
@@ -59,28 +101,38 @@ struct ProgramWalk {
     std::optional<WalkOrder> order = {}; ///< the method's, if left out
     VertexOrder vertices = VertexOrder::ByX;
     VariantSet departures = {}; ///< beside those of the scene, which along edges are the method's
-    VariantSet departuresBehindMiddle
-        = {}; ///< those of the edge from the middle vertex to the last alone
+    EdgeRates divided = EdgeRates::All; ///< of which another divisor is one
+    WalkedEdges departing = WalkedEdges::All; ///< in all that is an edge's own
+    SlopeForm slopeForm = SlopeForm::RiseOverRun;
     Kept slopes = Kept::All;
     Kept edgeColours = Kept::All; ///< ΔR ΔG ΔB along an edge
     Kept preSteps = Kept::All; ///< ΔR ΔG ΔB along a span, on the way from y_B to ⌈y_B⌉
     Kept steps = Kept::All; ///< the same from sample to sample
     Kept edgePlaces = Kept::All; ///< y along an edge, at each span that it meets
     Kept edgeLevels = Kept::All; ///< R G B along an edge, at each span that it meets
+    Kept bounds = Kept::All; ///< R_B and R_T, where a span takes them from its edges
     Kept levels = Kept::All; ///< R G B along a span, at each sample
     PreStep placePreStep = PreStep::ToSample; ///< of an edge's y
     PreStep edgeColourPreStep = PreStep::ToSample; ///< of an edge's R G B
     PreStep spanPreStep = PreStep::ToSample; ///< of R G B along a span
     ChannelSet unsteppedAlongEdges = {};
     ChannelSet unsteppedAlongSpans = {};
-    Stepping edgeStepping = Stepping::AfterDrawing;
+    ChannelSources stepsAlongSpansOf = ownChannels;
+    Stepping placeStepping = Stepping::AfterDrawing;
+    Stepping edgeColourStepping = Stepping::AfterDrawing;
     Stepping spanStepping = Stepping::AfterDrawing;
     EmptySpan emptySpans = EmptySpan::Steps;
     ShortEdgeBehind shortPlacesBehind = ShortEdgeBehind::FromMiddle;
     ShortEdgeBehind shortColoursBehind = ShortEdgeBehind::FromMiddle;
+    ShortRateBehind shortSlopeBehind = ShortRateBehind::Own;
+    ShortRateBehind shortColourRatesBehind = ShortRateBehind::Own;
+    LongEdgeBefore longPlacesBefore = LongEdgeBefore::Steps;
+    LongEdgeBefore longColoursBefore = LongEdgeBefore::Steps;
     LongEdgeBehind longPlacesBehind = LongEdgeBehind::GoesOn;
     LongEdgeBehind longColoursBehind = LongEdgeBehind::GoesOn;
     FlatEnd flatEnd = FlatEnd::ByEdges;
+    MiddleSpan middleSpan = MiddleSpan::InSecondHalf;
+    UpperEdge upperEdge = UpperEdge::TheUpper;
     /// To which span the coordinate of a vertex is taken; but by the rule, an edge has its vertex'
     /// own place and colour there.
     EndRounding spans = EndRounding::ByRule;
@@ -90,6 +142,7 @@ struct ProgramWalk {
     std::int64_t extraBehind = 0; ///< behind its last one
     SpanDivisor divisor = SpanDivisor::Height;
     LowerColours lowerColours = LowerColours::OfItsEdge;
+    SpanColours spanColours = SpanColours::FromLowerBound;
 
     /// Whether an edge depends on what was stepped in the spans before, whether they are in the
     /// frame or not.
@@ -99,94 +152,22 @@ struct ProgramWalk {
             || emptySpans != EmptySpan::Steps || shortPlacesBehind != ShortEdgeBehind::FromMiddle
             || shortColoursBehind != ShortEdgeBehind::FromMiddle
             || longPlacesBehind != LongEdgeBehind::GoesOn
-            || longColoursBehind != LongEdgeBehind::GoesOn || flatEnd == FlatEnd::FromEdgesBefore
-            || vertices == VertexOrder::ByY || vertices == VertexOrder::AsGiven;
+            || longColoursBehind != LongEdgeBehind::GoesOn
+            || longPlacesBefore != LongEdgeBefore::Steps
+            || longColoursBefore != LongEdgeBefore::Steps || flatEnd == FlatEnd::FromEdgesBefore
+            || middleSpan != MiddleSpan::InSecondHalf || !isSortedByX(vertices);
     }
+
+    /// The same but for what is an edge's own.
+    ProgramWalk withRightEdges() const;
 
     friend bool operator==(const ProgramWalk &, const ProgramWalk &) = default;
 };
 
-/// ⌊ ⌋, the nearest or ⌈ ⌉ of a coordinate, px; by the rule ⌈ ⌉.
-constexpr std::int64_t wholePixel(Lattice coordinate, EndRounding rounding)
-{
-    if (rounding == EndRounding::Down)
-        return floorPixel(coordinate);
-    return rounding == EndRounding::Nearest ? floorPixel(coordinate + halfPixel)
-                                            : ceilPixel(coordinate);
-}
-
-/// An edge as it is stepped along: with the rates of one from a to b, from a place and a colour.
-struct WalkedEdge {
-    VariedScan::Edge places, colours;
-    Vertex firstPlace = places.a;
-    Vertex firstColour = colours.a;
-};
-
-/// A walk with all that decides its picture.
-struct WalkedProgram {
-    const ProgramWalk &walk;
-    VariantSet departures; ///< the walk's and the scene's
-    ByteRounding rounding = ByteRounding::Nearest;
-    EndRounding spans
-        = EndRounding::ByRule; ///< the walk's, as seen from the end at which it begins
-    WalkSide side = {};
-
-    /// The same behind the middle vertex.
-    WalkedProgram behindMiddle() const
-    {
-        WalkedProgram behind = *this;
-        behind.departures.bits |= walk.departuresBehindMiddle.bits;
-        return behind;
-    }
-
-    WalkedEdge edge(const Vertex &from, const Vertex &to) const
-    {
-        const VariedScan::Edge edge = VariedScan{departures}.edge(from, to);
-        return {shifted(edge, walk.placePreStep), shifted(edge, walk.edgeColourPreStep)};
-    }
-    PreStep spanPreStep() const
-    {
-        return departures.contains(Variant::NoColourPreStep) ? PreStep::None : walk.spanPreStep;
-    }
-
-private:
-    /// To where a vertex is taken to be whose values are had at the edge's first span.
-    VariedScan::Edge shifted(VariedScan::Edge edge, PreStep preStep) const
-    {
-        const Lattice from = edge.a.position.x;
-        const Lattice late = wholePixel(from, EndRounding::Up) * unitsPerPixel - from;
-        Lattice way = 0;
-        if (spans != EndRounding::ByRule)
-            way = wholePixel(from, spans) * unitsPerPixel - from;
-        else if (preStep == PreStep::None)
-            way = late;
-        else if (preStep == PreStep::Backward)
-            way = 2 * late;
-        else if (preStep == PreStep::Fraction && late != 0)
-            way = 2 * late - unitsPerPixel;
-        edge.a.position.x += way;
-        edge.b.position.x += way;
-        return edge;
-    }
-};
-
-/// The samples of a span; those that are drawn lie in the frame.
-struct WalkedSpan {
-    std::int64_t first = 0, end = 0;
-    std::int64_t firstDrawn = 0, endDrawn = 0;
-};
-
-/// The two edges of a span, and those whose colours it has at them.
-template <class Edge>
-struct WalkedBounds {
-    const Edge &lower, &upper;
-    const Edge &lowerColours, &upperColours;
-};
-
 /// Goes through the triangle so, in the scene's arithmetic, or on the triangle's side in float64.
-/// Nothing departs in one that has no area or reaches beyond what the arithmetic holds, or in exact
-/// arithmetic, or where it remembers the spans before, beyond 2^15 px.
-void walkAs(TriangleRuns &triangle, const ProgramWalk &walk);
+/// False, and nothing is changed, of one that has no area or reaches beyond what the arithmetic
+/// holds, or in exact arithmetic, or where it remembers the spans before, beyond 2^15 px.
+bool walkAs(TriangleRuns &triangle, const ProgramWalk &walk);
 
 /// The same, to be done to any triangle.
 std::function<void(TriangleRuns &triangle)> walking(const ProgramWalk &walk);

@@ -33,6 +33,7 @@ struct SampleRun {
     /// Of its samples one by one, which all lie in the frame then; empty: the method's own, and
     /// beyond what it draws those of the plane.
     std::vector<WholeLevels> levels = {};
+    std::int64_t firstLevelled = 0; ///< the sample that has the first of these
 };
 
 /// One triangle as it is gone through: `triangle` has x and y exchanged where that is by rows.
@@ -43,7 +44,7 @@ struct TriangleRuns {
     ScanSettings settings;
     std::int64_t firstSpan = 0, endSpan = 0; ///< that the frame has
     std::int64_t firstSample = 0, endSample = 0; ///< that the frame has of a span
-    std::vector<SampleRun> runs; ///< ascending
+    std::vector<SampleRun> runs; ///< in the order in which they are painted
     std::optional<RoundingSide> side = {}; ///< on which of these a walk is to draw; none: its own
 };
 
@@ -69,7 +70,7 @@ struct Redrawing {
     LevelOverflow overflow = LevelOverflow::Clamps;
     Repainting repainting = Repainting::Over;
     LevelBytes bytes = {};
-    std::shared_ptr<const ProgramWalk> walk = {}; ///< where the change is to go through it so
+    std::shared_ptr<const ProgramWalk> walk = {}; ///< where the change is to go through it so alone
 };
 
 /// What a program does that does both; none where they decide the same thing. One that goes through

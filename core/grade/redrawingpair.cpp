@@ -2,9 +2,6 @@
 #include "core/grade/defect.h"
 #include "core/grade/programwalk.h"
 
-#include <algorithm>
-#include <map>
-
 namespace pixelplumb {
 
 namespace {
@@ -18,36 +15,53 @@ public:
         , m_other(other)
     {
         // All members by name: one more does not compile before it has its line here.
-        const auto &[order, vertices, departures, departuresBehind, slopes, edgeColours, preSteps,
-                     steps, edgePlaces, edgeLevels, levels, placePreStep, edgeColourPreStep,
-                     spanPreStep, unsteppedAlongEdges, unsteppedAlongSpans, edgeStepping,
-                     spanStepping, emptySpans, shortPlaces, shortColours, longPlaces, longColours,
-                     flatEnd, spans, first, last, extraBefore, extraBehind, divisor, lowerColours]
+        const auto &[order, vertices, departures, divided, departing, slopeForm, slopes,
+                     edgeColours, preSteps, steps, edgePlaces, edgeLevels, bounds, levels,
+                     placePreStep, edgeColourPreStep, spanPreStep, unsteppedAlongEdges,
+                     unsteppedAlongSpans, stepsAlongSpansOf, placeStepping, edgeColourStepping,
+                     spanStepping, emptySpans, shortPlaces, shortColours, shortSlope,
+                     shortColourRates, longPlacesBefore, longColoursBefore, longPlaces, longColours,
+                     flatEnd, middleSpan, upperEdge, spans, first, last, extraBefore, extraBehind,
+                     divisor, lowerColours, spanColours]
             = m_right;
+        // What departs on one edge alone departs on all with what departs on all.
+        m_isContradiction = one.departing != other.departing && departsAlongEdges(one)
+            && departsAlongEdges(other);
         m_both.order = one.order ? one.order : other.order ? other.order : order;
         takeDepartures(&ProgramWalk::departures, departures);
-        takeDepartures(&ProgramWalk::departuresBehindMiddle, departuresBehind);
         takeChannels(&ProgramWalk::unsteppedAlongEdges, unsteppedAlongEdges);
         takeChannels(&ProgramWalk::unsteppedAlongSpans, unsteppedAlongSpans);
         take(&ProgramWalk::vertices, vertices);
+        take(&ProgramWalk::divided, divided);
+        take(&ProgramWalk::departing, departing);
+        take(&ProgramWalk::slopeForm, slopeForm);
         take(&ProgramWalk::slopes, slopes);
         take(&ProgramWalk::edgeColours, edgeColours);
         take(&ProgramWalk::preSteps, preSteps);
         take(&ProgramWalk::steps, steps);
         take(&ProgramWalk::edgePlaces, edgePlaces);
         take(&ProgramWalk::edgeLevels, edgeLevels);
+        take(&ProgramWalk::bounds, bounds);
         take(&ProgramWalk::levels, levels);
         take(&ProgramWalk::placePreStep, placePreStep);
         take(&ProgramWalk::edgeColourPreStep, edgeColourPreStep);
         take(&ProgramWalk::spanPreStep, spanPreStep);
-        take(&ProgramWalk::edgeStepping, edgeStepping);
+        take(&ProgramWalk::stepsAlongSpansOf, stepsAlongSpansOf);
+        take(&ProgramWalk::placeStepping, placeStepping);
+        take(&ProgramWalk::edgeColourStepping, edgeColourStepping);
         take(&ProgramWalk::spanStepping, spanStepping);
         take(&ProgramWalk::emptySpans, emptySpans);
         take(&ProgramWalk::shortPlacesBehind, shortPlaces);
         take(&ProgramWalk::shortColoursBehind, shortColours);
+        take(&ProgramWalk::shortSlopeBehind, shortSlope);
+        take(&ProgramWalk::shortColourRatesBehind, shortColourRates);
+        take(&ProgramWalk::longPlacesBefore, longPlacesBefore);
+        take(&ProgramWalk::longColoursBefore, longColoursBefore);
         take(&ProgramWalk::longPlacesBehind, longPlaces);
         take(&ProgramWalk::longColoursBehind, longColours);
         take(&ProgramWalk::flatEnd, flatEnd);
+        take(&ProgramWalk::middleSpan, middleSpan);
+        take(&ProgramWalk::upperEdge, upperEdge);
         take(&ProgramWalk::spans, spans);
         take(&ProgramWalk::first, first);
         take(&ProgramWalk::last, last);
@@ -55,6 +69,7 @@ public:
         take(&ProgramWalk::extraBehind, extraBehind);
         take(&ProgramWalk::divisor, divisor);
         take(&ProgramWalk::lowerColours, lowerColours);
+        take(&ProgramWalk::spanColours, spanColours);
     }
 
     std::optional<ProgramWalk> both() const
@@ -63,6 +78,8 @@ public:
     }
 
 private:
+    static bool departsAlongEdges(const ProgramWalk &walk) { return walk.withRightEdges() != walk; }
+
     template <class Member>
     void take(Member ProgramWalk::*member, const Member &right)
     {
@@ -106,9 +123,11 @@ bool hasOrder(ProgramWalk walk)
     // Those of a span alone.
     walk.preSteps = right.preSteps;
     walk.steps = right.steps;
+    walk.bounds = right.bounds;
     walk.levels = right.levels;
     walk.spanPreStep = right.spanPreStep;
     walk.unsteppedAlongSpans = right.unsteppedAlongSpans;
+    walk.stepsAlongSpansOf = right.stepsAlongSpansOf;
     walk.spanStepping = right.spanStepping;
     walk.first = right.first;
     walk.last = right.last;
@@ -116,6 +135,8 @@ bool hasOrder(ProgramWalk walk)
     walk.extraBehind = right.extraBehind;
     walk.divisor = right.divisor;
     walk.lowerColours = right.lowerColours;
+    walk.spanColours = right.spanColours;
+    walk.upperEdge = right.upperEdge;
     // What is no mistake from either end.
     walk.flatEnd = right.flatEnd;
     if (walk.vertices == VertexOrder::ByXThenAsGiven || walk.vertices == VertexOrder::ByXThenDown)
@@ -127,20 +148,6 @@ std::optional<ProgramWalk> merged(const ProgramWalk &one, const ProgramWalk &oth
 {
     const bool areOpposed = hasOrder(one) && hasOrder(other) && one.order != other.order;
     return areOpposed ? std::nullopt : WalkMerger(one, other).both();
-}
-
-/// A walk's levels stay at their samples whatever is left out before them.
-void leaveOut(const Redrawing &omission, TriangleRuns &triangle)
-{
-    std::map<std::int64_t, std::int64_t> firstSamples; // by span
-    for (const SampleRun &run : triangle.runs)
-        firstSamples[run.span] = run.first;
-    omission.change(triangle);
-    for (SampleRun &run : triangle.runs) {
-        const auto left = std::clamp<std::int64_t>(run.first - firstSamples[run.span], 0,
-                                                   std::ssize(run.levels));
-        run.levels.erase(run.levels.begin(), run.levels.begin() + left);
-    }
 }
 
 } // namespace
@@ -171,7 +178,7 @@ std::optional<Redrawing> together(const Redrawing &one, const Redrawing &other)
     } else {
         both = {[one, other](TriangleRuns &triangle) {
                     one.change(triangle);
-                    leaveOut(other, triangle);
+                    other.change(triangle);
                 },
                 overflow};
     }

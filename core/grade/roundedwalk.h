@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/programwalk.h"
+#include "core/grade/walkedprogram.h"
 #include "core/scan/roundedarithmetic.h"
 #include "core/scan/variedscan.h"
 
@@ -51,10 +51,13 @@ struct RoundedWalk {
             }
         }
 
-        void stepToNextSpan()
+        void stepPlace()
         {
             A::advance(m_along, m_slope);
             m_along = left(m_along, m_walk.edgePlaces);
+        }
+        void stepColour()
+        {
             for (std::size_t i = 0; i < 3; ++i) {
                 A::advance(m_levels[i], m_rates[i]);
                 m_levels[i] = left(m_levels[i], m_walk.edgeLevels);
@@ -73,6 +76,8 @@ struct RoundedWalk {
             m_levels = other.m_levels;
             m_rates = other.m_rates;
         }
+        void stepAsPlacesOf(const Edge &other) { m_slope = other.m_slope; }
+        void stepAsColoursOf(const Edge &other) { m_rates = other.m_rates; }
         void holdPlace() { m_slope = Traits::fromInteger(0); }
         void holdColour() { m_rates.fill(Traits::fromInteger(0)); }
 
@@ -101,32 +106,43 @@ struct RoundedWalk {
     static Value upward(const WalkedProgram &program, const Value &rate, const Value &height)
     {
         if constexpr (std::is_same_v<Value, double>)
-            return program.side.upward(rate, height);
+            return program.side().upward(rate, height);
         return Traits::fromInteger(0);
     }
 
     static std::vector<WholeLevels> levelsOf(const Bounds &bounds, const WalkedSpan &span,
                                              const WalkedProgram &program)
     {
-        const ProgramWalk &walk = program.walk;
+        const ProgramWalk &walk = program.walk();
         const Value none = Traits::fromInteger(0);
         const Value height = heightOf(bounds, span, walk.divisor);
-        const Value &lower = bounds.lower.m_along;
         const PreStep preStep = program.spanPreStep();
         // One rate for both: the first sample that the frame has is reached at once, as in the
         // scan.
         const bool isReachedAtOnce = walk.preSteps == walk.steps && walk.levels == Kept::All
-            && preStep == PreStep::ToSample && walk.unsteppedAlongSpans.isEmpty();
+            && preStep == PreStep::ToSample && walk.unsteppedAlongSpans.isEmpty()
+            && walk.stepsAlongSpansOf == ownChannels;
         const std::int64_t reached = isReachedAtOnce ? span.firstDrawn : span.first;
+        const Value way = preStepOf(bounds.lower.m_along, reached, preStep);
+        std::array<Value, 3> froms = {none, none, none}, rates = froms;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Value atLower = left(bounds.lowerColours.m_levels[i], walk.bounds);
+            const Value atUpper = left(bounds.upperColours.m_levels[i], walk.bounds);
+            const Value rise
+                = walk.spanColours == SpanColours::Falling ? atLower - atUpper : atUpper - atLower;
+            froms[i] = walk.spanColours == SpanColours::FromUpperBound ? atUpper : atLower;
+            if (height != none)
+                rates[i] = rise / height;
+        }
         std::vector<WholeLevels> levels(std::size_t(span.endDrawn - span.firstDrawn));
         for (std::size_t i = 0; i < 3; ++i) {
-            const Value &from = bounds.lowerColours.m_levels[i];
-            const Value rate
-                = height == none ? none : (bounds.upperColours.m_levels[i] - from) / height;
-            const Value step = walk.unsteppedAlongSpans.contains(i) ? none : left(rate, walk.steps);
-            const Value error = upward(program, rate, height);
-            Value level = from + preStepOf(lower, reached, preStep) * left(rate, walk.preSteps);
-            level = left(level, walk.levels);
+            const Value step = walk.unsteppedAlongSpans.contains(i)
+                ? none
+                : left(rates[walk.stepsAlongSpansOf[i]], walk.steps);
+            const Value error = upward(program, rates[i], height);
+            const Value preStepped
+                = preStep == PreStep::WithoutRate ? way : way * left(rates[i], walk.preSteps);
+            Value level = left(froms[i] + preStepped, walk.levels);
             if (walk.spanStepping == Stepping::BeforeDrawing)
                 A::advance(level, step);
             std::int64_t place = reached;
@@ -137,7 +153,7 @@ struct RoundedWalk {
             for (; place < span.endDrawn; ++place) {
                 if (place >= span.firstDrawn)
                     levels[std::size_t(place - span.firstDrawn)][i]
-                        = A::level(level + error, program.rounding);
+                        = A::level(level + error, program.rounding());
                 A::advance(level, step);
                 level = left(level, walk.levels);
             }
@@ -166,6 +182,7 @@ private:
         const Value at = Traits::fromInteger(sample);
         switch (preStep) {
         case PreStep::ToSample:
+        case PreStep::WithoutRate:
             break;
         case PreStep::Backward:
             return lower - at;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/spandefect.h"
 
+#include "core/grade/programwalk.h"
 #include "core/grade/spanredrawings.h"
 #include "core/grade/walkdefect.h"
 #include "core/runs/sceneplan.h"
@@ -23,7 +24,6 @@ constexpr const char *endsQuestion = "From which to which sample does a span go?
 constexpr const char *spansQuestion
     = "From which to which %1 does a triangle go? What if a vertex lies on one, or between two?";
 constexpr const char *halvesQuestion = "What happens where one edge ends and the next begins?";
-constexpr const char *swappedQuestion = "Which of the two edges comes first? Always?";
 constexpr const char *alongQuestion
     = "What happens to a triangle that has an edge along a %1, which has no slope?";
 constexpr const char *edgesQuestion = "Are all three edges tested alike?";
@@ -90,16 +90,6 @@ const std::vector<SpanDefect> &omissions()
          halvesQuestion,
          "The half behind the middle vertex is not drawn; a %1 through it is.",
          {omitBehindMiddle}},
-        {"middle-above-lost",
-         swappedQuestion,
-         "The long edge is always taken for the upper bound of a %1: triangles whose middle "
-         "vertex lies beyond it are not drawn, but for a tip on a sample.",
-         {omitWithMiddleAbove}},
-        {"middle-below-lost",
-         swappedQuestion,
-         "The long edge is always taken for the lower bound of a %1: triangles whose middle "
-         "vertex lies before it are not drawn, but for a tip on a sample.",
-         {omitWithMiddleBelow}},
         {"first-edge-along-lost",
          alongQuestion,
          "Nothing is drawn of a triangle two vertices of which have its least %2: it is given up "
@@ -187,6 +177,32 @@ const std::vector<SpanDefect> &boxDefects()
     return rows;
 }
 
+/// What is done with samples on a bound itself that the rule in force does otherwise.
+void appendSamplesOnBounds(std::vector<Defect> &defects, const Scene &scene, SpanAxis axis)
+{
+    const BoundaryRule rule = boundaryRuleOf(scene);
+    const Interval samples
+        = (axis == SpanAxis::Row ? rowIntervals(rule) : columnIntervals(rule.rule)).rows;
+    const auto add = [&](const QString &id, const char *what, const ProgramWalk &walk,
+                         bool isOwned) {
+        const auto words = isOwned ? QStringLiteral("%1 is left out: < in place of ≤.")
+                                   : QStringLiteral("%1 is drawn: ≤ in place of <.");
+        defects.push_back(redrawnDefect(
+            (isOwned ? QStringLiteral("open-at-") : QStringLiteral("closed-at-")) + id,
+            QStringLiteral("Does a sample that lies on an edge belong to a %1?"),
+            words.arg(QString::fromUtf8(what)), redrawingBy(walk, LevelOverflow::Clamps), axis));
+    };
+    constexpr auto otherwise = EndRounding::OnBoundOtherwise;
+    const bool ownsBoth = ownsFirst(samples) && ownsLast(samples);
+    add(QStringLiteral("lower-bound"), "A sample on the lower bound of a %1", {.first = otherwise},
+        ownsFirst(samples));
+    add(QStringLiteral("upper-bound"), "A sample on the upper bound of a %1", {.last = otherwise},
+        ownsLast(samples));
+    if (ownsFirst(samples) == ownsLast(samples))
+        add(QStringLiteral("bounds"), "A sample on either bound of a %1",
+            {.first = otherwise, .last = otherwise}, ownsBoth);
+}
+
 /// Whether two vertices of a triangle share their span: programs may sort them otherwise.
 bool hasEdgeAlong(const Scene &scene, SpanAxis axis)
 {
@@ -211,8 +227,10 @@ std::vector<Defect> spanDefectsFor(const Scene &scene)
     std::vector<Defect> defects;
     if (walksEdges && hasEdgeAlong(scene, axis))
         defects = flatEdgeChoicesFor(axis);
-    if (walksEdges)
+    if (walksEdges) {
         std::ranges::move(walkDefectsFor(axis), std::back_inserter(defects));
+        appendSamplesOnBounds(defects, scene, axis);
+    }
     const auto add = [&](const SpanDefect &row) {
         defects.push_back(redrawnDefect(QString::fromLatin1(row.id),
                                         QString::fromUtf8(row.forStudent),

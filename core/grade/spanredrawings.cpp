@@ -32,28 +32,6 @@ void omitSpanOfVertex(TriangleRuns &triangle, std::size_t place)
         omitSpan(triangle, ceilPixel(ofVertex));
 }
 
-/// Of a program that takes the long edge for the same bound always: where it is the other one,
-/// spans end before they begin. Of two vertices with one x that comes first which has the least y,
-/// from whichever end spans are gone through: so an edge along them decides which edge is long.
-void omitWithMiddle(TriangleRuns &triangle, int side)
-{
-    const int onward = triangle.order == WalkOrder::Ascending ? 1 : -1;
-    Triangle of = triangle.triangle;
-    for (Vertex &vertex : of.vertices)
-        vertex.position.x *= onward;
-    const Int128 area = doubledArea(sortedVertex(of, 0), sortedVertex(of, 2), sortedVertex(of, 1));
-    if (side > 0 ? area <= 0 : area >= 0)
-        return;
-    const LatticePoint &middle = sortedVertex(of, 1);
-    const auto isTip = [&](const SampleRun &run, const LatticePoint &vertex) {
-        const LatticePoint sample = latticePixel(onward * run.span, run.first);
-        return sample == vertex && run.end == run.first + 1 && vertex.x != middle.x;
-    };
-    std::erase_if(triangle.runs, [&](const SampleRun &run) {
-        return !isTip(run, sortedVertex(of, 0)) && !isTip(run, sortedVertex(of, 2));
-    });
-}
-
 bool hasFirstEdgeAlong(const TriangleRuns &triangle)
 {
     return spanOfVertex(triangle, 0) == spanOfVertex(triangle, 1);
@@ -186,10 +164,6 @@ void omitBetweenEnds(TriangleRuns &triangle)
     }
     triangle.runs = std::move(runs);
 }
-
-void omitWithMiddleAbove(TriangleRuns &triangle) { omitWithMiddle(triangle, 1); }
-
-void omitWithMiddleBelow(TriangleRuns &triangle) { omitWithMiddle(triangle, -1); }
 
 void fillBox(TriangleRuns &triangle)
 {

@@ -35,8 +35,6 @@ void omitBetweenEnds(TriangleRuns &triangle); ///< all but a span's first and la
 /// All of a triangle whose middle vertex lies on that side of the long edge: of a program that
 /// takes this edge for the same bound always, spans end before they begin. A tip on a sample, where
 /// its bounds meet, is left.
-void omitWithMiddleAbove(TriangleRuns &triangle);
-void omitWithMiddleBelow(TriangleRuns &triangle);
 
 // The bounding box: drawn whole; its last sample of each span, or its last span, not.
 void fillBox(TriangleRuns &triangle);

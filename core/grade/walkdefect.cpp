@@ -5,6 +5,7 @@
 #include "core/scan/choicenames.h"
 
 #include <algorithm>
+#include <iterator>
 #include <optional>
 
 namespace pixelplumb {
@@ -141,7 +142,9 @@ std::vector<Defect> walkDefectsFor(SpanAxis axis)
     };
     std::ranges::for_each(namedWalks(spanWalkRows()), add);
     const bool hasOrder = axis == SpanAxis::Row;
-    for (const NamedWalk &named : namedWalks(edgeWalkRows())) {
+    std::vector<NamedWalk> alongEdges = namedWalks(edgeWalkRows());
+    std::ranges::move(namedWalks(middleWalkRows()), std::back_inserter(alongEdges));
+    for (const NamedWalk &named : alongEdges) {
         if (!hasOrder) {
             add(withWays(named, WalkOrder::Ascending));
             continue;

@@ -22,6 +22,9 @@ struct WalkRow {
 const std::vector<WalkRow> &spanWalkRows();
 /// Of what is done along edges, where it does.
 const std::vector<WalkRow> &edgeWalkRows();
+/// Of what tells the three edges apart: where the first short one ends and the second begins, what
+/// the long one does there, and what one of them alone has.
+const std::vector<WalkRow> &middleWalkRows();
 
 namespace walkquestions {
 

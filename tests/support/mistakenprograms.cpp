@@ -73,7 +73,7 @@ void addKnown(Programs &programs)
                        {M::FirstHalfTruncated});
     programs.addOfEnds("first-half-missing", "second-half-behind-middle-missing", {M::NoFirstHalf});
     programs.addOfEnds("second-half-missing", "first-half-and-middle-missing", {M::NoSecondHalf});
-    programs.addOfEdges("no-pre-step-behind-middle", {M::SecondHalfWithoutPreStep});
+    programs.addOfEdges("no-pre-step-behind-middle", {M::NoPreStepOfSecond});
     programs.addOfEdges("loops-truncated", {M::LoopsTruncated});
     programs.addOfEdges("floor-slopes", {M::WholeSlopes, M::DividesDown});
     programs.addOfEdges("floor-edge-colours", {M::WholeEdgeColours, M::DividesDown});
@@ -119,7 +119,7 @@ void addOfWalks(Programs &programs)
     programs.addOfEdges("blue-not-stepped-along-edges", {M::BlueNotSteppedAlongEdges});
     programs.addOfEdges("edge-pre-step-of-fraction", {M::EdgePreStepOfFraction});
     programs.addOfEdges("edge-pre-step-backward", {M::EdgePreStepBackward});
-    programs.addOfEdges("edges-stepped-first", {M::EdgesSteppedFirst});
+    programs.addOfEdges("edges-stepped-first", {M::PlacesSteppedFirst, M::EdgeColoursSteppedFirst});
     programs.addOfEdges("edges-wait-at-empty-spans", {M::EmptySpansContinue});
     programs.addOfEdges("whole-places", {M::WholePlaces});
     programs.addOfEdges("rounded-places", {M::RoundedPlaces});
@@ -144,6 +144,85 @@ void addOfWalks(Programs &programs)
                        {M::NoSecondHalfAtVertical});
 }
 
+void addOfBounds(Programs &programs)
+{
+    programs.addOfSpans("open-at-lower-bound", {M::LowerBoundLeftOut});
+    programs.addOfSpans("open-at-upper-bound", {M::UpperBoundLeftOut});
+    programs.addOfSpans("open-at-bounds", {M::LowerBoundLeftOut, M::UpperBoundLeftOut});
+    programs.addOfSpans("first-sample-nearest", {M::FirstSampleNearest});
+    programs.addOfSpans("last-sample-nearest", {M::LastSampleNearest});
+    programs.addOfSpans("colours-of-bounds-exchanged", {M::BoundColoursExchanged});
+    programs.addOfSpans("whole-bound-colours", {M::WholeBoundColours});
+    programs.addOfSpans("rounded-bound-colours", {M::RoundedBoundColours});
+    programs.addOfSpans("colours-from-upper-bound", {M::ColoursFromUpperBound});
+    programs.addOfSpans("colour-step-negated", {M::ColourStepNegated});
+    programs.addOfSpans("colours-from-last-sample", {M::FilledFromLastSample});
+    programs.addOfSpans("colour-pre-step-without-rate", {M::SpanPreStepWithoutRate});
+    programs.addOfSpans("green-stepped-as-red", {M::GreenSteppedAsRed});
+    programs.addOfSpans("blue-stepped-as-red", {M::BlueSteppedAsRed});
+    programs.addOfSpans("blue-stepped-as-green", {M::BlueSteppedAsGreen});
+    programs.addOfSpans("colours-stepped-as-red", {M::GreenSteppedAsRed, M::BlueSteppedAsRed});
+    programs.addOfSpans("sides-by-first-vertex", {M::SidesByFirstVertex});
+    programs.addOfSpans("sides-by-last-vertex", {M::SidesByLastVertex});
+}
+
+void addOfRates(Programs &programs)
+{
+    programs.addOfEdges("place-without-edge-pre-step", {M::PlaceWithoutPreStep});
+    programs.addOfEdges("places-stepped-first", {M::PlacesSteppedFirst});
+    programs.addOfEdges("edge-colours-stepped-first", {M::EdgeColoursSteppedFirst});
+    programs.addOfEdges("slopes-inverted", {M::SlopesInverted});
+    programs.addOfEdges("slopes-negated", {M::SlopesNegated});
+    programs.addOfEdges("rounded-slopes", {M::RoundedSlopes});
+    programs.addOfEdges("whole-edge-levels", {M::WholeEdgeLevels});
+    programs.addOfEdges("slope-divisor-minus-one", {M::SlopeDivisorMinusOne});
+    programs.addOfEdges("slope-divisor-plus-one", {M::SlopeDivisorPlusOne});
+    programs.addOfEdges("edge-colour-divisor-minus-one", {M::ColourDivisorMinusOne});
+    programs.addOfEdges("edge-colour-divisor-plus-one", {M::ColourDivisorPlusOne});
+    programs.addOfEdges("no-pre-step-of-first-edge", {M::NoPreStepOfFirst});
+    programs.addOfEdges("no-pre-step-of-long-edge", {M::NoPreStepOfLong});
+    programs.addOfEdges("whole-slope-of-first-edge", {M::WholeSlopeOfFirst});
+    programs.addOfEdges("whole-slope-of-second-edge", {M::WholeSlopeOfSecond});
+    programs.addOfEdges("whole-slope-of-long-edge", {M::WholeSlopeOfLong});
+    programs.addOfEdges("slope-of-first-edge-negated", {M::SlopeOfFirstNegated});
+    programs.addOfEdges("slope-of-second-edge-negated", {M::SlopeOfSecondNegated});
+    programs.addOfEdges("slope-of-long-edge-negated", {M::SlopeOfLongNegated});
+    const auto sortedBy = [&](const char *id, Mistakes comparisons) {
+        comparisons.insert(M::SortedByComparisons);
+        programs.addOfEdges(id, comparisons);
+    };
+    sortedBy("sorted-by-01", {M::Compares01});
+    sortedBy("sorted-by-12", {M::Compares12First});
+    sortedBy("sorted-by-02", {M::Compares02});
+    sortedBy("sorted-by-01-12", {M::Compares01, M::Compares12Last});
+    sortedBy("sorted-by-12-01", {M::Compares12First, M::Compares01});
+    sortedBy("sorted-by-01-02", {M::Compares01, M::Compares02});
+    sortedBy("sorted-by-02-12", {M::Compares02, M::Compares12Last});
+}
+
+void addOfMiddle(Programs &programs)
+{
+    programs.addOfEdges("middle-span-in-both-halves", {M::FirstHalfWithMiddle});
+    programs.addOfEdges("second-edge-of-first-place", {M::SecondEdgeOfFirstPlace});
+    programs.addOfEdges("second-edge-of-first-slope", {M::SecondSlopeOfFirst});
+    programs.addOfEdges("second-edge-of-first-colour-steps", {M::SecondStepsOfFirst});
+    programs.addOfEdges("second-edge-of-first-steps", {M::SecondSlopeOfFirst, M::SecondColoursToo});
+    programs.addOfEdges("second-edge-slope-of-long-rise", {M::SecondRiseFromFirst});
+    programs.addOfEdges("second-edge-slope-of-long-run", {M::SecondRunFromFirst});
+    programs.addOfEdges("second-edge-steps-of-long-rise",
+                        {M::SecondRiseFromFirst, M::SecondColoursToo});
+    programs.addOfEdges("second-edge-steps-of-long-run",
+                        {M::SecondRunFromFirst, M::SecondColoursToo});
+    programs.addOfEdges("long-edge-begun-again-at-first",
+                        {M::LongPlaceBegunAgainAtFirst, M::LongColoursBegunAgainAtFirst});
+    programs.addOfEdges("long-edge-place-begun-again-at-first", {M::LongPlaceBegunAgainAtFirst});
+    programs.addOfEdges("long-edge-colours-begun-again-at-first",
+                        {M::LongColoursBegunAgainAtFirst});
+    programs.addOfEdges("long-edge-waits", {M::LongPlaceWaits, M::LongColoursWait});
+    programs.addOfEdges("long-edge-place-waits", {M::LongPlaceWaits});
+    programs.addOfEdges("long-edge-colours-wait", {M::LongColoursWait});
+}
+
 } // namespace
 
 std::vector<MistakenProgram> mistakenPrograms()
@@ -151,6 +230,9 @@ std::vector<MistakenProgram> mistakenPrograms()
     Programs programs;
     addKnown(programs);
     addOfWalks(programs);
+    addOfBounds(programs);
+    addOfRates(programs);
+    addOfMiddle(programs);
     return programs.all;
 }
 

@@ -1,25 +1,25 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tests/support/studentnumbers.h"
-#include "tests/support/studentwalk.h"
-
-#include <algorithm>
-#include <functional>
+#include "tests/support/studentspans.h"
 
 /// The loops of a student's program.
 namespace pixelplumb::studentloops {
 
-using Paint = std::function<void(int span, int sample, Colour colour)>;
-
 template <class Number>
-class ColumnLoops {
+class ColumnLoops : SpanLoop<Number> {
+    using SpanLoop<Number>::has;
+    using SpanLoop<Number>::quotient;
+    using SpanLoop<Number>::stored;
+    using SpanLoop<Number>::drawSpan;
+    enum class Side { First, Second, Long };
+
 public:
     using Corners = std::array<Corner<Number>, 3>;
 
     /// Spans' coordinates are those of the program, or their opposites (onward = −1).
     ColumnLoops(const std::set<WalkMistake> &mistakes, int onward)
-        : m_mistakes(mistakes)
+        : SpanLoop<Number>(mistakes)
         , m_onward(onward)
     {
     }
@@ -43,7 +43,9 @@ public:
         int endOfFirst = ceilOf(p1.x);
         if (has(WalkMistake::FirstHalfTruncated))
             endOfFirst = floorOf(p1.x);
-        const bool isSorted = !has(WalkMistake::NotSorted) && !has(WalkMistake::SortedByTheOther);
+        if (has(WalkMistake::FirstHalfWithMiddle))
+            endOfFirst = floorOf(p1.x) + 1;
+        const bool isSorted = p0.x <= p1.x && p1.x <= p2.x;
         int beginOfSecond = isSorted ? std::max(begin, ceilOf(p1.x)) : ceilOf(p1.x);
         if (has(WalkMistake::SecondHalfAfterCeiling))
             beginOfSecond = ceilOf(p1.x) + 1;
@@ -60,14 +62,27 @@ public:
             beginOfSecond = std::max(begin, endOfFirst);
             end = truncated(p2.x) + 1;
         }
-        m_isMiddleBelow = (p1.y - p0.y) * (p2.x - p0.x) <= (p2.y - p0.y) * (p1.x - p0.x);
-        Bound<Number> ofLong = edgeAt(p0, p2, begin);
-        Bound<Number> ofShort = edgeAt(p0, p1, begin);
+        this->isMiddleBelow = (p1.y - p0.y) * (p2.x - p0.x) <= (p2.y - p0.y) * (p1.x - p0.x);
+        if (has(WalkMistake::SidesByFirstVertex))
+            this->isMiddleBelow = p1.y < p0.y;
+        if (has(WalkMistake::SidesByLastVertex))
+            this->isMiddleBelow = p1.y < p2.y;
+        Bound<Number> ofLong = edgeAt(Side::Long, p0, p2, begin);
+        Bound<Number> ofShort = edgeAt(Side::First, p0, p1, begin);
+        const Bound<Number> steppedLong = ofLong;
+        if (has(WalkMistake::LongPlaceWaits))
+            ofLong.slope = 0;
+        if (has(WalkMistake::LongColoursWait))
+            ofLong.step = {};
         for (int x = begin; x < (isSorted ? std::min(endOfFirst, end) : endOfFirst); ++x)
             doSpan(x, ofShort, ofLong,
                    has(WalkMistake::NoFirstHalf) ? Paint([](int, int, Colour) {}) : paint);
-        if (isSorted && beginOfSecond != std::max(begin, endOfFirst))
-            ofLong = edgeAt(p0, p2, beginOfSecond);
+        ofLong.slope = steppedLong.slope;
+        ofLong.step = steppedLong.step;
+        const bool skipsSpans = has(WalkMistake::SecondHalfAfterCeiling)
+            || has(WalkMistake::SecondHalfAfterFloor) || has(WalkMistake::FirstHalfTruncated);
+        if (skipsSpans)
+            ofLong = edgeAt(Side::Long, p0, p2, beginOfSecond);
         if (has(WalkMistake::NoSecondHalfAtVertical) && p1.x == p2.x)
             return;
         goOnBehind(corners, beginOfSecond, ofShort, ofLong);
@@ -76,17 +91,12 @@ public:
     }
 
 private:
-    bool has(WalkMistake mistake) const { return m_mistakes.contains(mistake); }
-    /// Of one channel, the mistakes of the three standing in order.
-    bool has(WalkMistake ofRed, std::size_t channel) const
-    {
-        return has(WalkMistake(int(ofRed) + int(channel)));
-    }
-
     Corners sorted(Corners corners) const
     {
         if (has(WalkMistake::NotSorted))
             return corners;
+        if (has(WalkMistake::SortedByComparisons))
+            return compared(corners);
         std::stable_sort(corners.begin(), corners.end(), [&](const auto &a, const auto &b) {
             if (has(WalkMistake::SortedByTheOther))
                 return a.y < b.y;
@@ -97,15 +107,30 @@ private:
         return corners;
     }
 
+    /// Some of the comparisons of a sort, in this order.
+    Corners compared(Corners corners) const
+    {
+        const auto compare = [&](WalkMistake made, std::size_t first, std::size_t second) {
+            if (has(made) && corners[second].x < corners[first].x)
+                std::swap(corners[first], corners[second]);
+        };
+        compare(WalkMistake::Compares12First, 1, 2);
+        compare(WalkMistake::Compares01, 0, 1);
+        compare(WalkMistake::Compares02, 0, 2);
+        compare(WalkMistake::Compares12Last, 1, 2);
+        return corners;
+    }
+
     /// At the middle vertex the second short edge begins.
     void goOnBehind(const Corners &corners, int x, Bound<Number> &ofShort,
                     Bound<Number> &ofLong) const
     {
         const auto &[p0, p1, p2] = corners;
-        Bound<Number> behind = has(WalkMistake::SecondHalfWithoutPreStep)
-            ? edgeAt({Number(ceilOf(p1.x)), p1.y, p1.colour},
-                     {p2.x + ceilOf(p1.x) - p1.x, p2.y, p2.colour}, x)
-            : edgeAt(p1, p2, x);
+        Bound<Number> behind = edgeAt(Side::Second, p1, p2, x);
+        if (takesOtherRates())
+            behind = secondEdgeOfOtherRates(corners, x);
+        if (has(WalkMistake::SecondEdgeOfFirstPlace))
+            behind.y += p0.y - p1.y;
         if (has(WalkMistake::SecondPlaceCarriedOn))
             behind.y = ofShort.y;
         if (has(WalkMistake::SecondColoursCarriedOn))
@@ -122,54 +147,86 @@ private:
             ofLong.y = p1.y + way * ofLong.slope;
         for (std::size_t i = 0; i < 3 && has(WalkMistake::LongColoursBegunAgain); ++i)
             ofLong.colour[i] = p1.colour[i] + way * ofLong.step[i];
+        if (has(WalkMistake::LongPlaceBegunAgainAtFirst))
+            ofLong.y = p0.y + way * ofLong.slope;
+        for (std::size_t i = 0; i < 3 && has(WalkMistake::LongColoursBegunAgainAtFirst); ++i)
+            ofLong.colour[i] = p0.colour[i] + way * ofLong.step[i];
         if (has(WalkMistake::LongPlaceStands))
             ofLong.slope = 0;
         if (has(WalkMistake::LongColoursStand))
             ofLong.step = {};
     }
 
+    bool takesOtherRates() const
+    {
+        return has(WalkMistake::SecondSlopeOfFirst) || has(WalkMistake::SecondStepsOfFirst)
+            || has(WalkMistake::SecondRiseFromFirst) || has(WalkMistake::SecondRunFromFirst);
+    }
+
+    /// y += m and R += ΔR of L₁₂ with a mistaken m, or ΔR, too.
+    Bound<Number> secondEdgeOfOtherRates(const Corners &corners, int x) const
+    {
+        const auto &[p0, p1, p2] = corners;
+        const bool isOfFirst
+            = has(WalkMistake::SecondSlopeOfFirst) || has(WalkMistake::SecondStepsOfFirst);
+        const Corner<Number> &to = isOfFirst ? p1 : p2;
+        const bool isRise = isOfFirst || has(WalkMistake::SecondRiseFromFirst);
+        const bool isRun = isOfFirst || has(WalkMistake::SecondRunFromFirst);
+        const Number run = to.x - (isRun ? p0.x : p1.x);
+        const Corner<Number> &from = isRise ? p0 : p1;
+        Bound<Number> bound = edgeAt(Side::Second, p1, p2, x);
+        if (!has(WalkMistake::SecondStepsOfFirst)) {
+            bound.slope = run == 0 ? Number(0) : Number((to.y - from.y) / run);
+            bound.y = p1.y + (x - p1.x) * bound.slope;
+        }
+        const bool hasColours
+            = has(WalkMistake::SecondStepsOfFirst) || has(WalkMistake::SecondColoursToo);
+        for (std::size_t i = 0; i < 3 && hasColours; ++i) {
+            bound.step[i] = run == 0 ? Number(0) : Number((to.colour[i] - from.colour[i]) / run);
+            bound.colour[i] = p1.colour[i] + (x - p1.x) * bound.step[i];
+        }
+        return bound;
+    }
+
     void doSpan(int x, Bound<Number> &ofShort, Bound<Number> &ofLong, const Paint &paint) const
     {
-        const bool stepsFirst = has(WalkMistake::EdgesSteppedFirst);
-        if (stepsFirst)
-            advance(ofShort), advance(ofLong);
+        const bool placesFirst = has(WalkMistake::PlacesSteppedFirst);
+        const bool coloursFirst = has(WalkMistake::EdgeColoursSteppedFirst);
+        if (placesFirst)
+            advancePlace(ofShort), advancePlace(ofLong);
+        if (coloursFirst)
+            advanceColour(ofShort), advanceColour(ofLong);
         const bool isEmpty = !drawSpan(x, ofShort, ofLong, paint);
-        if (stepsFirst || (isEmpty && has(WalkMistake::EmptySpansContinue)))
+        if (isEmpty && has(WalkMistake::EmptySpansContinue))
             return;
-        advance(ofShort);
-        advance(ofLong);
+        if (!placesFirst)
+            advancePlace(ofShort), advancePlace(ofLong);
+        if (!coloursFirst)
+            advanceColour(ofShort), advanceColour(ofLong);
     }
 
     /// (int) of what the program has.
     int truncated(const Number &x) const { return m_onward > 0 ? floorOf(x) : ceilOf(x); }
-    Number quotient(const Number &number) const
-    {
-        return has(WalkMistake::DividesDown) ? Number(floorOf(number)) : cast(number);
-    }
-    Number stored(const Number &level, WalkMistake mistake) const
-    {
-        return has(mistake) ? cast(level) : level;
-    }
     Number storedPlace(const Number &y) const
     {
         if (has(WalkMistake::RoundedPlaces))
             return Number(floorOf(Number(y + Number(1) / 2)));
         return stored(y, WalkMistake::WholePlaces);
     }
-    void advance(Bound<Number> &bound) const
+    void advancePlace(Bound<Number> &bound) const { bound.y = storedPlace(bound.y + bound.slope); }
+    void advanceColour(Bound<Number> &bound) const
     {
-        bound.y = storedPlace(bound.y + bound.slope);
         for (std::size_t i = 0; i < 3; ++i)
             bound.colour[i] = stored(bound.colour[i] + bound.step[i], WalkMistake::WholeEdgeLevels);
     }
 
     /// From a vertex to the span x, as the program's pre-step and its steps behind it take it.
-    Number wayTo(int x, const Number &from) const
+    Number wayTo(Side side, int x, const Number &from) const
     {
         const int first = has(WalkMistake::LoopsTruncated) ? truncated(from) : ceilOf(from);
         Number preStep = first - from;
-        const bool lacksPreStep
-            = has(WalkMistake::NoEdgePreStep) || has(WalkMistake::LoopsTruncated);
+        const bool lacksPreStep = has(WalkMistake::NoEdgePreStep)
+            || has(WalkMistake::LoopsTruncated) || hasOn(side, WalkMistake::NoPreStepOfFirst);
         if (lacksPreStep)
             preStep = 0;
         if (has(WalkMistake::EdgePreStepOfFraction))
@@ -179,7 +236,31 @@ private:
         return preStep + (x - first);
     }
 
-    Bound<Number> edgeAt(const Corner<Number> &from, const Corner<Number> &to, int x) const
+    /// Of one edge, the mistakes of the three standing in order.
+    bool hasOn(Side side, WalkMistake ofFirst) const { return has(ofFirst, std::size_t(side)); }
+
+    Number slopeOf(Side side, const Number &rise, Number width) const
+    {
+        if (has(WalkMistake::SlopesInverted))
+            return rise == 0 ? Number(0) : Number(width / rise);
+        if (has(WalkMistake::SlopeDivisorMinusOne))
+            width -= 1;
+        if (has(WalkMistake::SlopeDivisorPlusOne))
+            width += 1;
+        if (width <= 0 && has(WalkMistake::SlopeDivisorMinusOne))
+            return 0;
+        Number slope = rise / width;
+        if (has(WalkMistake::WholeSlopes) || hasOn(side, WalkMistake::WholeSlopeOfFirst))
+            slope = quotient(slope);
+        if (has(WalkMistake::RoundedSlopes))
+            slope = floorOf(Number(slope + Number(1) / 2));
+        const bool isNegated
+            = has(WalkMistake::SlopesNegated) || hasOn(side, WalkMistake::SlopeOfFirstNegated);
+        return isNegated ? Number(-slope) : slope;
+    }
+
+    Bound<Number> edgeAt(Side side, const Corner<Number> &from, const Corner<Number> &to,
+                         int x) const
     {
         Bound<Number> bound{storedPlace(from.y), 0, from.colour, {}};
         Number width = to.x - from.x;
@@ -191,11 +272,17 @@ private:
             width += 1;
         if (width == 0 || (has(WalkMistake::EdgeDivisorMinusOne) && width < 0))
             return bound;
-        Number way = wayTo(x, from.x);
-        bound.slope = (to.y - from.y) / width;
-        if (has(WalkMistake::WholeSlopes))
-            bound.slope = quotient(bound.slope);
-        bound.y = storedPlace(from.y + way * bound.slope);
+        Number way = wayTo(side, x, from.x);
+        bound.slope = slopeOf(side, to.y - from.y, width);
+        const Number wayOfPlace
+            = has(WalkMistake::PlaceWithoutPreStep) ? Number(x - ceilOf(from.x)) : way;
+        bound.y = storedPlace(from.y + wayOfPlace * bound.slope);
+        if (has(WalkMistake::ColourDivisorMinusOne))
+            width -= 1;
+        if (has(WalkMistake::ColourDivisorPlusOne))
+            width += 1;
+        if (width <= 0 && has(WalkMistake::ColourDivisorMinusOne))
+            return bound;
         if (has(WalkMistake::NoEdgeColourPreStep))
             way = x - ceilOf(from.x);
         for (std::size_t i = 0; i < 3; ++i) {
@@ -210,76 +297,7 @@ private:
         return bound;
     }
 
-    /// Whether there is a sample.
-    bool drawSpan(int x, const Bound<Number> &ofShort, const Bound<Number> &ofLong,
-                  const Paint &paint) const
-    {
-        bool isShortLower = ofShort.y != ofLong.y ? ofShort.y < ofLong.y : m_isMiddleBelow;
-        if (has(WalkMistake::LongEdgeAlwaysUpper))
-            isShortLower = true;
-        if (has(WalkMistake::LongEdgeAlwaysLower))
-            isShortLower = false;
-        const Bound<Number> &lower = isShortLower ? ofShort : ofLong;
-        const Bound<Number> &upper = isShortLower ? ofLong : ofShort;
-        std::array<Number, 3> atLower = lower.colour;
-        std::array<Number, 3> atUpper = upper.colour;
-        const bool isExchanged = has(isShortLower ? WalkMistake::LongEdgesColoursBelow
-                                                  : WalkMistake::ShortEdgesColoursBelow);
-        if (isExchanged)
-            std::swap(atLower, atUpper);
-        int first = ceilOf(lower.y);
-        int last = floorOf(upper.y);
-        if (has(WalkMistake::LastSampleTooMany))
-            ++last;
-        if (has(WalkMistake::FirstSampleTooMany))
-            --first;
-        Number height = upper.y - lower.y;
-        if (has(WalkMistake::SpanDivisorPlusOne))
-            height += 1;
-        if (has(WalkMistake::SpanDivisorSamples))
-            height = last - first + 1;
-        if (has(WalkMistake::SpanDivisorSteps))
-            height = last - first;
-        Number preStep = first - lower.y;
-        if (has(WalkMistake::SpanPreStepOfFraction))
-            preStep = lower.y - floorOf(lower.y);
-        if (has(WalkMistake::SpanPreStepBackward))
-            preStep = -preStep;
-        if (has(WalkMistake::ColoursBetweenSamples)) {
-            height = last - first;
-            preStep = 0;
-        }
-        std::array<Number, 3> level = atLower;
-        std::array<Number, 3> step = {};
-        for (std::size_t i = 0; i < 3 && height != 0; ++i) {
-            const Number rate = (atUpper[i] - atLower[i]) / height;
-            level[i] += preStep * (has(WalkMistake::WholePreSteps) ? quotient(rate) : rate);
-            step[i] = has(WalkMistake::WholeSteps) ? quotient(rate) : rate;
-            if (has(WalkMistake::RedNotSteppedAlongSpans, i))
-                step[i] = 0;
-            if (has(WalkMistake::ColoursSteppedFirst))
-                level[i] += step[i];
-        }
-        for (Number &channel : level)
-            channel = stored(channel, WalkMistake::WholeSpanLevels);
-        if (has(WalkMistake::FirstSampleTooManyOfNextColour))
-            --first;
-        for (int y = first; y <= last; ++y) {
-            Colour colour;
-            for (std::size_t i = 0; i < 3; ++i) {
-                const Number rounded = level[i] + Number(1) / 2;
-                colour.channels[i] = std::uint8_t(std::clamp(floorOf(rounded), 0, 255));
-                level[i] = stored(level[i] + step[i], WalkMistake::WholeSpanLevels);
-            }
-            if (!has(WalkMistake::OutlineAlone) || y == first || y == last)
-                paint(x, y, colour);
-        }
-        return first <= last;
-    }
-
-    const std::set<WalkMistake> &m_mistakes;
     int m_onward;
-    bool m_isMiddleBelow = true;
 };
 
 } // namespace pixelplumb::studentloops

@@ -28,7 +28,7 @@ enum class WalkMistake {
     FirstHalfTruncated, ///< x < ⌊x₁⌋
     SecondHalfAfterCeiling, ///< from ⌈x₁⌉ + 1
     SecondHalfAfterFloor, ///< from ⌊x₁⌋ + 1
-    SecondHalfWithoutPreStep,
+    FirstHalfWithMiddle, ///< x <= x₁
     NoFirstHalf,
     NoSecondHalf,
     LoopsTruncated, ///< from (int)x₀ with y₀ to (int)x₁, on with y₁ to (int)x₂
@@ -56,7 +56,8 @@ enum class WalkMistake {
     BlueNotSteppedAlongEdges,
     EdgePreStepOfFraction,
     EdgePreStepBackward,
-    EdgesSteppedFirst,
+    PlacesSteppedFirst,
+    EdgeColoursSteppedFirst,
     EmptySpansContinue, ///< if (⌈y_B⌉ > ⌊y_T⌋) continue, before the increments
     WholePlaces, ///< int y; y += m
     RoundedPlaces, ///< y = round(y + m)
@@ -76,6 +77,54 @@ enum class WalkMistake {
     ReturnsAtFirstVertical, ///< if (x₀ == x₁) return
     ReturnsAtLastVertical, ///< if (x₁ == x₂) return
     NoSecondHalfAtVertical, ///< if (x₁ == x₂) return, behind the first half
+    LowerBoundLeftOut, ///< from (int)y_B + 1
+    UpperBoundLeftOut, ///< y < y_T
+    FirstSampleNearest,
+    LastSampleNearest,
+    BoundColoursExchanged,
+    WholeBoundColours, ///< int rB = …
+    RoundedBoundColours,
+    ColoursFromUpperBound, ///< r = R_T, and up from there
+    ColourStepNegated, ///< ΔR = (R_B − R_T)/…
+    FilledFromLastSample,
+    SpanPreStepWithoutRate, ///< R_B + (⌈y_B⌉ − y_B)
+    GreenSteppedAsRed,
+    BlueSteppedAsRed,
+    BlueSteppedAsGreen,
+    SidesByFirstVertex, ///< if (y₁ < y₀) L₀₂ is above
+    SidesByLastVertex,
+    PlaceWithoutPreStep,
+    SlopesInverted,
+    SlopesNegated,
+    RoundedSlopes,
+    SlopeDivisorMinusOne,
+    SlopeDivisorPlusOne,
+    ColourDivisorMinusOne,
+    ColourDivisorPlusOne,
+    SortedByComparisons, ///< by some of these, in this order
+    Compares12First,
+    Compares01,
+    Compares02,
+    Compares12Last,
+    SecondEdgeOfFirstPlace,
+    SecondSlopeOfFirst, ///< m of L₀₁ goes on
+    SecondStepsOfFirst, ///< ΔR of L₀₁ goes on
+    SecondRiseFromFirst, ///< (y₂ − y₀)/(x₂ − x₁)
+    SecondRunFromFirst, ///< (y₂ − y₁)/(x₂ − x₀)
+    SecondColoursToo,
+    LongPlaceBegunAgainAtFirst,
+    LongColoursBegunAgainAtFirst,
+    LongPlaceWaits,
+    LongColoursWait,
+    NoPreStepOfFirst,
+    NoPreStepOfSecond,
+    NoPreStepOfLong,
+    WholeSlopeOfFirst,
+    WholeSlopeOfSecond,
+    WholeSlopeOfLong,
+    SlopeOfFirstNegated,
+    SlopeOfSecondNegated,
+    SlopeOfLongNegated,
 };
 
 enum class WalkLines { Columns, Rows };

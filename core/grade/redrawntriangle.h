@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/redrawing.h"
+#include "core/number/commonfraction.h"
+
+namespace pixelplumb {
+
+/// The one triangle of a scene as it is redrawn: its samples, in the order in which they are
+/// painted.
+class RedrawnTriangle {
+public:
+    /// Of what is right, on a side of what rounding may do, if it is on one. A walk draws all anew:
+    /// for it what is right is not drawn.
+    RedrawnTriangle(const Scene &alone, const Redrawing &redrawing,
+                    std::function<Picture()> drawRight,
+                    const std::optional<RoundingSide> &side = {});
+
+    void paintOn(Picture &picture, Repainting repainting, const Colour &background) const;
+
+private:
+    const Picture &right() const;
+    std::optional<std::size_t> indexOf(std::int64_t span, std::int64_t place) const;
+    void readRuns();
+    std::uint8_t byteOf(std::int64_t level) const;
+    Colour colourAt(const SampleRun &run, std::int64_t place, std::size_t index) const;
+    WholeLevels levelsOf(const Colour &colour) const;
+    std::int64_t wholeLevelOf(const CommonFraction &exact) const;
+    WholeLevels planeAt(std::int64_t span, std::int64_t place) const;
+
+    FrameSpec m_frame;
+    LevelOverflow m_overflow;
+    LevelBytes m_bytes;
+    bool m_goesByRows = false;
+    std::function<Picture()> m_drawRight;
+    mutable std::optional<Picture> m_right; ///< once it has been asked for
+    TriangleRuns m_runs;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/programwalk.h"
+#include "core/grade/walkside.h"
+#include "core/scan/variedscan.h"
+
+namespace pixelplumb {
+
+/// ⌊ ⌋, the nearest or ⌈ ⌉ of a coordinate, px; by the rule ⌈ ⌉.
+constexpr std::int64_t wholePixel(Lattice coordinate, EndRounding rounding)
+{
+    if (rounding == EndRounding::Down)
+        return floorPixel(coordinate);
+    return rounding == EndRounding::Nearest ? floorPixel(coordinate + halfPixel)
+                                            : ceilPixel(coordinate);
+}
+
+/// An edge as it is stepped along: with the rates of one from a to b, from a place and a colour.
+struct WalkedEdge {
+    VariedScan::Edge places, colours;
+    Vertex firstPlace = places.a;
+    Vertex firstColour = colours.a;
+};
+
+/// A walk with all that decides its picture.
+class WalkedProgram {
+public:
+    /// The departures are the scene's; spans are rounded as seen from the end at which it begins.
+    WalkedProgram(const ProgramWalk &walk, VariantSet departures, ByteRounding rounding,
+                  EndRounding spans, const WalkSide &side)
+        : m_walk(walk)
+        , m_withRightEdges(walk.withRightEdges())
+        , m_departures(departures)
+        , m_rounding(rounding)
+        , m_spans(spans)
+        , m_side(side)
+    {
+    }
+    // Edges keep references to its walks.
+    WalkedProgram(const WalkedProgram &) = delete;
+    WalkedProgram &operator=(const WalkedProgram &) = delete;
+
+    const ProgramWalk &walk() const { return m_walk; }
+    ByteRounding rounding() const { return m_rounding; }
+    EndRounding spans() const { return m_spans; }
+    const WalkSide &side() const { return m_side; }
+
+    /// The walk that an edge has.
+    const ProgramWalk &walkOf(WalkedEdges edge) const
+    {
+        return m_walk.departing == WalkedEdges::All || m_walk.departing == edge ? m_walk
+                                                                                : m_withRightEdges;
+    }
+    WalkedEdge edge(WalkedEdges which, const Vertex &from, const Vertex &to) const
+    {
+        const ProgramWalk &walk = walkOf(which);
+        const auto divided
+            = [&](EdgeRates rates) { return VariedScan{departuresOf(walk, rates)}.edge(from, to); };
+        return {withForm(shifted(divided(EdgeRates::Slope), walk.placePreStep), walk.slopeForm),
+                shifted(divided(EdgeRates::Colours), walk.edgeColourPreStep)};
+    }
+
+    PreStep spanPreStep() const
+    {
+        return has(Variant::NoColourPreStep) ? PreStep::None : m_walk.spanPreStep;
+    }
+    bool has(Variant variant) const
+    {
+        return m_departures.contains(variant) || m_walk.departures.contains(variant);
+    }
+
+private:
+    VariantSet departuresOf(const ProgramWalk &walk, EdgeRates rates) const
+    {
+        VariantSet departures = walk.departures;
+        if (walk.divided != EdgeRates::All && walk.divided != rates)
+            departures
+                = departures.without(Variant::DivisorMinusOne).without(Variant::DivisorPlusOne);
+        departures.bits |= m_departures.bits;
+        return departures;
+    }
+
+    static VariedScan::Edge withForm(VariedScan::Edge edge, SlopeForm form)
+    {
+        const LatticePoint &a = edge.a.position;
+        LatticePoint &b = edge.b.position;
+        if (form == SlopeForm::RunOverRise)
+            b = {a.x + (b.y - a.y), a.y + (b.x - a.x)};
+        if (form == SlopeForm::Negated)
+            b.y = 2 * a.y - b.y;
+        return edge;
+    }
+
+    /// To where a vertex is taken to be whose values are had at the edge's first span.
+    VariedScan::Edge shifted(VariedScan::Edge edge, PreStep preStep) const
+    {
+        const Lattice from = edge.a.position.x;
+        const Lattice late = wholePixel(from, EndRounding::Up) * unitsPerPixel - from;
+        Lattice way = 0;
+        if (m_spans != EndRounding::ByRule)
+            way = wholePixel(from, m_spans) * unitsPerPixel - from;
+        else if (preStep == PreStep::None)
+            way = late;
+        else if (preStep == PreStep::Backward)
+            way = 2 * late;
+        else if (preStep == PreStep::Fraction && late != 0)
+            way = 2 * late - unitsPerPixel;
+        edge.a.position.x += way;
+        edge.b.position.x += way;
+        return edge;
+    }
+
+    ProgramWalk m_walk, m_withRightEdges;
+    VariantSet m_departures;
+    ByteRounding m_rounding;
+    EndRounding m_spans;
+    WalkSide m_side;
+};
+
+/// The samples of a span; those that are drawn lie in the frame.
+struct WalkedSpan {
+    std::int64_t first = 0, end = 0;
+    std::int64_t firstDrawn = 0, endDrawn = 0;
+
+    /// Seen from its last sample.
+    WalkedSpan reversed() const
+    {
+        return {first, end, first + end - endDrawn, first + end - firstDrawn};
+    }
+};
+
+/// The first sample from a lower bound on, which owns one on it or does not.
+template <class Edge>
+std::int64_t firstOf(const Edge &lower, EndRounding rounding, bool owns)
+{
+    switch (rounding) {
+    case EndRounding::ByRule:
+        break;
+    case EndRounding::OnBoundOtherwise:
+        owns = !owns;
+        break;
+    case EndRounding::Down:
+        return lower.floor();
+    case EndRounding::Nearest:
+        return lower.nearest();
+    case EndRounding::Up:
+        return lower.ceil();
+    }
+    return owns ? lower.ceil() : lower.floor() + 1;
+}
+
+/// The sample behind the last one before an upper bound.
+template <class Edge>
+std::int64_t endOf(const Edge &upper, EndRounding rounding, bool owns)
+{
+    const bool isOfBound
+        = rounding == EndRounding::ByRule || rounding == EndRounding::OnBoundOtherwise;
+    // Where the lower bound owns it begins what the upper one leaves.
+    return isOfBound ? firstOf(upper, rounding, !owns) : firstOf(upper, rounding, owns) + 1;
+}
+
+/// The two edges of a span, and those whose colours it has at them.
+template <class Edge>
+struct WalkedBounds {
+    const Edge &lower, &upper;
+    const Edge &lowerColours, &upperColours;
+};
+
+} // namespace pixelplumb

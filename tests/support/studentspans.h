@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "tests/support/studentnumbers.h"
+#include "tests/support/studentwalk.h"
+
+#include <algorithm>
+#include <functional>
+
+/// What a student's program does with one column or row.
+namespace pixelplumb::studentloops {
+
+using Paint = std::function<void(int span, int sample, Colour colour)>;
+
+template <class Number>
+class SpanLoop {
+public:
+    explicit SpanLoop(const std::set<WalkMistake> &mistakes)
+        : m_mistakes(mistakes)
+    {
+    }
+
+    bool has(WalkMistake mistake) const { return m_mistakes.contains(mistake); }
+    /// Of one channel, the mistakes of the three standing in order.
+    bool has(WalkMistake ofRed, std::size_t channel) const
+    {
+        return has(WalkMistake(int(ofRed) + int(channel)));
+    }
+
+    Number quotient(const Number &number) const
+    {
+        return has(WalkMistake::DividesDown) ? Number(floorOf(number)) : cast(number);
+    }
+    Number stored(const Number &level, WalkMistake mistake) const
+    {
+        return has(mistake) ? cast(level) : level;
+    }
+    /// Whether there is a sample.
+    bool drawSpan(int x, const Bound<Number> &ofShort, const Bound<Number> &ofLong,
+                  const Paint &paint) const
+    {
+        bool isShortLower = ofShort.y != ofLong.y ? ofShort.y < ofLong.y : isMiddleBelow;
+        if (has(WalkMistake::LongEdgeAlwaysUpper))
+            isShortLower = true;
+        if (has(WalkMistake::LongEdgeAlwaysLower))
+            isShortLower = false;
+        const bool isByVertex
+            = has(WalkMistake::SidesByFirstVertex) || has(WalkMistake::SidesByLastVertex);
+        if (isByVertex)
+            isShortLower = isMiddleBelow;
+        const Bound<Number> &lower = isShortLower ? ofShort : ofLong;
+        const Bound<Number> &upper = isShortLower ? ofLong : ofShort;
+        std::array<Number, 3> atLower = lower.colour;
+        std::array<Number, 3> atUpper = upper.colour;
+        const bool isExchanged = has(isShortLower ? WalkMistake::LongEdgesColoursBelow
+                                                  : WalkMistake::ShortEdgesColoursBelow);
+        if (isExchanged || has(WalkMistake::BoundColoursExchanged))
+            std::swap(atLower, atUpper);
+        for (std::size_t i = 0; i < 3; ++i) {
+            for (Number *each : {&atLower[i], &atUpper[i]}) {
+                *each = stored(*each, WalkMistake::WholeBoundColours);
+                if (has(WalkMistake::RoundedBoundColours))
+                    *each = floorOf(Number(*each + Number(1) / 2));
+            }
+        }
+        int first = ceilOf(lower.y);
+        int last = floorOf(upper.y);
+        if (has(WalkMistake::LowerBoundLeftOut))
+            first = floorOf(lower.y) + 1;
+        if (has(WalkMistake::UpperBoundLeftOut))
+            last = ceilOf(upper.y) - 1;
+        if (has(WalkMistake::FirstSampleNearest))
+            first = floorOf(Number(lower.y + Number(1) / 2));
+        if (has(WalkMistake::LastSampleNearest))
+            last = floorOf(Number(upper.y + Number(1) / 2));
+        if (has(WalkMistake::LastSampleTooMany))
+            ++last;
+        if (has(WalkMistake::FirstSampleTooMany))
+            --first;
+        Number height = upper.y - lower.y;
+        if (has(WalkMistake::SpanDivisorPlusOne))
+            height += 1;
+        if (has(WalkMistake::SpanDivisorSamples))
+            height = last - first + 1;
+        if (has(WalkMistake::SpanDivisorSteps))
+            height = last - first;
+        Number preStep = first - lower.y;
+        if (has(WalkMistake::SpanPreStepOfFraction))
+            preStep = lower.y - floorOf(lower.y);
+        if (has(WalkMistake::SpanPreStepBackward))
+            preStep = -preStep;
+        if (has(WalkMistake::ColoursBetweenSamples)) {
+            height = last - first;
+            preStep = 0;
+        }
+        std::array<Number, 3> level = atLower;
+        if (has(WalkMistake::ColoursFromUpperBound))
+            level = atUpper;
+        std::array<Number, 3> rates = {};
+        for (std::size_t i = 0; i < 3 && height != 0; ++i) {
+            rates[i] = (atUpper[i] - atLower[i]) / height;
+            if (has(WalkMistake::ColourStepNegated))
+                rates[i] = -rates[i];
+        }
+        std::array<Number, 3> step = {};
+        for (std::size_t i = 0; i < 3 && height != 0; ++i) {
+            const Number &rate = rates[i];
+            if (has(WalkMistake::SpanPreStepWithoutRate))
+                level[i] += preStep;
+            else
+                level[i] += preStep * (has(WalkMistake::WholePreSteps) ? quotient(rate) : rate);
+            step[i] = has(WalkMistake::WholeSteps) ? quotient(rate) : rate;
+            if (has(WalkMistake::GreenSteppedAsRed) && i == 1)
+                step[i] = rates[0];
+            if (has(WalkMistake::BlueSteppedAsRed) && i == 2)
+                step[i] = rates[0];
+            if (has(WalkMistake::BlueSteppedAsGreen) && i == 2)
+                step[i] = rates[1];
+            if (has(WalkMistake::RedNotSteppedAlongSpans, i))
+                step[i] = 0;
+            if (has(WalkMistake::ColoursSteppedFirst))
+                level[i] += step[i];
+        }
+        for (Number &channel : level)
+            channel = stored(channel, WalkMistake::WholeSpanLevels);
+        if (has(WalkMistake::FirstSampleTooManyOfNextColour))
+            --first;
+        for (int y = first; y <= last; ++y) {
+            Colour colour;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Number rounded = level[i] + Number(1) / 2;
+                colour.channels[i] = std::uint8_t(std::clamp(floorOf(rounded), 0, 255));
+                level[i] = stored(level[i] + step[i], WalkMistake::WholeSpanLevels);
+            }
+            const int place = has(WalkMistake::FilledFromLastSample) ? last - (y - first) : y;
+            if (!has(WalkMistake::OutlineAlone) || y == first || y == last)
+                paint(x, place, colour);
+        }
+        return first <= last;
+    }
+
+    bool isMiddleBelow = true;
+
+private:
+    const std::set<WalkMistake> &m_mistakes;
+};
+
+} // namespace pixelplumb::studentloops
