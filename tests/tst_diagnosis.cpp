@@ -103,8 +103,9 @@ private slots:
         }
         qInfo("%s: %d defects, %d seen, %d unique", qPrintable(method), int(defects.size()), seen,
               unique);
-        // Arithmetic that is exact enough at this size shows nothing, and rightly so.
-        QVERIFY(seen >= int(defects.size()) - 6);
+        // Arithmetic that is exact enough at this size shows nothing, and rightly so; nor does what
+        // is wrong between pixels alone of vertices on halves.
+        QVERIFY(seen * 100 >= 97 * int(defects.size()));
         QVERIFY(unique * 10 >= seen * 8);
     }
 

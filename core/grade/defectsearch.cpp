@@ -34,15 +34,26 @@ std::vector<DiagnosisCandidate> DefectSearch::candidates() const
     matches.insert(matches.end(), m_completed.begin(), m_completed.end());
     if (matches.empty() && !m_isExplained) {
         // What leaves more than nine tenths is near to nothing.
-        std::ranges::copy_if(std::span(m_nearest).first(std::min(m_nearest.size(), nearestListed)),
-                             std::back_inserter(matches), [this](const SetMatch &near) {
-                                 return 10 * near.distance <= 9 * m_differing;
-                             });
+        for (const SetMatch &near : m_nearest) {
+            const bool isNear = 10 * near.distance <= 9 * m_differing && needsSecond(near);
+            if (isNear && matches.size() < nearestListed)
+                matches.push_back(near);
+        }
     }
     std::vector<DiagnosisCandidate> result;
     for (const SetMatch &match : matches)
         result.push_back(candidateOf(match));
     return result;
+}
+
+/// Of one defect; of two that come near, whether the second one explains at least a tenth of what
+/// differs more than the better one does alone.
+bool DefectSearch::needsSecond(const SetMatch &near) const
+{
+    if (!near.set.second)
+        return true;
+    const std::int64_t alone = std::min(m_alone[*near.set.first], m_alone[*near.set.second]);
+    return alone - near.distance >= (m_differing + 9) / 10;
 }
 
 DiagnosisCandidate DefectSearch::candidateOf(const SetMatch &match) const
@@ -161,8 +172,11 @@ void DefectSearch::tryPair(std::size_t first, std::size_t second)
     const std::int64_t distance = distanceUpTo(pair, std::min(least, limit()));
     if (distance == 0)
         (hasPart(m_open, first, second) ? m_completed : m_exact).push_back({pair});
-    else if (distance < least && m_exact.empty() && !m_isExplained)
-        addNear(pair, distance);
+    else if (distance < least && m_exact.empty() && !m_isExplained) {
+        const bool mayBeRounding = distance <= m_mostOpen;
+        if (mayBeRounding || needsSecond({pair, distance}))
+            addNear(pair, distance);
+    }
 }
 
 bool DefectSearch::tryPairs()

@@ -19,6 +19,7 @@ public:
     std::vector<DiagnosisCandidate> candidates() const;
 
 private:
+    bool needsSecond(const SetMatch &near) const;
     DiagnosisCandidate candidateOf(const SetMatch &match) const;
     bool goesOnTrying() { return goesOn(m_listener, {JobPhase::Judging, ++m_tried, m_sets}); }
     std::int64_t distanceUpTo(const DefectSet &set, std::int64_t limit);
