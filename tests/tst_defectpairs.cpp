@@ -155,7 +155,7 @@ private slots:
         const std::vector<Scene> scenes = probeScenes(method.toLatin1().constData());
         const std::vector<Defect> all = redrawingsOf(scenes.front());
         DefectPictures pictures(scenes);
-        const std::size_t oneOf = all.size() * all.size() / 200 + 1; // about a hundred pairs
+        const std::size_t oneOf = all.size() * all.size() / 100 + 1; // about fifty pairs
         int pairs = 0;
         int explained = 0;
         int named = 0;

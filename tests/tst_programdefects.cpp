@@ -225,6 +225,18 @@ private slots:
         }
     }
 
+    void noTwoDefectsHaveOneId()
+    {
+        for (const char *method : {"column-scan", "row-walk", "edge-equations",
+                                   "barycentric-rectangle", "line-bresenham"}) {
+            for (const Scene &scene : probeSheet(QString::fromLatin1(method))) {
+                std::set<QString> ids;
+                for (const Defect &defect : defectsFor(scene))
+                    QVERIFY2(ids.insert(defect.id).second, qPrintable(defect.id));
+            }
+        }
+    }
+
     void howAFlatEndIsDrawnIsToldBesideAMistakeAlone_data()
     {
         using M = WalkMistake;

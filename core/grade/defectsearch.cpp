@@ -9,6 +9,7 @@ namespace {
 
 constexpr std::size_t nearestListed = 5;
 constexpr std::size_t nearestTried = 64; // of sets, whether rounding may decide what they leave
+constexpr std::size_t nearestPaired = 64; // of defects alone, for what comes near with another one
 constexpr auto unknown = PictureMatcher::unknown;
 
 } // namespace
@@ -24,7 +25,7 @@ DefectSearch::DefectSearch(DefectPictures &pictures, PictureMatcher &matcher,
     , m_mostOpen(matcher.coveredPixels() / 8 + 8)
 {
     const auto count = std::int64_t(m_defects.size());
-    m_sets = count * (count + 1) / 2; // at most
+    m_sets = count * count; // at most: pairs twice
 }
 
 std::vector<DiagnosisCandidate> DefectSearch::candidates() const
@@ -50,10 +51,7 @@ std::vector<DiagnosisCandidate> DefectSearch::candidates() const
 /// differs more than the better one does alone.
 bool DefectSearch::needsSecond(const SetMatch &near) const
 {
-    if (!near.set.second)
-        return true;
-    const std::int64_t alone = std::min(m_alone[*near.set.first], m_alone[*near.set.second]);
-    return alone - near.distance >= (m_differing + 9) / 10;
+    return !near.set.second || leastAlone(near.set) - near.distance >= (m_differing + 9) / 10;
 }
 
 DiagnosisCandidate DefectSearch::candidateOf(const SetMatch &match) const
@@ -164,36 +162,53 @@ bool DefectSearch::canBePair(std::size_t first, std::size_t second) const
     return isPlain && !(areRedrawings && m_hasSingle) && canBeTogether(one, other);
 }
 
-void DefectSearch::tryPair(std::size_t first, std::size_t second)
+/// Goes through the pairs that a program may have; false where the listener ended it.
+bool DefectSearch::forPairs(const std::function<void(const DefectSet &pair)> &examine)
 {
-    const DefectSet pair{first, second};
-    // A pair is one where each of the two is needed.
-    const std::int64_t least = std::min(m_alone[first], m_alone[second]);
-    const std::int64_t distance = distanceUpTo(pair, std::min(least, limit()));
-    if (distance == 0)
-        (hasPart(m_open, first, second) ? m_completed : m_exact).push_back({pair});
-    else if (distance < least && m_exact.empty() && !m_isExplained) {
-        const bool mayBeRounding = distance <= m_mostOpen;
-        if (mayBeRounding || needsSecond({pair, distance}))
-            addNear(pair, distance);
-    }
-}
-
-bool DefectSearch::tryPairs()
-{
-    m_hasSingle = m_isExplained || !m_exact.empty();
     for (std::size_t i = 0; i < m_defects.size(); ++i) {
         for (std::size_t j = i + 1; j < m_defects.size(); ++j) {
             if (!canBePair(i, j))
                 continue;
-            tryPair(i, j);
+            examine({i, j});
             if (!goesOnTrying())
                 return false;
         }
     }
-    if (!m_isExplained && m_exact.empty())
-        explainNearest(true);
     return true;
+}
+
+/// A pair is one where each of the two is needed.
+std::int64_t DefectSearch::leastAlone(const DefectSet &pair) const
+{
+    return std::min(m_alone[*pair.first], m_alone[*pair.second]);
+}
+
+/// First those that equal the pictures, which is known of pairs that were drawn for others; then,
+/// where there is none, those that come near with one that does so alone.
+bool DefectSearch::tryPairs()
+{
+    m_hasSingle = m_isExplained || !m_exact.empty();
+    const bool isDone = forPairs([this](const DefectSet &pair) {
+        if (m_matcher.distance(pair, 1) == 0)
+            (hasPart(m_open, *pair.first, *pair.second) ? m_completed : m_exact).push_back({pair});
+    });
+    if (!isDone || m_isExplained || !m_exact.empty())
+        return isDone;
+    std::vector<std::int64_t> alone = m_alone;
+    std::ranges::sort(alone);
+    const std::int64_t mostPaired = alone[std::min(nearestPaired, alone.size()) - 1];
+    const bool isDoneAgain = forPairs([&](const DefectSet &pair) {
+        const std::int64_t least = leastAlone(pair);
+        if (least > mostPaired)
+            return;
+        const std::int64_t distance = m_matcher.distance(pair, std::min(least, limit()));
+        const bool mayBeRounding = distance <= m_mostOpen;
+        if (distance < least && (mayBeRounding || needsSecond({pair, distance})))
+            addNear(pair, distance);
+    });
+    if (isDoneAgain)
+        explainNearest(true);
+    return isDoneAgain;
 }
 
 } // namespace pixelplumb

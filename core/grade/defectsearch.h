@@ -31,8 +31,9 @@ private:
     bool trySingles();
     bool hasPart(const std::vector<SetMatch> &matches, std::size_t first, std::size_t second) const;
     bool canBePair(std::size_t first, std::size_t second) const;
+    bool forPairs(const std::function<void(const DefectSet &pair)> &examine);
+    std::int64_t leastAlone(const DefectSet &pair) const;
     bool tryPairs();
-    void tryPair(std::size_t first, std::size_t second);
 
     const std::vector<Defect> &m_defects;
     DefectPictures &m_pictures;

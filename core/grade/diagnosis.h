@@ -59,8 +59,9 @@ struct Diagnosis {
     std::int64_t differing = 0; ///< pixels of all pictures, undecidable ones among them
     /// Every set of one or two defects whose pictures equal the student's, none that has a smaller
     /// one in it; where there is none, every one that leaves undecidable pixels alone, and behind
-    /// them those that equal the pictures with one of these in them; else the nearest ones, at most
-    /// five, if the pictures are wrong.
+    /// them those that equal the pictures with one of these in them; else, if the pictures are
+    /// wrong, at most five of the nearest ones: of single defects, and of pairs of one of those
+    /// that come nearest alone with another.
     std::vector<DiagnosisCandidate> candidates;
 
     bool isExplained() const { return !candidates.empty() && candidates.front().distance == 0; }

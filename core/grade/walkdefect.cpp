@@ -23,7 +23,7 @@ std::optional<ProgramWalk> dividedDown(ProgramWalk walk)
 {
     bool isDivided = false;
     for (Kept *kept : {&walk.slopes, &walk.edgeColours, &walk.preSteps, &walk.steps}) {
-        if (*kept == Kept::All)
+        if (*kept != Kept::TowardZero)
             continue;
         *kept = Kept::Down;
         isDivided = true;
