@@ -1731,6 +1731,14 @@
         <source>Colour of the Next Vertex</source>
         <translation>Farbe des nächsten Eckpunkts</translation>
     </message>
+    <message>
+        <source>Copy the last not&amp;e</source>
+        <translation>Letzte &amp;Meldung kopieren</translation>
+    </message>
+    <message>
+        <source>What was told last over the canvas, also when it is gone</source>
+        <translation>Was zuletzt über der Zeichenfläche gemeldet wurde, auch wenn es verschwunden ist</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::EffectsPanel</name>
