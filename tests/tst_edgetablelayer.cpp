@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/layermoment.h"
 #include "core/polygons/textoutlines.h"
 #include "tests/support/layerlook.h"
 #include "tests/support/numbernamed.h"
@@ -128,6 +129,28 @@ private slots:
         // A vertex on a row, y upward: the sample on it is taken as if it lay below.
         const std::map<int, int> expected = {{0, 9}, {1, 18}, {3, 6}, {4, 6}};
         QCOMPARE(toldRows(look.drawing("edge-table")), expected);
+    }
+
+    void aLineLeadsFromEachEdgeToItsName()
+    {
+        const Shape polygon = pentagon();
+        const LayerDrawing drawing
+            = Look(sceneOf(polygon, "polygon-parity", {})).drawing("edge-table");
+        int led = 0;
+        for (const LayerDrawing::Line &line : drawing.lines) {
+            if (line.stroke != LayerDrawing::Stroke::Dotted)
+                continue;
+            const auto name
+                = std::ranges::find(drawing.labels, line.to, &LayerDrawing::Label::place);
+            QVERIFY(name != drawing.labels.end());
+            const auto edge = std::size_t(name->text.section(u' ', 1, 1).remove(u',').toInt());
+            const QPointF from = placeOf(polygon.vertices[edge].position);
+            const QPointF to
+                = placeOf(polygon.vertices[(edge + 1) % polygon.vertices.size()].position);
+            QCOMPARE(line.from, (from + to) / 2);
+            ++led;
+        }
+        QCOMPARE(led, 4); // one edge lies along the rows
     }
 
     void anEdgeBetweenTwoRowsIsInNoBucket()

@@ -172,6 +172,28 @@ private slots:
         QCOMPARE(areasAround(drawing, {28, 20}), std::ptrdiff_t(inside));
     }
 
+    void namesOfHalfPlanesKeepClearOfASmallTriangle_data()
+    {
+        QTest::addColumn<double>("cell");
+        for (const double cell : {4.0, 12.0, 32.0})
+            QTest::addRow("%g px a cell", cell) << cell;
+    }
+    void namesOfHalfPlanesKeepClearOfASmallTriangle()
+    {
+        QFETCH(double, cell);
+        Look look(sceneBy("edge-equations", triangleAt(25, 24, 31, 25, 28, 29)));
+        look.view.cell = cell;
+        const LayerDrawing drawing = look.drawing("half-planes");
+
+        QCOMPARE(drawing.labels.size(), std::size_t(3)); // what is negative has no name of its own
+        const LayerDrawing::Area triangle{{{25, 24}, {31, 25}, {28, 29}}};
+        for (const LayerDrawing::Label &label : drawing.labels) {
+            QVERIFY(label.text.contains(QStringLiteral("> 0, normal")));
+            QVERIFY(!contains(triangle, label.place));
+            QVERIFY(QRectF(0, 0, look.view.seen.endX, look.view.seen.endY).contains(label.place));
+        }
+    }
+
     void oneHalfPlaneIsOneOfThem()
     {
         const Look look(sceneBy("edge-equations", firstTriangle()));

@@ -248,6 +248,29 @@ private slots:
         QCOMPARE(playhead.frame()->copy(), drawn.copy());
     }
 
+    void aDraggedVertexSnapsWhereItIsSeen()
+    {
+        const IsolatedSettings settings;
+        const auto window = openedWindow(movingScene());
+        window->resize(1366, 768);
+        SceneDocument &document = *window->parts().document;
+        Canvas &canvas = *window->parts().canvas;
+        document.setFrameInHand(8); // by 4/3 and 1 px
+        QTRY_COMPARE(window->parts().playhead->traced()->scene.triangles,
+                     sceneAtFrame(movingScene(), 8).triangles);
+        canvas.setTool(CanvasTool::Draw);
+        const LatticePoint seen = sceneAtFrame(movingScene(), 8).triangles[0].vertices[0].position;
+        const QPoint press = canvas.positionOf(seen).toPoint();
+        const QPoint target = canvas.positionOf(QPoint(12, 14)).toPoint();
+        QTest::mousePress(&canvas, Qt::LeftButton, {}, press);
+        QTest::mouseMove(&canvas, target);
+        QTest::mouseRelease(&canvas, Qt::LeftButton, {}, target);
+
+        QCOMPARE(document.atFrameInHand(document.vertexAt({0, 0})->position), latticePixel(12, 14));
+        QCOMPARE(canvas.spokenState(),
+                 QStringLiteral("vertex 0 of triangle 0 at (12, 14), frame 8 of 24 of the motion"));
+    }
+
     void aSceneThatIsOpenedBeginsAtItsFirstFrame()
     {
         const IsolatedSettings settings;

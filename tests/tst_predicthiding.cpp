@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/prediction.h"
+#include "core/runs/tracedscene.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/windowsteps.h"
@@ -68,6 +69,31 @@ private slots:
             if (!told.contains(title))
                 QVERIFY(!cell.data(Qt::ToolTipRole).isValid());
         }
+    }
+
+    /// It could be copied from the step before.
+    void whatNeverChangesIsAskedForOnceATriangle_data()
+    {
+        QTest::addColumn<Arithmetic>("arithmetic");
+        QTest::newRow("exact") << Arithmetic::Exact;
+        QTest::newRow("but for rounding") << Arithmetic::Float32;
+    }
+    void whatNeverChangesIsAskedForOnceATriangle()
+    {
+        QFETCH(Arithmetic, arithmetic);
+        Scene scene = defaultScene();
+        scene.settings.arithmetic = arithmetic;
+        const auto traced = traceScene(scene);
+        QHash<QString, int> times;
+        for (std::size_t span = 0; span < traced->trace->spanCount(); ++span) {
+            for (const Prediction &asked :
+                 predictionsAfter(*traced, traced->trace->indexOfSpan(span)))
+                ++times[asked.title];
+        }
+        for (const char *rate : {"ΔR", "ΔG", "ΔB"})
+            QCOMPARE(times[QString::fromUtf8(rate)], 1);
+        for (const char *bound : {"y_B", "y_T", "⌈y_B⌉"})
+            QCOMPARE(times[QString::fromUtf8(bound)], int(traced->trace->spanCount()));
     }
 
     /// Nor under another name: p_k of a line is p_k₊₁ of the step before. That a number may be the

@@ -64,6 +64,35 @@ private slots:
         QVERIFY(shownAt(view, ahead) != background);
     }
 
+    void theTruthOfStepsIsSeenAsFarAsTheyHaveCome_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::newRow("lines") << QStringLiteral("lines.json");
+        QTest::newRow("circles") << QStringLiteral("circles.json");
+    }
+    void theTruthOfStepsIsSeenAsFarAsTheyHaveCome()
+    {
+        QFETCH(QString, file);
+        openCompare(file, QString());
+        const QRgb background = packed(scene().frame.background);
+        CompareView *view = m_panel->panes()[1]->view();
+        const TracedScene &traced = *playhead().traced();
+        const PixelChanges &changes = traced.trace->changes();
+        int seen = 0;
+        int hidden = 0;
+        for (std::size_t sample = 0; sample < traced.trace->sampleCount(); ++sample) {
+            const PixelChange &change = changes[sample];
+            const QPoint pixel(change.x, change.y);
+            if (traced.differences.at(pixel.x(), pixel.y()) != Difference::None)
+                continue;
+            const bool isDone = traced.trace->indexOfSample(sample) < playhead().position();
+            seen += int(isDone && shownAt(view, pixel) != background);
+            hidden += int(!isDone && shownAt(view, pixel) == background);
+        }
+        QVERIFY2(seen > 20, qPrintable(QString::number(seen)));
+        QVERIFY2(hidden > 20, qPrintable(QString::number(hidden)));
+    }
+
     void theAgreementMapTellsOfThePixelsThatAreDecided()
     {
         openCompare(QStringLiteral("default.json"), QString());

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/export/traceexport.h"
+#include "core/runs/edgename.h"
 #include "core/runs/formulaexplanation.h"
+#include "core/runs/pixelhistory.h"
 #include "core/runs/spanheadings.h"
 #include "core/runs/tracedscene.h"
 #include "tests/support/defaultscene.h"
@@ -111,6 +113,49 @@ private slots:
                          symbols, [&](const QString &each) { return each.startsWith(formula); }),
                      qPrintable(formula + QStringLiteral(" is not among ")
                                 + symbols.join(QStringLiteral("; "))));
+    }
+
+    void interpolationsThatDoNotSortLeaveTheVerticesTheirOwnNames_data()
+    {
+        QTest::addColumn<QString>("id");
+        QTest::addColumn<Antialiasing>("antialiasing");
+        for (const char *id : {"interpolate-plane", "interpolate-barycentric"}) {
+            QTest::addRow("%s", id) << QString::fromLatin1(id) << Antialiasing::None;
+            QTest::addRow("%s with effects", id)
+                << QString::fromLatin1(id) << Antialiasing::Samples4;
+        }
+    }
+    void interpolationsThatDoNotSortLeaveTheVerticesTheirOwnNames()
+    {
+        QFETCH(QString, id);
+        QFETCH(Antialiasing, antialiasing);
+        Scene scene;
+        scene.triangles = {Triangle{{{{latticePixel(9, 9), {{255, 0, 0}}},
+                                      {latticePixel(1, 1), {{0, 255, 0}}},
+                                      {latticePixel(5, 20), {{0, 0, 255}}}}}}};
+        scene.method = id.toStdString();
+        scene.appearance.antialiasing = antialiasing;
+        const auto traced = traceScene(scene);
+        const SetUpRecord setUp = traced->trace->setUp(0);
+
+        QCOMPARE(vertexName(setUp, 0), QStringLiteral("P₀"));
+        QCOMPARE(edgeName(setUp, 2, 0), QStringLiteral("P₂P₀"));
+        const QString sentence = explainStep(*traced, traced->trace->indexOfSetUp(0)).sentence;
+        QVERIFY2(sentence.contains(QStringLiteral("P₀ = (9, 9), P₁ = (1, 1), P₂ = (5, 20)")),
+                 qPrintable(sentence));
+        QVERIFY2(!sentence.contains(QStringLiteral("orted")), qPrintable(sentence));
+        const std::vector<NumberDescription> &numbers = traced->trace->numbers().setUp;
+        const auto place
+            = std::ranges::find(numbers, QStringLiteral("x₀"), &NumberDescription::title)
+            - numbers.begin();
+        QCOMPARE(toText(setUp.cells[std::size_t(place)]), QStringLiteral("9"));
+        for (const NumberDescription &number : numbers)
+            QVERIFY2(!number.toolTip.contains(QStringLiteral("vertex 0")),
+                     qPrintable(number.toolTip));
+        for (const PseudocodeLine &line : traced->method->pseudocode)
+            QVERIFY2(!line.text.contains(QStringLiteral("L₀₁")), qPrintable(line.text));
+        if (antialiasing == Antialiasing::None)
+            QVERIFY(pixelHistory(*traced, 7, 2)[0].reason.contains(QStringLiteral("P₀P₁")));
     }
 
     void aLineSaysWhichEndIsStoredFirstAndWhetherItIsTurned()

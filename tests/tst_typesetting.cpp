@@ -1,15 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/scan/choicenames.h"
 #include "widgets/look/appearance.h"
 #include "widgets/look/elidingbox.h"
 #include "widgets/look/formulahtml.h"
 #include "widgets/look/symboltext.h"
 
 #include <QAbstractTextDocumentLayout>
+#include <QHelpEvent>
 #include <QTest>
 #include <QTextBlock>
 #include <QTextDocument>
 #include <QTextLayout>
 #include <QToolButton>
+#include <QToolTip>
 
 using namespace pixelplumb;
 
@@ -109,6 +112,27 @@ private slots:
         QVERIFY2(ends.size() == 2, qPrintable(box.shownText()));
         QVERIFY(!ends[0].isEmpty() && box.currentText().startsWith(ends[0].trimmed()));
         QVERIFY(!ends[1].isEmpty() && box.currentText().endsWith(ends[1].trimmed()));
+    }
+
+    void whereThereIsHardlyRoomTheFirstLettersTellChoicesApart()
+    {
+        QStringList shown;
+        for (const FillRule rule : allFillRules) {
+            ElidingBox box;
+            box.setToolTip(QStringLiteral("Fill rule"));
+            box.addItem(nameText(nameOf(rule)));
+            box.resize(51, box.sizeHint().height()); // as in Compare at 1024 px
+            QVERIFY2(!box.shownText().contains(u'…'), qPrintable(box.shownText()));
+            QVERIFY(box.currentText().startsWith(box.shownText()));
+            shown += box.shownText();
+
+            if (box.shownText() == box.currentText())
+                continue;
+            QHelpEvent help(QEvent::ToolTip, box.rect().center(), QPoint());
+            QCoreApplication::sendEvent(&box, &help);
+            QCOMPARE(QToolTip::text(), QStringLiteral("Fill rule: ") + box.currentText());
+        }
+        QCOMPARE(shown.removeDuplicates(), 0);
     }
 };
 

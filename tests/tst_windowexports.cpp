@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/fileaccess.h"
+#include "core/scene/motion.h"
+#include "core/scene/scene.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/sourcetree.h"
@@ -7,6 +9,7 @@
 #include "widgets/files/scenefiles.h"
 #include "widgets/files/svgexport.h"
 #include "widgets/model/playhead.h"
+#include "widgets/model/scenedocument.h"
 
 #include <QAbstractButton>
 #include <QBuffer>
@@ -108,6 +111,39 @@ private slots:
                  qsizetype(traced.trace->samplesDoneAt(playhead.position())));
         QCOMPARE(rows("columns.csv", TraceLevel::Column, asDrawn),
                  qsizetype(*playhead.spanInHand() + 1));
+    }
+
+    void exportsOfAMovingSceneNameTheFrameThatTheyAreOf()
+    {
+        const QTemporaryDir folder;
+        const auto path = [&folder](const char *name) { return folder.filePath(name); };
+        const auto window = openedWindow(QStringLiteral("moving-sliver.json"));
+        SceneDocument &document = *window->parts().document;
+        document.setFrameInHand(8);
+        QTRY_COMPARE(window->parts().playhead->traced()->scene.triangles,
+                     sceneAtFrame(document.scene(), 8).triangles);
+        SceneExports *exports = window->parts().exports;
+        QSignalSpy notices(exports, &SceneExports::notice);
+        const QString frame = QStringLiteral("frame 8 of 24 of the motion");
+
+        QVERIFY(exports->writePicture(path("at8.png")));
+        QCOMPARE(QImage(path("at8.png")).text(QStringLiteral("Description")), frame);
+        QVERIFY(exports->writeAnnotatedGrid(path("at8.svg")));
+        QCOMPARE(readFile(path("at8.svg"))->count(frame.toLatin1()), 2); // described, and written
+        QVERIFY(exports->writeRaster(path("at8.txt")));
+        for (const auto &[name, format] :
+             {std::pair("at8.csv", TableFormat::Csv), std::pair("at8.json", TableFormat::Json)}) {
+            QVERIFY(exports->writeTrace(path(name), TraceLevel::Column, format));
+            QTRY_VERIFY(!exports->writing().isRunning());
+        }
+        const QList<QByteArray> lines = readFile(path("at8.csv"))->split('\n');
+        QVERIFY(lines[0].startsWith("frame,step,primitive,"));
+        QVERIFY(lines[1].startsWith("8,"));
+        QVERIFY(readFile(path("at8.json"))
+                    ->startsWith("{\n  \"pixelplumbTrace\": 2,\n  \"frame\": 8,"));
+        QTRY_COMPARE(notices.size(), 5);
+        for (const QList<QVariant> &notice : notices)
+            QVERIFY2(notice[0].toString().endsWith(frame + u'.'), qPrintable(notice[0].toString()));
     }
 
     void theExportDialogOffersTheMomentInHand()

@@ -12,6 +12,7 @@
 #include <QAbstractItemView>
 #include <QAbstractTextDocumentLayout>
 #include <QApplication>
+#include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
 #include <QScrollBar>
@@ -197,6 +198,18 @@ private slots:
         QVERIFY(bar.isVisible());
         QTest::keyClick(window->parts().canvas, Qt::Key(key));
         QVERIFY(!bar.isVisible());
+    }
+
+    void aNoteThatIsGoneCanBeCopied()
+    {
+        const auto window = openedWindow();
+        MessageBar &bar = *window->parts().messageBar;
+        bar.complain(QStringLiteral("“abc” is no coordinate."));
+        QTest::keyClick(window->parts().canvas, Qt::Key_Escape);
+        QVERIFY(!bar.isVisible());
+
+        action(*window, "copyNote")->trigger();
+        QCOMPARE(QGuiApplication::clipboard()->text(), QStringLiteral("“abc” is no coordinate."));
     }
 
     void aNewDocumentIsRightAndSeenWhole()

@@ -134,6 +134,8 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const QSt
     options.progress = progress.listener();
     options.columns = *columns;
     options.rows = *rows;
+    if (line.isSet(QStringLiteral("frame")))
+        options.frame = line.value(QStringLiteral("frame")).toInt();
     options.textNumbers
         = line.isSet(QStringLiteral("decimal")) ? TextNumbers::Decimal : TextNumbers::Mixed;
     const bool written = exportTrace(*traced, options, output.device());

@@ -11,6 +11,8 @@ namespace pixelplumb {
 
 namespace {
 
+constexpr QLatin1String motionFrameColumn("frame");
+
 QByteArray jsonName(std::string_view name) { return jsonString(nameText(name)); }
 
 QString nameOf(TraceLevel level)
@@ -79,16 +81,21 @@ std::vector<PreambleMember> preambleOf(const TracedScene &traced, const TraceExp
             + jsonString(number.unit) + ", \"formula\": " + jsonString(number.formula)
             + ", \"meaning\": " + jsonString(number.toolTip) + '}';
     }
-    return {{QStringLiteral("pixelplumbTrace"), "2"},
-            {QStringLiteral("level"), jsonString(nameOf(options.level))},
-            {QStringLiteral("method"), jsonString(traced.method->id)},
-            {QStringLiteral("arithmetic"), jsonName(nameOf(settings.arithmetic))},
-            {QStringLiteral("fillRule"), jsonName(nameOf(settings.fillRule))},
-            {QStringLiteral("rounding"), jsonName(nameOf(settings.rounding))},
-            {QStringLiteral("variants"), variantsJson(settings.variants)},
-            {QStringLiteral("coordinates"), jsonString(coordinatesText(traced))},
-            {QStringLiteral("cut"), traced.trace->isCut() ? "true" : "false"},
-            {QStringLiteral("columns"), columns + (columns.size() == 1 ? "]" : "\n  ]")}};
+    std::vector<PreambleMember> members
+        = {{QStringLiteral("pixelplumbTrace"), "2"},
+           {QStringLiteral("level"), jsonString(nameOf(options.level))},
+           {QStringLiteral("method"), jsonString(traced.method->id)},
+           {QStringLiteral("arithmetic"), jsonName(nameOf(settings.arithmetic))},
+           {QStringLiteral("fillRule"), jsonName(nameOf(settings.fillRule))},
+           {QStringLiteral("rounding"), jsonName(nameOf(settings.rounding))},
+           {QStringLiteral("variants"), variantsJson(settings.variants)},
+           {QStringLiteral("coordinates"), jsonString(coordinatesText(traced))},
+           {QStringLiteral("cut"), traced.trace->isCut() ? "true" : "false"},
+           {QStringLiteral("columns"), columns + (columns.size() == 1 ? "]" : "\n  ]")}};
+    if (options.frame)
+        members.insert(members.begin() + 1,
+                       {motionFrameColumn, QByteArray::number(*options.frame)});
+    return members;
 }
 
 std::unique_ptr<RowWriter> writerFor(const TracedScene &traced, const TraceExportOptions &options,
@@ -110,7 +117,12 @@ TraceTable<Row> chosenColumns(const TraceTable<Row> &whole, const TraceExportOpt
 {
     if (!options.columns.isEmpty())
         return whole.only(options.columns);
-    return options.format == TableFormat::Text ? whole.withoutComparisons() : whole;
+    const TraceTable<Row> chosen
+        = options.format == TableFormat::Text ? whole.withoutComparisons() : whole;
+    return options.frame
+        ? chosen.behind({motionFrameColumn, Field::Kind::Number},
+                        [frame = *options.frame](const Row &) { return Quantity::integer(frame); })
+        : chosen;
 }
 
 bool isChosen(const RowChoice &choice, const SetUpRow &row)

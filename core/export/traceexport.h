@@ -37,6 +37,9 @@ struct TraceExportOptions {
     QStringList columns = {};
     TextNumbers textNumbers = TextNumbers::Mixed;
     RowChoice rows = {};
+    /// Of a scene that moves, the one that was drawn: told ahead of the rows, and in each unless
+    /// `columns` chooses.
+    std::optional<int> frame = {};
 };
 
 /// The names of all columns that a method's traces have at a level.
@@ -47,7 +50,8 @@ QString traceColumnNamed(const TraceNumbers &numbers, TraceLevel level, const QS
 
 /// Writes the numbers that the kernel used, with the exact ones and the errors beside them.
 ///
-/// All levels begin with "step" (counted from 1, as in the window) and "primitive" (from 0). Set-up
+/// All levels begin with "step" (counted from 1, as in the window) and "primitive" (from 0), behind
+/// "frame" where the scene moves. Set-up
 /// and column level: each of the method's numbers under its id; where there is an exact value,
 /// "<id>_exact" and "<id>_error" (used − exact) follow. Pixel level: "x", "y"; for R, G and B the
 /// used value, "_exact", "_error", "_level" (rounded, before clamping) and "_byte"; "clamped",

@@ -62,6 +62,16 @@ public:
         return chosen;
     }
 
+    /// All of them behind one more.
+    TraceTable behind(Field first, Read read) const
+    {
+        TraceTable all;
+        all.add(std::move(first), std::move(read));
+        for (std::size_t i = 0; i < m_fields.size(); ++i)
+            all.add(m_fields[i], m_reads[i]);
+        return all;
+    }
+
 private:
     std::size_t placeOf(const QString &name) const
     {

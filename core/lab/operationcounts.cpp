@@ -69,38 +69,6 @@ double OperationCounts::setUpShare() const
 
 bool isCounted(const Method &method) { return countedMethodOf(method) != nullptr; }
 
-QString countingGap(const Method &method, Arithmetic arithmetic)
-{
-    if (method.id == QLatin1String("stroke-coverage"))
-        return QStringLiteral(
-            "Not counted: an area takes as many steps as its polygon has corners, "
-            "in floating point and, where a byte depends on it, in fractions.");
-    if (!isCounted(method))
-        return QStringLiteral("Not counted: it computes in integers that grow with every cut, so "
-                              "that one operation is not like another.");
-    if (method.id == QLatin1String("column-scan-bias") && arithmetic == Arithmetic::Float64)
-        return QStringLiteral(
-            "Annotated step by step, not counted by its numbers; what integers compute "
-            "outside the proved domain is not counted.");
-    if (method.id == QLatin1String("line-bresenham"))
-        return QStringLiteral(
-            "The places of the pixels take no division, no rounding and no floating point: Δx and "
-            "Δy are doubled, then each step is one comparison and one addition. Every other "
-            "multiplication and every division is the colour's, whose R, G and B are exact "
-            "fractions between the ends', even where these are the same; but where the frame cuts "
-            "the line's start off, one division finds the first pixel. Rounding the ends to whole "
-            "pixels is not counted.");
-    if (method.id == QLatin1String("polygon-fan") || method.id == QLatin1String("polygon-delaunay")
-        || method.id == QLatin1String("polygon-tessellation"))
-        return QStringLiteral("Finding the triangles is not counted, filling them is.");
-    if (method.id == QLatin1String("bezier-fill"))
-        return QStringLiteral("Finding the chords is not counted, filling them is.");
-    if (method.id == QLatin1String("text-outlines"))
-        return QStringLiteral(
-            "Getting the outlines from the font is not counted, filling them is.");
-    return {};
-}
-
 std::optional<OperationCounts> countOperations(const Method &method, const ScanSettings &settings,
                                                const Primitives &primitives, FrameView frame,
                                                const ProgressListener &progress)

@@ -2,11 +2,14 @@
 #include "core/layers/layers.h"
 #include "core/methods/polygonkernels.h"
 
+#include <cmath>
+
 namespace pixelplumb {
 
 namespace {
 
 constexpr std::size_t mostNamedEdges = 24; ///< more names would hide what they name
+constexpr double leaderLength = 20; ///< logical px, from an edge to its name
 
 /// A place where the row in hand meets an edge.
 struct ShownCrossing {
@@ -43,37 +46,45 @@ Contours scannedContours(const LayerMoment &moment)
 
 /// The bucket of an edge that is not horizontal: it stands in that of its first row, by its lower
 /// end.
-void appendBucket(const Contours &contours, std::size_t number, FrameOrigin origin,
+void appendBucket(const Contours &contours, std::size_t number, const LayerMoment &moment,
                   LayerDrawing &drawing)
 {
     const ContourEdge &edge = contours.edges[number];
+    const double cell = moment.view.cell;
     const bool isUpward = edge.from.y < edge.to.y;
     const LatticePoint &low = isUpward ? edge.from : edge.to;
     const LatticePoint &high = isUpward ? edge.to : edge.from;
-    const Interval rows = rowsCrossed(origin); // as the kernel's EdgeTable takes them
+    const Interval rows
+        = rowsCrossed(moment.frame().origin); // as the kernel's EdgeTable takes them
     const std::int64_t first = firstSampleFrom(low.y, rows);
     const QString place = first < endSampleAt(high.y, rows)
         ? QStringLiteral("from row %1").arg(first)
         : QStringLiteral("on no row");
     drawing.points.push_back({placeOf(low), LayerInk::Mark});
-    drawing.labels.push_back({QStringLiteral("edge %1, %2").arg(number).arg(place),
-                              (placeOf(edge.from) + placeOf(edge.to)) / 2, LayerInk::Mark});
+    const QPointF middle = (placeOf(low) + placeOf(high)) / 2;
+    const QPointF up = placeOf(high) - placeOf(low);
+    // To the right, straight from the edge: where edges cross it tells whose name it is.
+    const QPointF away
+        = QPointF(up.y(), -up.x()) / std::hypot(up.x(), up.y()) * (leaderLength / cell);
+    drawing.lines.push_back({middle, middle + away, LayerInk::Mark, LayerDrawing::Stroke::Dotted});
+    drawing.labels.push_back(
+        {QStringLiteral("edge %1, %2").arg(number).arg(place), middle + away, LayerInk::Mark});
 }
 
 /// Of all edges, or where they are too many for names, of the active ones.
 void appendBuckets(const Contours &contours, const std::vector<ShownCrossing> &active,
-                   FrameOrigin origin, LayerDrawing &drawing)
+                   const LayerMoment &moment, LayerDrawing &drawing)
 {
     const std::size_t count = contours.edges.size();
     if (count <= mostNamedEdges) {
         for (std::size_t i = 0; i < count; ++i) {
             if (contours.edges[i].from.y != contours.edges[i].to.y)
-                appendBucket(contours, i, origin, drawing);
+                appendBucket(contours, i, moment, drawing);
         }
         return;
     }
     for (const ShownCrossing &crossing : active)
-        appendBucket(contours, crossing.edge, origin, drawing);
+        appendBucket(contours, crossing.edge, moment, drawing);
     drawing.notes.append(
         QStringLiteral("Edge table: of %1 edges, the active ones have their names").arg(count));
 }
@@ -105,14 +116,13 @@ void appendRow(double y, const std::vector<ShownCrossing> &crossings, const Cont
 void drawEdgeTable(const LayerMoment &moment, LayerDrawing &drawing)
 {
     const Contours contours = scannedContours(moment);
-    const FrameOrigin origin = moment.frame().origin;
     const std::optional<std::size_t> span = moment.spanInHand();
     if (!span)
-        return appendBuckets(contours, {}, origin, drawing);
+        return appendBuckets(contours, {}, moment, drawing);
     const SpanRecord record = moment.trace().span(*span);
     const NamedNumbers row(moment.trace().numbers().span, record.cells);
     const std::vector<ShownCrossing> crossings = crossingsIn(row);
-    appendBuckets(contours, crossings, origin, drawing);
+    appendBuckets(contours, crossings, moment, drawing);
     appendRow(double(record.place.coordinate), crossings, contours, drawing);
     const auto active = std::int64_t(row[QStringLiteral("active")].toDouble());
     if (active > std::int64_t(crossings.size()))

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/cellnumber.h"
+#include "core/layers/clippedline.h"
 #include "core/layers/edgelinenumbers.h"
 #include "core/layers/layers.h"
 
@@ -12,6 +13,9 @@ namespace {
 
 constexpr double leastNormal = 2; ///< px
 constexpr double normalOfEdge = 0.25; ///< of the edge's length
+// Logical pixels.
+constexpr double roomBesideEdge = 300; ///< of an edge so long; names beside a shorter one crowd
+constexpr double nameBeyondEdge = 96; ///< from a short edge's end to its name
 
 /// The part of the frame where an edge function is positive (Sutherland and Hodgman 1974).
 std::vector<QPointF> positiveSide(const EdgeLineNumbers &line, const FrameSpec &frame)
@@ -35,8 +39,40 @@ std::vector<QPointF> positiveSide(const EdgeLineNumbers &line, const FrameSpec &
     return kept.size() < 3 ? std::vector<QPointF>() : kept;
 }
 
-void appendHalfPlane(const EdgeLineNumbers &line, const FrameSpec &frame, LayerDrawing &drawing)
+/// On an edge's line beyond its end, where the triangle is not; in view if the end is.
+QPointF placeBeyond(const EdgeLineNumbers &line, const LayerMoment &moment)
 {
+    const QPointF along = line.to - line.from;
+    const double beyond = nameBeyondEdge / moment.view.cell;
+    const QLineF way(line.to, line.to + along / std::hypot(along.x(), along.y()) * beyond);
+    const SampleBox seen = moment.seen();
+    const std::optional<QLineF> inView
+        = clipped(way,
+                  QRectF(QPointF(double(seen.firstX), double(seen.firstY)),
+                         QPointF(double(seen.endX), double(seen.endY))));
+    return inView ? inView->p2() : way.p2();
+}
+
+void appendNames(const EdgeLineNumbers &line, const QPointF &arrow, const LayerMoment &moment,
+                 LayerDrawing &drawing)
+{
+    // As the slides write it: DejaVu's ⟨ ⟩ look like ( ) in small type.
+    const QString name = QStringLiteral("%1 > 0, normal <%2, %3>")
+                             .arg(line.name, cellNumber(line.a), cellNumber(line.b));
+    const QPointF along = line.to - line.from;
+    const QPointF middle = line.from + along / 2;
+    if (std::hypot(along.x(), along.y()) * moment.view.cell < roomBesideEdge) {
+        drawing.labels.push_back({name, placeBeyond(line, moment), LayerInk::Mark});
+        return;
+    }
+    drawing.labels.push_back({name, middle + arrow, LayerInk::Mark});
+    drawing.labels.push_back(
+        {QStringLiteral("%1 < 0").arg(line.name), middle - arrow / 2, LayerInk::Negative});
+}
+
+void appendHalfPlane(const EdgeLineNumbers &line, const LayerMoment &moment, LayerDrawing &drawing)
+{
+    const FrameSpec &frame = moment.frame();
     const QPointF normal(line.a.toDouble(), line.b.toDouble());
     const double length = std::hypot(normal.x(), normal.y());
     if (length == 0)
@@ -54,12 +90,7 @@ void appendHalfPlane(const EdgeLineNumbers &line, const FrameSpec &frame, LayerD
     drawing.lines.push_back(
         {middle - beyond, middle + beyond, LayerInk::Mark, LayerDrawing::Stroke::Dashed});
     drawing.lines.push_back({middle, middle + arrow, LayerInk::Mark, LayerDrawing::Stroke::Arrow});
-    // As the slides write it: DejaVu's ⟨ ⟩ look like ( ) in small type.
-    drawing.labels.push_back({QStringLiteral("%1 > 0, normal <%2, %3>")
-                                  .arg(line.name, cellNumber(line.a), cellNumber(line.b)),
-                              middle + arrow, LayerInk::Mark});
-    drawing.labels.push_back(
-        {QStringLiteral("%1 < 0").arg(line.name), middle - arrow / 2, LayerInk::Negative});
+    appendNames(line, arrow, moment, drawing);
 }
 
 void appendHalfPlanes(const LayerMoment &moment, std::size_t first, std::size_t end,
@@ -67,7 +98,7 @@ void appendHalfPlanes(const LayerMoment &moment, std::size_t first, std::size_t 
 {
     const EdgeLines edges = edgeLinesOf(moment);
     for (std::size_t line = first; line < end; ++line)
-        appendHalfPlane(edges.lines[line], moment.frame(), drawing);
+        appendHalfPlane(edges.lines[line], moment, drawing);
     if (edges.origin == NumberOrigin::Exact)
         drawing.notes.append(
             QStringLiteral("Half-planes: exact, since “%1” computes no edge functions")

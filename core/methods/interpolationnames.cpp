@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/interpolationnames.h"
 
+#include "core/methods/placenumbers.h"
 #include "core/methods/units.h"
 
 #include <array>
@@ -39,6 +40,14 @@ QString weightId(std::size_t vertex)
 EdgeWalkNames walkNames(InterpolationForm form)
 {
     return EdgeWalkNames(EdgeWalkForm{axisOf(form), WalkForm::Accumulated, ColourRate::Bilinear});
+}
+
+NumberDescription halfNumberOf(InterpolationForm form)
+{
+    NumberDescription half = halfNumber();
+    if (!isBilinear(form))
+        half.toolTip = QStringLiteral("1: up to the middle vertex; 2: from there on.");
+    return half;
 }
 
 NumberDescription comparedNumber(const QString &id, const QString &title, const QString &unit,

@@ -23,6 +23,9 @@ QString weightId(std::size_t vertex);
 /// theirs.
 EdgeWalkNames walkNames(InterpolationForm form);
 
+/// Between which two edges a column lies: without their names where vertices are not sorted.
+NumberDescription halfNumberOf(InterpolationForm form);
+
 /// A number that stands beside the exact one.
 NumberDescription comparedNumber(const QString &id, const QString &title, const QString &unit,
                                  const QString &toolTip, const QString &formula, NumberGroup group);

@@ -12,8 +12,9 @@ namespace {
 using Group = NumberGroup;
 
 /// Where the column or row lies and what it covers.
-void appendPlace(NumberTable<InterpolationSpanState> &table, const EdgeWalkNames &names)
+void appendPlace(NumberTable<InterpolationSpanState> &table, InterpolationForm form)
 {
+    const EdgeWalkNames names = walkNames(form);
     using State = InterpolationSpanState;
     table.push_back({triangleNumber(), [](const State &state) {
                          return Quantity::integer(Int128(state.walk.primitive));
@@ -26,7 +27,7 @@ void appendPlace(NumberTable<InterpolationSpanState> &table, const EdgeWalkNames
                      [isRow = names.isRow()](const State &state) {
                          return Quantity::integer(isRow ? -state.column.x : state.column.x);
                      }});
-    NumberDescription half = halfNumber();
+    NumberDescription half = halfNumberOf(form);
     half.id = half.title = QStringLiteral("{half}");
     table.push_back({names.filled(half), [](const State &state) {
                          return Quantity::integer(state.column.half == ColumnHalf::First ? 1 : 2);
@@ -131,9 +132,9 @@ void appendWeights(NumberTable<InterpolationSampleState> &table)
         const QString title = weightTitle(i);
         table.push_back(
             {comparedNumber(weightId(i), title, {},
-                            QStringLiteral("Weight of vertex %1: 1 there, 0 on the line through "
-                                           "the other two.")
-                                .arg(i),
+                            QStringLiteral("Weight of P%1: 1 there, 0 on the line through the "
+                                           "other two.")
+                                .arg(vertexDigits[i]),
                             QStringLiteral("%1 = a_%1·x + b_%1·y + c_%1").arg(title),
                             Group::Decision),
              [i](const InterpolationSampleState &state) { return state.weight[i]; }});
@@ -200,10 +201,10 @@ NumberTable<InterpolationSpanState> interpolationSpanNumbers(InterpolationForm f
 {
     using Column = InterpolationColumn<Quantity>;
     NumberTable<InterpolationSpanState> table;
-    const EdgeWalkNames names = walkNames(form);
-    appendPlace(table, names);
+    appendPlace(table, form);
     if (!isBilinear(form))
         return table;
+    const EdgeWalkNames names = walkNames(form);
     appendBounds(table, names);
     appendBoundValues(table, names, carried, SpanBound::Lower, &Column::bottom);
     appendBoundValues(table, names, carried, SpanBound::Upper, &Column::top);

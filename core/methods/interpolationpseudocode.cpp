@@ -37,21 +37,33 @@ Pseudocode valueLines(InterpolationForm form)
             {2, QStringLiteral("each value v ← α·v₀ + β·v₁ + γ·v₂"), {First, Next}}};
 }
 
+/// The vertices keep their names where only the walk along the edges needs their order.
+QString sortingText(InterpolationForm form)
+{
+    if (!isBilinear(form))
+        return QStringLiteral("the edges from left to right: one long, two short ones that meet in "
+                              "the middle vertex");
+    return axisOf(form) == SpanAxis::Row
+        ? QStringLiteral("sort the vertices by y, the highest first: P₀, P₁, P₂")
+        : QStringLiteral("sort the vertices by x: P₀, P₁, P₂");
+}
+
 Pseudocode columnLines(InterpolationForm form)
 {
     Pseudocode code
-        = {{0,
-            axisOf(form) == SpanAxis::Row
-                ? QStringLiteral("sort the vertices by y, the highest first: P₀, P₁, P₂")
-                : QStringLiteral("sort the vertices by x: P₀, P₁, P₂"),
+        = {{0, sortingText(form), {SetUp}},
+           {0,
+            isBilinear(form) ? QStringLiteral("m ← the slopes of L₀₁, L₁₂ and L₀₂")
+                             : QStringLiteral("m ← the slopes of the three edges"),
             {SetUp}},
-           {0, QStringLiteral("m ← the slopes of L₀₁, L₁₂ and L₀₂"), {SetUp}},
            {0, QStringLiteral("of each value that is carried: ") + coefficientsText(form), {SetUp}},
            {0, QStringLiteral("if no sample is to be drawn: done"), {Rejected}},
            {0,
-            QStringLiteral("for each {span} that the fill rule takes, with L₀₁ up "
-                           "to P₁, with L₁₂ "
-                           "from there, and L₀₂:"),
+            isBilinear(form)
+                ? QStringLiteral("for each {span} that the fill rule takes, with L₀₁ up to P₁, "
+                                 "with L₁₂ from there, and L₀₂:")
+                : QStringLiteral("for each {span} that the fill rule takes, with the long edge "
+                                 "and, up to the middle vertex and from there, a short one:"),
             {Begin, Span}},
            {1,
             QStringLiteral("where an edge begins: its {a} in this {span}, from its vertex"),

@@ -56,8 +56,10 @@ struct InterpolationRecording : InterpolationNumbers<Number, channelsInAll> {
 
     static void record(const SetUp &setUp, SetUpRecord &record)
     {
-        record.order = setUp.order;
-        record.longEdge = setUp.longEdge;
+        if constexpr (isBilinear(Form)) {
+            record.order = setUp.order;
+            record.longEdge = setUp.longEdge;
+        }
         record.zeroArea = setUp.zeroArea;
     }
     static void record(const Span &column, SpanRecord &record)

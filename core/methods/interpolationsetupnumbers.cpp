@@ -23,14 +23,14 @@ void appendPositions(NumberTable<InterpolationSetUpState> &table, InterpolationF
 {
     const QString owner = isBilinear(form)
         ? QStringLiteral("%1 of the sorted vertex P%2, from the centre of pixel (0, 0).")
-        : QStringLiteral("%1 of vertex %2, as it is given, from the centre of pixel (0, 0).");
+        : QStringLiteral("%1 of P%2, as it is given, from the centre of pixel (0, 0).");
     for (std::size_t digit = 0; digit < 3; ++digit) {
         for (const auto &[axis, coordinate] :
              {std::pair(u'x', &LatticePoint::x), std::pair(u'y', &LatticePoint::y)})
             table.push_back({{.id = QStringLiteral("%1_%2").arg(QChar(axis)).arg(digit),
                               .title = QString(QChar(axis)) + vertexDigits[digit],
                               .unit = unit::px(),
-                              .toolTip = owner.arg(QChar(axis)).arg(digit),
+                              .toolTip = owner.arg(QChar(axis)).arg(vertexDigits[digit]),
                               .formula = {}},
                              [=, coordinate = coordinate](const InterpolationSetUpState &state) {
                                  return pixels(state.vertices[vertexIn(state, form, digit)].position
@@ -50,17 +50,17 @@ void appendValues(NumberTable<InterpolationSetUpState> &table, InterpolationForm
 {
     const auto &[place, name] = channel;
     for (std::size_t digit = 0; digit < 3; ++digit) {
-        table.push_back({{.id = name + QString::number(digit),
-                          .title = name + vertexDigits[digit],
-                          .unit = channelUnit(place),
-                          .toolTip = QStringLiteral("%1 at vertex %2.").arg(name).arg(digit),
-                          .formula = {},
-                          .group = Group::EdgeColours},
-                         [form, digit, at = place](const InterpolationSetUpState &state) {
-                             const std::size_t vertex = vertexIn(state, form, digit);
-                             return Quantity::rational(state.vertices[vertex].channels[at],
-                                                       unitsOfChannel(at));
-                         }});
+        table.push_back(
+            {{.id = name + QString::number(digit),
+              .title = name + vertexDigits[digit],
+              .unit = channelUnit(place),
+              .toolTip = QStringLiteral("%1 at P%2.").arg(name).arg(vertexDigits[digit]),
+              .formula = {},
+              .group = Group::EdgeColours},
+             [form, digit, at = place](const InterpolationSetUpState &state) {
+                 const std::size_t vertex = vertexIn(state, form, digit);
+                 return Quantity::rational(state.vertices[vertex].channels[at], unitsOfChannel(at));
+             }});
     }
 }
 
@@ -153,7 +153,7 @@ void appendWeightLine(NumberTable<InterpolationSetUpState> &table, std::size_t v
     line(0, u'A', ofLine, QStringLiteral("A_% = y& − y#"));
     line(1, u'B', ofLine, QStringLiteral("B_% = x# − x&"));
     line(2, u'C', ofLine, QStringLiteral("C_% = −A_%·x# − B_%·y#"));
-    line(3, u'k', QStringLiteral("scales F to 1 at vertex ") + QString::number(vertex) + u'.',
+    line(3, u'k', QStringLiteral("scales F to 1 at P@."),
          QStringLiteral("k_% = 1/(A_%·x@ + B_%·y@ + C_%)"));
     constexpr std::array<char16_t, 3> coefficients = {u'a', u'b', u'c'};
     for (std::size_t i = 0; i < 3; ++i) {
@@ -162,9 +162,8 @@ void appendWeightLine(NumberTable<InterpolationSetUpState> &table, std::size_t v
             {comparedNumber(
                  letter + u'_' + weightId(vertex), letter + u'_' + weight, {},
                  letter
-                     + QStringLiteral(" of the line through the other two vertices, scaled to "
-                                      "1 at vertex %1.")
-                           .arg(vertex),
+                     + filled(QStringLiteral(" of the line through the other two vertices, scaled "
+                                             "to 1 at P@.")),
                  filled(letter + QStringLiteral("_% = k_%·") + letter.toUpper()
                         + QStringLiteral("_%")),
                  Group::Decision),

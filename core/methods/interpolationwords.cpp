@@ -8,26 +8,40 @@
 
 namespace pixelplumb {
 
-void tellInterpolation(StepWords &words, const InterpolationSetUpState &state,
-                       InterpolationForm form)
+QString verticesText(InterpolationForm form, const std::array<int, 3> &order,
+                     const std::array<LatticePoint, 3> &positions)
 {
     const bool isSorted = isBilinear(form);
     QStringList points;
     for (std::size_t i = 0; i < 3; ++i) {
-        const std::size_t vertex = isSorted ? std::size_t(state.order[i]) : i;
-        const QString name = isSorted
-            ? QStringLiteral("P%1 = vertex %2").arg(vertexDigits[i]).arg(vertex)
-            : QStringLiteral("x%1 and y%1 of vertex %2").arg(vertexDigits[i]).arg(vertex);
-        points.append(name + u' ' + pointText(state.vertices[vertex].position));
+        const std::size_t vertex = isSorted ? std::size_t(order[i]) : i;
+        const QString name = QStringLiteral("P%1 = ").arg(vertexDigits[i]);
+        points.append((isSorted ? name + QStringLiteral("vertex %1 ").arg(vertex) : name)
+                      + pointText(positions[vertex]));
     }
-    const QString order = axisOf(form) == SpanAxis::Row
+    const QString sorted = axisOf(form) == SpanAxis::Row
         ? QStringLiteral("Sorted by y, the highest first: ")
         : QStringLiteral("Sorted by x: ");
-    words.sentence = (isSorted ? order : QStringLiteral("The vertices as they are given: "))
+    return (isSorted ? sorted : QStringLiteral("The vertices as they are given: "))
         + points.join(QStringLiteral(", ")) + u'.';
-    if (state.zeroArea)
-        words.sentence += QStringLiteral(" It has no area: the closed rule paints the samples on "
-                                         "its segment, coloured along L₀₂.");
+}
+
+void tellInterpolation(StepWords &words, const InterpolationSetUpState &state,
+                       InterpolationForm form)
+{
+    std::array<LatticePoint, 3> positions;
+    for (std::size_t vertex = 0; vertex < 3; ++vertex)
+        positions[vertex] = state.vertices[vertex].position;
+    words.sentence = verticesText(form, state.order, positions);
+    if (!state.zeroArea)
+        return;
+    const QString segment = isBilinear(form) ? nameOf(SortedEdge::L02)
+                                             : QStringLiteral("P%1P%2")
+                                                   .arg(vertexDigits[std::size_t(state.order[0])])
+                                                   .arg(vertexDigits[std::size_t(state.order[2])]);
+    words.sentence += QStringLiteral(" It has no area: the closed rule paints the samples on its "
+                                     "segment, coloured along %1.")
+                          .arg(segment);
 }
 
 void tellInterpolation(StepWords &words, const InterpolationSpanState &state,

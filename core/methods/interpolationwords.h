@@ -6,6 +6,9 @@
 
 namespace pixelplumb {
 
+/// Where P₀, P₁ and P₂ are: sorted in a bilinear form, else as they are given.
+QString verticesText(InterpolationForm form, const std::array<int, 3> &order,
+                     const std::array<LatticePoint, 3> &positions);
 /// Which vertices the numbers of a set-up belong to.
 void tellInterpolation(StepWords &words, const InterpolationSetUpState &state,
                        InterpolationForm form);

@@ -25,14 +25,14 @@ void appendVertices(NumberTable<ShadedSetUpState> &table, const ShadedScope &sco
     const InterpolationForm form = scope.form;
     const QString owner = form == InterpolationForm::Bilinear
         ? QStringLiteral("%1 of the sorted vertex P%2")
-        : QStringLiteral("%1 of vertex %2, as it is given");
+        : QStringLiteral("%1 of P%2, as it is given");
     for (std::size_t digit = 0; digit < 3; ++digit) {
         const auto row = [&](const QString &name, const QString &unit, const QString &toolTip,
                              const auto &read) {
             table.push_back({{.id = name + QString::number(digit),
                               .title = name + vertexDigits[digit],
                               .unit = unit,
-                              .toolTip = owner.arg(name).arg(digit) + toolTip,
+                              .toolTip = owner.arg(name).arg(vertexDigits[digit]) + toolTip,
                               .formula = {}},
                              [=](const ShadedSetUpState &state) {
                                  return read(state, vertexIn(state, form, digit));
@@ -63,30 +63,30 @@ void appendValues(NumberTable<ShadedSetUpState> &table, const ShadedScope &scope
     for (std::size_t digit = 0; digit < 3; ++digit) {
         const QString given = shadedName(which);
         if (which != Channel::Reciprocal)
-            table.push_back({{.id = given + QString::number(digit),
-                              .title = given + vertexDigits[digit],
-                              .unit = unitOf(which),
-                              .toolTip = QStringLiteral("%1 at vertex %2.").arg(given).arg(digit),
-                              .formula = {},
-                              .group = Group::EdgeColours},
-                             [=](const ShadedSetUpState &state) {
-                                 return state.given[channel][vertexIn(state, form, digit)];
-                             }});
+            table.push_back(
+                {{.id = given + QString::number(digit),
+                  .title = given + vertexDigits[digit],
+                  .unit = unitOf(which),
+                  .toolTip = QStringLiteral("%1 at P%2.").arg(given).arg(vertexDigits[digit]),
+                  .formula = {},
+                  .group = Group::EdgeColours},
+                 [=](const ShadedSetUpState &state) {
+                     return state.given[channel][vertexIn(state, form, digit)];
+                 }});
         if (!isDivided)
             continue;
         const QString name = linearName(which, scope.effects);
         const QString above
             = which == Channel::Reciprocal ? QStringLiteral("1") : given + vertexDigits[digit];
         table.push_back(
-            {comparedNumber(name + QString::number(digit), name + vertexDigits[digit],
-                            unitOf(which),
-                            QStringLiteral("%1 at vertex %2 divided by its w: what is linear in "
-                                           "the frame.")
-                                .arg(which == Channel::Reciprocal ? QStringLiteral("1") : given)
-                                .arg(digit),
-                            QStringLiteral("%1 = %2/w%3")
-                                .arg(name + vertexDigits[digit], above, vertexDigits[digit]),
-                            Group::EdgeColours),
+            {comparedNumber(
+                 name + QString::number(digit), name + vertexDigits[digit], unitOf(which),
+                 QStringLiteral("%1 at P%2 divided by its w: what is linear in the frame.")
+                     .arg(which == Channel::Reciprocal ? QStringLiteral("1") : given)
+                     .arg(vertexDigits[digit]),
+                 QStringLiteral("%1 = %2/w%3")
+                     .arg(name + vertexDigits[digit], above, vertexDigits[digit]),
+                 Group::EdgeColours),
              [=](const ShadedSetUpState &state) {
                  return state.linear[channel][vertexIn(state, form, digit)];
              }});
@@ -141,8 +141,8 @@ void appendSlope(NumberTable<ShadedSetUpState> &table, InterpolationForm form, S
              QStringLiteral("m_%1%2").arg(ends[0]).arg(ends[1]), title, QStringLiteral("px/column"),
              QStringLiteral("Slope of the edge from P%1 to P%2: what each column adds to its y; "
                             "none where it is vertical.")
-                 .arg(ends[0])
-                 .arg(ends[1]),
+                 .arg(vertexDigits[ends[0]])
+                 .arg(vertexDigits[ends[1]]),
              slopeFormula(title, edge, QStringLiteral("y")), Group::Position),
          [=](const ShadedSetUpState &state) { return state.slope[edgeIn(state, form, edge)]; }});
 }
@@ -191,7 +191,7 @@ NumberTable<ShadedSetUpState> shadedSetUpNumbers(const ShadedScope &scope)
         for (std::size_t i = 0; i < 3; ++i)
             appendCoefficients(
                 table, weightTitle(i),
-                QStringLiteral("Of the weight of vertex %1, a·x + b·y + c.").arg(i),
+                QStringLiteral("Of the weight of P%1, a·x + b·y + c.").arg(vertexDigits[i]),
                 [i](const ShadedSetUpState &state, std::size_t k) { return state.weight[i][k]; });
     }
     if (scope.appearance)

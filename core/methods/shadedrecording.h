@@ -45,8 +45,10 @@ struct ShadedRecording : ShadedNumbers<N, A> {
 
     static void record(const SetUp &setUp, SetUpRecord &record)
     {
-        record.order = setUp.order;
-        record.longEdge = setUp.longEdge;
+        if constexpr (Form == InterpolationForm::Bilinear) {
+            record.order = setUp.order;
+            record.longEdge = setUp.longEdge;
+        }
         record.zeroArea = setUp.zeroArea;
     }
     static void record(const Span &column, SpanRecord &record)

@@ -238,9 +238,9 @@ NumberTable<ShadedSampleState> shadedSampleNumbers(const ShadedScope &scope)
         for (std::size_t i = 0; i < 3; ++i)
             table.push_back(
                 {comparedNumber(weightId(i), weightTitle(i), {},
-                                QStringLiteral("Weight of vertex %1: 1 there, 0 on the line "
-                                               "through the other two.")
-                                    .arg(i),
+                                QStringLiteral("Weight of P%1: 1 there, 0 on the line through the "
+                                               "other two.")
+                                    .arg(vertexDigits[i]),
                                 QStringLiteral("%1 = a_%1·x + b_%1·y + c_%1").arg(weightTitle(i)),
                                 Group::Decision),
                  [i](const State &state) { return state.weight[i]; }});

@@ -81,7 +81,7 @@ NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope)
     };
     whole(triangleNumber(), [](const ShadedSpanState &state) { return state.walk.primitive; });
     whole(scannedNumber(), [](const ShadedSpanState &state) { return state.walk.column.x; });
-    covered(halfNumber(),
+    covered(halfNumberOf(scope.form),
             [](const ShadedSpanState &state) { return int(state.walk.column.half) + 1; });
     const auto bound = [&](SpanBound side, const QString &title, const QString &edge,
                            Quantity ShadedSpanState::*value) {

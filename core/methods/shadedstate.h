@@ -33,6 +33,8 @@ using OfAxes = std::array<Quantity, 3>; ///< x, y, z
 
 struct ShadedSetUpState {
     std::array<int, 3> order = {0, 1, 2};
+    /// What the digits in names stand for.
+    InterpolationForm form = InterpolationForm::Bilinear;
     OfVertices<LatticePoint> position;
     EffectSet effects; ///< of the triangle
     PerChannel<OfVertices<Quantity>> given; ///< as the vertices have them

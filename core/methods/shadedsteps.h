@@ -53,6 +53,7 @@ ShadedSetUpState shadedStateOf(const ShadedSetUpRead<N> &setUp)
 {
     ShadedSetUpState state;
     state.order = setUp.order;
+    state.form = Form;
     state.effects = setUp.effects;
     state.material = setUp.material;
     for (std::size_t i = 0; i < 3; ++i) {

@@ -1,22 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/formulatext.h"
+#include "core/methods/interpolationwords.h"
 #include "core/methods/shadednumbers.h"
-
-#include <QStringList>
 
 namespace pixelplumb {
 
 void tellShaded(StepWords &words, const ShadedSetUpState &state)
 {
-    QStringList points;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const auto vertex = std::size_t(state.order[i]);
-        points.append(QStringLiteral("P%1 = vertex %2 %3")
-                          .arg(QChar(char16_t(u'₀' + i)))
-                          .arg(vertex)
-                          .arg(pointText(state.position[vertex])));
-    }
-    words.sentence = QStringLiteral("Sorted by x: ") + points.join(QStringLiteral(", ")) + u'.';
+    words.sentence = verticesText(state.form, state.order, state.position);
     if (state.effects.perspective)
         words.sentence += QStringLiteral(" What the vertices carry is divided by w, because that "
                                          "is what changes linearly in the frame.");

@@ -24,8 +24,8 @@ DecidedPositions::DecidedPositions(const ScanTrace &trace, const DifferenceMap &
     , m_axis(commonAxis(trace))
 {
     decidePlaces(trace, frame);
-    if (differences.total() > 0)
-        decideWrongPixels(trace, differences);
+    if (differences.total() > 0 || m_axis == SpanAxis::Free)
+        decideOwnPixels(trace, differences);
 }
 
 void DecidedPositions::decidePlaces(const ScanTrace &trace, const FrameSpec &frame)
@@ -44,45 +44,49 @@ void DecidedPositions::decidePlaces(const ScanTrace &trace, const FrameSpec &fra
     }
 }
 
-void DecidedPositions::decideWrongPixels(const ScanTrace &trace, const DifferenceMap &differences)
+void DecidedPositions::decideOwnPixels(const ScanTrace &trace, const DifferenceMap &differences)
 {
     // Some visits more than pixels, so that many visits of few pixels take no memory.
-    const std::size_t most = 2 * std::size_t(differences.total()) + 1024;
+    std::size_t most = 2 * std::size_t(differences.total()) + 1024;
     for (std::size_t span = 0; span < trace.spanCount(); ++span) {
         const std::size_t first = trace.firstSampleOf(span);
         for (std::size_t sample = first; sample < trace.endSampleOf(span); ++sample) {
             const PixelChange &change = trace.changes()[sample];
             const Difference kind = differences.at(change.x, change.y);
             // What is missing was never written: refusals decide it.
-            if (kind == Difference::None || (kind != Difference::Missing && !change.isWritten()))
+            const bool isOwn = kind == Difference::None
+                ? m_axis == SpanAxis::Free && change.isWritten()
+                : kind == Difference::Missing || change.isWritten();
+            if (!isOwn)
                 continue;
-            m_wrong.push_back({change.y, change.x, enteredAt(trace, span) + 1 + sample - first});
-            if (m_wrong.size() > most)
+            m_own.push_back({change.y, change.x, enteredAt(trace, span) + 1 + sample - first});
+            if (m_own.size() > most) {
                 keepLastVisits();
+                most = std::max(most, 2 * m_own.size());
+            }
         }
     }
     keepLastVisits();
-    m_wrong.shrink_to_fit();
+    m_own.shrink_to_fit();
 }
 
 void DecidedPositions::keepLastVisits()
 {
-    const auto placeOf = [](const WrongPixel &pixel) { return std::tie(pixel.y, pixel.x); };
-    std::ranges::stable_sort(m_wrong, {}, placeOf);
+    const auto placeOf = [](const OwnPixel &pixel) { return std::tie(pixel.y, pixel.x); };
+    std::ranges::stable_sort(m_own, {}, placeOf);
     const auto isSamePlace
-        = [&](const WrongPixel &a, const WrongPixel &b) { return placeOf(a) == placeOf(b); };
-    m_wrong.erase(m_wrong.begin(),
-                  std::unique(m_wrong.rbegin(), m_wrong.rend(), isSamePlace).base());
+        = [&](const OwnPixel &a, const OwnPixel &b) { return placeOf(a) == placeOf(b); };
+    m_own.erase(m_own.begin(), std::unique(m_own.rbegin(), m_own.rend(), isSamePlace).base());
 }
 
 std::size_t DecidedPositions::at(std::int64_t x, std::int64_t y) const
 {
-    const auto wrong
-        = std::ranges::lower_bound(m_wrong, std::pair(y, x), {}, [](const WrongPixel &pixel) {
+    const auto own
+        = std::ranges::lower_bound(m_own, std::pair(y, x), {}, [](const OwnPixel &pixel) {
               return std::pair<std::int64_t, std::int64_t>(pixel.y, pixel.x);
           });
-    if (wrong != m_wrong.end() && wrong->x == x && wrong->y == y)
-        return wrong->position;
+    if (own != m_own.end() && own->x == x && own->y == y)
+        return own->position;
     const std::int64_t place = (m_axis == SpanAxis::Column ? x : y) - m_firstPlace;
     if (place < 0 || place >= std::int64_t(m_places.size()))
         return m_end;

@@ -2,6 +2,7 @@
 #include "core/runs/prediction.h"
 
 #include "core/methods/formulatext.h"
+#include "core/runs/constantnumbers.h"
 #include "core/runs/formulaexplanation.h"
 #include "core/runs/pixelhistory.h"
 #include "core/runs/spanheadings.h"
@@ -42,11 +43,16 @@ bool isTakenOver(const QString &symbols)
         && symbols == assignedIn(symbols) + QStringLiteral(" ← ") + computed;
 }
 
-bool isCount(const std::vector<NumberDescription> &numbers, const QString &title)
+/// What need not be asked: a count of spans, which the question itself names, and what has been the
+/// same since an earlier span, from which it could be copied.
+bool isGiven(const std::vector<NumberDescription> &numbers, const std::vector<bool> &constant,
+             const QString &title)
 {
-    return std::ranges::any_of(numbers, [&title](const NumberDescription &number) {
-        return number.title == title && number.group == NumberGroup::Position;
-    });
+    for (std::size_t i = 0; i < std::min(numbers.size(), constant.size()); ++i) {
+        if (numbers[i].title == title && (numbers[i].group == NumberGroup::Position || constant[i]))
+            return true;
+    }
+    return false;
 }
 
 const FormulaLine *lineOf(const Explanation &explanation, const FormulaLine &like)
@@ -152,11 +158,12 @@ std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t 
     std::optional<Explanation> before;
     if (!trace.beginsPart(span))
         before = explainStep(traced, trace.indexOfSpan(span - 1));
+    const std::vector<NumberDescription> numbers = trace.spanWords(span).numbers;
+    const std::vector<bool> constant = constantNumbersBefore(traced, span);
     std::vector<Prediction> predictions;
     for (const FormulaLine &line : next.lines) {
-        if (isCount(trace.spanWords(span).numbers, assignedIn(line.symbols))
-            || isTakenOver(line.symbols))
-            continue; // the question itself, or the step in hand, names it
+        if (isGiven(numbers, constant, titleOf(line.symbols)) || isTakenOver(line.symbols))
+            continue; // the question itself, or a step before, tells it
         const FormulaLine *earlier = before ? lineOf(*before, line) : nullptr;
         predictions.push_back({next.heading, titleOf(line.symbols), askedFor(line.symbols),
                                line.used, earlier ? earlier->used : Quantity(), line.symbols,

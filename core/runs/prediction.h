@@ -30,8 +30,9 @@ struct Prediction {
 bool asksForWhole(const Prediction &prediction);
 
 /// The numbers that the next span behind a position (0 … stepCount()) computes by formulas, as the
-/// explanation of that step has them, but for what counts the spans and what is taken over from the
-/// span before under another name; empty where no span follows.
+/// explanation of that step has them, but for what counts the spans, what is taken over from the
+/// span before under another name, and what never changes along the primitive (ΔR of a triangle),
+/// which the first span alone that has it asks for; empty where no span follows.
 std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t position);
 
 /// The pixel that is written next behind a position, and why. Where the span in hand is one pixel

@@ -201,10 +201,6 @@
         <translation>P1 (Ecke des Rechtecks)</translation>
     </message>
     <message>
-        <source>Frame %1 of %2 of the motion</source>
-        <translation>Bild %1 von %2 der Bewegung</translation>
-    </message>
-    <message>
         <source>move image</source>
         <translation>Bild des Dreiecks verschieben</translation>
     </message>
@@ -1735,6 +1731,14 @@
         <source>Colour of the Next Vertex</source>
         <translation>Farbe des nächsten Eckpunkts</translation>
     </message>
+    <message>
+        <source>Copy the last not&amp;e</source>
+        <translation>Letzte &amp;Meldung kopieren</translation>
+    </message>
+    <message>
+        <source>What was told last over the canvas, also when it is gone</source>
+        <translation>Was zuletzt über der Zeichenfläche gemeldet wurde, auch wenn es verschwunden ist</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::EffectsPanel</name>
@@ -2210,6 +2214,13 @@
     <message>
         <source>off-screen point</source>
         <translation>Punkt außerhalb</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::FrameText</name>
+    <message>
+        <source>frame %1 of %2 of the motion</source>
+        <translation>Bild %1 von %2 der Bewegung</translation>
     </message>
 </context>
 <context>
@@ -5831,6 +5842,14 @@
     <message>
         <source>%1 was not written: %2</source>
         <translation>%1 wurde nicht geschrieben: %2</translation>
+    </message>
+    <message>
+        <source> It is of %1.</source>
+        <translation> Es zeigt %1.</translation>
+    </message>
+    <message>
+        <source>%1 is written: %2.</source>
+        <translation>%1 ist geschrieben: %2.</translation>
     </message>
 </context>
 <context>

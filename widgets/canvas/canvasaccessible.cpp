@@ -4,6 +4,7 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/canvas/imagehandles.h"
 #include "widgets/look/corewords.h"
+#include "widgets/model/frametext.h"
 #include "widgets/model/playhead.h"
 
 #include <QAccessibleWidget>
@@ -33,13 +34,13 @@ QAccessibleInterface *makeInterface(const QString &, QObject *object)
     return canvas ? new CanvasAccessible(canvas) : nullptr;
 }
 
-} // namespace
-
-QString spokenState(const CanvasSources &sources, const CanvasHand &hand)
+/// The vertex, corner or pixel that the keys move, where it is seen.
+QString spokenPlace(const CanvasSources &sources, const CanvasHand &hand)
 {
     const SceneDocument &document = *sources.document;
     if (const std::optional<VertexRef> ref = document.selectedVertex()) {
-        const QString place = coordinateNote(document.vertexAt(*ref)->position);
+        const QString place
+            = coordinateNote(document.atFrameInHand(document.vertexAt(*ref)->position));
         if (ref->primitive == VertexRef::pending)
             return Canvas::tr("waiting vertex %1 at %2").arg(QString::number(ref->vertex), place);
         return Canvas::tr("vertex %1 of %2 %3 at %4")
@@ -53,6 +54,15 @@ QString spokenState(const CanvasSources &sources, const CanvasHand &hand)
     if (const std::optional<QPoint> pixel = sources.playhead->pickedPixel())
         return Canvas::tr("pixel (%1, %2)").arg(pixel->x()).arg(pixel->y());
     return Canvas::tr("no pixel is picked");
+}
+
+} // namespace
+
+QString spokenState(const CanvasSources &sources, const CanvasHand &hand)
+{
+    const QString frame = frameText(*sources.document);
+    const QString place = spokenPlace(sources, hand);
+    return frame.isEmpty() ? place : place + QStringLiteral(", ") + frame;
 }
 
 void installCanvasAccessible()

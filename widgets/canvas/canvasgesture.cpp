@@ -74,7 +74,8 @@ MoveVertexGesture::MoveVertexGesture(const CanvasView &view, SceneDocument &docu
 
 void MoveVertexGesture::movePoint(const LatticePoint &place)
 {
-    m_document.moveVertex(m_ref, m_document.snapped(place), m_drag);
+    const LatticePoint seen = m_document.snapped(m_document.atFrameInHand(place));
+    m_document.moveVertex(m_ref, m_document.fromFrameInHand(seen), m_drag);
 }
 
 void MoveVertexGesture::cancel() { m_document.moveVertex(m_ref, start(), m_drag); }

@@ -8,6 +8,7 @@
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/model/effectswitches.h"
+#include "widgets/model/frametext.h"
 #include "widgets/model/placinghint.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenepreviewer.h"
@@ -192,10 +193,8 @@ private:
     QString viewNote(const OutlineChoice &choice) const
     {
         QStringList notes;
-        if (const auto &motion = m_document.scene().motion; motion && m_document.frameInHand() > 0)
-            notes += tr("Frame %1 of %2 of the motion")
-                         .arg(m_document.frameInHand())
-                         .arg(motion->frames - 1);
+        if (const QString frame = frameText(m_document); m_document.frameInHand() > 0)
+            notes += frame.left(1).toUpper() + frame.sliced(1);
         if (m_scene.marked && m_judgement)
             notes += tr("Marked: the student's picture");
         if (shownPreview() && !m_isTruth && !m_previewer->isAheadOfTrace())

@@ -6,6 +6,7 @@
 #include "core/scene/colourtext.h"
 #include "core/scene/fileaccess.h"
 #include "widgets/files/svgexport.h"
+#include "widgets/model/frametext.h"
 #include "widgets/model/playhead.h"
 
 #include <QApplication>
@@ -38,8 +39,10 @@ WrittenTrace writtenTrace(const TracedScene &traced, const TraceExportOptions &o
 
 } // namespace
 
-SceneExports::SceneExports(Playhead *playhead, const DisplayOptions *options, QWidget *window)
+SceneExports::SceneExports(const SceneDocument *document, Playhead *playhead,
+                           const DisplayOptions *options, QWidget *window)
     : QObject(window)
+    , m_document(document)
     , m_playhead(playhead)
     , m_options(options)
     , m_window(window)
@@ -56,22 +59,27 @@ bool SceneExports::writePicture(const QString &path, ExportMoment moment)
     if (moment == ExportMoment::Finished)
         drawScene(scene, finished); // a recording may have ended early
     const FrameBuffer &shown = moment == ExportMoment::Finished ? finished : *m_playhead->frame();
+    QImage picture = shown.image();
+    const QString frame = frameText(*m_document);
+    if (!frame.isEmpty())
+        picture.setText(QStringLiteral("Description"), frame);
     QSaveFile file(path);
     const bool written
-        = file.open(QIODevice::WriteOnly) && shown.image().save(&file, "PNG") && file.commit();
-    return tellOutcome(path, written ? QString() : file.errorString());
+        = file.open(QIODevice::WriteOnly) && picture.save(&file, "PNG") && file.commit();
+    return tellOutcome(path, written ? QString() : file.errorString(), frame);
 }
 
 bool SceneExports::writeAnnotatedGrid(const QString &path, ExportMoment moment)
 {
     if (!mayWriteTo(path))
         return false;
+    const QString frame = frameText(*m_document);
     if (moment == ExportMoment::AsDrawn)
-        return tellOutcome(path, exportSvg(path, *m_playhead, *m_options));
+        return tellOutcome(path, exportSvg(path, *m_playhead, *m_options, frame), frame);
     Playhead atEnd;
     atEnd.setTraced(m_playhead->sharedTraced());
     atEnd.seek(atEnd.end());
-    return tellOutcome(path, exportSvg(path, atEnd, *m_options));
+    return tellOutcome(path, exportSvg(path, atEnd, *m_options, frame), frame);
 }
 
 bool SceneExports::writeTrace(const QString &path, TraceLevel level, TableFormat format,
@@ -85,6 +93,7 @@ bool SceneExports::writeTrace(const QString &path, TraceLevel level, TableFormat
     m_writtenPath = path;
     m_writing.setTitle(tr("Writing %1").arg(name));
     TraceExportOptions options{level, format};
+    options.frame = movingFrame(*m_document);
     if (moment == ExportMoment::AsDrawn)
         options.rows.position = m_playhead->position();
     m_writing.start(
@@ -93,7 +102,9 @@ bool SceneExports::writeTrace(const QString &path, TraceLevel level, TableFormat
             told.progress = listener;
             return writtenTrace(*traced, told, path);
         },
-        [this, path](const WrittenTrace &written) { tellOutcome(path, written.error); });
+        [this, path, frame = frameText(*m_document)](const WrittenTrace &written) {
+            tellOutcome(path, written.error, frame);
+        });
     return true;
 }
 
@@ -115,7 +126,7 @@ bool SceneExports::writeRaster(const QString &path, ExportMoment moment)
                           ? coverageOf(traced.scene)
                           : coverageAt(*traced.trace, traced.scene.frame, m_playhead->position()));
     const std::optional<InputError> error = writeFile(path, raster.toLatin1());
-    return tellOutcome(path, error ? error->message() : QString());
+    return tellOutcome(path, error ? error->message() : QString(), frameText(*m_document));
 }
 
 void SceneExports::exportPicture()
@@ -156,9 +167,11 @@ void SceneExports::copyRaster()
         return;
     const CoverageMask coverage = coverageOf(m_playhead->traced()->scene);
     QApplication::clipboard()->setText(asciiRaster(coverage));
+    const QString frame = frameText(*m_document);
     emit notice(tr("The finished picture's raster is on the clipboard: %1 × %2, # is covered.")
                     .arg(coverage.spec().width)
-                    .arg(coverage.spec().height));
+                    .arg(coverage.spec().height)
+                + (frame.isEmpty() ? QString() : tr(" It is of %1.").arg(frame)));
 }
 
 void SceneExports::copyPickedPixel()
@@ -169,6 +182,8 @@ void SceneExports::copyPickedPixel()
     const Colour colour = unpacked(*m_playhead->frame()->view().at(pixel->x(), pixel->y()));
     QStringList cells{QStringLiteral("(%1, %2)").arg(pixel->x()).arg(pixel->y()),
                       colourText(colour)};
+    if (const QString frame = frameText(*m_document); !frame.isEmpty())
+        cells += frame;
     BriefPixelHistory history
         = briefPixelHistory(*m_playhead->traced(), pixel->x(), pixel->y(), mostCopiedRefusals);
     if (m_playhead->isAheadHidden())
@@ -201,12 +216,19 @@ std::optional<SceneExports::Target> SceneExports::askForTarget(const QString &ti
     dialog.setObjectName(QStringLiteral("exportDialog"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(suffix);
-    dialog.selectFile(m_baseName + QLatin1Char('.') + suffix);
+    dialog.selectFile(proposedName(suffix));
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;
     return Target{dialog.selectedFiles().constFirst(),
                   dialog.selectedNameFilter() == filters.front() ? ExportMoment::Finished
                                                                  : ExportMoment::AsDrawn};
+}
+
+QString SceneExports::proposedName(const QString &suffix) const
+{
+    const std::optional<int> frame = movingFrame(*m_document);
+    const QString ofFrame = frame ? QStringLiteral("-frame-%1").arg(*frame) : QString();
+    return m_baseName + ofFrame + QLatin1Char('.') + suffix;
 }
 
 bool SceneExports::mayWriteTo(const QString &path)
@@ -226,13 +248,15 @@ bool SceneExports::hasTrace()
     return false;
 }
 
-bool SceneExports::tellOutcome(const QString &path, const QString &error)
+bool SceneExports::tellOutcome(const QString &path, const QString &error, const QString &frame)
 {
     const QString name = QFileInfo(path).fileName();
-    if (error.isEmpty())
+    if (!error.isEmpty())
+        emit complaint(tr("%1 was not written: %2").arg(name, error));
+    else if (frame.isEmpty())
         emit notice(tr("%1 is written.").arg(name));
     else
-        emit complaint(tr("%1 was not written: %2").arg(name, error));
+        emit notice(tr("%1 is written: %2.").arg(name, frame));
     return error.isEmpty();
 }
 

@@ -14,6 +14,7 @@ namespace pixelplumb {
 
 class DisplayOptions;
 class Playhead;
+class SceneDocument;
 
 /// The moment of the run that an export tells of.
 enum class ExportMoment {
@@ -23,14 +24,16 @@ enum class ExportMoment {
 
 /// What leaves the window: the picture, the annotated grid, the trace as a table, the raster as
 /// text; and the raster that comes back by the clipboard. All of them finished, but for what a
-/// person wants as it is drawn so far.
+/// person wants as it is drawn so far. Of a scene that moves they are of the frame in hand, which
+/// is named in the proposed file name, in what is told of the file, and in all but the raster.
 class SceneExports : public QObject {
     Q_OBJECT
 
 public:
-    SceneExports(Playhead *playhead, const DisplayOptions *options, QWidget *window);
+    SceneExports(const SceneDocument *document, Playhead *playhead, const DisplayOptions *options,
+                 QWidget *window);
 
-    /// The name that file dialogs begin with, without its ending.
+    /// The name that file dialogs begin with, without its ending and the frame of the motion.
     void setBaseName(const QString &name) { m_baseName = name; }
     /// The scene's file, empty where it has none: nothing is written over it.
     void setScenePath(const QString &path) { m_scenePath = path; }
@@ -72,8 +75,12 @@ private:
     /// False after a complaint: nothing is drawn, or the path is the scene's own.
     bool mayWriteTo(const QString &path);
     bool hasTrace();
-    bool tellOutcome(const QString &path, const QString &error);
+    /// "cube.png", "cube-frame-8.png".
+    QString proposedName(const QString &suffix) const;
+    /// `frame`: of the motion; empty where the scene stands still.
+    bool tellOutcome(const QString &path, const QString &error, const QString &frame = {});
 
+    const SceneDocument *m_document;
     Playhead *m_playhead;
     const DisplayOptions *m_options;
     QWidget *m_window;

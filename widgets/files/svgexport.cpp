@@ -149,7 +149,8 @@ LayerDrawing layersOf(const Playhead &playhead, const DisplayOptions &options,
 
 } // namespace
 
-QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
+QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options,
+                     const QString &caption)
 {
     const TracedScene &traced = *playhead.traced();
     const QPalette palette = paperPalette();
@@ -165,6 +166,7 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
     generator.setSize(layout.size);
     generator.setViewBox(QRect(QPoint(0, 0), layout.size));
     generator.setTitle(QStringLiteral("Pixelplumb"));
+    generator.setDescription(caption);
     QPainter painter(&generator);
     painter.setFont(font);
     painter.fillRect(QRect(QPoint(0, 0), layout.size), Qt::white);
@@ -179,6 +181,8 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
     const LayerSurface surface = layerSurface(layout.mapping, layout.view, palette);
     LayerPainter layers;
     QStringList said = drawing.notes;
+    if (!caption.isEmpty())
+        said.prepend(caption);
     layers.paintGround(painter, drawing, surface);
     drawTriangles(painter, frame, playhead, layout.mapping);
     if (options.areDifferencesShown() && !isTruthShown(playhead, options))
@@ -210,7 +214,8 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options)
     return svg;
 }
 
-QString exportSvg(const QString &path, const Playhead &playhead, const DisplayOptions &options)
+QString exportSvg(const QString &path, const Playhead &playhead, const DisplayOptions &options,
+                  const QString &caption)
 {
     if (!playhead.traced())
         return QCoreApplication::translate("pixelplumb::SvgExport",
@@ -224,7 +229,7 @@ QString exportSvg(const QString &path, const Playhead &playhead, const DisplayOp
             .arg(frame.width)
             .arg(frame.height)
             .arg(largestSvgArea);
-    const std::optional<InputError> error = writeFile(path, svgFigure(playhead, options));
+    const std::optional<InputError> error = writeFile(path, svgFigure(playhead, options, caption));
     return error ? error->message() : QString();
 }
 

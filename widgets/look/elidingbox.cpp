@@ -1,10 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/look/elidingbox.h"
 
+#include <QHelpEvent>
 #include <QStyleOptionComboBox>
 #include <QStylePainter>
+#include <QToolTip>
 
 namespace pixelplumb {
+
+namespace {
+
+constexpr qsizetype fewLetters = 3; ///< with an ellipsis among them they tell less than without
+
+} // namespace
 
 QString ElidingBox::shownText() const
 {
@@ -14,7 +22,25 @@ QString ElidingBox::shownText() const
         = style()->subControlRect(QStyle::CC_ComboBox, &option, QStyle::SC_ComboBoxEditField, this);
     // Styles begin the text a pixel inside the field.
     const QString text = currentIndex() < 0 ? placeholderText() : currentText();
-    return fontMetrics().elidedText(text, Qt::ElideMiddle, room.width() - 2);
+    const int width = room.width() - 2;
+    const QString elided = fontMetrics().elidedText(text, Qt::ElideMiddle, width);
+    if (elided == text || elided.size() > fewLetters)
+        return elided;
+    qsizetype letters = 1;
+    while (letters < text.size()
+           && fontMetrics().horizontalAdvance(text.left(letters + 1)) <= width)
+        ++letters;
+    return text.left(letters);
+}
+
+bool ElidingBox::event(QEvent *event)
+{
+    if (event->type() != QEvent::ToolTip || shownText() == currentText())
+        return QComboBox::event(event);
+    const QString whole
+        = toolTip().isEmpty() ? currentText() : toolTip() + QStringLiteral(": ") + currentText();
+    QToolTip::showText(static_cast<QHelpEvent *>(event)->globalPos(), whole, this);
+    return true;
 }
 
 void ElidingBox::paintEvent(QPaintEvent *)

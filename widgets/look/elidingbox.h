@@ -14,10 +14,11 @@ public:
     using QComboBox::QComboBox;
 
     /// The current text, or the placeholder's where there is none; an ellipsis where there is no
-    /// room for all of it.
+    /// room for all of it, its first letters where there is hardly any. The tool tip has it whole.
     QString shownText() const;
 
 protected:
+    bool event(QEvent *event) override;
     void paintEvent(QPaintEvent *event) override;
 };
 

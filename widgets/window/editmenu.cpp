@@ -8,6 +8,7 @@
 #include "widgets/files/studentpicturefiles.h"
 #include "widgets/look/colourbutton.h"
 #include "widgets/look/menuaction.h"
+#include "widgets/look/messagebar.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
@@ -80,6 +81,12 @@ void EditMenu::addClipboard()
     confineKeyTo(m_parts.canvas, copyPixel);
     addMenuAction(this, "copyRaster", tr("Copy the &raster (ASCII)"),
                   Qt::CTRL | Qt::SHIFT | Qt::Key_C, [exports] { exports->copyRaster(); });
+    MessageBar *bar = m_parts.messageBar;
+    QAction *copyNote = addMenuAction(this, "copyNote", tr("Copy the last not&e"), {},
+                                      [bar] { QApplication::clipboard()->setText(bar->text()); });
+    copyNote->setToolTip(tr("What was told last over the canvas, also when it is gone"));
+    connect(this, &QMenu::aboutToShow, copyNote,
+            [bar, copyNote] { copyNote->setEnabled(!bar->text().isEmpty()); });
     StudentPictureFiles *pictures = m_parts.pictures;
     QAction *paste
         = addMenuAction(this, "pasteStudentPicture", tr("&Paste a student's picture"), {},

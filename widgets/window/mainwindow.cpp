@@ -113,7 +113,7 @@ void MainWindow::makeParts()
     m_parts.recent = new RecentFiles(this);
     m_parts.files = new SceneFiles(m_parts.document, m_parts.recent, this);
     m_autosave = new Autosave(m_parts.document, Autosave::defaultFolder(), this);
-    m_parts.exports = new SceneExports(m_parts.playhead, m_parts.options, this);
+    m_parts.exports = new SceneExports(m_parts.document, m_parts.playhead, m_parts.options, this);
     m_parts.student = new StudentPicture(this);
     m_parts.pictures = new StudentPictureFiles(m_parts.student, this);
     m_parts.steps = new StepActions(m_parts.playhead, this);

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+#include <optional>
+
+namespace pixelplumb {
+
+class SceneDocument;
+
+/// The frame in hand of a scene that moves, from 0; none of a still one.
+std::optional<int> movingFrame(const SceneDocument &document);
+/// "frame 8 of 24 of the motion"; empty where the scene stands still.
+QString frameText(const SceneDocument &document);
+
+} // namespace pixelplumb
