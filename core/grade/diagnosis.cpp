@@ -25,6 +25,49 @@ bool isUndecidable(DefectPictures &pictures, std::span<const FoundPicture> found
            });
 }
 
+/// Whether two together leave clearly less than the better of them alone: three quarters at most.
+constexpr bool isClearGain(std::int64_t together, std::int64_t alone)
+{
+    return together <= alone - alone / 4;
+}
+
+/// The one of a pair that comes nearest by itself.
+DiagnosisCandidate betterOf(const DiagnosisCandidate &pair, const DefectPictures &pictures,
+                            PictureMatcher &matcher)
+{
+    DiagnosisCandidate better;
+    better.distance = PictureMatcher::unknown;
+    for (const Defect &defect : pair.defects) {
+        const auto place = std::ranges::find(pictures.defects(), defect.id, &Defect::id);
+        if (place == pictures.defects().end())
+            continue;
+        const auto index = std::size_t(place - pictures.defects().begin());
+        if (const std::int64_t distance = matcher.distance({index}); distance < better.distance)
+            better = {{defect}, distance};
+    }
+    return better;
+}
+
+/// Of sets that come near, one alone where a second hardly brings it nearer: nobody should look for
+/// a mistake that is not there.
+std::vector<DiagnosisCandidate> withClearPairs(std::vector<DiagnosisCandidate> candidates,
+                                               const DefectPictures &pictures,
+                                               PictureMatcher &matcher)
+{
+    std::vector<DiagnosisCandidate> clear;
+    for (DiagnosisCandidate &each : candidates) {
+        if (each.distance > 0 && each.defects.size() == 2) {
+            DiagnosisCandidate better = betterOf(each, pictures, matcher);
+            if (!isClearGain(each.distance, better.distance))
+                each = std::move(better);
+        }
+        if (std::ranges::find(clear, each.ids(), &DiagnosisCandidate::ids) == clear.end())
+            clear.push_back(std::move(each));
+    }
+    std::ranges::stable_sort(clear, {}, &DiagnosisCandidate::distance);
+    return clear;
+}
+
 } // namespace
 
 QString nameOf(DiagnosisVerdict verdict)
@@ -48,11 +91,22 @@ QStringList DiagnosisCandidate::ids() const
     return ids;
 }
 
+QStringList DiagnosisCandidate::rightAlone() const
+{
+    QStringList ids;
+    for (const Defect &defect : defects) {
+        if (defect.isRightAlone)
+            ids += defect.id;
+    }
+    return ids;
+}
+
 QStringList DiagnosisCandidate::sentences(QString Defect::*words) const
 {
     QStringList sentences;
     for (const Defect &defect : defects) {
-        if (!sentences.contains(defect.*words))
+        const bool isTold = words != &Defect::forStudent || !defect.isRightAlone;
+        if (isTold && !sentences.contains(defect.*words))
             sentences += defect.*words;
     }
     return sentences;
@@ -102,6 +156,8 @@ std::optional<Diagnosis> diagnose(DefectPictures &pictures, std::span<const Foun
     if (!search.run())
         return std::nullopt;
     diagnosis.candidates = search.candidates();
+    if (!diagnosis.isExplained())
+        diagnosis.candidates = withClearPairs(std::move(diagnosis.candidates), pictures, matcher);
     return diagnosis;
 }
 

@@ -32,7 +32,10 @@ struct DiagnosisCandidate {
     std::optional<Arithmetic> arithmetic = {}; ///< not the scene's, in which pictures are equal
 
     QStringList ids() const;
-    /// A sentence a defect, for whom it is; of those that are the same one.
+    /// The ids of those that alone are no mistake.
+    QStringList rightAlone() const;
+    /// A sentence a defect, for whom it is; of those that are the same one. A student is told of
+    /// mistakes alone.
     QStringList sentences(QString Defect::*words) const;
 };
 
@@ -60,7 +63,8 @@ struct Diagnosis {
     /// Every set of one or two defects whose pictures equal the student's, none that has a smaller
     /// one in it; where there is none, every one that leaves undecidable pixels alone, and behind
     /// them those that equal the pictures with one of these in them; else the nearest ones, at most
-    /// five, if the pictures are wrong.
+    /// five, if the pictures are wrong, two together only where they leave at most three quarters
+    /// of what the better of them leaves alone.
     std::vector<DiagnosisCandidate> candidates;
 
     bool isExplained() const { return !candidates.empty() && candidates.front().distance == 0; }
