@@ -275,7 +275,7 @@ private slots:
     {
         QTest::addColumn<QByteArray>("content");
         QTest::addColumn<QByteArray>("message");
-        QTest::newRow("nothing") << QByteArray() << QByteArray("-: no picture");
+        QTest::newRow("nothing") << QByteArray() << QByteArray("-: it is empty; expected PNG, PPM");
         QTest::newRow("words") << QByteArray("no picture at all") << QByteArray("-: no picture");
         const QByteArray signature("\x89PNG\r\n\x1a\n");
         QTest::newRow("cut") << signature
@@ -295,6 +295,10 @@ private slots:
                    "-: no picture: a BMP that ends early, 1 of 48 bytes of pixels are missing");
         QTest::newRow("a BMP cut in its header")
             << bitmap.left(30) << QByteArray("-: no picture: a BMP that ends early, in its header");
+        QTest::newRow("a PPM cut by a byte")
+            << QByteArray("P6 2 1 255\n12345")
+            << QByteArray(
+                   "-: no picture: a PPM that ends early, 1 of 6 bytes of pixels are missing");
         QTest::newRow("ragged") << QByteArray("##\n#\n") << QByteArray("-: ");
         QTest::newRow("broken scene") << QByteArray("{ \"pixelplumb\": 1 ") << QByteArray("-, ");
     }
