@@ -96,11 +96,11 @@ ExitCode run(const QStringList &arguments)
     if (arguments.isEmpty())
         return refuse(QStringLiteral("a command is missing"));
     const QString &word = arguments.front();
-    if (word == QStringLiteral("--help") || word == QStringLiteral("-h")) {
-        printLine(helpText());
-        return ExitCode::Done;
-    }
+    if (word == QStringLiteral("--help") || word == QStringLiteral("-h"))
+        return help(*commandNamed(QStringLiteral("help")), arguments.sliced(1));
     if (word == QStringLiteral("--version") || word == QStringLiteral("-v")) {
+        if (arguments.size() > 1)
+            return refuse(QStringLiteral("%1: unexpected argument “%2”").arg(word, arguments[1]));
         printLine(QCoreApplication::applicationName() + u' '
                   + QCoreApplication::applicationVersion());
         return ExitCode::Done;
