@@ -288,6 +288,26 @@ private slots:
         damaged[signature.size() + 8 + 3] = 2; // another width than its checksum is of
         QTest::newRow("damaged")
             << damaged << QByteArray("-: no picture: a broken PNG: the checksum of IHDR at byte 8");
+        QTest::newRow("a PNG of a colour type that is none")
+            << QByteArray::fromHex(
+                   "89504e470d0a1a0a0000000d4948445200000001000000010709000000c526430e0000000c49444"
+                   "154789c63484c4a0600024e0127c0619e190000000049454e44ae426082")
+            << QByteArray("-: no picture: a broken PNG: its header says colour type 9 of 7 bits, "
+                          "which is none");
+        QTest::newRow("a PNG without pixels")
+            << QByteArray::fromHex("89504e470d0a1a0a0000000d494844520000000100000001080200000090775"
+                                   "3de0000000049454e44ae426082")
+            << QByteArray("-: no picture: a broken PNG: it has no pixels (IDAT)");
+        QTest::newRow("a PNG without its palette")
+            << QByteArray::fromHex(
+                   "89504e470d0a1a0a0000000d494844520000000100000001080300000028cb34bb0000000c49444"
+                   "154789c63484c4a0600024e0127c0619e190000000049454e44ae426082")
+            << QByteArray("-: no picture: a broken PNG: its palette (PLTE) is missing");
+        QTest::newRow("a PNG of pixels that are not deflated")
+            << QByteArray::fromHex(
+                   "89504e470d0a1a0a0000000d4948445200000001000000010802000000907753de0000000749444"
+                   "154727562626973681beeae010000000049454e44ae426082")
+            << QByteArray("-: no picture: a broken PNG: its pixels (IDAT) are not deflated");
         const QByteArray bitmap = bmpOf(QImage(5, 3, QImage::Format_RGB32));
         QTest::newRow("a BMP cut by a byte")
             << bitmap.chopped(1)

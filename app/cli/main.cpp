@@ -4,6 +4,7 @@
 #include "version.h"
 
 #include <QCoreApplication>
+#include <QLoggingCategory>
 
 #include <algorithm>
 #include <cstdio>
@@ -145,6 +146,8 @@ int main(int argc, char *argv[])
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("pixelplumb-cli"));
     QCoreApplication::setApplicationVersion(QStringLiteral(PIXELPLUMB_VERSION));
+    // What is wrong with a picture is said with its name.
+    QLoggingCategory::setFilterRules(QStringLiteral("qt.gui.imageio*=false"));
     try {
         ExitCode code = pixelplumb::cli::run(QCoreApplication::arguments().sliced(1));
         // A full disk behind stdout shows only now, unless a command has told of it.
