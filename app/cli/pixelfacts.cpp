@@ -73,7 +73,7 @@ SpanWords wordsFor(SpanAxis axis)
     return {QStringLiteral("step"), {}, {}, QStringLiteral("samples")};
 }
 
-QString placeText(const PixelAttempt &attempt)
+QString spanPlaceText(const PixelAttempt &attempt)
 {
     return attempt.spanHeading.left(1).toLower() + attempt.spanHeading.sliced(1);
 }

@@ -23,6 +23,6 @@ struct SpanWords {
 SpanWords wordsFor(SpanAxis axis);
 
 /// The window's words: "column 27, second half".
-QString placeText(const PixelAttempt &attempt);
+QString spanPlaceText(const PixelAttempt &attempt);
 
 } // namespace pixelplumb::cli

@@ -33,7 +33,7 @@ QJsonObject spanJson(const PixelAttempt &attempt)
     QJsonObject json{{QStringLiteral("along"), words.place},
                      {QStringLiteral("at"), qint64(span.place.coordinate)},
                      {QStringLiteral("part"), span.place.part + 1},
-                     {QStringLiteral("place"), placeText(attempt)}};
+                     {QStringLiteral("place"), spanPlaceText(attempt)}};
     if (span.lower.isNone())
         return json;
     json[words.lower] = jsonOf(span.lower);

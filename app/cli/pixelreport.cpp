@@ -24,7 +24,7 @@ QString spanText(const PixelAttempt &attempt)
 {
     const SpanRecord &span = *attempt.span;
     const SpanWords words = wordsFor(span.place.axis);
-    QString text = QStringLiteral("    ") + placeText(attempt);
+    QString text = QStringLiteral("    ") + spanPlaceText(attempt);
     if (!span.lower.isNone())
         text += QStringLiteral(": %1 = %2, %3 = %4, %5 %6 … %7")
                     .arg(words.lower, toText(span.lower), words.upper, toText(span.upper),
