@@ -156,7 +156,7 @@ private slots:
         row("column", {"trace", defaultScene(), "--columns", "x,y_Q"},
             "--columns: unknown column “y_Q”; did you mean y_B?; expected one of step, ");
         row("no column", {"trace", defaultScene(), "--columns", ""},
-            "--columns: a name is missing; expected names separated by commas, of step, ");
+            "--columns is empty; expected its names");
         row("no column after a comma", {"trace", defaultScene(), "--columns", "x, "},
             "--columns: a name is missing");
         row("column twice", {"trace", defaultScene(), "--columns", "x,y_B, x"},

@@ -8,6 +8,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 
 using namespace pixelplumb;
 
@@ -192,6 +193,33 @@ private slots:
         QVERIFY(pairs >= 10);
         QCOMPARE(explained, pairs);
         QCOMPARE(named, pairs);
+    }
+
+    void aSecondDefectThatHardlyBringsItNearerIsNotNamed()
+    {
+        const Scene scene = probeScenes().front();
+        const Defect first = defectNamed(scene, QStringLiteral("unsorted-colours"));
+        const Picture alone = pictureWith(scene, std::span(&first, 1));
+        Submission submission{scene, {}};
+        const std::vector<Defect> all = defectsFor(scene);
+        const auto hardlyChanges = [&](const Defect &second) {
+            if (second.standsAlone || second.id == first.id || !canBeTogether(first, second))
+                return false;
+            submission.picture = pictureWith(scene, std::array{first, second});
+            const std::int64_t changed = differingPixels(alone, submission.picture);
+            return changed > 0 && changed < 10;
+        };
+        QVERIFY(std::ranges::any_of(all, hardlyChanges));
+        for (std::size_t i = 0; i < 60; ++i) // pixels that nobody would write
+            submission.picture.colours[i] = {{1, 2, 3}};
+
+        const Diagnosis diagnosis = *diagnose(std::vector{submission});
+
+        QVERIFY(!diagnosis.isExplained());
+        const QStringList ids = idsOf(diagnosis);
+        QVERIFY2(ids.contains(first.id), qPrintable(ids.join(u'\n')));
+        for (const QString &each : ids)
+            QVERIFY2(!each.contains(first.id + QStringLiteral(" and ")), qPrintable(each));
     }
 };
 

@@ -275,7 +275,7 @@ private slots:
     {
         QTest::addColumn<QByteArray>("content");
         QTest::addColumn<QByteArray>("message");
-        QTest::newRow("nothing") << QByteArray() << QByteArray("-: no picture");
+        QTest::newRow("nothing") << QByteArray() << QByteArray("-: it is empty; expected PNG, PPM");
         QTest::newRow("words") << QByteArray("no picture at all") << QByteArray("-: no picture");
         const QByteArray signature("\x89PNG\r\n\x1a\n");
         QTest::newRow("cut") << signature
@@ -288,6 +288,26 @@ private slots:
         damaged[signature.size() + 8 + 3] = 2; // another width than its checksum is of
         QTest::newRow("damaged")
             << damaged << QByteArray("-: no picture: a broken PNG: the checksum of IHDR at byte 8");
+        QTest::newRow("a PNG of a colour type that is none")
+            << QByteArray::fromHex(
+                   "89504e470d0a1a0a0000000d4948445200000001000000010709000000c526430e0000000c49444"
+                   "154789c63484c4a0600024e0127c0619e190000000049454e44ae426082")
+            << QByteArray("-: no picture: a broken PNG: its header says colour type 9 of 7 bits, "
+                          "which is none");
+        QTest::newRow("a PNG without pixels")
+            << QByteArray::fromHex("89504e470d0a1a0a0000000d494844520000000100000001080200000090775"
+                                   "3de0000000049454e44ae426082")
+            << QByteArray("-: no picture: a broken PNG: it has no pixels (IDAT)");
+        QTest::newRow("a PNG without its palette")
+            << QByteArray::fromHex(
+                   "89504e470d0a1a0a0000000d494844520000000100000001080300000028cb34bb0000000c49444"
+                   "154789c63484c4a0600024e0127c0619e190000000049454e44ae426082")
+            << QByteArray("-: no picture: a broken PNG: its palette (PLTE) is missing");
+        QTest::newRow("a PNG of pixels that are not deflated")
+            << QByteArray::fromHex(
+                   "89504e470d0a1a0a0000000d4948445200000001000000010802000000907753de0000000749444"
+                   "154727562626973681beeae010000000049454e44ae426082")
+            << QByteArray("-: no picture: a broken PNG: its pixels (IDAT) are not deflated");
         const QByteArray bitmap = bmpOf(QImage(5, 3, QImage::Format_RGB32));
         QTest::newRow("a BMP cut by a byte")
             << bitmap.chopped(1)
@@ -295,6 +315,10 @@ private slots:
                    "-: no picture: a BMP that ends early, 1 of 48 bytes of pixels are missing");
         QTest::newRow("a BMP cut in its header")
             << bitmap.left(30) << QByteArray("-: no picture: a BMP that ends early, in its header");
+        QTest::newRow("a PPM cut by a byte")
+            << QByteArray("P6 2 1 255\n12345")
+            << QByteArray(
+                   "-: no picture: a PPM that ends early, 1 of 6 bytes of pixels are missing");
         QTest::newRow("ragged") << QByteArray("##\n#\n") << QByteArray("-: ");
         QTest::newRow("broken scene") << QByteArray("{ \"pixelplumb\": 1 ") << QByteArray("-, ");
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/gradefile.h"
 #include "core/grade/gradefolder.h"
+#include "core/grade/gradereports.h"
 #include "tests/support/submissions.h"
 
 #include <QDir>
@@ -148,6 +149,100 @@ private slots:
         QVERIFY(told(50).contains(QStringLiteral("Done.")));
         QVERIFY(!told(51).contains(QStringLiteral("near to")));
         QVERIFY(!told(51).contains(QStringLiteral("Done.")));
+    }
+
+    void aRasterIsRightAsFarAsItTells()
+    {
+        GradedSubmission raster = wrong("ann", {});
+        raster.verdict = GradeVerdict::Right;
+        GradedScene scene;
+        scene.checks = {{Check::Coverage, true, 2, 2}, {Check::Colours, false, 0, 2}};
+        raster.scenes = {scene};
+        const QString told
+            = QStringLiteral("right as far as a raster tells: colours are not in it");
+
+        QCOMPARE(verdictText(raster), "right in coverage");
+        QCOMPARE(sentencesFor(raster, HintLevel::Hint), QStringList{told});
+        GradeReport report;
+        report.submissions = {raster};
+        QCOMPARE(clusterLines(report), QStringList{QStringLiteral("1: ") + told});
+        QVERIFY(csvOf(report).contains("right in coverage"));
+    }
+
+    void whoLosesNoPointsIsNotAmongThoseWhoDo()
+    {
+        const std::vector<GradedCandidate> sets{candidate({QStringLiteral("a")})};
+        GradedSubmission open = wrong("ann", {});
+        GradedSubmission openSet = wrong("bob", sets);
+        GradedSubmission raster = wrong("cem", {});
+        raster.scenes = {GradedScene()};
+        raster.scenes[0].checks = {{Check::Colours, false, 0, 2}};
+        open.verdict = openSet.verdict = raster.verdict = GradeVerdict::Undecidable;
+        GradeReport report;
+        report.submissions = {open, openSet, raster, wrong("dea", sets)};
+        QCOMPARE(clusterLines(report),
+                 QStringList({QStringLiteral("1: a"),
+                              QStringLiteral("1: undecidable as far as a raster tells: colours are "
+                                             "not in it"),
+                              QStringLiteral("1: undecidable: full points"),
+                              QStringLiteral("1: undecidable: full points, as with a")}));
+    }
+
+    void whatIsNoMistakeAloneNamesNoCause()
+    {
+        GradedCandidate one = candidate({QStringLiteral("a"), QStringLiteral("choice")});
+        one.rightAlone = QStringList{QStringLiteral("choice")};
+        GradedCandidate other = candidate({QStringLiteral("a"), QStringLiteral("another")});
+        other.rightAlone = QStringList{QStringLiteral("another")};
+        GradeReport report;
+        report.submissions = {wrong("ann", {one, other}), wrong("bob", {one})};
+        QCOMPARE(clusterLines(report), QStringList{QStringLiteral("2: a")});
+        const QString told = sentencesFor(report.submissions[1], HintLevel::Full).join(u'\n');
+        QVERIFY2(told.contains(QStringLiteral("explained by a and choice")), qPrintable(told));
+    }
+
+    void aStudentIsToldOfMistakesAlone()
+    {
+        DiagnosisCandidate pair;
+        pair.defects = {{QStringLiteral("a"), QStringLiteral("Look."), QStringLiteral("Done.")},
+                        {QStringLiteral("b"), QStringLiteral("Why so?"), QStringLiteral("So.")}};
+        pair.defects[1].isRightAlone = true;
+        QCOMPARE(pair.sentences(&Defect::forStudent), QStringList{QStringLiteral("Look.")});
+        QCOMPARE(pair.sentences(&Defect::forAssistant),
+                 QStringList({QStringLiteral("Done."), QStringLiteral("So.")}));
+        QCOMPARE(pair.rightAlone(), QStringList{QStringLiteral("b")});
+    }
+
+    void whatHasNoPictureIsTogetherByTheReason()
+    {
+        const auto lacking = [](const std::optional<PictureLack> &lack, const char *end = nullptr) {
+            GradedScene scene;
+            scene.fault = QStringLiteral("it crashed: Aborted (signal 6)");
+            scene.lack = lack;
+            if (end)
+                scene.run = GradedRun{QString::fromLatin1(end), {}, {}};
+            return scene;
+        };
+        const auto titleOf = [](GradeVerdict verdict, const std::vector<GradedScene> &scenes) {
+            GradeReport report;
+            report.submissions = {wrong("ann", {})};
+            report.submissions[0].verdict = verdict;
+            report.submissions[0].scenes = scenes;
+            report.submissions[0].differing = 0;
+            return clustersOf(report)[0].title;
+        };
+        const GradedScene crashed = lacking(PictureLack::NotDrawn, "crashed");
+        const GradedScene hung = lacking(PictureLack::NotDrawn, "timed out");
+        const GradedScene large = lacking(PictureLack::OtherSize, "finished");
+        const auto nothing = GradeVerdict::Nothing;
+        QCOMPARE(titleOf(nothing, {crashed, crashed}), "no picture: crashed");
+        QCOMPARE(titleOf(nothing, {hung, crashed}), "no picture: crashed, timed out");
+        QCOMPARE(titleOf(nothing, {large}), "no picture: of another size");
+        QCOMPARE(titleOf(nothing, {lacking(PictureLack::Empty)}), "no picture: empty");
+        QCOMPARE(titleOf(nothing, {lacking(PictureLack::NotDrawn)}), "no picture: not drawn");
+        QCOMPARE(titleOf(nothing, {lacking(std::nullopt)}), "no picture");
+        QCOMPARE(titleOf(GradeVerdict::Wrong, {GradedScene(), crashed}),
+                 "not every scene has a picture: crashed");
     }
 
     void whatMayBeEitherWayIsTold()

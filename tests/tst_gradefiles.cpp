@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/grade/delivery.h"
 #include "core/grade/gradefile.h"
 #include "core/grade/submissionfolder.h"
 #include "core/scene/fileaccess.h"
@@ -227,50 +226,6 @@ private slots:
         QCOMPARE(told,
                  QStringList({QStringLiteral("flat-first 2"), QStringLiteral("no known defect 1"),
                               QStringLiteral("right 3")}));
-    }
-
-    void aPictureThatIsThereIsNotCalledMissing()
-    {
-        GradedScene right;
-        right.file = QStringLiteral("small.png");
-        GradedScene unreadable = right;
-        unreadable.fault = QStringLiteral("there is no picture in it");
-        GradedScene missing;
-        missing.fault = QStringLiteral("there is no picture large.png");
-        const auto titleOf = [](GradeVerdict verdict, const std::vector<GradedScene> &scenes) {
-            GradeReport report;
-            report.submissions = {submission("ann", verdict)};
-            report.submissions[0].scenes = scenes;
-            report.submissions[0].differing = 0;
-            return clustersOf(report)[0].title;
-        };
-        const QString there = QStringLiteral("pictures of another size, or unreadable");
-        QCOMPARE(titleOf(GradeVerdict::Wrong, {right, unreadable}), there);
-        QCOMPARE(titleOf(GradeVerdict::Nothing, {unreadable, unreadable}), there);
-        QCOMPARE(titleOf(GradeVerdict::Wrong, {right, missing}), "pictures are missing");
-        QCOMPARE(titleOf(GradeVerdict::Nothing, {missing, missing}), "no picture");
-    }
-
-    void severalProgramsAreNotCalledNone()
-    {
-        const auto assignment = readAssignment(assignmentWith(R"("program": {}, )"));
-        QVERIFY(assignment.isOk());
-        const QTemporaryDir folder;
-        QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("ann")));
-        const auto faultWith = [&](const QStringList &files) {
-            for (const QString &name : files) {
-                QFile file(folder.filePath(QStringLiteral("ann/") + name));
-                if (!file.open(QIODevice::WriteOnly))
-                    return QString();
-            }
-            const SubmissionEntry entry(QFile::encodeName(folder.path()), "ann");
-            return deliveriesOf(entry, *assignment).front().fault;
-        };
-        const QString expected
-            = QStringLiteral("; expected one executable file, or one that ends in .py");
-        QCOMPARE(faultWith({QStringLiteral("notes.md")}), "there is no program" + expected);
-        QCOMPARE(faultWith({QStringLiteral("a.py"), QStringLiteral("b.py")}),
-                 "there are 2 programs: a.py, b.py" + expected);
     }
 
     void namesAreEscapedAndToldApart_data()

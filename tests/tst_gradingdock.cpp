@@ -5,6 +5,7 @@
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "widgets/canvas/canvas.h"
+#include "widgets/look/elidedlabel.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/model/studentpicture.h"
@@ -205,6 +206,12 @@ private slots:
         QVERIFY(seen("gradingTable").height() >= 4 * line);
         QVERIFY(seen("gradingTable").width() >= 20 * line);
         QCOMPARE(seen("gradingSentences"), named<QWidget>(*window, "gradingSentences")->rect());
+        const auto *causes = named<ElidedLabel>(*window, "gradingCauses");
+        QCOMPARE(seen("gradingCauses").height(), causes->height());
+        QVERIFY2(causes->shownText().startsWith(QStringLiteral("rounding-truncate")),
+                 qPrintable(causes->shownText()));
+        QVERIFY(named<QLabel>(*window, "gradingDone")->text().startsWith("Levels are cut"));
+        QCOMPARE(seen("gradingDone").height() >= line, size.height() > 700);
         const auto *view = qobject_cast<QTableView *>(table(*window));
         QCOMPARE(view->horizontalScrollBar()->maximum(), 0);
         for (int column = 0; column < view->model()->columnCount(); ++column) {

@@ -451,11 +451,18 @@ private slots:
         row("nothing", "", "it is empty");
         row("nonsense", "hello \x1b[31mworld\x07", "neither a picture nor lines");
         row("a gigantic picture", "P6 2000000000 2000000000 255\n",
-            "a picture (ppm) that is broken");
+            "a broken PPM: line 1: “2000000000” is no width from 1 to 65535");
         row("a large one", "P6 30000 30000 255\n", "a picture of 30000 × 30000 pixels");
         row("one of another size", "P3 1 1 255 0 0 0\n", "a picture of 1 × 1 pixels");
         row("half a picture", halfPicture(), "a PNG that ends early, in");
-        row("no pixels", "P6 4 3 255\n", "no picture");
+        row("no pixels", "P6 4 3 255\n",
+            "a PPM that ends early, 36 of 36 bytes of pixels are missing");
+        row("a header that ends early", "P6 4\n",
+            "a PPM that ends early, in its header: it has no height");
+        row("levels that end early", "P3 4 3 255 1 2 3\n",
+            "a PPM that ends early, 33 of 36 levels are missing");
+        row("a bitmap that ends early", "P1 4 3\n1010 0\n",
+            "a PBM that ends early, 7 of 12 levels are missing");
         row("another raster", "##\n..\n", "a picture of 2 × 2 pixels");
         row("a ragged raster", "##\n.\n", "the output");
         row("a program", "#define x_width 30000\n#define x_height 30000\n",

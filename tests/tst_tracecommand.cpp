@@ -62,6 +62,31 @@ private slots:
         QVERIFY(twice.messages.contains("named twice"));
     }
 
+    void whereALineIsBesideAPixelIsAFraction()
+    {
+        const QByteArray scene = R"({ "pixelplumb": 1, "frame": { "width": 16, "height": 8 },
+            "primitives": [ { "line": [[1, 1], [11, 4]], "colors": ["#ff0000", "#00ff00"] } ] })";
+        const ProgramRun table
+            = run({"trace", "-", "--method", "line-bresenham", "--columns",
+                   "y_line,y_line_exact,d_lower_exact,d_upper_exact", "--x", "2"},
+                  scene);
+        QCOMPARE(table.exitCode, 0);
+        QCOMPARE(table.output,
+                 QByteArray("y_line,y_line_exact,d_lower_exact,d_upper_exact\r\n"
+                            "1.3,13/10,3/10,7/10\r\n"));
+    }
+
+    void thatThereAreNoStagesIsSaid()
+    {
+        const ProgramRun flat = run({"trace", defaultScene(), "--level", "stage"});
+        const ProgramRun solid = run(
+            {"trace", sceneFile(QStringLiteral("projected-triangle.json")), "--level", "stage"});
+        QCOMPARE(flat.exitCode, 0);
+        QVERIFY2(flat.messages.contains("default.json: no stages: there is no solid in it"),
+                 flat.messages.constData());
+        QCOMPARE(solid.messages, QByteArray());
+    }
+
     void everyTitleOfATextTableNamesItsColumn()
     {
         const ProgramRun whole = run({"trace", defaultScene(), "--format", "text"});

@@ -252,11 +252,14 @@ private slots:
         };
 
         QCOMPARE(first("triangle 1\ncolumn 4 5 5\n"),
-                 QStringLiteral("column 4, y_B: 5, should be 6"));
+                 QStringLiteral("triangle 1, column 4, y_B: 5, should be 6"));
         // A tip may be left out, but not the next column.
-        QCOMPARE(first("triangle 1\ncolumn 4 6 6\n"), QStringLiteral("column 5 is missing"));
+        QCOMPARE(first("triangle 1\ncolumn 4 6 6\n"),
+                 QStringLiteral("triangle 0, column 5 is missing"));
         QCOMPARE(first("triangle 0\ncolumn 4 6 6\n"),
-                 QStringLiteral("column 4, y_B: 6, should be 5"));
+                 QStringLiteral("triangle 0, column 4, y_B: 6, should be 5"));
+        QCOMPARE(first("triangle 1\ncolumn 63 1 2\n"),
+                 QStringLiteral("triangle 1, column 63 is there, should not be"));
     }
 
     void whatNoMethodHasIsAnError()

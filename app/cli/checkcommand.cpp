@@ -6,6 +6,7 @@
 #include "app/cli/suggestion.h"
 #include "core/check/casecheck.h"
 #include "core/scan/choicenames.h"
+#include "core/scene/fileaccess.h"
 
 #include <QJsonArray>
 #include <QJsonObject>
@@ -135,7 +136,7 @@ ExitCode check(const Command &command, const QStringList &arguments)
         return line.refuse(text.error());
     const Result<std::vector<HardCase>> cases = readHardCases(*text);
     if (!cases)
-        return line.refuse(line.argument(0) + QStringLiteral(", ") + cases.error().message());
+        return line.refuse(errorIn(line.argument(0), cases.error()));
 
     Progress progress;
     Tally tally;

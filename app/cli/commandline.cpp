@@ -29,6 +29,12 @@ QString asWritten(QString word)
 
 QString dashed(const QString &option) { return QString(option.size() == 1 ? 1 : 2, u'-') + option; }
 
+/// One letter alone is no abbreviation: --x.
+QString dashedAmong(const QStringList &names, const QString &name)
+{
+    return names.size() == 1 ? QStringLiteral("--") + name : dashed(name);
+}
+
 QString usageOf(const Positional &positional)
 {
     switch (positional.presence) {
@@ -64,6 +70,7 @@ void CommandLine::addOption(const QCommandLineOption &option)
 void CommandLine::addRepeatedOption(const QCommandLineOption &option)
 {
     m_optionNames += option.names();
+    m_options.append(option);
     m_parser.addOption(option);
 }
 
@@ -81,6 +88,8 @@ std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
     }
     if (const QString repeated = repeatedOption(); !repeated.isEmpty())
         return refuse(repeated);
+    if (const QString empty = emptyOption(); !empty.isEmpty())
+        return refuse(empty);
     const QStringList positionals = m_parser.positionalArguments();
     const auto expected = qsizetype(m_positionals.size());
     const auto presence
@@ -115,14 +124,10 @@ QString CommandLine::repeatedOption() const
 {
     const QStringList found = m_parser.optionNames();
     for (const QStringList &names : m_onceOnly) {
-        // One letter alone is no abbreviation: --x.
-        const auto dashedAs = [&names](const QString &name) {
-            return names.size() == 1 ? QStringLiteral("--") + name : dashed(name);
-        };
         QStringList written;
         for (const QString &name : found) {
             if (names.contains(name))
-                written.append(dashedAs(name));
+                written.append(dashedAmong(names, name));
         }
         if (written.size() < 2)
             continue;
@@ -131,7 +136,20 @@ QString CommandLine::repeatedOption() const
         for (qsizetype i = 0; i < values.size(); ++i)
             written[i] += u' ' + asWritten(values[i]);
         return QStringLiteral("%1; expected %2 once")
-            .arg(written.join(QStringLiteral(" and ")), dashedAs(names.back()));
+            .arg(written.join(QStringLiteral(" and ")), dashedAmong(names, names.back()));
+    }
+    return {};
+}
+
+QString CommandLine::emptyOption() const
+{
+    const QStringList found = m_parser.optionNames();
+    for (const QCommandLineOption &option : m_options) {
+        for (const QString &name : option.names()) {
+            if (found.contains(name) && m_parser.values(name).contains(QString()))
+                return QStringLiteral("%1 is empty; expected its %2")
+                    .arg(dashedAmong(option.names(), name), option.valueName());
+        }
     }
     return {};
 }

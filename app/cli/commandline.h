@@ -57,12 +57,15 @@ private:
     QString unknownOption() const;
     /// What is wrong where an option stands twice that may stand once; empty where none does.
     QString repeatedOption() const;
+    /// What is wrong where an option's value is empty; empty where none is.
+    QString emptyOption() const;
     void printHelp() const;
 
     QString m_name;
     QString m_summary;
     std::vector<Positional> m_positionals;
     QStringList m_optionNames;
+    QList<QCommandLineOption> m_options;
     std::vector<QStringList> m_onceOnly; ///< the names of each option that may stand once
     QCommandLineParser m_parser;
 };

@@ -42,7 +42,7 @@ ExitCode compare(const Command &command, const QStringList &arguments)
     const auto limit = wholeNumberOf(line, limitOption, {});
     if (!limit)
         return line.refuse(limit.error());
-    const auto format = pictureFormatOf(line.value(drawingOption), QStringLiteral("-o"));
+    const auto format = pictureFormatOf(line, drawingOption);
     if (!format)
         return line.refuse(format.error());
     if (line.value(drawingOption) == QStringLiteral("-"))
@@ -62,11 +62,11 @@ ExitCode compare(const Command &command, const QStringList &arguments)
             return line.refuse(*refusal);
     }
 
-    Progress progress;
-    ContestOptions options;
-    options.progress = progress.listener();
-    const auto contest = compareContenders(*scene, *contenders, options);
-    progress.clear();
+    const auto contest = withProgress([&](const ProgressListener &listener) {
+        ContestOptions options;
+        options.progress = listener;
+        return compareContenders(*scene, *contenders, options);
+    });
     for (const Contender &contender : *contenders) {
         if (!contender.isTruth())
             reportRejections(line.argument(0) + QStringLiteral(", ") + contender.name(),

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/cli/commands.h"
+#include "app/cli/outputpaths.h"
 #include "app/cli/picturesides.h"
 #include "app/cli/programoptions.h"
 #include "app/cli/progress.h"
@@ -11,6 +12,7 @@
 #include "core/scene/colourtext.h"
 #include "core/scene/scenefile.h"
 
+#include <QFileInfo>
 #include <QJsonArray>
 #include <QJsonObject>
 
@@ -133,6 +135,22 @@ QJsonObject jsonOf(const Sides &sides, const CounterSearch &search)
     return object;
 }
 
+/// Where the scene is written, which is asked before there is one: searching takes its time.
+Result<QString> pathIn(const QString &output)
+{
+    const auto paths
+        = outputPaths(output, {QStringLiteral("counterexample")}, QStringLiteral("json"));
+    if (!paths)
+        return paths.error();
+    const QFileInfo file(paths->front());
+    const QFileInfo folder(file.path());
+    if (!file.exists() && !(folder.isDir() && folder.isWritable()))
+        return InputError{QStringLiteral("-o ") + output,
+                          QStringLiteral("the folder %1 takes no file").arg(folder.filePath()),
+                          QStringLiteral("a file in a folder that is there and can be written to")};
+    return paths->front();
+}
+
 } // namespace
 
 ExitCode counterExample(const Command &command, const QStringList &arguments)
@@ -143,7 +161,8 @@ ExitCode counterExample(const Command &command, const QStringList &arguments)
     CommandLine line(command, {{QStringLiteral("ONE"), what}, {QStringLiteral("OTHER"), what}});
     addSeedOption(line, QStringLiteral("scenes"));
     line.addOption({{QStringLiteral("o"), outputOption},
-                    QStringLiteral("Write the scene, too: JSON."),
+                    QStringLiteral("Write the scene, too: JSON. A folder, DIR/, gets it as "
+                                   "counterexample.json."),
                     QStringLiteral("file")});
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     addProgramOptions(line);
@@ -153,13 +172,17 @@ ExitCode counterExample(const Command &command, const QStringList &arguments)
     const auto seed = chosenSeed(line);
     if (!seed)
         return line.refuse(seed.error());
+    const auto path
+        = line.isSet(outputOption) ? pathIn(line.value(outputOption)) : Result<QString>(QString());
+    if (!path)
+        return line.refuse(path.error());
     const Result<Sides> sides = sidesOf(line, {QStringLiteral("ONE"), QStringLiteral("OTHER")});
     if (!sides)
         return line.refuse(sides.error());
-    Progress progress;
-    const CounterSearch search = findCounterExample(sides->sources[0], sides->sources[1],
-                                                    sides->conventions, *seed, progress.listener());
-    progress.clear();
+    const CounterSearch search = withProgress([&](const ProgressListener &listener) {
+        return findCounterExample(sides->sources[0], sides->sources[1], sides->conventions, *seed,
+                                  listener);
+    });
     if (search.compared == 0) {
         sayLine(QStringLiteral("%1 and %2 have no picture of the same scene: of %3 that were asked "
                                "for none was drawn by both")
@@ -174,7 +197,7 @@ ExitCode counterExample(const Command &command, const QStringList &arguments)
     else
         printLines(linesOf(*sides, search));
     if (search.found && line.isSet(outputOption)) {
-        if (const auto error = writeSceneFile(line.value(outputOption), search.found->scene))
+        if (const auto error = writeSceneFile(*path, search.found->scene))
             return line.refuse(*error);
     }
     return search.found || search.undrawn > 0 ? ExitCode::FallsShort : ExitCode::Done;

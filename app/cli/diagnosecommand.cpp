@@ -70,9 +70,9 @@ ExitCode diagnose(const Command &command, const QStringList &arguments)
             sayLine(pictures[i] + QStringLiteral(": ") + transparencyText());
         submissions.push_back(std::move(*submission));
     }
-    Progress progress;
-    const auto diagnosis = pixelplumb::diagnose(submissions, progress.listener(), *tolerance);
-    progress.clear();
+    const auto diagnosis = withProgress([&](const ProgressListener &listener) {
+        return pixelplumb::diagnose(submissions, listener, *tolerance);
+    });
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(jsonOf(*diagnosis, submissions)));
     else

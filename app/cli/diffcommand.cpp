@@ -31,12 +31,13 @@ Result<Side> readSide(const QString &path)
             return picture.error();
         return Side{std::move(*picture), std::nullopt};
     }
-    const Result<Scene> scene = sceneIn(*content, path);
-    if (!scene)
-        return scene.error();
-    if (const auto refusal = refusalOf(*scene, path))
+    const Result<SceneReading> reading = sceneIn(*content, path);
+    if (!reading)
+        return reading.error();
+    const Scene &scene = reading->scene;
+    if (const auto refusal = refusalOf(scene, path))
         return *refusal;
-    return Side{pictureOf(*scene), *scene};
+    return Side{pictureOf(scene), scene};
 }
 
 /// What a scene on either side leaves open at the other side's pixels.
@@ -102,9 +103,12 @@ ExitCode diff(const Command &command, const QStringList &arguments)
     line.addOption({jsonOption, QStringLiteral("Print JSON.")});
     if (const auto ended = line.parse(arguments))
         return *ended;
-    const auto format = pictureFormatOf(line.value(markedOption), QStringLiteral("-o"));
+    const auto format = pictureFormatOf(line, markedOption);
     if (!format)
         return line.refuse(format.error());
+    if (line.isSet(asciiOption) && line.isSet(jsonOption))
+        return line.refuse(QStringLiteral("--ascii and --json: a raster is no JSON; expected one "
+                                          "of them"));
     const Result<Arithmetic> tolerance = chosenTolerance(line);
     if (!tolerance)
         return line.refuse(tolerance.error());

@@ -175,13 +175,12 @@ ExitCode grade(const Command &command, const QStringList &arguments)
         line.argument(0), line.value(outputOption), QCoreApplication::applicationVersion(),
         int(jobs->value_or(std::max(1U, std::thread::hardware_concurrency()))), *shard};
     sayHidden(line.argument(0));
-    Progress progress;
     const Interruption interruption;
-    const auto report
-        = gradeFolder(order, *assignment, [tell = progress.listener()](const JobProgress &told) {
-              return tell(told) && !Interruption::isAsked();
-          });
-    progress.clear();
+    const auto report = withProgress([&](const ProgressListener &listener) {
+        return gradeFolder(order, *assignment, [&listener](const JobProgress &told) {
+            return listener(told) && !Interruption::isAsked();
+        });
+    });
     if (!report)
         return line.refuse(report.error());
     if (*report)

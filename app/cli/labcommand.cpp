@@ -131,14 +131,14 @@ Result<StudySettings> settingsFrom(const CommandLine &line)
         return InputError{QStringLiteral("SCENE"), QStringLiteral("is missing"),
                           QStringLiteral("the scene that --family own-scene measures")};
     if (!settings.ownSceneName.isEmpty()) {
-        const auto scene = readSceneAt(settings.ownSceneName);
-        if (!scene)
-            return scene.error();
-        if (!scene->hasTriangles())
+        const auto reading = readSceneAt(settings.ownSceneName);
+        if (!reading)
+            return reading.error();
+        if (!reading->scene.hasTriangles())
             return InputError{settings.ownSceneName,
                               QStringLiteral("has no triangles, which alone are measured"),
                               QStringLiteral("a scene with triangles")};
-        settings.ownScene = std::make_shared<const Scene>(*scene);
+        settings.ownScene = std::make_shared<const Scene>(reading->scene);
     }
     return settings;
 }
@@ -240,6 +240,20 @@ void addOptions(CommandLine &line)
                     QStringLiteral("before.json")});
 }
 
+Study runShowingTime(const StudySettings &settings)
+{
+    Progress progress;
+    TimeLeft left(expectedSeconds(settings));
+    StudyListener listener;
+    const Interruption interruption;
+    listener.progress = [&](const JobProgress &told) {
+        left.tell(told, TimeLeft::Clock::now());
+        progress.show(left.text());
+        return !Interruption::isAsked();
+    };
+    return runStudy(settings, listener);
+}
+
 } // namespace
 
 ExitCode lab(const Command &command, const QStringList &arguments)
@@ -265,17 +279,7 @@ ExitCode lab(const Command &command, const QStringList &arguments)
     if (const auto error = output.open())
         return line.refuse(*error);
 
-    Progress progress;
-    TimeLeft left(expectedSeconds(*settings));
-    StudyListener listener;
-    const Interruption interruption;
-    listener.progress = [&](const JobProgress &told) {
-        left.tell(told, TimeLeft::Clock::now());
-        progress.show(left.text());
-        return !Interruption::isAsked();
-    };
-    const Study study = runStudy(*settings, listener);
-    progress.clear();
+    const Study study = runShowingTime(*settings);
     output.device().write(line.isSet(accuracyOnlyOption) ? accuracyBytesOf(study, *format)
                                                          : bytesOf(study, *format));
     if (const auto error = output.finish())

@@ -135,6 +135,9 @@ Result<LayerRequest> layerRequestFrom(const CommandLine &line)
     for (const QString &id : request.layers) {
         if (!layerNamed(id))
             return unknownName(place, QStringLiteral("layer"), id, layerNames());
+        if (request.layers.count(id) > 1)
+            return InputError{place, QStringLiteral("“%1” is named twice").arg(id),
+                              QStringLiteral("each layer once")};
     }
     const auto position = wholeNumberOf(line, positionOption, {});
     if (!position)
@@ -163,10 +166,11 @@ Result<LayerRequest> layerRequestFrom(const CommandLine &line)
 Result<QImage> pictureWithLayers(const Scene &scene, const LayerRequest &request,
                                  std::int64_t scale)
 {
-    Progress progress;
-    TraceOptions recording;
-    recording.progress = progress.listener();
-    const auto traced = traceScene(scene, recording);
+    const auto traced = withProgress([&scene](const ProgressListener &listener) {
+        TraceOptions recording;
+        recording.progress = listener;
+        return traceScene(scene, recording);
+    });
     if (const auto objection = objectionTo(request, *traced->trace))
         return *objection;
     LayerView view;

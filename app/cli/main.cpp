@@ -4,6 +4,7 @@
 #include "version.h"
 
 #include <QCoreApplication>
+#include <QLoggingCategory>
 
 #include <algorithm>
 #include <cstdio>
@@ -96,11 +97,11 @@ ExitCode run(const QStringList &arguments)
     if (arguments.isEmpty())
         return refuse(QStringLiteral("a command is missing"));
     const QString &word = arguments.front();
-    if (word == QStringLiteral("--help") || word == QStringLiteral("-h")) {
-        printLine(helpText());
-        return ExitCode::Done;
-    }
+    if (word == QStringLiteral("--help") || word == QStringLiteral("-h"))
+        return help(*commandNamed(QStringLiteral("help")), arguments.sliced(1));
     if (word == QStringLiteral("--version") || word == QStringLiteral("-v")) {
+        if (arguments.size() > 1)
+            return refuse(QStringLiteral("%1: unexpected argument “%2”").arg(word, arguments[1]));
         printLine(QCoreApplication::applicationName() + u' '
                   + QCoreApplication::applicationVersion());
         return ExitCode::Done;
@@ -145,6 +146,8 @@ int main(int argc, char *argv[])
     QCoreApplication application(argc, argv);
     QCoreApplication::setApplicationName(QStringLiteral("pixelplumb-cli"));
     QCoreApplication::setApplicationVersion(QStringLiteral(PIXELPLUMB_VERSION));
+    // What is wrong with a picture is said with its name.
+    QLoggingCategory::setFilterRules(QStringLiteral("qt.gui.imageio*=false"));
     try {
         ExitCode code = pixelplumb::cli::run(QCoreApplication::arguments().sliced(1));
         // A full disk behind stdout shows only now, unless a command has told of it.

@@ -52,6 +52,11 @@ ExitCode motion(const Command &command, const QStringList &arguments)
     addSettingOptions(line);
     if (const auto ended = line.parse(arguments))
         return *ended;
+    if (line.isSet(QStringLiteral("frame")))
+        return line.refuse(InputError{QStringLiteral("--frame"),
+                                      QStringLiteral("motion counts in all frames of the scene"),
+                                      QStringLiteral("it without --frame; one frame is drawn by "
+                                                     "“render --frame”")});
     const Result<Scene> scene = readScene(line, line.argument(0));
     if (!scene)
         return line.refuse(scene.error());
@@ -59,9 +64,8 @@ ExitCode motion(const Command &command, const QStringList &arguments)
         return line.refuse(InputError{
             line.argument(0), QStringLiteral("the scene does not move"),
             QStringLiteral("a scene with \"motion\": { \"by\": [x, y], \"frames\": n }")});
-    Progress progress;
-    const auto study = studyMotion(*scene, progress.listener());
-    progress.clear();
+    const auto study = withProgress(
+        [&](const ProgressListener &listener) { return studyMotion(*scene, listener); });
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(jsonOf(*study)));
     else

@@ -21,8 +21,8 @@ Result<QStringList> outputPaths(const QString &output, const QStringList &inputs
             QStringLiteral("-o ") + output,
             QStringLiteral("is one file for %1 scenes").arg(inputs.size()),
             QStringLiteral("a folder, such as %1/").arg(QFileInfo(output).baseName())};
-    if (!QDir().mkpath(output))
-        return InputError{output, QStringLiteral("cannot be made"), QStringLiteral("a folder")};
+    if (const auto refusal = refusalOfFolder(output))
+        return *refusal;
     QStringList paths;
     for (const QString &input : inputs) {
         if (input == QStringLiteral("-"))
@@ -38,6 +38,19 @@ Result<QStringList> outputPaths(const QString &output, const QStringList &inputs
         paths.append(path);
     }
     return paths;
+}
+
+std::optional<InputError> refusalOfFolder(const QString &folder)
+{
+    const QFileInfo there(folder);
+    if (there.exists() && !there.isDir())
+        return InputError{folder, QStringLiteral("is a file"), QStringLiteral("a folder")};
+    if (!QDir().mkpath(folder))
+        return InputError{folder, QStringLiteral("cannot be made"), QStringLiteral("a folder")};
+    if (!QFileInfo(folder).isWritable())
+        return InputError{folder, QStringLiteral("cannot be written to"),
+                          QStringLiteral("a folder in which files can be made")};
+    return std::nullopt;
 }
 
 } // namespace pixelplumb::cli

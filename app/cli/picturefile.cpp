@@ -40,15 +40,27 @@ const QStringList &pictureFormats()
     return formats;
 }
 
-Result<QString> pictureFormatOf(const QString &path, const QString &option)
+Result<QString> pictureFormatOf(const QString &option, const QString &path)
 {
-    const QString suffix = path == QStringLiteral("-") ? QString() : QFileInfo(path).suffix();
-    const QString format = suffix.isEmpty() ? pictureFormats().front() : suffix.toLower();
+    const QFileInfo file(path);
+    const bool isStream = path == QStringLiteral("-") || path.startsWith(QStringLiteral("/dev/"))
+        || (file.exists() && !file.isFile() && !file.isDir());
+    if (isStream)
+        return pictureFormats().front();
+    const QString format = file.suffix().toLower();
     if (pictureFormats().contains(format))
         return format;
-    return InputError{option + u' ' + path, QStringLiteral("unknown kind of picture"),
-                      QStringLiteral("a name that ends in .")
-                          + pictureFormats().join(QStringLiteral(", ."))};
+    return InputError{
+        option + u' ' + path,
+        format.isEmpty() ? QStringLiteral("the name does not say which kind of picture")
+                         : QStringLiteral("unknown kind of picture"),
+        QStringLiteral("a name that ends in .") + pictureFormats().join(QStringLiteral(", ."))};
+}
+
+Result<QString> pictureFormatOf(const CommandLine &line, const QString &option)
+{
+    return line.isSet(option) ? pictureFormatOf(QStringLiteral("-o"), line.value(option))
+                              : pictureFormats().front();
 }
 
 std::optional<InputError> writePicture(const QImage &picture, Output &output, const QString &format)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "app/cli/console.h"
+#include "app/cli/commandline.h"
 #include "app/cli/output.h"
 #include "core/grade/picture.h"
 
@@ -24,9 +24,11 @@ std::optional<ExitCode> refusalOfSizes(const SizedInput &one, const SizedInput &
 /// Formats without loss, by their names' ends, so that each pixel can be read back: "png", …
 const QStringList &pictureFormats();
 
-/// The format that a path's end asks for. Standard output and names without an end, such as
-/// /dev/stdout, get the first of the formats. `option` is what the error names: "-o".
-Result<QString> pictureFormatOf(const QString &path, const QString &option);
+/// The format that a path's end asks for. Standard output, devices and pipes, whose names do not
+/// say it, get the first of the formats. `option` is what the error names: "-o".
+Result<QString> pictureFormatOf(const QString &option, const QString &path);
+/// The same of an option of the command line, "output"; the first format where it is not set.
+Result<QString> pictureFormatOf(const CommandLine &line, const QString &option);
 
 std::optional<InputError> writePicture(const QImage &picture, Output &output,
                                        const QString &format);

@@ -45,6 +45,21 @@ Result<StudentProgram> programNamed(const QString &place, const QString &word)
     return studentProgramOf(command);
 }
 
+/// "circles and ellipses".
+QString drawnText(const Method &method)
+{
+    QStringList kinds;
+    for (const PrimitiveKind kind : method.kinds)
+        kinds += nameOf(kind) + u's';
+    return kinds.join(QStringLiteral(" and "));
+}
+
+/// Of the primitives in random scenes.
+PrimitiveKind searchedKind(const Method &method)
+{
+    return method.draws(PrimitiveKind::Triangle) ? PrimitiveKind::Triangle : PrimitiveKind::Line;
+}
+
 QString placeText(const LatticePoint &place)
 {
     const auto number
@@ -53,6 +68,16 @@ QString placeText(const LatticePoint &place)
 }
 
 } // namespace
+
+std::optional<InputError> refusalToSearch(const Method &method, const QString &place)
+{
+    if (method.draws(PrimitiveKind::Triangle) || method.draws(PrimitiveKind::Line))
+        return std::nullopt;
+    return InputError{place,
+                      QStringLiteral("method “%1” draws %2, of which there are no random scenes")
+                          .arg(method.id, drawnText(method)),
+                      QStringLiteral("a method that draws triangles or lines")};
+}
 
 QStringList primitiveLines(const Scene &scene)
 {
@@ -144,11 +169,18 @@ Result<Sides> sidesOf(const CommandLine &line, const QStringList &places)
     sides.conventions.settings.variants = {};
     if (count == 1 && contenders[0]) // the truth has its own rule
         sides.conventions.settings.fillRule = contenders[0]->settings.fillRule;
-    if (!method.method->draws(PrimitiveKind::Triangle)
-        && !method.method->draws(PrimitiveKind::Line))
-        return InputError{places[0],
-                          QStringLiteral("method “%1” draws neither").arg(method.method->id),
-                          QStringLiteral("a method that draws triangles or lines")};
+    if (const auto refusal = refusalToSearch(*method.method, places[0]))
+        return *refusal;
+    for (qsizetype i = 0; i < count; ++i) {
+        const auto &contender = contenders[std::size_t(i)];
+        if (contender && !contender->isTruth()
+            && !contender->method->draws(searchedKind(*method.method)))
+            return InputError{places[i],
+                              QStringLiteral("“%1” draws %2, “%3” draws %4")
+                                  .arg(contender->method->id, drawnText(*contender->method),
+                                       method.method->id, drawnText(*method.method)),
+                              QStringLiteral("methods that draw the same primitives")};
+    }
     for (qsizetype i = 0; i < count; ++i) {
         if (contenders[std::size_t(i)]) {
             sides.sources.push_back(sourceOf(*contenders[std::size_t(i)]));

@@ -23,6 +23,9 @@ QStringList primitiveLines(const Scene &scene);
 QString undrawnText(const UndrawnScene &undrawn);
 QJsonObject undrawnJson(const UndrawnScene &undrawn);
 
+/// Why there are no random scenes for a method; none where there are.
+std::optional<InputError> refusalToSearch(const Method &method, const QString &place);
+
 /// What such a word may be.
 QString sideMeaning();
 /// The first arguments; `places` are their names, for errors. Programs run as the options of

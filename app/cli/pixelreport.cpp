@@ -1,72 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/cli/pixelreport.h"
-
-#include "core/check/casepicture.h"
+#include "app/cli/pixelfacts.h"
 #include "core/export/numbertext.h"
-#include "core/runs/undrawn.h"
 #include "core/scene/colourtext.h"
-
-#include <QJsonArray>
-
-#include <cmath>
 
 namespace pixelplumb::cli {
 
 namespace {
-
-QString nameOfDifference(Difference difference)
-{
-    switch (difference) {
-    case Difference::None:
-        return QStringLiteral("none");
-    case Difference::Missing:
-        return QStringLiteral("missing");
-    case Difference::Extra:
-        return QStringLiteral("extra");
-    case Difference::Colour:
-        return QStringLiteral("colour");
-    }
-    return {};
-}
-
-/// The pixel's colour in the finished picture.
-Colour finalColour(const PixelReport &report)
-{
-    Colour colour = report.traced.scene.frame.background;
-    for (const PixelAttempt &attempt : report.attempts) {
-        if (attempt.written)
-            colour = unpacked(attempt.change.after);
-    }
-    return colour;
-}
-
-Colour trueColour(const PixelReport &report)
-{
-    return unpacked(*report.traced.truth.view().at(report.x, report.y));
-}
-
-/// Of all primitives of the scene.
-Colour trueColourOfAll(const PixelReport &report)
-{
-    const TracedScene &traced = report.traced;
-    FrameSpec pixel = traced.scene.frame;
-    pixel.width = pixel.height = 1;
-    pixel.firstColumn = int(report.x);
-    pixel.firstRow = int(report.y);
-    const FrameBuffer frame(pixel);
-    FrameView view = frame.view();
-    // The default point off the screen is that of the whole frame.
-    view.offScreenPoint = traced.truth.view().offScreenPoint;
-    drawTruly(traced.primitives, traced.scene.settings, view);
-    return unpacked(*view.at(report.x, report.y));
-}
-
-QStringList undrawnAt(const PixelReport &report)
-{
-    const TracedScene &traced = report.traced;
-    return undrawnAt(traced.primitives, *traced.method, boundaryRuleOf(traced.scene), report.x,
-                     report.y);
-}
 
 QString edgeText(const QString &name, const oracle::EdgeVerdict &edge)
 {
@@ -81,37 +20,11 @@ QString edgeText(const QString &name, const oracle::EdgeVerdict &edge)
                                  : distances.join(QStringLiteral(", ")));
 }
 
-/// What a method calls the bounds of its spans, and the samples along them.
-struct SpanWords {
-    QString place, lower, upper, samples;
-};
-
-SpanWords wordsFor(SpanAxis axis)
-{
-    switch (axis) {
-    case SpanAxis::Column:
-        return {QStringLiteral("column"), QStringLiteral("y_B"), QStringLiteral("y_T"),
-                QStringLiteral("rows")};
-    case SpanAxis::Row:
-        return {QStringLiteral("row"), QStringLiteral("x_L"), QStringLiteral("x_R"),
-                QStringLiteral("columns")};
-    case SpanAxis::Free:
-        break;
-    }
-    return {QStringLiteral("step"), {}, {}, QStringLiteral("samples")};
-}
-
-/// The window's words: "column 27, second half".
-QString placeText(const PixelAttempt &attempt)
-{
-    return attempt.spanHeading.left(1).toLower() + attempt.spanHeading.sliced(1);
-}
-
 QString spanText(const PixelAttempt &attempt)
 {
     const SpanRecord &span = *attempt.span;
     const SpanWords words = wordsFor(span.place.axis);
-    QString text = QStringLiteral("    ") + placeText(attempt);
+    QString text = QStringLiteral("    ") + spanPlaceText(attempt);
     if (!span.lower.isNone())
         text += QStringLiteral(": %1 = %2, %3 = %4, %5 %6 … %7")
                     .arg(words.lower, toText(span.lower), words.upper, toText(span.upper),
@@ -144,94 +57,6 @@ QString carriedText(const PixelAttempt::Carried &number)
     return text
         + QStringLiteral("; exact %1, error %2")
               .arg(toText(number.exact), realText(errorOf(number.used, number.exact)));
-}
-
-/// A double that JSON can hold, or its name.
-QJsonValue jsonOf(double value)
-{
-    return std::isfinite(value) ? QJsonValue(value) : QJsonValue(realText(value));
-}
-
-/// As a number, and exactly: {"decimal": 5.129…, "fraction": "277/54"}.
-QJsonValue jsonOf(const Quantity &quantity)
-{
-    if (quantity.isNone())
-        return {};
-    return QJsonObject{{QStringLiteral("decimal"), jsonOf(quantity.toDouble())},
-                       {QStringLiteral("fraction"), fractionText(quantity)}};
-}
-
-QJsonObject spanJson(const PixelAttempt &attempt)
-{
-    const SpanRecord &span = *attempt.span;
-    const SpanWords words = wordsFor(span.place.axis);
-    QJsonObject json{{QStringLiteral("along"), words.place},
-                     {QStringLiteral("at"), qint64(span.place.coordinate)},
-                     {QStringLiteral("part"), span.place.part + 1},
-                     {QStringLiteral("place"), placeText(attempt)}};
-    if (span.lower.isNone())
-        return json;
-    json[words.lower] = jsonOf(span.lower);
-    json[words.upper] = jsonOf(span.upper);
-    json[QStringLiteral("first")] = qint64(span.firstSample);
-    json[QStringLiteral("last")] = qint64(span.endSample - 1);
-    return json;
-}
-
-QJsonObject jsonOf(const QString &name, const oracle::EdgeVerdict &edge)
-{
-    return {{QStringLiteral("edge"), name},
-            {QStringLiteral("from"), edge.from},
-            {QStringLiteral("to"), edge.to},
-            {QStringLiteral("accepts"), edge.accepts},
-            {QStringLiteral("edgeFunction"), toText(edge.edgeFunction)},
-            {QStringLiteral("alongColumn"), jsonOf(edge.distanceAlongColumn)},
-            {QStringLiteral("alongRow"), jsonOf(edge.distanceAlongRow)},
-            {QStringLiteral("distance"), jsonOf(edge.distance)}};
-}
-
-QJsonObject jsonOf(const PixelAttempt &attempt)
-{
-    QJsonObject json{{QStringLiteral("kind"), nameOf(attempt.kind)},
-                     {QStringLiteral("primitive"), qint64(attempt.primitive)},
-                     {QStringLiteral("written"), attempt.written},
-                     {QStringLiteral("covered"), attempt.verdict.covered},
-                     {QStringLiteral("reason"), attempt.reason}};
-    if (attempt.span)
-        json[QStringLiteral("span")] = spanJson(attempt);
-    if (attempt.hasEdges()) {
-        QJsonArray edges;
-        for (std::size_t edge = 0; edge < attempt.edgeNames.size(); ++edge)
-            edges.append(jsonOf(attempt.edgeNames[edge], attempt.verdict.edges[edge]));
-        json[QStringLiteral("edges")] = edges;
-    }
-    QJsonArray carried;
-    for (const PixelAttempt::Carried &number : attempt.carried)
-        carried.append(QJsonObject{
-            {QStringLiteral("number"), number.title},
-            {QStringLiteral("used"), jsonOf(number.used)},
-            {QStringLiteral("exact"), jsonOf(number.exact)},
-            {QStringLiteral("error"),
-             number.exact.isNone() ? QJsonValue() : jsonOf(errorOf(number.used, number.exact))}});
-    if (!carried.isEmpty())
-        json[QStringLiteral("carried")] = carried;
-    if (!attempt.written)
-        return json;
-    json[QStringLiteral("step")] = qint64(attempt.step + 1);
-    json[QStringLiteral("before")] = colourText(unpacked(attempt.change.before));
-    json[QStringLiteral("after")] = colourText(unpacked(attempt.change.after));
-    json[QStringLiteral("clamped")] = attempt.sample->clamped;
-    for (std::size_t channel = 0; channel < 3; ++channel) {
-        const Quantity &used = attempt.sample->colour[channel];
-        const Quantity &exact = attempt.exactColour[channel];
-        json[QString(channelLetters[channel])] = QJsonObject{
-            {QStringLiteral("used"), jsonOf(used)},
-            {QStringLiteral("exact"), jsonOf(exact)},
-            {QStringLiteral("error"), exact.isNone() ? QJsonValue() : jsonOf(errorOf(used, exact))},
-            {QStringLiteral("level"), qint64(attempt.sample->level[channel])},
-            {QStringLiteral("byte"), int(unpacked(attempt.change.after).channels[channel])}};
-    }
-    return json;
 }
 
 } // namespace
@@ -280,22 +105,6 @@ QStringList textOf(const PixelReport &report)
             lines.append(edgeText(attempt.edgeNames[edge], attempt.verdict.edges[edge]));
     }
     return lines;
-}
-
-QJsonObject jsonOf(const PixelReport &report)
-{
-    QJsonArray attempts;
-    for (const PixelAttempt &attempt : report.attempts)
-        attempts.append(jsonOf(attempt));
-    return {{QStringLiteral("x"), qint64(report.x)},
-            {QStringLiteral("y"), qint64(report.y)},
-            {QStringLiteral("colour"), colourText(finalColour(report))},
-            {QStringLiteral("truth"), colourText(trueColourOfAll(report))},
-            {QStringLiteral("truthOfWhatIsDrawn"), colourText(trueColour(report))},
-            {QStringLiteral("difference"),
-             nameOfDifference(report.traced.differences.at(report.x, report.y))},
-            {QStringLiteral("notDrawn"), QJsonArray::fromStringList(undrawnAt(report))},
-            {QStringLiteral("attempts"), attempts}};
 }
 
 } // namespace pixelplumb::cli

@@ -24,12 +24,12 @@ ExitCode plan(const Command &command, const QStringList &arguments)
         return line.refuse(scene.error());
     const auto refusal = refusalOf(*scene, line.argument(0));
     PlanReport report{planOf(*scene), scene->appearance.forced, std::nullopt};
-    if (line.isSet(measureOption) && !refusal) {
-        Progress progress;
-        TimingOptions options;
-        options.progress = progress.listener();
-        report.timing = timeEffects(*scene, options);
-    }
+    if (line.isSet(measureOption) && !refusal)
+        report.timing = withProgress([&scene](const ProgressListener &listener) {
+            TimingOptions options;
+            options.progress = listener;
+            return timeEffects(*scene, options);
+        });
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(jsonOf(report)));
     else

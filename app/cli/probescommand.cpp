@@ -84,11 +84,11 @@ QJsonObject jsonOf(const std::vector<Scene> &scenes, const ProbeResult &result)
 Result<Scene> conventionsFor(const CommandLine &line)
 {
     const QString path = line.argument(0);
-    Scene asWritten;
+    SceneReading asWritten;
     if (!path.isEmpty()) {
-        Result<Scene> read = readSceneAt(path);
+        Result<SceneReading> read = readSceneAt(path);
         if (!read)
-            return read;
+            return read.error();
         asWritten = std::move(*read);
     }
     const QString place = path.isEmpty() ? QStringLiteral("--method") : path;
@@ -96,9 +96,8 @@ Result<Scene> conventionsFor(const CommandLine &line)
     if (!scene)
         return scene;
     const Method &method = *methodNamed(QString::fromStdString(scene->method));
-    if (!method.draws(PrimitiveKind::Triangle) && !method.draws(PrimitiveKind::Line))
-        return InputError{place, QStringLiteral("method “%1” draws neither").arg(method.id),
-                          QStringLiteral("a method that draws triangles or lines")};
+    if (const auto refusal = refusalToSearch(method, place))
+        return *refusal;
     if (const QString refusal = method.refusal(scene->settings); !refusal.isEmpty())
         return InputError{place, refusal, {}};
     return scene;
@@ -109,7 +108,7 @@ std::optional<InputError> writeSheet(const QString &folder, const std::vector<Sc
     QStringList names;
     for (std::size_t i = 0; i < scenes.size(); ++i)
         names += QStringLiteral("%1-%2").arg(QString::fromStdString(scenes[i].method)).arg(i + 1);
-    const auto paths = outputPaths(folder, names, QStringLiteral("json"));
+    const auto paths = outputPaths(folder + u'/', names, QStringLiteral("json"));
     if (!paths)
         return paths.error();
     for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -174,15 +173,22 @@ ExitCode probes(const Command &command, const QStringList &arguments)
     const Result<Scene> conventions = conventionsFor(line);
     if (!conventions)
         return line.refuse(conventions.error());
+    if (line.isSet(listOption) && line.isSet(outputOption))
+        return line.refuse(QStringLiteral("--list searches nothing, and there is nothing to write; "
+                                          "expected it without -o"));
+    if (line.isSet(outputOption)) {
+        if (const auto refusal = refusalOfFolder(line.value(outputOption)))
+            return line.refuse(*refusal);
+    }
     if (line.isSet(listOption)) {
         const std::vector<Defect> defects = defectsOfMethod(*conventions);
         line.isSet(jsonOption) ? printDefectsAsJson(defects) : printDefects(defects);
         return ExitCode::Done;
     }
-    Progress progress;
-    const auto scenes = searchProbes(*conventions, *seed, candidates->value(), progress.listener());
+    const auto scenes = withProgress([&](const ProgressListener &listener) {
+        return searchProbes(*conventions, *seed, candidates->value(), listener);
+    });
     const ProbeResult result = probe(*scenes);
-    progress.clear();
     if (line.isSet(jsonOption))
         printJson(QJsonDocument(jsonOf(*scenes, result)));
     else

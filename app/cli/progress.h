@@ -31,4 +31,12 @@ private:
     qint64 m_nextShow = 1000; ///< ms since the start
 };
 
+/// What a job comes to that is given a listener; what is shown of it is gone when it is done.
+template <class Job>
+auto withProgress(const Job &job)
+{
+    Progress progress;
+    return job(progress.listener());
+}
+
 } // namespace pixelplumb::cli

@@ -71,9 +71,8 @@ Result<Scene> withinBudget(const Scene &scene, const QString &word)
     if (!scene.shapes.empty())
         return InputError{place, QStringLiteral("the scene has other primitives than triangles"),
                           QStringLiteral("triangles alone")};
-    Progress progress;
-    const auto choice = firstInOrder(*budget, scene, progress.listener());
-    progress.clear();
+    const auto choice = withProgress(
+        [&](const ProgressListener &listener) { return firstInOrder(*budget, scene, listener); });
     if (!choice->contender)
         return InputError{place, choice->reason, {}};
     sayLine(QStringLiteral("%1: %2, %3").arg(word, choice->contender->id, choice->reason));
@@ -111,7 +110,7 @@ std::optional<InputError> choosePictures(const CommandLine &line, RenderRequest 
     if (!paths)
         return paths.error();
     request.pictures = *paths;
-    const auto format = pictureFormatOf(request.pictures.front(), QStringLiteral("-o"));
+    const auto format = pictureFormatOf(QStringLiteral("-o"), request.pictures.front());
     if (!format)
         return format.error();
     request.format = *format;

@@ -5,6 +5,7 @@
 #include "app/cli/input.h"
 #include "app/cli/suggestion.h"
 #include "app/cli/wholenumber.h"
+#include "core/grade/defect.h"
 #include "core/runs/clampeddepths.h"
 #include "core/runs/sceneplan.h"
 #include "core/scan/choicenames.h"
@@ -60,8 +61,15 @@ Result<VariantSet> chosenVariants(const CommandLine &line, VariantSet unset)
         if (!variant)
             return unknownName(QStringLiteral("--") + variantOption, QStringLiteral("name"), name,
                                namesOf(allVariants) + QStringList{noVariant});
+        if (variants.contains(*variant))
+            return InputError{QStringLiteral("--") + variantOption,
+                              QStringLiteral("“%1” is named twice").arg(name.trimmed()),
+                              QStringLiteral("each variant once")};
         variants = variants.with(*variant);
     }
+    if (undoEachOther(variants))
+        return InputError{QStringLiteral("--") + variantOption, undoingText(),
+                          QStringLiteral("one of them, or none")};
     return variants;
 }
 
@@ -175,18 +183,18 @@ std::optional<InputError> refusalOf(const Scene &scene, const QString &path)
         {}};
 }
 
-Result<Scene> sceneIn(const QByteArray &text, const QString &path)
+Result<SceneReading> sceneIn(const QByteArray &text, const QString &path)
 {
     const bool isFile = path != QStringLiteral("-");
-    const Result<SceneReading> reading
+    Result<SceneReading> reading
         = pixelplumb::readScene(text, {}, isFile ? QFileInfo(path).absolutePath() : QString());
     if (!reading)
         return errorIn(path, reading.error());
     reportSnaps(path, reading->snaps);
-    return reading->scene;
+    return reading;
 }
 
-Result<Scene> readSceneAt(const QString &path)
+Result<SceneReading> readSceneAt(const QString &path)
 {
     const Result<QByteArray> text = readInput(path);
     if (!text)
@@ -194,15 +202,19 @@ Result<Scene> readSceneAt(const QString &path)
     return sceneIn(*text, path);
 }
 
-Result<Scene> underOptions(const CommandLine &line, Scene scene, const QString &path)
+Result<Scene> underOptions(const CommandLine &line, SceneReading reading, const QString &path)
 {
+    Scene scene = std::move(reading.scene);
     const auto method = chosenMethod(line, QString::fromStdString(scene.method));
+    if (!method)
+        return method.error();
+    scene.settings = settledFor(**method, scene.settings, reading.open);
     const auto arithmetic = chosenArithmetic(line, scene.settings.arithmetic);
     const auto fillRule = chosenFillRule(line, scene.settings.fillRule);
     const auto rounding = chosen(line, roundingOption, allByteRoundings, scene.settings.rounding);
     const auto variants = chosenVariants(line, scene.settings.variants);
     const auto forced = chosenForcing(line);
-    if (const auto error = firstError(method, arithmetic, fillRule, rounding, variants, forced))
+    if (const auto error = firstError(arithmetic, fillRule, rounding, variants, forced))
         return *error;
     if (line.isSet(frameOption)) {
         if (!scene.motion)
@@ -224,8 +236,10 @@ Result<Scene> underOptions(const CommandLine &line, Scene scene, const QString &
 
 Result<Scene> readSceneForAnyMethod(const CommandLine &line, const QString &path)
 {
-    Result<Scene> asWritten = readSceneAt(path);
-    return asWritten ? underOptions(line, std::move(*asWritten), path) : asWritten;
+    Result<SceneReading> asWritten = readSceneAt(path);
+    if (!asWritten)
+        return asWritten.error();
+    return underOptions(line, std::move(*asWritten), path);
 }
 
 Result<Scene> readScene(const CommandLine &line, const QString &path)

@@ -3,7 +3,7 @@
 
 #include "app/cli/commandline.h"
 #include "core/methods/method.h"
-#include "core/scene/scene.h"
+#include "core/scene/scenefile.h"
 
 namespace pixelplumb::cli {
 
@@ -20,15 +20,15 @@ void addSettingOptions(CommandLine &line);
 std::optional<InputError> refusalOf(const Scene &scene, const QString &path);
 
 /// The scene that a text read from `path` is; what it refers to lies beside that.
-Result<Scene> sceneIn(const QByteArray &text, const QString &path);
+Result<SceneReading> sceneIn(const QByteArray &text, const QString &path);
 
 /// The scene of a file ("-" is stdin) as it is. Vertices that had to be snapped are reported on
 /// stderr.
-Result<Scene> readSceneAt(const QString &path);
+Result<SceneReading> readSceneAt(const QString &path);
 
 /// A scene under the options' settings, whether or not its method can draw it so; errors name the
-/// path.
-Result<Scene> underOptions(const CommandLine &line, Scene scene, const QString &path);
+/// path. Settings that neither names are as the method has them.
+Result<Scene> underOptions(const CommandLine &line, SceneReading reading, const QString &path);
 
 /// The scene of a file ("-" is stdin), under the options' settings. Vertices that had to be snapped
 /// are reported on stderr.

@@ -107,11 +107,11 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const QSt
     const Result<Scene> scene = readScene(line, path);
     if (!scene)
         return line.refuse(scene.error());
-    Progress progress;
-    TraceOptions recording;
-    recording.progress = progress.listener();
-    const auto traced = traceScene(*scene, recording);
-    progress.clear();
+    const auto traced = withProgress([&scene](const ProgressListener &listener) {
+        TraceOptions recording;
+        recording.progress = listener;
+        return traceScene(*scene, recording);
+    });
     // Which there are is known when it is known what the scene calls for.
     const Result<QStringList> columns
         = chosenColumns(line, traced->trace->numbers(), request.level);
@@ -131,18 +131,25 @@ ExitCode traceTo(const CommandLine &line, const TraceRequest &request, const QSt
     if (const auto error = output.open())
         return line.refuse(*error);
     TraceExportOptions options{request.level, request.format};
-    options.progress = progress.listener();
     options.columns = *columns;
     options.rows = *rows;
     if (line.isSet(QStringLiteral("frame")))
         options.frame = line.value(QStringLiteral("frame")).toInt();
     options.textNumbers
         = line.isSet(QStringLiteral("decimal")) ? TextNumbers::Decimal : TextNumbers::Mixed;
-    const bool written = exportTrace(*traced, options, output.device());
+    const bool written = withProgress([&](const ProgressListener &listener) {
+        options.progress = listener;
+        return exportTrace(*traced, options, output.device());
+    });
     const auto error = output.finish();
     if (!written || error)
         return line.refuse(
             error.value_or(InputError{outputPath, QStringLiteral("cannot be written"), {}}));
+    if (request.level == TraceLevel::Stage && !scene->hasSolids())
+        sayLine(
+            QStringLiteral("%1: no stages: there is no solid in it that comes from space to the "
+                           "frame")
+                .arg(path));
     if (traced->trace->isCut()) {
         sayLine(QStringLiteral("The trace is incomplete: recording ended at its limit after %1 "
                                "pixels in %2 columns.")

@@ -124,8 +124,9 @@ std::optional<Diagnosis> diagnosisOf(const std::vector<Submission> &submissions,
 {
     if (isRight || submissions.empty())
         return std::nullopt;
-    Progress progress;
-    return diagnose(submissions, progress.listener(), tolerance);
+    return withProgress([&](const ProgressListener &listener) {
+        return diagnose(submissions, listener, tolerance);
+    });
 }
 
 } // namespace

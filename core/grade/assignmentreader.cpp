@@ -2,7 +2,6 @@
 #include "core/grade/assignment.h"
 #include "core/grade/defect.h"
 #include "core/runs/sceneplan.h"
-#include "core/scan/choicenames.h"
 #include "core/scene/choicereader.h"
 #include "core/scene/fileaccess.h"
 #include "core/scene/scenefile.h"
@@ -156,12 +155,7 @@ private:
                             .arg(QString::fromStdString(scene.method), objection),
                         {});
         else if (undoEachOther(scene.settings.variants))
-            m_json.fail(node,
-                        QStringLiteral("the variants %1 and %2 cancel each other: divided is by "
-                                       "Δ again")
-                            .arg(nameText(nameOf(Variant::DivisorMinusOne)),
-                                 nameText(nameOf(Variant::DivisorPlusOne))),
-                        QStringLiteral("one of them, or none"));
+            m_json.fail(node, undoingText(), QStringLiteral("one of them, or none"));
         else if (!drawsAnyOf(scene))
             m_json.fail(node,
                         QStringLiteral("method “%1” draws none of the primitives")

@@ -135,6 +135,12 @@ void appendPictures(std::vector<Defect> &defects, const Scene &scene)
 
 } // namespace
 
+QString undoingText()
+{
+    return QStringLiteral("the variants %1 and %2 cancel each other: divided is by Δ again")
+        .arg(nameText(nameOf(Variant::DivisorMinusOne)), nameText(nameOf(Variant::DivisorPlusOne)));
+}
+
 Defect redrawnBy(const Redrawing &redrawing, Defect words)
 {
     words.redraw = [redrawing](const Scene &scene) { return redrawn(scene, redrawing); };

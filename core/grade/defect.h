@@ -27,6 +27,8 @@ constexpr bool undoEachOther(VariantSet departures)
     return departures.contains(Variant::DivisorMinusOne)
         && departures.contains(Variant::DivisorPlusOne);
 }
+/// What is said of these two.
+QString undoingText();
 
 /// A mistake that programs make, as something done to the scene before it is drawn by the ordinary
 /// kernels (the variants and the choices of its settings among them), to how it is drawn, or to the

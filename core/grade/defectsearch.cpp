@@ -47,11 +47,14 @@ std::vector<DiagnosisCandidate> DefectSearch::candidates() const
     return result;
 }
 
-/// Of one defect; of two that come near, whether the second one explains at least a tenth of what
-/// differs more than the better one does alone.
+/// Of two that come near, whether together they leave clearly less than the better one alone:
+/// nobody should look for a mistake that is not there.
 bool DefectSearch::needsSecond(const SetMatch &near) const
 {
-    return !near.set.second || leastAlone(near.set) - near.distance >= (m_differing + 9) / 10;
+    if (!near.set.second)
+        return true;
+    const std::int64_t alone = leastAlone(near.set);
+    return near.distance <= alone - alone / 4;
 }
 
 DiagnosisCandidate DefectSearch::candidateOf(const SetMatch &match) const

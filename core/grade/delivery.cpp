@@ -2,6 +2,7 @@
 #include "core/grade/delivery.h"
 
 #include "core/grade/showntext.h"
+#include "core/grade/studentoutput.h"
 #include "core/grade/trial.h"
 
 #include <algorithm>
@@ -55,6 +56,13 @@ std::optional<QString> noteOn(const std::vector<const SubmittedFile *> &files,
     return QStringLiteral("%1 was taken; %2 %3 there, too")
         .arg(taken, others.join(QStringLiteral(" and ")),
              others.size() == 1 ? QStringLiteral("is") : QStringLiteral("are"));
+}
+
+/// "picture.png was taken, the only picture; small.png was asked for".
+QString noteOnName(const SubmittedFile &file, const AssignedScene &scene)
+{
+    return QStringLiteral("%1 was taken, the only picture; %2.png was asked for")
+        .arg(escapedName(file.name), scene.name);
 }
 
 /// Why there is no file that could have been it: what has such a name is none. Empty: nothing has.
@@ -132,15 +140,30 @@ const SubmittedFile *onlyFile(const SubmissionEntry &entry, const IsSuch &isSuch
     return std::ranges::count_if(files, isSuch) == 1 ? &*found : nullptr;
 }
 
+void refuse(Delivery &delivery, PictureLack lack, const QString &fault)
+{
+    delivery.lack = lack;
+    delivery.fault = fault;
+}
+
+/// Of bytes in which no picture is found.
+PictureLack lackIn(const QByteArray &content, const FrameSpec &frame)
+{
+    if (content.isEmpty())
+        return PictureLack::Empty;
+    return isOfOtherSize(content, frame) ? PictureLack::OtherSize : PictureLack::Unreadable;
+}
+
 /// A picture of the scene's size; lines of a trace make one, too.
-void take(const Result<StudentOutput> &output, Delivery &delivery)
+void take(const QByteArray &content, const Result<StudentOutput> &output, const FrameSpec &frame,
+          Delivery &delivery)
 {
     if (!output)
-        delivery.fault = shownText(output.error().message().toUtf8());
+        refuse(delivery, lackIn(content, frame), shownText(output.error().message().toUtf8()));
     else if (output->picture)
         delivery.picture = output->picture;
     else
-        delivery.fault = QStringLiteral("there is no picture in it");
+        refuse(delivery, PictureLack::TraceAlone, QStringLiteral("there is no picture in it"));
 }
 
 Delivery deliveredPicture(const SubmissionEntry &entry, const AssignedScene &scene,
@@ -150,9 +173,10 @@ Delivery deliveredPicture(const SubmissionEntry &entry, const AssignedScene &sce
     delivery.file = escapedName(file.name);
     const Result<QByteArray> content = entry.read(file, largestPictureFile);
     if (content)
-        take(readStudentOutput(*content, scene.scene, delivery.file), delivery);
+        take(*content, readStudentOutput(*content, scene.scene, delivery.file), scene.scene.frame,
+             delivery);
     else
-        delivery.fault = content.error().message();
+        refuse(delivery, PictureLack::Unreadable, content.error().message());
     return delivery;
 }
 
@@ -171,13 +195,13 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     Delivery delivery;
     const std::optional<QString> path = entry.pathOf(file);
     if (!path) {
-        delivery.fault = QStringLiteral("the program's name is no UTF-8");
+        refuse(delivery, PictureLack::NotDrawn, QStringLiteral("the program's name is no UTF-8"));
         return delivery;
     }
     const auto student = studentProgramOf(
         isScript(file) ? QStringList{QStringLiteral("python3"), *path} : QStringList{*path});
     if (!student) {
-        delivery.fault = student.error().found;
+        refuse(delivery, PictureLack::NotDrawn, student.error().found);
         return delivery;
     }
     const AssignedProgram &program = *assignment.program;
@@ -190,7 +214,7 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     terms.limits.output = std::int64_t(program.outputMegabytes) << 20;
     const Result<Trial> trial = tryProgram(*student, scene.scene, terms, stop);
     if (!trial) {
-        delivery.fault = trial.error().message();
+        refuse(delivery, PictureLack::NotDrawn, trial.error().message());
         return delivery;
     }
     delivery.run = GradedRun{nameOf(trial->run.end), shownText(trial->run.told.toUtf8()),
@@ -198,10 +222,14 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     delivery.wasLate = trial->run.isByClock;
     if (trial->trace)
         delivery.trace = shownText(trial->trace->text.toUtf8());
-    if (trial->fault)
-        delivery.fault = shownText(trial->fault->message().toUtf8());
+    const QByteArray &output = trial->run.output;
+    const FrameSpec &frame = scene.scene.frame;
+    if (trial->run.end != ProgramEnd::Finished)
+        refuse(delivery, PictureLack::NotDrawn, shownText(trial->fault->message().toUtf8()));
+    else if (trial->fault)
+        take(output, *trial->fault, frame, delivery);
     else
-        take(trial->output, delivery);
+        take(output, trial->output, frame, delivery);
     return delivery;
 }
 
@@ -232,9 +260,11 @@ std::vector<Delivery> deliveriesOf(const SubmissionEntry &entry, const Assignmen
                             [](const SubmittedFile &each) { return hasPictureEnd(each.name); });
         if (file) {
             deliveries.push_back(deliveredPicture(entry, scene, *file));
-            deliveries.back().note = noteOn(files, refusedPicture(entry, scene));
+            deliveries.back().note = files.empty() ? noteOnName(*file, scene)
+                                                   : noteOn(files, refusedPicture(entry, scene));
         } else {
-            deliveries.emplace_back().fault = whyNothing(entry, assignment, scene);
+            refuse(deliveries.emplace_back(), PictureLack::NotThere,
+                   whyNothing(entry, assignment, scene));
         }
     }
     return deliveries;

@@ -12,6 +12,7 @@ namespace pixelplumb {
 struct Delivery {
     QString file; ///< the picture's in the submission, escaped
     QString fault; ///< empty: there is a picture
+    std::optional<PictureLack> lack; ///< the same as a kind
     std::optional<Picture> picture;
     std::optional<GradedRun> run; ///< of the program that drew it
     bool wasLate = false; ///< it was ended by the clock

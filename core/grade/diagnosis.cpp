@@ -48,11 +48,22 @@ QStringList DiagnosisCandidate::ids() const
     return ids;
 }
 
+QStringList DiagnosisCandidate::rightAlone() const
+{
+    QStringList ids;
+    for (const Defect &defect : defects) {
+        if (defect.isRightAlone)
+            ids += defect.id;
+    }
+    return ids;
+}
+
 QStringList DiagnosisCandidate::sentences(QString Defect::*words) const
 {
     QStringList sentences;
     for (const Defect &defect : defects) {
-        if (!sentences.contains(defect.*words))
+        const bool isTold = words != &Defect::forStudent || !defect.isRightAlone;
+        if (isTold && !sentences.contains(defect.*words))
             sentences += defect.*words;
     }
     return sentences;

@@ -32,7 +32,10 @@ struct DiagnosisCandidate {
     std::optional<Arithmetic> arithmetic = {}; ///< not the scene's, in which pictures are equal
 
     QStringList ids() const;
-    /// A sentence a defect, for whom it is; of those that are the same one.
+    /// The ids of those that alone are no mistake.
+    QStringList rightAlone() const;
+    /// A sentence a defect, for whom it is; of those that are the same one. A student is told of
+    /// mistakes alone.
     QStringList sentences(QString Defect::*words) const;
 };
 
@@ -61,7 +64,7 @@ struct Diagnosis {
     /// one in it; where there is none, every one that leaves undecidable pixels alone, and behind
     /// them those that equal the pictures with one of these in them; else, if the pictures are
     /// wrong, at most five of the nearest ones: of single defects, and of pairs of one of those
-    /// that come nearest alone with another.
+    /// that come nearest alone with another, which leave at most three quarters of what it leaves.
     std::vector<DiagnosisCandidate> candidates;
 
     bool isExplained() const { return !candidates.empty() && candidates.front().distance == 0; }

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/gradereport.h"
+#include "core/grade/programrun.h"
 
 #include <QMap>
 
@@ -9,9 +10,10 @@ namespace pixelplumb {
 
 namespace {
 
+/// By what is a mistake: what is none alone names no cause.
 QString setText(const GradedCandidate &candidate)
 {
-    return candidate.defects.join(QStringLiteral(" and "));
+    return candidate.mistakes().join(QStringLiteral(" and "));
 }
 
 /// All that explain the submission.
@@ -20,23 +22,38 @@ QStringList setsOf(const GradedSubmission &submission)
     QStringList sets;
     for (const GradedCandidate &candidate : submission.candidates)
         sets += setText(candidate);
+    sets.removeDuplicates();
     return sets;
 }
 
-/// Of a submission that has a picture too few: what became of it; empty of others.
+/// "crashed", "timed out", "empty": why a scene has no picture; empty where there is one, or the
+/// grade is of a time when nobody said.
+QString lackText(const GradedScene &scene)
+{
+    if (!scene.lack)
+        return {};
+    const bool hasEnded = scene.run && scene.run->end != nameOf(ProgramEnd::Finished);
+    return *scene.lack == PictureLack::NotDrawn && hasEnded ? scene.run->end : nameOf(*scene.lack);
+}
+
+/// Of a submission that has a picture too few: why, each reason once; empty of others.
 QString faultTitle(const GradedSubmission &submission)
 {
-    const auto count = [&submission](const auto &isSuch) {
-        return std::ranges::count_if(submission.scenes, isSuch);
-    };
-    const auto faulty = count([](const GradedScene &scene) { return !scene.fault.isEmpty(); });
-    const auto inFiles = count(
-        [](const GradedScene &scene) { return !scene.fault.isEmpty() && !scene.file.isEmpty(); });
-    if (faulty > 0 && inFiles == faulty)
-        return QStringLiteral("pictures of another size, or unreadable");
-    if (submission.verdict == GradeVerdict::Nothing)
-        return QStringLiteral("no picture");
-    return faulty > 0 ? QStringLiteral("pictures are missing") : QString();
+    QStringList lacks;
+    bool isFaulty = false;
+    for (const GradedScene &scene : submission.scenes) {
+        isFaulty = isFaulty || !scene.fault.isEmpty();
+        if (const QString lack = lackText(scene); !lack.isEmpty())
+            lacks += lack;
+    }
+    lacks.sort();
+    lacks.removeDuplicates();
+    const bool hasNone = submission.verdict == GradeVerdict::Nothing;
+    if (!hasNone && !isFaulty)
+        return {};
+    const QString what
+        = hasNone ? QStringLiteral("no picture") : QStringLiteral("not every scene has a picture");
+    return lacks.isEmpty() ? what : what + QStringLiteral(": ") + lacks.join(QStringLiteral(", "));
 }
 
 /// What is known of a class before its submissions are put together.
@@ -57,11 +74,14 @@ public:
         if (submission.verdict == GradeVerdict::Nothing)
             return faultTitle(submission);
         if (submission.verdict == GradeVerdict::Right)
-            return QStringLiteral("right");
-        if (submission.isExplained())
-            return m_sets[setText(submission.candidates.front())].join(QStringLiteral(", or "));
+            return submission.lacksColours() ? rasterText(submission) : verdictText(submission);
+        const QString sets = submission.isExplained()
+            ? m_sets[setText(submission.candidates.front())].join(QStringLiteral(", or "))
+            : QString();
         if (submission.verdict == GradeVerdict::Undecidable)
-            return QStringLiteral("undecidable");
+            return openTitle(submission, sets);
+        if (!sets.isEmpty())
+            return sets;
         const QString fault = faultTitle(submission);
         if (submission.differing == 0 && !fault.isEmpty())
             return fault;
@@ -69,6 +89,16 @@ public:
     }
 
 private:
+    /// Nothing is wrong with it, whatever explains it: it is not among those with which something
+    /// is.
+    static QString openTitle(const GradedSubmission &submission, const QString &sets)
+    {
+        const QString title = submission.lacksColours()
+            ? rasterText(submission)
+            : QStringLiteral("undecidable: full points");
+        return sets.isEmpty() ? title : QStringLiteral("%1, as with %2").arg(title, sets);
+    }
+
     /// Of submissions that the same set explains first, the sets that explain them all: rounding
     /// may let one of them have more than another.
     void takeSets(const GradedSubmission &submission)

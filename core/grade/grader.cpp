@@ -137,6 +137,7 @@ GradedScene Grader::judge(std::size_t scene, const Delivery &delivery) const
     graded.scene = asked.name;
     graded.file = delivery.file;
     graded.fault = delivery.fault;
+    graded.lack = delivery.lack;
     graded.run = delivery.run;
     graded.trace = delivery.trace;
     graded.note = delivery.note;

@@ -60,6 +60,8 @@ GradedCandidate Grader::gradedOf(const DiagnosisCandidate &candidate,
     if (candidate.arithmetic)
         graded.arithmetic = nameText(nameOf(*candidate.arithmetic));
     graded.parts = partingOf(candidate, found);
+    if (const QStringList ids = candidate.rightAlone(); !ids.isEmpty())
+        graded.rightAlone = ids;
     return graded;
 }
 

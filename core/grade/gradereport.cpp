@@ -30,6 +30,10 @@ QString differencesText(const GradedScene &scene)
 
 void appendClass(const GradedSubmission &submission, QStringList &lines)
 {
+    if (submission.lacksColours()) {
+        lines += rasterText(submission);
+        return;
+    }
     for (const GradedScene &scene : submission.scenes) {
         if (!scene.fault.isEmpty())
             lines += QStringLiteral("%1: %2").arg(scene.scene, scene.fault);
@@ -107,6 +111,32 @@ QString nameOf(GradeVerdict verdict)
     return QStringLiteral("nothing");
 }
 
+QString nameOf(PictureLack lack)
+{
+    switch (lack) {
+    case PictureLack::NotThere:
+        return QStringLiteral("not there");
+    case PictureLack::NotDrawn:
+        return QStringLiteral("not drawn");
+    case PictureLack::Empty:
+        return QStringLiteral("empty");
+    case PictureLack::OtherSize:
+        return QStringLiteral("of another size");
+    case PictureLack::TraceAlone:
+        return QStringLiteral("a trace alone");
+    case PictureLack::Unreadable:
+        break;
+    }
+    return QStringLiteral("unreadable");
+}
+
+QStringList GradedCandidate::mistakes() const
+{
+    QStringList ids = defects;
+    ids.removeIf([this](const QString &id) { return rightAlone && rightAlone->contains(id); });
+    return ids;
+}
+
 double GradedSubmission::points() const
 {
     double sum = 0;
@@ -115,6 +145,27 @@ double GradedSubmission::points() const
             sum += check.points;
     }
     return sum;
+}
+
+bool GradedSubmission::lacksColours() const
+{
+    const auto isUnpassed = [](const GradedCheck &check) { return !check.isPassed; };
+    return (verdict == GradeVerdict::Right || verdict == GradeVerdict::Undecidable)
+        && std::ranges::any_of(scenes, [&](const GradedScene &scene) {
+               return std::ranges::any_of(scene.checks, isUnpassed);
+           });
+}
+
+QString verdictText(const GradedSubmission &submission)
+{
+    const QString name = nameOf(submission.verdict);
+    return submission.lacksColours() ? name + QStringLiteral(" in coverage") : name;
+}
+
+QString rasterText(const GradedSubmission &submission)
+{
+    return QStringLiteral("%1 as far as a raster tells: colours are not in it")
+        .arg(nameOf(submission.verdict));
 }
 
 QStringList sentencesFor(const GradedSubmission &submission, HintLevel level)

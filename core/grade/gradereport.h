@@ -20,6 +20,20 @@ inline constexpr std::array allGradeVerdicts
     = {GradeVerdict::Right, GradeVerdict::Undecidable, GradeVerdict::Wrong, GradeVerdict::Nothing};
 QString nameOf(GradeVerdict verdict); ///< "right", "undecidable", "wrong", "nothing"
 
+/// Why there is no picture of a scene to judge.
+enum class PictureLack {
+    NotThere, ///< neither a file nor a program
+    NotDrawn, ///< the program could not be run, or did not end well: GradedRun::end
+    Empty,
+    OtherSize,
+    TraceAlone, ///< lines of a trace, none of them a pixel's
+    Unreadable,
+};
+inline constexpr std::array allPictureLacks
+    = {PictureLack::NotThere,  PictureLack::NotDrawn,   PictureLack::Empty,
+       PictureLack::OtherSize, PictureLack::TraceAlone, PictureLack::Unreadable};
+QString nameOf(PictureLack lack); ///< "not there", "not drawn", "empty", "of another size" …
+
 /// One check of one scene.
 struct GradedCheck {
     Check check = Check::Picture;
@@ -52,6 +66,8 @@ struct GradedScene {
     QString scene; ///< its name in the assignment
     QString file; ///< the picture's in the submission, escaped; empty: none, or a program drew it
     QString fault; ///< why there is no picture to judge: "no file shallow.png"; empty: there is one
+    std::optional<PictureLack> lack
+        = {}; ///< the same as a kind; none: there is one, or nobody said
     QString picture; ///< a copy of what was judged, as seen from the results' folder; or empty
     std::array<std::int64_t, allPixelVerdicts.size()> counts = {}; ///< pixels, by PixelVerdict
     int largestError = 0; ///< of a byte, where the colour is wrong
@@ -81,13 +97,15 @@ struct GradedParting {
 /// Defects that together explain the pictures, or come nearest.
 struct GradedCandidate {
     QStringList defects; ///< their ids, as DiagnosisCandidate has them
-    QStringList forStudent; ///< sentences
+    QStringList forStudent; ///< sentences, on what is a mistake
     QStringList forAssistant;
     std::int64_t distance = 0; ///< pixels that are not explained, of all pictures
     std::optional<std::int64_t> undecidable = {}; ///< pixels that may be either way; none: 0
     std::optional<QString> arithmetic = {}; ///< not the scene's, in which pictures are equal
     std::optional<GradedParting> parts = {};
+    std::optional<QStringList> rightAlone = {}; ///< of the ids those that alone are no mistake
 
+    QStringList mistakes() const; ///< the other ids
     friend bool operator==(const GradedCandidate &, const GradedCandidate &) = default;
 };
 
@@ -114,6 +132,9 @@ struct GradedSubmission {
     GradeReview review = {}; ///< not in the submission's own file
 
     double points() const;
+    /// Whether nothing is wrong that was handed in, but colours were asked for and are not there: a
+    /// raster of characters has none.
+    bool lacksColours() const;
     /// Whether the candidates explain the submission's pictures.
     bool isExplained() const { return !candidates.empty() && candidates.front().distance == 0; }
 
@@ -129,8 +150,14 @@ struct GradeReport {
     friend bool operator==(const GradeReport &, const GradeReport &) = default;
 };
 
+/// The verdict as it is shown: its name; where colours are lacking, "right in coverage".
+QString verdictText(const GradedSubmission &submission);
+/// Of a submission that lacks colours, what its verdict holds of.
+QString rasterText(const GradedSubmission &submission);
+
 /// Submissions that have one cause: the same set of defects explains them. Of those that none
-/// explains, the ones that have the same pictures, or else to which the same set comes nearest.
+/// explains, the ones that have the same pictures, or else to which the same set comes nearest. Of
+/// those that have no picture, the ones that lack it for the same reason.
 struct GradeCluster {
     QString title; ///< "unsorted-colours", "right", "no known defect, near to flat-first"
     QStringList forStudent; ///< of its first set

@@ -82,7 +82,7 @@ void writeSubmission(QXmlStreamWriter &xml, const GradedSubmission &submission, 
                 xml.writeStartElement(QStringLiteral("failure"));
                 xml.writeAttribute(
                     QStringLiteral("message"),
-                    xmlText({scene.fault.isEmpty() ? nameOf(submission.verdict) : scene.fault}));
+                    xmlText({scene.fault.isEmpty() ? verdictText(submission) : scene.fault}));
                 xml.writeCharacters(told);
                 xml.writeEndElement();
             }
@@ -120,7 +120,7 @@ QByteArray csvOf(const GradeReport &report)
     for (const GradedSubmission &each : report.submissions)
         writer->writeRow(
             {cellText(each.name), pointsText(each.points()), pointsText(report.assignment.points()),
-             nameOf(each.verdict), differingText(each), defectsText(each),
+             verdictText(each), differingText(each), defectsText(each),
              cellText(sentencesFor(each, report.assignment.hint).join(QStringLiteral(" / "))),
              cellText(each.review.comment),
              each.review.isAccepted ? QStringLiteral("yes") : QStringLiteral("no"),

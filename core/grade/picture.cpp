@@ -146,6 +146,7 @@ bool isPictureFormat(const QByteArray &format)
 
 Result<Picture> parsePicture(const QByteArray &content, const QString &name)
 {
+    const QString formats = QStringLiteral("PNG, PPM, BMP, or a raster of # and .");
     if (looksLikeRaster(content)) {
         const Result<CoverageMask> raster = parseAsciiRaster(QString::fromLatin1(content));
         if (!raster)
@@ -156,17 +157,18 @@ Result<Picture> parsePicture(const QByteArray &content, const QString &name)
         takeCoverage(*raster, picture);
         return picture;
     }
-    if (const QString fault = pictureFault(content); !fault.isEmpty())
-        return InputError{name, QStringLiteral("no picture: ") + fault,
-                          QStringLiteral("a whole file")};
-    if (const QString fault = pnmFault(content); !fault.isEmpty())
-        return InputError{name, fault, {}};
+    if (content.isEmpty())
+        return InputError{name, QStringLiteral("it is empty"), formats};
+    for (const auto faultIn : {pictureFault, pnmFault}) {
+        if (const QString fault = faultIn(content); !fault.isEmpty())
+            return InputError{name, QStringLiteral("no picture: ") + fault,
+                              QStringLiteral("a whole file")};
+    }
     QByteArray bytes = content;
     QBuffer buffer(&bytes);
     QImageReader reader(&buffer);
     if (const QSize size = reader.size(); size.isValid() && isTooLarge(size))
         return tooLarge(name, size);
-    const QString formats = QStringLiteral("PNG, PPM, BMP, or a raster of # and .");
     if (const QByteArray format = reader.format(); !format.isEmpty() && !isPictureFormat(format))
         return InputError{
             name, QStringLiteral("a picture of the kind %1").arg(QString::fromLatin1(format)),

@@ -4,6 +4,7 @@
 #include "core/grade/showntext.h"
 #include "core/scene/asciiraster.h"
 #include "core/scene/picturefault.h"
+#include "core/scene/pnmfault.h"
 
 #include <QBuffer>
 #include <QImageReader>
@@ -51,11 +52,15 @@ std::optional<InputError> objectionToHeader(const QString &name, const QByteArra
     if (!isPictureFormat(format))
         return noPicture(name, output);
     const QSize size = QImageReader(&buffer).size();
-    if (!size.isValid())
+    if (!size.isValid()) {
+        const QString fault = pnmFault(output);
         return InputError{name,
-                          QStringLiteral("a picture (%1) that is broken or ends early")
-                              .arg(QString::fromLatin1(format)),
+                          fault.isEmpty()
+                              ? QStringLiteral("a picture (%1) that is broken or ends early")
+                                    .arg(QString::fromLatin1(format))
+                              : fault,
                           {}};
+    }
     if (size != QSize(frame.width, frame.height))
         return otherSize(name, size, frame);
     return std::nullopt;
@@ -94,6 +99,23 @@ bool looksLikeTrace(const QByteArray &output)
     const QByteArray start = output.left(longestQuoted).trimmed();
     constexpr std::array words = {"column", "row", "pixel", "triangle"};
     return std::ranges::any_of(words, [&](const char *word) { return start.startsWith(word); });
+}
+
+bool isOfOtherSize(const QByteArray &output, const FrameSpec &frame)
+{
+    if (looksLikeTrace(output))
+        return false;
+    QSize size;
+    if (looksLikeRaster(output)) {
+        const Result<Picture> raster = parsePicture(output, {});
+        size = raster ? QSize(raster->width, raster->height) : size;
+    } else if (pictureFault(output).isEmpty()) {
+        QByteArray bytes = output;
+        QBuffer buffer(&bytes);
+        QImageReader reader(&buffer);
+        size = isPictureFormat(reader.format()) ? reader.size() : size;
+    }
+    return size.isValid() && size != QSize(frame.width, frame.height);
 }
 
 Result<StudentOutput> readStudentOutput(const QByteArray &output, const Scene &scene,

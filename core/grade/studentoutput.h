@@ -19,6 +19,9 @@ struct StudentOutput {
 /// Whether it begins as lines of a trace do.
 bool looksLikeTrace(const QByteArray &output);
 
+/// Whether it is a picture that is refused for its size alone.
+bool isOfOtherSize(const QByteArray &output, const FrameSpec &frame);
+
 /// Output that nobody trusts, or a file that was handed in, by its name: PNG, PPM, PGM, PBM, BMP, a
 /// raster of # and ., or lines. A picture of another size than the frame's is refused by its
 /// header, before there is room made for it.

@@ -81,6 +81,7 @@ public:
         for (std::size_t i = 0; i < m_right.size(); ++i) {
             m_places[{m_right[i].place, std::nullopt}].push_back(i);
             m_places[{m_right[i].place, m_right[i].primitive}].push_back(i);
+            m_hasSeveral = m_hasSeveral || m_right[i].primitive != m_right.front().primitive;
         }
     }
 
@@ -148,21 +149,30 @@ private:
     }
     std::pair<QString, std::size_t> missing(std::size_t right) const
     {
-        return {textOf(m_right[right].place) + QStringLiteral(" is missing"), m_right[right].step};
+        return {textOf(m_right[right]) + QStringLiteral(" is missing"), m_right[right].step};
     }
     std::size_t stepNear(std::size_t right) const
     {
         return m_right.empty() ? 0 : m_right[std::min(right, m_right.size() - 1)].step;
     }
 
+    /// "column 12"; where there are several triangles, "triangle 1, column 12".
+    QString textOf(const Place &place, const std::optional<std::size_t> &triangle) const
+    {
+        const QString text = pixelplumb::textOf(place);
+        return m_hasSeveral && triangle ? QStringLiteral("triangle %1, %2").arg(*triangle).arg(text)
+                                        : text;
+    }
+    QString textOf(const RightLine &line) const { return textOf(line.place, line.primitive); }
+
     QString unexpectedText(std::size_t line) const
     {
         const Key key{placeOf(m_lines[line]), m_lines[line].triangle};
         const auto found = m_places.find(key);
         if (found == m_places.end())
-            return textOf(key.first) + QStringLiteral(" is there, should not be");
+            return textOf(key.first, key.second) + QStringLiteral(" is there, should not be");
         const std::size_t times = found->second.size();
-        return textOf(key.first)
+        return textOf(key.first, key.second)
             + (times == 1 ? QStringLiteral(" comes twice, should come once")
                           : QStringLiteral(" comes once more, should come %1 times").arg(times));
     }
@@ -178,7 +188,7 @@ private:
             const Quantity should
                 = isByte ? Quantity::integer(byteOf(number.toDouble(), m_rounding)) : number;
             return QStringLiteral("%1, %2: %3, should be %4")
-                .arg(textOf(right.place), titleOf(line.axis, i), is.text, term(should));
+                .arg(textOf(right), titleOf(line.axis, i), is.text, term(should));
         }
         return {};
     }
@@ -213,7 +223,7 @@ private:
             if (step != (isSameTriangle ? direction : forward))
                 return std::pair(QStringLiteral("the numbers are right, the order is another: %1 "
                                                 "comes after %2, should come before it")
-                                     .arg(textOf(after.place), textOf(last->place)),
+                                     .arg(textOf(after), textOf(*last)),
                                  after.step);
         }
         return std::nullopt;
@@ -223,6 +233,7 @@ private:
     std::vector<RightLine> m_right;
     ByteRounding m_rounding;
     TraceExtent m_extent = TraceExtent::Whole;
+    bool m_hasSeveral = false; ///< triangles
     std::map<Key, std::vector<std::size_t>> m_places; ///< indices of ours, ascending
     std::vector<std::optional<std::size_t>> m_matches; ///< by line of the program's
     std::vector<bool> m_isMatched; ///< by line of ours

@@ -14,7 +14,8 @@ enum class TraceExtent { Whole, CutOff };
 
 /// The first quantity in which a program's trace differs from the right one.
 struct TraceDifference {
-    QString text; ///< "column 12, y_T: 41.5, should be 41 4/7"
+    QString
+        text; ///< "column 12, y_T: 41.5, should be 41 4/7"; of several triangles with its number
     Scene scene; ///< the run that is right: exact, by the method that has these numbers
     std::size_t step = 0; ///< of its trace
 

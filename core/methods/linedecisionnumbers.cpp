@@ -73,7 +73,8 @@ void appendDistances(NumberTable<DecisionState> &table)
                                 .unit = unit::px(),
                                 .toolTip = toolTip,
                                 .formula = rising,
-                                .group = Group::Decision},
+                                .group = Group::Decision,
+                                .comparison = Comparison::WithExact},
                                read,
                                specified(rising, falling)});
           };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/pnmfault.h"
 
+#include <algorithm>
 #include <cctype>
 #include <optional>
 
@@ -33,6 +34,7 @@ public:
         return m_content.sliced(first, m_place - first);
     }
     int line() const { return m_line; } ///< of the last word, from 1
+    qsizetype place() const { return m_place; } ///< behind the last word
 
 private:
     bool isSpace() const
@@ -51,26 +53,104 @@ private:
     int m_line = 1;
 };
 
+/// What the header says; levels from 0 to the greatest.
+struct PnmHeader {
+    char digit = '1'; ///< of P1 … P6
+    int width = 0;
+    int height = 0;
+    int greatest = 1;
+
+    bool isText() const { return digit <= '3'; }
+    bool isBitmap() const { return digit == '1' || digit == '4'; }
+    bool hasColours() const { return digit == '3' || digit == '6'; }
+    QString kind() const
+    {
+        return isBitmap() ? QStringLiteral("PBM")
+                          : (hasColours() ? QStringLiteral("PPM") : QStringLiteral("PGM"));
+    }
+    qint64 levels() const { return qint64(width) * height * (hasColours() ? 3 : 1); }
+    /// Of the pixels, where they are no text: bits fill up their line's last byte.
+    qint64 bytes() const
+    {
+        constexpr int greatestByte = 255;
+        return isBitmap() ? (qint64(width) + 7) / 8 * height
+                          : levels() * (greatest > greatestByte ? 2 : 1);
+    }
+};
+
+/// Reads the header behind its P and digit; what is wrong with it, or empty.
+QString headerFault(WordReader &reader, PnmHeader &header)
+{
+    constexpr int most = 65535; // of a side, of a level
+    const auto take = [&](const char *name, int &number) -> QString {
+        const auto word = reader.next();
+        if (!word)
+            return QStringLiteral("a %1 that ends early, in its header: it has no %2")
+                .arg(header.kind(), QLatin1String(name));
+        bool isNumber = false;
+        number = word->toInt(&isNumber);
+        if (isNumber && number >= 1 && number <= most)
+            return {};
+        constexpr int longestShown = 20;
+        return QStringLiteral("a broken %1: line %2: “%3” is no %4 from 1 to %5")
+            .arg(header.kind())
+            .arg(reader.line())
+            .arg(QString::fromLatin1(word->left(longestShown)), QLatin1String(name))
+            .arg(most);
+    };
+    if (const QString fault = take("width", header.width); !fault.isEmpty())
+        return fault;
+    if (const QString fault = take("height", header.height); !fault.isEmpty())
+        return fault;
+    return header.isBitmap() ? QString() : take("greatest level", header.greatest);
+}
+
+QString missingText(const PnmHeader &header, qint64 found, qint64 needed, const char *what)
+{
+    if (found >= needed)
+        return {};
+    return QStringLiteral("a %1 that ends early, %2 of %3 %4 are missing")
+        .arg(header.kind())
+        .arg(needed - found)
+        .arg(needed)
+        .arg(QLatin1String(what));
+}
+
+/// Bits of a bitmap may stand without a space between them.
+QString levelsFault(WordReader &reader, const PnmHeader &header)
+{
+    qint64 found = 0;
+    while (const auto word = reader.next()) {
+        bool isNumber = false;
+        const int level = word->toInt(&isNumber);
+        const bool isBits = word->count('0') + word->count('1') == word->size();
+        if (header.isBitmap() ? !isBits : !isNumber || level < 0 || level > header.greatest)
+            return QStringLiteral("line %1: no level from 0 to %2")
+                .arg(reader.line())
+                .arg(header.greatest);
+        found += header.isBitmap() ? word->size() : 1;
+    }
+    return missingText(header, found, header.levels(), "levels");
+}
+
 } // namespace
 
 QString pnmFault(const QByteArray &content)
 {
-    WordReader reader(content);
-    const auto kind = reader.next();
-    if (kind != "P2" && kind != "P3")
+    const bool isPnm = content.size() > 2 && content[0] == 'P' && content[1] >= '1'
+        && content[1] <= '6' && QByteArrayView(" \t\r\n#").contains(content[2]);
+    if (!isPnm)
         return {};
-    int greatest = 0;
-    for (int i = 0; i < 3; ++i) // width, height, greatest level
-        greatest = reader.next().value_or(QByteArray()).toInt();
-    while (const auto word = reader.next()) {
-        bool isNumber = false;
-        const int level = word->toInt(&isNumber);
-        if (!isNumber || level < 0 || level > greatest)
-            return QStringLiteral("line %1: no level from 0 to %2")
-                .arg(reader.line())
-                .arg(greatest);
-    }
-    return {};
+    WordReader reader(content);
+    reader.next();
+    PnmHeader header{content[1]};
+    if (const QString fault = headerFault(reader, header); !fault.isEmpty())
+        return fault;
+    if (header.isText())
+        return levelsFault(reader, header);
+    // One space alone stands before the pixels.
+    const qint64 found = std::max<qint64>(0, content.size() - reader.place() - 1);
+    return missingText(header, found, header.bytes(), "bytes of pixels");
 }
 
 } // namespace pixelplumb

@@ -48,10 +48,23 @@ private:
     std::size_t m_count = 0;
 };
 
+struct Method;
+
+/// Which settings a scene file does not name; they are as the method has them.
+struct OpenSettings {
+    bool arithmetic = true;
+    bool fillRule = true;
+};
+
+/// The settings of a scene drawn by a method: of those that are left open exact and closed, or the
+/// method's first where it keeps neither.
+ScanSettings settledFor(const Method &method, ScanSettings settings, const OpenSettings &open);
+
 /// A scene file as it was read.
 struct SceneReading {
     Scene scene;
     SnapReports snaps;
+    OpenSettings open = {};
 };
 
 /// Reads a scene in JSON: "pixelplumb", "frame" with "width" and "height", and "primitives" must be

@@ -170,13 +170,10 @@ private:
             }
         }
         scene.method = method->id.toStdString();
-        const JsonNode arithmetic = root[QStringLiteral("arithmetic")];
-        const JsonNode fillRule = root[QStringLiteral("fillRule")];
-        // What the scene leaves open is as the method has it.
-        if (arithmetic.isMissing() && !method->supports(scene.settings.arithmetic))
-            scene.settings.arithmetic = method->arithmetics.front();
-        if (fillRule.isMissing() && !method->supports(scene.settings.fillRule))
-            scene.settings.fillRule = method->fillRules.front();
+        OpenSettings &open = m_inHand.reading.open;
+        open = {root[QStringLiteral("arithmetic")].isMissing(),
+                root[QStringLiteral("fillRule")].isMissing()};
+        scene.settings = settledFor(*method, scene.settings, open);
         if (const QString refusal = method->refusal(scene.settings); !refusal.isEmpty())
             m_json.fail(refusedNode(*method, root), refusal, {});
     }
@@ -231,6 +228,18 @@ std::optional<Result<SceneReading>> readByPieces(const QByteArray &text,
 }
 
 } // namespace
+
+ScanSettings settledFor(const Method &method, ScanSettings settings, const OpenSettings &open)
+{
+    const ScanSettings byDefault;
+    if (open.arithmetic)
+        settings.arithmetic = method.supports(byDefault.arithmetic) ? byDefault.arithmetic
+                                                                    : method.arithmetics.front();
+    if (open.fillRule)
+        settings.fillRule
+            = method.supports(byDefault.fillRule) ? byDefault.fillRule : method.fillRules.front();
+    return settings;
+}
 
 QString SnapReport::message() const
 {

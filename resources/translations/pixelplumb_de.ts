@@ -1341,6 +1341,14 @@
         <source>step %1, triangle %2</source>
         <translation>Schritt %1, Dreieck %2</translation>
     </message>
+    <message>
+        <source>right in coverage</source>
+        <translation>richtig in der Abdeckung</translation>
+    </message>
+    <message>
+        <source>undecidable in coverage</source>
+        <translation>unentscheidbar in der Abdeckung</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::CostStack</name>
@@ -2387,6 +2395,21 @@
         <source>Give every submission of the same cause this comment</source>
         <translation>Jeder Abgabe mit derselben Ursache diesen Kommentar geben</translation>
     </message>
+    <message>
+        <source>What explains the pictures, for you, not for the student</source>
+        <translation>Was die Bilder erklärt, für Sie, nicht für die Studierenden</translation>
+    </message>
+    <message>
+        <source>What was done, for you</source>
+        <translation>Was geschehen ist, für Sie</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::GradeTable</name>
+    <message>
+        <source>Submissions</source>
+        <translation>Abgaben</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::GradeTableModel</name>
@@ -2515,10 +2538,6 @@
     <message>
         <source>Show one cause&apos;s submissions</source>
         <translation>Die Abgaben mit einer Ursache zeigen</translation>
-    </message>
-    <message>
-        <source>Submissions</source>
-        <translation>Abgaben</translation>
     </message>
     <message>
         <source>Open Results</source>

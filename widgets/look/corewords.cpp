@@ -93,6 +93,8 @@ constexpr const char *context = "pixelplumb::CoreWords";
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "right"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "wrong"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "nothing"),
+    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "right in coverage"),
+    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "undecidable in coverage"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "within spread"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "faster"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "slower"),

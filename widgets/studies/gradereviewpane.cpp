@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/gradereviewpane.h"
 
+#include "widgets/look/elidedlabel.h"
 #include "widgets/look/namedwidget.h"
 #include "widgets/studies/gradebook.h"
 #include "widgets/studies/submissionopening.h"
@@ -29,10 +30,18 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     m_scene = named(new QComboBox(this), "gradingScene", tr("The scene whose picture is shown"));
     m_scene->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     m_scene->setMinimumContentsLength(4);
+    m_causes = named(new ElidedLabel(this), "gradingCauses",
+                     tr("What explains the pictures, for you, not for the student"));
+    QFont bold = m_causes->font();
+    bold.setBold(true);
+    m_causes->setFont(bold);
     m_sentences = named(new QLabel(this), "gradingSentences", tr("What the student is told"));
-    m_sentences->setWordWrap(true);
-    m_sentences->setAlignment(Qt::AlignTop);
-    m_sentences->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_done = named(new QLabel(this), "gradingDone", tr("What was done, for you"));
+    for (QLabel *each : {m_sentences, m_done}) {
+        each->setWordWrap(true);
+        each->setAlignment(Qt::AlignTop);
+        each->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    }
     m_comment = named(new QPlainTextEdit(this), "gradingComment",
                       tr("Your comment, for the student; it is saved as you leave the field"));
     m_comment->setPlaceholderText(tr("comment (C); Escape: back to the table"));
@@ -45,7 +54,13 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     told->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     told->setFocusPolicy(Qt::NoFocus);
     told->setMinimumHeight(2 * line);
-    told->setWidget(m_sentences);
+    auto *page = new QWidget(told);
+    auto *lines = new QVBoxLayout(page);
+    lines->setContentsMargins(0, 0, 0, 0);
+    lines->setSpacing(4);
+    lines->addWidget(m_sentences);
+    lines->addWidget(m_done, 1);
+    told->setWidget(page);
     m_comment->installEventFilter(this);
     m_accept = namedButton("gradingAccept", tr("Accept (A)"),
                            tr("This grade is reviewed and goes out as it is (A)"), this);
@@ -58,7 +73,11 @@ GradeReviewPane::GradeReviewPane(Gradebook *book, QWidget *parent)
     row->addWidget(m_accept);
     row->addWidget(m_forCluster);
     column->addLayout(row);
-    column->addWidget(told, 1);
+    auto *texts = new QVBoxLayout;
+    texts->setSpacing(0);
+    texts->addWidget(m_causes);
+    texts->addWidget(told, 1);
+    column->addLayout(texts, 1);
     column->addWidget(m_comment, 1);
     connect(m_scene, &QComboBox::activated, this, &GradeReviewPane::sceneChosen);
     connect(m_accept, &QToolButton::clicked, this, &GradeReviewPane::toggleAccepted);
@@ -142,11 +161,26 @@ void GradeReviewPane::showReview()
     const GradedSubmission *submission = m_shown ? &report.submissions[*m_shown] : nullptr;
     m_accept->setChecked(submission && submission->review.isAccepted);
     m_sentences->clear();
+    showCauses();
     if (!submission)
         return;
     GradedSubmission told = *submission;
     told.review.comment.clear(); // which stands in the field below
     m_sentences->setText(sentencesFor(told, report.assignment.hint).join(u'\n'));
+}
+
+/// Of what is right nothing is to be explained.
+void GradeReviewPane::showCauses()
+{
+    const GradedSubmission *submission
+        = m_shown ? &m_book->report().submissions[*m_shown] : nullptr;
+    const bool hasCause = submission && submission->verdict != GradeVerdict::Right;
+    m_causes->setVisible(hasCause);
+    m_causes->setWholeText(hasCause ? m_book->clusters()[m_book->clusterOf(*m_shown)].title
+                                    : QString());
+    const bool isExplained = hasCause && submission->isExplained();
+    m_done->setText(isExplained ? submission->candidates.front().forAssistant.join(u' ')
+                                : QString());
 }
 
 bool GradeReviewPane::eventFilter(QObject *watched, QEvent *event)

@@ -12,11 +12,13 @@ class QToolButton;
 
 namespace pixelplumb {
 
+class ElidedLabel;
 class Gradebook;
 struct GradedPicture;
 
-/// What one student is told, and what the assistant says to it. A comment is saved as soon as the
-/// field is left, for the table, another submission or another folder.
+/// What explains one student's pictures, what the student is told, and what the assistant says to
+/// it. A comment is saved as soon as the field is left, for the table, another submission or
+/// another folder.
 class GradeReviewPane : public QWidget {
     Q_OBJECT
 
@@ -46,11 +48,14 @@ private:
     void commentCluster();
     void showReport();
     void showReview();
+    void showCauses();
 
     Gradebook *m_book;
     std::optional<std::size_t> m_shown;
     QComboBox *m_scene = nullptr;
+    ElidedLabel *m_causes = nullptr;
     QLabel *m_sentences = nullptr;
+    QLabel *m_done = nullptr;
     QPlainTextEdit *m_comment = nullptr;
     QToolButton *m_accept = nullptr;
     QToolButton *m_forCluster = nullptr;

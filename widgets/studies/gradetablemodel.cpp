@@ -69,7 +69,7 @@ QString GradeTableModel::textOf(std::size_t row, int column) const
             .arg(submission.points())
             .arg(m_book->report().assignment.points());
     case Verdict:
-        return coreWord(nameOf(submission.verdict));
+        return coreWord(verdictText(submission));
     case Cause:
         return m_book->clusters()[m_book->clusterOf(row)].title;
     case State:

@@ -7,30 +7,20 @@
 #include "widgets/studies/gradedialog.h"
 #include "widgets/studies/gradefilter.h"
 #include "widgets/studies/gradereviewpane.h"
+#include "widgets/studies/gradetable.h"
 #include "widgets/studies/gradetablemodel.h"
 
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QDir>
 #include <QFileDialog>
-#include <QHeaderView>
-#include <QKeyEvent>
 #include <QLineEdit>
 #include <QProgressBar>
-#include <QTableView>
 #include <QToolButton>
 
 #include <algorithm>
 
 namespace pixelplumb {
-
-namespace {
-
-// Logical pixels.
-constexpr int widthForComments = 480; ///< of the table
-constexpr int leastSharedWidth = 72; ///< of the defects, of the comments, of a name
-
-} // namespace
 
 GradingPanel::GradingPanel(QWidget *parent)
     : QWidget(parent)
@@ -120,30 +110,23 @@ void GradingPanel::addFiles(QBoxLayout *layout)
 void GradingPanel::addTable(QBoxLayout *layout)
 {
     auto *column = new QVBoxLayout;
-    m_table = new QTableView(this);
-    m_table->setObjectName(QStringLiteral("gradingTable"));
-    m_table->setAccessibleName(tr("Submissions"));
-    m_table->setModel(m_filter);
-    m_table->setSelectionBehavior(QAbstractItemView::SelectRows);
-    m_table->setSelectionMode(QAbstractItemView::SingleSelection);
-    m_table->setEditTriggers(QAbstractItemView::NoEditTriggers);
-    m_table->setSortingEnabled(true);
-    m_table->sortByColumn(GradeTableModel::Name, Qt::AscendingOrder);
-    m_table->setWordWrap(false);
-    m_table->verticalHeader()->hide();
-    m_table->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 8);
-    for (const int shared : {GradeTableModel::Cause, GradeTableModel::Comment})
-        m_table->horizontalHeader()->setSectionResizeMode(shared, QHeaderView::Stretch);
-    m_table->horizontalHeader()->setMinimumSectionSize(24);
-    m_table->horizontalHeader()->setTextElideMode(Qt::ElideRight);
-    m_table->installEventFilter(this);
+    m_table = new GradeTable(m_filter, this);
     m_summary = new ElidedLabel(this);
     m_summary->setObjectName(QStringLiteral("gradingSummary"));
     column->addWidget(m_table, 1);
     column->addWidget(m_summary);
     layout->addLayout(column, 3);
-    connect(m_table, &QTableView::clicked, this, &GradingPanel::openChosen);
-    connect(m_table, &QTableView::activated, this, &GradingPanel::openChosen);
+    for (const auto opening : {&QTableView::clicked, &QTableView::activated})
+        connect(m_table, opening, this, &GradingPanel::openChosen);
+    connect(m_table, &GradeTable::moved, this, &GradingPanel::openChosen);
+    connect(m_table, &GradeTable::acceptAsked, this, [this] {
+        takeChosen();
+        m_review->toggleAccepted();
+    });
+    connect(m_table, &GradeTable::commentAsked, this, [this] {
+        takeChosen();
+        m_review->beginComment();
+    });
 }
 
 void GradingPanel::openResults()
@@ -180,39 +163,17 @@ void GradingPanel::showReport()
     for (const GradeCluster &cluster : m_book->clusters())
         m_cluster->addItem(
             tr("%1 (%2)").arg(cluster.title, QString::number(cluster.submissions.size())));
-    fitColumns();
+    m_table->fitColumns();
     m_report->setEnabled(!m_book->results().isEmpty());
     showSummary();
     emit closeRequested(); // it is of the report before
 }
 
-/// Defects and comments, which may be long, share what the others leave; all of a cell is in its
-/// tool tip. A narrow table goes without comments, of which the one in hand stands beside it. Of
-/// the others a long name gives way.
-void GradingPanel::fitColumns()
-{
-    QHeaderView *header = m_table->horizontalHeader();
-    const int width = m_table->viewport()->width();
-    const bool hasComments = width >= widthForComments;
-    m_table->setColumnHidden(GradeTableModel::Comment, !hasComments);
-    int rest = width - (hasComments ? 2 : 1) * leastSharedWidth;
-    for (const int column :
-         {GradeTableModel::Points, GradeTableModel::Verdict, GradeTableModel::State}) {
-        m_table->resizeColumnToContents(column);
-        rest -= header->sectionSize(column);
-    }
-    m_table->resizeColumnToContents(GradeTableModel::Name);
-    header->resizeSection(
-        GradeTableModel::Name,
-        std::min(header->sectionSize(GradeTableModel::Name), std::max(rest, leastSharedWidth)));
-}
-
-/// A table that takes the focus has a current row, but nobody chose it.
 std::optional<std::size_t> GradingPanel::chosen() const
 {
-    const QModelIndexList rows = m_table->selectionModel()->selectedRows();
-    return rows.isEmpty() ? std::nullopt
-                          : std::optional(std::size_t(m_filter->mapToSource(rows.front()).row()));
+    const std::optional<int> row = m_table->chosenRow();
+    return row ? std::optional(std::size_t(m_filter->mapToSource(m_filter->index(*row, 0)).row()))
+               : std::nullopt;
 }
 
 void GradingPanel::showSummary()
@@ -276,55 +237,6 @@ void GradingPanel::openInHand()
 {
     if (const auto picture = m_review->picture())
         emit openRequested(*picture);
-}
-
-void GradingPanel::move(int by)
-{
-    const int count = m_filter->rowCount();
-    if (count == 0)
-        return;
-    const int row = chosen() ? std::clamp(m_table->currentIndex().row() + by, 0, count - 1) : 0;
-    m_table->setCurrentIndex(m_filter->index(row, 0));
-    openChosen();
-}
-
-bool GradingPanel::press(int key)
-{
-    switch (key) {
-    case Qt::Key_J:
-    case Qt::Key_Down:
-        move(1);
-        return true;
-    case Qt::Key_K:
-    case Qt::Key_Up:
-        move(-1);
-        return true;
-    case Qt::Key_A:
-        takeChosen();
-        m_review->toggleAccepted();
-        return true;
-    case Qt::Key_C:
-        takeChosen();
-        m_review->beginComment();
-        return true;
-    default:
-        return false;
-    }
-}
-
-void GradingPanel::resizeEvent(QResizeEvent *event)
-{
-    QWidget::resizeEvent(event);
-    fitColumns();
-}
-
-bool GradingPanel::eventFilter(QObject *watched, QEvent *event)
-{
-    if (watched != m_table || event->type() != QEvent::KeyPress)
-        return QWidget::eventFilter(watched, event);
-    const auto *key = static_cast<QKeyEvent *>(event);
-    const bool isPlain = (key->modifiers() & ~Qt::KeypadModifier) == Qt::NoModifier;
-    return (isPlain && press(key->key())) || QWidget::eventFilter(watched, event);
 }
 
 } // namespace pixelplumb

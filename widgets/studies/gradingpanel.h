@@ -12,7 +12,6 @@ class QBoxLayout;
 class QComboBox;
 class QLineEdit;
 class QProgressBar;
-class QTableView;
 class QToolButton;
 
 namespace pixelplumb {
@@ -21,6 +20,7 @@ class ElidedLabel;
 class Gradebook;
 class GradeFilter;
 class GradeReviewPane;
+class GradeTable;
 class GradeTableModel;
 
 /// The assistant's bench: the submissions of a graded folder as a table, by cause, with what each
@@ -45,22 +45,15 @@ signals:
     void openRequested(const pixelplumb::GradedPicture &picture);
     void closeRequested(); ///< nobody is in hand
 
-protected:
-    void resizeEvent(QResizeEvent *event) override;
-    bool eventFilter(QObject *watched, QEvent *event) override;
-
 private:
     void addFiles(QBoxLayout *layout);
     void addTable(QBoxLayout *layout);
     void followJob();
     void showReport();
-    void fitColumns();
     void showSummary();
     void takeChosen();
     void openChosen();
     void openInHand();
-    bool press(int key);
-    void move(int by);
     template <class Change>
     void narrow(const Change &change);
     std::optional<std::size_t> chosen() const; ///< the place of the submission in the report
@@ -74,7 +67,7 @@ private:
     QProgressBar *m_progress = nullptr;
     QLineEdit *m_words = nullptr;
     QComboBox *m_cluster = nullptr;
-    QTableView *m_table = nullptr;
+    GradeTable *m_table = nullptr;
     ElidedLabel *m_summary = nullptr;
     QTimer m_taking; ///< runs while another row is selected than the one in hand
 };

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/gradefile.h"
+#include "core/scene/jsonfields.h"
+
+namespace pixelplumb {
+
+// What the parts of a submission's grade are called in files.
+
+template <PartOf<GradedCheck> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("check", self.check);
+    visit("passed", self.isPassed);
+    visit("points", self.points);
+    visit("of", self.of);
+}
+
+template <PartOf<GradedRun> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("end", self.end);
+    visit("told", self.told);
+    visit("messages", self.messages);
+}
+
+template <PartOf<FramePixel> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("x", self.x);
+    visit("y", self.y);
+}
+
+template <PartOf<GradedScene> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("scene", self.scene);
+    visit("file", self.file);
+    visit("fault", self.fault);
+    visit("lack", self.lack);
+    visit("picture", self.picture);
+    visit("counts", self.counts); // same, missing, extra, colour, undecidable
+    visit("largestError", self.largestError);
+    visit("causes", self.causes);
+    visit("firstDifference", self.firstDifference);
+    visit("run", self.run);
+    visit("trace", self.trace);
+    visit("note", self.note);
+    visit("checks", self.checks);
+    visit("explanations", self.explanations);
+}
+
+template <PartOf<GradedPart> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("part", self.number);
+    visit("of", self.of);
+    visit("submissions", self.submissions);
+}
+
+template <PartOf<GradedParting> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("scene", self.scene);
+    visit("step", self.step);
+    visit("heading", self.heading);
+    visit("text", self.text);
+}
+
+template <PartOf<GradedCandidate> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("defects", self.defects);
+    visit("student", self.forStudent);
+    visit("assistant", self.forAssistant);
+    visit("distance", self.distance);
+    visit("undecidable", self.undecidable);
+    visit("arithmetic", self.arithmetic);
+    visit("parts", self.parts);
+    visit("rightAlone", self.rightAlone);
+}
+
+template <PartOf<GradeReview> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("comment", self.comment);
+    visit("accepted", self.isAccepted);
+}
+
+template <PartOf<GradedSubmission> Self, class Visit>
+void eachField(Self &self, const Visit &visit)
+{
+    visit("name", self.name);
+    visit("id", self.id);
+    visit("digest", self.digest);
+    visit("verdict", self.verdict);
+    visit("differing", self.differing);
+    visit("scenes", self.scenes);
+    visit("candidates", self.candidates);
+    visit("pictures", self.pictures);
+}
+
+template <>
+struct FileWords<Check> {
+    static constexpr const auto &all = allChecks;
+};
+template <>
+struct FileWords<PictureLack> {
+    static constexpr const auto &all = allPictureLacks;
+};
+template <>
+struct FileWords<GradeVerdict> {
+    static constexpr const auto &all = allGradeVerdicts;
+};
+
+} // namespace pixelplumb
