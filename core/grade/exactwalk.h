@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/grade/exacttrack.h"
 #include "core/grade/walkedprogram.h"
 #include "core/number/wideinteger.h"
 
@@ -13,41 +14,7 @@ namespace pixelplumb {
 struct ExactWalk {
     static bool represents(const LatticePoint &point) { return isNarrow(point); }
 
-    /// What is left of a quotient; its denominator is positive.
-    template <class Integer>
-    static Integer cut(const Integer &numerator, const Integer &denominator, Kept kept)
-    {
-        if (kept == Kept::Nearest)
-            return floorDivide<Integer>(2 * numerator + denominator, 2 * denominator);
-        return kept == Kept::Down ? floorDivide<Integer>(numerator, denominator)
-                                  : Integer(numerator / denominator);
-    }
-
-    /// Something that is stepped along an edge.
-    struct Track {
-        Int128 at = 0, rate = 0;
-        Int128 denominator = unitsPerPixel; ///< of both; > 0
-
-        Int128 floor() const { return floorDivide<Int128>(at, denominator); }
-        Int128 ceil() const { return ceilDivide<Int128>(at, denominator); }
-        void store(Kept kept)
-        {
-            if (kept != Kept::All)
-                at = cut<Int128>(at, denominator, kept) * denominator;
-        }
-        void step(Kept kept)
-        {
-            at += rate;
-            store(kept);
-        }
-        /// Goes on from where another one has come to.
-        void carryOn(const Track &other)
-        {
-            at = other.at * denominator;
-            rate *= other.denominator;
-            denominator *= other.denominator;
-        }
-    };
+    using Track = ExactTrack;
 
     /// Where an edge meets the span in hand.
     class Edge {
@@ -112,7 +79,7 @@ struct ExactWalk {
         std::int64_t ceil() const { return std::int64_t(m_places.ceil()); }
         std::int64_t nearest() const
         {
-            return std::int64_t(cut<Int128>(m_places.at, m_places.denominator, Kept::Nearest));
+            return std::int64_t(leftOf<Int128>(m_places.at, m_places.denominator, Kept::Nearest));
         }
 
     private:
@@ -135,7 +102,7 @@ struct ExactWalk {
                 change.by = -change.by;
             }
             if (change.kept != Kept::All)
-                change.by = cut<Int128>(change.by, divisor, change.kept) * divisor;
+                change.by = leftOf<Int128>(change.by, divisor, change.kept) * divisor;
             return {change.from * divisor + way * change.by, change.by * unitsPerPixel,
                     divisor * unitsPerPixel};
         }
@@ -239,10 +206,10 @@ private:
         else if (walk.preSteps == Kept::All)
             ramp.first += way * rise * Int256(upper.denominator);
         else
-            ramp = preSteppedBy(cut(ramp.step, ramp.denominator, walk.preSteps) * way, ramp,
+            ramp = preSteppedBy(leftOf(ramp.step, ramp.denominator, walk.preSteps) * way, ramp,
                                 lower.denominator);
         if (walk.steps != Kept::All)
-            ramp.step = cut(ramp.step, ramp.denominator, walk.steps) * ramp.denominator;
+            ramp.step = leftOf(ramp.step, ramp.denominator, walk.steps) * ramp.denominator;
         if (walk.unsteppedAlongSpans.contains(channel))
             ramp.step = 0;
         if (walk.spanStepping == Stepping::BeforeDrawing)
@@ -274,8 +241,8 @@ private:
     /// Quotients and remainders are stepped: nothing is divided from sample to sample.
     static void storeFloors(const Ramp &ramp, std::vector<WholeLevels> &levels, std::size_t channel)
     {
-        const Int256 level = cut(ramp.first, ramp.denominator, Kept::Down);
-        const Int256 step = cut(ramp.step, ramp.denominator, Kept::Down);
+        const Int256 level = leftOf(ramp.first, ramp.denominator, Kept::Down);
+        const Int256 step = leftOf(ramp.step, ramp.denominator, Kept::Down);
         Int256 rest = ramp.first - level * ramp.denominator;
         const Int256 restStep = ramp.step - step * ramp.denominator;
         auto whole = std::int64_t(level);
@@ -294,9 +261,9 @@ private:
     static void storeWhole(const Ramp &ramp, const WalkedSpan &span, Kept kept,
                            std::vector<WholeLevels> &levels, std::size_t channel)
     {
-        auto level = std::int64_t(cut(ramp.first, ramp.denominator, kept));
-        const auto down = std::int64_t(cut(ramp.step, ramp.denominator, Kept::Down));
-        const auto nearest = std::int64_t(cut(ramp.step, ramp.denominator, Kept::Nearest));
+        auto level = std::int64_t(leftOf(ramp.first, ramp.denominator, kept));
+        const auto down = std::int64_t(leftOf(ramp.step, ramp.denominator, Kept::Down));
+        const auto nearest = std::int64_t(leftOf(ramp.step, ramp.denominator, Kept::Nearest));
         const bool isWhole = ramp.step % ramp.denominator == 0;
         for (std::int64_t place = span.first; place < span.endDrawn; ++place) {
             if (place >= span.firstDrawn)

@@ -11,6 +11,7 @@ class ColumnLoops : SpanLoop<Number> {
     using SpanLoop<Number>::has;
     using SpanLoop<Number>::quotient;
     using SpanLoop<Number>::stored;
+    using SpanLoop<Number>::storedPlace;
     using SpanLoop<Number>::drawSpan;
     enum class Side { First, Second, Long };
 
@@ -207,12 +208,6 @@ private:
 
     /// (int) of what the program has.
     int truncated(const Number &x) const { return m_onward > 0 ? floorOf(x) : ceilOf(x); }
-    Number storedPlace(const Number &y) const
-    {
-        if (has(WalkMistake::RoundedPlaces))
-            return Number(floorOf(Number(y + Number(1) / 2)));
-        return stored(y, WalkMistake::WholePlaces);
-    }
     void advancePlace(Bound<Number> &bound) const { bound.y = storedPlace(bound.y + bound.slope); }
     void advanceColour(Bound<Number> &bound) const
     {

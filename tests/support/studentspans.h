@@ -35,6 +35,13 @@ public:
     {
         return has(mistake) ? cast(level) : level;
     }
+    Number storedPlace(const Number &y) const
+    {
+        if (has(WalkMistake::RoundedPlaces))
+            return Number(floorOf(Number(y + Number(1) / 2)));
+        return stored(y, WalkMistake::WholePlaces);
+    }
+
     /// Whether there is a sample.
     bool drawSpan(int x, const Bound<Number> &ofShort, const Bound<Number> &ofLong,
                   const Paint &paint) const
