@@ -22,6 +22,8 @@ private slots:
     void threeClicksDrawATriangle();
     void dragsAVertexInOneCommand();
     void aPressOnAHandleSelectsItsVertex();
+    void anEdgeIsSharedByClicksOnItsVertices();
+    void aSecondClickOnASelectedVertexPlacesOneThere();
     void escapeEndsADragWithoutATrace();
     void escapeDiscardsPendingVertices();
     void clicksSnapToSixteenths();
@@ -90,6 +92,33 @@ void TestCanvasPlacing::aPressOnAHandleSelectsItsVertex()
 
     QCOMPARE(bench.document.selectedVertex(), std::optional(VertexRef{0, 2}));
     QVERIFY(!bench.document.isModified());
+}
+
+void TestCanvasPlacing::anEdgeIsSharedByClicksOnItsVertices()
+{
+    CanvasBench bench(firstScene());
+    bench.click(50, 40);
+    bench.click(26, 44);
+    bench.click(58, 12);
+
+    QCOMPARE(bench.document.scene().triangles.size(), 2U);
+    QCOMPARE(bench.vertex(1, 0), latticePixel(50, 40));
+    QCOMPARE(bench.vertex(1, 1), bench.vertex(0, 2)); // not where it was clicked, where it is
+    QCOMPARE(bench.vertex(1, 2), bench.vertex(0, 1));
+    QVERIFY(bench.document.pendingVertices().empty());
+}
+
+void TestCanvasPlacing::aSecondClickOnASelectedVertexPlacesOneThere()
+{
+    CanvasBench bench(firstScene());
+    bench.click(26, 44);
+    QVERIFY(bench.document.pendingVertices().empty());
+    bench.click(26, 44);
+    QCOMPARE(bench.document.pendingVertices().size(), 1U);
+    QCOMPARE(bench.document.pendingVertices().front().position, bench.vertex(0, 2));
+    bench.click(26, 44);
+    bench.click(26, 44);
+    QCOMPARE(bench.document.scene().triangles.size(), 2U); // of no area
 }
 
 void TestCanvasPlacing::escapeEndsADragWithoutATrace()

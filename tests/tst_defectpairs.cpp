@@ -90,6 +90,21 @@ private slots:
         }
     }
 
+    void theOrderOfEqualVerticesIsNoThirdMistake()
+    {
+        std::vector<Submission> submissions;
+        const Mistakes mistakes = {WalkMistake::EdgeDivisorPlusOne, WalkMistake::SpanDivisorPlusOne,
+                                   WalkMistake::EqualAsGiven};
+        for (const Scene &scene : probeSheet(QStringLiteral("column-scan")))
+            submissions.push_back({scene, studentPicture(scene, WalkLines::Columns, mistakes)});
+        const auto diagnosis = diagnose(submissions);
+        QVERIFY2(diagnosis->isExplained(), qPrintable(idsOf(*diagnosis).join(u'\n')));
+        const DiagnosisCandidate &named = diagnosis->candidates.front();
+        QVERIFY(named.ids().contains(QStringLiteral("divisor-plus-one")));
+        QVERIFY(named.ids().contains(QStringLiteral("colour-divisor-plus-one")));
+        QCOMPARE(named.rightAlone(), QStringList{QStringLiteral("equal-as-given")});
+    }
+
     void twoThatDecideTheSameAreNotTogether_data()
     {
         QTest::addColumn<QString>("one");

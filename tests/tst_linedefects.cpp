@@ -13,7 +13,28 @@ using namespace pixelplumb;
 namespace {
 
 /// What is wrong in a student's Bresenham.
-enum class LineMistake { None, NoDx, SortedNoDx, NoFirstPixel, NoLeastPixel, NoLastPixel };
+enum class LineMistake {
+    None,
+    NoFirstPixel,
+    NoLeastPixel,
+    NoLastPixel,
+    TwiceRiseFirst,
+    DifferenceFirst,
+    ZeroFirst,
+    MinusDxFirst,
+    ExchangedFirst,
+    OneRise, ///< p += Δy
+    OneRun, ///< p += 2Δy − Δx
+    OneDifference, ///< p += Δy − Δx
+    NeverLowered, ///< p += 2Δy
+    LoweredAlone, ///< p −= 2Δx
+    WrongSign,
+    NotExchangedBack, ///< setPixel(x, y) of a steep line, too
+    NoSteepLines,
+    NeverDown, ///< Δy < 0, so that p is never positive
+};
+/// Whether the left end is stored in (x₀, y₀).
+enum class LineEnds { LeftFirst, AsGiven };
 
 Scene sheet()
 {
@@ -24,7 +45,7 @@ Scene sheet()
 /// One line in whole coordinates, by the slides' steps alone and nothing of the core's.
 class StudentLine {
 public:
-    StudentLine(const Shape &line, LineMistake mistake)
+    StudentLine(const Shape &line, LineMistake mistake, LineEnds ends)
         : m_mistake(mistake)
     {
         for (std::size_t i = 0; i < 2; ++i) {
@@ -36,7 +57,7 @@ public:
         if (m_isSteep)
             std::swap(m_x, m_y);
         // "Store left line endpoint in (x₀, y₀)"
-        m_isSwapped = mistake != LineMistake::NoDx && m_x[1] < m_x[0];
+        m_isSwapped = ends == LineEnds::LeftFirst && m_x[1] < m_x[0];
         if (m_isSwapped) {
             std::swap(m_x[0], m_x[1]);
             std::swap(m_y[0], m_y[1]);
@@ -48,8 +69,9 @@ public:
     {
         const int dx = std::abs(m_x[1] - m_x[0]);
         const int dy = std::abs(m_y[1] - m_y[0]);
-        const bool lacksDx = m_mistake == LineMistake::NoDx || m_mistake == LineMistake::SortedNoDx;
-        int p = lacksDx ? 2 * dy : 2 * dy - dx;
+        if (m_mistake == LineMistake::NoSteepLines && m_isSteep)
+            return;
+        int p = firstDecision(dx, dy);
         int y = m_y[0];
         for (int k = 0; k <= dx; ++k) {
             const int x = m_x[0] + (m_x[1] < m_x[0] ? -k : k);
@@ -59,18 +81,51 @@ public:
                                                          : false;
             if (!isLeftOut)
                 paint(picture, x, y, colourAt(k, dx));
-            if (p >= 0) {
+            const bool isFlat = m_mistake == LineMistake::NeverDown && m_y[1] < m_y[0];
+            const bool crosses = m_mistake == LineMistake::WrongSign ? p < 0 : p >= 0 && !isFlat;
+            if (crosses)
                 y += m_y[1] < m_y[0] ? -1 : 1;
-                p -= 2 * dx;
-            }
-            p += 2 * dy;
+            p += crosses ? whereItCrosses(dx, dy)
+                         : (m_mistake == LineMistake::OneRise ? dy : 2 * dy);
         }
     }
 
 private:
+    int firstDecision(int dx, int dy) const
+    {
+        switch (m_mistake) {
+        case LineMistake::TwiceRiseFirst:
+            return 2 * dy;
+        case LineMistake::DifferenceFirst:
+            return dy - dx;
+        case LineMistake::ZeroFirst:
+            return 0;
+        case LineMistake::MinusDxFirst:
+            return -dx;
+        case LineMistake::ExchangedFirst:
+            return 2 * dx - dy;
+        default:
+            return 2 * dy - dx;
+        }
+    }
+    int whereItCrosses(int dx, int dy) const
+    {
+        switch (m_mistake) {
+        case LineMistake::OneRun:
+            return 2 * dy - dx;
+        case LineMistake::OneDifference:
+            return dy - dx;
+        case LineMistake::NeverLowered:
+            return 2 * dy;
+        case LineMistake::LoweredAlone:
+            return -2 * dx;
+        default:
+            return 2 * dy - 2 * dx;
+        }
+    }
     void paint(Picture &picture, int x, int y, const Colour &colour) const
     {
-        if (m_isSteep)
+        if (m_isSteep && m_mistake != LineMistake::NotExchangedBack)
             std::swap(x, y);
         if (x < 0 || y < 0 || x >= picture.width || y >= picture.height)
             return;
@@ -96,13 +151,13 @@ private:
     bool m_isSteep = false, m_isSwapped = false;
 };
 
-Picture studentPicture(const Scene &scene, LineMistake mistake)
+Picture studentPicture(const Scene &scene, LineMistake mistake, LineEnds ends)
 {
     Scene empty = scene;
     empty.shapes.clear();
     Picture picture = pictureOf(empty);
     for (const Shape &line : scene.shapes)
-        StudentLine(line, mistake).paintOn(picture);
+        StudentLine(line, mistake, ends).paintOn(picture);
     return picture;
 }
 
@@ -115,16 +170,35 @@ class TestLineDefects : public QObject {
 private slots:
     void aRightProgramIsRight()
     {
-        QCOMPARE(studentPicture(sheet(), LineMistake::None).colours, pictureOf(sheet()).colours);
+        QCOMPARE(studentPicture(sheet(), LineMistake::None, LineEnds::LeftFirst).colours,
+                 pictureOf(sheet()).colours);
     }
 
     void theSheetNamesTheMistakeOfAProgram_data()
     {
         QTest::addColumn<int>("mistake");
-        const auto row
-            = [](const char *id, LineMistake mistake) { QTest::newRow(id) << int(mistake); };
-        row("decision-without-dx", LineMistake::NoDx);
-        row("sorted-decision-without-dx", LineMistake::SortedNoDx);
+        QTest::addColumn<bool>("isSorted");
+        const auto row = [](const char *id, LineMistake mistake) {
+            QTest::newRow(id) << int(mistake) << true;
+        };
+        const auto decision = [](const char *id, LineMistake mistake) {
+            QTest::newRow(id) << int(mistake) << false;
+            QTest::addRow("sorted-%s", id) << int(mistake) << true;
+        };
+        decision("decision-without-dx", LineMistake::TwiceRiseFirst);
+        decision("decision-from-difference", LineMistake::DifferenceFirst);
+        decision("decision-from-zero", LineMistake::ZeroFirst);
+        decision("decision-without-dy", LineMistake::MinusDxFirst);
+        decision("decision-of-exchanged-differences", LineMistake::ExchangedFirst);
+        decision("decision-stays-by-dy", LineMistake::OneRise);
+        decision("decision-crosses-by-dx", LineMistake::OneRun);
+        decision("decision-crosses-by-difference", LineMistake::OneDifference);
+        decision("decision-never-lowered", LineMistake::NeverLowered);
+        decision("decision-lowered-alone", LineMistake::LoweredAlone);
+        decision("decision-of-wrong-sign", LineMistake::WrongSign);
+        row("steep-lines-exchanged", LineMistake::NotExchangedBack);
+        row("steep-lines-lost", LineMistake::NoSteepLines);
+        QTest::newRow("falling-lines-level") << int(LineMistake::NeverDown) << false;
         row("first-pixel-missing", LineMistake::NoFirstPixel);
         row("least-pixel-missing", LineMistake::NoLeastPixel);
         row("last-pixel-missing", LineMistake::NoLastPixel);
@@ -132,9 +206,11 @@ private slots:
     void theSheetNamesTheMistakeOfAProgram()
     {
         QFETCH(int, mistake);
+        QFETCH(bool, isSorted);
+        const LineEnds ends = isSorted ? LineEnds::LeftFirst : LineEnds::AsGiven;
         const Scene scene = sheet();
         const std::vector<Submission> submissions
-            = {{scene, studentPicture(scene, LineMistake(mistake))}};
+            = {{scene, studentPicture(scene, LineMistake(mistake), ends)}};
 
         const Diagnosis diagnosis = *diagnose(submissions);
 

@@ -51,7 +51,7 @@ DefectPictures::DefectPictures(std::vector<Scene> scenes)
 std::vector<Defect> DefectPictures::defectsIn(const DefectSet &set) const
 {
     std::vector<Defect> defects;
-    for (const auto &place : {set.first, set.second}) {
+    for (const auto &place : {set.first, set.second, set.choice}) {
         if (place)
             defects.push_back(m_defects[*place]);
     }
@@ -106,7 +106,7 @@ DefectPictures::SharedPicture DefectPictures::draw(std::size_t scene, const Defe
 /// What its first defect draws, which many sets have, with the change that the second one is.
 DefectPictures::SharedPicture DefectPictures::changed(std::size_t scene, const DefectSet &set)
 {
-    const DefectSet first{set.first, {}, set.arithmetic};
+    const DefectSet first{set.first, {}, set.arithmetic, set.choice};
     const SharedPicture base = picture(scene, first);
     if (!base)
         return nullptr;

@@ -12,10 +12,11 @@
 namespace pixelplumb {
 
 /// At most two defects, by their places in a list of them, ascending, and beside them what is
-/// computed in.
+/// computed in and one that alone is no mistake.
 struct DefectSet {
     std::optional<std::size_t> first = {}, second = {};
     std::optional<Arithmetic> arithmetic = {}; ///< none: the scene's own
+    std::optional<std::size_t> choice = {};
 
     friend auto operator<=>(const DefectSet &, const DefectSet &) = default;
 };

@@ -209,9 +209,39 @@ bool DefectSearch::tryPairs()
         if (distance < least && (mayBeRounding || needsSecond({pair, distance})))
             addNear(pair, distance);
     });
-    if (isDoneAgain)
-        explainNearest(true);
-    return isDoneAgain;
+    if (!isDoneAgain)
+        return false;
+    explainNearest(true);
+    if (m_exact.empty() && m_open.empty())
+        tryChoices();
+    return true;
+}
+
+/// Beside two defects that come near, what alone is no mistake.
+void DefectSearch::tryChoices()
+{
+    const std::vector<SetMatch> pairs = m_nearest;
+    for (const SetMatch &near : pairs) {
+        for (std::size_t i = 0; i < m_defects.size() && near.set.second; ++i) {
+            const std::size_t first = *near.set.first;
+            const std::size_t second = *near.set.second;
+            const bool isBeside = m_defects[i].isRightAlone && i != first && i != second
+                && canBeTogether(m_defects[first], m_defects[i])
+                && canBeTogether(m_defects[second], m_defects[i]);
+            if (!isBeside)
+                continue;
+            DefectSet set = near.set;
+            set.choice = i;
+            const std::int64_t distance = m_matcher.distance(set, near.distance);
+            if (distance == 0)
+                m_exact.push_back({set});
+            else if (distance < near.distance && distance <= m_mostOpen) {
+                if (const auto match = m_matcher.allowedMatch(set))
+                    (match->undecidable == 0 ? m_exact : m_open).push_back(*match);
+            }
+        }
+    }
+    std::ranges::stable_sort(m_open, {}, &SetMatch::undecidable);
 }
 
 } // namespace pixelplumb

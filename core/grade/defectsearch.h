@@ -34,6 +34,7 @@ private:
     bool forPairs(const std::function<void(const DefectSet &pair)> &examine);
     std::int64_t leastAlone(const DefectSet &pair) const;
     bool tryPairs();
+    void tryChoices();
 
     const std::vector<Defect> &m_defects;
     DefectPictures &m_pictures;

@@ -24,7 +24,8 @@ QString nameOf(DiagnosisVerdict verdict);
 
 /// Defects that are there together, and what they leave unexplained.
 struct DiagnosisCandidate {
-    /// One or two, and what is computed in where that is not allowed for.
+    /// One or two, what is computed in where that is not allowed for, and beside two perhaps one
+    /// that alone is no mistake.
     std::vector<Defect> defects;
     std::int64_t distance = 0; ///< pixels that are not explained, of all pictures
     /// Pixels that differ, but may with these defects: by rounding, or on an edge.

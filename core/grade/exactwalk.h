@@ -144,17 +144,18 @@ private:
                            SpanDivisor divisor)
     {
         const Int128 unit = lower.denominator * upper.denominator;
+        const Int128 height = upper.at * lower.denominator - lower.at * upper.denominator;
         switch (divisor) {
         case SpanDivisor::Samples:
             return (span.end - span.first) * unit;
         case SpanDivisor::Steps:
             return (span.end - 1 - span.first) * unit;
-        case SpanDivisor::Height:
         case SpanDivisor::HeightAndOne:
+            return height + unit;
+        case SpanDivisor::Height:
             break;
         }
-        const Int128 height = upper.at * lower.denominator - lower.at * upper.denominator;
-        return divisor == SpanDivisor::Height ? height : height + unit;
+        return height;
     }
 
     /// The way to the first sample over the lower bound's denominator.

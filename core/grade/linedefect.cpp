@@ -1,67 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/frame/framebuffer.h"
-#include "core/grade/redrawing.h"
+#include "core/grade/drawnline.h"
+#include "core/grade/linedecision.h"
 #include "core/grade/spandefect.h"
+#include "core/methods/method.h"
 #include "core/runs/sceneplan.h"
 
 #include <algorithm>
+#include <iterator>
 
 namespace pixelplumb {
 
 namespace {
-
-struct LinePixel {
-    std::int64_t x = 0, y = 0;
-    Colour colour;
-};
-
-/// A line in sample coordinates and the pixels that its method writes, by x and then y.
-struct DrawnLine {
-    LatticePoint from, to;
-    std::vector<LinePixel> pixels;
-
-    bool isSteep() const { return std::abs(to.y - from.y) >= std::abs(to.x - from.x); }
-};
-
-DrawnLine drawnLine(const Scene &alone)
-{
-    const Picture picture = pictureOf(alone);
-    const Shape shape = primitivesOnSamples(alone).shapes.front();
-    DrawnLine line{shape.vertices[0].position, shape.vertices[1].position, {}};
-    for (int x = 0; x < picture.width; ++x) {
-        for (int row = 0; row < picture.height; ++row) {
-            const std::int64_t y = alone.frame.firstRow + row;
-            const std::size_t place = picture.placeOf(x, int(pictureLine(alone.frame, y)));
-            if (picture.covered[place] != 0)
-                line.pixels.push_back({alone.frame.firstColumn + x, y, picture.colours[place]});
-        }
-    }
-    return line;
-}
-
-/// The lines' pixels, changed, painted one line after another.
-Picture redrawnLines(const Scene &scene, const std::function<void(DrawnLine &line)> &change)
-{
-    Scene empty = scene;
-    empty.shapes.clear();
-    Picture picture = pictureOf(empty);
-    for (std::size_t i = 0; i < scene.shapes.size(); ++i) {
-        DrawnLine line = drawnLine(shapeAlone(scene, i));
-        change(line);
-        for (const LinePixel &pixel : line.pixels) {
-            const std::int64_t x = pixel.x - scene.frame.firstColumn;
-            const bool isInside = x >= 0 && x < scene.frame.width && pixel.y >= scene.frame.firstRow
-                && pixel.y - scene.frame.firstRow < scene.frame.height;
-            if (!isInside)
-                continue;
-            const std::size_t place
-                = picture.placeOf(int(x), int(pictureLine(scene.frame, pixel.y)));
-            picture.colours[place] = pixel.colour;
-            picture.covered[place] = 1;
-        }
-    }
-    return picture;
-}
 
 bool isAt(const LinePixel &pixel, const LatticePoint &point)
 {
@@ -77,14 +26,6 @@ void omitLast(DrawnLine &line)
     std::erase_if(line.pixels, [&](const LinePixel &pixel) { return isAt(pixel, line.to); });
 }
 
-/// The ends exchanged where x, of a steep line y, would fall.
-DrawnLine ascending(DrawnLine line)
-{
-    const bool falls = line.isSteep() ? line.to.y < line.from.y : line.to.x < line.from.x;
-    if (falls)
-        std::swap(line.from, line.to);
-    return line;
-}
 void omitLeast(DrawnLine &line)
 {
     line = ascending(std::move(line));
@@ -94,35 +35,6 @@ void omitGreatest(DrawnLine &line)
 {
     line = ascending(std::move(line));
     omitLast(line);
-}
-
-/// Bresenham's decision, begun half a pixel too far: ⌊k·Δy/Δx⌋ + 1 rows after k ≥ 1 steps, of lines
-/// between samples.
-void beginDecisionAtTwiceRise(DrawnLine &line)
-{
-    const bool isSteep = line.isSteep();
-    const auto alongOf = [&](const LatticePoint &point) { return isSteep ? point.y : point.x; };
-    const auto acrossOf = [&](const LatticePoint &point) { return isSteep ? point.x : point.y; };
-    const std::int64_t begin = floorPixel(alongOf(line.from));
-    const std::int64_t beside = floorPixel(acrossOf(line.from));
-    const std::int64_t way = std::abs(floorPixel(alongOf(line.to)) - begin);
-    const std::int64_t rise = floorPixel(acrossOf(line.to)) - beside;
-    const auto isOnSample = [](const LatticePoint &point) {
-        return point == latticePixel(floorPixel(point.x), floorPixel(point.y));
-    };
-    if (way == 0 || !isOnSample(line.from) || !isOnSample(line.to))
-        return;
-    for (LinePixel &pixel : line.pixels) {
-        const std::int64_t steps = std::abs((isSteep ? pixel.y : pixel.x) - begin);
-        const std::int64_t rows
-            = steps == 0 ? 0 : std::min(std::abs(rise) * steps / way + 1, steps);
-        (isSteep ? pixel.x : pixel.y) = beside + (rise < 0 ? -rows : rows);
-    }
-}
-void beginSortedDecisionAtTwiceRise(DrawnLine &line)
-{
-    line = ascending(std::move(line));
-    beginDecisionAtTwiceRise(line);
 }
 
 /// One pixel a column even where more are called for.
@@ -160,6 +72,19 @@ void truncateAcross(DrawnLine &line)
             = std::int64_t(floorDivide(numerator, Int128(std::abs(along)) * unitsPerPixel));
         (isSteep ? pixel.x : pixel.y) = whole;
     }
+}
+
+void exchangeSteep(DrawnLine &line)
+{
+    if (!line.isSteep())
+        return;
+    for (LinePixel &pixel : line.pixels)
+        std::swap(pixel.x, pixel.y);
+}
+
+bool isSteep(const Vertex &from, const Vertex &to)
+{
+    return DrawnLine{from.position, to.position, {}}.isSteep();
 }
 
 void append(std::vector<Defect> &defects, const char *id, const char *forStudent,
@@ -208,7 +133,6 @@ std::vector<Defect> lineDefectsFor(const Scene &scene)
         return {};
     const Method &method = *methodNamed(QString::fromStdString(scene.method));
     constexpr const char *ends = "Is each end's pixel drawn, once?";
-    constexpr const char *decision = "How much has the line risen half-way to the next column?";
     constexpr const char *octants = "Does it hold in all eight octants?";
     std::vector<Defect> defects;
     append(defects, "first-pixel-missing", ends, "A line's first pixel is left out.", omitFirst);
@@ -220,13 +144,8 @@ std::vector<Defect> lineDefectsFor(const Scene &scene)
         append(defects, "greatest-pixel-missing", ends,
                "The pixel of the end with the greater x, of steep lines y, is left out.",
                omitGreatest);
-    append(defects, "decision-without-dx", decision,
-           "The decision begins with 2Δy in place of 2Δy − Δx, at a line's first end.",
-           beginDecisionAtTwiceRise);
-    append(defects, "sorted-decision-without-dx", decision,
-           "The decision begins with 2Δy in place of 2Δy − Δx, at the end with the lesser x, of "
-           "steep lines y.",
-           beginSortedDecisionAtTwiceRise);
+    if (method.supports(Variant::StayAtZero))
+        std::ranges::move(lineDecisionDefects(), std::back_inserter(defects));
     if (method.id != QStringLiteral("line-slope-intercept"))
         append(defects, "one-pixel-a-column", octants,
                "Steep lines, too, have one pixel a column: x and y are not exchanged.",
@@ -234,6 +153,20 @@ std::vector<Defect> lineDefectsFor(const Scene &scene)
     append(defects, "rows-truncated", "To which row does a pixel between two rows belong?",
            "The nearest row is not taken, but the one below; of steep lines the column before.",
            truncateAcross);
+    append(defects, "steep-lines-exchanged", octants,
+           "Of steep lines x and y are exchanged, but not again where a pixel is written.",
+           exchangeSteep);
+    appendOfScene(defects, "steep-lines-lost", octants, "Steep lines are not drawn.",
+                  [](Vertex &from, Vertex &to) { return !isSteep(from, to); });
+    appendOfScene(defects, "falling-lines-level", octants,
+                  "Of lines that fall from their first end to their second nothing steps downward: "
+                  "they stay in their first row, steep ones in their first column.",
+                  [](Vertex &from, Vertex &to) {
+                      Lattice LatticePoint::*across
+                          = isSteep(from, to) ? &LatticePoint::x : &LatticePoint::y;
+                      to.position.*across = std::max(to.position.*across, from.position.*across);
+                      return true;
+                  });
     appendOfScene(defects, "backward-lines-lost", octants,
                   "Lines whose second end is left of the first are not drawn.",
                   [](Vertex &from, Vertex &to) { return from.position.x <= to.position.x; });

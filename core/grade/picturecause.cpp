@@ -75,6 +75,11 @@ void appendLevels(std::vector<PictureChange> &changes)
     };
     add(QStringLiteral("encoded as sRGB once too often"), levelOfLight);
     add(QStringLiteral("decoded from sRGB once too often"), linearLight);
+    constexpr double gamma = 2.2;
+    add(QStringLiteral("raised to the power 1/2.2"),
+        [](double level) { return std::pow(level, 1 / gamma); });
+    add(QStringLiteral("raised to the power 2.2"),
+        [](double level) { return std::pow(level, gamma); });
     const auto addBits = [&](const QString &name, Widening widening) {
         changes.push_back({name, recolour([widening](const Colour &colour) {
                                return inHighColour(colour, widening);

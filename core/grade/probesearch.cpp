@@ -90,6 +90,12 @@ void addTriangles(Scene &scene, SeededRandom &random)
 
 void addLines(Scene &scene, SeededRandom &random)
 {
+    Shape ordinary; // such as the slides have: to the right and upward, and not steep
+    const std::int64_t length = random.between(9, frameSide - 12);
+    const std::int64_t rise = random.between(2, length - 2);
+    ordinary.vertices = {{latticePixel(2, 3), random.colour()},
+                         {latticePixel(2 + length, 3 + rise), random.colour()}};
+    scene.shapes.push_back(ordinary);
     const std::int64_t count = random.between(1, 4);
     for (std::int64_t i = 0; i < count; ++i) {
         Shape line;

@@ -184,6 +184,31 @@ void appendChannels(std::vector<Defect> &defects, const Scene &scene)
     }
 }
 
+/// Of a program that was written for red and not gone on with.
+void appendRedAlone(std::vector<Defect> &defects, const Scene &scene)
+{
+    const auto add
+        = [&](const char *id, const char *forAssistant, std::uint8_t (*other)(const Colour &)) {
+              appendWhereItApplies(defects, scene, QStringLiteral("vertex channels"),
+                                   {QString::fromLatin1(id),
+                                    QStringLiteral("Are all three channels treated alike?"),
+                                    QString::fromUtf8(forAssistant), [other](Scene &changed) {
+                                        for (Triangle &triangle : changed.triangles) {
+                                            for (Vertex &vertex : triangle.vertices) {
+                                                const std::uint8_t level = other(vertex.colour);
+                                                vertex.colour.channels[1] = level;
+                                                vertex.colour.channels[2] = level;
+                                            }
+                                        }
+                                        return true;
+                                    }});
+          };
+    add("red-alone", "Only red is computed: green and blue are 0 in all that is drawn.",
+        [](const Colour &) { return std::uint8_t(0); });
+    add("all-from-red", "Green and blue are computed from the red of the vertices: all is gray.",
+        [](const Colour &colour) { return colour.channels[0]; });
+}
+
 void appendPrimitives(std::vector<Defect> &defects, const Scene &scene)
 {
     const auto cull = [&](const char *id, const char *turn, int sign) {
@@ -248,6 +273,7 @@ std::vector<Defect> sceneDefectsFor(const Scene &scene)
     appendPlaces(defects, scene);
     appendColours(defects, scene);
     appendChannels(defects, scene);
+    appendRedAlone(defects, scene);
     appendPrimitives(defects, scene);
     return defects;
 }

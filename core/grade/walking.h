@@ -78,6 +78,9 @@ private:
         return (isByRule ? floorPixel(m_p1.position.x) : wholeSpan(m_p1)) + 1;
     }
 
+    /// Without one there is nothing that could be gone on with: L₁₂ is begun as it should be.
+    bool hasFirstHalf() const { return m_p0.position.x != m_p1.position.x; }
+
     WalkedEdge firstEdge() const { return m_program.edge(WalkedEdges::First, m_p0, m_p1); }
     WalkedEdge secondEdge() const { return m_program.edge(WalkedEdges::Second, m_p1, m_p2); }
     WalkedEdge longEdge() const { return m_program.edge(WalkedEdges::Long, m_p0, m_p2); }
@@ -111,16 +114,18 @@ private:
     {
         WalkedEdge walked = secondEdge();
         const WalkedEdge ofFirst = firstEdge();
-        walked.places = rated(m_walk.shortSlopeBehind, walked.places, ofFirst.places);
-        walked.colours = rated(m_walk.shortColourRatesBehind, walked.colours, ofFirst.colours);
+        if (hasFirstHalf()) {
+            walked.places = rated(m_walk.shortSlopeBehind, walked.places, ofFirst.places);
+            walked.colours = rated(m_walk.shortColourRatesBehind, walked.colours, ofFirst.colours);
+        }
         if (m_walk.shortPlacesBehind == ShortEdgeBehind::FromFirst)
             walked.firstPlace.position.y = m_p0.position.y;
         if (m_walk.shortColoursBehind == ShortEdgeBehind::FromFirst)
             walked.firstColour.colour = m_p0.colour;
         Edge behind = edge(WalkedEdges::Second, walked, middle);
-        if (m_walk.shortPlacesBehind == ShortEdgeBehind::CarriedOn)
+        if (hasFirstHalf() && m_walk.shortPlacesBehind == ShortEdgeBehind::CarriedOn)
             behind.carryPlaceOf(before);
-        if (m_walk.shortColoursBehind == ShortEdgeBehind::CarriedOn)
+        if (hasFirstHalf() && m_walk.shortColoursBehind == ShortEdgeBehind::CarriedOn)
             behind.carryColourOf(before);
         return behind;
     }

@@ -19,6 +19,19 @@ namespace {
 constexpr double mostLiveNanoseconds = 200e6; ///< of timing
 constexpr int mostLiveRounds = 7;
 
+std::int64_t pixelsDrawn(const Scene &scene, const Method &method, const ScanSettings &settings)
+{
+    const WrittenFrame frame(scene.frame);
+    method.drawFastest(primitivesOnSamples(scene), settings, frame.view());
+    std::int64_t pixels = 0;
+    const FrameView view = frame.view();
+    for (std::int64_t y = view.firstRow; y < view.endRow(); ++y) {
+        for (std::int64_t x = view.firstColumn; x < view.endColumn(); ++x)
+            pixels += frame.isWritten(x, y) ? 1 : 0;
+    }
+    return pixels;
+}
+
 /// Of the exact picture: of triangles the column scan's, which takes all rules, of other primitives
 /// the method's own.
 std::int64_t pixelsOf(const Scene &scene, const Method &method)
@@ -28,15 +41,7 @@ std::int64_t pixelsOf(const Scene &scene, const Method &method)
     ScanSettings exact = scene.settings;
     exact.arithmetic = Arithmetic::Exact;
     exact.variants = {};
-    const WrittenFrame frame(scene.frame);
-    drawing.drawFastest(primitivesOnSamples(scene), drawing.adapted(exact), frame.view());
-    std::int64_t pixels = 0;
-    const FrameView view = frame.view();
-    for (std::int64_t y = view.firstRow; y < view.endRow(); ++y) {
-        for (std::int64_t x = view.firstColumn; x < view.endColumn(); ++x)
-            pixels += frame.isWritten(x, y) ? 1 : 0;
-    }
-    return pixels;
+    return pixelsDrawn(scene, drawing, drawing.adapted(exact));
 }
 
 /// Times the scene as the study times its family own-scene: the same triangles by the plain kernel,
@@ -144,8 +149,14 @@ std::optional<LiveFigures> liveFiguresOf(const std::shared_ptr<const TracedScene
                                          const ProgressListener &listener)
 {
     auto figures = liveFiguresOf(std::shared_ptr<const Scene>(traced, &traced->scene), listener);
-    if (figures && !figures->wrongPixels)
-        figures->wrongPixels = traced->differences.total();
+    if (!figures || figures->wrongPixels)
+        return figures;
+    const DifferenceMap &differences = traced->differences;
+    figures->wrongPixels = differences.total();
+    const Scene &drawn = traced->scene;
+    if (!traced->method->draws(PrimitiveKind::Triangle)) // its own exact picture may not be the true one
+        figures->pixels = pixelsDrawn(drawn, *traced->method, drawn.settings)
+            - differences.count(Difference::Extra) + differences.count(Difference::Missing);
     return figures;
 }
 

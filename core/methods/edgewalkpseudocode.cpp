@@ -72,8 +72,8 @@ Pseudocode edgeWalkPseudocode(const EdgeWalkForm &form)
             code.push_back(line);
     if (form.rate == ColourRate::Bilinear)
         code.push_back({1,
-                        QStringLiteral("ΔR ← (R_{hi} − R_{lo})/({a}_{hi} − {a}_{lo}); ΔG and ΔB "
-                                       "likewise"),
+                        QStringLiteral("if {a}_{lo} < {a}_{hi}: ΔR ← (R_{hi} − R_{lo})/({a}_{hi} − "
+                                       "{a}_{lo}); ΔG and ΔB likewise"),
                         {Begin, Span}});
     code.push_back({1,
                     isDirect ? QStringLiteral("for each {across} between them that the fill rule "

@@ -74,8 +74,8 @@ Pseudocode columnLines(InterpolationForm form)
             {Span}}};
     if (isBilinear(form))
         code.push_back({1,
-                        QStringLiteral("of each value: v_{lo} and v_{hi} likewise, Δv ← (v_{hi} − "
-                                       "v_{lo})/({a}_{hi} − {a}_{lo})"),
+                        QStringLiteral("of each value: v_{lo} and v_{hi} likewise, and if {a}_{lo} "
+                                       "< {a}_{hi}: Δv ← (v_{hi} − v_{lo})/({a}_{hi} − {a}_{lo})"),
                         {Begin, Span}});
     code.push_back({1,
                     QStringLiteral("for each {across} from {a}_{lo} to {a}_{hi} "

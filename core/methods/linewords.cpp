@@ -34,6 +34,9 @@ QString signText(const Quantity &decision)
 /// "p_k = 2 > 0: step diagonally to the pixel (3, 2); Δp = 2Δy − 2Δx = −14."
 QString decisionSentence(const DecisionState &state)
 {
+    if (!state.isLedByDecision() && state.nextDecision.isNone())
+        return QStringLiteral("The line is the one pixel %1: there is nothing to decide.")
+            .arg(pixelText(state.place));
     if (!state.isLedByDecision())
         return QStringLiteral("The line starts at %1 without a decision; p_k₊₁ = %2 decides about "
                               "the next one.")

@@ -55,10 +55,12 @@ void tellPolygon(StepWords &words, const PolygonSetUp &setUp)
     if (setUp.pieceCount > 0) {
         if (setUp.crossingCount > 0)
             words.sentence
-                = QStringLiteral("Edges cross at %1 points that became corners of triangles, each "
+                = QStringLiteral("Edges cross at %1 that became corners of triangles, each "
                                  "moved to the nearest multiple of 1/256 px, by %2 px at most: a "
                                  "sample so near to an edge may be wrong.")
-                      .arg(setUp.crossingCount)
+                      .arg(setUp.crossingCount == 1
+                               ? QStringLiteral("1 point")
+                               : QStringLiteral("%1 points").arg(setUp.crossingCount))
                       .arg(setUp.largestMove, 0, 'g', 3);
         return;
     }

@@ -243,7 +243,7 @@ QString verdictText(const Prediction &prediction, Guess guess)
     case Guess::Right:
         return QStringLiteral("Right: %1 = %2.").arg(prediction.reason, term(prediction.value));
     case Guess::Unread:
-        return QStringLiteral("Type a number, such as 9, 8.63, 53/2 or 8 10/27.");
+        return QStringLiteral("Type a number, such as 2, 2.75, 11/4 or 2 3/4.");
     case Guess::Earlier:
         return QStringLiteral("That is %1 of the span before: what does one step add to it?")
             .arg(prediction.title);

@@ -2805,6 +2805,14 @@
         <translation>Seine Farbe wählen</translation>
     </message>
     <message>
+        <source>Click on a vertex</source>
+        <translation>Klick auf einen Eckpunkt</translation>
+    </message>
+    <message>
+        <source>Select it; once more, or while a figure is drawn, place the next vertex on it</source>
+        <translation>Ihn wählen; noch einmal, oder während eine Figur gezeichnet wird, den nächsten Eckpunkt auf ihn setzen</translation>
+    </message>
+    <message>
         <source>Click, drag</source>
         <translation>Klicken, ziehen</translation>
     </message>
@@ -5217,8 +5225,8 @@
         <translation>Die eigene Antwort</translation>
     </message>
     <message>
-        <source>9, 8.63, 53/2 or 8 10/27</source>
-        <translation>9, 8.63, 53/2 oder 8 10/27</translation>
+        <source>2, 2.75, 11/4 or 2 3/4</source>
+        <translation>2, 2.75, 11/4 oder 2 3/4</translation>
     </message>
     <message>
         <source>Compare the answer with what the kernel computes (Enter)</source>
@@ -5297,8 +5305,8 @@
         <translation>x und y des Pixels eingeben, etwa 12, 7.</translation>
     </message>
     <message>
-        <source>9</source>
-        <translation>9</translation>
+        <source>2</source>
+        <translation>2</translation>
     </message>
     <message>
         <source>%1: what is %2?</source>

@@ -128,13 +128,13 @@ private:
     {
         const auto &[p0, p1, p2] = corners;
         Bound<Number> behind = edgeAt(Side::Second, p1, p2, x);
-        if (takesOtherRates())
+        if (p0.x != p1.x && takesOtherRates())
             behind = secondEdgeOfOtherRates(corners, x);
         if (has(WalkMistake::SecondEdgeOfFirstPlace))
             behind.y += p0.y - p1.y;
-        if (has(WalkMistake::SecondPlaceCarriedOn))
+        if (p0.x != p1.x && has(WalkMistake::SecondPlaceCarriedOn))
             behind.y = ofShort.y;
-        if (has(WalkMistake::SecondColoursCarriedOn))
+        if (p0.x != p1.x && has(WalkMistake::SecondColoursCarriedOn))
             behind.colour = ofShort.colour;
         for (std::size_t i = 0; i < 3 && has(WalkMistake::SecondEdgeOfFirstColour); ++i)
             behind.colour[i] += p0.colour[i] - p1.colour[i];

@@ -10,9 +10,6 @@ namespace pixelplumb {
 
 namespace {
 
-/// Logical pixels that a hand trembles in a click.
-constexpr double tremble = 3;
-
 /// The trace's column that stands at x, of the preferred primitive, else of the one with the
 /// nearest.
 std::optional<std::size_t> spanNear(const ScanTrace &trace, std::size_t preferred, std::int64_t x)
@@ -42,61 +39,6 @@ void PlaceVertexGesture::releaseAt(const QPointF &position)
 {
     if (m_view.area().contains(position))
         m_document.placeVertex(m_document.fromFrameInHand(m_view.placeAt(position)));
-}
-
-MovePointGesture::MovePointGesture(const CanvasView &view, const QPointF &press,
-                                   const LatticePoint &start)
-    : m_view(view)
-    , m_press(press)
-    , m_start(start)
-{
-}
-
-void MovePointGesture::moveTo(const QPointF &position)
-{
-    m_moving = m_moving || (position - m_press).manhattanLength() > tremble;
-    if (!m_moving)
-        return;
-    const LatticePoint pressed = m_view.mapping().latticeAt(m_press);
-    const LatticePoint now = m_view.mapping().latticeAt(position);
-    movePoint({m_start.x + now.x - pressed.x, m_start.y + now.y - pressed.y});
-}
-
-MoveVertexGesture::MoveVertexGesture(const CanvasView &view, SceneDocument &document,
-                                     const VertexRef &ref, const QPointF &press)
-    : MovePointGesture(view, press, document.vertexAt(ref)->position)
-    , m_document(document)
-    , m_ref(ref)
-    , m_drag(document.newDrag())
-{
-    document.selectVertex(ref);
-}
-
-void MoveVertexGesture::movePoint(const LatticePoint &place)
-{
-    const LatticePoint seen = m_document.snapped(m_document.atFrameInHand(place));
-    m_document.moveVertex(m_ref, m_document.fromFrameInHand(seen), m_drag);
-}
-
-void MoveVertexGesture::cancel() { m_document.moveVertex(m_ref, start(), m_drag); }
-
-MoveOffScreenPointGesture::MoveOffScreenPointGesture(const CanvasView &view,
-                                                     SceneDocument &document, const QPointF &press)
-    : MovePointGesture(view, press, *document.offScreenPoint())
-    , m_document(document)
-    , m_drag(document.newDrag())
-{
-}
-
-void MoveOffScreenPointGesture::movePoint(const LatticePoint &place)
-{
-    m_document.moveOffScreenPoint(m_document.snapped(place), m_drag);
-}
-
-void MoveOffScreenPointGesture::cancel()
-{
-    if (hasMoved())
-        m_document.moveOffScreenPoint(start(), m_drag);
 }
 
 void PickPixelGesture::moveTo(const QPointF &position)

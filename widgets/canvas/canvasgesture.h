@@ -60,11 +60,13 @@ private:
     bool m_moving = false;
 };
 
-/// Moves a vertex. A press that does not move selects it and nothing else.
+/// Moves a vertex. A click on it selects it; on one that is selected, or while vertices are
+/// pending, it places the next vertex there, so that edges can be shared.
 class MoveVertexGesture final : public MovePointGesture {
 public:
     MoveVertexGesture(const CanvasView &view, SceneDocument &document, const VertexRef &ref,
                       const QPointF &press);
+    void releaseAt(const QPointF &position) override;
     void cancel() override;
 
 protected:
@@ -74,6 +76,7 @@ private:
     SceneDocument &m_document;
     VertexRef m_ref;
     int m_drag;
+    bool m_wasSelected; ///< before the press
 };
 
 /// Moves the off-screen point.

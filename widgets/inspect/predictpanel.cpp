@@ -188,7 +188,7 @@ void PredictPanel::ask()
     QString example;
     if (const Prediction *asked = prediction()) {
         const bool isWhole = asksForWhole(*asked);
-        example = isWhole ? tr("9") : tr("9, 8.63, 53/2 or 8 10/27");
+        example = isWhole ? tr("2") : tr("2, 2.75, 11/4 or 2 3/4");
         m_question->setText(
             sentenceHtml(tr("%1: what is %2?").arg(coreWord(asked->place), asked->words) + u' '
                          + (isWhole ? tr("A whole number.")

@@ -42,7 +42,7 @@ std::optional<int> GradeTable::chosenRow() const
     return rows.isEmpty() ? std::nullopt : std::optional(rows.front().row());
 }
 
-void GradeTable::move(int by)
+void GradeTable::moveBy(int rows)
 {
     const int count = model()->rowCount();
     if (count == 0)
@@ -95,11 +95,11 @@ bool GradeTable::press(int key)
     switch (key) {
     case Qt::Key_J:
     case Qt::Key_Down:
-        move(1);
+        moveBy(1);
         return true;
     case Qt::Key_K:
     case Qt::Key_Up:
-        move(-1);
+        moveBy(-1);
         return true;
     case Qt::Key_A:
         emit acceptAsked();

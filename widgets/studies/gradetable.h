@@ -18,7 +18,7 @@ public:
 
     std::optional<int> chosenRow() const;
     /// Chooses the row so many below the chosen one, at most the last; where none is, the first.
-    void move(int by);
+    void moveBy(int rows);
     /// What is longer than its column is in its tool tip.
     void fitColumns();
 
