@@ -4,12 +4,15 @@
 #include "core/geometry/seededrandom.h"
 #include "core/grade/diagnosis.h"
 #include "core/grade/picturediff.h"
+#include "core/grade/redrawing.h"
 #include "core/grade/showntext.h"
 #include "core/grade/studentoutput.h"
 #include "core/runs/sceneplan.h"
 #include "core/scene/scenefile.h"
 
 #include <algorithm>
+#include <memory>
+#include <mutex>
 
 namespace pixelplumb {
 
@@ -126,12 +129,41 @@ PictureSource sourceOf(const Contender &contender)
             contender.method->isStableUnder(contender.settings)};
 }
 
+namespace {
+
+/// A redrawing is the same defect in every scene of its conventions that can be redrawn: it is
+/// looked for once, since the list of all takes longer than to draw a small scene.
+class FoundRedrawing {
+public:
+    std::optional<Defect> in(const Scene &scene) const
+    {
+        const std::lock_guard lock(m_mutex);
+        return m_defect && canBeRedrawn(scene) ? m_defect : std::nullopt;
+    }
+    Defect keep(Defect defect)
+    {
+        const std::lock_guard lock(m_mutex);
+        if (defect.redrawing)
+            m_defect = defect;
+        return defect;
+    }
+
+private:
+    mutable std::mutex m_mutex;
+    std::optional<Defect> m_defect;
+};
+
+} // namespace
+
 PictureSource sourceOf(const QString &defect, const Contender &of)
 {
-    const auto defectIn = [defect](const Scene &scene) -> std::optional<Defect> {
+    const auto redrawing = std::make_shared<FoundRedrawing>();
+    const auto defectIn = [defect, redrawing](const Scene &scene) -> std::optional<Defect> {
+        if (const auto before = redrawing->in(scene))
+            return before;
         for (Defect &known : defectsFor(scene)) {
             if (known.id == defect)
-                return std::move(known);
+                return redrawing->keep(std::move(known));
         }
         return std::nullopt;
     };

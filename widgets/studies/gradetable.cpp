@@ -48,7 +48,7 @@ void GradeTable::moveBy(int rows)
     if (count == 0)
         return;
     const std::optional<int> chosen = chosenRow();
-    const int row = chosen ? std::clamp(*chosen + by, 0, count - 1) : 0;
+    const int row = chosen ? std::clamp(*chosen + rows, 0, count - 1) : 0;
     setCurrentIndex(model()->index(row, 0));
     emit moved();
 }
