@@ -154,7 +154,8 @@ std::optional<LiveFigures> liveFiguresOf(const std::shared_ptr<const TracedScene
     const DifferenceMap &differences = traced->differences;
     figures->wrongPixels = differences.total();
     const Scene &drawn = traced->scene;
-    if (!traced->method->draws(PrimitiveKind::Triangle)) // its own exact picture may not be the true one
+    // The exact picture of a method that draws no triangles need not be the true one.
+    if (!traced->method->draws(PrimitiveKind::Triangle))
         figures->pixels = pixelsDrawn(drawn, *traced->method, drawn.settings)
             - differences.count(Difference::Extra) + differences.count(Difference::Missing);
     return figures;
