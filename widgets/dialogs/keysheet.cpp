@@ -50,8 +50,9 @@ QString mouseRows()
                KeySheet::tr("Read the pixel, its painter and the nearest edge"))
         + row(KeySheet::tr("Click"), KeySheet::tr("Place a vertex"), KeySheet::tr("Draw"))
         + row(KeySheet::tr("Click on a vertex"),
-              KeySheet::tr("Select it; once more, or while a figure is drawn, place the next vertex "
-                           "on it"),
+              KeySheet::tr(
+                  "Select it; once more, or while a figure is drawn, place the next vertex "
+                  "on it"),
               KeySheet::tr("Draw"))
         + row(KeySheet::tr("Drag a vertex"), KeySheet::tr("Move it"), KeySheet::tr("Draw"))
         + row(KeySheet::tr("Double click on a vertex"), KeySheet::tr("Choose its colour"),
