@@ -94,15 +94,22 @@ void DefectSearch::addNear(const DefectSet &set, std::int64_t distance)
         m_nearest.pop_back();
 }
 
+/// A set that leaves nothing but what may be either way; false of another.
+bool DefectSearch::addAllowed(const DefectSet &set)
+{
+    const auto match = m_matcher.allowedMatch(set);
+    if (match)
+        (match->undecidable == 0 ? m_exact : m_open).push_back(*match);
+    return match.has_value();
+}
+
 /// Of sets that come near, those that leave nothing but what may be either way.
 void DefectSearch::explainNearest(bool pairs)
 {
     for (const SetMatch &near : m_nearest) {
         if (near.distance > m_mostOpen || near.set.second.has_value() != pairs)
             continue;
-        if (const auto match = m_matcher.allowedMatch(near.set))
-            (match->undecidable == 0 ? m_exact : m_open).push_back(*match);
-        else
+        if (!addAllowed(near.set))
             addEqual(near.set);
     }
     std::ranges::stable_sort(m_open, {}, &SetMatch::undecidable);
@@ -235,10 +242,8 @@ void DefectSearch::tryChoices()
             const std::int64_t distance = m_matcher.distance(set, near.distance);
             if (distance == 0)
                 m_exact.push_back({set});
-            else if (distance < near.distance && distance <= m_mostOpen) {
-                if (const auto match = m_matcher.allowedMatch(set))
-                    (match->undecidable == 0 ? m_exact : m_open).push_back(*match);
-            }
+            else if (distance < near.distance && distance <= m_mostOpen)
+                addAllowed(set);
         }
     }
     std::ranges::stable_sort(m_open, {}, &SetMatch::undecidable);

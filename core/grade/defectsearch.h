@@ -25,6 +25,7 @@ private:
     std::int64_t distanceUpTo(const DefectSet &set, std::int64_t limit);
     std::int64_t limit() const;
     void addNear(const DefectSet &set, std::int64_t distance);
+    bool addAllowed(const DefectSet &set);
     void explainNearest(bool pairs);
     void addEqual(DefectSet set);
     void tryArithmetics();

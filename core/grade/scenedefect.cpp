@@ -151,7 +151,7 @@ bool keepOnly(PrimitiveEnd end, Scene &scene)
     return true;
 }
 
-/// One channel of the vertices, with which all is computed: another one's, or none.
+/// Channels of the vertices, with which all is computed: another one's, or none.
 void appendChannels(std::vector<Defect> &defects, const Scene &scene)
 {
     constexpr std::array<const char *, 3> names = {"red", "green", "blue"};
@@ -182,31 +182,13 @@ void appendChannels(std::vector<Defect> &defects, const Scene &scene)
             QStringLiteral("%1 is not set: it is 0 in all that is drawn.").arg(title),
             [to](Colour &colour) { colour.channels[to] = 0; });
     }
-}
-
-/// Of a program that was written for red and not gone on with.
-void appendRedAlone(std::vector<Defect> &defects, const Scene &scene)
-{
-    const auto add
-        = [&](const char *id, const char *forAssistant, std::uint8_t (*other)(const Colour &)) {
-              appendWhereItApplies(defects, scene, QStringLiteral("vertex channels"),
-                                   {QString::fromLatin1(id),
-                                    QStringLiteral("Are all three channels treated alike?"),
-                                    QString::fromUtf8(forAssistant), [other](Scene &changed) {
-                                        for (Triangle &triangle : changed.triangles) {
-                                            for (Vertex &vertex : triangle.vertices) {
-                                                const std::uint8_t level = other(vertex.colour);
-                                                vertex.colour.channels[1] = level;
-                                                vertex.colour.channels[2] = level;
-                                            }
-                                        }
-                                        return true;
-                                    }});
-          };
-    add("red-alone", "Only red is computed: green and blue are 0 in all that is drawn.",
-        [](const Colour &) { return std::uint8_t(0); });
-    add("all-from-red", "Green and blue are computed from the red of the vertices: all is gray.",
-        [](const Colour &colour) { return colour.channels[0]; });
+    // Of a program that was written for red and not gone on with.
+    add(QStringLiteral("red-alone"),
+        QStringLiteral("Only red is computed: green and blue are 0 in all that is drawn."),
+        [](Colour &colour) { colour.channels[1] = colour.channels[2] = 0; });
+    add(QStringLiteral("all-from-red"),
+        QStringLiteral("Green and blue are computed from the red of the vertices: all is gray."),
+        [](Colour &colour) { colour.channels[1] = colour.channels[2] = colour.channels[0]; });
 }
 
 void appendPrimitives(std::vector<Defect> &defects, const Scene &scene)
@@ -273,7 +255,6 @@ std::vector<Defect> sceneDefectsFor(const Scene &scene)
     appendPlaces(defects, scene);
     appendColours(defects, scene);
     appendChannels(defects, scene);
-    appendRedAlone(defects, scene);
     appendPrimitives(defects, scene);
     return defects;
 }

@@ -193,14 +193,13 @@ void appendSamplesOnBounds(std::vector<Defect> &defects, const Scene &scene, Spa
             words.arg(QString::fromUtf8(what)), redrawingBy(walk, LevelOverflow::Clamps), axis));
     };
     constexpr auto otherwise = EndRounding::OnBoundOtherwise;
-    const bool ownsBoth = ownsFirst(samples) && ownsLast(samples);
     add(QStringLiteral("lower-bound"), "A sample on the lower bound of a %1", {.first = otherwise},
         ownsFirst(samples));
     add(QStringLiteral("upper-bound"), "A sample on the upper bound of a %1", {.last = otherwise},
         ownsLast(samples));
     if (ownsFirst(samples) == ownsLast(samples))
         add(QStringLiteral("bounds"), "A sample on either bound of a %1",
-            {.first = otherwise, .last = otherwise}, ownsBoth);
+            {.first = otherwise, .last = otherwise}, ownsFirst(samples));
 }
 
 /// Whether two vertices of a triangle share their span: programs may sort them otherwise.
