@@ -214,6 +214,22 @@ private slots:
         QVERIFY(answer.contender.isEmpty());
     }
 
+    void whoWasNotTimedMeetsABudgetOfErrorsAfterAllOthers()
+    {
+        Study study = studyOf({{"slow", 2000, 0, 0, true}, {"untimed", 1, 0, 0, true}});
+        study.rows.back().cost.reset();
+        Study none = study;
+        none.rows.erase(none.rows.begin());
+
+        QCOMPARE(cheapestFor(Budget::Exact, study, QStringLiteral("f")).contender,
+                 QStringLiteral("slow"));
+        const BudgetAnswer answer = cheapestFor(Budget::Exact, none, QStringLiteral("f"));
+        QCOMPARE(answer.contender, QStringLiteral("untimed"));
+        QVERIFY2(answer.reason.contains(QStringLiteral("not timed")), qPrintable(answer.reason));
+        QCOMPARE(cheapestFor(Budget::SixteenMilliseconds, none, QStringLiteral("f")).ground,
+                 BudgetGround::Nobody);
+    }
+
     void framesAreTimedAsAWholeForSixteenMilliseconds()
     {
         // 1,000 px of a tenth of the triangles: 10,000 px a frame, 20 ms at 2,000 ns each.

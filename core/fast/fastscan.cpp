@@ -206,8 +206,12 @@ int bandCountFor(std::span<const Triangle> triangles, FrameView frame, int threa
     return int(std::min<std::int64_t>(std::max(forCaches, forThreads), frame.height));
 }
 
-/// That the system lets this process have, 1 or more.
-int threadsOfMachine() { return int(std::max(1U, std::thread::hardware_concurrency())); }
+/// That the system lets this process have, 1 or more. To ask takes as long as a small picture.
+int threadsOfMachine()
+{
+    static const int threads = int(std::max(1U, std::thread::hardware_concurrency()));
+    return threads;
+}
 
 RouteTally drawInBands(std::span<const Triangle> triangles, const ScanSettings &settings,
                        const FrameBands &bands, const FastKernels &kernels, int threads)

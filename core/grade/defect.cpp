@@ -92,16 +92,6 @@ QString questionOf(const QString &kind)
     return questions.value(kind);
 }
 
-/// The change of a picture with any background, which fills what a shift leaves empty.
-auto changeNamed(const QString &name)
-{
-    return [name](const Picture &right, const Colour &background) {
-        const auto changes = pictureChangesFor(right, background);
-        const auto found = std::ranges::find(changes, name, &PictureChange::name);
-        return found != changes.end() ? found->apply(right) : right;
-    };
-}
-
 void appendPictures(std::vector<Defect> &defects, const Scene &scene)
 {
     // First of all: what it is drawn on can still be another background.
@@ -127,7 +117,7 @@ void appendPictures(std::vector<Defect> &defects, const Scene &scene)
                                : change.sentence,
                            {},
                            {},
-                           changeNamed(change.name),
+                           change.apply,
                            change.isFar,
                            change.kind});
     }

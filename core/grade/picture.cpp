@@ -94,6 +94,13 @@ void coverAllBut(const Colour &background, Picture &picture)
         picture.covered[i] = picture.colours[i] == background ? 0 : 1;
 }
 
+Picture emptyPicture(const FrameSpec &frame)
+{
+    Picture picture = blankPicture(frame.width, frame.height);
+    std::ranges::fill(picture.colours, frame.background);
+    return picture;
+}
+
 Picture pictureOf(const Scene &scene)
 {
     const FrameBuffer frame(scene.frame);

@@ -41,6 +41,8 @@ struct Picture {
 Colour backgroundOf(const Picture &picture);
 void coverAllBut(const Colour &background, Picture &picture);
 
+/// All background: nothing is drawn on it.
+Picture emptyPicture(const FrameSpec &frame);
 /// What the scene's method draws; covered is what it writes.
 Picture pictureOf(const Scene &scene);
 

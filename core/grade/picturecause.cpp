@@ -10,11 +10,9 @@ namespace pixelplumb {
 
 namespace {
 
-using Change = std::function<Picture(const Picture &expected)>;
-
-Change recolour(const std::function<Colour(const Colour &)> &change)
+auto recolour(const std::function<Colour(const Colour &)> &change)
 {
-    return [=](const Picture &expected) {
+    return [=](const Picture &expected, const Colour &) {
         Picture picture = expected;
         std::ranges::transform(picture.colours, picture.colours.begin(), change);
         return picture;
@@ -97,7 +95,7 @@ void appendBackgrounds(const Colour &background, std::vector<PictureChange> &cha
         if (colour == background)
             return;
         changes.push_back({name,
-                           [colour](const Picture &expected) {
+                           [colour](const Picture &expected, const Colour &) {
                                Picture picture = expected;
                                for (std::size_t i = 0; i < picture.size(); ++i) {
                                    if (picture.covered[i] == 0)
@@ -116,7 +114,7 @@ void appendBackgrounds(const Colour &background, std::vector<PictureChange> &cha
 void appendMask(std::vector<PictureChange> &changes)
 {
     changes.push_back({QStringLiteral("drawn in white alone"),
-                       [](const Picture &expected) {
+                       [](const Picture &expected, const Colour &) {
                            Picture picture = expected;
                            for (std::size_t i = 0; i < picture.size(); ++i) {
                                if (picture.covered[i] != 0)
@@ -131,7 +129,7 @@ void appendMask(std::vector<PictureChange> &changes)
 
 std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colour &background)
 {
-    std::vector<PictureChange> changes = placeChangesFor(expected, background);
+    std::vector<PictureChange> changes = placeChangesFor(expected);
     if (!expected.hasColours)
         return changes;
     appendChannels(changes);

@@ -10,7 +10,8 @@ namespace pixelplumb {
 /// Something that a program may have done to its whole picture, background and all.
 struct PictureChange {
     QString name; ///< as what the picture is: "shifted by 1 up"
-    std::function<Picture(const Picture &expected)> apply;
+    /// To any picture that is drawn on that background, which fills what a shift leaves empty.
+    std::function<Picture(const Picture &expected, const Colour &background)> apply;
     QString kind; ///< two of one kind are a third one: "shift", "flip", "stride", …
     bool isFar = false; ///< a shift by more than 1 px
     QString sentence = {}; ///< what was done, where the name does not tell it all

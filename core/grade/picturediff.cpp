@@ -36,8 +36,9 @@ PixelVerdict verdictAt(const Picture &expected, const Picture &found, std::size_
 void findCauses(const Picture &expected, const Picture &found, PictureDiff &diff)
 {
     const std::int64_t before = differingPixels(expected, found);
-    for (const PictureChange &change : pictureChangesFor(expected, backgroundOf(expected))) {
-        const std::int64_t left = differingPixels(change.apply(expected), found);
+    const Colour background = backgroundOf(expected);
+    for (const PictureChange &change : pictureChangesFor(expected, background)) {
+        const std::int64_t left = differingPixels(change.apply(expected, background), found);
         if (2 * left <= before)
             diff.causes.push_back({change.name, left});
     }

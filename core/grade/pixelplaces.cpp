@@ -15,8 +15,6 @@ constexpr int farthestShift = 4; // px
 /// The pixel of the expected picture that is found at (x, line).
 using PlaceMap = std::function<std::pair<int, int>(const Picture &expected, int x, int line)>;
 
-using Change = std::function<Picture(const Picture &expected)>;
-
 Picture moved(const Picture &expected, const PlaceMap &source, const Colour &background)
 {
     Picture picture = expected;
@@ -33,9 +31,11 @@ Picture moved(const Picture &expected, const PlaceMap &source, const Colour &bac
     return picture;
 }
 
-Change move(const Colour &background, const PlaceMap &source)
+auto moving(const PlaceMap &source)
 {
-    return [=](const Picture &expected) { return moved(expected, source, background); };
+    return [=](const Picture &expected, const Colour &background) {
+        return moved(expected, source, background);
+    };
 }
 
 QString shiftName(int right, int down)
@@ -52,28 +52,26 @@ QString shiftName(int right, int down)
     return QStringLiteral("shifted by ") + ways.join(QStringLiteral(" and "));
 }
 
-void appendShifts(const Colour &background, std::vector<PictureChange> &changes)
+void appendShifts(std::vector<PictureChange> &changes)
 {
     for (int dy = -farthestShift; dy <= farthestShift; ++dy) {
         for (int dx = -farthestShift; dx <= farthestShift; ++dx) {
             if (dx == 0 && dy == 0)
                 continue;
-            changes.push_back({shiftName(dx, dy),
-                               move(background,
-                                    [=](const Picture &, int x, int line) {
-                                        return std::pair(x - dx, line - dy);
-                                    }),
+            changes.push_back({shiftName(dx, dy), moving([=](const Picture &, int x, int line) {
+                                   return std::pair(x - dx, line - dy);
+                               }),
                                QStringLiteral("shift"), std::max(std::abs(dx), std::abs(dy)) > 1});
         }
     }
 }
 
-void appendFlips(const Colour &background, std::vector<PictureChange> &changes)
+void appendFlips(std::vector<PictureChange> &changes)
 {
     const auto right = [](const Picture &picture) { return picture.width - 1; };
     const auto bottom = [](const Picture &picture) { return picture.height - 1; };
     const auto add = [&](const QString &name, const PlaceMap &source) {
-        changes.push_back({name, move(background, source), QStringLiteral("flip")});
+        changes.push_back({name, moving(source), QStringLiteral("flip")});
     };
     add(QStringLiteral("upside down"),
         [=](const Picture &of, int x, int line) { return std::pair(x, bottom(of) - line); });
@@ -100,11 +98,15 @@ int countedFrom(RowOrigin origin, const Picture &of, int line)
     return origin == RowOrigin::Bottom ? of.height - 1 - line : line;
 }
 
+/// As many pixels from one row of a picture to the next one's, as it is written.
+using Stride = std::function<int(const Picture &of)>;
+
 /// Pixel (x, row) is written at row·stride + x and read where row·width + x is. Where rows overlap
 /// it is what was drawn that stays; of two such pixels that of the greater x, as columns are drawn.
-PlaceMap storedWith(int stride, RowOrigin origin)
+PlaceMap storedWith(const Stride &strideOf, RowOrigin origin)
 {
     return [=](const Picture &of, int x, int line) {
+        const int stride = strideOf(of);
         const std::int64_t address = std::int64_t(countedFrom(origin, of, line)) * of.width + x;
         const auto writer = [&](std::int64_t rowsBefore) {
             const auto row = int(address / stride - rowsBefore);
@@ -132,42 +134,41 @@ PlaceMap storedByColumns(RowOrigin origin)
 }
 
 /// Rows that are stored more or fewer pixels apart than they are read: the picture leans.
-void appendStrides(const Picture &expected, const Colour &background,
-                   std::vector<PictureChange> &changes)
+void appendStrides(const Picture &expected, std::vector<PictureChange> &changes)
 {
     const auto add = [&](const QString &what, const char *address, const auto &stored) {
         for (const auto &[origin, from] :
              {std::pair(RowOrigin::Top, "top"), std::pair(RowOrigin::Bottom, "bottom")})
             changes.push_back(
                 {QStringLiteral("%1 from the %2 on").arg(what, QLatin1String(from)),
-                 move(background, stored(origin)), QStringLiteral("stride"), false,
+                 moving(stored(origin)), QStringLiteral("stride"), false,
                  QStringLiteral("The pixel (x, y) is written at %1 and read at y·width + x, y "
                                 "counted from the %2.")
                      .arg(QString::fromUtf8(address), QLatin1String(from))});
     };
-    const int width = expected.width;
-    const auto apart = [](int stride) {
+    const auto apart = [](const Stride &stride) {
         return [stride](RowOrigin origin) { return storedWith(stride, origin); };
     };
-    add(QStringLiteral("rows stored a pixel too far apart"), "y·(width + 1) + x", apart(width + 1));
+    add(QStringLiteral("rows stored a pixel too far apart"), "y·(width + 1) + x",
+        apart([](const Picture &of) { return of.width + 1; }));
     add(QStringLiteral("rows stored a pixel too near"), "y·(width − 1) + x",
-        apart(std::max(1, width - 1)));
-    if (expected.height == width)
+        apart([](const Picture &of) { return std::max(1, of.width - 1); }));
+    if (expected.height == expected.width)
         return;
-    if (std::abs(expected.height - width) > 1)
+    if (std::abs(expected.height - expected.width) > 1)
         add(QStringLiteral("rows stored as far apart as columns are high"), "y·height + x",
-            apart(expected.height));
+            apart([](const Picture &of) { return of.height; }));
     add(QStringLiteral("columns stored in place of rows"), "x·height + y", storedByColumns);
 }
 
 } // namespace
 
-std::vector<PictureChange> placeChangesFor(const Picture &expected, const Colour &background)
+std::vector<PictureChange> placeChangesFor(const Picture &expected)
 {
     std::vector<PictureChange> changes;
-    appendFlips(background, changes);
-    appendStrides(expected, background, changes);
-    appendShifts(background, changes);
+    appendFlips(changes);
+    appendStrides(expected, changes);
+    appendShifts(changes);
     return changes;
 }
 

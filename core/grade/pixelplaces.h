@@ -7,6 +7,6 @@ namespace pixelplumb {
 
 /// Pixels that are in other places than expected: flips, x and y exchanged, rows stored too far
 /// apart or too near, columns stored in place of rows, shifts.
-std::vector<PictureChange> placeChangesFor(const Picture &expected, const Colour &background);
+std::vector<PictureChange> placeChangesFor(const Picture &expected);
 
 } // namespace pixelplumb

@@ -13,12 +13,6 @@ namespace pixelplumb {
 
 namespace {
 
-Picture emptyPicture(Scene scene)
-{
-    scene.triangles.clear();
-    return pictureOf(scene);
-}
-
 /// By the bound that holds whatever the method.
 Picture boundedPicture(const Scene &alone, const RoundingSide &side)
 {
@@ -27,7 +21,7 @@ Picture boundedPicture(const Scene &alone, const RoundingSide &side)
     const ArithmeticBound bound = boundOn(side, triangle);
     if (!bound.isProved() || !alone.settings.variants.isEmpty())
         return pictureOf(alone);
-    Picture picture = emptyPicture(alone);
+    Picture picture = emptyPicture(alone.frame);
     const SampleBox box = bound.reachIn(frame);
     for (std::int64_t y = box.firstY; y < box.endY; ++y) {
         for (std::int64_t x = box.firstX; x < box.endX; ++x) {
@@ -58,7 +52,7 @@ Picture rightPicture(const Scene &alone, const RoundingSide &side)
         return pictureOf(alone);
     if (!walksEdges)
         return boundedPicture(alone, side);
-    Picture picture = emptyPicture(alone);
+    Picture picture = emptyPicture(alone.frame);
     RedrawnTriangle(
         alone, redrawingBy({}, LevelOverflow::Clamps), [&alone] { return pictureOf(alone); }, side)
         .paintOn(picture, Repainting::Over, alone.frame.background);
@@ -85,7 +79,7 @@ Scene shapeAlone(const Scene &scene, std::size_t shape)
 
 Picture redrawn(const Scene &scene, const Redrawing &redrawing)
 {
-    Picture picture = emptyPicture(scene);
+    Picture picture = emptyPicture(scene.frame);
     for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
         const Scene alone = triangleAlone(scene, i);
         RedrawnTriangle(alone, redrawing, [&alone] {
@@ -100,7 +94,7 @@ PictureRange redrawnRange(const Scene &scene, const Redrawing &redrawing, Arithm
     PictureRange range;
     const auto sides = roundingSides(arithmetic);
     for (std::size_t side = 0; side < sides.size(); ++side) {
-        range.sides[side] = emptyPicture(scene);
+        range.sides[side] = emptyPicture(scene.frame);
         for (std::size_t i = 0; i < scene.triangles.size(); ++i) {
             const Scene alone = triangleAlone(scene, i);
             RedrawnTriangle(

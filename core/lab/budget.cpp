@@ -10,11 +10,11 @@ namespace {
 constexpr double frameNanoseconds = 16e6;
 constexpr double affordedPerMillion = 10;
 
-/// A row that has figures and a time.
+/// A row that has figures.
 struct Offer {
     const StudyContender *contender = nullptr;
     const LabRow *row = nullptr;
-    double perPixel = 0;
+    std::optional<double> perPixel; ///< none: there was no time to time it
 
     /// A proof of everything.
     bool isProved() const { return contender->isProved; }
@@ -28,15 +28,21 @@ std::vector<Offer> offersOf(const Study &study, const QString &family)
         // Nobody can choose another renderer here.
         if (!row || !row->accuracy || contender.kernel == LabKernel::Peer)
             continue;
-        if (const auto perPixel = study.perPixel(*row))
-            offers.push_back({&contender, row, *perPixel});
+        offers.push_back({&contender, row, study.perPixel(*row)});
     }
     return offers;
 }
 
-QString costText(double perPixel)
+QString costText(const Offer &offer)
 {
-    return QStringLiteral("%1 ns a pixel").arg(perPixel, 0, 'f', 2);
+    return offer.perPixel ? QStringLiteral("%1 ns a pixel").arg(*offer.perPixel, 0, 'f', 2)
+                          : QStringLiteral("not timed");
+}
+
+/// Those that were not timed come last, in their order.
+bool isCheaper(const Offer &one, const Offer &other)
+{
+    return one.perPixel && (!other.perPixel || *one.perPixel < *other.perPixel);
 }
 
 QString observation(const Offer &offer)
@@ -56,10 +62,10 @@ BudgetAnswer answerFor(Budget budget, const Offer &offer)
     const bool isProved = offer.isProved() && budget != Budget::SixteenMilliseconds;
     answer.ground = isProved ? BudgetGround::Proof : BudgetGround::Measurement;
     answer.contender = offer.contender->id;
-    answer.nanosecondsPerPixel = offer.perPixel;
+    answer.nanosecondsPerPixel = offer.perPixel.value_or(0);
     answer.reason
         = QStringLiteral("%1, %2; %3")
-              .arg(offer.contender->label, costText(offer.perPixel),
+              .arg(offer.contender->label, costText(offer),
                    offer.isProved() ? QStringLiteral("proved for ") + offer.contender->domain
                                     : observation(offer));
     return answer;
@@ -128,6 +134,8 @@ BudgetAnswer cheapestFor(Budget budget, const Study &study, const QString &famil
     if (budget == Budget::SixteenMilliseconds) {
         // The timed part is drawn in so long; the whole takes in proportion.
         std::erase_if(offers, [&](const Offer &offer) {
+            if (!offer.perPixel)
+                return true;
             const double whole = offer.row->cost->perDraw.median * double(drawn->triangles)
                 / double(drawn->timedTriangles);
             return whole > frameNanoseconds;
@@ -137,12 +145,12 @@ BudgetAnswer cheapestFor(Budget budget, const Study &study, const QString &famil
             const std::int64_t wrongB = b.row->accuracy->wrongPixels();
             if (wrongA != wrongB)
                 return wrongA < wrongB;
-            return a.perPixel < b.perPixel;
+            return isCheaper(a, b);
         });
     } else {
         std::erase_if(offers,
                       [&](const Offer &offer) { return !meets(budget, *offer.row->accuracy); });
-        std::ranges::stable_sort(offers, {}, &Offer::perPixel);
+        std::ranges::stable_sort(offers, isCheaper);
         // That nothing was found wrong is not exact; where there is a proof, only that counts.
         if (budget == Budget::Exact) {
             std::ranges::stable_sort(offers, [](const Offer &a, const Offer &b) {
@@ -154,7 +162,7 @@ BudgetAnswer cheapestFor(Budget budget, const Study &study, const QString &famil
         return answerFor(budget, offers.front());
     BudgetAnswer nobody;
     nobody.budget = budget;
-    nobody.reason = QStringLiteral("no contender that was timed meets “%1”").arg(textOf(budget));
+    nobody.reason = QStringLiteral("no contender meets “%1”").arg(textOf(budget));
     return nobody;
 }
 

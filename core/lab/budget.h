@@ -28,7 +28,7 @@ struct BudgetAnswer {
     Budget budget = Budget::Exact;
     BudgetGround ground = BudgetGround::Nobody;
     QString contender; ///< id; empty where nobody meets it
-    double nanosecondsPerPixel = 0;
+    double nanosecondsPerPixel = 0; ///< 0 of one that was not timed
     QString reason; ///< a sentence: what meets it, by what, at what cost
 };
 
