@@ -75,7 +75,7 @@ private slots:
         QTest::mouseClick(named<QToolButton>(*window, "gradingGrade"), Qt::LeftButton);
 
         QVERIFY(book(*window).job().isRunning());
-        QTRY_COMPARE_WITH_TIMEOUT(table(*window)->model()->rowCount(), 3, 60'000);
+        QTRY_COMPARE_WITH_TIMEOUT(table(*window)->model()->rowCount(), 3, longestWait);
         QCOMPARE(cell(*window, 0, GradeTableModel::Name), "ada");
         QCOMPARE(cell(*window, 0, GradeTableModel::Verdict), "right");
         QCOMPARE(cell(*window, 1, GradeTableModel::Name), "bob");
@@ -107,12 +107,13 @@ private slots:
         if (isDropped)
             drop(*window, classroom.results());
 
-        QTRY_COMPARE(table(*window)->model()->rowCount(), 3);
-        QTRY_VERIFY(!named<QDockWidget>(*window, "gradingDock")->visibleRegion().isEmpty());
+        QTRY_COMPARE_WITH_TIMEOUT(table(*window)->model()->rowCount(), 3, longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(
+            !named<QDockWidget>(*window, "gradingDock")->visibleRegion().isEmpty(), longestWait);
         QVERIFY(!named<QWidget>(*window, "messageBar")->isVisible());
-        QTRY_COMPARE(window->focusWidget(), table(*window));
+        QTRY_COMPARE_WITH_TIMEOUT(window->focusWidget(), table(*window), longestWait);
         QTest::keyClick(window->focusWidget(), Qt::Key_J);
-        QTRY_COMPARE(window->parts().student->name(), "ada · small");
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "ada · small", longestWait);
     }
 
     void transparencyIsIgnoredAndThatIsSaid()
@@ -125,7 +126,7 @@ private slots:
         QVERIFY(gradeFolder({classroom.submissions(), classroom.results(), "1"}, *assignment));
         const auto window = windowWithDock();
         book(*window).open(classroom.results());
-        QTRY_COMPARE(table(*window)->model()->rowCount(), 3);
+        QTRY_COMPARE_WITH_TIMEOUT(table(*window)->model()->rowCount(), 3, longestWait);
         table(*window)->setFocus();
 
         for (const bool isTransparent : {true, false}) {
@@ -140,7 +141,7 @@ private slots:
         const auto window = openedWindow();
         const QTemporaryDir empty;
         window->openResults(empty.path());
-        QTRY_VERIFY(named<QWidget>(*window, "messageBar")->isVisible());
+        QTRY_VERIFY_WITH_TIMEOUT(named<QWidget>(*window, "messageBar")->isVisible(), longestWait);
         const QString told = named<QLabel>(*window, "messageText")->text();
         for (const QString &part : {QStringLiteral("No grades: "), empty.path(),
                                     QStringLiteral("holds no results"), QStringLiteral("expected")})
@@ -156,10 +157,10 @@ private slots:
         QApplication::setPalette(palette);
 
         press(*window, Qt::Key_J);
-        QTRY_COMPARE(window->parts().student->name(), "ada · small");
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "ada · small", longestWait);
         press(*window, Qt::Key_J);
-        QTRY_COMPARE(window->parts().student->name(), "bob · small");
-        QTRY_VERIFY(window->parts().student->judgement());
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "bob · small", longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
 
         QCOMPARE(window->parts().document->scene().triangles, smallScene().triangles);
         QVERIFY(named<QDockWidget>(*window, "submissionDock")->isVisible());
@@ -170,7 +171,7 @@ private slots:
         QTest::qWait(50);
         grabbed(*window, "grading");
         press(*window, Qt::Key_K);
-        QTRY_COMPARE(window->parts().student->name(), "ada · small");
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "ada · small", longestWait);
         QCOMPARE(table(*window)->currentIndex().row(), 0);
     }
 
@@ -191,10 +192,10 @@ private slots:
         book(*window).setComment(std::array{std::size_t(0), std::size_t(1)},
                                  "Round where you cut: half a level is lost on every channel.");
         press(*window, Qt::Key_J);
-        QTRY_VERIFY(window->parts().student->judgement());
+        QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
         press(*window, Qt::Key_J);
-        QTRY_COMPARE(window->parts().student->name(), "bob · small");
-        QTRY_VERIFY(window->parts().student->judgement());
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "bob · small", longestWait);
+        QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
         QTest::qWait(100); // the docks take their places
 
         grabbed(*window, "bench");
@@ -235,7 +236,7 @@ private slots:
         QTest::mouseClick(table(*window)->viewport(), Qt::LeftButton, {},
                           table(*window)->visualRect(row).center());
 
-        QTRY_COMPARE(window->parts().student->name(), "cyd · small");
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "cyd · small", longestWait);
     }
 
     void acceptedStaysAccepted()
@@ -251,7 +252,7 @@ private slots:
         named<QLineEdit>(*window, "gradingFilter")->setText("accepted");
         QCOMPARE(model->rowCount(), 1);
         named<QLineEdit>(*window, "gradingFilter")->clear();
-        QTRY_VERIFY(keptReview(classroom, 0).isAccepted);
+        QTRY_VERIFY_WITH_TIMEOUT(keptReview(classroom, 0).isAccepted, longestWait);
         press(*window, Qt::Key_A);
         QCOMPARE(cell(*window, 0, GradeTableModel::State), QString());
     }
@@ -263,7 +264,7 @@ private slots:
         auto *comment = named<QPlainTextEdit>(*window, "gradingComment");
         press(*window, Qt::Key_J);
         press(*window, Qt::Key_C);
-        QTRY_VERIFY(comment->hasFocus());
+        QTRY_VERIFY_WITH_TIMEOUT(comment->hasFocus(), longestWait);
         QTest::keyClicks(comment, "well done");
         QTest::keyClick(comment, Qt::Key_Escape);
         QVERIFY(table(*window)->hasFocus());
@@ -271,7 +272,7 @@ private slots:
 
         QCOMPARE(comment->toPlainText(), QString());
         QCOMPARE(cell(*window, 0, GradeTableModel::Comment), "well done");
-        QTRY_COMPARE(keptReview(classroom, 0).comment, "well done");
+        QTRY_COMPARE_WITH_TIMEOUT(keptReview(classroom, 0).comment, "well done", longestWait);
     }
 
     void aCommentThatIsBeingTypedOutlivesGradingAnewAndTheWindow()
@@ -285,8 +286,9 @@ private slots:
             book(*window).grade(classroom.submissions(), classroom.assignmentFile(),
                                 classroom.results());
             comment->setPlainText("second");
-            QTRY_VERIFY(!book(*window).job().isRunning());
-            QTRY_COMPARE(cell(*window, 0, GradeTableModel::Comment), "second");
+            QTRY_VERIFY_WITH_TIMEOUT(!book(*window).job().isRunning(), longestWait);
+            QTRY_COMPARE_WITH_TIMEOUT(cell(*window, 0, GradeTableModel::Comment), "second",
+                                      longestWait);
             press(*window, Qt::Key_J);
             comment->setPlainText("third");
         }
@@ -300,7 +302,7 @@ private slots:
         {
             Gradebook gradebook;
             gradebook.open(classroom.results());
-            QTRY_VERIFY(!gradebook.results().isEmpty());
+            QTRY_VERIFY_WITH_TIMEOUT(!gradebook.results().isEmpty(), longestWait);
             for (int i = 1; i <= 20; ++i)
                 gradebook.setComment(std::array{std::size_t(0)}, QString::number(i));
         }
@@ -312,7 +314,7 @@ private slots:
         const Classroom classroom;
         const auto window = windowWithGrades(classroom);
         press(*window, Qt::Key_J);
-        QTRY_VERIFY(window->parts().student->judgement());
+        QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
 
         emit named<GradingPanel>(*window, "grading")
             ->openRequested({smallScene(), {}, "bob · small", "it is 20 × 20 pixels"});
@@ -323,7 +325,7 @@ private slots:
         press(*window, Qt::Key_J);
         QCOMPARE(window->parts().student->name(), "bob · small");
         QVERIFY(!window->parts().student->judgement());
-        QTRY_VERIFY(window->parts().student->judgement());
+        QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
     }
 
     void aCommentOfAStudentWhoIsNotThereNowStays()
@@ -353,7 +355,8 @@ private slots:
 
         QTest::mouseClick(named<QToolButton>(*window, "gradingCommentCluster"), Qt::LeftButton);
 
-        QTRY_COMPARE(keptReview(classroom, 1).comment, "round, do not cut");
+        QTRY_COMPARE_WITH_TIMEOUT(keptReview(classroom, 1).comment, "round, do not cut",
+                                  longestWait);
         QCOMPARE(keptReview(classroom, 2).comment, "round, do not cut");
         QCOMPARE(keptReview(classroom, 0).comment, QString());
     }
@@ -367,7 +370,7 @@ private slots:
 
         QTest::mouseClick(named<QToolButton>(*window, "gradingReports"), Qt::LeftButton);
 
-        QTRY_VERIFY(!book(*window).job().isRunning());
+        QTRY_VERIFY_WITH_TIMEOUT(!book(*window).job().isRunning(), longestWait);
         QFile results(classroom.results() + "/results.json");
         QVERIFY(results.open(QIODevice::ReadOnly));
         QVERIFY(results.readAll().contains("well done"));
@@ -395,7 +398,7 @@ private slots:
         filter.setSourceModel(&model);
         const QAbstractItemModelTester filterTester(&filter);
         gradebook.open(classroom.results());
-        QTRY_COMPARE(filter.rowCount(), 3);
+        QTRY_COMPARE_WITH_TIMEOUT(filter.rowCount(), 3, longestWait);
         gradebook.setAccepted(0, true);
     }
 

@@ -30,7 +30,7 @@ private slots:
         const Classroom classroom;
         const auto window = windowWithGrades(classroom);
         press(*window, Qt::Key_J);
-        QTRY_VERIFY(window->parts().student->judgement());
+        QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
 
         if (isByCause)
             named<QComboBox>(*window, "gradingClusters")->setCurrentIndex(1);
@@ -38,14 +38,14 @@ private slots:
             QTest::keyClicks(named<QLineEdit>(*window, "gradingFilter"), "bob");
 
         QVERIFY(!table(*window)->selectionModel()->hasSelection());
-        QTRY_VERIFY(!window->parts().student->isThere());
+        QTRY_VERIFY_WITH_TIMEOUT(!window->parts().student->isThere(), longestWait);
         QCOMPARE(window->parts().student->name(), QString());
         QCOMPARE(named<QLabel>(*window, "gradingSentences")->text(), QString());
         press(*window, Qt::Key_A);
         QVERIFY(!book(*window).report().submissions[0].review.isAccepted);
         QVERIFY(!book(*window).report().submissions[1].review.isAccepted);
         press(*window, Qt::Key_J);
-        QTRY_COMPARE(window->parts().student->name(), "bob · small");
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "bob · small", longestWait);
     }
 
     void whoStaysInTheFilteredTableStaysInHand()
@@ -54,7 +54,7 @@ private slots:
         const auto window = windowWithGrades(classroom);
         press(*window, Qt::Key_J);
         press(*window, Qt::Key_J);
-        QTRY_VERIFY(window->parts().student->judgement());
+        QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
         const auto judged = window->parts().student->judgement();
 
         QTest::keyClicks(named<QLineEdit>(*window, "gradingFilter"), "bob");
@@ -69,11 +69,11 @@ private slots:
         const Classroom classroom;
         const auto window = windowWithGrades(classroom);
         QTest::keyClick(table(*window), Qt::Key_End, Qt::ControlModifier);
-        QTRY_COMPARE(window->parts().student->name(), "cyd · small");
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "cyd · small", longestWait);
         QTest::keyClick(table(*window), Qt::Key_Home, Qt::ControlModifier);
-        QTRY_COMPARE(window->parts().student->name(), "ada · small");
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "ada · small", longestWait);
         press(*window, Qt::Key_B); // the table looks for a name
-        QTRY_COMPARE(window->parts().student->name(), "bob · small");
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "bob · small", longestWait);
     }
 
     void theKeysStayInTheTableAsEachSubmissionBringsItsScene()
@@ -83,8 +83,9 @@ private slots:
         table(*window)->setFocus();
         for (const char *shown : {"ada · small", "bob · small", "cyd · small"}) {
             QTest::keyClick(window->focusWidget(), Qt::Key_J);
-            QTRY_COMPARE(window->parts().student->name(), QString::fromUtf8(shown));
-            QTRY_VERIFY(window->parts().student->judgement());
+            QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), QString::fromUtf8(shown),
+                                      longestWait);
+            QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
             QCOMPARE(window->focusWidget(), table(*window));
         }
     }
@@ -94,11 +95,11 @@ private slots:
         const Classroom classroom;
         const auto window = windowWithGrades(classroom);
         press(*window, Qt::Key_J);
-        QTRY_VERIFY(window->parts().student->judgement());
+        QTRY_VERIFY_WITH_TIMEOUT(window->parts().student->judgement(), longestWait);
 
         window->parts().student->paste(drawn(smallScene()), "pasted");
 
-        QTRY_COMPARE(window->parts().student->name(), "pasted");
+        QTRY_COMPARE_WITH_TIMEOUT(window->parts().student->name(), "pasted", longestWait);
         QVERIFY(!table(*window)->selectionModel()->hasSelection());
         QCoreApplication::processEvents();
         QCOMPARE(window->parts().student->name(), "pasted");

@@ -99,7 +99,7 @@ std::unique_ptr<MainWindow> windowWithGrades(const Classroom &classroom)
     bringResults(classroom);
     auto window = windowWithDock();
     book(*window).open(classroom.results());
-    if (!QTest::qWaitFor([&] { return !book(*window).results().isEmpty(); }))
+    if (!QTest::qWaitFor([&] { return !book(*window).results().isEmpty(); }, longestWait))
         QTest::qFail("no grades are opened", __FILE__, __LINE__);
     table(*window)->setFocus();
     return window;
