@@ -71,6 +71,30 @@ private slots:
         QTEST(*delivery.lack, "lack");
     }
 
+    void aPictureIsJudgedThoughItsProgramEndsWithAnExitCode()
+    {
+        const auto assignment = readAssignment(assignmentWith(R"("program": {}, )"));
+        QVERIFY(assignment.isOk());
+        const FrameSpec &frame = assignment->scenes.front().scene.frame;
+        const QTemporaryDir folder;
+        QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("ann")));
+        const QString program
+            = QStringLiteral("print('P3 %1 %2 255 ' + '9 ' * %3)\nraise SystemExit(3)\n")
+                  .arg(frame.width)
+                  .arg(frame.height)
+                  .arg(3 * frame.width * frame.height);
+        QVERIFY(!writeFile(folder.filePath(QStringLiteral("ann/main.py")), program.toUtf8()));
+        const SubmissionEntry entry(QFile::encodeName(folder.path()), "ann");
+
+        const Delivery delivery = deliveriesOf(entry, *assignment).front();
+
+        QCOMPARE(delivery.fault, QString());
+        QVERIFY(delivery.picture.has_value());
+        QCOMPARE(*delivery.note,
+                 QStringLiteral("it ended with exit code 3; the picture that it wrote is judged "
+                                "all the same"));
+    }
+
     void aPictureOfAnotherNameIsSaidToBeTaken()
     {
         const auto assignment = readAssignment(assignmentWith({}));

@@ -114,9 +114,9 @@ private slots:
         QTest::addColumn<int>("fewest");
         QTest::newRow("column-scan") << 140;
         QTest::newRow("row-walk") << 180;
-        QTest::newRow("edge-equations") << 60;
-        QTest::newRow("barycentric-rectangle") << 60;
-        QTest::newRow("line-bresenham") << 30;
+        QTest::newRow("edge-equations") << 120;
+        QTest::newRow("barycentric-rectangle") << 120;
+        QTest::newRow("line-bresenham") << 90;
     }
     void theProbeSheetTellsAllDefectsApart()
     {

@@ -32,6 +32,17 @@ enum class LineMistake {
     NotExchangedBack, ///< setPixel(x, y) of a steep line, too
     NoSteepLines,
     NeverDown, ///< Δy < 0, so that p is never positive
+    TwiceDifferenceFirst,
+    HalvedSteps, ///< p += Δy, p += Δy − Δx
+    ExchangedSteps,
+    SteppedTwice, ///< 2Δy always, and 2Δy − 2Δx beside it
+    SteppedBefore, ///< p += 2Δy, then p is asked
+    SetBack, ///< p = 2Δy − Δx where it steps across
+    OnePast, ///< k ≤ Δx + 1
+    UpwardLoop, ///< for (x = x₀; x <= x₁; ++x)
+    WrongWay,
+    DividedByPixels, ///< (C₁ − C₀)/(Δx + 1)
+    OneAhead, ///< the colour of k + 1
 };
 /// Whether the left end is stored in (x₀, y₀).
 enum class LineEnds { LeftFirst, AsGiven };
@@ -73,7 +84,10 @@ public:
             return;
         int p = firstDecision(dx, dy);
         int y = m_y[0];
-        for (int k = 0; k <= dx; ++k) {
+        if (m_mistake == LineMistake::UpwardLoop && m_x[1] < m_x[0])
+            return;
+        const int last = m_mistake == LineMistake::OnePast ? dx + 1 : dx;
+        for (int k = 0; k <= last; ++k) {
             const int x = m_x[0] + (m_x[1] < m_x[0] ? -k : k);
             const bool isLeftOut = m_mistake == LineMistake::NoLeastPixel ? k == 0
                 : m_mistake == LineMistake::NoFirstPixel ? k == (m_isSwapped ? dx : 0)
@@ -81,12 +95,20 @@ public:
                                                          : false;
             if (!isLeftOut)
                 paint(picture, x, y, colourAt(k, dx));
+            const bool isBefore = m_mistake == LineMistake::SteppedBefore;
+            if (isBefore)
+                p += 2 * dy;
             const bool isFlat = m_mistake == LineMistake::NeverDown && m_y[1] < m_y[0];
             const bool crosses = m_mistake == LineMistake::WrongSign ? p < 0 : p >= 0 && !isFlat;
+            const bool goesDown = (m_y[1] < m_y[0]) != (m_mistake == LineMistake::WrongWay);
             if (crosses)
-                y += m_y[1] < m_y[0] ? -1 : 1;
-            p += crosses ? whereItCrosses(dx, dy)
-                         : (m_mistake == LineMistake::OneRise ? dy : 2 * dy);
+                y += goesDown ? -1 : 1;
+            if (m_mistake == LineMistake::SteppedTwice && crosses)
+                p += 2 * dy;
+            p += (crosses ? whereItCrosses(dx, dy) : whereItStays(dx, dy))
+                - (isBefore ? 2 * dy : 0);
+            if (m_mistake == LineMistake::SetBack && crosses)
+                p = firstDecision(dx, dy);
         }
     }
 
@@ -98,6 +120,8 @@ private:
             return 2 * dy;
         case LineMistake::DifferenceFirst:
             return dy - dx;
+        case LineMistake::TwiceDifferenceFirst:
+            return 2 * dy - 2 * dx;
         case LineMistake::ZeroFirst:
             return 0;
         case LineMistake::MinusDxFirst:
@@ -108,9 +132,25 @@ private:
             return 2 * dy - dx;
         }
     }
+    int whereItStays(int dx, int dy) const
+    {
+        switch (m_mistake) {
+        case LineMistake::OneRise:
+        case LineMistake::HalvedSteps:
+            return dy;
+        case LineMistake::ExchangedSteps:
+            return 2 * dy - 2 * dx;
+        default:
+            return 2 * dy;
+        }
+    }
     int whereItCrosses(int dx, int dy) const
     {
         switch (m_mistake) {
+        case LineMistake::HalvedSteps:
+            return dy - dx;
+        case LineMistake::ExchangedSteps:
+            return 2 * dy;
         case LineMistake::OneRun:
             return 2 * dy - dx;
         case LineMistake::OneDifference:
@@ -138,9 +178,11 @@ private:
         Colour colour;
         for (std::size_t i = 0; i < 3; ++i) {
             const int from = m_colour[0].channels[i];
-            const int rise = (m_colour[1].channels[i] - from) * k;
-            const double level = dx == 0 ? from : from + double(rise) / dx;
-            colour.channels[i] = std::uint8_t(std::floor(level + 0.5));
+            const int steps = m_mistake == LineMistake::OneAhead ? k + 1 : k;
+            const int divisor = m_mistake == LineMistake::DividedByPixels ? dx + 1 : dx;
+            const int rise = (m_colour[1].channels[i] - from) * steps;
+            const double level = dx == 0 ? from : from + double(rise) / divisor;
+            colour.channels[i] = std::uint8_t(std::clamp(std::floor(level + 0.5), 0.0, 255.0));
         }
         return colour;
     }
@@ -196,6 +238,18 @@ private slots:
         decision("decision-never-lowered", LineMistake::NeverLowered);
         decision("decision-lowered-alone", LineMistake::LoweredAlone);
         decision("decision-of-wrong-sign", LineMistake::WrongSign);
+        decision("decision-from-twice-difference", LineMistake::TwiceDifferenceFirst);
+        decision("decision-steps-halved", LineMistake::HalvedSteps);
+        decision("decision-steps-exchanged", LineMistake::ExchangedSteps);
+        decision("decision-stepped-twice", LineMistake::SteppedTwice);
+        decision("decision-stepped-before-test", LineMistake::SteppedBefore);
+        decision("decision-set-back", LineMistake::SetBack);
+        decision("one-pixel-too-many", LineMistake::OnePast);
+        decision("steps-across-backward", LineMistake::WrongWay);
+        decision("line-colours-by-pixels", LineMistake::DividedByPixels);
+        decision("line-colours-ahead", LineMistake::OneAhead);
+        QTest::newRow("descending-lines-lost") << int(LineMistake::UpwardLoop) << false;
+        row("sorted-falling-lines-level", LineMistake::NeverDown);
         row("steep-lines-exchanged", LineMistake::NotExchangedBack);
         row("steep-lines-lost", LineMistake::NoSteepLines);
         QTest::newRow("falling-lines-level") << int(LineMistake::NeverDown) << false;

@@ -40,6 +40,14 @@ private slots:
             "--ascii and --json: a raster is no JSON; expected one of them");
         row("a list of defects in a folder", {"probes", "--list", "-o", "w"},
             "--list searches nothing, and there is nothing to write; expected it without -o");
+        row("a list of defects by lot", {"probes", "--list", "--seed", "5"},
+            "--list searches nothing, and no scenes are drawn by lot; expected it without --seed "
+            "and --candidates");
+        row("a seed of more than 64 bits", {"probes", "--seed", "99999999999999999999"},
+            "--seed: “99999999999999999999” is no whole number of 64 bits; expected 0 … "
+            "18446744073709551615");
+        row("a picture of no name", {"diagnose", "", "--scene", scene},
+            "“”: names no file; expected the name of one, or - for standard input");
         row("probes of circles", {"probes", "--method", "circle-midpoint"},
             "--method: method “circle-midpoint” draws circles and ellipses, of which there "
             "are no random scenes; expected a method that draws triangles or lines");

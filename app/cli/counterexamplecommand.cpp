@@ -172,13 +172,13 @@ ExitCode counterExample(const Command &command, const QStringList &arguments)
     const auto seed = chosenSeed(line);
     if (!seed)
         return line.refuse(seed.error());
+    const Result<Sides> sides = sidesOf(line, {QStringLiteral("ONE"), QStringLiteral("OTHER")});
+    if (!sides)
+        return line.refuse(sides.error());
     const auto path
         = line.isSet(outputOption) ? pathIn(line.value(outputOption)) : Result<QString>(QString());
     if (!path)
         return line.refuse(path.error());
-    const Result<Sides> sides = sidesOf(line, {QStringLiteral("ONE"), QStringLiteral("OTHER")});
-    if (!sides)
-        return line.refuse(sides.error());
     const CounterSearch search = withProgress([&](const ProgressListener &listener) {
         return findCounterExample(sides->sources[0], sides->sources[1], sides->conventions, *seed,
                                   listener);

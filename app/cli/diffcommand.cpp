@@ -27,8 +27,14 @@ Result<Side> readSide(const QString &path)
         return content.error();
     if (!content->trimmed().startsWith('{')) {
         Result<Picture> picture = parsePicture(*content, path);
-        if (!picture)
-            return picture.error();
+        if (!picture) {
+            InputError error = picture.error();
+            if (content->trimmed().startsWith('['))
+                error = {path, QStringLiteral("a list in JSON is no scene"), pictureFormatsText()};
+            if (error.expected == pictureFormatsText())
+                error.expected += QStringLiteral(", or a scene as a JSON object: {…}");
+            return error;
+        }
         return Side{std::move(*picture), std::nullopt};
     }
     const Result<SceneReading> reading = sceneIn(*content, path);

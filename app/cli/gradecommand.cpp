@@ -71,7 +71,7 @@ Result<GradeShard> chosenShard(const CommandLine &line)
 /// "12  unsorted-colours" and what was done.
 QStringList clusterLines(const GradeReport &report)
 {
-    QStringList lines = {QStringLiteral("%1 submissions").arg(report.submissions.size())};
+    QStringList lines = {submissionsText(report.submissions.size())};
     if (!report.missing.isEmpty())
         lines += QStringLiteral("partial: %1 more have no grade").arg(report.missing.size());
     for (const GradeCluster &cluster : clustersOf(report)) {

@@ -57,6 +57,9 @@ std::optional<InputError> refusalToReplace(const QString &path)
 
 Result<QByteArray> readInput(const QString &path)
 {
+    if (path.isEmpty())
+        return InputError{QStringLiteral("“”"), QStringLiteral("names no file"),
+                          QStringLiteral("the name of one, or - for standard input")};
     if (auto refusal = refusalToReplace(path))
         return *refusal;
     if (path != QStringLiteral("-"))

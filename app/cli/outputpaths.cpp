@@ -21,8 +21,6 @@ Result<QStringList> outputPaths(const QString &output, const QStringList &inputs
             QStringLiteral("-o ") + output,
             QStringLiteral("is one file for %1 scenes").arg(inputs.size()),
             QStringLiteral("a folder, such as %1/").arg(QFileInfo(output).baseName())};
-    if (const auto refusal = refusalOfFolder(output))
-        return *refusal;
     QStringList paths;
     for (const QString &input : inputs) {
         if (input == QStringLiteral("-"))
@@ -37,6 +35,9 @@ Result<QStringList> outputPaths(const QString &output, const QStringList &inputs
                               QStringLiteral("scenes of different names")};
         paths.append(path);
     }
+    // Last: a folder is not made for what is refused.
+    if (const auto refusal = refusalOfFolder(output))
+        return *refusal;
     return paths;
 }
 

@@ -173,6 +173,9 @@ ExitCode probes(const Command &command, const QStringList &arguments)
     const Result<Scene> conventions = conventionsFor(line);
     if (!conventions)
         return line.refuse(conventions.error());
+    if (line.isSet(listOption) && (line.isSet(candidatesOption) || isSeedSet(line)))
+        return line.refuse(QStringLiteral("--list searches nothing, and no scenes are drawn by "
+                                          "lot; expected it without --seed and --candidates"));
     if (line.isSet(listOption) && line.isSet(outputOption))
         return line.refuse(QStringLiteral("--list searches nothing, and there is nothing to write; "
                                           "expected it without -o"));

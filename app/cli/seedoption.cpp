@@ -17,13 +17,16 @@ void addSeedOption(CommandLine &line, const QString &what)
 
 Result<std::uint64_t> chosenSeed(const CommandLine &line)
 {
+    const QString word = line.value(seedOption);
     bool isNumber = false;
-    const qulonglong seed = line.value(seedOption).toULongLong(&isNumber);
+    const qulonglong seed = word.toULongLong(&isNumber);
     if (!isNumber)
         return InputError{QStringLiteral("--seed"),
-                          QStringLiteral("“%1” is no whole number").arg(line.value(seedOption)),
-                          QStringLiteral("0 or more")};
+                          QStringLiteral("“%1” is no whole number of 64 bits").arg(word),
+                          QStringLiteral("0 … 18446744073709551615")};
     return std::uint64_t(seed);
 }
+
+bool isSeedSet(const CommandLine &line) { return line.isSet(seedOption); }
 
 } // namespace pixelplumb::cli

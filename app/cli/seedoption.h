@@ -8,5 +8,6 @@ namespace pixelplumb::cli {
 /// --seed, 1 if it is left out; `what` is drawn by lot: "scenes".
 void addSeedOption(CommandLine &line, const QString &what);
 Result<std::uint64_t> chosenSeed(const CommandLine &line);
+bool isSeedSet(const CommandLine &line);
 
 } // namespace pixelplumb::cli

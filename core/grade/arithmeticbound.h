@@ -41,6 +41,11 @@ public:
     /// at one end and a part of the way to the other); none: any.
     std::optional<LevelRange> levelsAt(std::int64_t x, std::int64_t y, std::size_t channel) const;
 
+    /// What an edge function may be off by, px².
+    double functionError() const { return m_functionError; }
+    /// What an operation may be off by, of its result.
+    double unit() const { return m_unit; }
+
     /// What a level may be off by of who walks by columns and adds this rate from sample to sample.
     double spanLevelError(double rate) const;
 

@@ -35,7 +35,7 @@ void appendSettings(std::vector<Defect> &defects, const Scene &scene)
 {
     for (const FillRule rule : allFillRules)
         appendWhereItApplies(
-            defects, scene, QStringLiteral("rule"),
+            defects, scene, QLatin1String(ruleChoice),
             {QStringLiteral("rule-") + nameText(nameOf(rule)),
              QStringLiteral("Look at pixels exactly on an edge, and at neighbours' shared "
                             "edges."),

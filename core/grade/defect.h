@@ -18,6 +18,8 @@ enum class DefectStage { Scene, Drawing, Picture };
 
 /// The choice of what is computed in, which is no mistake where it is allowed for.
 inline constexpr const char *arithmeticChoice = "arithmetic";
+/// The choice of which edges own the samples on them.
+inline constexpr const char *ruleChoice = "rule";
 /// The choice of how a level is rounded to a byte.
 inline constexpr const char *roundingChoice = "rounding";
 

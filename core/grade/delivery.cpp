@@ -224,7 +224,11 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
         delivery.trace = shownText(trial->trace->text.toUtf8());
     const QByteArray &output = trial->run.output;
     const FrameSpec &frame = scene.scene.frame;
-    if (trial->run.end != ProgramEnd::Finished)
+    const bool isJudged = trial->output.picture.has_value();
+    if (isJudged && trial->run.end == ProgramEnd::Failed)
+        delivery.note = shownText(trial->run.told.toUtf8())
+            + QStringLiteral("; the picture that it wrote is judged all the same");
+    if (trial->run.end != ProgramEnd::Finished && !isJudged)
         refuse(delivery, PictureLack::NotDrawn, shownText(trial->fault->message().toUtf8()));
     else if (trial->fault)
         take(output, *trial->fault, frame, delivery);

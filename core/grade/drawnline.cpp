@@ -13,7 +13,9 @@ DrawnLine drawnLine(const Scene &alone)
 {
     const Picture picture = pictureOf(alone);
     const Shape shape = primitivesOnSamples(alone).shapes.front();
-    DrawnLine line{shape.vertices[0].position, shape.vertices[1].position, {}};
+    const Vertex &from = shape.vertices[0];
+    const Vertex &to = shape.vertices[1];
+    DrawnLine line{from.position, to.position, from.colour, to.colour, {}};
     for (int x = 0; x < picture.width; ++x) {
         for (int row = 0; row < picture.height; ++row) {
             const std::int64_t y = alone.frame.firstRow + row;
@@ -53,8 +55,10 @@ Picture redrawnLines(const Scene &scene, const std::function<void(DrawnLine &lin
 DrawnLine ascending(DrawnLine line)
 {
     const bool falls = line.isSteep() ? line.to.y < line.from.y : line.to.x < line.from.x;
-    if (falls)
+    if (falls) {
         std::swap(line.from, line.to);
+        std::swap(line.fromColour, line.toColour);
+    }
     return line;
 }
 

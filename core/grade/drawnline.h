@@ -13,6 +13,7 @@ struct LinePixel {
 /// A line in sample coordinates and the pixels that its method writes, by x and then y.
 struct DrawnLine {
     LatticePoint from, to;
+    Colour fromColour, toColour;
     std::vector<LinePixel> pixels;
 
     bool isSteep() const { return std::abs(to.y - from.y) >= std::abs(to.x - from.x); }

@@ -109,7 +109,7 @@ public:
 private:
     void writeClusters(const std::vector<GradeCluster> &clusters)
     {
-        m_page += QStringLiteral("<p>%1 submissions.</p>\n").arg(m_report.submissions.size());
+        m_page += QStringLiteral("<p>%1.</p>\n").arg(submissionsText(m_report.submissions.size()));
         if (!m_report.missing.isEmpty())
             m_page += QStringLiteral("<p><strong>Partial: %1 more have no grade.</strong> %2</p>\n")
                           .arg(m_report.missing.size())

@@ -156,6 +156,12 @@ bool GradedSubmission::lacksColours() const
            });
 }
 
+QString submissionsText(std::size_t submissions)
+{
+    return submissions == 1 ? QStringLiteral("1 submission")
+                            : QStringLiteral("%1 submissions").arg(submissions);
+}
+
 QString verdictText(const GradedSubmission &submission)
 {
     const QString name = nameOf(submission.verdict);

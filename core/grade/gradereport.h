@@ -32,6 +32,8 @@ enum class PictureLack {
 inline constexpr std::array allPictureLacks
     = {PictureLack::NotThere,  PictureLack::NotDrawn,   PictureLack::Empty,
        PictureLack::OtherSize, PictureLack::TraceAlone, PictureLack::Unreadable};
+/// "1 submission", "3 submissions".
+QString submissionsText(std::size_t submissions);
 QString nameOf(PictureLack lack); ///< "not there", "not drawn", "empty", "of another size" …
 
 /// One check of one scene.
@@ -150,6 +152,8 @@ struct GradeReport {
     friend bool operator==(const GradeReport &, const GradeReport &) = default;
 };
 
+/// "1 submission", "3 submissions".
+QString submissionsText(std::size_t submissions);
 /// The verdict as it is shown: its name; where colours are lacking, "right in coverage".
 QString verdictText(const GradedSubmission &submission);
 /// Of a submission that lacks colours, what its verdict holds of.

@@ -1,14 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/defect.h"
+#include "core/grade/programline.h"
 
 #include <vector>
 
 namespace pixelplumb {
 
-/// Mistakes in Bresenham's decision, of lines between samples: what p begins with, what is added to
-/// it and where it steps across. Each from a line's first end, and from its left one.
-std::vector<Defect> lineDecisionDefects();
+/// A defect wherever steps begin, at a line's first end or at its left one.
+struct LineRow {
+    const char *id;
+    const char *forStudent;
+    const char *forAssistant; ///< without its full stop
+    ProgramLine program;
+};
+
+const std::vector<LineRow> &decisionBeginnings(); ///< what p begins with
+const std::vector<LineRow>
+    &decisionSteps(); ///< what is added to it, when, and where it steps across
 
 } // namespace pixelplumb

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/grade/bresenhamdefect.h"
 #include "core/grade/drawnline.h"
-#include "core/grade/linedecision.h"
 #include "core/grade/spandefect.h"
 #include "core/methods/method.h"
 #include "core/runs/sceneplan.h"
@@ -84,7 +84,7 @@ void exchangeSteep(DrawnLine &line)
 
 bool isSteep(const Vertex &from, const Vertex &to)
 {
-    return DrawnLine{from.position, to.position, {}}.isSteep();
+    return DrawnLine{from.position, to.position, from.colour, to.colour, {}}.isSteep();
 }
 
 void append(std::vector<Defect> &defects, const char *id, const char *forStudent,
@@ -118,7 +118,7 @@ void appendOfScene(std::vector<Defect> &defects, const char *id, const char *for
                        {},
                        {},
                        false,
-                       QStringLiteral("line ends")});
+                       QString::fromLatin1(lineEndsChoice)});
 }
 
 } // namespace
@@ -145,7 +145,7 @@ std::vector<Defect> lineDefectsFor(const Scene &scene)
                "The pixel of the end with the greater x, of steep lines y, is left out.",
                omitGreatest);
     if (method.supports(Variant::StayAtZero))
-        std::ranges::move(lineDecisionDefects(), std::back_inserter(defects));
+        std::ranges::move(bresenhamDefects(), std::back_inserter(defects));
     if (method.id != QStringLiteral("line-slope-intercept"))
         append(defects, "one-pixel-a-column", octants,
                "Steep lines, too, have one pixel a column: x and y are not exchanged.",

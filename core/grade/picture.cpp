@@ -151,9 +151,11 @@ bool isPictureFormat(const QByteArray &format)
     return formats.contains(format);
 }
 
+QString pictureFormatsText() { return QStringLiteral("PNG, PPM, BMP, or a raster of # and ."); }
+
 Result<Picture> parsePicture(const QByteArray &content, const QString &name)
 {
-    const QString formats = QStringLiteral("PNG, PPM, BMP, or a raster of # and .");
+    const QString formats = pictureFormatsText();
     if (looksLikeRaster(content)) {
         const Result<CoverageMask> raster = parseAsciiRaster(QString::fromLatin1(content));
         if (!raster)

@@ -54,6 +54,9 @@ Picture truePictureOf(const Scene &scene);
 /// "png", "ppm" …: the formats that are read, by their names in Qt.
 bool isPictureFormat(const QByteArray &format);
 
+/// "PNG, PPM, …": what parsePicture expects.
+QString pictureFormatsText();
+
 /// A picture file of at most 2^28 pixels, or a raster of `#` and `.` (asciiRaster). Nothing is
 /// covered yet of a file with colours.
 Result<Picture> parsePicture(const QByteArray &content, const QString &name);

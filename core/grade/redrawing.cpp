@@ -61,6 +61,13 @@ Picture rightPicture(const Scene &alone, const RoundingSide &side)
 
 } // namespace
 
+Triangle exchanged(Triangle triangle)
+{
+    for (Vertex &vertex : triangle.vertices)
+        std::swap(vertex.position.x, vertex.position.y);
+    return triangle;
+}
+
 Scene triangleAlone(const Scene &scene, std::size_t triangle)
 {
     Scene alone = scene;

@@ -3,6 +3,8 @@
 
 #include "core/grade/picturerange.h"
 #include "core/methods/method.h"
+#include "core/scan/boundaryrule.h"
+#include "core/scan/edgeteststate.h"
 #include "core/scan/interval.h"
 
 #include <functional>
@@ -42,11 +44,16 @@ struct TriangleRuns {
     WalkOrder order = WalkOrder::Ascending; ///< the method's
     ScanIntervals intervals; ///< of its spans, ascending, and of its samples
     ScanSettings settings;
+    BoundaryRule rule = FillRule::Closed;
+    SampleBox visited; ///< the bounding box as the scene has it rounded; x is a column
     std::int64_t firstSpan = 0, endSpan = 0; ///< that the frame has
     std::int64_t firstSample = 0, endSample = 0; ///< that the frame has of a span
     std::vector<SampleRun> runs; ///< in the order in which they are painted
     std::optional<RoundingSide> side = {}; ///< on which of these a walk is to draw; none: its own
 };
+
+/// A triangle with x and y exchanged.
+Triangle exchanged(Triangle triangle);
 
 /// What becomes of a level outside 0 … 255.
 enum class LevelOverflow { Clamps, Wraps };
@@ -64,6 +71,7 @@ struct LevelBytes {
 };
 
 struct ProgramWalk;
+struct ProgramEdgeTest;
 
 struct Redrawing {
     std::function<void(TriangleRuns &triangle)> change;
@@ -71,10 +79,11 @@ struct Redrawing {
     Repainting repainting = Repainting::Over;
     LevelBytes bytes = {};
     std::shared_ptr<const ProgramWalk> walk = {}; ///< where the change is to go through it so alone
+    std::shared_ptr<const ProgramEdgeTest> edgeTest = {}; ///< where it is to test samples so
 };
 
 /// What a program does that does both; none where they decide the same thing. One that goes through
-/// the triangle does so first, then the other leaves samples out.
+/// the triangle, or tests its samples, does so first, then the other leaves samples out.
 std::optional<Redrawing> together(const Redrawing &one, const Redrawing &other);
 
 /// The scene of triangles, each drawn by the scene's method and changed.

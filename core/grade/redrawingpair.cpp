@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/defect.h"
+#include "core/grade/programedgetest.h"
 #include "core/grade/programwalk.h"
 
 namespace pixelplumb {
@@ -160,13 +161,18 @@ Redrawing redrawingBy(const ProgramWalk &walk, LevelOverflow overflow)
 
 std::optional<Redrawing> together(const Redrawing &one, const Redrawing &other)
 {
-    if (!one.walk && other.walk)
+    const bool areTwoEdgeTests = one.edgeTest && other.edgeTest;
+    if (areTwoEdgeTests)
+        return std::nullopt;
+    const bool isSecondFirst = (!one.walk && other.walk) || other.edgeTest;
+    if (isSecondFirst)
         return together(other, one);
     const bool isWrapping
         = one.overflow == LevelOverflow::Wraps || other.overflow == LevelOverflow::Wraps;
     const auto overflow = isWrapping ? LevelOverflow::Wraps : LevelOverflow::Clamps;
-    // A walk rounds the levels that it carries by itself.
-    const bool areTwoRoundings = (one.walk || !one.bytes.isRight()) && !other.bytes.isRight();
+    // A walk rounds the levels that it carries by itself, as who weighs colours otherwise does.
+    const bool roundsItself = one.walk || (one.edgeTest && one.edgeTest->changesColours());
+    const bool areTwoRoundings = (roundsItself || !one.bytes.isRight()) && !other.bytes.isRight();
     if (areTwoRoundings)
         return std::nullopt;
     Redrawing both;
@@ -185,6 +191,7 @@ std::optional<Redrawing> together(const Redrawing &one, const Redrawing &other)
     const bool isToggling
         = one.repainting == Repainting::Toggles || other.repainting == Repainting::Toggles;
     both.repainting = isToggling ? Repainting::Toggles : Repainting::Over;
+    both.edgeTest = one.edgeTest;
     both.bytes = one.bytes.isRight() ? other.bytes : one.bytes;
     return both;
 }

@@ -13,11 +13,13 @@ namespace pixelplumb {
 
 namespace {
 
-Triangle exchanged(Triangle triangle)
+/// The samples that edges are asked of.
+SampleBox boxOf(const Triangle &triangle, const Scene &scene)
 {
-    for (Vertex &vertex : triangle.vertices)
-        std::swap(vertex.position.x, vertex.position.y);
-    return triangle;
+    if (!scene.settings.variants.contains(Variant::RoundedBox))
+        return boundingBoxOf(triangle);
+    const auto [least, greatest] = boundingCornersOf(triangle);
+    return roundedSamplesIn(least, greatest, scene.frame.pixelCentre);
 }
 
 } // namespace
@@ -41,6 +43,8 @@ RedrawnTriangle::RedrawnTriangle(const Scene &alone, const Redrawing &redrawing,
     m_runs.settings = alone.settings;
     m_runs.side = side;
     const BoundaryRule rule = boundaryRuleOf(alone);
+    m_runs.rule = rule;
+    m_runs.visited = boxOf(triangle, alone);
     m_runs.intervals = columnIntervals(rule.rule);
     if (axis == SpanAxis::Row) {
         m_runs.order = WalkOrder::Descending;

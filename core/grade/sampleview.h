@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/frame/framebuffer.h"
 #include "core/grade/picture.h"
 #include "core/scan/scansettings.h"
 

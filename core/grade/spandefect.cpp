@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/spandefect.h"
 
+#include "core/grade/edgetestdefect.h"
 #include "core/grade/programwalk.h"
 #include "core/grade/spanredrawings.h"
 #include "core/grade/walkdefect.h"
@@ -26,9 +27,6 @@ constexpr const char *spansQuestion
 constexpr const char *halvesQuestion = "What happens where one edge ends and the next begins?";
 constexpr const char *alongQuestion
     = "What happens to a triangle that has an edge along a %1, which has no slope?";
-constexpr const char *edgesQuestion = "Are all three edges tested alike?";
-constexpr const char *boxQuestion
-    = "Which samples of the bounding box are tested, and which are inside?";
 
 const std::vector<SpanDefect> &omissions()
 {
@@ -142,41 +140,6 @@ const SpanDefect &omissionFromAbove()
     return row;
 }
 
-const std::vector<SpanDefect> &boxDefects()
-{
-    static const std::vector<SpanDefect> rows = {
-        {"box-filled",
-         boxQuestion,
-         "The whole bounding box is drawn: no sample is tested.",
-         {fillBox}},
-        {"box-filled-wrapping",
-         boxQuestion,
-         "The whole bounding box is drawn, and levels beyond 0 … 255 wrap.",
-         {fillBox, LevelOverflow::Wraps}},
-        {"box-last-row-missing",
-         boxQuestion,
-         "The box' last row is left out: < in place of ≤.",
-         {omitLastOfBox}},
-        {"box-last-column-missing",
-         boxQuestion,
-         "The box' last column is left out: < in place of ≤.",
-         {omitEndOfBox}},
-        {"strict-at-edge-0",
-         edgesQuestion,
-         "The edge from vertex 0 to vertex 1 is tested by > in place of ≥, the others are not.",
-         {[](TriangleRuns &triangle) { omitOnEdge(triangle, 0); }}},
-        {"strict-at-edge-1",
-         edgesQuestion,
-         "The edge from vertex 1 to vertex 2 is tested by > in place of ≥, the others are not.",
-         {[](TriangleRuns &triangle) { omitOnEdge(triangle, 1); }}},
-        {"strict-at-edge-2",
-         edgesQuestion,
-         "The edge from vertex 2 to vertex 0 is tested by > in place of ≥, the others are not.",
-         {[](TriangleRuns &triangle) { omitOnEdge(triangle, 2); }}},
-    };
-    return rows;
-}
-
 /// What is done with samples on a bound itself that the rule in force does otherwise.
 void appendSamplesOnBounds(std::vector<Defect> &defects, const Scene &scene, SpanAxis axis)
 {
@@ -235,8 +198,12 @@ std::vector<Defect> spanDefectsFor(const Scene &scene)
                                         QString::fromUtf8(row.forStudent),
                                         QString::fromUtf8(row.forAssistant), row.redrawing, axis));
     };
-    for (const SpanDefect &row : axis == SpanAxis::Free ? boxDefects() : omissions())
-        add(row);
+    if (axis == SpanAxis::Free) {
+        defects = edgeTestDefects();
+        std::ranges::move(boxDefects(), std::back_inserter(defects));
+    } else {
+        std::ranges::for_each(omissions(), add);
+    }
     if (axis == SpanAxis::Row) {
         add(omissionFromAbove());
         add(omissionAtLeastRow());

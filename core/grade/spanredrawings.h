@@ -32,16 +32,4 @@ void omitLastEdgeAlong(TriangleRuns &triangle);
 
 void omitBetweenEnds(TriangleRuns &triangle); ///< all but a span's first and last sample
 
-/// All of a triangle whose middle vertex lies on that side of the long edge: of a program that
-/// takes this edge for the same bound always, spans end before they begin. A tip on a sample, where
-/// its bounds meet, is left.
-
-// The bounding box: drawn whole; its last sample of each span, or its last span, not.
-void fillBox(TriangleRuns &triangle);
-void omitEndOfBox(TriangleRuns &triangle);
-void omitLastOfBox(TriangleRuns &triangle);
-
-/// The samples exactly on the edge from that vertex to the next.
-void omitOnEdge(TriangleRuns &triangle, std::size_t vertex);
-
 } // namespace pixelplumb

@@ -26,6 +26,15 @@ std::optional<TraceDifference> differenceBeforeEnd(const QByteArray &output, con
     return difference ? *difference : std::nullopt;
 }
 
+/// Whether a program that ended by itself wrote a whole picture all the same.
+bool hasDrawn(const StudentRun &run, const Scene &scene)
+{
+    if (run.end != ProgramEnd::Failed)
+        return false;
+    const Result<StudentOutput> output = readStudentOutput(run.output, scene);
+    return output && output->picture && output->lines.empty();
+}
+
 } // namespace
 
 Result<StudentRun> runOn(const StudentProgram &student, const Scene &scene, const TrialTerms &terms,
@@ -49,7 +58,7 @@ Result<Trial> tryProgram(const StudentProgram &student, const Scene &scene, cons
         return run.error();
     Trial trial;
     trial.run = std::move(*run);
-    if (trial.run.end != ProgramEnd::Finished) {
+    if (trial.run.end != ProgramEnd::Finished && !hasDrawn(trial.run, scene)) {
         trial.fault = InputError{{}, trial.run.told, {}};
         trial.trace = differenceBeforeEnd(trial.run.output, scene, terms.tolerance);
         return trial;

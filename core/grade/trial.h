@@ -38,7 +38,8 @@ Result<StudentRun> runOn(const StudentProgram &student, const Scene &scene, cons
                          const std::stop_token &stop = {});
 
 /// Runs it on the scene, which its method can draw, and judges what it printed; an error where the
-/// scene cannot be given so. A picture is looked at only where the program ended well.
+/// scene cannot be given so. Output is looked at only where the program ended well, and a whole
+/// picture also where it ended with another exit code than 0.
 Result<Trial> tryProgram(const StudentProgram &student, const Scene &scene,
                          const TrialTerms &terms = {}, const std::stop_token &stop = {});
 
