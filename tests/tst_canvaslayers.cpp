@@ -144,9 +144,9 @@ private slots:
         bench.options.setLayers({QStringLiteral("isolines-red")});
         const QImage shown = bench.canvas.grab().toImage();
 
-        bench.playhead.setAheadHidden(true);
+        bench.playhead.setForetold(true);
         QVERIFY(bench.canvas.grab().toImage() != shown);
-        bench.playhead.setAheadHidden(false);
+        bench.playhead.setForetold(false);
         QCOMPARE(bench.canvas.grab().toImage(), shown);
     }
 
