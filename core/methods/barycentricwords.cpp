@@ -14,14 +14,13 @@ namespace {
 QString weightsText(const EdgeTestForm &form)
 {
     const EdgeTestNames names(form);
-    QStringList weights;
+    QStringList owners;
     for (std::size_t line = 0; line < 3; ++line) {
         const QString vertex = names.vertexName(edgeEndsOf(form, line).opposite);
-        weights.append(
-            QStringLiteral("%1 of %2").arg(names.weight(line), vertex.section(u' ', -1)));
+        owners.append(QStringLiteral("%1 of %2").arg(names.weight(line), vertex.section(u' ', -1)));
     }
-    const QString last = weights.takeLast();
-    return weights.join(QStringLiteral(", ")) + QStringLiteral(" and ") + last;
+    const QString last = owners.takeLast();
+    return owners.join(QStringLiteral(", ")) + QStringLiteral(" and ") + last;
 }
 
 } // namespace

@@ -4,6 +4,7 @@
 #include "core/methods/formulatext.h"
 #include "core/runs/constantnumbers.h"
 #include "core/runs/formulaexplanation.h"
+#include "core/runs/tracedscene.h"
 #include "core/scene/coordinatetext.h"
 
 #include <QRegularExpression>
