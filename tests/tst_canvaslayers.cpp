@@ -3,6 +3,8 @@
 #include "tests/support/canvasbench.h"
 #include "tests/support/layerlook.h"
 #include "tests/support/shapes.h"
+#include "widgets/canvas/canvasscene.h"
+#include "widgets/canvas/canvasview.h"
 #include "widgets/look/layersurface.h"
 
 #include <QTest>
@@ -137,6 +139,20 @@ private slots:
         QVERIFY(withNumber != withOthers);
     }
 
+    void aVertexHasOneName()
+    {
+        CanvasBench bench(firstScene());
+        const CanvasView view(&bench.document, &bench.canvas);
+        const CanvasSources sources{&bench.document, &bench.playhead, &bench.options};
+        OutlineChoice choice;
+        choice.lookUp(bench.document, view.mapping(), view.area());
+        const auto names = [&] { return canvasScene(sources, view, choice, {}).names.size(); };
+
+        QCOMPARE(names(), std::size_t(3));
+        bench.options.setLayers({QStringLiteral("vertices")}); // with their coordinates
+        QCOMPARE(names(), std::size_t(0));
+    }
+
     void whatIsAheadIsHiddenAndShownAgain()
     {
         CanvasBench bench(firstScene());
@@ -144,9 +160,9 @@ private slots:
         bench.options.setLayers({QStringLiteral("isolines-red")});
         const QImage shown = bench.canvas.grab().toImage();
 
-        bench.playhead.setAheadHidden(true);
+        bench.playhead.setForetold(true);
         QVERIFY(bench.canvas.grab().toImage() != shown);
-        bench.playhead.setAheadHidden(false);
+        bench.playhead.setForetold(false);
         QCOMPARE(bench.canvas.grab().toImage(), shown);
     }
 

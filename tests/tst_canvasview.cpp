@@ -192,7 +192,7 @@ void TestCanvasView::stepsAndChoicesOutsideTheViewMoveIt()
     for (int i = 0; i < 25; ++i)
         QTest::keyClick(&bench.canvas, Qt::Key_Right);
     QVERIFY(isSeen());
-    bench.playhead.setAheadHidden(true); // nothing but the column is told
+    bench.playhead.setForetold(true); // nothing but the column is told
     bench.playhead.seekToSpan(50);
     QVERIFY(bench.canvas.view().contains(
         bench.canvas.positionOf(QPoint(int(*bench.playhead.columnXInHand()), 0)).x(),

@@ -62,12 +62,13 @@ private slots:
         QTest::addColumn<PixelCentre>("centre");
         QTest::addColumn<QStringList>("labels");
         // (int)(44 − .5) = 43: the rounding that the slides print is for samples in the middle of
-        // pixels. The last column, 70, lies outside a frame of 64.
+        // pixels. The last column, 70, lies outside a frame of 64, and (int)(64 − .5) = 63: the
+        // slides clip before they round.
         const QStringList integer
-            = {"bbox: x 4 1/4 … 70, y 5 … 44", "(int)(bbox ± .5): x 4 … 69, y 5 … 43",
+            = {"bbox: x 4 1/4 … 70, y 5 … 44", "(int)(clipped bbox ± .5): x 4 … 63, y 5 … 43",
                "tested: x 5 … 63, y 5 … 44"};
         const QStringList half
-            = {"bbox: x 4 1/4 … 70, y 5 … 44", "(int)(bbox ± .5): x 4 … 69, y 5 … 43",
+            = {"bbox: x 4 1/4 … 70, y 5 … 44", "(int)(clipped bbox ± .5): x 4 … 63, y 5 … 43",
                "tested: x 4 … 63, y 5 … 43"};
         QTest::newRow("rows of tests")
             << QByteArray("edge-equations") << PixelCentre::Integer << integer;

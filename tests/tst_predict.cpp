@@ -103,6 +103,36 @@ private slots:
             told(row, "5.33").contains(QStringLiteral("a whole number is asked for: the first")));
     }
 
+    /// What the brackets mean, but not the number in them: it is a question of its own.
+    void aWrongRoundingIsToldWhatItsBracketsMean_data()
+    {
+        QTest::addColumn<QString>("rule");
+        QTest::addColumn<QString>("told");
+        QTest::newRow("closed below") << "first row = ⌈y_B⌉"
+                                      << "⌈y_B⌉ is the first whole number not below y_B";
+        QTest::newRow("closed above") << "last row = ⌊y_T⌋"
+                                      << "⌊y_T⌋ is the last whole number not above y_T";
+        QTest::newRow("open above") << "last row = ⌈y_T⌉ − 1"
+                                    << "⌈y_T⌉ − 1 is the last whole number below y_T";
+        QTest::newRow("open below") << "first row = ⌊y_B⌋ + 1"
+                                    << "⌊y_B⌋ + 1 is the first whole number above y_B";
+        QTest::newRow("nearest") << "v_r = ⌊v + ½⌋"
+                                 << "⌊v + ½⌋ is the whole number nearest to v";
+    }
+    void aWrongRoundingIsToldWhatItsBracketsMean()
+    {
+        QFETCH(QString, rule);
+        QFETCH(QString, told);
+        Prediction row = predictionOf(Quantity::integer(42), Quantity::integer(38));
+        row.rule = rule;
+        const auto verdict = [&row](const char *typed) {
+            return verdictText(row, judge(row, QString::fromLatin1(typed)));
+        };
+        QCOMPARE(verdict("41"), QStringLiteral("One off: %1.").arg(told));
+        QVERIFY(verdict("38").endsWith(QStringLiteral("of the span before: %1.").arg(told)));
+        QVERIFY(verdict("7").startsWith(QStringLiteral("Not yet: %1.").arg(told)));
+    }
+
     /// What is asked for is what the table says once the step is done.
     void everyQuestionIsANumberOfTheNextSpan()
     {
@@ -193,6 +223,9 @@ private slots:
         QVERIFY(label("predictVerdict").contains(QStringLiteral("drawn already, in step")));
         m_playhead->pick(QPoint(0, 0));
         QVERIFY(label("predictVerdict").contains(QStringLiteral("Refused by")));
+        answer(QStringLiteral("64, 12"));
+        QVERIFY(label("predictVerdict")
+                    .contains(QStringLiteral("off the frame, columns 0 to 63 and rows 0 to 47")));
         m_playhead->pick(next.pixel);
         QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Right")));
         QTest::mouseClick(named<QPushButton>(*m_window, "predictNext"), Qt::LeftButton);

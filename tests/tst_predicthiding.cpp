@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/nextpixel.h"
 #include "core/runs/prediction.h"
 #include "core/runs/tracedscene.h"
 #include "tests/support/isolatedsettings.h"
@@ -225,6 +226,30 @@ private slots:
         QVERIFY(!canvas->isTruthVisible());
         hidePanel();
         QVERIFY(canvas->isTruthVisible());
+    }
+
+    /// Nothing lies ahead there.
+    void atTheEndAllIsShownAndBehindItHiddenAgain()
+    {
+        open(QStringLiteral("default.json"), QStringLiteral("column-scan"));
+        const Canvas *canvas = m_window->parts().canvas;
+        action(*m_window, "showTruth")->trigger();
+        const QAbstractItemModel &model = *table()->model();
+        const auto lastCell = [&model] {
+            return model.index(model.rowCount() - 1, model.columnCount() - 1).data().toString();
+        };
+        const QList<int> before = widths();
+
+        QVERIFY(!canvas->isTruthVisible());
+        QCOMPARE(lastCell(), QStringLiteral("?"));
+        action(*m_window, "runToEnd")->trigger();
+        QVERIFY(canvas->isTruthVisible());
+        QVERIFY(lastCell() != QStringLiteral("?"));
+        for (int i = 0; i < 2; ++i)
+            playhead().step(StepUnit::Span, StepDirection::Backward);
+        QVERIFY(!canvas->isTruthVisible());
+        QCOMPARE(lastCell(), QStringLiteral("?"));
+        QCOMPARE(widths(), before);
     }
 
     /// The first triangle has written the pixel; the second is still to refuse it or to write it.

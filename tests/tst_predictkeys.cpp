@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "core/runs/prediction.h"
+#include "core/runs/nextpixel.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "widgets/canvas/canvas.h"

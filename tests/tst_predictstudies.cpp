@@ -122,6 +122,17 @@ private slots:
         playhead().pick(wrong);
         QVERIFY2(reason->text().contains(QStringLiteral("1 of 2 agree")),
                  qPrintable(reason->text()));
+        // Where nothing lies ahead, nothing is hidden.
+        const auto tells = [this](const char *words) {
+            return std::ranges::any_of(m_panel->findChildren<QLabel *>(), [words](QLabel *label) {
+                return label->text().contains(QString::fromLatin1(words));
+            });
+        };
+        QVERIFY(tells("shown finished"));
+        QVERIFY(!tells("Predict hides"));
+        playhead().seekToSpan(3);
+        QVERIFY(!tells("shown finished"));
+        QVERIFY(tells("Predict hides"));
     }
 
     void errorsAreThoseOfTheColumnsThatAreEntered()

@@ -19,8 +19,9 @@ Int128 crossOf(const LatticePoint &a, const LatticePoint &b, const LatticePoint 
     return Int128(b.x - a.x) * (p.y - a.y) - Int128(b.y - a.y) * (p.x - a.x);
 }
 
-/// How often a ray to the left of (x, y) meets the contours, and upward less downward. By the rule
-/// top-left the sample is a little to the right of its place and then a little below.
+/// How often a ray to the left of (x, y) meets the contours, and downward less upward: 1 inside a
+/// counter-clockwise contour. By the rule top-left the sample is a little to the right of its place
+/// and then a little below.
 struct Crossings {
     int count = 0;
     int winding = 0;
@@ -47,7 +48,7 @@ Crossings crossingsLeftOf(const Shape &polygon, std::int64_t x, std::int64_t y)
             if (crossOf(low, high, sample) > 0)
                 continue; // the edge is to the right
             ++crossings.count;
-            crossings.winding += isUpward ? 1 : -1;
+            crossings.winding += isUpward ? -1 : 1;
         }
     }
     return crossings;
@@ -165,7 +166,7 @@ private slots:
             const QString sentence = explainStep(*traced, index).sentence;
             // "… 2 times, at the edges 0 and 3: …"
             static const QRegularExpression edges(
-                QStringLiteral("at the edges? ([0-9, and]+)[:,]"));
+                QStringLiteral("at the edges? ([0-9, and]+?)(:|, [0-9]+ downward)"));
             static const QRegularExpression number(QStringLiteral("\\d+"));
             const QString list = edges.match(sentence).captured(1);
             QCOMPARE(QString(list).split(number).size() - 1, qsizetype(crossings.count));
@@ -173,13 +174,47 @@ private slots:
                 continue;
             QVERIFY2(sentence.startsWith(QStringLiteral("The ray to the left meets the contours")),
                      qPrintable(sentence));
-            QVERIFY2(
-                sentence.endsWith(
-                    fill == ShapeFill::EvenOdd
-                        ? QStringLiteral(": an odd number, inside.")
-                        : QStringLiteral(": winding number %1, inside.").arg(crossings.winding)),
-                qPrintable(sentence));
+            QVERIFY2(sentence.endsWith(
+                         fill == ShapeFill::EvenOdd
+                             ? QStringLiteral(": an odd number, inside.")
+                             : QStringLiteral(": winding number %1, inside.")
+                                   .arg(QString::number(crossings.winding).replace(u'-', u'−'))),
+                     qPrintable(sentence));
         }
+    }
+
+    void aContourThatTurnsCounterClockwiseHasWindingNumberOne_data()
+    {
+        QTest::addColumn<FrameOrigin>("origin");
+        QTest::addColumn<QString>("told");
+        // The corners of square() ascend in x, then in y: counter-clockwise where y points up.
+        QTest::newRow("y up") << FrameOrigin::BottomLeft
+                              << QStringLiteral("1 downward, 0 upward: winding number 1, inside.");
+        QTest::newRow("y down") << FrameOrigin::TopLeft
+                                << QStringLiteral(
+                                       "0 downward, 1 upward: winding number −1, inside.");
+    }
+    void aContourThatTurnsCounterClockwiseHasWindingNumberOne()
+    {
+        QFETCH(FrameOrigin, origin);
+        QFETCH(QString, told);
+        Scene scene;
+        scene.frame.origin = origin;
+        scene.method = "polygon-parity";
+        scene.settings.fillRule = FillRule::TopLeft;
+        scene.shapes = {square(2, 2, 4)};
+        scene.shapes[0].fill = ShapeFill::NonZero;
+        const auto traced = traceScene(scene);
+
+        std::size_t pixels = 0;
+        for (std::size_t index = 0; index < traced->trace->stepCount(); ++index) {
+            if (traced->trace->stepAt(index).kind != StepKind::Sample)
+                continue;
+            const QString sentence = explainStep(*traced, index).sentence;
+            QVERIFY2(sentence.endsWith(told), qPrintable(sentence));
+            ++pixels;
+        }
+        QCOMPARE(pixels, std::size_t(16));
     }
 
     void aPolygonsRowTellsItsCrossings()

@@ -14,6 +14,7 @@
 #include "tests/support/translationfile.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/methodsummary.h"
+#include "widgets/look/methodtitle.h"
 #include "widgets/look/translation.h"
 
 #include <QDialogButtonBox>
@@ -280,31 +281,43 @@ private slots:
         QVERIFY2(missing.isEmpty(), qPrintable("add it to widgets/look/corewords.cpp: " + missing));
     }
 
-    void everyMethodsSummaryIsInTheFiles_data() { addFiles(); }
-    void everyMethodsSummaryIsInTheFiles()
+    void everyMethodsTitleAndSummaryAreInTheFiles_data() { addFiles(); }
+    void everyMethodsTitleAndSummaryAreInTheFiles()
     {
         QFETCH(QString, file);
         if (QFileInfo(file).fileName() == english)
             return;
-        QStringList known, said;
-        for (const TranslatedText &text : textsOf(file)) {
-            if (text.context == QStringLiteral("pixelplumb::MethodSummary"))
-                known += text.source;
+        QStringList titles, summaries;
+        for (const Method &method : methods()) {
+            titles += method.title;
+            summaries += method.summary;
         }
-        for (const Method &method : methods())
-            said += method.summary;
+        compareWithContext(file, QStringLiteral("pixelplumb::MethodTitle"), titles);
+        compareWithContext(file, QStringLiteral("pixelplumb::MethodSummary"), summaries);
 
-        const QString missing = firstNotIn(said, known);
-        QVERIFY2(missing.isEmpty(),
-                 qPrintable("add it to widgets/look/methodsummary.cpp: " + missing));
-        const QString left = firstNotIn(known, said);
-        QVERIFY2(left.isEmpty(), qPrintable("no method says any more: " + left));
         const Translation translation({QFileInfo(file).baseName().section(u'_', 1)});
         for (const Method &method : methods())
             QVERIFY2(methodSummary(method) != method.summary, qPrintable(method.id));
+        QVERIFY(methodTitle(methods().front()) != methods().front().title);
     }
 
 private:
+    /// What methods say stands once more in a list of widgets/look, which has a context of its own.
+    static void compareWithContext(const QString &file, const QString &context,
+                                   const QStringList &said)
+    {
+        QStringList known;
+        for (const TranslatedText &text : textsOf(file)) {
+            if (text.context == context)
+                known += text.source;
+        }
+        const QString missing = firstNotIn(said, known);
+        QVERIFY2(missing.isEmpty(),
+                 qPrintable("add it to the list of " + context + ": " + missing));
+        const QString left = firstNotIn(known, said);
+        QVERIFY2(left.isEmpty(), qPrintable("no method says any more: " + left));
+    }
+
     void addFiles()
     {
         QTest::addColumn<QString>("file");

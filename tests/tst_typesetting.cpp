@@ -99,6 +99,22 @@ private slots:
         QVERIFY(contrastRatio(inside, button.palette().color(QPalette::ButtonText)) >= 4.5);
     }
 
+    /// A line of its own says how far it is off; where it is not, one word is enough.
+    void anExactNumberTakesALineOnlyWhereItDiffers()
+    {
+        Explanation explanation;
+        explanation.lines
+            = {{NumberSubject::General, QStringLiteral("y_B ← y_B′ + m"),
+                QStringLiteral("7.5 + 0.125"), Quantity::of(7.625f), Quantity::rational(61, 8)}};
+        const QString same = formulaHtml(explanation, Arithmetic::Float32, QPalette());
+        QVERIFY(same.contains(QStringLiteral("exact")));
+        QVERIFY(!same.contains(QStringLiteral("error")));
+        explanation.lines[0].exact = Quantity::rational(611, 80);
+        const QString other = formulaHtml(explanation, Arithmetic::Float32, QPalette());
+        QVERIFY(other.contains(QStringLiteral("error")));
+        QVERIFY(other.count(QStringLiteral("<tr>")) == same.count(QStringLiteral("<tr>")) + 1);
+    }
+
     void aTextThatIsCutLosesItsMiddle()
     {
         ElidingBox box;

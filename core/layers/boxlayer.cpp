@@ -59,6 +59,21 @@ std::optional<SampleBox> testedBoxOf(const LayerMoment &moment)
     return std::nullopt;
 }
 
+/// The part of a box that the frame shows, as ClipBBox(bbox, 0, w, 0, h) of the slides leaves it.
+ContourBox clippedToFrame(const ContourBox &box, const FrameSpec &frame)
+{
+    const Lattice offset = sampleOffset(frame);
+    const auto clipped = [offset](Lattice place, std::int32_t first, std::int32_t size) {
+        return std::clamp(place, first * unitsPerPixel - offset,
+                          (std::int64_t(first) + size) * unitsPerPixel - offset);
+    };
+    const auto corner = [&](const LatticePoint &point) {
+        return LatticePoint{clipped(point.x, frame.firstColumn, frame.width),
+                            clipped(point.y, frame.firstRow, frame.height)};
+    };
+    return {corner(box.first), corner(box.last)};
+}
+
 /// How one of the boxes looks.
 struct BoxLook {
     LayerInk ink;
@@ -129,8 +144,10 @@ void drawBox(const LayerMoment &moment, LayerDrawing &drawing)
                            .arg(moment.inScene(raw.first.x), moment.inScene(raw.last.x),
                                 moment.inScene(raw.first.y), moment.inScene(raw.last.y)),
                        {first.x(), last.y()}, LayerInk::Mark);
-    drawer.appendSamples(roundedSamplesIn(raw.first, raw.last, moment.frame().pixelCentre),
-                         QStringLiteral("(int)(bbox ± .5)"), {LayerInk::Second, Stroke::Dotted});
+    const ContourBox shown = clippedToFrame(raw, moment.frame());
+    drawer.appendSamples(roundedSamplesIn(shown.first, shown.last, moment.frame().pixelCentre),
+                         QStringLiteral("(int)(clipped bbox ± .5)"),
+                         {LayerInk::Second, Stroke::Dotted});
     const std::optional<SampleBox> tested = testedBoxOf(moment);
     const SampleBox clipped
         = intersection(samplesIn(raw.first, raw.last), samplesOf(windowOf(moment.frame())));
@@ -147,9 +164,10 @@ Layer boxLayer()
         .id = QStringLiteral("box"),
         .title = QStringLiteral("Bounding box"),
         .toolTip = QStringLiteral(
-            "The box around the vertices (dashed), the pixels from (int)(bbox + .5) to "
-            "(int)(bbox − .5) as the slides print it for samples in the middle of pixels "
-            "(dotted), and the pixels of the frame that the method tests (solid); where it tests "
+            "The box around the vertices (dashed), clipped to the frame and rounded as the slides "
+            "print it for samples in the middle of pixels, from (int)(bbox + .5) to "
+            "(int)(bbox − .5) (dotted), and the pixels of the frame that the method tests (solid); "
+            "where it tests "
             "no box, those that the box covers, exact."),
         .source = QStringLiteral("Triangle Rasterization slides, “Edge equations "
                                  "rasterization” and “Triangle rasterization implementation "

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/layers.h"
+#include "core/methods/formulatext.h"
 #include "core/methods/polygonkernels.h"
 
 #include <cmath>
@@ -89,11 +90,12 @@ void appendBuckets(const Contours &contours, const std::vector<ShownCrossing> &a
         QStringLiteral("Edge table: of %1 edges, the active ones have their names").arg(count));
 }
 
-/// The edges that the row crosses, and what lies between the first and the second, the third and
-/// the fourth crossing.
+/// The edges that the row crosses, and of what lies between two crossings and inside, by which
+/// number it does.
 void appendRow(double y, const std::vector<ShownCrossing> &crossings, const Contours &contours,
-               LayerDrawing &drawing)
+               FrameOrigin origin, LayerDrawing &drawing)
 {
+    const bool isByWinding = contours.fill == ShapeFill::NonZero;
     int winding = 0;
     for (std::size_t i = 0; i < crossings.size(); ++i) {
         const ShownCrossing &crossing = crossings[i];
@@ -103,13 +105,17 @@ void appendRow(double y, const std::vector<ShownCrossing> &crossings, const Cont
                                   LayerInk::Hand});
         const ContourEdge &edge = contours.edges[crossing.edge];
         drawing.lines.push_back({placeOf(edge.from), placeOf(edge.to), LayerInk::First});
-        winding += edge.to.y > edge.from.y ? 1 : -1;
-        const bool isInside = contours.fill == ShapeFill::NonZero ? winding != 0 : i % 2 == 0;
-        if (isInside && i + 1 < crossings.size())
-            drawing.lines.push_back({{crossing.x, y},
-                                     {crossings[i + 1].x, y},
-                                     LayerInk::Inside,
-                                     LayerDrawing::Stroke::Band});
+        winding += windingRightOf(edge, origin);
+        const bool isInside = isByWinding ? winding != 0 : i % 2 == 0;
+        if (!isInside || i + 1 == crossings.size())
+            continue;
+        const QPointF end(crossings[i + 1].x, y);
+        drawing.lines.push_back(
+            {{crossing.x, y}, end, LayerInk::Inside, LayerDrawing::Stroke::Band});
+        drawing.labels.push_back(
+            {isByWinding ? QStringLiteral("w = %1").arg(term(Quantity::integer(winding)))
+                         : QStringLiteral("p = 1"),
+             (QPointF(crossing.x, y) + end) / 2, LayerInk::Inside});
     }
 }
 
@@ -123,7 +129,7 @@ void drawEdgeTable(const LayerMoment &moment, LayerDrawing &drawing)
     const NamedNumbers row(moment.trace().numbers().span, record.cells);
     const std::vector<ShownCrossing> crossings = crossingsIn(row);
     appendBuckets(contours, crossings, moment, drawing);
-    appendRow(double(record.place.coordinate), crossings, contours, drawing);
+    appendRow(double(record.place.coordinate), crossings, contours, moment.frame().origin, drawing);
     const auto active = std::int64_t(row[QStringLiteral("active")].toDouble());
     if (active > std::int64_t(crossings.size()))
         drawing.notes.append(QStringLiteral("Edge table: the first %1 of %2 active edges")
@@ -141,7 +147,8 @@ Layer edgeTableLayer()
         .toolTip = QStringLiteral(
             "Each edge with the row in whose bucket it stands, the first that it crosses; of the "
             "row in hand the active edges, their crossings x₀, x₁, … as the method computed "
-            "them, and the intervals between them that lie inside."),
+            "them, and the intervals between them that lie inside, with their parity p or winding "
+            "number w."),
         .source = QStringLiteral("Scan Conversion slides, “Scan Conversion: A General Algorithm”"),
         .kinds = {PrimitiveKind::Polygon, PrimitiveKind::Bezier, PrimitiveKind::Text},
         .methods = {QStringLiteral("polygon-parity"), QStringLiteral("bezier-fill"),

@@ -40,23 +40,34 @@ QString EdgeTestNames::vertexId(std::size_t vertex) const
     return QStringLiteral("_") + QChar(char16_t(first.unicode() + vertex));
 }
 
-QString EdgeTestNames::vertexName(std::size_t vertex) const
+QString EdgeTestNames::vertexLetter(std::size_t vertex) const
 {
     return m_form.isBarycentric() ? vertexId(vertex).sliced(1)
                                   : QStringLiteral("P") + digits[vertex];
 }
 
+QString EdgeTestNames::vertexName(std::size_t vertex) const
+{
+    return m_form.isBarycentric()
+        ? QStringLiteral("%1 = P%2").arg(vertexLetter(vertex)).arg(QChar(digits[vertex]))
+        : vertexLetter(vertex);
+}
+
+QString EdgeTestNames::weight(std::size_t line) const
+{
+    return QChar(m_form.inside == InsideTest::Cramer ? cramerWeights[line] : weights[line]);
+}
+
 QString EdgeTestNames::filled(QString text, std::size_t line) const
 {
     const EdgeEnds ends = edgeEndsOf(m_form, line);
-    text.replace(QStringLiteral("{edge}"), vertexName(ends.from) + vertexName(ends.to));
+    text.replace(QStringLiteral("{edge}"), vertexLetter(ends.from) + vertexLetter(ends.to));
     text.replace(QStringLiteral("{facing}"), vertexName(ends.opposite));
-    const bool isCramer = m_form.inside == InsideTest::Cramer;
     text.replace(QStringLiteral("{value}"),
                  m_form.isBarycentric() ? QStringLiteral("f{l}") : QStringLiteral("E{l}"));
     text.replace(QStringLiteral("{l}"),
                  m_form.isBarycentric() ? lineId(m_form, line) : QString(QChar(digits[line])));
-    text.replace(QStringLiteral("{w}"), QChar(isCramer ? cramerWeights[line] : weights[line]));
+    text.replace(QStringLiteral("{w}"), weight(line));
     text.replace(QStringLiteral("{from}"), vertex(ends.from));
     text.replace(QStringLiteral("{to}"), vertex(ends.to));
     return text.replace(QStringLiteral("{opp}"), vertex(ends.opposite));

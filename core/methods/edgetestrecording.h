@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "core/methods/barycentricwords.h"
 #include "core/methods/edgetestnumbers.h"
 #include "core/scan/edgetest.h"
 #include "core/trace/tracerecorder.h"
@@ -50,6 +51,15 @@ struct EdgeTestRecording : EdgeTestNumbers<A> {
         return {isRow ? SpanAxis::Row : SpanAxis::Column, span.coordinate, 0};
     }
     static bool isClamped(const Sample &sample) { return sample.isClamped(); }
+
+    /// Edge functions have the names of the vertices already.
+    template <class State>
+    static auto tell(StepWords &words, const State &state)
+        -> decltype(tellBarycentric(words, state, form))
+    {
+        if constexpr (form.isBarycentric())
+            tellBarycentric(words, state, form);
+    }
 
     static void record(const SetUp &setUp, SetUpRecord &record)
     {

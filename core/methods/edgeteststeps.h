@@ -23,6 +23,7 @@ struct EdgeTestLineState {
 
 struct EdgeTestSetUpState {
     std::array<Vertex, 3> vertices;
+    bool zeroArea = false;
     ThreeQuantities x, y; ///< of the vertices, px
     std::array<EdgeTestLineState, 3> lines;
     std::array<bool, 3> ownsTie = {};
@@ -44,6 +45,7 @@ struct EdgeTestSampleState {
     ThreeQuantities value, weight;
     ThreeQuantities colour; ///< levels, before rounding
     bool ofSegment = false;
+    bool isCovered = false;
     std::array<Vertex, 3> vertices;
 };
 
@@ -75,6 +77,7 @@ EdgeTestSetUpState edgeTestStateOf(const EdgeTestSetUp<A> &setUp)
         = [](typename A::Number number) { return A::quantityOf(number, unitsPerPixel); };
     EdgeTestSetUpState state;
     state.vertices = setUp.vertices;
+    state.zeroArea = setUp.zeroArea;
     for (std::size_t i = 0; i < 3; ++i) {
         state.x[i] = length(A::length(setUp.vertices[i].position.x));
         state.y[i] = length(A::length(setUp.vertices[i].position.y));
@@ -131,6 +134,7 @@ EdgeTestSampleState edgeTestStateOf(
     const TestedSample<A> &sample = step.sample;
     EdgeTestSampleState state;
     state.ofSegment = sample.ofSegment;
+    state.isCovered = sample.covered;
     state.vertices = step.setUp.vertices;
     state.colour = edgeTestColourOf<A, form>(sample);
     if (sample.ofSegment)

@@ -75,6 +75,17 @@ bool EdgeWalkNames::isTooShort(const std::array<Vertex, 3> &corners, SortedEdge 
         && across(corners[ends[1]]) - across(corners[ends[0]]) <= unitsPerPixel;
 }
 
+QString EdgeWalkNames::heading(const EdgeWalkSpanState &state) const
+{
+    const QString place = isRow() ? QStringLiteral("Row %1").arg(-state.column.x)
+                                  : QStringLiteral("Column %1").arg(state.column.x);
+    if (!state.start.hasPlane)
+        return place;
+    return place
+        + filled(state.column.half == ColumnHalf::First ? QStringLiteral(", first {half}")
+                                                        : QStringLiteral(", second {half}"));
+}
+
 QString EdgeWalkNames::coveredSample(SpanBound bound, Interval covered) const
 {
     if (bound == SpanBound::Lower)

@@ -64,6 +64,8 @@ public:
     bool isTooShort(const std::array<Vertex, 3> &corners, SortedEdge edge,
                     VariantSet variants) const;
 
+    /// "Column 27, second half", "Row 3, first trapezoid"; of a triangle without area "Column 27".
+    QString heading(const EdgeWalkSpanState &state) const;
     /// The first or last covered sample of a span: "⌈y_B⌉", "⌈y_T⌉ − 1" where y_T is not covered.
     QString coveredSample(SpanBound bound, Interval covered) const;
     /// The same with the bias that the direct form adds before it rounds: "⌈y_B − β_B⌉".

@@ -36,9 +36,7 @@ void appendPlace(NumberTable<EdgeWalkSpanState> &table, const EdgeWalkNames &nam
                        .unit = {},
                        .toolTip = QStringLiteral("1: between L₀₁ and L₀₂; 2: between L₁₂ and L₀₂."),
                        .formula = {}}),
-         [](const EdgeWalkSpanState &state) {
-             return Quantity::integer(state.column.half == ColumnHalf::First ? 1 : 2);
-         },
+         [](const EdgeWalkSpanState &state) { return state.halfNumber(); },
          [](NumberDescription &description, const EdgeWalkSpanState &state) {
              description.toolTip = state.start.hasPlane
                  ? QStringLiteral("Between %1 and %2.")

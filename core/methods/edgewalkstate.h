@@ -42,6 +42,12 @@ struct EdgeWalkSpanState {
     {
         return std::max<std::int64_t>(0, column.endDrawnRow - column.firstDrawnRow);
     }
+    /// 1 or 2; none where the triangle is its edge L₀₂ alone.
+    Quantity halfNumber() const
+    {
+        return start.hasPlane ? Quantity::integer(column.half == ColumnHalf::First ? 1 : 2)
+                              : Quantity();
+    }
 };
 
 struct EdgeWalkSampleState {

@@ -57,16 +57,40 @@ QString EdgeWalkWords::turnSentence(const EdgeWalkSpanState &state) const
             : QStringLiteral("At {c}₁ the scan stops tracking L₀₁ and starts L₁₂ at P₁. "));
 }
 
+/// Of a span without pixels: what its bounds have between them and, where just their own samples
+/// lie there, that the rule does not take these.
+QString EdgeWalkWords::emptySentence(const EdgeWalkSpanState &state) const
+{
+    const ColumnState<AnyArithmetic> &column = state.column;
+    const QString lower = term(column.yBottom);
+    const QString upper = term(column.yTop);
+    QStringList left;
+    if (column.firstRow >= column.endRow) {
+        if (column.yBottom.isInteger() && !ownsFirst(state.start.covered))
+            left.append(lower);
+        if (column.yTop.isInteger() && !ownsLast(state.start.covered) && !left.contains(upper))
+            left.append(upper);
+    }
+    if (left.isEmpty())
+        return m_names
+            .filled(QStringLiteral("{a}_{lo} = %1 and {a}_{hi} = %2 have no sample of the frame "
+                                   "that the fill rule takes between them."))
+            .arg(lower, upper);
+    const QString pattern = left.size() == 1
+        ? QStringLiteral("{a}_{lo} = %1 and {a}_{hi} = %2 have just the {across} %3 between them, "
+                         "exactly on an edge, and the fill rule does not take it.")
+        : QStringLiteral("{a}_{lo} = %1 and {a}_{hi} = %2 have just the {across}s %3 between them, "
+                         "exactly on edges, and the fill rule takes neither.");
+    return m_names.filled(pattern).arg(lower, upper, left.join(QStringLiteral(" and ")));
+}
+
 QString EdgeWalkWords::coverSentence(const EdgeWalkSpanState &state) const
 {
     const QString lower = term(state.column.yBottom);
     const QString upper = term(state.column.yTop);
     const std::int64_t count = state.drawnSamples();
     if (count == 0)
-        return m_names
-            .filled(QStringLiteral(
-                "No sample of the frame lies between {a}_{lo} = %1 and {a}_{hi} = %2."))
-            .arg(lower, upper);
+        return emptySentence(state);
     const QString pattern = count == 1
         ? QStringLiteral("{a}_{lo} = %1 and {a}_{hi} = %2 cover the {across} %3.")
         : QStringLiteral("{a}_{lo} = %1 and {a}_{hi} = %2 cover the {across}s %3 to %4.");
@@ -94,19 +118,14 @@ QString EdgeWalkWords::departureSentence(const EdgeWalkSpanState &state) const
 
 void EdgeWalkWords::tell(StepWords &words, const EdgeWalkSpanState &state) const
 {
-    const bool isFirstHalf = state.column.half == ColumnHalf::First;
-    const QString half
-        = isFirstHalf ? QStringLiteral("first {half}") : QStringLiteral("second {half}");
-    words.heading = m_names.isRow() ? QStringLiteral("Row %1, ").arg(-state.column.x)
-                                    : QStringLiteral("Column %1, ").arg(state.column.x);
-    words.heading += m_names.filled(half);
+    words.heading = m_names.heading(state);
     words.sentence = turnSentence(state) + coverSentence(state);
     if (state.start.isPoint && state.drawnSamples() > 0
         && m_names.form().rate == ColourRate::Bilinear)
         words.sentence += m_names.filled(
             QStringLiteral(" Between equal bounds there is no change to share out, and no Δ."));
     words.sentence += departureSentence(state);
-    if (state.start.hasPlane && !isFirstHalf && state.beginsHalf)
+    if (state.start.hasPlane && state.column.half == ColumnHalf::Second && state.beginsHalf)
         words.event = m_names.filled(
             state.isFirst ? QStringLiteral("the second {half} comes first: L₁₂ and L₀₂")
                           : QStringLiteral("{c}₁ reached: L₁₂ takes over from L₀₁"));

@@ -21,6 +21,7 @@ public:
 private:
     /// What happens at the middle vertex; empty where nothing does.
     QString turnSentence(const EdgeWalkSpanState &state) const;
+    QString emptySentence(const EdgeWalkSpanState &state) const;
     QString coverSentence(const EdgeWalkSpanState &state) const;
     QString departureSentence(const EdgeWalkSpanState &state) const;
 

@@ -29,9 +29,8 @@ void appendPlace(NumberTable<InterpolationSpanState> &table, InterpolationForm f
                      }});
     NumberDescription half = halfNumberOf(form);
     half.id = half.title = QStringLiteral("{half}");
-    table.push_back({names.filled(half), [](const State &state) {
-                         return Quantity::integer(state.column.half == ColumnHalf::First ? 1 : 2);
-                     }});
+    table.push_back(
+        {names.filled(half), [](const State &state) { return state.walk.halfNumber(); }});
     const auto covered = [&](const QString &which, const auto &read) {
         table.push_back(
             {names.filled({.id = which + QStringLiteral("_{across}"),

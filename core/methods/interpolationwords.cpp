@@ -47,6 +47,7 @@ void tellInterpolation(StepWords &words, const InterpolationSetUpState &state,
 void tellInterpolation(StepWords &words, const InterpolationSpanState &state,
                        InterpolationForm form)
 {
+    words.heading = walkNames(form).heading(state.walk);
     if (!isBilinear(form) || state.drawnSamples() == 0 || state.hasRate()
         || !state.walk.start.hasPlane)
         return;

@@ -194,11 +194,29 @@ NumberTable<PolygonSampleState> polygonSampleNumbers(PolygonForm form)
     if (isInTriangles(form))
         return {};
     return {
+        {{.id = QStringLiteral("downward"),
+          .title = QStringLiteral("d"),
+          .unit = {},
+          .toolTip = QStringLiteral("Crossings at or to the left of the sample by edges that run "
+                                    "downward; they have the sample at their left."),
+          .formula = {},
+          .group = Group::Decision,
+          .comparison = Comparison::WithExact},
+         [](const PolygonSampleState &sample) { return Quantity::integer(sample.downward); }},
+        {{.id = QStringLiteral("upward"),
+          .title = QStringLiteral("u"),
+          .unit = {},
+          .toolTip = QStringLiteral("Crossings at or to the left of the sample by edges that run "
+                                    "upward; they have the sample at their right."),
+          .formula = {},
+          .group = Group::Decision,
+          .comparison = Comparison::WithExact},
+         [](const PolygonSampleState &sample) { return Quantity::integer(sample.upward); }},
         {{.id = QStringLiteral("crossings"),
           .title = QStringLiteral("c"),
           .unit = {},
           .toolTip = QStringLiteral("Crossings of the row at or to the left of the sample."),
-          .formula = {},
+          .formula = QStringLiteral("c = d + u"),
           .group = Group::Decision,
           .comparison = Comparison::WithExact},
          [](const PolygonSampleState &sample) { return Quantity::integer(sample.crossings); }},
@@ -215,9 +233,9 @@ NumberTable<PolygonSampleState> polygonSampleNumbers(PolygonForm form)
           .title = QStringLiteral("w"),
           .unit = {},
           .toolTip
-          = QStringLiteral("Crossings by upward edges minus crossings by downward ones; by "
-                           "non-zero the sample is inside where it is not 0."),
-          .formula = {},
+          = QStringLiteral("The winding number, 1 inside a contour that turns counter-clockwise; "
+                           "by non-zero the sample is inside where it is not 0."),
+          .formula = QStringLiteral("w = d − u"),
           .group = Group::Decision,
           .comparison = Comparison::WithExact},
          [](const PolygonSampleState &sample) { return Quantity::integer(sample.winding); }},

@@ -37,8 +37,8 @@ Pseudocode parityPseudocode()
          QStringLiteral("for each sample from the first crossing to the last:"),
          {Moment::First, Moment::Next, Moment::Refused}},
         {2,
-         QStringLiteral("c ← the crossings at or to the left of it; p ← c mod 2, w ← upward "
-                        "minus downward ones"),
+         QStringLiteral("c ← the crossings at or to the left of it; p ← c mod 2, w ← downward "
+                        "minus upward ones"),
          {Moment::First, Moment::Next, Moment::Refused}},
         {2,
          QStringLiteral("if p = 1 by even-odd, or w ≠ 0 by non-zero: pixel (x, y) ← colour"),

@@ -23,7 +23,8 @@ struct PolygonRowState {
 /// A sample of a polygon with what its row says of it.
 struct PolygonSampleState {
     std::int64_t crossings = 0; ///< to its left, or through it
-    std::int64_t winding = 0; ///< upward ones minus downward ones
+    std::int64_t downward = 0, upward = 0; ///< of the crossings, as seen
+    std::int64_t winding = 0; ///< downward ones minus upward ones
     ShapeFill fill = ShapeFill::EvenOdd;
     bool isInside = false;
     std::vector<std::size_t> edges; ///< that cross there, as the row meets them
@@ -62,8 +63,10 @@ PolygonSampleState polygonStateOf(
     state.fill = step.setUp.fill;
     state.isInside = step.fate == SampleFate::Written;
     for (const Crossing<A> &crossing : step.span.crossings) {
-        if (crossing.firstRight <= step.x)
-            state.edges.push_back(crossing.edge);
+        if (crossing.firstRight > step.x)
+            continue;
+        ++(crossing.turn > 0 ? state.downward : state.upward);
+        state.edges.push_back(crossing.edge);
     }
     return state;
 }

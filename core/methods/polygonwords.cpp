@@ -41,9 +41,11 @@ QString edgesText(const std::vector<std::size_t> &edges)
 QString verdictText(const PolygonSampleState &sample)
 {
     if (sample.fill == ShapeFill::NonZero)
-        return sample.isInside
-            ? QStringLiteral(": winding number %1, inside.").arg(sample.winding)
-            : QStringLiteral(", as often upward as downward: winding number 0, outside.");
+        return QStringLiteral(", %1 downward, %2 upward: winding number %3, %4.")
+            .arg(sample.downward)
+            .arg(sample.upward)
+            .arg(term(Quantity::integer(sample.winding)),
+                 sample.isInside ? QStringLiteral("inside") : QStringLiteral("outside"));
     return sample.isInside ? QStringLiteral(": an odd number, inside.")
                            : QStringLiteral(": an even number, outside.");
 }
@@ -66,7 +68,7 @@ void tellPolygon(StepWords &words, const PolygonSetUp &setUp)
     }
     words.sentence = setUp.fill == ShapeFill::NonZero
         ? QStringLiteral("Non-zero decides: a sample is inside where its winding number w, the "
-                         "upward crossings to its left minus the downward ones, is not 0.")
+                         "downward crossings to its left minus the upward ones, is not 0.")
         : QStringLiteral("Even-odd decides: a sample is inside where the parity p of the crossings "
                          "to its left is 1.");
     if (setUp.curveCount > 0)
@@ -86,11 +88,13 @@ void tellPolygon(StepWords &words, const PolygonRowState &row)
         = QStringLiteral("The row crosses %1 edges, at x = %2.")
               .arg(QString::number(row.crossingCount), listText(places, row.crossingCount));
     if (row.drawnSamples() == 0) {
-        words.sentence = meets + QStringLiteral(" No sample of the frame lies between them.");
+        words.sentence = meets
+            + QStringLiteral(" No sample of the frame lies from the first of them on and before "
+                             "the last.");
         return;
     }
     const QString inside = row.fill == ShapeFill::NonZero
-        ? QStringLiteral("where upward and downward edges to its left differ in number")
+        ? QStringLiteral("where downward and upward edges to its left differ in number")
         : QStringLiteral("where an odd number of edges is to its left");
     words.sentence = meets
         + QStringLiteral(" Of the columns %1 to %2 a sample is inside %3.")

@@ -81,8 +81,9 @@ NumberTable<ShadedSpanState> shadedSpanNumbers(const ShadedScope &scope)
     };
     whole(triangleNumber(), [](const ShadedSpanState &state) { return state.walk.primitive; });
     whole(scannedNumber(), [](const ShadedSpanState &state) { return state.walk.column.x; });
-    covered(halfNumberOf(scope.form),
-            [](const ShadedSpanState &state) { return int(state.walk.column.half) + 1; });
+    table.push_back({halfNumberOf(scope.form), [](const ShadedSpanState &state) {
+                         return state.isBounded ? state.walk.halfNumber() : Quantity();
+                     }});
     const auto bound = [&](SpanBound side, const QString &title, const QString &edge,
                            Quantity ShadedSpanState::*value) {
         appendWalked(table, side,

@@ -15,13 +15,10 @@ void tellShaded(StepWords &words, const ShadedSetUpState &state)
 
 void tellShaded(StepWords &words, const ShadedSpanState &state)
 {
-    words.heading
-        = QStringLiteral("Column %1, %2 half")
-              .arg(state.walk.column.x)
-              .arg(state.walk.column.half == ColumnHalf::First ? QStringLiteral("first")
-                                                               : QStringLiteral("second"));
-    if (state.isBounded)
+    if (state.isBounded) {
+        words.heading = walkNames(InterpolationForm::Bilinear).heading(state.walk);
         return;
+    }
     words.heading = QStringLiteral("Column %1").arg(state.walk.column.x);
     words.sentence = QStringLiteral("Only samples beside the centres of its pixels lie in the "
                                     "triangle: no bounds are walked here.");

@@ -69,14 +69,16 @@ Explanation explainBeginning(const TracedScene &traced, std::size_t primitive)
 }
 
 /// `visited`: its samples that the kernel came to.
-QString spanSentence(const SpanRecord &span, std::size_t visited)
+QString spanSentence(const SpanRecord &span, std::size_t visited, FillRule rule)
 {
     const QString others
         = span.place.axis == SpanAxis::Column ? QStringLiteral("rows") : QStringLiteral("columns");
     // Antialiasing has samples beside the pixels' centres, between which the bounds may lie.
     if (span.drawnSamples() == 0)
         return visited == 0
-            ? QStringLiteral("No sample of the frame lies here.")
+            ? (rule == FillRule::Closed
+                   ? QStringLiteral("No sample of the frame lies here.")
+                   : QStringLiteral("No sample of the frame lies here that the fill rule takes."))
             : QStringLiteral("No pixel's centre lies here, but other samples of %1 may.")
                   .arg(visited == 1 ? QStringLiteral("1 pixel")
                                     : QStringLiteral("%1 pixels").arg(visited));
@@ -130,8 +132,9 @@ Explanation explainSpan(const TracedScene &traced, const TraceStep &step)
     explanation.event = spans.words.event;
     const std::size_t visited
         = traced.trace->endSampleOf(step.span) - traced.trace->firstSampleOf(step.span);
-    explanation.sentence = spans.words.sentence.isEmpty() ? spanSentence(spans.current, visited)
-                                                          : spans.words.sentence;
+    explanation.sentence = spans.words.sentence.isEmpty()
+        ? spanSentence(spans.current, visited, traced.scene.settings.fillRule)
+        : spans.words.sentence;
     appendLines(explanation, spans.words.numbers, spans.current.cells,
                 exactSpanCells(traced, step.span), spanNames(traced, spans),
                 startOf(*traced.trace, step.span));

@@ -4,9 +4,10 @@
 #include "core/methods/formulatext.h"
 #include "core/runs/constantnumbers.h"
 #include "core/runs/formulaexplanation.h"
-#include "core/runs/pixelhistory.h"
-#include "core/runs/spanheadings.h"
+#include "core/runs/tracedscene.h"
 #include "core/scene/coordinatetext.h"
+
+#include <QRegularExpression>
 
 #include <algorithm>
 #include <cmath>
@@ -79,6 +80,28 @@ QString titleOf(const QString &symbols)
                                : assigned;
 }
 
+/// "⌈y_B⌉ is the first whole number not below y_B": what the brackets mean, without y_B's value,
+/// which is asked for itself. Of what is not rounded, the formula.
+QString meaningOf(const QString &rule)
+{
+    static const QRegularExpression brackets(
+        QStringLiteral("^([⌈⌊])(.+?)( \\+ ½)?[⌉⌋]( [−+] 1)?$"));
+    const QString rounded = titleOf(rule);
+    const QRegularExpressionMatch parts = brackets.match(rounded);
+    if (!isRounding(rule) || !parts.hasMatch())
+        return rule;
+    QString meaning = parts.captured(1) == QStringLiteral("⌈")
+        ? QStringLiteral("the first whole number not below %1")
+        : QStringLiteral("the last whole number not above %1");
+    if (!parts.captured(3).isEmpty())
+        meaning = QStringLiteral("the whole number nearest to %1");
+    else if (parts.captured(4) == QStringLiteral(" − 1"))
+        meaning = QStringLiteral("the last whole number below %1");
+    else if (parts.captured(4) == QStringLiteral(" + 1"))
+        meaning = QStringLiteral("the first whole number above %1");
+    return QStringLiteral("%1 is %2").arg(rounded, meaning.arg(parts.captured(2)));
+}
+
 /// The formula with its numbers, which may be the value already: y_B ← y₀ = 4.
 QString reasonOf(const FormulaLine &line)
 {
@@ -97,29 +120,6 @@ int placesOf(const QString &typed)
 bool isSame(double typed, double value)
 {
     return std::abs(typed - value) <= readingError * std::max(1.0, std::abs(value));
-}
-
-/// The first step whose pixel is not told by the numbers of the step in hand: a step of a line has
-/// its pixel among its numbers.
-std::size_t firstUntold(const ScanTrace &trace, std::size_t position)
-{
-    if (position == 0 || !trace.numbers().sample.empty())
-        return position;
-    const TraceStep step = trace.stepAt(position - 1);
-    const bool isOnePixel = step.kind == StepKind::Span
-        && trace.endSampleOf(step.span) - trace.firstSampleOf(step.span) == 1;
-    return isOnePixel ? position + 1 : position;
-}
-
-/// The step's index.
-std::optional<std::size_t> nextWriteAfter(const ScanTrace &trace, std::size_t position)
-{
-    for (std::size_t index = firstUntold(trace, position); index < trace.stepCount(); ++index) {
-        const TraceStep step = trace.stepAt(index);
-        if (step.kind == StepKind::Sample && trace.changes()[step.sample].isWritten())
-            return index;
-    }
-    return std::nullopt;
 }
 
 bool isRounded(double typed, double value, int places)
@@ -172,45 +172,6 @@ std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t 
     return predictions;
 }
 
-std::optional<NextPixel> nextPixelAfter(const TracedScene &traced, std::size_t position)
-{
-    const ScanTrace &trace = *traced.trace;
-    const std::optional<std::size_t> index = nextWriteAfter(trace, position);
-    if (!index)
-        return std::nullopt;
-    const TraceStep step = trace.stepAt(*index);
-    const PixelChange &change = trace.changes()[step.sample];
-    return NextPixel{
-        {change.x, change.y}, explainStep(traced, trace.indexOfSpan(step.span)).sentence, *index};
-}
-
-QString wrongPixelText(const TracedScene &traced, std::size_t position, const QPoint &pixel)
-{
-    const ScanTrace &trace = *traced.trace;
-    const std::optional<std::size_t> index = nextWriteAfter(trace, position);
-    if (!index)
-        return {};
-    const TraceStep next = trace.stepAt(*index);
-    const auto visit = trace.visitOf(next.primitive, pixel.x(), pixel.y());
-    if (!visit || !trace.changes()[*visit].isWritten()) {
-        for (const PixelAttempt &attempt :
-             briefPixelHistory(traced, pixel.x(), pixel.y(), next.primitive + 1).attempts) {
-            if (attempt.primitive == next.primitive)
-                return attempt.reason;
-        }
-        return {};
-    }
-    if (trace.indexOfSample(*visit) < position)
-        return QStringLiteral("It has been drawn already, in step %1.")
-            .arg(trace.indexOfSample(*visit) + 1);
-    if (trace.indexOfSample(*visit) < *index)
-        return QStringLiteral("It is the pixel of the step in hand: which one follows it?");
-    const std::size_t span = trace.spanOf(*visit);
-    return span == next.span
-        ? QStringLiteral("Its turn comes later in the same span: where does the method begin?")
-        : QStringLiteral("Its turn comes later: %1.").arg(spanHeading(trace, span));
-}
-
 Guess judge(const Prediction &prediction, const QString &typed)
 {
     const QString text = typed.trimmed().replace(u'−', u'-');
@@ -245,8 +206,11 @@ QString verdictText(const Prediction &prediction, Guess guess)
     case Guess::Unread:
         return QStringLiteral("Type a number, such as 2, 2.75, 11/4 or 2 3/4.");
     case Guess::Earlier:
-        return QStringLiteral("That is %1 of the span before: what does one step add to it?")
-            .arg(prediction.title);
+        return isRounding(prediction.rule)
+            ? QStringLiteral("That is %1 of the span before: %2.")
+                  .arg(prediction.title, meaningOf(prediction.rule))
+            : QStringLiteral("That is %1 of the span before: what does one step add to it?")
+                  .arg(prediction.title);
     case Guess::RoundedUp:
     case Guess::RoundedDown:
         return QStringLiteral("That is %1, the whole number beside it. Asked for is %2 itself: a "
@@ -262,14 +226,14 @@ QString verdictText(const Prediction &prediction, Guess guess)
                               "more.")
             .arg(leastPlaces);
     case Guess::OneOff:
-        return QStringLiteral("One off: which samples does the fill rule take?");
+        return QStringLiteral("One off: %1.").arg(meaningOf(prediction.rule));
     case Guess::OtherSign:
         return QStringLiteral("The sign is the other one.");
     case Guess::Wrong:
         break;
     }
     return QStringLiteral("Not yet: %1. Put the numbers in, or have it shown.")
-        .arg(prediction.rule);
+        .arg(meaningOf(prediction.rule));
 }
 
 } // namespace pixelplumb

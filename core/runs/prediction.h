@@ -3,10 +3,8 @@
 
 #include "core/number/quantity.h"
 
-#include <QPoint>
 #include <QString>
 
-#include <optional>
 #include <vector>
 
 namespace pixelplumb {
@@ -34,18 +32,6 @@ bool asksForWhole(const Prediction &prediction);
 /// span before under another name, and what never changes along the primitive (ΔR of a triangle),
 /// which the first span alone that has it asks for; empty where no span follows.
 std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t position);
-
-/// The pixel that is written next behind a position, and why. Where the span in hand is one pixel
-/// that its own numbers tell, that of the span behind it.
-struct NextPixel {
-    QPoint pixel;
-    QString reason;
-    std::size_t step = 0; ///< index of the step that writes it
-};
-std::optional<NextPixel> nextPixelAfter(const TracedScene &traced, std::size_t position);
-/// Why another pixel than that is not the next one: it has been drawn, comes later, or the
-/// primitive does not own it. Empty where no pixel follows.
-QString wrongPixelText(const TracedScene &traced, std::size_t position, const QPoint &pixel);
 
 enum class Guess {
     Right,

@@ -25,8 +25,9 @@ public:
             const bool upward = from.y < to.y;
             const LatticePoint &low = upward ? from : to;
             const LatticePoint &high = upward ? to : from;
-            m_entries.push_back({mirrored(low), mirrored(high), index, upward ? 1 : -1,
-                                 firstSampleFrom(low.y, rows), endSampleAt(high.y, rows)});
+            m_entries.push_back({mirrored(low), mirrored(high), index,
+                                 windingRightOf(edges[index], origin), firstSampleFrom(low.y, rows),
+                                 endSampleAt(high.y, rows)});
         }
         std::ranges::stable_sort(m_entries, {}, &Entry::firstRow);
     }

@@ -20,6 +20,15 @@ constexpr Interval rowsCrossed(FrameOrigin origin)
     return origin == FrameOrigin::TopLeft ? Interval::ClosedOpen : Interval::OpenClosed;
 }
 
+/// What an edge adds to the winding number of the samples to its right: +1 where its contour runs
+/// downward as seen, −1 where it runs upward, so that a contour that turns counter-clockwise as
+/// seen has +1 inside. Horizontal edges, which no row crosses, are not asked.
+constexpr int windingRightOf(const ContourEdge &edge, FrameOrigin origin)
+{
+    const bool isDownward = (edge.to.y < edge.from.y) == (origin == FrameOrigin::BottomLeft);
+    return isDownward ? 1 : -1;
+}
+
 /// What was computed once for a polygon.
 struct PolygonSetUp {
     std::size_t contourCount = 0;
@@ -40,7 +49,7 @@ struct Crossing {
     using Number = typename A::Number;
 
     std::size_t edge = 0; ///< its place in the contours, from 0
-    int turn = 0; ///< +1 where the contour runs upward, −1 where it runs downward
+    int turn = 0; ///< windingRightOf()
     std::int64_t endRow = 0; ///< one past the last row that the edge crosses
     Number slope = {}; ///< px per row
     Number base = {}; ///< x at the lower end, then x on the row before
@@ -63,7 +72,7 @@ struct PolygonRow {
 /// Why a sample is in or out.
 struct PolygonSample {
     std::int64_t crossings = 0; ///< to its left, or through it
-    std::int64_t winding = 0; ///< upward ones minus downward ones
+    std::int64_t winding = 0; ///< downward ones as seen minus upward ones
     Colour colour;
 };
 

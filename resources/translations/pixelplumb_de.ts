@@ -2119,6 +2119,10 @@
         <source>error %1</source>
         <translation>Fehler %1</translation>
     </message>
+    <message>
+        <source>exact</source>
+        <translation>exakt</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::FormulaPanel</name>
@@ -4130,6 +4134,165 @@
     </message>
 </context>
 <context>
+    <name>pixelplumb::MethodTitle</name>
+    <message>
+        <source>Column scan</source>
+        <translation>Spaltenrasterung</translation>
+    </message>
+    <message>
+        <source>Row edge walking</source>
+        <translation>Kantenlauf zeilenweise</translation>
+    </message>
+    <message>
+        <source>Edge equations</source>
+        <translation>Kantengleichungen</translation>
+    </message>
+    <message>
+        <source>Edge equations, incremental</source>
+        <translation>Kantengleichungen, inkrementell</translation>
+    </message>
+    <message>
+        <source>Edge equations, solved system</source>
+        <translation>Kantengleichungen, gelöstes System</translation>
+    </message>
+    <message>
+        <source>Barycentric, all pixels</source>
+        <translation>Baryzentrisch, alle Pixel</translation>
+    </message>
+    <message>
+        <source>Barycentric, bounding rectangle</source>
+        <translation>Baryzentrisch, umgebendes Rechteck</translation>
+    </message>
+    <message>
+        <source>Barycentric, incremental</source>
+        <translation>Baryzentrisch, inkrementell</translation>
+    </message>
+    <message>
+        <source>Barycentric, Cramer&apos;s rule</source>
+        <translation>Baryzentrisch, Cramersche Regel</translation>
+    </message>
+    <message>
+        <source>Barycentric, off-screen point</source>
+        <translation>Baryzentrisch, Punkt außerhalb</translation>
+    </message>
+    <message>
+        <source>Midpoint outline, filled</source>
+        <translation>Umriss mit Mittelpunktverfahren, gefüllt</translation>
+    </message>
+    <message>
+        <source>Column scan, half-quantum bias</source>
+        <translation>Spaltenrasterung, um ein halbes Quant versetzt</translation>
+    </message>
+    <message>
+        <source>Column scan, constant ΔR</source>
+        <translation>Spaltenrasterung, konstantes ΔR</translation>
+    </message>
+    <message>
+        <source>Row edge walking, constant ΔR</source>
+        <translation>Kantenlauf zeilenweise, konstantes ΔR</translation>
+    </message>
+    <message>
+        <source>Edge equations, canonical end</source>
+        <translation>Kantengleichungen, kanonisches Ende</translation>
+    </message>
+    <message>
+        <source>Barycentric, relative</source>
+        <translation>Baryzentrisch, relativ</translation>
+    </message>
+    <message>
+        <source>Bilinear interpolation</source>
+        <translation>Bilineare Interpolation</translation>
+    </message>
+    <message>
+        <source>Bilinear interpolation by rows</source>
+        <translation>Bilineare Interpolation nach Zeilen</translation>
+    </message>
+    <message>
+        <source>Plane equation</source>
+        <translation>Ebenengleichung</translation>
+    </message>
+    <message>
+        <source>Barycentric interpolation</source>
+        <translation>Baryzentrische Interpolation</translation>
+    </message>
+    <message>
+        <source>Line: DDA</source>
+        <translation>Linie: DDA</translation>
+    </message>
+    <message>
+        <source>Line: y = m·x + b</source>
+        <translation>Linie: y = m·x + b</translation>
+    </message>
+    <message>
+        <source>Line: P(t)</source>
+        <translation>Linie: P(t)</translation>
+    </message>
+    <message>
+        <source>Line: Bresenham</source>
+        <translation>Linie: Bresenham</translation>
+    </message>
+    <message>
+        <source>Line: Bresenham, sub-pixel ends</source>
+        <translation>Linie: Bresenham, Enden zwischen Pixeln</translation>
+    </message>
+    <message>
+        <source>Circle: midpoint</source>
+        <translation>Kreis: Mittelpunktverfahren</translation>
+    </message>
+    <message>
+        <source>Circle: y = ±√(r² − x²)</source>
+        <translation>Kreis: y = ±√(r² − x²)</translation>
+    </message>
+    <message>
+        <source>Circle: (r cos θ, r sin θ)</source>
+        <translation>Kreis: (r cos θ, r sin θ)</translation>
+    </message>
+    <message>
+        <source>Circle: filled by spans</source>
+        <translation>Kreis: in Zeilen gefüllt</translation>
+    </message>
+    <message>
+        <source>Bézier: subdivision</source>
+        <translation>Bézier: Unterteilung</translation>
+    </message>
+    <message>
+        <source>Bézier path: filled</source>
+        <translation>Bézierpfad: gefüllt</translation>
+    </message>
+    <message>
+        <source>Line or curve: one pixel wide</source>
+        <translation>Linie oder Kurve: ein Pixel breit</translation>
+    </message>
+    <message>
+        <source>Polygon by parity</source>
+        <translation>Polygon nach Parität</translation>
+    </message>
+    <message>
+        <source>Convex polygon as a fan</source>
+        <translation>Konvexes Polygon als Fächer</translation>
+    </message>
+    <message>
+        <source>Polygon by Delaunay triangulation</source>
+        <translation>Polygon mit Delaunay-Triangulierung</translation>
+    </message>
+    <message>
+        <source>Polygon by tessellation</source>
+        <translation>Polygon mit Tessellation</translation>
+    </message>
+    <message>
+        <source>Polygon outline</source>
+        <translation>Polygonumriss</translation>
+    </message>
+    <message>
+        <source>Points by address</source>
+        <translation>Punkte nach Adresse</translation>
+    </message>
+    <message>
+        <source>Text as outlines</source>
+        <translation>Text als Umrisse</translation>
+    </message>
+</context>
+<context>
     <name>pixelplumb::MissPlot</name>
     <message>
         <source>nearer than %1 px</source>
@@ -5293,10 +5456,6 @@
         <translation>&amp;Antwort</translation>
     </message>
     <message>
-        <source>Which pixel is written next? Type its x, y, right-click it, or go there with the arrow keys and press Check.</source>
-        <translation>Welches Pixel wird als nächstes geschrieben? Sein x, y eingeben, es mit der rechten Maustaste wählen oder mit den Pfeiltasten hingehen und „Prüfen“ drücken.</translation>
-    </message>
-    <message>
         <source>x, y</source>
         <translation>x, y</translation>
     </message>
@@ -5319,6 +5478,10 @@
     <message>
         <source>A fraction, or a decimal rounded to %1 places or more.</source>
         <translation>Ein Bruch oder eine Dezimalzahl, auf %1 Stellen oder mehr gerundet.</translation>
+    </message>
+    <message>
+        <source>Which pixel of the frame is written next? Type its x, y, right-click it, or go there with the arrow keys and press Check.</source>
+        <translation>Welches Pixel des Bildes wird als nächstes geschrieben? Sein x, y eingeben, es mit der rechten Maustaste wählen oder mit den Pfeiltasten hingehen und „Prüfen“ drücken.</translation>
     </message>
 </context>
 <context>

@@ -170,6 +170,13 @@ void addNames(CanvasScene &scene, int primitive, const CanvasSources &sources,
                                view.onSamples(vertices[order[rank]].position), inside});
 }
 
+/// Whether the layer of the vertices names them, with their coordinates.
+bool isNamedByLayer(int primitive, const CanvasSources &sources)
+{
+    return sources.options->layers().contains(QStringLiteral("vertices"))
+        && primitive == steppedPrimitive(sources).value_or(primitive);
+}
+
 } // namespace
 
 void addOutlines(CanvasScene &scene, const CanvasSources &sources, const CanvasView &view,
@@ -195,7 +202,8 @@ void addOutlines(CanvasScene &scene, const CanvasSources &sources, const CanvasV
     const std::vector<Vertex> &pending = document.pendingVertices();
     for (std::size_t i = 0; i < pending.size(); ++i)
         addHandle({VertexRef::pending, int(i)}, pending[i]);
-    if (const std::optional<int> named = namedPrimitive(sources))
+    if (const std::optional<int> named = namedPrimitive(sources);
+        named && !isNamedByLayer(*named, sources))
         addNames(scene, *named, sources, view);
 }
 

@@ -6,6 +6,7 @@
 #include "widgets/canvas/canvasview.h"
 #include "widgets/canvas/imagehandles.h"
 #include "widgets/look/displayoptions.h"
+#include "widgets/look/methodtitle.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/model/effectswitches.h"
 #include "widgets/model/frametext.h"
@@ -170,7 +171,7 @@ private:
         const TracedScene *traced = m_playhead.traced();
         const bool isAhead = m_previewer && m_previewer->isAheadOfTrace();
         if (traced && !isAhead && traced->scene.method != m_document.scene().method)
-            return tr("Still the picture of %1").arg(traced->method->title);
+            return tr("Still the picture of %1").arg(methodTitle(*traced->method));
         if (m_isTruth)
             return tr("Truth: the exact picture");
         if (m_playhead.isAheadHidden() && (m_options.isTruthShown() || m_hand.isPeeking))

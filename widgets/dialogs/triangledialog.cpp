@@ -19,6 +19,9 @@ namespace {
 constexpr int firstCarriedColumn = 4; // behind the name, x, y and the colour
 constexpr std::array carriedNames = {"z", "w", "u", "v", "N_x", "N_y", "N_z"};
 constexpr std::size_t divisor = 1; // of them, w
+constexpr int placeWidth = 16; ///< of x and y, characters
+constexpr int depthWidth = 13; ///< of z: "0.333333333"
+constexpr int carriedWidth = 8; ///< of the others
 
 /// Where a number that vertices carry is kept.
 Attribute &carriedIn(VertexAttributes &vertex, std::size_t index)
@@ -92,7 +95,9 @@ void TriangleDialog::show(const TypedTriangle &shown)
         for (std::size_t j = 0; j < carriedCount; ++j) {
             const Attribute value = carriedIn(carried, j);
             const bool isShown = j >= 4 ? hasNormal : value != carriedIn(standard, j);
-            m_rows[i].carried[j]->setText(isShown ? numberText(value, attributeFormat) : QString());
+            QLineEdit *field = m_rows[i].carried[j];
+            field->setText(isShown ? numberText(value, attributeFormat) : QString());
+            field->setCursorPosition(0); // of a long number its first digits are seen
         }
     }
     judge();
@@ -183,7 +188,7 @@ void TriangleDialog::addVertex(QGridLayout *grid, int vertex, const Colour &colo
     row.y = addField(grid, vertex, 2, QStringLiteral("y"));
     for (QLineEdit *field : {row.x, row.y}) {
         field->setPlaceholderText(tr("26, 26.5 or 53/2"));
-        field->setMinimumWidth(field->fontMetrics().averageCharWidth() * 18);
+        field->setMinimumWidth(field->fontMetrics().averageCharWidth() * placeWidth);
     }
     row.colour = new ColourButton(tr("Colour of %1").arg(name), this);
     row.colour->setObjectName(QStringLiteral("vertex%1Colour").arg(vertex));
@@ -192,7 +197,8 @@ void TriangleDialog::addVertex(QGridLayout *grid, int vertex, const Colour &colo
     for (std::size_t i = 0; i < carriedCount; ++i) {
         QLineEdit *field = addField(grid, vertex, firstCarriedColumn + int(i), axisName(i));
         field->setPlaceholderText(i == divisor ? QStringLiteral("1") : QStringLiteral("0"));
-        field->setMinimumWidth(field->fontMetrics().averageCharWidth() * 7);
+        field->setMinimumWidth(field->fontMetrics().averageCharWidth()
+                               * (i == 0 ? depthWidth : carriedWidth));
         row.carried[i] = field;
     }
 }

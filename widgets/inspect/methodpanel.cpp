@@ -7,6 +7,7 @@
 #include "widgets/look/blend.h"
 #include "widgets/look/formulahtml.h"
 #include "widgets/look/methodsummary.h"
+#include "widgets/look/methodtitle.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/look/signs.h"
 #include "widgets/model/playhead.h"
@@ -117,7 +118,8 @@ void MethodPanel::present()
     const int scrolled = m_text->verticalScrollBar()->value();
     m_text->setHtml(QStringLiteral("<p><b>%1</b><br>%2</p>%3<table cellspacing=0 cellpadding=2 "
                                    "width=\"100%\">%4</table><p><small>%5</small></p>")
-                        .arg(method.title.toHtmlEscaped(), sentenceHtml(methodSummary(method)),
+                        .arg(methodTitle(method).toHtmlEscaped(),
+                             sentenceHtml(methodSummary(method)),
                              variantsHtml(traced->scene.settings.variants, method.spanAxis), rows,
                              tr("From: %1.").arg(method.source).toHtmlEscaped()));
     m_text->verticalScrollBar()->setValue(scrolled);

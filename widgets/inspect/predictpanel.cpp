@@ -106,14 +106,14 @@ PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget 
 void PredictPanel::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
-    m_playhead->setAheadHidden(true);
+    m_playhead->setForetold(true);
     listQuestions();
 }
 
 void PredictPanel::hideEvent(QHideEvent *event)
 {
     QWidget::hideEvent(event);
-    m_playhead->setAheadHidden(false);
+    m_playhead->setForetold(false);
 }
 
 void PredictPanel::focusInEvent(QFocusEvent *event)
@@ -196,9 +196,9 @@ void PredictPanel::ask()
                                           .arg(leastPlaces))));
     } else if (asksForPixel()) {
         example = tr("x, y");
-        m_question->setText(
-            tr("Which pixel is written next? Type its x, y, right-click it, or go there with the "
-               "arrow keys and press Check."));
+        m_question->setText(tr("Which pixel of the frame is written next? Type its x, y, "
+                               "right-click it, or go there with the "
+                               "arrow keys and press Check."));
     } else {
         m_question->setText(tr("Nothing lies ahead: step back, or run to the start."));
     }

@@ -4,6 +4,7 @@
 #include "core/methods/method.h"
 #include "core/scan/choicenames.h"
 #include "widgets/lab/labmarks.h"
+#include "widgets/look/methodtitle.h"
 
 #include <QEvent>
 #include <QMenu>
@@ -117,7 +118,7 @@ void LabFilterMenu::fill()
     m_menu->addSeparator();
     for (const QString &id : std::as_const(m_methods)) {
         const Method *method = methodNamed(id);
-        addTick(id, method ? method->title : id, {}, !m_filter.methods.contains(id),
+        addTick(id, method ? methodTitle(*method) : id, {}, !m_filter.methods.contains(id),
                 [this, id](bool isShown) { leaveOut(m_filter.methods, id, isShown); });
     }
 }

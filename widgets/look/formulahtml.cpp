@@ -81,6 +81,12 @@ bool isCompared(const FormulaLine &line, Arithmetic arithmetic)
     return isRounded && !line.used.isNone() && !line.exact.isNone();
 }
 
+/// Nothing was lost: the exact number needs no line of its own.
+bool isSameAsExact(const FormulaLine &line)
+{
+    return displayError(line.used, line.exact) == QStringLiteral("0");
+}
+
 /// The number used, underlined from the first digit that the exact one does not have.
 QString usedHtml(const FormulaLine &line, Arithmetic arithmetic)
 {
@@ -202,13 +208,16 @@ private:
 
     QString used(const FormulaLine &line) const
     {
-        return QStringLiteral("<td align='right'>%1</td>").arg(usedHtml(line, m_arithmetic));
+        const bool isSame = isCompared(line, m_arithmetic) && isSameAsExact(line);
+        return QStringLiteral("<td align='right'>%1%2</td>")
+            .arg(isSame ? quiet(FormulaHtml::tr("exact")) + QStringLiteral("&nbsp; ") : QString(),
+                 usedHtml(line, m_arithmetic));
     }
 
-    /// The exact number and the error, where the arithmetic rounds.
+    /// The exact number and the error, where the arithmetic has rounded.
     void compare(const FormulaLine &line, ChannelSymbols symbols = ChannelSymbols::Above)
     {
-        if (!isCompared(line, m_arithmetic))
+        if (!isCompared(line, m_arithmetic) || isSameAsExact(line))
             return;
         const QString exact
             = QStringLiteral("&nbsp; &nbsp; ") + quiet(typesetHtml(exactText(line)));

@@ -8,7 +8,7 @@ namespace pixelplumb {
 struct Method;
 
 /// The sentence that a method says of itself, in the window's language; in English where that has
-/// no words for it. Titles stay as files, slides and the command line have them.
+/// no words for it.
 QString methodSummary(const Method &method);
 
 } // namespace pixelplumb

@@ -3,6 +3,7 @@
 
 #include "core/methods/method.h"
 #include "core/runs/tracedscene.h"
+#include "widgets/look/methodtitle.h"
 
 #include <QCoreApplication>
 #include <QStringList>
@@ -96,7 +97,7 @@ QString foreignSceneHint(const Scene &scene)
         ? firstMethodFor(PrimitiveKind::Triangle)
         : firstMethodFor(scene.shapes.front(), scene.appearance);
     return PlacingHint::tr("%1 draws %2; this scene has none. %3 draws what is here.")
-        .arg(method->title, drawnBy(*method), other.title);
+        .arg(methodTitle(*method), drawnBy(*method), methodTitle(other));
 }
 
 QString emptyRunText(const TracedScene *traced)

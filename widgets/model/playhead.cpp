@@ -26,6 +26,7 @@ void Playhead::setTraced(std::shared_ptr<const TracedScene> traced)
         m_picked.reset();
         setPlaying(false);
         emit tracedChanged();
+        tellAhead();
         emit positionChanged(0);
         emit pickedPixelChanged();
         return;
@@ -45,6 +46,7 @@ void Playhead::setTraced(std::shared_ptr<const TracedScene> traced)
         stepsPixel = navigation().pixelOf(position - 1);
     const bool pickMoved = setPicked(stepsPixel ? stepsPixel : m_picked);
     emit tracedChanged();
+    tellAhead();
     emit positionChanged(position);
     if (pickMoved)
         emit pickedPixelChanged();
@@ -103,7 +105,7 @@ std::optional<QPoint> Playhead::pixelInHand() const
 
 bool Playhead::mayTell(std::int64_t x, std::int64_t y) const
 {
-    return !m_isAheadHidden || (m_traced && m_traced->decidedAt(x, y) <= position());
+    return !isAheadHidden() || (m_traced && m_traced->decidedAt(x, y) <= position());
 }
 
 void Playhead::seek(std::size_t position)
@@ -186,12 +188,23 @@ void Playhead::pick(const QPoint &pixel)
     emit pixelChosen(*m_picked);
 }
 
-void Playhead::setAheadHidden(bool hidden)
+void Playhead::setForetold(bool isForetold)
 {
-    if (m_isAheadHidden == hidden)
+    m_isForetold = isForetold;
+    tellAhead();
+}
+
+Ahead Playhead::aheadAt(std::size_t position) const
+{
+    return m_isForetold && position < end() ? Ahead::Hidden : Ahead::Shown;
+}
+
+void Playhead::tellAhead()
+{
+    if (m_toldAhead == ahead())
         return;
-    m_isAheadHidden = hidden;
-    emit aheadHiddenChanged(hidden);
+    m_toldAhead = ahead();
+    emit aheadHiddenChanged(isAheadHidden());
 }
 
 void Playhead::nudgePick(int dx, int dy)
@@ -242,11 +255,13 @@ void Playhead::moveTo(std::size_t position)
     bool pickMoved = false;
     // A span's first pixel is written only by the next step.
     const bool isTold = target > 0
-        && (!m_isAheadHidden || m_traced->trace->stepAt(target - 1).kind == StepKind::Sample);
+        && (aheadAt(target) == Ahead::Shown
+            || m_traced->trace->stepAt(target - 1).kind == StepKind::Sample);
     if (isTold) {
         if (const std::optional<QPoint> pixel = navigation().pixelOf(target - 1))
             pickMoved = setPicked(pixel);
     }
+    tellAhead();
     if (moved)
         emit positionChanged(target);
     if (pickMoved)

@@ -62,9 +62,10 @@ public:
 
     std::optional<QPoint> pickedPixel() const { return m_picked; }
 
-    /// True while a student foretells what the next steps compute: nobody shows it.
-    bool isAheadHidden() const { return m_isAheadHidden; }
-    Ahead ahead() const { return m_isAheadHidden ? Ahead::Hidden : Ahead::Shown; }
+    /// True while a student foretells what the next steps compute: nobody shows it. At the end of
+    /// the run nothing is left to foretell, and all is shown.
+    bool isAheadHidden() const { return ahead() == Ahead::Hidden; }
+    Ahead ahead() const { return aheadAt(position()); }
     /// Whether what becomes of a pixel may be shown: it is decided, or nobody foretells it.
     bool mayTell(std::int64_t x, std::int64_t y) const;
 
@@ -87,7 +88,7 @@ public slots:
     /// Goes to the next or previous step that writes the picked pixel; emits message() when none
     /// does.
     void runToPickedPixel(pixelplumb::StepDirection direction);
-    void setAheadHidden(bool hidden);
+    void setForetold(bool isForetold); ///< whether a student foretells what is ahead
     void pick(const QPoint &pixel); ///< clamped to the frame
     void nudgePick(int dx, int dy);
     /// Of a column or a row; a free span has no place at which to pause again.
@@ -105,6 +106,7 @@ signals:
     void pickedPixelChanged();
     /// By pick(); maybe the same one again. A nudge only moves towards it.
     void pixelChosen(const QPoint &pixel);
+    /// Comes before positionChanged(), where that is the reason.
     void aheadHiddenChanged(bool hidden);
     void breakpointsChanged();
     void playingChanged(bool playing);
@@ -115,6 +117,8 @@ signals:
 private:
     TraceNavigation navigation() const { return TraceNavigation(*m_traced->trace); }
     void moveTo(std::size_t position);
+    Ahead aheadAt(std::size_t position) const;
+    void tellAhead(); ///< if it is another one than was told
     bool setPicked(std::optional<QPoint> pixel);
     QPoint clampedToFrame(const QPoint &pixel) const;
     std::size_t stopFrom(std::size_t position, StepUnit unit, StepDirection direction) const;
@@ -124,7 +128,8 @@ private:
     std::unique_ptr<TraceCursor> m_cursor;
     StepUnit m_unit = StepUnit::Span;
     std::optional<QPoint> m_picked;
-    bool m_isAheadHidden = false;
+    bool m_isForetold = false;
+    Ahead m_toldAhead = Ahead::Shown;
     Breakpoints m_breakpoints;
     /// The position between landings from which stepping set out; forgotten by any other move.
     std::optional<std::size_t> m_setOutFrom;

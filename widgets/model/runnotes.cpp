@@ -6,6 +6,7 @@
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"
+#include "widgets/look/methodtitle.h"
 #include "widgets/model/placinghint.h"
 
 #include <QCoreApplication>
@@ -80,7 +81,7 @@ QString adaptationNote(const Method &method, const ScanSettings &asked)
     if (changes.empty())
         return {};
     return RunNotes::tr("%1 %2. Changed to %3.")
-        .arg(method.title, withTitles(objections.join(RunNotes::tr(", and "))),
+        .arg(methodTitle(method), withTitles(objections.join(RunNotes::tr(", and "))),
              changes.join(RunNotes::tr(" and ")));
 }
 
@@ -92,7 +93,7 @@ QString withTitles(const QString &text)
     for (const QRegularExpressionMatch &match : id.globalMatch(text)) {
         const Method *method = methodNamed(match.captured());
         shown += text.mid(end, match.capturedStart() - end)
-            + (method ? u'“' + method->title + u'”' : match.captured());
+            + (method ? u'“' + methodTitle(*method) + u'”' : match.captured());
         end = match.capturedEnd();
     }
     return shown + text.mid(end);

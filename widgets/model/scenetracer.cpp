@@ -3,6 +3,7 @@
 
 #include "core/runs/sceneplan.h"
 #include "core/scene/solidlimits.h"
+#include "widgets/look/methodtitle.h"
 #include "widgets/model/runnotes.h"
 
 #include <chrono>
@@ -53,7 +54,7 @@ QString refusalOf(const Scene &scene)
     if (method) {
         const QString objection = objectionTo(scene);
         return objection.isEmpty() ? objection
-                                   : method->title + u' ' + withTitles(objection) + u'.';
+                                   : methodTitle(*method) + u' ' + withTitles(objection) + u'.';
     }
     return SceneTracer::tr("There is no method named “%1”.").arg(id);
 }

@@ -4,6 +4,7 @@
 #include "widgets/look/corewords.h"
 #include "widgets/look/elidingbox.h"
 #include "widgets/look/methodsummary.h"
+#include "widgets/look/methodtitle.h"
 #include "widgets/look/symboltext.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
@@ -148,7 +149,7 @@ void MethodBar::addMethods()
         if (family && family != method.family)
             m_method->insertSeparator(m_method->count());
         family = method.family;
-        m_method->addItem(method.title, method.id);
+        m_method->addItem(methodTitle(method), method.id);
         m_method->setItemData(m_method->count() - 1,
                               coreWord(titleOf(method.family)) + u'\n' + methodSummary(method)
                                   + u'\n' + method.source,
@@ -182,7 +183,8 @@ void MethodBar::followScene()
     const Scene &scene = m_document->scene();
     const Method *chosen = methodNamed(QString::fromStdString(scene.method));
     m_method->setCurrentIndex(m_method->findData(QString::fromStdString(scene.method)));
-    m_method->setToolTip(chosen ? chosen->title + u'\n' + methodSummary(*chosen) : QString());
+    m_method->setToolTip(chosen ? methodTitle(*chosen) + u'\n' + methodSummary(*chosen)
+                                : QString());
     showChoices(m_arithmetic, allArithmetics, chosen, scene.settings, &ScanSettings::arithmetic);
     showChoices(m_fillRule, allFillRules, chosen, scene.settings, &ScanSettings::fillRule);
     showChoices(m_rounding, allByteRoundings, chosen, scene.settings, &ScanSettings::rounding);

@@ -7,6 +7,7 @@
 #include "widgets/look/corewords.h"
 #include "widgets/look/menuaction.h"
 #include "widgets/look/methodsummary.h"
+#include "widgets/look/methodtitle.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
 
@@ -90,7 +91,7 @@ void MethodMenu::addMethods(Canvas *canvas)
         }
         const std::string id = method.id.toStdString();
         const QKeySequence key = ++digit <= 9 ? QKeySequence(Qt::Key_0 + digit) : QKeySequence();
-        QAction *action = addMenuAction(family, "", method.title, key,
+        QAction *action = addMenuAction(family, "", methodTitle(method), key,
                                         [this, id] { m_document->setMethod(id); });
         action->setObjectName(QStringLiteral("method-") + method.id);
         action->setCheckable(true);
