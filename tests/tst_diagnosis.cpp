@@ -130,7 +130,7 @@ private slots:
             QCOMPARE(reading->scene.method, method.toStdString());
             scenes.push_back(reading->scene);
         }
-        QVERIFY(scenes.size() >= 1 && scenes.size() <= 4);
+        QVERIFY(scenes.size() >= 1 && scenes.size() <= 5);
         const ProbeResult result = probe(scenes);
         QStringList alike;
         for (const AlikeDefects &group : result.alike) {

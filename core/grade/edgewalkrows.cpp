@@ -121,6 +121,16 @@ std::vector<WalkRow> stepRows()
          "The colours of the edges are stepped before a %1 is drawn, their %3 behind it: each %1 "
          "has its own ends and the colours of the next one.",
          {.edgeColourStepping = Stepping::BeforeDrawing}},
+        {"extra-first-span",
+         walkquestions::triangleEnds,
+         "The %1s of a triangle begin one too early, at ⌈%2⌉ − 1 of the vertex with the least %2, "
+         "even where it lies on one.",
+         {.leastSpan = SpanEnd::OneMore}},
+        {"extra-last-span",
+         walkquestions::triangleEnds,
+         "The %1s of a triangle end one too late, at ⌊%2⌋ + 1 of the vertex with the greatest %2, "
+         "even where it lies on one.",
+         {.greatestSpan = SpanEnd::OneMore}},
         {"edges-wait-at-empty-spans",
          "What is done at a %1 between whose bounds no sample lies?",
          "At a %1 without samples the edges are not stepped (continue): at all that follow they "

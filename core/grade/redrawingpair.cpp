@@ -30,6 +30,9 @@ public:
         // What departs on one edge alone departs on all with what departs on all.
         m_isContradiction = one.departing != other.departing && departsAlongEdges(one)
             && departsAlongEdges(other);
+        if (one.edgeStoring != other.edgeStoring && storesAlongEdges(one)
+            && storesAlongEdges(other))
+            m_isContradiction = true;
         m_both.order = one.order ? one.order : other.order ? other.order : order;
         takeDepartures(&ProgramWalk::departures, departures);
         takeChannels(&ProgramWalk::withoutEdgePreStep, withoutEdgePreStep);
@@ -100,6 +103,11 @@ public:
 private:
     static bool departsAlongEdges(const ProgramWalk &walk) { return walk.withRightEdges() != walk; }
 
+    static bool storesAlongEdges(const ProgramWalk &walk)
+    {
+        return walk.edgePlaces != Kept::All || walk.edgeLevels != Kept::All;
+    }
+
     template <class Member>
     void take(Member ProgramWalk::*member, const Member &right)
     {
@@ -161,8 +169,10 @@ bool hasOrder(ProgramWalk walk)
     walk.spanColours = right.spanColours;
     walk.upperEdge = right.upperEdge;
     // Those of an end that is told by its coordinate.
-    walk.leastSpan = right.leastSpan;
-    walk.greatestSpan = right.greatestSpan;
+    for (SpanEnd *end : {&walk.leastSpan, &walk.greatestSpan}) {
+        if (*end != SpanEnd::OneMore)
+            *end = SpanEnd::ByRule;
+    }
     // What is no mistake from either end.
     walk.flatEnd = right.flatEnd;
     if (walk.vertices == VertexOrder::ByXThenAsGiven || walk.vertices == VertexOrder::ByXThenDown)

@@ -9,9 +9,6 @@ constexpr const char *boundEndsQuestion
     = "From which to which sample does a span go? What if its bound lies "
       "between two?";
 constexpr const char *upperQuestion = "Which of the two edges is the upper bound? Always?";
-constexpr const char *triangleEndsQuestion
-    = "At which %1 does a triangle begin, and at which does it end, where a vertex lies between "
-      "two?";
 constexpr const char *countQuestion = "How many samples has a %1? What if it has none?";
 
 std::vector<WalkRow> endRows()
@@ -72,35 +69,25 @@ std::vector<WalkRow> spanEndRows()
 {
     return {
         {"first-span-floor",
-         triangleEndsQuestion,
+         walkquestions::triangleEnds,
          "The %1s of a triangle begin at ⌊%2⌋ of the vertex with the least %2, not at ⌈%2⌉: where "
          "it lies between two, there is one that its edges do not reach.",
          {.leastSpan = SpanEnd::Outward}},
         {"first-span-nearest",
-         triangleEndsQuestion,
+         walkquestions::triangleEnds,
          "The %1s of a triangle begin at the one that is nearest to the vertex with the least %2, "
          "not at ⌈%2⌉.",
          {.leastSpan = SpanEnd::Nearest}},
-        {"extra-first-span",
-         triangleEndsQuestion,
-         "The %1s of a triangle begin one too early, at ⌈%2⌉ − 1 of the vertex with the least %2, "
-         "even where it lies on one.",
-         {.leastSpan = SpanEnd::OneMore}},
         {"last-span-ceil",
-         triangleEndsQuestion,
+         walkquestions::triangleEnds,
          "The %1s of a triangle end at ⌈%2⌉ of the vertex with the greatest %2, not at ⌊%2⌋: where "
          "it lies between two, there is one that its edges do not reach.",
          {.greatestSpan = SpanEnd::Outward}},
         {"last-span-nearest",
-         triangleEndsQuestion,
+         walkquestions::triangleEnds,
          "The %1s of a triangle end at the one that is nearest to the vertex with the greatest %2, "
          "not at ⌊%2⌋.",
          {.greatestSpan = SpanEnd::Nearest}},
-        {"extra-last-span",
-         triangleEndsQuestion,
-         "The %1s of a triangle end one too late, at ⌊%2⌋ + 1 of the vertex with the greatest %2, "
-         "even where it lies on one.",
-         {.greatestSpan = SpanEnd::OneMore}},
     };
 }
 

@@ -38,6 +38,9 @@ inline constexpr const char *division = "What does a division of two whole numbe
 inline constexpr const char *stored = "What type has a colour while it is stepped?";
 inline constexpr const char *bounds
     = "Which bound of a %1 has which colour? Whichever edge is the lower one?";
+inline constexpr const char *triangleEnds
+    = "At which %1 does a triangle begin, and at which does it end, where a vertex lies between "
+      "two?";
 inline constexpr const char *edgeDivisor
     = "How many steps does an edge take from one vertex to the next?";
 inline constexpr const char *middle

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/mistakenprograms.h"
+#include "tests/support/programlist.h"
 
 namespace pixelplumb {
 
@@ -8,42 +8,7 @@ namespace {
 using M = WalkMistake;
 using Mistakes = std::set<WalkMistake>;
 
-class Programs {
-public:
-    /// Mistakes that go by columns and, from either end, by rows.
-    void addOfEdges(const char *id, Mistakes mistakes)
-    {
-        add(id, mistakes, "column-scan");
-        add(id, mistakes, "row-walk");
-        mistakes.insert(M::FromBelow);
-        add(qPrintable(QString::fromLatin1(id) + QStringLiteral("-from-below")), mistakes,
-            "row-walk");
-    }
-    /// Of spans, where it does not matter from which end they are gone through.
-    void addOfSpans(const char *id, const Mistakes &mistakes)
-    {
-        add(id, mistakes, "column-scan");
-        add(id, mistakes, "row-walk");
-    }
-    /// From above the last row is that of the least y.
-    void addOfEnds(const char *id, const char *fromAbove, Mistakes mistakes)
-    {
-        add(id, mistakes, "column-scan");
-        add(fromAbove, mistakes, "row-walk");
-        mistakes.insert(M::FromBelow);
-        add(id, mistakes, "row-walk");
-    }
-
-    std::vector<MistakenProgram> all;
-
-private:
-    void add(const char *id, const Mistakes &mistakes, const char *method)
-    {
-        all.push_back({QString::fromLatin1(method), QString::fromLatin1(id), mistakes});
-    }
-};
-
-void addKnown(Programs &programs)
+void addKnown(ProgramList &programs)
 {
     programs.addOfEdges("no-edge-pre-step", {M::NoEdgePreStep});
     programs.addOfEdges("colours-without-edge-pre-step", {M::NoEdgeColourPreStep});
@@ -91,7 +56,7 @@ void addKnown(Programs &programs)
     programs.addOfEdges("whole-levels", {M::WholeEdgeLevels, M::WholeSpanLevels});
 }
 
-void addOfWalks(Programs &programs)
+void addOfWalks(ProgramList &programs)
 {
     programs.addOfSpans("colour-divisor-samples", {M::SpanDivisorSamples});
     programs.addOfSpans("colour-divisor-steps", {M::SpanDivisorSteps});
@@ -144,7 +109,7 @@ void addOfWalks(Programs &programs)
                        {M::NoSecondHalfAtVertical});
 }
 
-void addOfBounds(Programs &programs)
+void addOfBounds(ProgramList &programs)
 {
     programs.addOfSpans("open-at-lower-bound", {M::LowerBoundLeftOut});
     programs.addOfSpans("open-at-upper-bound", {M::UpperBoundLeftOut});
@@ -166,7 +131,7 @@ void addOfBounds(Programs &programs)
     programs.addOfSpans("sides-by-last-vertex", {M::SidesByLastVertex});
 }
 
-void addOfRates(Programs &programs)
+void addOfRates(ProgramList &programs)
 {
     programs.addOfEdges("place-without-edge-pre-step", {M::PlaceWithoutPreStep});
     programs.addOfEdges("places-stepped-first", {M::PlacesSteppedFirst});
@@ -200,7 +165,7 @@ void addOfRates(Programs &programs)
     sortedBy("sorted-by-02-12", {M::Compares02, M::Compares12Last});
 }
 
-void addOfMiddle(Programs &programs)
+void addOfMiddle(ProgramList &programs)
 {
     programs.addOfEdges("middle-span-in-both-halves", {M::FirstHalfWithMiddle});
     programs.addOfEdges("second-edge-of-first-place", {M::SecondEdgeOfFirstPlace});
@@ -219,98 +184,11 @@ void addOfMiddle(Programs &programs)
     programs.addOfEdges("long-edge-colours-wait", {M::LongColoursWait});
 }
 
-void addOfOtherRates(Programs &programs)
-{
-    programs.addOfEdges("second-edge-slope-of-long-rise", {M::OtherRiseOfSecond});
-    programs.addOfEdges("second-edge-slope-of-long-run", {M::OtherRunOfSecond});
-    programs.addOfEdges("second-edge-steps-of-long-rise",
-                        {M::OtherRiseOfSecond, M::OtherColoursOfSecond});
-    programs.addOfEdges("second-edge-steps-of-long-run",
-                        {M::OtherRunOfSecond, M::OtherColourRunOfSecond});
-    programs.addOfEdges("second-edge-colour-steps-of-long-rise", {M::OtherColoursOfSecond});
-    programs.addOfEdges("second-edge-colour-steps-of-long-run", {M::OtherColourRunOfSecond});
-    programs.addOfEdges("second-edge-of-long-colour-steps",
-                        {M::OtherColoursOfSecond, M::OtherColourRunOfSecond});
-    programs.addOfEdges("first-edge-of-long-colour-steps",
-                        {M::OtherColoursOfFirst, M::OtherColourRunOfFirst});
-    programs.addOfEdges("first-edge-colour-steps-of-long-rise", {M::OtherColoursOfFirst});
-    programs.addOfEdges("first-edge-colour-steps-of-long-run", {M::OtherColourRunOfFirst});
-    programs.addOfEdges("first-edge-slope-of-long-rise", {M::OtherRiseOfFirst});
-    programs.addOfEdges("first-edge-slope-of-long-run", {M::OtherRunOfFirst});
-    programs.addOfEdges("first-edge-steps-of-long-run",
-                        {M::OtherRunOfFirst, M::OtherColourRunOfFirst});
-    programs.addOfEdges("long-edge-of-first-colour-steps",
-                        {M::OtherColoursOfLong, M::OtherColourRunOfLong});
-    programs.addOfEdges("long-edge-colour-steps-of-first-rise", {M::OtherColoursOfLong});
-    programs.addOfEdges("long-edge-colour-steps-of-first-run", {M::OtherColourRunOfLong});
-    programs.addOfEdges("long-edge-slope-of-first-rise", {M::OtherRiseOfLong});
-    programs.addOfEdges("long-edge-slope-of-first-run", {M::OtherRunOfLong});
-    programs.addOfEdges("long-edge-steps-of-first-run",
-                        {M::OtherRunOfLong, M::OtherColourRunOfLong});
-}
-
-void addOfEdgeColours(Programs &programs)
-{
-    programs.addOfEdges("edge-colours-divided-by-rise", {M::EdgeColoursByRise});
-    programs.addOfEdges("edge-colours-divided-by-length-of-rise", {M::EdgeColoursByLengthOfRise});
-    programs.addOfEdges("edge-colour-steps-negated", {M::EdgeColoursNegated});
-    programs.addOfEdges("rounded-edge-colours", {M::RoundedEdgeColours});
-    programs.addOfEdges("rounded-edge-levels", {M::RoundedEdgeLevels});
-    programs.addOfEdges("rounded-levels", {M::RoundedEdgeLevels, M::RoundedSpanLevels});
-    programs.addOfEdges("edge-levels-cut-behind-steps", {M::EdgeLevelsCutBehindSteps});
-    programs.addOfEdges("edge-levels-rounded-behind-steps", {M::EdgeLevelsRoundedBehindSteps});
-    programs.addOfEdges("places-cut-behind-steps", {M::PlacesCutBehindSteps});
-    programs.addOfEdges("places-rounded-behind-steps", {M::PlacesRoundedBehindSteps});
-    programs.addOfEdges("runs-of-whole-ends", {M::RunsOfWholeEnds});
-    programs.addOfEdges("colours-not-begun-anew", {M::ColoursGoOn});
-    programs.addOfEdges("colours-not-begun-anew-in-a-half", {M::ColoursGoOnInHalf});
-    programs.addOfEdges("green-rate-of-red-along-edges", {M::GreenRateOfRedAlongEdges});
-    programs.addOfEdges("blue-rate-of-red-along-edges", {M::BlueRateOfRedAlongEdges});
-    programs.addOfEdges("blue-rate-of-green-along-edges", {M::BlueRateOfGreenAlongEdges});
-    programs.addOfEdges("rates-of-red-along-edges",
-                        {M::GreenRateOfRedAlongEdges, M::BlueRateOfRedAlongEdges});
-    programs.addOfEdges("green-stepped-as-red-along-edges", {M::GreenSteppedAsRedAlongEdges});
-    programs.addOfEdges("blue-stepped-as-red-along-edges", {M::BlueSteppedAsRedAlongEdges});
-    programs.addOfEdges("blue-stepped-as-green-along-edges", {M::BlueSteppedAsGreenAlongEdges});
-    programs.addOfEdges("colours-stepped-as-red-along-edges",
-                        {M::GreenSteppedAsRedAlongEdges, M::BlueSteppedAsRedAlongEdges});
-    programs.addOfEdges("no-edge-colour-pre-step-of-green", {M::GreenWithoutEdgePreStep});
-    programs.addOfEdges("no-edge-colour-pre-step-of-blue", {M::BlueWithoutEdgePreStep});
-    programs.addOfEdges("no-edge-colour-pre-step-but-of-red",
-                        {M::GreenWithoutEdgePreStep, M::BlueWithoutEdgePreStep});
-}
-
-void addOfSpanColours(Programs &programs)
-{
-    programs.addOfSpans("green-rate-of-red", {M::GreenRateOfRed});
-    programs.addOfSpans("blue-rate-of-red", {M::BlueRateOfRed});
-    programs.addOfSpans("blue-rate-of-green", {M::BlueRateOfGreen});
-    programs.addOfSpans("rates-of-red", {M::GreenRateOfRed, M::BlueRateOfRed});
-    programs.addOfSpans("no-colour-pre-step-of-green", {M::GreenWithoutPreStep});
-    programs.addOfSpans("no-colour-pre-step-of-blue", {M::BlueWithoutPreStep});
-    programs.addOfSpans("no-colour-pre-step-but-of-red",
-                        {M::GreenWithoutPreStep, M::BlueWithoutPreStep});
-    programs.addOfSpans("rounded-colour-rates", {M::RoundedRates});
-    programs.addOfSpans("rounded-span-levels", {M::RoundedSpanLevels});
-    programs.addOfSpans("span-levels-cut-behind-steps", {M::SpanLevelsCutBehindSteps});
-    programs.addOfSpans("span-levels-rounded-behind-steps", {M::SpanLevelsRoundedBehindSteps});
-    programs.addOfSpans("colour-divisor-minus-one", {M::SpanDivisorMinusOne});
-    programs.addOfSpans("colours-of-lower-bound-alone", {M::LowerColourAlone});
-    programs.addOfSpans("colours-of-upper-bound-alone", {M::UpperColourAlone});
-    programs.addOfSpans("colours-mean-of-bounds", {M::MeanOfBounds});
-    programs.addOfEnds("first-span-floor", "last-span-ceil", {M::FirstSpanFloor});
-    programs.addOfEnds("first-span-nearest", "last-span-nearest", {M::FirstSpanNearest});
-    programs.addOfEnds("extra-first-span", "extra-last-span", {M::FirstSpanTooMany});
-    programs.addOfEnds("last-span-ceil", "first-span-floor", {M::LastSpanCeil});
-    programs.addOfEnds("last-span-nearest", "first-span-nearest", {M::LastSpanNearest});
-    programs.addOfEnds("extra-last-span", "extra-first-span", {M::LastSpanTooMany});
-}
-
 } // namespace
 
 std::vector<MistakenProgram> mistakenPrograms()
 {
-    Programs programs;
+    ProgramList programs;
     addKnown(programs);
     addOfWalks(programs);
     addOfBounds(programs);
