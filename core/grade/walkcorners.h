@@ -38,8 +38,8 @@ public:
     WalkedEdge secondEdge() const
     {
         const ProgramWalk &walk = m_program.walk();
-        const WalkedEdge own = m_program.edge(WalkedEdges::Second, p1(), p2());
-        return hasFirstHalf() ? rated(own, walk.secondSlope, walk.secondColourRates) : own;
+        return rated(m_program.edge(WalkedEdges::Second, p1(), p2()), ofSecond(walk.secondSlope),
+                     ofSecond(walk.secondColourRates));
     }
     WalkedEdge longEdge() const
     {
@@ -54,6 +54,14 @@ private:
     }
     WalkedEdge ownFirstEdge() const { return m_program.edge(WalkedEdges::First, p0(), p1()); }
     WalkedEdge ownLongEdge() const { return m_program.edge(WalkedEdges::Long, p0(), p2()); }
+
+    /// Without a first half nobody has asked what L₀₁ is.
+    RateOf ofSecond(RateOf rate) const
+    {
+        const bool isOfFirst
+            = rate == RateOf::FirstEdge || rate == RateOf::FirstRise || rate == RateOf::FirstRun;
+        return isOfFirst && !hasFirstHalf() ? RateOf::Own : rate;
+    }
 
     WalkedEdge rated(WalkedEdge edge, RateOf slope, RateOf colours) const
     {

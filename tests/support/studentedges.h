@@ -55,20 +55,18 @@ public:
         if (!width)
             return bound;
         const Number way = wayTo(side, x, from.x);
-        const bool takesOther = side != Side::Second || corners[0].x != corners[1].x;
         const Corner<Number> &otherTo = side == Side::Long ? corners[1] : corners[2];
-        const auto hasOther
-            = [&](WalkMistake ofFirst) { return takesOther && hasOn(side, ofFirst); };
         const Number otherRun = otherTo.x - corners[0].x;
         const Number rise
-            = hasOther(WalkMistake::OtherRiseOfFirst) ? otherTo.y - corners[0].y : to.y - from.y;
+            = hasOn(side, WalkMistake::OtherRiseOfFirst) ? otherTo.y - corners[0].y : to.y - from.y;
         bound.slope
-            = slopeOf(side, rise, hasOther(WalkMistake::OtherRunOfFirst) ? otherRun : *width);
+            = slopeOf(side, rise, hasOn(side, WalkMistake::OtherRunOfFirst) ? otherRun : *width);
         const Number wayOfPlace
             = has(WalkMistake::PlaceWithoutPreStep) ? Number(x - ceilOf(from.x)) : way;
         bound.y = storedPlace(from.y + wayOfPlace * bound.slope);
-        const Number colourWidth = hasOther(WalkMistake::OtherColourRunOfFirst) ? otherRun : *width;
-        const bool isOther = hasOther(WalkMistake::OtherColoursOfFirst);
+        const Number colourWidth
+            = hasOn(side, WalkMistake::OtherColourRunOfFirst) ? otherRun : *width;
+        const bool isOther = hasOn(side, WalkMistake::OtherColoursOfFirst);
         setColours(bound, isOther ? corners[0] : from, isOther ? otherTo : to, colourWidth);
         const std::array<Number, 3> steps = bound.step;
         if (has(WalkMistake::GreenSteppedAsRedAlongEdges))
