@@ -10,8 +10,6 @@ constexpr const char *firstSpanQuestion
 constexpr const char *steppedFirstQuestion
     = "Which comes first, that a %1 is drawn or that its edges are stepped?";
 constexpr const char *slopeQuestion = "What is a slope, and which of its parts has which sign?";
-constexpr const char *edgeDivisorQuestion
-    = "How many steps does an edge take from one vertex to the next?";
 constexpr const char *sortQuestion = "Which vertex is P₀? For every triangle?";
 constexpr const char *placesQuestion = "What type has an edge's %3 while it is stepped?";
 
@@ -67,6 +65,16 @@ std::vector<WalkRow> numberRows()
          "An edge's %3 is kept as a whole number: at each %1 it is rounded to the nearest, its "
          "colours are not.",
          {.edgePlaces = Kept::Nearest}},
+        {"places-cut-behind-steps",
+         placesQuestion,
+         "The fraction of an edge's %3 is lost when its slope is added, as by %3 = int(%3 + m) in "
+         "Python; that of its first %1 is not, nor those of its colours.",
+         {.edgePlaces = whole, .edgeStoring = Storing::BehindSteps}},
+        {"places-rounded-behind-steps",
+         placesQuestion,
+         "An edge's %3 is rounded to the nearest whole number when its slope is added, as by %3 = "
+         "round(%3 + m) in Python; that of its first %1 is not, nor are its colours.",
+         {.edgePlaces = Kept::Nearest, .edgeStoring = Storing::BehindSteps}},
     };
 }
 
@@ -113,28 +121,21 @@ std::vector<WalkRow> stepRows()
          "The colours of the edges are stepped before a %1 is drawn, their %3 behind it: each %1 "
          "has its own ends and the colours of the next one.",
          {.edgeColourStepping = Stepping::BeforeDrawing}},
+        {"extra-first-span",
+         walkquestions::triangleEnds,
+         "The %1s of a triangle begin one too early, at ⌈%2⌉ − 1 of the vertex with the least %2, "
+         "even where it lies on one.",
+         {.leastSpan = SpanEnd::OneMore}},
+        {"extra-last-span",
+         walkquestions::triangleEnds,
+         "The %1s of a triangle end one too late, at ⌊%2⌋ + 1 of the vertex with the greatest %2, "
+         "even where it lies on one.",
+         {.greatestSpan = SpanEnd::OneMore}},
         {"edges-wait-at-empty-spans",
          "What is done at a %1 between whose bounds no sample lies?",
          "At a %1 without samples the edges are not stepped (continue): at all that follow they "
          "are late.",
          {.emptySpans = EmptySpan::Waits}},
-        {"colours-not-stepped-along-edges",
-         "How does the colour of an edge change from one %1 to the next?",
-         "The colours are not stepped along the edges: they stay what they are at an edge's first "
-         "%1.",
-         {.unsteppedAlongEdges = allChannels}},
-        {"red-not-stepped-along-edges",
-         walkquestions::channels,
-         "Red is not stepped along the edges: it stays what it is at an edge's first %1.",
-         {.unsteppedAlongEdges = redAlone}},
-        {"green-not-stepped-along-edges",
-         walkquestions::channels,
-         "Green is not stepped along the edges: it stays what it is at an edge's first %1.",
-         {.unsteppedAlongEdges = greenAlone}},
-        {"blue-not-stepped-along-edges",
-         walkquestions::channels,
-         "Blue is not stepped along the edges: it stays what it is at an edge's first %1.",
-         {.unsteppedAlongEdges = blueAlone}},
     };
 }
 
@@ -209,22 +210,19 @@ std::vector<WalkRow> rateRows()
          slopeQuestion,
          "The slopes of all edges have the wrong sign.",
          {.slopeForm = SlopeForm::Negated}},
+        {"runs-of-whole-ends",
+         walkquestions::edgeDivisor,
+         "Δ%2 of an edge, by which its slope and its colours are divided, is the difference of two "
+         "whole numbers, (int)%2 of its vertices; it begins where it should.",
+         {.runEnds = Kept::TowardZero}},
         {"slope-divisor-minus-one",
-         edgeDivisorQuestion,
+         walkquestions::edgeDivisor,
          "The slope of an edge is divided by Δ%2 − 1 in place of Δ%2; its colours are not.",
          {.departures = minusOne, .divided = EdgeRates::Slope}},
         {"slope-divisor-plus-one",
-         edgeDivisorQuestion,
+         walkquestions::edgeDivisor,
          "The slope of an edge is divided by Δ%2 + 1 in place of Δ%2; its colours are not.",
          {.departures = plusOne, .divided = EdgeRates::Slope}},
-        {"edge-colour-divisor-minus-one",
-         edgeDivisorQuestion,
-         "The colours of an edge are divided by Δ%2 − 1 in place of Δ%2; its slope is not.",
-         {.departures = minusOne, .divided = EdgeRates::Colours}},
-        {"edge-colour-divisor-plus-one",
-         edgeDivisorQuestion,
-         "The colours of an edge are divided by Δ%2 + 1 in place of Δ%2; its slope is not.",
-         {.departures = plusOne, .divided = EdgeRates::Colours}},
     };
 }
 

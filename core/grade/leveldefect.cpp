@@ -37,7 +37,7 @@ std::vector<Defect> levelDefectsFor(const Scene &scene)
         return {};
     constexpr auto clamps = LevelOverflow::Clamps;
     constexpr auto wraps = LevelOverflow::Wraps;
-    constexpr auto cut = ByteRounding::Truncate;
+    constexpr auto cut = LevelRounding::Down;
     static const std::vector<LevelDefect> rows = {
         {"levels-times-254",
          "Levels from 0 to 1 are multiplied by 254 in place of 255.",
@@ -53,19 +53,29 @@ std::vector<Defect> levelDefectsFor(const Scene &scene)
          "exactly 1 wraps to 0.",
          wraps,
          {256, cut}},
+        {"levels-rounded-up",
+         "Levels are rounded up to whole numbers: ⌈ ⌉.",
+         clamps,
+         {.rounding = LevelRounding::Up}},
+        {"levels-clamped-to-254",
+         "Levels are clamped to 254, as by < 255 in place of ≤.",
+         clamps,
+         {.most = 254}},
+        {"levels-halved", "All levels are half of what they should be.", clamps, {.of = 510}},
     };
     const SpanAxis axis = methodNamed(QString::fromStdString(scene.method))->spanAxis;
     std::vector<Defect> defects;
     for (const LevelDefect &row : rows) {
-        if (row.overflow == wraps && !hasFullLevel(scene))
-            continue; // it draws what clamping does
+        const bool needsFullLevel = row.overflow == wraps || row.bytes.most < 255;
+        if (needsFullLevel && !hasFullLevel(scene))
+            continue; // it draws what another does, or what is right
         const auto unchanged = [](TriangleRuns &) {};
         defects.push_back(redrawnDefect(QString::fromLatin1(row.id), QString::fromUtf8(question),
                                         QString::fromUtf8(row.forAssistant),
                                         {unchanged, row.overflow, Repainting::Over, row.bytes},
                                         axis));
         // What is cut is not rounded otherwise, too.
-        if (row.bytes.rounding)
+        if (row.bytes.rounding != LevelRounding::OfScene)
             defects.back().choice = QString::fromLatin1(roundingChoice);
     }
     return defects;

@@ -5,10 +5,6 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr const char *middleQuestion
-    = "Which edge ends at the middle vertex, which begins there, and which goes on?";
-constexpr const char *differencesQuestion
-    = "Between which two vertices is each of the three edges? Above and below the fraction bar?";
 constexpr const char *singleEdgeQuestion
     = "Are all three edges computed alike? Compare the lines one by one.";
 
@@ -16,9 +12,6 @@ std::vector<WalkRow> shortEdgeRows()
 {
     const VariantSet withoutPreStep = VariantSet().with(Variant::NoEdgePreStep);
     constexpr auto carriedOn = ShortEdgeBehind::CarriedOn;
-    constexpr auto ofFirstEdge = ShortRateBehind::OfFirstEdge;
-    constexpr auto rise = ShortRateBehind::RiseFromFirst;
-    constexpr auto run = ShortRateBehind::RunFromFirst;
     return {
         {"no-pre-step-behind-middle",
          "Where does the second of the two short edges begin? And which colour has it there?",
@@ -40,67 +33,42 @@ std::vector<WalkRow> shortEdgeRows()
          "The %1 on which the middle vertex lies is drawn in both halves, ≤ in the first one's "
          "loop: for the second one the long edge has been stepped once too often.",
          {.middleSpan = MiddleSpan::InBothHalves}},
+        {"second-half-too-early",
+         walkquestions::middle,
+         "Where the middle vertex lies between two, the second half begins at the %1 before it: "
+         "there the edge to the last vertex is drawn out beyond it.",
+         {.middleSpan = MiddleSpan::FromSpanBefore}},
+        {"second-half-from-nearest",
+         walkquestions::middle,
+         "The second half begins at the %1 that is nearest to the middle vertex, which may lie "
+         "before it: there the edge to the last vertex is drawn out beyond it.",
+         {.middleSpan = MiddleSpan::FromNearest}},
         {"second-edge-of-first-place",
-         middleQuestion,
+         walkquestions::middle,
          "The edge from the middle vertex to the last begins there with the %3 of the first "
          "vertex, and is stepped by its own slope; its colours are right.",
          {.shortPlacesBehind = ShortEdgeBehind::FromFirst}},
         {"second-edge-of-first-colour",
-         middleQuestion,
+         walkquestions::middle,
          "The edge from the middle vertex to the last begins there with the colours of the first "
          "vertex, and is stepped by its own; its %3 is right.",
          {.shortColoursBehind = ShortEdgeBehind::FromFirst}},
         {"second-edge-carried-on",
-         middleQuestion,
+         walkquestions::middle,
          "The edge from the middle vertex to the last is not begun there: %3 and colours go on "
          "from what the edge before it has come to, by steps of its own.",
          {.shortPlacesBehind = carriedOn, .shortColoursBehind = carriedOn}},
         {"second-edge-place-carried-on",
-         middleQuestion,
+         walkquestions::middle,
          "The edge from the middle vertex to the last is not begun there: its %3 goes on from what "
          "the edge before it has come to, by steps of its own; its colours are right.",
          {.shortPlacesBehind = carriedOn}},
         {"second-edge-colours-carried-on",
-         middleQuestion,
+         walkquestions::middle,
          "The colours of the edge from the middle vertex to the last are not begun there: they go "
          "on from what those of the edge before it have come to, by steps of its own; its %3 is "
          "right.",
          {.shortColoursBehind = carriedOn}},
-        {"second-edge-of-first-slope",
-         middleQuestion,
-         "The edge from the middle vertex to the last has the slope of the edge before it; its "
-         "colours are stepped by their own steps.",
-         {.shortSlopeBehind = ofFirstEdge}},
-        {"second-edge-of-first-colour-steps",
-         middleQuestion,
-         "The colours of the edge from the middle vertex to the last are stepped by the steps of "
-         "the edge before it; its slope is its own.",
-         {.shortColourRatesBehind = ofFirstEdge}},
-        {"second-edge-of-first-steps",
-         middleQuestion,
-         "The edge from the middle vertex to the last begins there, but is stepped by the slope "
-         "and the steps of colour of the edge before it.",
-         {.shortSlopeBehind = ofFirstEdge, .shortColourRatesBehind = ofFirstEdge}},
-        {"second-edge-slope-of-long-rise",
-         differencesQuestion,
-         "The slope of the edge from the middle vertex to the last is (%3₂ − %3₀)/(%2₂ − %2₁): its "
-         "rise is from the first vertex.",
-         {.shortSlopeBehind = rise}},
-        {"second-edge-slope-of-long-run",
-         differencesQuestion,
-         "The slope of the edge from the middle vertex to the last is (%3₂ − %3₁)/(%2₂ − %2₀): its "
-         "run is from the first vertex.",
-         {.shortSlopeBehind = run}},
-        {"second-edge-steps-of-long-rise",
-         differencesQuestion,
-         "Slope and steps of colour of the edge from the middle vertex to the last are differences "
-         "from the first vertex, divided by %2₂ − %2₁.",
-         {.shortSlopeBehind = rise, .shortColourRatesBehind = rise}},
-        {"second-edge-steps-of-long-run",
-         differencesQuestion,
-         "Slope and steps of colour of the edge from the middle vertex to the last are divided by "
-         "%2₂ − %2₀ in place of %2₂ − %2₁.",
-         {.shortSlopeBehind = run, .shortColourRatesBehind = run}},
     };
 }
 
@@ -112,57 +80,57 @@ std::vector<WalkRow> longEdgeRows()
     constexpr auto waits = LongEdgeBefore::Waits;
     return {
         {"long-edge-begun-again",
-         middleQuestion,
+         walkquestions::middle,
          "The long edge begins again with the middle vertex' place and colours, and goes on by its "
          "own steps.",
          {.longPlacesBehind = fromMiddle, .longColoursBehind = fromMiddle}},
         {"long-edge-place-begun-again",
-         middleQuestion,
+         walkquestions::middle,
          "The long edge begins again with the middle vertex' place, and goes on by its own steps; "
          "its colours are right.",
          {.longPlacesBehind = fromMiddle}},
         {"long-edge-colours-begun-again",
-         middleQuestion,
+         walkquestions::middle,
          "The colours of the long edge begin again with the middle vertex', and go on by its own "
          "steps; its %3 is right.",
          {.longColoursBehind = fromMiddle}},
         {"long-edge-stands",
-         middleQuestion,
+         walkquestions::middle,
          "The long edge is not stepped behind the middle vertex, neither its %3 nor its colours.",
          {.longPlacesBehind = stands, .longColoursBehind = stands}},
         {"long-edge-place-stands",
-         middleQuestion,
+         walkquestions::middle,
          "The long edge's %3 is not stepped behind the middle vertex; its colours are.",
          {.longPlacesBehind = stands}},
         {"long-edge-colours-stand",
-         middleQuestion,
+         walkquestions::middle,
          "The long edge's colours are not stepped behind the middle vertex; its %3 is.",
          {.longColoursBehind = stands}},
         {"long-edge-begun-again-at-first",
-         middleQuestion,
+         walkquestions::middle,
          "In the second half the long edge begins again, with the first vertex' place and colours.",
          {.longPlacesBehind = fromFirst, .longColoursBehind = fromFirst}},
         {"long-edge-place-begun-again-at-first",
-         middleQuestion,
+         walkquestions::middle,
          "In the second half the long edge begins again with the first vertex' place; its colours "
          "go on.",
          {.longPlacesBehind = fromFirst}},
         {"long-edge-colours-begun-again-at-first",
-         middleQuestion,
+         walkquestions::middle,
          "In the second half the long edge begins again with the first vertex' colours; its %3 "
          "goes on.",
          {.longColoursBehind = fromFirst}},
         {"long-edge-waits",
-         middleQuestion,
+         walkquestions::middle,
          "The long edge is not stepped before the middle vertex, neither its %3 nor its colours: "
          "it begins there with what belongs to the first %1.",
          {.longPlacesBefore = waits, .longColoursBefore = waits}},
         {"long-edge-place-waits",
-         middleQuestion,
+         walkquestions::middle,
          "The long edge's %3 is not stepped before the middle vertex; its colours are.",
          {.longPlacesBefore = waits}},
         {"long-edge-colours-wait",
-         middleQuestion,
+         walkquestions::middle,
          "The long edge's colours are not stepped before the middle vertex; its %3 is.",
          {.longColoursBefore = waits}},
     };

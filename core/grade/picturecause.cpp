@@ -78,6 +78,13 @@ void appendLevels(std::vector<PictureChange> &changes)
         [](double level) { return std::pow(level, 1 / gamma); });
     add(QStringLiteral("raised to the power 2.2"),
         [](double level) { return std::pow(level, gamma); });
+    changes.push_back({QStringLiteral("gray of the mean of R G B"),
+                       recolour([](const Colour &colour) {
+                           const auto &[red, green, blue] = colour.channels;
+                           const auto mean = std::uint8_t((red + green + blue) / 3);
+                           return Colour{{mean, mean, mean}};
+                       }),
+                       QStringLiteral("levels")});
     const auto addBits = [&](const QString &name, Widening widening) {
         changes.push_back({name, recolour([widening](const Colour &colour) {
                                return inHighColour(colour, widening);

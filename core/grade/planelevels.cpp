@@ -13,9 +13,12 @@ ArithmeticBound boundOn(const RoundingSide &side, const Triangle &triangle)
     return {triangle, isExact ? Arithmetic::Float64 : side.arithmetic};
 }
 
-ByteRounding roundingOf(const LevelBytes &bytes, const ScanSettings &settings)
+LevelRounding roundingOf(const LevelBytes &bytes, const ScanSettings &settings)
 {
-    return bytes.rounding.value_or(settings.rounding);
+    if (bytes.rounding != LevelRounding::OfScene)
+        return bytes.rounding;
+    return settings.rounding == ByteRounding::Nearest ? LevelRounding::Nearest
+                                                      : LevelRounding::Down;
 }
 
 WholeLevels levelsOn(const RoundingSide &side, const ArithmeticBound &bound,
@@ -29,9 +32,12 @@ WholeLevels levelsOn(const RoundingSide &side, const ArithmeticBound &bound,
     for (std::size_t i = 0; i < 3; ++i) {
         const double error = isExact ? 0 : bound.levelError(x, y, i).value_or(any);
         const double level
-            = (exact[i].toDouble() + (side.isUpward ? error : -error)) * bytes.full / 255;
-        const bool isNearest = roundingOf(bytes, settings) == ByteRounding::Nearest;
-        levels[i] = std::int64_t(std::floor(level + (isNearest ? 0.5 : 0)));
+            = (exact[i].toDouble() + (side.isUpward ? error : -error)) * bytes.full / bytes.of;
+        const LevelRounding rounding = roundingOf(bytes, settings);
+        const bool isNearest = rounding == LevelRounding::Nearest;
+        levels[i] = std::int64_t(rounding == LevelRounding::Up
+                                     ? std::ceil(level)
+                                     : std::floor(level + (isNearest ? 0.5 : 0)));
     }
     return levels;
 }

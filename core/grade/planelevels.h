@@ -9,8 +9,8 @@ namespace pixelplumb {
 /// What rounding may do to a triangle on that side; exact numbers are read as float64's.
 ArithmeticBound boundOn(const RoundingSide &side, const Triangle &triangle);
 
-/// How bytes round: as they do themselves, or as the scene does.
-ByteRounding roundingOf(const LevelBytes &bytes, const ScanSettings &settings);
+/// How bytes round: as they do themselves, or as the scene does; never OfScene.
+LevelRounding roundingOf(const LevelBytes &bytes, const ScanSettings &settings);
 
 /// R G B of the plane at a sample, px, on a side of what rounding may do, as bytes become of them
 /// before they are clamped.

@@ -147,6 +147,42 @@ std::size_t split(const Classes &before, const std::map<QString, std::uint64_t> 
     return numbers.size();
 }
 
+using Digests = std::vector<std::map<QString, std::uint64_t>>; ///< by scene
+
+Classes classesBy(const std::vector<std::size_t> &scenes, const Digests &digests, Classes classes)
+{
+    for (const std::size_t scene : scenes) {
+        Classes after;
+        split(classes, digests[scene], after);
+        classes = std::move(after);
+    }
+    return classes;
+}
+
+/// Two of the scenes are exchanged for one that tells as many apart with the others, if there is
+/// one.
+bool exchangeTwo(std::vector<std::size_t> &chosen, const Digests &digests, const Classes &all,
+                 std::size_t apart)
+{
+    for (std::size_t first = 0; first < chosen.size(); ++first) {
+        for (std::size_t second = first + 1; second < chosen.size(); ++second) {
+            std::vector<std::size_t> others = chosen;
+            others.erase(others.begin() + std::ptrdiff_t(second));
+            others.erase(others.begin() + std::ptrdiff_t(first));
+            const Classes before = classesBy(others, digests, all);
+            for (std::size_t scene = 0; scene < digests.size(); ++scene) {
+                Classes after;
+                if (split(before, digests[scene], after) < apart)
+                    continue;
+                chosen = std::move(others);
+                chosen.push_back(scene);
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
 } // namespace
 
 std::optional<std::vector<Scene>> searchProbes(const Scene &conventions, std::uint64_t seed,
@@ -155,7 +191,7 @@ std::optional<std::vector<Scene>> searchProbes(const Scene &conventions, std::ui
 {
     SeededRandom random(seed);
     std::vector<Scene> scenes;
-    std::vector<std::map<QString, std::uint64_t>> digests;
+    Digests digests;
     Classes classes = {{QString(), 0}};
     while (std::ssize(scenes) < candidates) {
         if (!goesOn(listener, {JobPhase::Drawing, std::ssize(scenes), candidates}))
@@ -171,9 +207,10 @@ std::optional<std::vector<Scene>> searchProbes(const Scene &conventions, std::ui
         }
         scenes.push_back(scene);
     }
-    std::vector<Scene> chosen;
-    for (std::size_t apart = 1;;) {
-        std::optional<std::size_t> best;
+    const Classes all = classes;
+    std::vector<std::size_t> chosen;
+    std::size_t apart = 1;
+    for (std::optional<std::size_t> best;; best.reset()) {
         Classes bestClasses;
         for (std::size_t i = 0; i < scenes.size(); ++i) {
             Classes after;
@@ -185,10 +222,16 @@ std::optional<std::vector<Scene>> searchProbes(const Scene &conventions, std::ui
             }
         }
         if (!best)
-            return chosen;
-        chosen.push_back(scenes[*best]);
+            break;
+        chosen.push_back(*best);
         classes = std::move(bestClasses);
     }
+    constexpr std::size_t few = 4; // scenes, which is what a person draws
+    while (chosen.size() > few && exchangeTwo(chosen, digests, all, apart)) { }
+    std::vector<Scene> sheet;
+    for (const std::size_t scene : chosen)
+        sheet.push_back(scenes[scene]);
+    return sheet;
 }
 
 } // namespace pixelplumb

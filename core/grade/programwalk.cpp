@@ -48,11 +48,9 @@ bool walkIn(TriangleRuns &triangle, const ProgramWalk &walk)
     });
     if (!isHeld)
         return false;
-    const bool isSeenFromAbove = order == WalkOrder::Descending && walk.spans == EndRounding::Down;
-    const WalkedProgram program(walk, departuresOf(triangle, order), triangle.settings.rounding,
-                                isSeenFromAbove ? EndRounding::Up : walk.spans,
-                                triangle.side ? WalkSide(seen.triangle, *triangle.side)
-                                              : WalkSide());
+    const WalkedProgram program(
+        walk, departuresOf(triangle, order), triangle.settings.rounding, order,
+        triangle.side ? WalkSide(seen.triangle, *triangle.side) : WalkSide());
     Walking<Numbers>(seen, program).run();
     triangle.runs = std::move(seen.runs);
     for (SampleRun &run : triangle.runs)
@@ -101,11 +99,18 @@ ProgramWalk ProgramWalk::withRightEdges() const
     walk.slopeForm = right.slopeForm;
     walk.slopes = right.slopes;
     walk.edgeColours = right.edgeColours;
+    walk.runEnds = right.runEnds;
     walk.edgePlaces = right.edgePlaces;
     walk.edgeLevels = right.edgeLevels;
     walk.placePreStep = right.placePreStep;
     walk.edgeColourPreStep = right.edgeColourPreStep;
+    walk.edgeStoring = right.edgeStoring;
+    walk.withoutEdgePreStep = right.withoutEdgePreStep;
     walk.unsteppedAlongEdges = right.unsteppedAlongEdges;
+    walk.ratesAlongEdgesOf = right.ratesAlongEdgesOf;
+    walk.stepsAlongEdgesOf = right.stepsAlongEdgesOf;
+    walk.edgeColourDivisor = right.edgeColourDivisor;
+    walk.edgeColourSign = right.edgeColourSign;
     return walk;
 }
 

@@ -12,6 +12,9 @@ enum class Kept { All, TowardZero, Down, Nearest };
 /// bound's first sample ⌈y_B⌉ − y_B; nothing; x₀ − ⌊x₀⌋; the right way in the wrong direction; or,
 /// of a span alone, the right way by which nothing is multiplied: R_B + (⌈y_B⌉ − y_B).
 enum class PreStep { ToSample, None, Fraction, Backward, WithoutRate };
+/// Which values are kept as whole numbers where such are: from the first on, or those that have
+/// been stepped: y = int(y + m), from a y that is none.
+enum class Storing { FromFirst, BehindSteps };
 /// When what is stepped is stepped.
 enum class Stepping { AfterDrawing, BeforeDrawing };
 /// What happens to the edges at a span without samples.
@@ -20,33 +23,56 @@ enum class EmptySpan { Steps, Waits };
 /// as the rule says but for a sample on the bound itself, which is owned where it is not by the
 /// rule.
 enum class EndRounding { ByRule, Down, Nearest, Up, OnBoundOtherwise };
-/// By what a span's difference of colours is divided: y_T − y_B; this and one; the number of its
-/// samples; or the steps from its first sample to its last. By 0 nothing is, and nothing stepped.
-enum class SpanDivisor { Height, HeightAndOne, Samples, Steps };
+/// By what a span's difference of colours is divided: y_T − y_B; this and one; this less one, which
+/// may be negative; the number of its samples; or the steps from its first sample to its last. By 0
+/// nothing is, and nothing stepped.
+enum class SpanDivisor { Height, HeightAndOne, HeightLessOne, Samples, Steps };
 /// Whose colours are taken for the lower bound's: its own edge's, or always those of the short
 /// edge, of the long one or of the upper bound, the other bound having the other's.
 enum class LowerColours { OfItsEdge, OfShortEdge, OfLongEdge, OfUpperEdge };
-/// How the colours go along a span: from y_B up by ΔR; from y_T up; down from y_B by as much; or
-/// from the last sample, which has what is the first one's.
-enum class SpanColours { FromLowerBound, FromUpperBound, Falling, FromLastSample };
+/// How the colours go along a span: from y_B up by ΔR; from y_T up; down from y_B by as much; from
+/// the last sample, which has what is the first one's; or not at all, the lower bound's, the upper
+/// one's or the mean of both being that of all samples.
+enum class SpanColours {
+    FromLowerBound,
+    FromUpperBound,
+    Falling,
+    FromLastSample,
+    LowerAlone,
+    UpperAlone,
+    Mean
+};
+/// Whether all samples have one.
+constexpr bool isFlat(SpanColours colours) { return colours >= SpanColours::LowerAlone; }
+/// With what the colours of a span begin: with those of its bound; or, but for the first span of a
+/// triangle or of each of its halves, with what the span before has come to behind its last sample.
+enum class SpanStart { AtBound, GoesOn, GoesOnInHalf };
 /// Which edge of a span is its upper bound: the one that is; or L₀₂ always, never, where
 /// y₁ < y₀, or where y₁ < y₂.
 enum class UpperEdge { TheUpper, Long, Short, LongIfBelowFirst, LongIfBelowLast };
 /// What a slope is: Δy/Δx, Δx/Δy, or −Δy/Δx.
 enum class SlopeForm { RiseOverRun, RunOverRise, Negated };
+/// By what the colours of an edge are divided: Δx, Δy or |Δy|.
+enum class EdgeColourDivisor { Run, Rise, RiseMagnitude };
+/// What is added to a colour of an edge: its step, or the opposite.
+enum class EdgeColourSign { Right, Negated };
 /// With what L₁₂ begins: with P₁'s own, with P₀'s, or with what L₀₁ has come to.
 enum class ShortEdgeBehind { FromMiddle, FromFirst, CarriedOn };
-/// Between which vertices a rate of L₁₂ is: its own; those of L₀₁; with a rise from P₀; with a run
-/// from P₀.
-enum class ShortRateBehind { Own, OfFirstEdge, RiseFromFirst, RunFromFirst };
+/// Which edge a rate is of: the edge itself, L₀₁ or L₀₂; or that its rise is L₀₁'s or L₀₂'s, or its
+/// run.
+enum class RateOf { Own, FirstEdge, LongEdge, FirstRise, LongRise, FirstRun, LongRun };
 /// What L₀₂ does behind P₁: it goes on, begins anew with P₁'s own or with P₀'s, or stays as it is
 /// there.
 enum class LongEdgeBehind { GoesOn, FromMiddle, FromFirst, Stands };
 /// What L₀₂ does before P₁: it is stepped, or waits.
 enum class LongEdgeBefore { Steps, Waits };
-/// To which half the span belongs on which P₁ lies: the second one; or to both, for each of which
-/// L₀₂ is stepped.
-enum class MiddleSpan { InSecondHalf, InBothHalves };
+/// To which half the span belongs on which P₁ lies: the second one; to both, for each of which L₀₂
+/// is stepped. Or, where P₁ lies between two, the second half begins at the one before it, or at
+/// the nearest.
+enum class MiddleSpan { InSecondHalf, InBothHalves, FromSpanBefore, FromNearest };
+/// To which span a triangle goes at one of its ends: what the fill rule says; one that its vertex
+/// does not reach, unless it lies on it; the nearest; or one more than the rule says.
+enum class SpanEnd { ByRule, Outward, Nearest, OneMore };
 /// Between what the span of P₁ and P₂ lies that have the same x: P₁ and what L₀₂ has come to, the
 /// two vertices, or what L₀₁ and L₀₂ have come to. Of a right program that is the same.
 enum class FlatEnd { ByEdges, FromVertices, FromEdgesBefore };
@@ -85,7 +111,8 @@ struct ChannelSet {
 
     friend constexpr bool operator==(const ChannelSet &, const ChannelSet &) = default;
 };
-inline constexpr ChannelSet redAlone = {1}, greenAlone = {2}, blueAlone = {4}, allChannels = {7};
+inline constexpr ChannelSet redAlone = {1}, greenAlone = {2}, blueAlone = {4}, allChannels = {7},
+                            greenAndBlue = {6};
 /// Which channel each of R G B takes something of.
 using ChannelSources = std::array<std::uint8_t, 3>;
 inline constexpr ChannelSources ownChannels = {0, 1, 2};
@@ -108,6 +135,7 @@ struct ProgramWalk {
     Kept edgeColours = Kept::All; ///< ΔR ΔG ΔB along an edge
     Kept preSteps = Kept::All; ///< ΔR ΔG ΔB along a span, on the way from y_B to ⌈y_B⌉
     Kept steps = Kept::All; ///< the same from sample to sample
+    Kept runEnds = Kept::All; ///< x of an edge's ends, of which Δx is taken
     Kept edgePlaces = Kept::All; ///< y along an edge, at each span that it meets
     Kept edgeLevels = Kept::All; ///< R G B along an edge, at each span that it meets
     Kept bounds = Kept::All; ///< R_B and R_T, where a span takes them from its edges
@@ -115,17 +143,30 @@ struct ProgramWalk {
     PreStep placePreStep = PreStep::ToSample; ///< of an edge's y
     PreStep edgeColourPreStep = PreStep::ToSample; ///< of an edge's R G B
     PreStep spanPreStep = PreStep::ToSample; ///< of R G B along a span
+    Storing edgeStoring = Storing::FromFirst;
+    Storing spanStoring = Storing::FromFirst;
+    ChannelSet withoutEdgePreStep = {};
+    ChannelSet withoutSpanPreStep = {};
     ChannelSet unsteppedAlongEdges = {};
     ChannelSet unsteppedAlongSpans = {};
+    ChannelSources ratesAlongEdgesOf = ownChannels; ///< in the pre-step, too
+    ChannelSources stepsAlongEdgesOf = ownChannels;
+    ChannelSources ratesAlongSpansOf = ownChannels; ///< in the pre-step, too
     ChannelSources stepsAlongSpansOf = ownChannels;
+    EdgeColourDivisor edgeColourDivisor = EdgeColourDivisor::Run;
+    EdgeColourSign edgeColourSign = EdgeColourSign::Right;
     Stepping placeStepping = Stepping::AfterDrawing;
     Stepping edgeColourStepping = Stepping::AfterDrawing;
     Stepping spanStepping = Stepping::AfterDrawing;
     EmptySpan emptySpans = EmptySpan::Steps;
     ShortEdgeBehind shortPlacesBehind = ShortEdgeBehind::FromMiddle;
     ShortEdgeBehind shortColoursBehind = ShortEdgeBehind::FromMiddle;
-    ShortRateBehind shortSlopeBehind = ShortRateBehind::Own;
-    ShortRateBehind shortColourRatesBehind = ShortRateBehind::Own;
+    RateOf firstSlope = RateOf::Own;
+    RateOf firstColourRates = RateOf::Own;
+    RateOf secondSlope = RateOf::Own;
+    RateOf secondColourRates = RateOf::Own;
+    RateOf longSlope = RateOf::Own;
+    RateOf longColourRates = RateOf::Own;
     LongEdgeBefore longPlacesBefore = LongEdgeBefore::Steps;
     LongEdgeBefore longColoursBefore = LongEdgeBefore::Steps;
     LongEdgeBehind longPlacesBehind = LongEdgeBehind::GoesOn;
@@ -136,6 +177,8 @@ struct ProgramWalk {
     /// To which span the coordinate of a vertex is taken; but by the rule, an edge has its vertex'
     /// own place and colour there.
     EndRounding spans = EndRounding::ByRule;
+    SpanEnd leastSpan = SpanEnd::ByRule; ///< of the vertex with the least coordinate
+    SpanEnd greatestSpan = SpanEnd::ByRule;
     EndRounding first = EndRounding::ByRule;
     EndRounding last = EndRounding::ByRule;
     std::int64_t extraBefore = 0; ///< samples of a span, before its first one
@@ -143,12 +186,14 @@ struct ProgramWalk {
     SpanDivisor divisor = SpanDivisor::Height;
     LowerColours lowerColours = LowerColours::OfItsEdge;
     SpanColours spanColours = SpanColours::FromLowerBound;
+    SpanStart spanStart = SpanStart::AtBound;
 
     /// Whether an edge depends on what was stepped in the spans before, whether they are in the
     /// frame or not.
     bool remembers() const
     {
         return edgePlaces != Kept::All || edgeLevels != Kept::All || !unsteppedAlongEdges.isEmpty()
+            || stepsAlongEdgesOf != ownChannels || spanStart != SpanStart::AtBound
             || emptySpans != EmptySpan::Steps || shortPlacesBehind != ShortEdgeBehind::FromMiddle
             || shortColoursBehind != ShortEdgeBehind::FromMiddle
             || longPlacesBehind != LongEdgeBehind::GoesOn

@@ -60,13 +60,17 @@ enum class LevelOverflow { Clamps, Wraps };
 /// What becomes of a pixel that is painted twice: the later one stands, or none.
 enum class Repainting { Over, Toggles };
 
+/// To which whole number a level is taken: as the scene says, ⌊ ⌋, the nearest or ⌈ ⌉.
+enum class LevelRounding { OfScene, Down, Nearest, Up };
 /// How levels, 0 … 255 here, become bytes; where this is not as it should be, of all samples, those
 /// of the triangle's plane.
 struct LevelBytes {
-    int full = 255; ///< what a level of 255 is taken to
-    std::optional<ByteRounding> rounding = {}; ///< the scene's, if left out
+    int full = 255; ///< what a level of `of` is taken to
+    LevelRounding rounding = LevelRounding::OfScene;
+    int most = 255; ///< to which is clamped
+    int of = 255;
 
-    bool isRight() const { return full == 255 && !rounding; }
+    bool isRight() const { return *this == LevelBytes(); }
     friend bool operator==(const LevelBytes &, const LevelBytes &) = default;
 };
 

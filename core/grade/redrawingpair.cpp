@@ -17,19 +17,27 @@ public:
     {
         // All members by name: one more does not compile before it has its line here.
         const auto &[order, vertices, departures, divided, departing, slopeForm, slopes,
-                     edgeColours, preSteps, steps, edgePlaces, edgeLevels, bounds, levels,
-                     placePreStep, edgeColourPreStep, spanPreStep, unsteppedAlongEdges,
-                     unsteppedAlongSpans, stepsAlongSpansOf, placeStepping, edgeColourStepping,
-                     spanStepping, emptySpans, shortPlaces, shortColours, shortSlope,
-                     shortColourRates, longPlacesBefore, longColoursBefore, longPlaces, longColours,
-                     flatEnd, middleSpan, upperEdge, spans, first, last, extraBefore, extraBehind,
-                     divisor, lowerColours, spanColours]
+                     edgeColours, preSteps, steps, runEnds, edgePlaces, edgeLevels, bounds, levels,
+                     placePreStep, edgeColourPreStep, spanPreStep, edgeStoring, spanStoring,
+                     withoutEdgePreStep, withoutSpanPreStep, unsteppedAlongEdges,
+                     unsteppedAlongSpans, ratesAlongEdgesOf, stepsAlongEdgesOf, ratesAlongSpansOf,
+                     stepsAlongSpansOf, edgeColourDivisor, edgeColourSign, placeStepping,
+                     edgeColourStepping, spanStepping, emptySpans, shortPlaces, shortColours,
+                     firstSlope, firstColourRates, secondSlope, secondColourRates, longSlope,
+                     longColourRates, longPlacesBefore, longColoursBefore, longPlaces, longColours,
+                     flatEnd, middleSpan, upperEdge, spans, leastSpan, greatestSpan, first, last,
+                     extraBefore, extraBehind, divisor, lowerColours, spanColours, spanStart]
             = m_right;
         // What departs on one edge alone departs on all with what departs on all.
         m_isContradiction = one.departing != other.departing && departsAlongEdges(one)
             && departsAlongEdges(other);
+        if (one.edgeStoring != other.edgeStoring && storesAlongEdges(one)
+            && storesAlongEdges(other))
+            m_isContradiction = true;
         m_both.order = one.order ? one.order : other.order ? other.order : order;
         takeDepartures(&ProgramWalk::departures, departures);
+        takeChannels(&ProgramWalk::withoutEdgePreStep, withoutEdgePreStep);
+        takeChannels(&ProgramWalk::withoutSpanPreStep, withoutSpanPreStep);
         takeChannels(&ProgramWalk::unsteppedAlongEdges, unsteppedAlongEdges);
         takeChannels(&ProgramWalk::unsteppedAlongSpans, unsteppedAlongSpans);
         take(&ProgramWalk::vertices, vertices);
@@ -40,6 +48,7 @@ public:
         take(&ProgramWalk::edgeColours, edgeColours);
         take(&ProgramWalk::preSteps, preSteps);
         take(&ProgramWalk::steps, steps);
+        take(&ProgramWalk::runEnds, runEnds);
         take(&ProgramWalk::edgePlaces, edgePlaces);
         take(&ProgramWalk::edgeLevels, edgeLevels);
         take(&ProgramWalk::bounds, bounds);
@@ -47,15 +56,26 @@ public:
         take(&ProgramWalk::placePreStep, placePreStep);
         take(&ProgramWalk::edgeColourPreStep, edgeColourPreStep);
         take(&ProgramWalk::spanPreStep, spanPreStep);
+        take(&ProgramWalk::edgeStoring, edgeStoring);
+        take(&ProgramWalk::spanStoring, spanStoring);
+        take(&ProgramWalk::ratesAlongEdgesOf, ratesAlongEdgesOf);
+        take(&ProgramWalk::stepsAlongEdgesOf, stepsAlongEdgesOf);
+        take(&ProgramWalk::ratesAlongSpansOf, ratesAlongSpansOf);
         take(&ProgramWalk::stepsAlongSpansOf, stepsAlongSpansOf);
+        take(&ProgramWalk::edgeColourDivisor, edgeColourDivisor);
+        take(&ProgramWalk::edgeColourSign, edgeColourSign);
         take(&ProgramWalk::placeStepping, placeStepping);
         take(&ProgramWalk::edgeColourStepping, edgeColourStepping);
         take(&ProgramWalk::spanStepping, spanStepping);
         take(&ProgramWalk::emptySpans, emptySpans);
         take(&ProgramWalk::shortPlacesBehind, shortPlaces);
         take(&ProgramWalk::shortColoursBehind, shortColours);
-        take(&ProgramWalk::shortSlopeBehind, shortSlope);
-        take(&ProgramWalk::shortColourRatesBehind, shortColourRates);
+        take(&ProgramWalk::firstSlope, firstSlope);
+        take(&ProgramWalk::firstColourRates, firstColourRates);
+        take(&ProgramWalk::secondSlope, secondSlope);
+        take(&ProgramWalk::secondColourRates, secondColourRates);
+        take(&ProgramWalk::longSlope, longSlope);
+        take(&ProgramWalk::longColourRates, longColourRates);
         take(&ProgramWalk::longPlacesBefore, longPlacesBefore);
         take(&ProgramWalk::longColoursBefore, longColoursBefore);
         take(&ProgramWalk::longPlacesBehind, longPlaces);
@@ -64,6 +84,8 @@ public:
         take(&ProgramWalk::middleSpan, middleSpan);
         take(&ProgramWalk::upperEdge, upperEdge);
         take(&ProgramWalk::spans, spans);
+        take(&ProgramWalk::leastSpan, leastSpan);
+        take(&ProgramWalk::greatestSpan, greatestSpan);
         take(&ProgramWalk::first, first);
         take(&ProgramWalk::last, last);
         take(&ProgramWalk::extraBefore, extraBefore);
@@ -71,6 +93,7 @@ public:
         take(&ProgramWalk::divisor, divisor);
         take(&ProgramWalk::lowerColours, lowerColours);
         take(&ProgramWalk::spanColours, spanColours);
+        take(&ProgramWalk::spanStart, spanStart);
     }
 
     std::optional<ProgramWalk> both() const
@@ -80,6 +103,11 @@ public:
 
 private:
     static bool departsAlongEdges(const ProgramWalk &walk) { return walk.withRightEdges() != walk; }
+
+    static bool storesAlongEdges(const ProgramWalk &walk)
+    {
+        return walk.edgePlaces != Kept::All || walk.edgeLevels != Kept::All;
+    }
 
     template <class Member>
     void take(Member ProgramWalk::*member, const Member &right)
@@ -127,7 +155,10 @@ bool hasOrder(ProgramWalk walk)
     walk.bounds = right.bounds;
     walk.levels = right.levels;
     walk.spanPreStep = right.spanPreStep;
+    walk.spanStoring = right.spanStoring;
+    walk.withoutSpanPreStep = right.withoutSpanPreStep;
     walk.unsteppedAlongSpans = right.unsteppedAlongSpans;
+    walk.ratesAlongSpansOf = right.ratesAlongSpansOf;
     walk.stepsAlongSpansOf = right.stepsAlongSpansOf;
     walk.spanStepping = right.spanStepping;
     walk.first = right.first;
@@ -138,6 +169,11 @@ bool hasOrder(ProgramWalk walk)
     walk.lowerColours = right.lowerColours;
     walk.spanColours = right.spanColours;
     walk.upperEdge = right.upperEdge;
+    // Those of an end that is told by its coordinate.
+    for (SpanEnd *end : {&walk.leastSpan, &walk.greatestSpan}) {
+        if (*end != SpanEnd::OneMore)
+            *end = SpanEnd::ByRule;
+    }
     // What is no mistake from either end.
     walk.flatEnd = right.flatEnd;
     if (walk.vertices == VertexOrder::ByXThenAsGiven || walk.vertices == VertexOrder::ByXThenDown)

@@ -111,7 +111,7 @@ std::uint8_t RedrawnTriangle::byteOf(std::int64_t level) const
 {
     if (m_overflow == LevelOverflow::Wraps)
         return std::uint8_t(level);
-    return std::uint8_t(std::clamp<std::int64_t>(level, 0, 255));
+    return std::uint8_t(std::clamp<std::int64_t>(level, 0, m_bytes.most));
 }
 
 Colour RedrawnTriangle::colourAt(const SampleRun &run, std::int64_t place, std::size_t index) const
@@ -141,9 +141,17 @@ WholeLevels RedrawnTriangle::levelsOf(const Colour &colour) const
 
 std::int64_t RedrawnTriangle::wholeLevelOf(const CommonFraction &exact) const
 {
-    const CommonFraction level{exact.numerator * m_bytes.full, exact.denominator * 255};
-    const bool isNearest = roundingOf(m_bytes, m_runs.settings) == ByteRounding::Nearest;
-    return std::int64_t(isNearest ? level.nearest() : level.floor());
+    const CommonFraction level{exact.numerator * m_bytes.full, exact.denominator * m_bytes.of};
+    switch (roundingOf(m_bytes, m_runs.settings)) {
+    case LevelRounding::Up:
+        return std::int64_t(ceilDivide<Int128>(level.numerator, level.denominator));
+    case LevelRounding::Nearest:
+        return std::int64_t(level.nearest());
+    case LevelRounding::OfScene:
+    case LevelRounding::Down:
+        break;
+    }
+    return std::int64_t(level.floor());
 }
 
 WholeLevels RedrawnTriangle::planeAt(std::int64_t span, std::int64_t place) const

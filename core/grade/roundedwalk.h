@@ -5,6 +5,7 @@
 #include "core/scan/roundedarithmetic.h"
 #include "core/scan/variedscan.h"
 
+#include <optional>
 #include <type_traits>
 
 namespace pixelplumb {
@@ -36,19 +37,28 @@ struct RoundedWalk {
         Edge(const WalkedEdge &edge, const ProgramWalk &walk, std::int64_t span)
             : m_walk(walk)
             , m_slope(left(A::edgeSlope(edge.places.a, edge.places.b), walk.slopes))
-            , m_along(left(A::edgeOrdinate(edge.firstPlace, edge.places.b,
-                                           A::runTo(span, edge.firstPlace), m_slope),
-                           walk.edgePlaces))
+            , m_along(A::edgeOrdinate(edge.firstPlace, edge.places.b,
+                                      A::runTo(span, edge.firstPlace), m_slope))
         {
             const auto &[a, b] = edge.colours;
-            const Value run = A::runTo(span, edge.firstColour);
+            std::array<Value, 3> rates;
             for (std::size_t i = 0; i < 3; ++i) {
-                m_rates[i] = left(A::edgeColourRate(a, b, i), walk.edgeColours);
-                m_levels[i]
-                    = left(A::edgeColour(edge.firstColour, b, i, run, m_rates[i]), walk.edgeLevels);
-                if (walk.unsteppedAlongEdges.contains(i))
-                    m_rates[i] = Traits::fromInteger(0);
+                rates[i]
+                    = left(A::edgeColourRate(a, b, walk.ratesAlongEdgesOf[i]), walk.edgeColours);
+                const Value run = walk.withoutEdgePreStep.isEmpty()
+                    ? A::runTo(span, edge.firstColour)
+                    : Traits::fromLattice(wayToSpan(edge.firstColour.position.x, span, walk, i));
+                m_levels[i] = A::edgeColour(edge.firstColour, b, i, run, rates[i]);
             }
+            if (walk.edgeStoring == Storing::FromFirst) {
+                m_along = left(m_along, walk.edgePlaces);
+                for (Value &level : m_levels)
+                    level = left(level, walk.edgeLevels);
+            }
+            for (std::size_t i = 0; i < 3; ++i)
+                m_rates[i] = walk.unsteppedAlongEdges.contains(i)
+                    ? Traits::fromInteger(0)
+                    : rates[walk.stepsAlongEdgesOf[i]];
         }
 
         void stepPlace()
@@ -109,59 +119,139 @@ struct RoundedWalk {
             return program.side().upward(rate, height);
         return Traits::fromInteger(0);
     }
+    static Value carriedUpward(const WalkedProgram &program, const Value &rate, const Value &height)
+    {
+        if constexpr (std::is_same_v<Value, double>)
+            return program.side().carriedUpward(rate, height);
+        return Traits::fromInteger(0);
+    }
+
+    /// What R G B have come to behind the last sample of a span, and by how much what rounding does
+    /// to it may have grown.
+    struct Carried {
+        std::array<Value, 3> levels, errors;
+    };
 
     static std::vector<WholeLevels> levelsOf(const Bounds &bounds, const WalkedSpan &span,
-                                             const WalkedProgram &program)
+                                             const WalkedProgram &program,
+                                             std::optional<Carried> &carried)
     {
         const ProgramWalk &walk = program.walk();
-        const Value none = Traits::fromInteger(0);
-        const Value height = heightOf(bounds, span, walk.divisor);
-        const PreStep preStep = program.spanPreStep();
+        const bool goesOn = walk.spanStart != SpanStart::AtBound;
         // One rate for both: the first sample that the frame has is reached at once, as in the
         // scan.
         const bool isReachedAtOnce = walk.preSteps == walk.steps && walk.levels == Kept::All
-            && preStep == PreStep::ToSample && walk.unsteppedAlongSpans.isEmpty()
-            && walk.stepsAlongSpansOf == ownChannels;
+            && program.spanPreStep() == PreStep::ToSample && walk.unsteppedAlongSpans.isEmpty()
+            && walk.withoutSpanPreStep.isEmpty() && walk.stepsAlongSpansOf == ownChannels
+            && !isFlat(walk.spanColours) && !goesOn;
+        const Value height = heightOf(bounds, span, walk.divisor);
+        const std::array<Value, 3> rates = ratesOf(bounds, height, walk);
         const std::int64_t reached = isReachedAtOnce ? span.firstDrawn : span.first;
-        const Value way = preStepOf(bounds.lower.m_along, reached, preStep);
-        std::array<Value, 3> froms = {none, none, none}, rates = froms;
+        std::vector<WholeLevels> levels(span.drawn());
+        Carried behind;
         for (std::size_t i = 0; i < 3; ++i) {
-            const Value atLower = left(bounds.lowerColours.m_levels[i], walk.bounds);
-            const Value atUpper = left(bounds.upperColours.m_levels[i], walk.bounds);
-            const Value rise
-                = walk.spanColours == SpanColours::Falling ? atLower - atUpper : atUpper - atLower;
-            froms[i] = walk.spanColours == SpanColours::FromUpperBound ? atUpper : atLower;
-            if (height != none)
-                rates[i] = rise / height;
-        }
-        std::vector<WholeLevels> levels(std::size_t(span.endDrawn - span.firstDrawn));
-        for (std::size_t i = 0; i < 3; ++i) {
-            const Value step = walk.unsteppedAlongSpans.contains(i)
-                ? none
-                : left(rates[walk.stepsAlongSpansOf[i]], walk.steps);
-            const Value error = upward(program, rates[i], height);
-            const Value preStepped
-                = preStep == PreStep::WithoutRate ? way : way * left(rates[i], walk.preSteps);
-            Value level = left(froms[i] + preStepped, walk.levels);
+            Ramp ramp = rampOf(bounds, reached, rates, program, i);
+            ramp.error = upward(program, rates[i], height);
+            behind.errors[i] = carriedUpward(program, rates[i], height);
+            if (carried) {
+                ramp.level = carried->levels[i];
+                ramp.error = ramp.error + carried->errors[i];
+                behind.errors[i] = behind.errors[i] + carried->errors[i];
+            }
+            if (walk.spanStoring == Storing::FromFirst)
+                ramp.level = left(ramp.level, walk.levels);
             if (walk.spanStepping == Stepping::BeforeDrawing)
-                A::advance(level, step);
-            std::int64_t place = reached;
-            if (walk.levels == Kept::All) {
-                level = level + Traits::fromInteger(span.firstDrawn - reached) * step;
-                place = span.firstDrawn;
-            }
-            for (; place < span.endDrawn; ++place) {
-                if (place >= span.firstDrawn)
-                    levels[std::size_t(place - span.firstDrawn)][i]
-                        = A::level(level + error, program.rounding());
-                A::advance(level, step);
-                level = left(level, walk.levels);
-            }
+                A::advance(ramp.level, ramp.step);
+            behind.levels[i] = stored(ramp, reached, span, program, levels, i);
         }
+        if (goesOn)
+            carried = behind;
         return levels;
     }
 
 private:
+    /// A level along a span: at a sample of it, what is added to it, and how far off it may be.
+    struct Ramp {
+        Value level, step, error;
+    };
+
+    static Value levelAt(const Edge &edge, std::size_t channel, Kept kept)
+    {
+        return left(edge.m_levels[channel], kept);
+    }
+
+    static std::array<Value, 3> ratesOf(const Bounds &bounds, const Value &height,
+                                        const ProgramWalk &walk)
+    {
+        const Value none = Traits::fromInteger(0);
+        std::array<Value, 3> rates = {none, none, none};
+        if (height == none || isFlat(walk.spanColours))
+            return rates;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t source = walk.ratesAlongSpansOf[i];
+            const Value atLower = levelAt(bounds.lowerColours, source, walk.bounds);
+            const Value atUpper = levelAt(bounds.upperColours, source, walk.bounds);
+            const bool isFalling = walk.spanColours == SpanColours::Falling;
+            rates[i] = (isFalling ? atLower - atUpper : atUpper - atLower) / height;
+        }
+        return rates;
+    }
+
+    static Ramp rampOf(const Bounds &bounds, std::int64_t reached,
+                       const std::array<Value, 3> &rates, const WalkedProgram &program,
+                       std::size_t channel)
+    {
+        const ProgramWalk &walk = program.walk();
+        const Value none = Traits::fromInteger(0);
+        const Value step = walk.unsteppedAlongSpans.contains(channel)
+            ? none
+            : left(rates[walk.stepsAlongSpansOf[channel]], walk.steps);
+        const Value from = startOf(bounds, walk, channel);
+        if (walk.withoutSpanPreStep.contains(channel))
+            return {from, step, none};
+        const PreStep preStep = program.spanPreStep();
+        const Value way = preStepOf(bounds.lower.m_along, reached, preStep);
+        const Value preStepped
+            = preStep == PreStep::WithoutRate ? way : way * left(rates[channel], walk.preSteps);
+        return {from + preStepped, step, none};
+    }
+
+    /// R at the bound, or what is taken for it.
+    static Value startOf(const Bounds &bounds, const ProgramWalk &walk, std::size_t channel)
+    {
+        const Value atLower = levelAt(bounds.lowerColours, channel, walk.bounds);
+        const Value atUpper = levelAt(bounds.upperColours, channel, walk.bounds);
+        if (walk.spanColours == SpanColours::Mean)
+            return (atLower + atUpper) / Traits::fromInteger(2);
+        const bool isFromUpper = walk.spanColours == SpanColours::FromUpperBound
+            || walk.spanColours == SpanColours::UpperAlone;
+        return isFromUpper ? atUpper : atLower;
+    }
+
+    /// Gives what the level has come to: behind the last sample, or, where nobody asks for it,
+    /// behind the last one that is drawn.
+    static Value stored(const Ramp &ramp, std::int64_t reached, const WalkedSpan &span,
+                        const WalkedProgram &program, std::vector<WholeLevels> &levels,
+                        std::size_t channel)
+    {
+        const ProgramWalk &walk = program.walk();
+        const bool goesOn = walk.spanStart != SpanStart::AtBound;
+        Value level = ramp.level;
+        std::int64_t place = reached;
+        if (walk.levels == Kept::All && !goesOn) {
+            level = level + Traits::fromInteger(span.firstDrawn - reached) * ramp.step;
+            place = span.firstDrawn;
+        }
+        for (; place < (goesOn ? span.end : span.endDrawn); ++place) {
+            if (place >= span.firstDrawn && place < span.endDrawn)
+                levels[std::size_t(place - span.firstDrawn)][channel]
+                    = A::level(level + ramp.error, program.rounding());
+            A::advance(level, ramp.step);
+            level = left(level, walk.levels);
+        }
+        return level;
+    }
+
     static Value heightOf(const Bounds &bounds, const WalkedSpan &span, SpanDivisor divisor)
     {
         const Value height = bounds.upper.m_along - bounds.lower.m_along;
@@ -170,6 +260,8 @@ private:
             break;
         case SpanDivisor::HeightAndOne:
             return height + Traits::fromInteger(1);
+        case SpanDivisor::HeightLessOne:
+            return height - Traits::fromInteger(1);
         case SpanDivisor::Samples:
             return Traits::fromInteger(span.end - span.first);
         case SpanDivisor::Steps:

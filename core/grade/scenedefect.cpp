@@ -128,6 +128,24 @@ void appendColours(std::vector<Defect> &defects, const Scene &scene)
         QStringLiteral("Every triangle has one colour, the mean of its vertices'."), takeMean);
 }
 
+/// What a program keeps that sets its vertices' colours once.
+void appendColoursOfFirst(std::vector<Defect> &defects, const Scene &scene)
+{
+    appendWhereItApplies(defects, scene, QStringLiteral("colours"),
+                         {QStringLiteral("colours-of-first-triangle"),
+                          QStringLiteral("Which colours has the second triangle?"),
+                          QStringLiteral("The vertices of all triangles have the colours of the "
+                                         "first one's, in the order in which they are given."),
+                          [](Scene &changed) {
+                              for (Triangle &triangle : changed.triangles) {
+                                  for (std::size_t i = 0; i < 3; ++i)
+                                      triangle.vertices[i].colour
+                                          = changed.triangles.front().vertices[i].colour;
+                              }
+                              return true;
+                          }});
+}
+
 enum class PrimitiveEnd { First, Last };
 
 /// Of the triangles and, drawn after them, the shapes; false where there is no other.
@@ -254,6 +272,7 @@ std::vector<Defect> sceneDefectsFor(const Scene &scene)
     std::vector<Defect> defects;
     appendPlaces(defects, scene);
     appendColours(defects, scene);
+    appendColoursOfFirst(defects, scene);
     appendChannels(defects, scene);
     appendPrimitives(defects, scene);
     return defects;

@@ -8,12 +8,6 @@ namespace {
 constexpr const char *boundEndsQuestion
     = "From which to which sample does a span go? What if its bound lies "
       "between two?";
-constexpr const char *divisorQuestion
-    = "By what is a difference of colours divided to have a step of colour?";
-constexpr const char *firstSampleQuestion
-    = "How far is it from a bound to the first sample, and in which direction?";
-constexpr const char *boundsQuestion
-    = "Which bound of a %1 has which colour? Whichever edge is the lower one?";
 constexpr const char *upperQuestion = "Which of the two edges is the upper bound? Always?";
 constexpr const char *countQuestion = "How many samples has a %1? What if it has none?";
 
@@ -69,97 +63,31 @@ std::vector<WalkRow> endRows()
     };
 }
 
-std::vector<WalkRow> colourRows()
+/// Where a triangle begins and ends: a %1 that its vertex does not reach is between its edges,
+/// drawn out beyond it.
+std::vector<WalkRow> spanEndRows()
 {
     return {
-        {"whole-colour-steps",
-         walkquestions::division,
-         "The step of colour along a %1 is a whole number; its first sample is right.",
-         {.steps = Kept::TowardZero}},
-        {"whole-colour-rates",
-         walkquestions::division,
-         "The step of colour along a %1 is a whole number, in the pre-step to its first sample, "
-         "too.",
-         {.preSteps = Kept::TowardZero, .steps = Kept::TowardZero}},
-        {"whole-bound-colours",
-         walkquestions::stored,
-         "The colours of a %1's bounds are cast to whole numbers before it is filled; those of the "
-         "edges keep their fractions, and so do those along the %1.",
-         {.bounds = Kept::TowardZero}},
-        {"rounded-bound-colours",
-         walkquestions::stored,
-         "The colours of a %1's bounds are rounded to whole numbers before it is filled; those of "
-         "the edges keep their fractions, and so do those along the %1.",
-         {.bounds = Kept::Nearest}},
-        {"whole-span-levels",
-         walkquestions::stored,
-         "The colour along a %1 is kept as a whole number: at each sample its fraction is lost.",
-         {.levels = Kept::TowardZero}},
-        {"colour-divisor-plus-one",
-         divisorQuestion,
-         "The step of colour along a %1 is divided by its length and one, not by its length.",
-         {.divisor = SpanDivisor::HeightAndOne}},
-        {"colour-divisor-samples",
-         divisorQuestion,
-         "The step of colour along a %1 is divided by the number of its samples, not by its "
-         "length; the pre-step to its first sample is made with it.",
-         {.divisor = SpanDivisor::Samples}},
-        {"colour-divisor-steps",
-         divisorQuestion,
-         "The step of colour along a %1 is divided by the number of its samples less one, not by "
-         "its length; the pre-step to its first sample is made with it. A single sample has the "
-         "lower bound's colour.",
-         {.divisor = SpanDivisor::Steps}},
-        {"colours-between-samples",
-         "Which colour has a bound that lies between two samples, and which the sample beside it?",
-         "The first and the last sample of a %1 have the colours of its bounds: the step of colour "
-         "is divided by the steps from the one to the other.",
-         {.spanPreStep = PreStep::None, .divisor = SpanDivisor::Steps}},
-        {"colour-pre-step-of-fraction",
-         firstSampleQuestion,
-         "The pre-step of colour along a %1 goes by %4 − ⌊%4⌋ in place of ⌈%4⌉ − %4.",
-         {.spanPreStep = PreStep::Fraction}},
-        {"colour-pre-step-backward",
-         firstSampleQuestion,
-         "The pre-step of colour along a %1, (⌈%4⌉ − %4)·ΔR, is subtracted, not added.",
-         {.spanPreStep = PreStep::Backward}},
-        {"colour-pre-step-without-rate",
-         firstSampleQuestion,
-         "The pre-step of colour along a %1 is the way ⌈%4⌉ − %4 itself, not this times the step "
-         "of "
-         "colour.",
-         {.spanPreStep = PreStep::WithoutRate}},
-        {"colours-stepped-first",
-         "Which comes first, that a sample is drawn or that its colour is stepped?",
-         "The colour along a %1 is stepped before a sample is drawn, not behind it: each has the "
-         "colour of the next one.",
-         {.spanStepping = Stepping::BeforeDrawing}},
-        {"colours-of-short-edge-below",
-         boundsQuestion,
-         "Where the long edge is the lower bound of a %1, the bounds are exchanged, but not their "
-         "colours: the lower one always has those of the short edge.",
-         {.lowerColours = LowerColours::OfShortEdge}},
-        {"colours-of-long-edge-below",
-         boundsQuestion,
-         "Where the long edge is the upper bound of a %1, the bounds are exchanged, but not their "
-         "colours: the lower one always has those of the long edge.",
-         {.lowerColours = LowerColours::OfLongEdge}},
-        {"colours-not-stepped-along-spans",
-         "How does the colour change from the first sample of a %1 to the last?",
-         "The colour along a %1 is not stepped: all its samples have that of the first.",
-         {.unsteppedAlongSpans = allChannels}},
-        {"red-not-stepped-along-spans",
-         walkquestions::channels,
-         "Red is not stepped along a %1: all its samples have that of the first.",
-         {.unsteppedAlongSpans = redAlone}},
-        {"green-not-stepped-along-spans",
-         walkquestions::channels,
-         "Green is not stepped along a %1: all its samples have that of the first.",
-         {.unsteppedAlongSpans = greenAlone}},
-        {"blue-not-stepped-along-spans",
-         walkquestions::channels,
-         "Blue is not stepped along a %1: all its samples have that of the first.",
-         {.unsteppedAlongSpans = blueAlone}},
+        {"first-span-floor",
+         walkquestions::triangleEnds,
+         "The %1s of a triangle begin at ⌊%2⌋ of the vertex with the least %2, not at ⌈%2⌉: where "
+         "it lies between two, there is one that its edges do not reach.",
+         {.leastSpan = SpanEnd::Outward}},
+        {"first-span-nearest",
+         walkquestions::triangleEnds,
+         "The %1s of a triangle begin at the one that is nearest to the vertex with the least %2, "
+         "not at ⌈%2⌉.",
+         {.leastSpan = SpanEnd::Nearest}},
+        {"last-span-ceil",
+         walkquestions::triangleEnds,
+         "The %1s of a triangle end at ⌈%2⌉ of the vertex with the greatest %2, not at ⌊%2⌋: where "
+         "it lies between two, there is one that its edges do not reach.",
+         {.greatestSpan = SpanEnd::Outward}},
+        {"last-span-nearest",
+         walkquestions::triangleEnds,
+         "The %1s of a triangle end at the one that is nearest to the vertex with the greatest %2, "
+         "not at ⌊%2⌋.",
+         {.greatestSpan = SpanEnd::Nearest}},
     };
 }
 
@@ -167,12 +95,12 @@ std::vector<WalkRow> boundRows()
 {
     return {
         {"colours-of-bounds-exchanged",
-         boundsQuestion,
+         walkquestions::bounds,
          "The colours of the two bounds are exchanged: a %1 goes from the upper bound's colour at "
          "its lower bound to the lower bound's at its upper one.",
          {.lowerColours = LowerColours::OfUpperEdge}},
         {"colours-from-upper-bound",
-         boundsQuestion,
+         walkquestions::bounds,
          "A %1 begins at its lower bound with the upper bound's colour, and is stepped by the "
          "right "
          "step.",
@@ -187,22 +115,6 @@ std::vector<WalkRow> boundRows()
          "A %1 is filled from its last sample to its first, with the colours that go from its "
          "first to its last.",
          {.spanColours = SpanColours::FromLastSample}},
-        {"green-stepped-as-red",
-         walkquestions::channels,
-         "Green is stepped along a %1 by the step of red.",
-         {.stepsAlongSpansOf = {0, 0, 2}}},
-        {"blue-stepped-as-red",
-         walkquestions::channels,
-         "Blue is stepped along a %1 by the step of red.",
-         {.stepsAlongSpansOf = {0, 1, 0}}},
-        {"blue-stepped-as-green",
-         walkquestions::channels,
-         "Blue is stepped along a %1 by the step of green.",
-         {.stepsAlongSpansOf = {0, 1, 1}}},
-        {"colours-stepped-as-red",
-         walkquestions::channels,
-         "Green and blue are stepped along a %1 by the step of red.",
-         {.stepsAlongSpansOf = {0, 0, 0}}},
         {"middle-above-lost",
          upperQuestion,
          "The long edge is always taken for the upper bound of a %1: triangles whose middle "
@@ -234,7 +146,7 @@ const std::vector<WalkRow> &spanWalkRows()
 {
     static const std::vector<WalkRow> rows = [] {
         std::vector<WalkRow> all;
-        for (const std::vector<WalkRow> &some : {endRows(), colourRows(), boundRows()})
+        for (const std::vector<WalkRow> &some : {endRows(), spanEndRows(), boundRows()})
             all.insert(all.end(), some.begin(), some.end());
         return all;
     }();

@@ -141,9 +141,12 @@ std::vector<Defect> walkDefectsFor(SpanAxis axis)
                                         redrawingBy(named.walk, named.overflow), axis));
     };
     std::ranges::for_each(namedWalks(spanWalkRows()), add);
+    std::ranges::for_each(namedWalks(spanColourRows()), add);
     const bool hasOrder = axis == SpanAxis::Row;
-    std::vector<NamedWalk> alongEdges = namedWalks(edgeWalkRows());
-    std::ranges::move(namedWalks(middleWalkRows()), std::back_inserter(alongEdges));
+    std::vector<NamedWalk> alongEdges;
+    for (const auto &rows :
+         {edgeWalkRows(), edgeColourRows(), middleWalkRows(), mistakenRateRows()})
+        std::ranges::move(namedWalks(rows), std::back_inserter(alongEdges));
     for (const NamedWalk &named : alongEdges) {
         if (!hasOrder) {
             add(withWays(named, WalkOrder::Ascending));

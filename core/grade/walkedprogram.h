@@ -5,6 +5,8 @@
 #include "core/grade/walkside.h"
 #include "core/scan/variedscan.h"
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 /// ⌊ ⌋, the nearest or ⌈ ⌉ of a coordinate, px; by the rule ⌈ ⌉.
@@ -14,6 +16,15 @@ constexpr std::int64_t wholePixel(Lattice coordinate, EndRounding rounding)
         return floorPixel(coordinate);
     return rounding == EndRounding::Nearest ? floorPixel(coordinate + halfPixel)
                                             : ceilPixel(coordinate);
+}
+
+/// From a place to a span, 1/256 px, as the colour of a channel is stepped: without a pre-step it
+/// is at the first one as it is at the place.
+inline Lattice wayToSpan(Lattice from, std::int64_t span, const ProgramWalk &walk,
+                         std::size_t channel)
+{
+    const bool hasPreStep = !walk.withoutEdgePreStep.contains(channel);
+    return (span - (hasPreStep ? 0 : ceilPixel(from))) * unitsPerPixel - (hasPreStep ? from : 0);
 }
 
 /// An edge as it is stepped along: with the rates of one from a to b, from a place and a colour.
@@ -26,14 +37,15 @@ struct WalkedEdge {
 /// A walk with all that decides its picture.
 class WalkedProgram {
 public:
-    /// The departures are the scene's; spans are rounded as seen from the end at which it begins.
+    /// The departures are the scene's; coordinates of spans are as seen from the end at which it
+    /// begins.
     WalkedProgram(const ProgramWalk &walk, VariantSet departures, ByteRounding rounding,
-                  EndRounding spans, const WalkSide &side)
+                  WalkOrder order, const WalkSide &side)
         : m_walk(walk)
         , m_withRightEdges(walk.withRightEdges())
         , m_departures(departures)
         , m_rounding(rounding)
-        , m_spans(spans)
+        , m_order(order)
         , m_side(side)
     {
     }
@@ -43,7 +55,27 @@ public:
 
     const ProgramWalk &walk() const { return m_walk; }
     ByteRounding rounding() const { return m_rounding; }
-    EndRounding spans() const { return m_spans; }
+    /// To which span the coordinate of a vertex is taken.
+    std::int64_t spanOf(Lattice coordinate) const
+    {
+        return m_walk.spans == EndRounding::ByRule ? ceilPixel(coordinate)
+                                                   : spanOf(coordinate, m_walk.spans);
+    }
+    /// ⌊ ⌋, the nearest or ⌈ ⌉ of what the program has.
+    std::int64_t spanOf(Lattice coordinate, EndRounding rounding) const
+    {
+        return m_order == WalkOrder::Ascending ? wholePixel(coordinate, rounding)
+                                               : -wholePixel(-coordinate, rounding);
+    }
+    /// What becomes of its first and its last span.
+    SpanEnd firstEnd() const
+    {
+        return m_order == WalkOrder::Ascending ? m_walk.leastSpan : m_walk.greatestSpan;
+    }
+    SpanEnd lastEnd() const
+    {
+        return m_order == WalkOrder::Ascending ? m_walk.greatestSpan : m_walk.leastSpan;
+    }
     const WalkSide &side() const { return m_side; }
 
     /// The walk that an edge has.
@@ -55,10 +87,20 @@ public:
     WalkedEdge edge(WalkedEdges which, const Vertex &from, const Vertex &to) const
     {
         const ProgramWalk &walk = walkOf(which);
-        const auto divided
-            = [&](EdgeRates rates) { return VariedScan{departuresOf(walk, rates)}.edge(from, to); };
-        return {withForm(shifted(divided(EdgeRates::Slope), walk.placePreStep), walk.slopeForm),
-                shifted(divided(EdgeRates::Colours), walk.edgeColourPreStep)};
+        const auto divided = [&](EdgeRates rates) {
+            VariedScan::Edge edge = VariedScan{departuresOf(walk, rates)}.edge(from, to);
+            const bool isOfWholeEnds = walk.runEnds != Kept::All && isDivided(walk, rates);
+            if (isOfWholeEnds)
+                edge.b.position.x = edge.a.position.x + wholeEnd(to) - wholeEnd(from);
+            return edge;
+        };
+        WalkedEdge edge{
+            withForm(shifted(divided(EdgeRates::Slope), walk.placePreStep), walk.slopeForm),
+            withDivisor(shifted(divided(EdgeRates::Colours), walk.edgeColourPreStep),
+                        walk.edgeColourDivisor)};
+        if (walk.edgeColourSign == EdgeColourSign::Negated)
+            std::swap(edge.colours.a.colour, edge.colours.b.colour);
+        return edge;
     }
 
     PreStep spanPreStep() const
@@ -71,10 +113,19 @@ public:
     }
 
 private:
+    static bool isDivided(const ProgramWalk &walk, EdgeRates rates)
+    {
+        return walk.divided == EdgeRates::All || walk.divided == rates;
+    }
+    /// (int)x of a vertex.
+    Lattice wholeEnd(const Vertex &vertex) const
+    {
+        return spanOf(vertex.position.x, EndRounding::Down) * unitsPerPixel;
+    }
     VariantSet departuresOf(const ProgramWalk &walk, EdgeRates rates) const
     {
         VariantSet departures = walk.departures;
-        if (walk.divided != EdgeRates::All && walk.divided != rates)
+        if (!isDivided(walk, rates))
             departures
                 = departures.without(Variant::DivisorMinusOne).without(Variant::DivisorPlusOne);
         departures.bits |= m_departures.bits;
@@ -92,14 +143,26 @@ private:
         return edge;
     }
 
+    /// One along the spans has no step, whatever it is divided by.
+    static VariedScan::Edge withDivisor(VariedScan::Edge edge, EdgeColourDivisor divisor)
+    {
+        const LatticePoint &a = edge.a.position;
+        LatticePoint &b = edge.b.position;
+        const Lattice rise = b.y - a.y;
+        if (divisor == EdgeColourDivisor::Run || a.x == b.x)
+            return edge;
+        b.x = a.x + (divisor == EdgeColourDivisor::Rise ? rise : absolute(rise));
+        return edge;
+    }
+
     /// To where a vertex is taken to be whose values are had at the edge's first span.
     VariedScan::Edge shifted(VariedScan::Edge edge, PreStep preStep) const
     {
         const Lattice from = edge.a.position.x;
         const Lattice late = wholePixel(from, EndRounding::Up) * unitsPerPixel - from;
         Lattice way = 0;
-        if (m_spans != EndRounding::ByRule)
-            way = wholePixel(from, m_spans) * unitsPerPixel - from;
+        if (m_walk.spans != EndRounding::ByRule)
+            way = spanOf(from) * unitsPerPixel - from;
         else if (preStep == PreStep::None)
             way = late;
         else if (preStep == PreStep::Backward)
@@ -114,7 +177,7 @@ private:
     ProgramWalk m_walk, m_withRightEdges;
     VariantSet m_departures;
     ByteRounding m_rounding;
-    EndRounding m_spans;
+    WalkOrder m_order;
     WalkSide m_side;
 };
 
@@ -123,6 +186,11 @@ struct WalkedSpan {
     std::int64_t first = 0, end = 0;
     std::int64_t firstDrawn = 0, endDrawn = 0;
 
+    std::int64_t samples() const { return std::max<std::int64_t>(0, end - first); }
+    std::size_t drawn() const
+    {
+        return std::size_t(std::max<std::int64_t>(0, endDrawn - firstDrawn));
+    }
     /// Seen from its last sample.
     WalkedSpan reversed() const
     {

@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "core/grade/walkedprogram.h"
+#include "core/grade/walkcorners.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace pixelplumb {
-
-/// The vertices that are taken for P₀ P₁ P₂.
-std::array<int, 3> vertexOrderOf(const Triangle &triangle, VertexOrder vertices);
 
 /// The triangle's spans from the first vertex to the last, in one kind of numbers.
 template <class Numbers>
@@ -20,35 +18,27 @@ public:
         : m_seen(seen)
         , m_program(program)
         , m_walk(program.walk())
-        , m_order(vertexOrderOf(seen.triangle, m_walk.vertices))
-        , m_triangle(program.has(Variant::UnsortedColours)
-                         ? withUnsortedColours(seen.triangle, m_order)
-                         : seen.triangle)
-        , m_p0(vertex(0))
-        , m_p1(vertex(1))
-        , m_p2(vertex(2))
+        , m_corners(seen.triangle, program)
+        , m_p0(m_corners.p0())
+        , m_p1(m_corners.p1())
+        , m_p2(m_corners.p2())
     {
     }
 
     void run()
     {
-        const Interval columns = m_seen.intervals.columns;
-        const bool isByRule = m_program.spans() == EndRounding::ByRule;
-        const std::int64_t firstSpan
-            = isByRule ? firstSampleFrom(m_p0.position.x, columns) : wholeSpan(m_p0);
-        const std::int64_t endSpan = isByRule ? endSampleAt(m_p2.position.x, columns)
-                                              : wholeSpan(m_p2) + (ownsLast(columns) ? 1 : 0);
+        const std::int64_t firstSpan = firstOfTriangle();
+        const std::int64_t endSpan = endOfTriangle();
         const auto first = m_walk.remembers() ? firstSpan : std::max(firstSpan, m_seen.firstSpan);
         const auto end = std::min(endSpan, m_seen.endSpan);
-        const bool isSorted
-            = m_p0.position.x <= m_p1.position.x && m_p1.position.x <= m_p2.position.x;
+        const bool isSorted = m_corners.areSorted();
         if (isSorted && first >= end)
             return;
         const auto ofBoth
             = [&](std::int64_t span) { return isSorted ? std::clamp(span, first, end) : span; };
-        const std::int64_t middle = ofBoth(wholeSpan(m_p1));
-        Edge across = edge(WalkedEdges::Long, longEdge(), first);
-        Edge along = edge(WalkedEdges::First, firstEdge(), first);
+        const std::int64_t middle = isBegunBeforeMiddle() ? first : ofBoth(firstOfSecondHalf());
+        Edge across = edge(WalkedEdges::Long, m_corners.longEdge(), first);
+        Edge along = edge(WalkedEdges::First, m_corners.firstEdge(), first);
         if (m_walk.longPlacesBefore == LongEdgeBefore::Waits)
             across.holdPlace();
         if (m_walk.longColoursBefore == LongEdgeBefore::Waits)
@@ -58,90 +48,108 @@ public:
         Edge behind = edgeBehind(middle, along);
         if (m_p1.position.x == m_p2.position.x)
             endFlat(middle, along, behind, across);
+        if (m_walk.spanStart == SpanStart::GoesOnInHalf)
+            m_carried.reset();
         walkHalf(middle, end, behind, across);
     }
 
 private:
-    const Vertex &vertex(std::size_t place) const
+    std::int64_t spanOf(const Vertex &vertex) const { return m_program.spanOf(vertex.position.x); }
+    bool isByRule() const { return m_walk.spans == EndRounding::ByRule; }
+
+    std::int64_t firstOfTriangle() const
     {
-        return m_triangle.vertices[std::size_t(m_order[place])];
+        if (!isByRule())
+            return spanOf(m_p0);
+        const Lattice x = m_p0.position.x;
+        const std::int64_t byRule = firstSampleFrom(x, m_seen.intervals.columns);
+        switch (m_program.firstEnd()) {
+        case SpanEnd::ByRule:
+            break;
+        case SpanEnd::Outward:
+            return floorPixel(x);
+        case SpanEnd::Nearest:
+            return m_program.spanOf(x, EndRounding::Nearest);
+        case SpanEnd::OneMore:
+            return byRule - 1;
+        }
+        return byRule;
     }
-    std::int64_t wholeSpan(const Vertex &vertex) const
+    std::int64_t endOfTriangle() const
     {
-        return wholePixel(vertex.position.x, m_program.spans());
+        const Interval columns = m_seen.intervals.columns;
+        const std::int64_t behind = ownsLast(columns) ? 1 : 0;
+        if (!isByRule())
+            return spanOf(m_p2) + behind;
+        const Lattice x = m_p2.position.x;
+        switch (m_program.lastEnd()) {
+        case SpanEnd::ByRule:
+            break;
+        case SpanEnd::Outward:
+            return ceilPixel(x) + behind;
+        case SpanEnd::Nearest:
+            return m_program.spanOf(x, EndRounding::Nearest) + behind;
+        case SpanEnd::OneMore:
+            return endSampleAt(x, columns) + 1;
+        }
+        return endSampleAt(x, columns);
+    }
+    /// Without a first half the second one begins with the triangle.
+    bool isBegunBeforeMiddle() const
+    {
+        return !m_corners.hasFirstHalf() && m_program.firstEnd() != SpanEnd::ByRule;
+    }
+
+    std::int64_t firstOfSecondHalf() const
+    {
+        if (isByRule() && m_walk.middleSpan == MiddleSpan::FromSpanBefore)
+            return floorPixel(m_p1.position.x);
+        if (isByRule() && m_walk.middleSpan == MiddleSpan::FromNearest)
+            return m_program.spanOf(m_p1.position.x, EndRounding::Nearest);
+        return spanOf(m_p1);
     }
     std::int64_t endOfFirstHalf() const
     {
-        if (m_walk.middleSpan == MiddleSpan::InSecondHalf)
-            return wholeSpan(m_p1);
-        const bool isByRule = m_program.spans() == EndRounding::ByRule;
-        return (isByRule ? floorPixel(m_p1.position.x) : wholeSpan(m_p1)) + 1;
+        if (isBegunBeforeMiddle())
+            return firstOfTriangle();
+        if (m_walk.middleSpan != MiddleSpan::InBothHalves)
+            return firstOfSecondHalf();
+        return (isByRule() ? floorPixel(m_p1.position.x) : spanOf(m_p1)) + 1;
     }
 
-    /// Without one there is nothing that could be gone on with: L₁₂ is begun as it should be.
-    bool hasFirstHalf() const { return m_p0.position.x != m_p1.position.x; }
-
-    WalkedEdge firstEdge() const { return m_program.edge(WalkedEdges::First, m_p0, m_p1); }
-    WalkedEdge secondEdge() const { return m_program.edge(WalkedEdges::Second, m_p1, m_p2); }
-    WalkedEdge longEdge() const { return m_program.edge(WalkedEdges::Long, m_p0, m_p2); }
     Edge edge(WalkedEdges which, const WalkedEdge &edge, std::int64_t span) const
     {
         return Edge(edge, m_program.walkOf(which), span);
     }
 
-    /// Between which vertices L₁₂ is taken to be for its slope or for the rates of its colours.
-    static VariedScan::Edge rated(ShortRateBehind rate, VariedScan::Edge own,
-                                  const VariedScan::Edge &ofFirst)
-    {
-        switch (rate) {
-        case ShortRateBehind::Own:
-            break;
-        case ShortRateBehind::OfFirstEdge:
-            return ofFirst;
-        case ShortRateBehind::RiseFromFirst:
-            own.a.position.y = ofFirst.a.position.y;
-            own.a.colour = ofFirst.a.colour;
-            break;
-        case ShortRateBehind::RunFromFirst:
-            own.a.position.x = ofFirst.a.position.x;
-            break;
-        }
-        return own;
-    }
-
     /// The short edge from the middle vertex on, where the one before it ends.
     Edge edgeBehind(std::int64_t middle, const Edge &before) const
     {
-        WalkedEdge walked = secondEdge();
-        const WalkedEdge ofFirst = firstEdge();
-        if (hasFirstHalf()) {
-            walked.places = rated(m_walk.shortSlopeBehind, walked.places, ofFirst.places);
-            walked.colours = rated(m_walk.shortColourRatesBehind, walked.colours, ofFirst.colours);
-        }
+        WalkedEdge walked = m_corners.secondEdge();
         if (m_walk.shortPlacesBehind == ShortEdgeBehind::FromFirst)
             walked.firstPlace.position.y = m_p0.position.y;
         if (m_walk.shortColoursBehind == ShortEdgeBehind::FromFirst)
             walked.firstColour.colour = m_p0.colour;
         Edge behind = edge(WalkedEdges::Second, walked, middle);
-        if (hasFirstHalf() && m_walk.shortPlacesBehind == ShortEdgeBehind::CarriedOn)
+        if (m_corners.hasFirstHalf() && m_walk.shortPlacesBehind == ShortEdgeBehind::CarriedOn)
             behind.carryPlaceOf(before);
-        if (hasFirstHalf() && m_walk.shortColoursBehind == ShortEdgeBehind::CarriedOn)
+        if (m_corners.hasFirstHalf() && m_walk.shortColoursBehind == ShortEdgeBehind::CarriedOn)
             behind.carryColourOf(before);
         return behind;
     }
 
     void goOnAcross(std::int64_t middle, Edge &across) const
     {
-        const Edge own = edge(WalkedEdges::Long, longEdge(), middle);
+        const Edge own = edge(WalkedEdges::Long, m_corners.longEdge(), middle);
         across.stepAsPlacesOf(own);
         across.stepAsColoursOf(own);
         const auto begunAnew = [&](LongEdgeBehind behind) {
             const Vertex &from = behind == LongEdgeBehind::FromFirst ? m_p0 : m_p1;
-            const WalkedEdge ofShort = secondEdge();
-            WalkedEdge walked = longEdge();
-            walked.firstPlace = ofShort.places.a;
+            const WalkedEdge ofShort = m_program.edge(WalkedEdges::Second, m_p1, m_p2);
+            WalkedEdge walked = m_corners.longEdge();
+            walked.firstPlace = ofShort.firstPlace;
             walked.firstPlace.position.y = from.position.y;
-            walked.firstColour = ofShort.colours.a;
+            walked.firstColour = ofShort.firstColour;
             walked.firstColour.colour = from.colour;
             return edge(WalkedEdges::Long, walked, middle);
         };
@@ -256,11 +264,13 @@ private:
     {
         const bool isDrawn = span >= m_seen.firstSpan && span < m_seen.endSpan
             && samples.firstDrawn < samples.endDrawn;
-        if (!isDrawn)
+        if (!isDrawn && m_walk.spanStart == SpanStart::AtBound)
             return;
         const bool isReversed = m_walk.spanColours == SpanColours::FromLastSample;
-        auto levels
-            = Numbers::levelsOf(bounds, isReversed ? samples.reversed() : samples, m_program);
+        auto levels = Numbers::levelsOf(bounds, isReversed ? samples.reversed() : samples,
+                                        m_program, m_carried);
+        if (!isDrawn)
+            return;
         if (isReversed)
             std::ranges::reverse(levels);
         m_seen.runs.push_back(
@@ -270,9 +280,9 @@ private:
     TriangleRuns &m_seen;
     const WalkedProgram &m_program;
     const ProgramWalk &m_walk;
-    std::array<int, 3> m_order;
-    Triangle m_triangle;
+    WalkCorners m_corners;
     const Vertex &m_p0, &m_p1, &m_p2;
+    std::optional<typename Numbers::Carried> m_carried; ///< where the next span goes on with it
 };
 
 } // namespace pixelplumb

@@ -31,10 +31,20 @@ double WalkSide::upward(double rate, double height) const
     if (!m_bound || m_side.arithmetic == Arithmetic::Exact)
         return 0;
     constexpr double any = 1024; // levels: beyond all bytes
-    // Along a thin span the increment may be anything.
-    const bool isThin = height <= 4 * walks * m_bound->endError(SpanAxis::Column);
-    const double error = isThin ? any : walks * m_bound->spanLevelError(rate);
+    const double error = isThin(height) ? any : walks * m_bound->spanLevelError(rate);
     return m_side.isUpward ? error : -error;
+}
+
+double WalkSide::carriedUpward(double rate, double height) const
+{
+    // That of R where it begins, and where it ends.
+    return isThin(height) ? 0 : 2 * upward(rate, height);
+}
+
+/// Along a thin span the increment may be anything.
+bool WalkSide::isThin(double height) const
+{
+    return m_bound && height <= 4 * walks * m_bound->endError(SpanAxis::Column);
 }
 
 } // namespace pixelplumb

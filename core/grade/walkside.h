@@ -18,8 +18,13 @@ public:
     double inward() const;
     /// To the levels of a column by what they grow from sample to sample, and by its height, px.
     double upward(double rate, double height) const;
+    /// To the levels that the next column goes on with, where R is not begun there anew; of a thin
+    /// span, whose increment may be anything, nothing is known, and nothing added.
+    double carriedUpward(double rate, double height) const;
 
 private:
+    bool isThin(double height) const;
+
     RoundingSide m_side;
     std::optional<ArithmeticBound> m_bound; ///< none: nobody knows
 };

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/support/mistakenprograms.h"
+#include "tests/support/programlist.h"
 
 namespace pixelplumb {
 
@@ -8,42 +8,7 @@ namespace {
 using M = WalkMistake;
 using Mistakes = std::set<WalkMistake>;
 
-class Programs {
-public:
-    /// Mistakes that go by columns and, from either end, by rows.
-    void addOfEdges(const char *id, Mistakes mistakes)
-    {
-        add(id, mistakes, "column-scan");
-        add(id, mistakes, "row-walk");
-        mistakes.insert(M::FromBelow);
-        add(qPrintable(QString::fromLatin1(id) + QStringLiteral("-from-below")), mistakes,
-            "row-walk");
-    }
-    /// Of spans, where it does not matter from which end they are gone through.
-    void addOfSpans(const char *id, const Mistakes &mistakes)
-    {
-        add(id, mistakes, "column-scan");
-        add(id, mistakes, "row-walk");
-    }
-    /// From above the last row is that of the least y.
-    void addOfEnds(const char *id, const char *fromAbove, Mistakes mistakes)
-    {
-        add(id, mistakes, "column-scan");
-        add(fromAbove, mistakes, "row-walk");
-        mistakes.insert(M::FromBelow);
-        add(id, mistakes, "row-walk");
-    }
-
-    std::vector<MistakenProgram> all;
-
-private:
-    void add(const char *id, const Mistakes &mistakes, const char *method)
-    {
-        all.push_back({QString::fromLatin1(method), QString::fromLatin1(id), mistakes});
-    }
-};
-
-void addKnown(Programs &programs)
+void addKnown(ProgramList &programs)
 {
     programs.addOfEdges("no-edge-pre-step", {M::NoEdgePreStep});
     programs.addOfEdges("colours-without-edge-pre-step", {M::NoEdgeColourPreStep});
@@ -91,7 +56,7 @@ void addKnown(Programs &programs)
     programs.addOfEdges("whole-levels", {M::WholeEdgeLevels, M::WholeSpanLevels});
 }
 
-void addOfWalks(Programs &programs)
+void addOfWalks(ProgramList &programs)
 {
     programs.addOfSpans("colour-divisor-samples", {M::SpanDivisorSamples});
     programs.addOfSpans("colour-divisor-steps", {M::SpanDivisorSteps});
@@ -144,7 +109,7 @@ void addOfWalks(Programs &programs)
                        {M::NoSecondHalfAtVertical});
 }
 
-void addOfBounds(Programs &programs)
+void addOfBounds(ProgramList &programs)
 {
     programs.addOfSpans("open-at-lower-bound", {M::LowerBoundLeftOut});
     programs.addOfSpans("open-at-upper-bound", {M::UpperBoundLeftOut});
@@ -166,7 +131,7 @@ void addOfBounds(Programs &programs)
     programs.addOfSpans("sides-by-last-vertex", {M::SidesByLastVertex});
 }
 
-void addOfRates(Programs &programs)
+void addOfRates(ProgramList &programs)
 {
     programs.addOfEdges("place-without-edge-pre-step", {M::PlaceWithoutPreStep});
     programs.addOfEdges("places-stepped-first", {M::PlacesSteppedFirst});
@@ -200,19 +165,15 @@ void addOfRates(Programs &programs)
     sortedBy("sorted-by-02-12", {M::Compares02, M::Compares12Last});
 }
 
-void addOfMiddle(Programs &programs)
+void addOfMiddle(ProgramList &programs)
 {
     programs.addOfEdges("middle-span-in-both-halves", {M::FirstHalfWithMiddle});
     programs.addOfEdges("second-edge-of-first-place", {M::SecondEdgeOfFirstPlace});
     programs.addOfEdges("second-edge-of-first-slope", {M::SecondSlopeOfFirst});
     programs.addOfEdges("second-edge-of-first-colour-steps", {M::SecondStepsOfFirst});
     programs.addOfEdges("second-edge-of-first-steps", {M::SecondSlopeOfFirst, M::SecondColoursToo});
-    programs.addOfEdges("second-edge-slope-of-long-rise", {M::SecondRiseFromFirst});
-    programs.addOfEdges("second-edge-slope-of-long-run", {M::SecondRunFromFirst});
-    programs.addOfEdges("second-edge-steps-of-long-rise",
-                        {M::SecondRiseFromFirst, M::SecondColoursToo});
-    programs.addOfEdges("second-edge-steps-of-long-run",
-                        {M::SecondRunFromFirst, M::SecondColoursToo});
+    programs.addOfEdges("second-half-too-early", {M::SecondHalfTooEarly});
+    programs.addOfEdges("second-half-from-nearest", {M::SecondHalfFromNearest});
     programs.addOfEdges("long-edge-begun-again-at-first",
                         {M::LongPlaceBegunAgainAtFirst, M::LongColoursBegunAgainAtFirst});
     programs.addOfEdges("long-edge-place-begun-again-at-first", {M::LongPlaceBegunAgainAtFirst});
@@ -227,12 +188,15 @@ void addOfMiddle(Programs &programs)
 
 std::vector<MistakenProgram> mistakenPrograms()
 {
-    Programs programs;
+    ProgramList programs;
     addKnown(programs);
     addOfWalks(programs);
     addOfBounds(programs);
     addOfRates(programs);
     addOfMiddle(programs);
+    addOfOtherRates(programs);
+    addOfEdgeColours(programs);
+    addOfSpanColours(programs);
     return programs.all;
 }
 

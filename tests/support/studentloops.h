@@ -1,29 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "tests/support/studentspans.h"
+#include "tests/support/studentedges.h"
 
 /// The loops of a student's program.
 namespace pixelplumb::studentloops {
 
 template <class Number>
-class ColumnLoops : SpanLoop<Number> {
-    using SpanLoop<Number>::has;
-    using SpanLoop<Number>::quotient;
-    using SpanLoop<Number>::stored;
-    using SpanLoop<Number>::storedPlace;
-    using SpanLoop<Number>::drawSpan;
-    enum class Side { First, Second, Long };
+class ColumnLoops : EdgeSteps<Number> {
+    using typename EdgeSteps<Number>::Corners;
+    using EdgeSteps<Number>::has;
+    using EdgeSteps<Number>::truncated;
+    using EdgeSteps<Number>::nearestSpan;
+    using EdgeSteps<Number>::edgeAt;
+    using EdgeSteps<Number>::advancePlace;
+    using EdgeSteps<Number>::advanceColour;
 
 public:
-    using Corners = std::array<Corner<Number>, 3>;
-
-    /// Spans' coordinates are those of the program, or their opposites (onward = −1).
-    ColumnLoops(const std::set<WalkMistake> &mistakes, int onward)
-        : SpanLoop<Number>(mistakes)
-        , m_onward(onward)
-    {
-    }
+    using EdgeSteps<Number>::EdgeSteps;
 
     /// Corners by x; of rows x and y have changed places.
     void draw(const Corners &given, const Paint &paint)
@@ -36,7 +30,15 @@ public:
             || (has(WalkMistake::ReturnsAtLastVertical) && p1.x == p2.x);
         if (givesUp)
             return;
+        this->corners = corners;
+        this->goneOn.reset();
         int begin = ceilOf(p0.x);
+        if (has(WalkMistake::FirstSpanFloor))
+            begin = floorOf(p0.x);
+        if (has(WalkMistake::FirstSpanNearest))
+            begin = nearestSpan(p0.x);
+        if (has(WalkMistake::FirstSpanTooMany))
+            --begin;
         if (has(WalkMistake::FirstSpanMissing))
             ++begin;
         if (has(WalkMistake::OpenAtFirstVertex))
@@ -48,11 +50,23 @@ public:
             endOfFirst = floorOf(p1.x) + 1;
         const bool isSorted = p0.x <= p1.x && p1.x <= p2.x;
         int beginOfSecond = isSorted ? std::max(begin, ceilOf(p1.x)) : ceilOf(p1.x);
+        if (has(WalkMistake::SecondHalfTooEarly))
+            beginOfSecond = endOfFirst = std::max(begin, floorOf(p1.x));
+        if (has(WalkMistake::SecondHalfFromNearest))
+            beginOfSecond = endOfFirst = std::max(begin, nearestSpan(p1.x));
+        if (begin < ceilOf(p0.x) && p0.x == p1.x)
+            beginOfSecond = endOfFirst = begin;
         if (has(WalkMistake::SecondHalfAfterCeiling))
             beginOfSecond = ceilOf(p1.x) + 1;
         if (has(WalkMistake::SecondHalfAfterFloor))
             beginOfSecond = floorOf(p1.x) + 1;
         int end = floorOf(p2.x) + 1;
+        if (has(WalkMistake::LastSpanCeil))
+            end = ceilOf(p2.x) + 1;
+        if (has(WalkMistake::LastSpanNearest))
+            end = nearestSpan(p2.x) + 1;
+        if (has(WalkMistake::LastSpanTooMany))
+            ++end;
         if (has(WalkMistake::LastSpanMissing))
             end = floorOf(p2.x);
         if (has(WalkMistake::OpenAtLastVertex))
@@ -87,6 +101,8 @@ public:
         if (has(WalkMistake::NoSecondHalfAtVertical) && p1.x == p2.x)
             return;
         goOnBehind(corners, beginOfSecond, ofShort, ofLong);
+        if (has(WalkMistake::ColoursGoOnInHalf))
+            this->goneOn.reset();
         for (int x = beginOfSecond; x < end && !has(WalkMistake::NoSecondHalf); ++x)
             doSpan(x, ofShort, ofLong, paint);
     }
@@ -160,36 +176,29 @@ private:
 
     bool takesOtherRates() const
     {
-        return has(WalkMistake::SecondSlopeOfFirst) || has(WalkMistake::SecondStepsOfFirst)
-            || has(WalkMistake::SecondRiseFromFirst) || has(WalkMistake::SecondRunFromFirst);
+        return has(WalkMistake::SecondSlopeOfFirst) || has(WalkMistake::SecondStepsOfFirst);
     }
 
     /// y += m and R += ΔR of L₁₂ with a mistaken m, or ΔR, too.
     Bound<Number> secondEdgeOfOtherRates(const Corners &corners, int x) const
     {
         const auto &[p0, p1, p2] = corners;
-        const bool isOfFirst
-            = has(WalkMistake::SecondSlopeOfFirst) || has(WalkMistake::SecondStepsOfFirst);
-        const Corner<Number> &to = isOfFirst ? p1 : p2;
-        const bool isRise = isOfFirst || has(WalkMistake::SecondRiseFromFirst);
-        const bool isRun = isOfFirst || has(WalkMistake::SecondRunFromFirst);
-        const Number run = to.x - (isRun ? p0.x : p1.x);
-        const Corner<Number> &from = isRise ? p0 : p1;
+        const Number run = p1.x - p0.x;
         Bound<Number> bound = edgeAt(Side::Second, p1, p2, x);
         if (!has(WalkMistake::SecondStepsOfFirst)) {
-            bound.slope = run == 0 ? Number(0) : Number((to.y - from.y) / run);
+            bound.slope = (p1.y - p0.y) / run;
             bound.y = p1.y + (x - p1.x) * bound.slope;
         }
         const bool hasColours
             = has(WalkMistake::SecondStepsOfFirst) || has(WalkMistake::SecondColoursToo);
         for (std::size_t i = 0; i < 3 && hasColours; ++i) {
-            bound.step[i] = run == 0 ? Number(0) : Number((to.colour[i] - from.colour[i]) / run);
+            bound.step[i] = (p1.colour[i] - p0.colour[i]) / run;
             bound.colour[i] = p1.colour[i] + (x - p1.x) * bound.step[i];
         }
         return bound;
     }
 
-    void doSpan(int x, Bound<Number> &ofShort, Bound<Number> &ofLong, const Paint &paint) const
+    void doSpan(int x, Bound<Number> &ofShort, Bound<Number> &ofLong, const Paint &paint)
     {
         const bool placesFirst = has(WalkMistake::PlacesSteppedFirst);
         const bool coloursFirst = has(WalkMistake::EdgeColoursSteppedFirst);
@@ -197,7 +206,7 @@ private:
             advancePlace(ofShort), advancePlace(ofLong);
         if (coloursFirst)
             advanceColour(ofShort), advanceColour(ofLong);
-        const bool isEmpty = !drawSpan(x, ofShort, ofLong, paint);
+        const bool isEmpty = !this->drawSpan(x, ofShort, ofLong, paint);
         if (isEmpty && has(WalkMistake::EmptySpansContinue))
             return;
         if (!placesFirst)
@@ -205,94 +214,6 @@ private:
         if (!coloursFirst)
             advanceColour(ofShort), advanceColour(ofLong);
     }
-
-    /// (int) of what the program has.
-    int truncated(const Number &x) const { return m_onward > 0 ? floorOf(x) : ceilOf(x); }
-    void advancePlace(Bound<Number> &bound) const { bound.y = storedPlace(bound.y + bound.slope); }
-    void advanceColour(Bound<Number> &bound) const
-    {
-        for (std::size_t i = 0; i < 3; ++i)
-            bound.colour[i] = stored(bound.colour[i] + bound.step[i], WalkMistake::WholeEdgeLevels);
-    }
-
-    /// From a vertex to the span x, as the program's pre-step and its steps behind it take it.
-    Number wayTo(Side side, int x, const Number &from) const
-    {
-        const int first = has(WalkMistake::LoopsTruncated) ? truncated(from) : ceilOf(from);
-        Number preStep = first - from;
-        const bool lacksPreStep = has(WalkMistake::NoEdgePreStep)
-            || has(WalkMistake::LoopsTruncated) || hasOn(side, WalkMistake::NoPreStepOfFirst);
-        if (lacksPreStep)
-            preStep = 0;
-        if (has(WalkMistake::EdgePreStepOfFraction))
-            preStep = from - floorOf(from);
-        if (has(WalkMistake::EdgePreStepBackward))
-            preStep = -preStep;
-        return preStep + (x - first);
-    }
-
-    /// Of one edge, the mistakes of the three standing in order.
-    bool hasOn(Side side, WalkMistake ofFirst) const { return has(ofFirst, std::size_t(side)); }
-
-    Number slopeOf(Side side, const Number &rise, Number width) const
-    {
-        if (has(WalkMistake::SlopesInverted))
-            return rise == 0 ? Number(0) : Number(width / rise);
-        if (has(WalkMistake::SlopeDivisorMinusOne))
-            width -= 1;
-        if (has(WalkMistake::SlopeDivisorPlusOne))
-            width += 1;
-        if (width <= 0 && has(WalkMistake::SlopeDivisorMinusOne))
-            return 0;
-        Number slope = rise / width;
-        if (has(WalkMistake::WholeSlopes) || hasOn(side, WalkMistake::WholeSlopeOfFirst))
-            slope = quotient(slope);
-        if (has(WalkMistake::RoundedSlopes))
-            slope = floorOf(Number(slope + Number(1) / 2));
-        const bool isNegated
-            = has(WalkMistake::SlopesNegated) || hasOn(side, WalkMistake::SlopeOfFirstNegated);
-        return isNegated ? Number(-slope) : slope;
-    }
-
-    Bound<Number> edgeAt(Side side, const Corner<Number> &from, const Corner<Number> &to,
-                         int x) const
-    {
-        Bound<Number> bound{storedPlace(from.y), 0, from.colour, {}};
-        Number width = to.x - from.x;
-        if (width == 0)
-            return bound;
-        if (has(WalkMistake::EdgeDivisorMinusOne))
-            width -= 1;
-        if (has(WalkMistake::EdgeDivisorPlusOne))
-            width += 1;
-        if (width == 0 || (has(WalkMistake::EdgeDivisorMinusOne) && width < 0))
-            return bound;
-        Number way = wayTo(side, x, from.x);
-        bound.slope = slopeOf(side, to.y - from.y, width);
-        const Number wayOfPlace
-            = has(WalkMistake::PlaceWithoutPreStep) ? Number(x - ceilOf(from.x)) : way;
-        bound.y = storedPlace(from.y + wayOfPlace * bound.slope);
-        if (has(WalkMistake::ColourDivisorMinusOne))
-            width -= 1;
-        if (has(WalkMistake::ColourDivisorPlusOne))
-            width += 1;
-        if (width <= 0 && has(WalkMistake::ColourDivisorMinusOne))
-            return bound;
-        if (has(WalkMistake::NoEdgeColourPreStep))
-            way = x - ceilOf(from.x);
-        for (std::size_t i = 0; i < 3; ++i) {
-            bound.step[i] = (to.colour[i] - from.colour[i]) / width;
-            if (has(WalkMistake::WholeEdgeColours))
-                bound.step[i] = quotient(bound.step[i]);
-            bound.colour[i]
-                = stored(bound.colour[i] + way * bound.step[i], WalkMistake::WholeEdgeLevels);
-            if (has(WalkMistake::RedNotSteppedAlongEdges, i))
-                bound.step[i] = 0;
-        }
-        return bound;
-    }
-
-    int m_onward;
 };
 
 } // namespace pixelplumb::studentloops

@@ -28,6 +28,12 @@ int ceilOf(const Number &number)
     return -floorOf(Number(-number));
 }
 
+template <class Number>
+int nearestOf(const Number &number)
+{
+    return floorOf(Number(number + Number(1) / 2));
+}
+
 /// As (int) casts.
 template <class Number>
 Number cast(const Number &number)

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <optional>
 
 /// What a student's program does with one column or row.
 namespace pixelplumb::studentloops {
@@ -35,16 +36,15 @@ public:
     {
         return has(mistake) ? cast(level) : level;
     }
-    Number storedPlace(const Number &y) const
+    /// Cut by the one mistake, rounded by the other.
+    Number stored(const Number &number, WalkMistake cut, WalkMistake rounds) const
     {
-        if (has(WalkMistake::RoundedPlaces))
-            return Number(floorOf(Number(y + Number(1) / 2)));
-        return stored(y, WalkMistake::WholePlaces);
+        return has(rounds) ? Number(nearestOf(number)) : stored(number, cut);
     }
 
     /// Whether there is a sample.
     bool drawSpan(int x, const Bound<Number> &ofShort, const Bound<Number> &ofLong,
-                  const Paint &paint) const
+                  const Paint &paint)
     {
         bool isShortLower = ofShort.y != ofLong.y ? ofShort.y < ofLong.y : isMiddleBelow;
         if (has(WalkMistake::LongEdgeAlwaysUpper))
@@ -67,7 +67,7 @@ public:
             for (Number *each : {&atLower[i], &atUpper[i]}) {
                 *each = stored(*each, WalkMistake::WholeBoundColours);
                 if (has(WalkMistake::RoundedBoundColours))
-                    *each = floorOf(Number(*each + Number(1) / 2));
+                    *each = nearestOf(*each);
             }
         }
         int first = ceilOf(lower.y);
@@ -77,9 +77,9 @@ public:
         if (has(WalkMistake::UpperBoundLeftOut))
             last = ceilOf(upper.y) - 1;
         if (has(WalkMistake::FirstSampleNearest))
-            first = floorOf(Number(lower.y + Number(1) / 2));
+            first = nearestOf(lower.y);
         if (has(WalkMistake::LastSampleNearest))
-            last = floorOf(Number(upper.y + Number(1) / 2));
+            last = nearestOf(upper.y);
         if (has(WalkMistake::LastSampleTooMany))
             ++last;
         if (has(WalkMistake::FirstSampleTooMany))
@@ -96,25 +96,20 @@ public:
             preStep = lower.y - floorOf(lower.y);
         if (has(WalkMistake::SpanPreStepBackward))
             preStep = -preStep;
+        if (has(WalkMistake::SpanDivisorMinusOne))
+            height -= 1;
         if (has(WalkMistake::ColoursBetweenSamples)) {
             height = last - first;
             preStep = 0;
         }
-        std::array<Number, 3> level = atLower;
-        if (has(WalkMistake::ColoursFromUpperBound))
-            level = atUpper;
-        std::array<Number, 3> rates = {};
-        for (std::size_t i = 0; i < 3 && height != 0; ++i) {
-            rates[i] = (atUpper[i] - atLower[i]) / height;
-            if (has(WalkMistake::ColourStepNegated))
-                rates[i] = -rates[i];
-        }
+        std::array<Number, 3> level = startOf(atLower, atUpper);
+        const std::array<Number, 3> rates = ratesOf(atLower, atUpper, height);
         std::array<Number, 3> step = {};
         for (std::size_t i = 0; i < 3 && height != 0; ++i) {
             const Number &rate = rates[i];
             if (has(WalkMistake::SpanPreStepWithoutRate))
                 level[i] += preStep;
-            else
+            else if (!has(WalkMistake::RedWithoutPreStep, i))
                 level[i] += preStep * (has(WalkMistake::WholePreSteps) ? quotient(rate) : rate);
             step[i] = has(WalkMistake::WholeSteps) ? quotient(rate) : rate;
             if (has(WalkMistake::GreenSteppedAsRed) && i == 1)
@@ -128,8 +123,10 @@ public:
             if (has(WalkMistake::ColoursSteppedFirst))
                 level[i] += step[i];
         }
+        if (has(WalkMistake::ColoursGoOn) || has(WalkMistake::ColoursGoOnInHalf))
+            level = goneOn.value_or(level);
         for (Number &channel : level)
-            channel = stored(channel, WalkMistake::WholeSpanLevels);
+            channel = stored(channel, WalkMistake::WholeSpanLevels, WalkMistake::RoundedSpanLevels);
         if (has(WalkMistake::FirstSampleTooManyOfNextColour))
             --first;
         for (int y = first; y <= last; ++y) {
@@ -137,18 +134,58 @@ public:
             for (std::size_t i = 0; i < 3; ++i) {
                 const Number rounded = level[i] + Number(1) / 2;
                 colour.channels[i] = std::uint8_t(std::clamp(floorOf(rounded), 0, 255));
-                level[i] = stored(level[i] + step[i], WalkMistake::WholeSpanLevels);
+                level[i] = stored(level[i] + step[i], WalkMistake::WholeSpanLevels,
+                                  WalkMistake::RoundedSpanLevels);
+                level[i] = stored(level[i], WalkMistake::SpanLevelsCutBehindSteps,
+                                  WalkMistake::SpanLevelsRoundedBehindSteps);
             }
             const int place = has(WalkMistake::FilledFromLastSample) ? last - (y - first) : y;
             if (!has(WalkMistake::OutlineAlone) || y == first || y == last)
                 paint(x, place, colour);
         }
+        goneOn = level;
         return first <= last;
     }
 
     bool isMiddleBelow = true;
+    std::optional<std::array<Number, 3>> goneOn; ///< what the span before has come to
 
 private:
+    std::array<Number, 3> startOf(const std::array<Number, 3> &atLower,
+                                  const std::array<Number, 3> &atUpper) const
+    {
+        std::array<Number, 3> mean;
+        for (std::size_t i = 0; i < 3; ++i)
+            mean[i] = (atLower[i] + atUpper[i]) / 2;
+        if (has(WalkMistake::MeanOfBounds))
+            return mean;
+        const bool isFromUpper
+            = has(WalkMistake::ColoursFromUpperBound) || has(WalkMistake::UpperColourAlone);
+        return isFromUpper ? atUpper : atLower;
+    }
+
+    std::array<Number, 3> ratesOf(const std::array<Number, 3> &atLower,
+                                  const std::array<Number, 3> &atUpper, const Number &height) const
+    {
+        std::array<Number, 3> rates = {};
+        const bool isFlat = has(WalkMistake::LowerColourAlone) || has(WalkMistake::UpperColourAlone)
+            || has(WalkMistake::MeanOfBounds);
+        for (std::size_t i = 0; i < 3 && height != 0 && !isFlat; ++i) {
+            rates[i] = (atUpper[i] - atLower[i]) / height;
+            if (has(WalkMistake::ColourStepNegated))
+                rates[i] = -rates[i];
+            if (has(WalkMistake::RoundedRates))
+                rates[i] = nearestOf(rates[i]);
+        }
+        if (has(WalkMistake::BlueRateOfGreen))
+            rates[2] = rates[1];
+        if (has(WalkMistake::GreenRateOfRed))
+            rates[1] = rates[0];
+        if (has(WalkMistake::BlueRateOfRed))
+            rates[2] = rates[0];
+        return rates;
+    }
+
     const std::set<WalkMistake> &m_mistakes;
 };
 

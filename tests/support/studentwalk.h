@@ -109,9 +109,20 @@ enum class WalkMistake {
     SecondEdgeOfFirstPlace,
     SecondSlopeOfFirst, ///< m of L₀₁ goes on
     SecondStepsOfFirst, ///< ΔR of L₀₁ goes on
-    SecondRiseFromFirst, ///< (y₂ − y₀)/(x₂ − x₁)
-    SecondRunFromFirst, ///< (y₂ − y₁)/(x₂ − x₀)
     SecondColoursToo,
+    // L₀₁ and L₁₂ with what is L₀₂'s, L₀₂ with what is L₀₁'s.
+    OtherRiseOfFirst, ///< (y₂ − y₀)/(x₁ − x₀)
+    OtherRiseOfSecond, ///< (y₂ − y₀)/(x₂ − x₁)
+    OtherRiseOfLong, ///< (y₁ − y₀)/(x₂ − x₀)
+    OtherRunOfFirst, ///< (y₁ − y₀)/(x₂ − x₀)
+    OtherRunOfSecond, ///< (y₂ − y₁)/(x₂ − x₀)
+    OtherRunOfLong, ///< (y₂ − y₀)/(x₁ − x₀)
+    OtherColoursOfFirst, ///< the same of R G B
+    OtherColoursOfSecond,
+    OtherColoursOfLong,
+    OtherColourRunOfFirst,
+    OtherColourRunOfSecond,
+    OtherColourRunOfLong,
     LongPlaceBegunAgainAtFirst,
     LongColoursBegunAgainAtFirst,
     LongPlaceWaits,
@@ -125,6 +136,49 @@ enum class WalkMistake {
     SlopeOfFirstNegated,
     SlopeOfSecondNegated,
     SlopeOfLongNegated,
+    GreenRateOfRed, ///< ΔG = (R_T − R_B)/…
+    BlueRateOfRed,
+    BlueRateOfGreen,
+    RedWithoutPreStep,
+    GreenWithoutPreStep,
+    BlueWithoutPreStep,
+    RoundedRates, ///< ΔR = round((R_T − R_B)/…)
+    RoundedSpanLevels,
+    SpanLevelsCutBehindSteps, ///< r = int(r + ΔR)
+    SpanLevelsRoundedBehindSteps,
+    SpanDivisorMinusOne,
+    LowerColourAlone,
+    UpperColourAlone,
+    MeanOfBounds,
+    ColoursGoOn, ///< r = … before the loop over columns, not in it
+    ColoursGoOnInHalf,
+    FirstSpanFloor,
+    FirstSpanNearest,
+    FirstSpanTooMany,
+    LastSpanCeil,
+    LastSpanNearest,
+    LastSpanTooMany,
+    SecondHalfTooEarly, ///< from ⌊x₁⌋
+    SecondHalfFromNearest,
+    EdgeColoursByRise, ///< (R₁ − R₀)/(y₁ − y₀)
+    EdgeColoursByLengthOfRise,
+    EdgeColoursNegated,
+    RoundedEdgeColours,
+    RoundedEdgeLevels,
+    EdgeLevelsCutBehindSteps,
+    EdgeLevelsRoundedBehindSteps,
+    PlacesCutBehindSteps, ///< y = int(y + m)
+    PlacesRoundedBehindSteps,
+    RunsOfWholeEnds, ///< (int)x₁ − (int)x₀
+    GreenRateOfRedAlongEdges,
+    BlueRateOfRedAlongEdges,
+    BlueRateOfGreenAlongEdges,
+    GreenSteppedAsRedAlongEdges,
+    BlueSteppedAsRedAlongEdges,
+    BlueSteppedAsGreenAlongEdges,
+    RedWithoutEdgePreStep,
+    GreenWithoutEdgePreStep,
+    BlueWithoutEdgePreStep,
 };
 
 enum class WalkLines { Columns, Rows };

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/exacttrack.h"
+#include "core/grade/walkedprogram.h"
+
+namespace pixelplumb {
+
+/// Where an edge meets the span in hand, in fractions.
+class ExactEdge {
+public:
+    ExactEdge(const WalkedEdge &edge, const ProgramWalk &walk, std::int64_t span)
+        : m_walk(walk)
+    {
+        const Lattice width = edge.places.b.position.x - edge.places.a.position.x;
+        const Lattice rise = edge.places.b.position.y - edge.places.a.position.y;
+        m_places = trackOf({edge.firstPlace.position.y, rise, walk.slopes}, width,
+                           span * unitsPerPixel - edge.firstPlace.position.x);
+        const Lattice ofColours = edge.colours.b.position.x - edge.colours.a.position.x;
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::size_t source = walk.ratesAlongEdgesOf[i];
+            const int change
+                = edge.colours.b.colour.channels[source] - edge.colours.a.colour.channels[source];
+            const int first = edge.firstColour.colour.channels[i];
+            m_levels[i] = trackOf({first * unitsPerPixel, change * unitsPerPixel, walk.edgeColours},
+                                  ofColours, wayToSpan(edge.firstColour.position.x, span, walk, i));
+        }
+        if (walk.edgeStoring == Storing::FromFirst) {
+            m_places.store(walk.edgePlaces);
+            for (ExactTrack &level : m_levels)
+                level.store(walk.edgeLevels);
+        }
+        const std::array<ExactTrack, 3> own = m_levels; // of one denominator
+        for (std::size_t i = 0; i < 3; ++i) {
+            m_levels[i].rate = own[walk.stepsAlongEdgesOf[i]].rate;
+            if (walk.unsteppedAlongEdges.contains(i))
+                m_levels[i].rate = 0;
+        }
+    }
+
+    const ExactTrack &place() const { return m_places; } ///< px
+    const ExactTrack &level(std::size_t channel) const { return m_levels[channel]; }
+
+    void stepPlace() { m_places.step(m_walk.edgePlaces); }
+    void stepColour()
+    {
+        for (ExactTrack &level : m_levels)
+            level.step(m_walk.edgeLevels);
+    }
+
+    void carryPlaceOf(const ExactEdge &other) { m_places.carryOn(other.m_places); }
+    void carryColourOf(const ExactEdge &other)
+    {
+        for (std::size_t i = 0; i < 3; ++i)
+            m_levels[i].carryOn(other.m_levels[i]);
+    }
+    void goOnWithPlacesOf(const ExactEdge &other) { m_places = other.m_places; }
+    void goOnWithColoursOf(const ExactEdge &other) { m_levels = other.m_levels; }
+    /// Steps from here on as another one does that has the same denominators.
+    void stepAsPlacesOf(const ExactEdge &other) { m_places.rate = other.m_places.rate; }
+    void stepAsColoursOf(const ExactEdge &other)
+    {
+        for (std::size_t i = 0; i < 3; ++i)
+            m_levels[i].rate = other.m_levels[i].rate;
+    }
+    void holdPlace() { m_places.rate = 0; }
+    void holdColour()
+    {
+        for (ExactTrack &level : m_levels)
+            level.rate = 0;
+    }
+
+    bool isBelow(const ExactEdge &other) const
+    {
+        return m_places.at * other.m_places.denominator < other.m_places.at * m_places.denominator;
+    }
+    std::int64_t floor() const { return std::int64_t(m_places.floor()); }
+    std::int64_t ceil() const { return std::int64_t(m_places.ceil()); }
+    std::int64_t nearest() const
+    {
+        return std::int64_t(leftOf<Int128>(m_places.at, m_places.denominator, Kept::Nearest));
+    }
+
+private:
+    /// What is stepped from a vertex on, in 1/256 px or of a level, and by how much it changes to
+    /// the other vertex.
+    struct Change {
+        Int128 from, by;
+        Kept kept; ///< of the quotient
+    };
+    /// At so many lattice units from the vertex. One along the spans stays at it.
+    static ExactTrack trackOf(Change change, Lattice width, Lattice way)
+    {
+        if (width == 0)
+            return {change.from, 0};
+        Int128 divisor = width;
+        if (width < 0) {
+            divisor = -divisor;
+            change.by = -change.by;
+        }
+        if (change.kept != Kept::All)
+            change.by = leftOf<Int128>(change.by, divisor, change.kept) * divisor;
+        return {change.from * divisor + way * change.by, change.by * unitsPerPixel,
+                divisor * unitsPerPixel};
+    }
+
+    const ProgramWalk &m_walk;
+    ExactTrack m_places;
+    std::array<ExactTrack, 3> m_levels;
+};
+
+} // namespace pixelplumb

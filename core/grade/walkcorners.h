@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "core/grade/walkedprogram.h"
+
+namespace pixelplumb {
+
+/// The vertices that are taken for P₀ P₁ P₂.
+std::array<int, 3> vertexOrderOf(const Triangle &triangle, VertexOrder vertices);
+
+/// P₀ P₁ P₂ of a triangle as a program takes them, with its three edges.
+class WalkCorners {
+public:
+    WalkCorners(const Triangle &triangle, const WalkedProgram &program)
+        : m_program(program)
+        , m_order(vertexOrderOf(triangle, program.walk().vertices))
+        , m_triangle(program.has(Variant::UnsortedColours) ? withUnsortedColours(triangle, m_order)
+                                                           : triangle)
+    {
+    }
+
+    const Vertex &p0() const { return vertex(0); }
+    const Vertex &p1() const { return vertex(1); }
+    const Vertex &p2() const { return vertex(2); }
+
+    bool areSorted() const
+    {
+        return p0().position.x <= p1().position.x && p1().position.x <= p2().position.x;
+    }
+    /// Without one there is nothing that could be gone on with: L₁₂ is begun as it should be.
+    bool hasFirstHalf() const { return p0().position.x != p1().position.x; }
+
+    WalkedEdge firstEdge() const
+    {
+        const ProgramWalk &walk = m_program.walk();
+        return rated(ownFirstEdge(), walk.firstSlope, walk.firstColourRates);
+    }
+    WalkedEdge secondEdge() const
+    {
+        const ProgramWalk &walk = m_program.walk();
+        return rated(m_program.edge(WalkedEdges::Second, p1(), p2()), ofSecond(walk.secondSlope),
+                     ofSecond(walk.secondColourRates));
+    }
+    WalkedEdge longEdge() const
+    {
+        const ProgramWalk &walk = m_program.walk();
+        return rated(ownLongEdge(), walk.longSlope, walk.longColourRates);
+    }
+
+private:
+    const Vertex &vertex(std::size_t place) const
+    {
+        return m_triangle.vertices[std::size_t(m_order[place])];
+    }
+    WalkedEdge ownFirstEdge() const { return m_program.edge(WalkedEdges::First, p0(), p1()); }
+    WalkedEdge ownLongEdge() const { return m_program.edge(WalkedEdges::Long, p0(), p2()); }
+
+    /// Without a first half nobody has asked what L₀₁ is.
+    RateOf ofSecond(RateOf rate) const
+    {
+        const bool isOfFirst
+            = rate == RateOf::FirstEdge || rate == RateOf::FirstRise || rate == RateOf::FirstRun;
+        return isOfFirst && !hasFirstHalf() ? RateOf::Own : rate;
+    }
+
+    WalkedEdge rated(WalkedEdge edge, RateOf slope, RateOf colours) const
+    {
+        if (slope == RateOf::Own && colours == RateOf::Own)
+            return edge;
+        const WalkedEdge first = ownFirstEdge();
+        const WalkedEdge across = ownLongEdge();
+        edge.places = ratedAs(slope, edge.places, first.places, across.places);
+        edge.colours = ratedAs(colours, edge.colours, first.colours, across.colours);
+        return edge;
+    }
+
+    /// Between which vertices an edge is taken to be for a rate.
+    static VariedScan::Edge ratedAs(RateOf rate, const VariedScan::Edge &own,
+                                    const VariedScan::Edge &first, const VariedScan::Edge &across)
+    {
+        switch (rate) {
+        case RateOf::Own:
+            break;
+        case RateOf::FirstEdge:
+            return first;
+        case RateOf::LongEdge:
+            return across;
+        case RateOf::FirstRise:
+            return between(first, own);
+        case RateOf::LongRise:
+            return between(across, own);
+        case RateOf::FirstRun:
+            return between(own, first);
+        case RateOf::LongRun:
+            return between(own, across);
+        }
+        return own;
+    }
+    static VariedScan::Edge between(VariedScan::Edge rise, const VariedScan::Edge &run)
+    {
+        rise.a.position.x = run.a.position.x;
+        rise.b.position.x = run.b.position.x;
+        return rise;
+    }
+
+    const WalkedProgram &m_program;
+    std::array<int, 3> m_order;
+    Triangle m_triangle;
+};
+
+} // namespace pixelplumb
