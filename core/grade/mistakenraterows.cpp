@@ -6,8 +6,8 @@ namespace pixelplumb {
 namespace {
 
 constexpr auto ofFirstEdge = RateOf::FirstEdge;
-constexpr auto rise = RateOf::LongRise;
-constexpr auto run = RateOf::LongRun;
+constexpr auto ofLongRise = RateOf::LongRise;
+constexpr auto ofLongRun = RateOf::LongRun;
 
 std::vector<WalkRow> secondRateRows()
 {
@@ -31,32 +31,32 @@ std::vector<WalkRow> secondRateRows()
          walkquestions::differences,
          "The slope of the edge from the middle vertex to the last is (%3₂ − %3₀)/(%2₂ − %2₁): its "
          "rise is from the first vertex.",
-         {.secondSlope = rise}},
+         {.secondSlope = ofLongRise}},
         {"second-edge-slope-of-long-run",
          walkquestions::differences,
          "The slope of the edge from the middle vertex to the last is (%3₂ − %3₁)/(%2₂ − %2₀): its "
          "run is from the first vertex.",
-         {.secondSlope = run}},
+         {.secondSlope = ofLongRun}},
         {"second-edge-steps-of-long-rise",
          walkquestions::differences,
          "Slope and steps of colour of the edge from the middle vertex to the last are differences "
          "from the first vertex, divided by %2₂ − %2₁.",
-         {.secondSlope = rise, .secondColourRates = rise}},
+         {.secondSlope = ofLongRise, .secondColourRates = ofLongRise}},
         {"second-edge-steps-of-long-run",
          walkquestions::differences,
          "Slope and steps of colour of the edge from the middle vertex to the last are divided by "
          "%2₂ − %2₀ in place of %2₂ − %2₁.",
-         {.secondSlope = run, .secondColourRates = run}},
+         {.secondSlope = ofLongRun, .secondColourRates = ofLongRun}},
         {"second-edge-colour-steps-of-long-rise",
          walkquestions::differences,
          "The steps of colour of the edge from the middle vertex to the last are differences from "
          "the first vertex' colour, divided by %2₂ − %2₁; its slope is right.",
-         {.secondColourRates = rise}},
+         {.secondColourRates = ofLongRise}},
         {"second-edge-colour-steps-of-long-run",
          walkquestions::differences,
          "The steps of colour of the edge from the middle vertex to the last are divided by %2₂ − "
          "%2₀ in place of %2₂ − %2₁; its slope is right.",
-         {.secondColourRates = run}},
+         {.secondColourRates = ofLongRun}},
         {"second-edge-of-long-colour-steps",
          walkquestions::differences,
          "The colours of the edge from the middle vertex to the last are stepped by the steps of "
@@ -77,27 +77,27 @@ std::vector<WalkRow> firstRateRows()
          walkquestions::differences,
          "The steps of colour of the edge from the first vertex to the middle one are differences "
          "to the last vertex' colour, divided by %2₁ − %2₀; its slope is right.",
-         {.firstColourRates = rise}},
+         {.firstColourRates = ofLongRise}},
         {"first-edge-colour-steps-of-long-run",
          walkquestions::differences,
          "The steps of colour of the edge from the first vertex to the middle one are divided by "
          "%2₂ − %2₀ in place of %2₁ − %2₀; its slope is right.",
-         {.firstColourRates = run}},
+         {.firstColourRates = ofLongRun}},
         {"first-edge-slope-of-long-rise",
          walkquestions::differences,
          "The slope of the edge from the first vertex to the middle one is (%3₂ − %3₀)/(%2₁ − "
          "%2₀): its rise is to the last vertex.",
-         {.firstSlope = rise}},
+         {.firstSlope = ofLongRise}},
         {"first-edge-slope-of-long-run",
          walkquestions::differences,
          "The slope of the edge from the first vertex to the middle one is (%3₁ − %3₀)/(%2₂ − "
          "%2₀): its run is to the last vertex.",
-         {.firstSlope = run}},
+         {.firstSlope = ofLongRun}},
         {"first-edge-steps-of-long-run",
          walkquestions::differences,
          "Slope and steps of colour of the edge from the first vertex to the middle one are "
          "divided by %2₂ − %2₀ in place of %2₁ − %2₀.",
-         {.firstSlope = run, .firstColourRates = run}},
+         {.firstSlope = ofLongRun, .firstColourRates = ofLongRun}},
     };
 }
 
