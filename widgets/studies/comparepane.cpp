@@ -6,6 +6,7 @@
 #include "widgets/look/corewords.h"
 #include "widgets/look/elidingbox.h"
 #include "widgets/look/framepainter.h"
+#include "widgets/look/methodtitle.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/tracenavigation.h"
 #include "widgets/studies/comparelink.h"
@@ -69,7 +70,7 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     m_fillRule = addBox(QStringLiteral("FillRule"), tr("Fill rule of pane %1").arg(number));
     m_method->addItem(tr("Truth"), QString());
     for (const Method &method : methods())
-        m_method->addItem(method.title, method.id);
+        m_method->addItem(methodTitle(method), method.id);
     m_method->setMaxVisibleItems(40);
     m_result = new QLabel(this);
     m_result->setWordWrap(true);

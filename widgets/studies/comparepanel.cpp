@@ -2,6 +2,7 @@
 #include "widgets/studies/comparepanel.h"
 
 #include "core/runs/sceneplan.h"
+#include "widgets/look/methodtitle.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/studies/agreementview.h"
@@ -235,7 +236,7 @@ bool ComparePanel::canAllDraw(const Scene &scene, const std::vector<Contender> &
         if (objection.isEmpty())
             continue;
         const QString text
-            = QStringLiteral("%1 %2.").arg(contender.method->title, withTitles(objection));
+            = QStringLiteral("%1 %2.").arg(methodTitle(*contender.method), withTitles(objection));
         m_job.cancel();
         m_contest.reset();
         for (ComparePane *pane : m_panes)

@@ -2,6 +2,7 @@
 #include "widgets/studies/hardcasesverdicts.h"
 
 #include "widgets/look/methodsummary.h"
+#include "widgets/look/methodtitle.h"
 #include "widgets/look/signs.h"
 
 #include <QHeaderView>
@@ -76,7 +77,7 @@ void HardCasesVerdicts::show(const std::vector<ContenderVerdict> &verdicts)
     setRowCount(int(rows.size()));
     for (int row = 0; row < int(rows.size()); ++row) {
         const Method &method = *rows[std::size_t(row)];
-        auto *title = new QTableWidgetItem(method.title);
+        auto *title = new QTableWidgetItem(methodTitle(method));
         title->setToolTip(methodSummary(method));
         setItem(row, 0, title);
         for (int column = 1; column < columnsInAll; ++column) {

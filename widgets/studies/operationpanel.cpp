@@ -6,6 +6,7 @@
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"
+#include "widgets/look/methodtitle.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/model/playhead.h"
 
@@ -104,10 +105,11 @@ void OperationPanel::take(std::optional<OperationCounts> counts)
     } else {
         const Arithmetic arithmetic = traced->scene.settings.arithmetic;
         const QString counted = coreWords(countsText(*m_counts), QStringLiteral(", "));
-        tell(QStringList{tr("%1 in %2: %3; the set-up is %4 % of them.")
-                             .arg(traced->method->title, nameText(nameOf(arithmetic)), counted)
-                             .arg(100 * m_counts->setUpShare(), 0, 'f', 1),
-                         countingGap(*traced->method, arithmetic)}
+        tell(QStringList{
+            tr("%1 in %2: %3; the set-up is %4 % of them.")
+                .arg(methodTitle(*traced->method), nameText(nameOf(arithmetic)), counted)
+                .arg(100 * m_counts->setUpShare(), 0, 'f', 1),
+            countingGap(*traced->method, arithmetic)}
                  .join(u' ')
                  .trimmed());
     }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/precisionpanel.h"
 
+#include "widgets/look/methodtitle.h"
 #include "widgets/model/playhead.h"
 #include "widgets/studies/precisionplot.h"
 
@@ -174,7 +175,7 @@ QString PrecisionPanel::summary(const std::vector<BoundErrors> &told) const
             return tr("The scene is being drawn.");
         return tr("The method “%1” has no bounds that could be off here: it tests every sample, "
                   "computes in exact arithmetic alone, or draws no triangle of this scene.")
-            .arg(traced->method->title);
+            .arg(methodTitle(*traced->method));
     }
     QStringList parts;
     for (const BoundErrors &errors : told) {
