@@ -6,8 +6,8 @@
 #include "tests/support/scanning.h"
 #include "widgets/canvas/canvas.h"
 #include "widgets/inspect/columntable.h"
-#include "widgets/look/formulahtml.h"
 #include "widgets/look/messagebar.h"
+#include "widgets/look/typesetting.h"
 #include "widgets/model/columntablemodel.h"
 #include "widgets/model/placinghint.h"
 #include "widgets/model/playhead.h"
@@ -219,7 +219,7 @@ private slots:
         QVERIFY(bar.isVisible());
         QCOMPARE(bar.text(), QStringLiteral("Line 0: ") + reason);
         window->parts().playhead->pick({5, 4});
-        QCOMPARE(named<QLabel>(*window, "pixelHistoryReason")->text(), sentenceHtml(reason));
+        QCOMPARE(named<QLabel>(*window, "pixelHistoryReason")->text(), typesetHtml(reason));
         window->parts().document->moveVertex({0, 1}, latticePixel(9, 9), 1);
         QVERIFY(!bar.isVisible());
     }

@@ -4,6 +4,7 @@
 #include "widgets/look/elidingbox.h"
 #include "widgets/look/formulahtml.h"
 #include "widgets/look/symboltext.h"
+#include "widgets/look/typesetting.h"
 
 #include <QAbstractTextDocumentLayout>
 #include <QHelpEvent>
@@ -44,7 +45,7 @@ class TestTypesetting : public QObject {
 private slots:
     void aMixedNumberStaysOnOneLine()
     {
-        const QString html = sentenceHtml(
+        const QString html = typesetHtml(
             QStringLiteral("y_B = 17 3/8 and y_T = 26 11/54 cover the rows 18 to 26."));
         bool broke = false;
         for (int width = 120; width < 600; width += 3) {

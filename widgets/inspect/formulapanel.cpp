@@ -7,6 +7,7 @@
 #include "widgets/look/formulahtml.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/look/signs.h"
+#include "widgets/look/typesetting.h"
 #include "widgets/model/placinghint.h"
 #include "widgets/model/playhead.h"
 
@@ -147,11 +148,11 @@ void FormulaPanel::present(const Explanation &explanation)
     m_heading->setPalette(headingPalette);
     const QString heading = coreWords(explanation.heading, QStringLiteral(": "));
     m_heading->setText(QStringLiteral("<b>%1</b>%2")
-                           .arg(sentenceHtml(heading),
+                           .arg(typesetHtml(heading),
                                 explanation.event.isEmpty() ? QString()
                                                             : QStringLiteral(" &nbsp;⚑ ")
-                                        + sentenceHtml(explanation.event)));
-    m_sentence->setText(sentenceHtml(explanation.sentence));
+                                        + typesetHtml(explanation.event)));
+    m_sentence->setText(typesetHtml(explanation.sentence));
 
     m_symbols = channelSymbols();
     const int scrolled = m_formulas->verticalScrollBar()->value();
@@ -212,7 +213,7 @@ int FormulaPanel::sentenceHeight(const Explanation &explanation) const
     QTextDocument document;
     document.setDefaultFont(m_sentence->font());
     document.setDocumentMargin(0);
-    document.setHtml(sentenceHtml(explanation.sentence));
+    document.setHtml(typesetHtml(explanation.sentence));
     document.setTextWidth(m_sentence->width() - margins.left() - margins.right());
     return int(std::ceil(document.size().height())) + margins.top() + margins.bottom();
 }

@@ -5,11 +5,11 @@
 #include "core/runs/tracedscene.h"
 #include "core/scan/choicenames.h"
 #include "widgets/look/blend.h"
-#include "widgets/look/formulahtml.h"
 #include "widgets/look/methodsummary.h"
 #include "widgets/look/methodtitle.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/look/signs.h"
+#include "widgets/look/typesetting.h"
 #include "widgets/model/playhead.h"
 
 #include <QAbstractTextDocumentLayout>
@@ -38,14 +38,14 @@ QString lineHtml(const PseudocodeLine &line, bool isInHand, const QColor &tint)
         .arg(isInHand ? QStringLiteral(" bgcolor=\"%1\"").arg(tint.name()) : QString(),
              isInHand ? lineMark : QString())
         .arg(indentation * line.depth + 4)
-        .arg(sentenceHtml(line.text));
+        .arg(typesetHtml(line.text));
 }
 
 /// In what the run departs from that, and what it does to the picture.
 QString variantsHtml(VariantSet variants, SpanAxis axis)
 {
     QString html;
-    const auto text = [](std::string_view part) { return sentenceHtml(nameText(part)); };
+    const auto text = [](std::string_view part) { return typesetHtml(nameText(part)); };
     for (const Variant variant : variantsIn(variants)) {
         const VariantWords &words = wordsOf(variant, axis);
         html
@@ -119,7 +119,7 @@ void MethodPanel::present()
     m_text->setHtml(QStringLiteral("<p><b>%1</b><br>%2</p>%3<table cellspacing=0 cellpadding=2 "
                                    "width=\"100%\">%4</table><p><small>%5</small></p>")
                         .arg(methodTitle(method).toHtmlEscaped(),
-                             sentenceHtml(methodSummary(method)),
+                             typesetHtml(methodSummary(method)),
                              variantsHtml(traced->scene.settings.variants, method.spanAxis), rows,
                              tr("From: %1.").arg(method.source).toHtmlEscaped()));
     m_text->verticalScrollBar()->setValue(scrolled);

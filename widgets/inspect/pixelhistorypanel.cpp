@@ -2,10 +2,10 @@
 #include "widgets/inspect/pixelhistorypanel.h"
 
 #include "widgets/inspect/pixelhistorydelegate.h"
-#include "widgets/look/formulahtml.h"
 #include "widgets/look/namedwidget.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/look/signs.h"
+#include "widgets/look/typesetting.h"
 #include "widgets/model/pixelhistorymodel.h"
 #include "widgets/model/playhead.h"
 
@@ -223,7 +223,7 @@ void PixelHistoryPanel::showReason(const QModelIndex &index)
 {
     const QString reason
         = index.isValid() ? index.data(PixelHistoryModel::ReasonRole).toString() : QString();
-    m_reason->setText(sentenceHtml(reason));
+    m_reason->setText(typesetHtml(reason));
     setAccessibleDescription(reason);
 }
 

@@ -4,7 +4,7 @@
 #include "core/methods/formulatext.h"
 #include "core/runs/tracedscene.h"
 #include "widgets/look/corewords.h"
-#include "widgets/look/formulahtml.h"
+#include "widgets/look/typesetting.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/model/typedpixel.h"
@@ -190,10 +190,10 @@ void PredictPanel::ask()
         const bool isWhole = asksForWhole(*asked);
         example = isWhole ? tr("2") : tr("2, 2.75, 11/4 or 2 3/4");
         m_question->setText(
-            sentenceHtml(tr("%1: what is %2?").arg(coreWord(asked->place), asked->words) + u' '
-                         + (isWhole ? tr("A whole number.")
-                                    : tr("A fraction, or a decimal rounded to %1 places or more.")
-                                          .arg(leastPlaces))));
+            typesetHtml(tr("%1: what is %2?").arg(coreWord(asked->place), asked->words) + u' '
+                        + (isWhole ? tr("A whole number.")
+                                   : tr("A fraction, or a decimal rounded to %1 places or more.")
+                                         .arg(leastPlaces))));
     } else if (asksForPixel()) {
         example = tr("x, y");
         m_question->setText(tr("Which pixel of the frame is written next? Type its x, y, "
@@ -292,7 +292,7 @@ void PredictPanel::count(bool isRight)
 
 void PredictPanel::tell(const QString &verdict)
 {
-    m_verdict->setText(sentenceHtml(verdict));
+    m_verdict->setText(typesetHtml(verdict));
     m_verdict->setAccessibleDescription(verdict);
 }
 

@@ -4,10 +4,9 @@
 #include "widgets/look/blend.h"
 #include "widgets/look/channelformula.h"
 #include "widgets/look/numberformat.h"
-#include "widgets/look/symboltext.h"
+#include "widgets/look/typesetting.h"
 
 #include <QCoreApplication>
-#include <QRegularExpression>
 
 #include <algorithm>
 #include <array>
@@ -49,25 +48,6 @@ QColor barColour(NumberSubject subject, const QPalette &palette)
     if (subject == NumberSubject::UpperEdge || subject == NumberSubject::RightEdge)
         return signColour(Sign::UpperEdge, palette);
     return palette.color(QPalette::Mid);
-}
-
-/// True minus signs, and thin spaces that do not break in mixed numbers: "12 5/54".
-QString typeset(QString text)
-{
-    static const QRegularExpression mixed(QStringLiteral("(\\d)[ \u2009](\\d+/\\d+)"));
-    text.replace(mixed, QStringLiteral("\\1\u202f\\2"));
-    static const QRegularExpression negative(QStringLiteral("(^|[^\\w⌋⌉)])-(?=\\d)"));
-    return text.replace(negative, QStringLiteral("\\1−"));
-}
-
-/// Fractions are set smaller, so that 7 11/54 is not read as 711/54. Rich text takes every space
-/// but one for an ordinary one, at which a line may break.
-QString typesetHtml(const QString &text)
-{
-    static const QRegularExpression fraction(
-        QStringLiteral("(?<![\\d).])(\\d+/\\d+)(?!\\d|\\.\\d)"));
-    QString html = SymbolText(typeset(text).replace(u'\u202f', QChar::Nbsp)).html();
-    return html.replace(fraction, QStringLiteral("<small>\\1</small>"));
 }
 
 /// Formulas without parentheses are short in every arithmetic: symbols and numbers share a line. By
@@ -303,7 +283,5 @@ QString formulaText(const Explanation &explanation, Arithmetic arithmetic)
     }
     return lines.join(u'\n');
 }
-
-QString sentenceHtml(const QString &sentence) { return typesetHtml(sentence); }
 
 } // namespace pixelplumb

@@ -24,7 +24,4 @@ QString stagesHtml(const Explanation &explanation, Arithmetic arithmetic, const 
 /// The formulas in plain text, a formula a line, for screen readers; the stages after them.
 QString formulaText(const Explanation &explanation, Arithmetic arithmetic);
 
-/// A sentence with its symbols and mixed numbers typeset.
-QString sentenceHtml(const QString &sentence);
-
 } // namespace pixelplumb

@@ -99,6 +99,11 @@ QString withTitles(const QString &text)
     return shown + text.mid(end);
 }
 
+QString objectionNote(const Method &method, const QString &objection)
+{
+    return QStringLiteral("%1 %2.").arg(methodTitle(method), withTitles(objection));
+}
+
 QString cutRunNote(const TracedScene &traced)
 {
     return RunNotes::tr(

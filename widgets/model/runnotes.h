@@ -29,6 +29,8 @@ QString adaptationNote(const Method &method, const ScanSettings &asked);
 
 /// The core's words about methods, as the window has them: titles in place of ids.
 QString withTitles(const QString &text);
+/// "Column scan draws no circles.": an objection (objectionTo) with who has it.
+QString objectionNote(const Method &method, const QString &objection);
 
 QString cutRunNote(const TracedScene &traced); ///< its recording ended at a limit
 QString cancelledRunNote();

@@ -3,7 +3,6 @@
 
 #include "core/runs/sceneplan.h"
 #include "core/scene/solidlimits.h"
-#include "widgets/look/methodtitle.h"
 #include "widgets/model/runnotes.h"
 
 #include <chrono>
@@ -53,8 +52,7 @@ QString refusalOf(const Scene &scene)
     const Method *method = methodNamed(id);
     if (method) {
         const QString objection = objectionTo(scene);
-        return objection.isEmpty() ? objection
-                                   : methodTitle(*method) + u' ' + withTitles(objection) + u'.';
+        return objection.isEmpty() ? objection : objectionNote(*method, objection);
     }
     return SceneTracer::tr("There is no method named “%1”.").arg(id);
 }

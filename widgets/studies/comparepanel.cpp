@@ -2,7 +2,6 @@
 #include "widgets/studies/comparepanel.h"
 
 #include "core/runs/sceneplan.h"
-#include "widgets/look/methodtitle.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/studies/agreementview.h"
@@ -235,8 +234,7 @@ bool ComparePanel::canAllDraw(const Scene &scene, const std::vector<Contender> &
             = contender.isTruth() ? QString() : objectionTo(sceneFor(scene, contender));
         if (objection.isEmpty())
             continue;
-        const QString text
-            = QStringLiteral("%1 %2.").arg(methodTitle(*contender.method), withTitles(objection));
+        const QString text = objectionNote(*contender.method, objection);
         m_job.cancel();
         m_contest.reset();
         for (ComparePane *pane : m_panes)

@@ -5,7 +5,6 @@
 #include "core/runs/sceneplan.h"
 #include "core/scan/choicenames.h"
 #include "widgets/look/corewords.h"
-#include "widgets/look/methodtitle.h"
 #include "widgets/look/numberlayout.h"
 #include "widgets/model/effectswitches.h"
 #include "widgets/model/measuringpool.h"
@@ -204,8 +203,7 @@ void EffectsPanel::take(const std::optional<Finding> &finding)
         m_summary->setText(tr("The plan does not fit into memory."));
     } else if (!m_objection.isEmpty()) {
         const Method *method = methodNamed(QString::fromStdString(m_document->scene().method));
-        m_summary->setText(
-            QStringLiteral("%1 %2.").arg(methodTitle(*method), withTitles(m_objection)));
+        m_summary->setText(objectionNote(*method, m_objection));
     } else {
         m_summary->setText(forcingText(*m_plan, drawnScene()->appearance,
                                        finding->changes ? finding->changes->total() : 0));

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/look/typesetting.h"
+
+#include "widgets/look/symboltext.h"
+
+#include <QRegularExpression>
+
+namespace pixelplumb {
+
+QString typeset(QString text)
+{
+    static const QRegularExpression mixed(QStringLiteral("(\\d)[ \u2009](\\d+/\\d+)"));
+    text.replace(mixed, QStringLiteral("\\1\u202f\\2"));
+    static const QRegularExpression negative(QStringLiteral("(^|[^\\w⌋⌉)])-(?=\\d)"));
+    return text.replace(negative, QStringLiteral("\\1−"));
+}
+
+QString typesetHtml(const QString &text)
+{
+    static const QRegularExpression fraction(
+        QStringLiteral("(?<![\\d).])(\\d+/\\d+)(?!\\d|\\.\\d)"));
+    // Rich text takes every space but one for an ordinary one, at which a line may break.
+    QString html = SymbolText(typeset(text).replace(u'\u202f', QChar::Nbsp)).html();
+    return html.replace(fraction, QStringLiteral("<small>\\1</small>"));
+}
+
+} // namespace pixelplumb

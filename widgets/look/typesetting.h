@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QString>
+
+namespace pixelplumb {
+
+/// True minus signs, and thin spaces that do not break in mixed numbers: "12 5/54".
+QString typeset(QString text);
+
+/// The same as rich text, with symbols (SymbolText) and smaller fractions, so that 7 11/54 is not
+/// read as 711/54.
+QString typesetHtml(const QString &text);
+
+} // namespace pixelplumb
