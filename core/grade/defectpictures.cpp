@@ -2,6 +2,7 @@
 #include "core/grade/defectpictures.h"
 
 #include "core/grade/defectivescene.h"
+#include "core/grade/redrawing.h"
 #include "core/runs/sceneplan.h"
 
 #include <QHashFunctions>
@@ -159,14 +160,33 @@ DefectPictures::SharedRange DefectPictures::range(std::size_t scene, const Defec
     return range;
 }
 
+bool DefectPictures::differsAtOnce(std::size_t scene, const DefectSet &set,
+                                   const Picture &found) const
+{
+    const std::vector<Defect> defects = defectsIn(set);
+    const bool isOfPictures = std::ranges::any_of(
+        defects, [](const Defect &defect) { return bool(defect.changePicture); });
+    const auto redrawing = isOfPictures ? std::nullopt : redrawingAmong(defects);
+    if (!redrawing || !redrawing->redrawing)
+        return false;
+    const Scene drawn = withDefects(sceneIn(scene, set), defects);
+    return objectionTo(drawn).isEmpty()
+        && pixelplumb::differsAtOnce(drawn, *redrawing->redrawing, found);
+}
+
 bool DefectPictures::isKnownToDiffer(std::size_t scene, const DefectSet &set,
                                      const Picture &found) const
 {
-    const std::lock_guard lock(m_mutex);
-    const auto known = m_drawn.find({scene, set});
-    if (known == m_drawn.end() || known->second.picture)
+    const auto drawnBefore = [&]() -> std::optional<Drawn> {
+        const std::lock_guard lock(m_mutex);
+        const auto known = m_drawn.find({scene, set});
+        return known != m_drawn.end() ? std::optional(known->second) : std::nullopt;
+    }();
+    if (!drawnBefore)
+        return differsAtOnce(scene, set, found);
+    if (drawnBefore->picture)
         return false;
-    const Drawn &drawn = known->second;
+    const Drawn &drawn = *drawnBefore;
     if (!drawn.canBeDrawn)
         return true;
     return found.hasColours ? drawn.colourHash != hashOf(found.colours)

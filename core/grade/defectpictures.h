@@ -45,7 +45,8 @@ public:
     /// What programs draw that have these defects and compute in arithmetic up to this one; none
     /// where nobody knows. The set's own is not asked.
     SharedRange range(std::size_t scene, const DefectSet &set, Arithmetic arithmetic);
-    /// Whether what was drawn before, and not kept, differs by its hash from what was found.
+    /// Whether what was drawn before, and not kept, differs by its hash from what was found, or, if
+    /// it was not, does so at once (differsAtOnce).
     bool isKnownToDiffer(std::size_t scene, const DefectSet &set, const Picture &found) const;
 
 private:
@@ -61,6 +62,7 @@ private:
         SharedPicture picture;
     };
 
+    bool differsAtOnce(std::size_t scene, const DefectSet &set, const Picture &found) const;
     SharedPicture scenePicture(std::size_t scene, const Scene &drawn);
     Scene sceneIn(std::size_t scene, const DefectSet &set) const; ///< in the set's arithmetic
     SharedPicture draw(std::size_t scene, const DefectSet &set);

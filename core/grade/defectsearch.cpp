@@ -211,7 +211,9 @@ bool DefectSearch::tryPairs()
         const std::int64_t least = leastAlone(pair);
         if (least > mostPaired)
             return;
-        const std::int64_t distance = m_matcher.distance(pair, std::min(least, limit()));
+        // What leaves more is neither a matter of rounding nor needs both (needsSecond).
+        const std::int64_t most = std::max(m_mostOpen, least - least / 4) + 1;
+        const std::int64_t distance = m_matcher.distance(pair, std::min({most, least, limit()}));
         const bool mayBeRounding = distance <= m_mostOpen;
         if (distance < least && (mayBeRounding || needsSecond({pair, distance})))
             addNear(pair, distance);

@@ -50,6 +50,10 @@ struct TriangleRuns {
     std::int64_t firstSample = 0, endSample = 0; ///< that the frame has of a span
     std::vector<SampleRun> runs; ///< in the order in which they are painted
     std::optional<RoundingSide> side = {}; ///< on which of these a walk is to draw; none: its own
+    /// Whether a run that nothing is painted over may be so; none: any may. A walk ends at one that
+    /// may not.
+    std::function<bool(const SampleRun &run)> mayBe = {};
+    bool isRefused = false; ///< it has ended so
 };
 
 /// A triangle with x and y exchanged.
@@ -92,6 +96,10 @@ std::optional<Redrawing> together(const Redrawing &one, const Redrawing &other);
 
 /// The scene of triangles, each drawn by the scene's method and changed.
 Picture redrawn(const Scene &scene, const Redrawing &redrawing);
+
+/// Whether the picture of a scene that is redrawn so cannot be the one that was found, as far as is
+/// seen before it is drawn: by the last triangle of a walk, over which nothing is painted.
+bool differsAtOnce(const Scene &scene, const Redrawing &redrawing, const Picture &found);
 
 /// What programs draw that do the same in arithmetic up to this one. The scene's own is not asked.
 PictureRange redrawnRange(const Scene &scene, const Redrawing &redrawing, Arithmetic arithmetic);

@@ -32,6 +32,29 @@ RedrawnTriangle::RedrawnTriangle(const Scene &alone, const Redrawing &redrawing,
     , m_bytes(redrawing.bytes)
     , m_drawRight(std::move(drawRight))
 {
+    m_runs.side = side;
+    see(alone);
+    const bool isWalked = redrawing.walk && walkAs(m_runs, *redrawing.walk);
+    if (isWalked)
+        return;
+    readRuns();
+    redrawing.change(m_runs);
+}
+
+RedrawnTriangle::RedrawnTriangle(const Scene &alone, const Redrawing &redrawing,
+                                 const Picture &found)
+    : m_frame(alone.frame)
+    , m_overflow(redrawing.overflow)
+    , m_bytes(redrawing.bytes)
+{
+    see(alone);
+    m_runs.mayBe = [&](const SampleRun &run) { return isIn(found, run); };
+    if (redrawing.walk)
+        walkAs(m_runs, *redrawing.walk);
+}
+
+void RedrawnTriangle::see(const Scene &alone)
+{
     const SpanAxis axis = methodNamed(QString::fromStdString(alone.method))->spanAxis;
     m_goesByRows = axis != SpanAxis::Column;
     const Triangle triangle = primitivesOnSamples(alone).triangles.front();
@@ -41,7 +64,6 @@ RedrawnTriangle::RedrawnTriangle(const Scene &alone, const Redrawing &redrawing,
     m_runs.firstSpan = m_goesByRows ? m_frame.firstRow : m_frame.firstColumn;
     m_runs.endSpan = m_runs.firstSpan + (m_goesByRows ? m_frame.height : m_frame.width);
     m_runs.settings = alone.settings;
-    m_runs.side = side;
     const BoundaryRule rule = boundaryRuleOf(alone);
     m_runs.rule = rule;
     m_runs.visited = boxOf(triangle, alone);
@@ -50,11 +72,21 @@ RedrawnTriangle::RedrawnTriangle(const Scene &alone, const Redrawing &redrawing,
         m_runs.order = WalkOrder::Descending;
         m_runs.intervals = {reversed(rowIntervals(rule).columns), rowIntervals(rule).rows};
     }
-    const bool isWalked = redrawing.walk && walkAs(m_runs, *redrawing.walk);
-    if (isWalked)
-        return;
-    readRuns();
-    redrawing.change(m_runs);
+}
+
+/// Of a raster of characters whether its samples are covered.
+bool RedrawnTriangle::isIn(const Picture &found, const SampleRun &run) const
+{
+    const std::int64_t end = std::min(run.end, m_runs.endSample);
+    for (std::int64_t place = std::max(run.first, m_runs.firstSample); place < end; ++place) {
+        const auto index = indexOf(run.span, place);
+        const bool isThere = !index
+            || (found.hasColours ? found.colours[*index] == colourAt(run, place, *index)
+                                 : found.covered[*index] != 0);
+        if (!isThere)
+            return false;
+    }
+    return true;
 }
 
 void RedrawnTriangle::paintOn(Picture &picture, Repainting repainting,

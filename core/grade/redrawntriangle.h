@@ -16,9 +16,15 @@ public:
                     std::function<Picture()> drawRight,
                     const std::optional<RoundingSide> &side = {});
 
+    /// For as long as it is what was found: a walk ends at the first run that is not.
+    RedrawnTriangle(const Scene &alone, const Redrawing &redrawing, const Picture &found);
+    bool isRefused() const { return m_runs.isRefused; }
+
     void paintOn(Picture &picture, Repainting repainting, const Colour &background) const;
 
 private:
+    void see(const Scene &alone);
+    bool isIn(const Picture &found, const SampleRun &run) const;
     const Picture &right() const;
     std::optional<std::size_t> indexOf(std::int64_t span, std::int64_t place) const;
     void readRuns();

@@ -43,6 +43,7 @@ public:
             across.holdPlace();
         if (m_walk.longColoursBefore == LongEdgeBefore::Waits)
             across.holdColour();
+        m_endFinal = middle;
         walkHalf(first, std::min(ofBoth(endOfFirstHalf()), m_seen.endSpan), along, across);
         goOnAcross(middle, across);
         Edge behind = edgeBehind(middle, along);
@@ -50,6 +51,7 @@ public:
             endFlat(middle, along, behind, across);
         if (m_walk.spanStart == SpanStart::GoesOnInHalf)
             m_carried.reset();
+        m_endFinal = end;
         walkHalf(middle, end, behind, across);
     }
 
@@ -191,7 +193,7 @@ private:
                     each->stepColour();
             }
         };
-        for (std::int64_t span = first; span < end; ++span) {
+        for (std::int64_t span = first; span < end && !m_seen.isRefused; ++span) {
             step(Stepping::BeforeDrawing);
             const bool isAcrossUpper = isUpper(across, along);
             const WalkedSpan samples
@@ -275,6 +277,8 @@ private:
             std::ranges::reverse(levels);
         m_seen.runs.push_back(
             {span, samples.firstDrawn, samples.endDrawn, std::move(levels), samples.firstDrawn});
+        const bool isFinal = span < m_endFinal;
+        m_seen.isRefused = isFinal && m_seen.mayBe && !m_seen.mayBe(m_seen.runs.back());
     }
 
     TriangleRuns &m_seen;
@@ -282,6 +286,7 @@ private:
     const ProgramWalk &m_walk;
     WalkCorners m_corners;
     const Vertex &m_p0, &m_p1, &m_p2;
+    std::int64_t m_endFinal = 0; ///< spans of the half in hand before it are painted once
     std::optional<typename Numbers::Carried> m_carried; ///< where the next span goes on with it
 };
 

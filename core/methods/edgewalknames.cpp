@@ -7,10 +7,10 @@
 
 namespace pixelplumb {
 
-QString subscriptOf(SortedEdge edge, const std::array<std::size_t, 3> &digits)
+QString subscriptOf(SortedEdge edge, const std::array<std::size_t, 3> &digitOf)
 {
     const auto &ends = sortedEdgeEnds[std::size_t(edge)];
-    const auto [first, last] = std::minmax(digits[ends[0]], digits[ends[1]]);
+    const auto [first, last] = std::minmax(digitOf[ends[0]], digitOf[ends[1]]);
     return QString(vertexDigits[first]) + vertexDigits[last];
 }
 
