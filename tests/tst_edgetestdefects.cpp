@@ -36,6 +36,9 @@ enum class TestMistake {
     ProductsCut,
 };
 
+/// From ⌈least⌉ to ⌊greatest⌋, or, as many have it, from ⌊least⌋ to ⌈greatest⌉.
+enum class TestedBox { Inward, Outward };
+
 struct Point {
     double x = 0, y = 0;
 };
@@ -44,8 +47,9 @@ struct Point {
 /// whether they lie in the frame or not.
 class StudentTriangle {
 public:
-    StudentTriangle(const Triangle &triangle, TestMistake mistake)
+    StudentTriangle(const Triangle &triangle, TestMistake mistake, TestedBox box)
         : m_mistake(mistake)
+        , m_box(box)
     {
         for (std::size_t i = 0; i < 3; ++i) {
             const LatticePoint &at = triangle.vertices[i].position;
@@ -69,10 +73,10 @@ public:
         }
         const int late = is(TestMistake::BoxWithoutStart) ? 1 : 0;
         const int early = is(TestMistake::BoxWithoutEnd) ? 1 : 0;
-        const int left = int(std::ceil(least.x)) + late;
-        const int bottom = int(std::ceil(least.y)) + late;
-        for (int y = bottom; y <= int(std::floor(greatest.y)) - early; ++y) {
-            for (int x = left; x <= int(std::floor(greatest.x)) - early; ++x) {
+        const int left = firstOf(least.x) + late;
+        const int bottom = firstOf(least.y) + late;
+        for (int y = bottom; y <= lastOf(greatest.y) - early; ++y) {
+            for (int x = left; x <= lastOf(greatest.x) - early; ++x) {
                 Point at{double(x), double(y)};
                 if (is(TestMistake::StepsExchanged))
                     at = {double(left + (y - bottom)), double(bottom + (x - left))};
@@ -87,6 +91,15 @@ public:
 
 private:
     bool is(TestMistake mistake) const { return m_mistake == mistake; }
+
+    int firstOf(double least) const
+    {
+        return int(m_box == TestedBox::Inward ? std::ceil(least) : std::floor(least));
+    }
+    int lastOf(double greatest) const
+    {
+        return int(m_box == TestedBox::Inward ? std::floor(greatest) : std::ceil(greatest));
+    }
 
     double edge(std::size_t from, const Point &at) const
     {
@@ -159,18 +172,19 @@ private:
     }
 
     TestMistake m_mistake;
+    TestedBox m_box;
     std::array<Point, 3> m_points;
     std::array<Colour, 3> m_colours;
     double m_area = 0;
 };
 
-Picture studentPicture(const Scene &scene, TestMistake mistake)
+Picture studentPicture(const Scene &scene, TestMistake mistake, TestedBox box = TestedBox::Inward)
 {
     Scene empty = scene;
     empty.triangles.clear();
     Picture picture = pictureOf(empty);
     for (const Triangle &triangle : scene.triangles)
-        StudentTriangle(triangle, mistake).paintOn(picture);
+        StudentTriangle(triangle, mistake, box).paintOn(picture);
     return picture;
 }
 
@@ -230,6 +244,31 @@ private slots:
                 diagnosis.candidates.begin() + 1, diagnosis.candidates.end(),
                 [](const DiagnosisCandidate &other) { return other.defects.size() == 1; }));
         }
+    }
+
+    void besideAMistakeAnOutwardBoxIsFoundAndNotTold_data()
+    {
+        QTest::addColumn<int>("mistake");
+        QTest::newRow("edge-1-not-tested") << int(TestMistake::SecondNotTested);
+        QTest::newRow("edge-1-tested-outside") << int(TestMistake::SecondTestedOutside);
+    }
+    void besideAMistakeAnOutwardBoxIsFoundAndNotTold()
+    {
+        QFETCH(int, mistake);
+        std::vector<Submission> submissions;
+        for (const Scene &scene : probeSheet(QStringLiteral("edge-equations")))
+            submissions.push_back(
+                {scene, studentPicture(scene, TestMistake(mistake), TestedBox::Outward)});
+
+        const Diagnosis diagnosis = *diagnose(submissions);
+
+        QVERIFY(diagnosis.isExplained());
+        const DiagnosisCandidate &named = diagnosis.candidates.front();
+        QCOMPARE(named.rightAlone(), QStringList(QStringLiteral("box-outward")));
+        QStringList mistakes = named.ids();
+        mistakes.removeAll(QStringLiteral("box-outward"));
+        QCOMPARE(mistakes, QStringList(QString::fromLatin1(QTest::currentDataTag())));
+        QCOMPARE(named.sentences(&Defect::forStudent).size(), 1);
     }
 
     /// Of a level that no byte holds some programs keep the lowest eight bits.

@@ -239,6 +239,11 @@ private slots:
                           folder.filePath(QStringLiteral("all"))}
             + parts.mid(1);
 
+        const ProgramRun empty = run(words.first(4));
+        QCOMPARE(empty.exitCode, 2);
+        QVERIFY2(empty.messages.contains("PART is missing: a folder with the results of a part"),
+                 empty.messages.constData());
+
         const ProgramRun refused = run(words);
         QCOMPARE(refused.exitCode, 2);
         QVERIFY2(refused.messages.contains("of 3 parts there is no 1"),

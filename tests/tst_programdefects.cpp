@@ -211,6 +211,11 @@ private slots:
                     .contains(QStringLiteral("by y₀ − ⌊y₀⌋ in place of ⌈y₀⌉ − y₀.")));
         QVERIFY(words("colour-pre-step-of-fraction")
                     .contains(QStringLiteral("by x_L − ⌊x_L⌋ in place of ⌈x_L⌉ − x_L.")));
+        // What is missing on the picture is so from either end.
+        for (const char *id : {"first-half-missing", "first-half-and-middle-missing"})
+            QVERIFY(words(id).contains(QStringLiteral("half with the lesser y is not drawn")));
+        for (const char *id : {"second-half-missing", "second-half-behind-middle-missing"})
+            QVERIFY(words(id).contains(QStringLiteral("half with the greater y is not drawn")));
     }
 
     void noSentenceHasAPlaceThatIsNotFilled()

@@ -168,6 +168,23 @@ private slots:
         QVERIFY(hanging.isByClock);
     }
 
+    void whoseProcessesTogetherComputeTooLongIsToldSo()
+    {
+        ProgramLimits limits = within(1000ms);
+        limits.clockTimes = 1;
+        limits.timesInAll = 1;
+        const StudentRun forking = runPython(QStringLiteral("import os\n"
+                                                            "for i in range(3):\n"
+                                                            "    if os.fork() == 0:\n"
+                                                            "        while True: pass\n"
+                                                            "while True: os.wait()"),
+                                             limits);
+        QCOMPARE(forking.told,
+                 QStringLiteral("it was ended after 1 s of computing in all its processes"));
+        QVERIFY(forking.isInAll);
+        QVERIFY(!forking.isByClock);
+    }
+
     void whoComputesTooLongIsToldSoByAnyCount()
     {
         // The kernel's count in ticks may be far ahead of the one told: here by a part of a second.
@@ -199,6 +216,10 @@ private slots:
         // What the kernel does not end, for no process computes too long.
         QCOMPARE(lookedAt(40'000ms, 15),
                  QStringLiteral("4: it was ended after 160 s of computing in all its processes"));
+        ProgramLimits less = limits;
+        less.timesInAll = 1;
+        QCOMPARE(ProgramClock(less, start).look(10'000ms, start + 40s)->told,
+                 QStringLiteral("it was ended after 10 s of computing in all its processes"));
         QCOMPARE(lookedAt(157ms, 99), QStringLiteral("16: it was ended after 640 s by the clock"));
 
         ProgramClock clock(limits, start);

@@ -98,6 +98,12 @@ private slots:
         row("drawn-in-white-alone",
             [](const Colour &right, bool isCovered) { return isCovered ? white : right; });
         row("nothing-drawn", [](const Colour &, bool) { return Colour(); });
+        row("gray-of-the-luma-of-r-g-b", [](const Colour &right, bool) { // as PIL's convert("L")
+            const auto &[red, green, blue] = right.channels;
+            const auto gray
+                = std::uint8_t((19595 * red + 38470 * green + 7471 * blue + 32768) / 65536);
+            return Colour{{gray, gray, gray}};
+        });
         row("cut-to-5-6-5-bits", [](const Colour &right, bool) {
             return Colour{{std::uint8_t(right.channels[0] & 0xf8),
                            std::uint8_t(right.channels[1] & 0xfc),

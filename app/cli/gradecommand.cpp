@@ -140,10 +140,16 @@ ExitCode merge(const CommandLine &line)
 
 ExitCode grade(const Command &command, const QStringList &arguments)
 {
+    const bool isMerge = arguments.contains(QStringLiteral("--") + mergeOption);
     CommandLine line(command,
-                     {{QStringLiteral("SUBMISSIONS"),
-                       QStringLiteral("a folder with a file or folder for each submission"),
-                       Positional::Presence::Several}});
+                     {isMerge ? Positional{QStringLiteral("PART"),
+                                           QStringLiteral("a folder with the results of a part, of "
+                                                          "which there may be several"),
+                                           Positional::Presence::Several}
+                              : Positional{QStringLiteral("SUBMISSIONS"),
+                                           QStringLiteral("a folder with a file or folder for each "
+                                                          "submission"),
+                                           Positional::Presence::Several}});
     addOptions(line);
     if (const auto ended = line.parse(arguments))
         return *ended;

@@ -51,6 +51,13 @@ std::vector<Defect> boxDefects()
         QStringLiteral("Levels beyond 0 … 255 wrap in a byte. That alone is no mistake."),
         {[](TriangleRuns &) {}, LevelOverflow::Wraps});
     defects.back().isRightAlone = true;
+    Redrawing outward{[](TriangleRuns &) {}};
+    outward.box = VisitedBox::Outward;
+    addOfBox("box-outward",
+             "The box is rounded outward, ⌊x_min⌋ … ⌈x_max⌉ and ⌊y_min⌋ … ⌈y_max⌉: samples beside "
+             "the triangle are tested, too. That alone is no mistake.",
+             outward);
+    defects.back().isRightAlone = true;
     for (std::size_t edge = 0; edge < 3; ++edge) {
         const QString from = vertexText(edge);
         const QString to = vertexText(edge + 1);

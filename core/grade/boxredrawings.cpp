@@ -30,7 +30,7 @@ void fillBox(TriangleRuns &triangle)
 {
     if (doubledArea(triangle.triangle) == 0) // has no plane of colours
         return;
-    const SampleBox box = boundingBoxOf(exchanged(triangle.triangle));
+    const SampleBox &box = triangle.visited;
     triangle.runs.clear();
     for (std::int64_t row = std::max(box.firstY, triangle.firstSpan);
          row < std::min(box.endY, triangle.endSpan); ++row)

@@ -3,6 +3,7 @@
 
 #include "core/grade/leveldefect.h"
 #include "core/grade/picturecause.h"
+#include "core/grade/programline.h"
 #include "core/grade/redrawing.h"
 #include "core/grade/scenedefect.h"
 #include "core/grade/spandefect.h"
@@ -21,13 +22,17 @@ void appendVariants(std::vector<Defect> &defects, const Scene &scene)
 {
     const Method &method = *methodNamed(QString::fromStdString(scene.method));
     for (const Variant variant : allVariants) {
-        appendWhereItApplies(
-            defects, scene, {},
-            {nameText(nameOf(variant)), nameText(wordsOf(variant, method.spanAxis).fault),
-             sentenceOf(variant, method.spanAxis), [variant](Scene &changed) {
-                 changed.settings.variants = changed.settings.variants.with(variant);
-                 return true;
-             }});
+        Defect defect{nameText(nameOf(variant)), nameText(wordsOf(variant, method.spanAxis).fault),
+                      sentenceOf(variant, method.spanAxis), [variant](Scene &changed) {
+                          changed.settings.variants = changed.settings.variants.with(variant);
+                          return true;
+                      }};
+        if (variant == Variant::StayAtZero && hasDecisions(scene)) {
+            defect.forAssistant
+                += QStringLiteral(" Both pixels are equally near: that alone is no mistake.");
+            defect.isRightAlone = true;
+        }
+        appendWhereItApplies(defects, scene, {}, std::move(defect));
     }
 }
 

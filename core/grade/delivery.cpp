@@ -189,8 +189,8 @@ const SubmittedFile *programOf(const SubmissionEntry &entry, const AssignedProgr
 }
 
 Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
-                 const Assignment &assignment, const AssignedScene &scene, int clockTimes,
-                 const std::stop_token &stop)
+                 const Assignment &assignment, const AssignedScene &scene,
+                 const ProgramLimits &limits, const std::stop_token &stop)
 {
     Delivery delivery;
     const std::optional<QString> path = entry.pathOf(file);
@@ -208,8 +208,8 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     TrialTerms terms;
     terms.tolerance = toleranceOf(assignment.leeway);
     terms.input = program.input;
+    terms.limits = limits;
     terms.limits.time = std::chrono::seconds(program.seconds);
-    terms.limits.clockTimes = clockTimes;
     terms.limits.memory = std::int64_t(program.megabytes) << 20;
     terms.limits.output = std::int64_t(program.outputMegabytes) << 20;
     const Result<Trial> trial = tryProgram(*student, scene.scene, terms, stop);
@@ -219,7 +219,8 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     }
     delivery.run = GradedRun{nameOf(trial->run.end), shownText(trial->run.told.toUtf8()),
                              shownText(trial->run.messages)};
-    delivery.wasLate = trial->run.isByClock;
+    delivery.hasWaited = trial->run.isByClock;
+    delivery.hasMultiplied = trial->run.isInAll;
     if (trial->trace)
         delivery.trace = shownText(trial->trace->text.toUtf8());
     const QByteArray &output = trial->run.output;
@@ -237,6 +238,31 @@ Delivery drawnBy(const SubmissionEntry &entry, const SubmittedFile &file,
     return delivery;
 }
 
+/// Who waits for what never comes waits in each scene, and who starts one process after another
+/// does so in each: they are believed once.
+ProgramLimits limitsAfter(const std::vector<Delivery> &deliveries)
+{
+    ProgramLimits limits;
+    const bool hasMultiplied = std::ranges::any_of(deliveries, &Delivery::hasMultiplied);
+    if (hasMultiplied)
+        limits.timesInAll = 1;
+    if (hasMultiplied || std::ranges::any_of(deliveries, &Delivery::hasWaited))
+        limits.clockTimes = 1;
+    return limits;
+}
+
+/// That it had less time than others, where it was late again.
+void noteOnTime(const ProgramLimits &limits, Delivery &delivery)
+{
+    const ProgramLimits whole;
+    if (delivery.hasMultiplied && limits.timesInAll < whole.timesInAll)
+        delivery.note = QStringLiteral("its processes were given less time together, for they had "
+                                       "computed too long in a scene before");
+    else if (delivery.hasWaited && limits.clockTimes < whole.clockTimes)
+        delivery.note = QStringLiteral(
+            "it was given less time by the clock, for it had been ended in a scene before");
+}
+
 } // namespace
 
 std::vector<Delivery> deliveriesOf(const SubmissionEntry &entry, const Assignment &assignment,
@@ -248,13 +274,9 @@ std::vector<Delivery> deliveriesOf(const SubmissionEntry &entry, const Assignmen
     std::vector<Delivery> deliveries;
     for (const AssignedScene &scene : assignment.scenes) {
         if (program) {
-            // Who waits for what never comes waits in each scene: it is believed once.
-            const bool wasLate = std::ranges::any_of(deliveries, &Delivery::wasLate);
-            deliveries.push_back(drawnBy(entry, *program, assignment, scene,
-                                         wasLate ? 1 : ProgramLimits{}.clockTimes, stop));
-            if (wasLate && deliveries.back().wasLate)
-                deliveries.back().note = QStringLiteral(
-                    "it was given less time by the clock, for it had waited in a scene before");
+            const ProgramLimits limits = limitsAfter(deliveries);
+            deliveries.push_back(drawnBy(entry, *program, assignment, scene, limits, stop));
+            noteOnTime(limits, deliveries.back());
             continue;
         }
         const auto files = pictureFilesOf(entry, scene);

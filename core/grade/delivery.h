@@ -15,7 +15,8 @@ struct Delivery {
     std::optional<PictureLack> lack; ///< the same as a kind
     std::optional<Picture> picture;
     std::optional<GradedRun> run; ///< of the program that drew it
-    bool wasLate = false; ///< it was ended by the clock
+    bool hasWaited = false; ///< it was ended by the clock
+    bool hasMultiplied = false; ///< … for what all its processes together had computed
     QString trace; ///< GradedScene's
     std::optional<QString> note; ///< GradedScene's
 };

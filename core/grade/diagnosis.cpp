@@ -61,8 +61,9 @@ QStringList DiagnosisCandidate::rightAlone() const
 QStringList DiagnosisCandidate::sentences(QString Defect::*words) const
 {
     QStringList sentences;
+    const bool isNoMistake = std::ranges::all_of(defects, &Defect::isRightAlone);
     for (const Defect &defect : defects) {
-        const bool isTold = words != &Defect::forStudent || !defect.isRightAlone;
+        const bool isTold = words != &Defect::forStudent || !defect.isRightAlone || isNoMistake;
         if (isTold && !sentences.contains(defect.*words))
             sentences += defect.*words;
     }

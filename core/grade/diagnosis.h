@@ -36,7 +36,7 @@ struct DiagnosisCandidate {
     /// The ids of those that alone are no mistake.
     QStringList rightAlone() const;
     /// A sentence a defect, for whom it is; of those that are the same one. A student is told of
-    /// mistakes alone.
+    /// mistakes alone, where there are any.
     QStringList sentences(QString Defect::*words) const;
 };
 

@@ -5,6 +5,8 @@
 #include "core/grade/redrawing.h"
 #include "core/runs/sceneplan.h"
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 namespace {
@@ -28,6 +30,13 @@ DrawnLine drawnLine(const Scene &alone)
 }
 
 } // namespace
+
+bool isOfLines(const Scene &scene)
+{
+    return !scene.shapes.empty() && !scene.hasTriangles() && !mayCallForEffects(scene)
+        && std::ranges::all_of(
+            scene.shapes, [](const Shape &shape) { return shape.kind == PrimitiveKind::Line; });
+}
 
 Picture redrawnLines(const Scene &scene, const std::function<void(DrawnLine &line)> &change)
 {

@@ -19,6 +19,9 @@ struct DrawnLine {
     bool isSteep() const { return std::abs(to.y - from.y) >= std::abs(to.x - from.x); }
 };
 
+/// Whether a scene has lines alone, and needs colours alone.
+bool isOfLines(const Scene &scene);
+
 /// The lines' pixels, changed, painted one line after another.
 Picture redrawnLines(const Scene &scene, const std::function<void(DrawnLine &line)> &change);
 

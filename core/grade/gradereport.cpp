@@ -134,7 +134,7 @@ QStringList GradedCandidate::mistakes() const
 {
     QStringList ids = defects;
     ids.removeIf([this](const QString &id) { return rightAlone && rightAlone->contains(id); });
-    return ids;
+    return ids.isEmpty() ? defects : ids;
 }
 
 double GradedSubmission::points() const

@@ -107,7 +107,7 @@ struct GradedCandidate {
     std::optional<GradedParting> parts = {};
     std::optional<QStringList> rightAlone = {}; ///< of the ids those that alone are no mistake
 
-    QStringList mistakes() const; ///< the other ids
+    QStringList mistakes() const; ///< the other ids; where there are none, these
     friend bool operator==(const GradedCandidate &, const GradedCandidate &) = default;
 };
 

@@ -125,11 +125,7 @@ void appendOfScene(std::vector<Defect> &defects, const char *id, const char *for
 
 std::vector<Defect> lineDefectsFor(const Scene &scene)
 {
-    const bool isOfLines = !scene.shapes.empty() && !scene.hasTriangles()
-        && !mayCallForEffects(scene) && std::ranges::all_of(scene.shapes, [](const Shape &shape) {
-               return shape.kind == PrimitiveKind::Line;
-           });
-    if (!isOfLines)
+    if (!isOfLines(scene))
         return {};
     const Method &method = *methodNamed(QString::fromStdString(scene.method));
     constexpr const char *ends = "Is each end's pixel drawn, once?";

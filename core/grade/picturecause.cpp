@@ -85,6 +85,16 @@ void appendLevels(std::vector<PictureChange> &changes)
                            return Colour{{mean, mean, mean}};
                        }),
                        QStringLiteral("levels")});
+    changes.push_back(
+        {QStringLiteral("gray of the luma of R G B"), recolour([](const Colour &colour) {
+             const auto &[red, green, blue] = colour.channels;
+             // 0.299, 0.587 and 0.114 in whole 65536ths, as in Pillow's convert("L").
+             const int scaled = 19595 * red + 38470 * green + 7471 * blue;
+             const auto luma = std::uint8_t((scaled + 32768) / 65536);
+             return Colour{{luma, luma, luma}};
+         }),
+         QStringLiteral("levels"), false,
+         QStringLiteral("Done to the whole picture: gray of 0.299 R + 0.587 G + 0.114 B.")});
     const auto addBits = [&](const QString &name, Widening widening) {
         changes.push_back({name, recolour([widening](const Colour &colour) {
                                return inHighColour(colour, widening);

@@ -19,8 +19,8 @@ struct PictureChange {
 
 /// Of pictures like the expected one in size and in whether they have colours: pixels in other
 /// places (placeChangesFor), channels exchanged, the two ways between linear and sRGB levels,
-/// levels cut to 5-6-5 bits, all that is drawn in white alone, and white or black for the
-/// background.
+/// gray of the mean or the luma, levels cut to 5-6-5 bits, all that is drawn in white alone, and
+/// white or black for the background.
 std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colour &background);
 
 } // namespace pixelplumb

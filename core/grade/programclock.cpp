@@ -10,7 +10,6 @@ namespace pixelplumb {
 namespace {
 
 constexpr int waitingShare = 64; // who computes less than 1/64 of its time waits
-constexpr int timesInAll = 16; // what all processes together may compute
 constexpr int timesByClock = 64; // whatever is computed
 
 } // namespace
@@ -25,10 +24,10 @@ ProgramClock::ProgramClock(const ProgramLimits &limits, Clock::time_point start)
 std::optional<LateEnd> ProgramClock::look(std::chrono::milliseconds computed, Clock::time_point now)
 {
     const std::chrono::seconds own(m_limits.wholeSeconds());
-    if (computed >= timesInAll * own)
+    if (computed >= m_limits.timesInAll * own)
         return LateEnd{false,
                        QStringLiteral("it was ended after %1 s of computing in all its processes")
-                           .arg((timesInAll * own).count())};
+                           .arg((m_limits.timesInAll * own).count())};
     // How often it was looked at before depends on what else the machine does: it is not told.
     if (waitingShare * (computed - m_computedBefore) < own)
         return LateEnd{true,

@@ -82,6 +82,12 @@ struct ProgramLine {
     LineColours colours = LineColours::Right;
 };
 
+/// Whether it is a scene of lines whose method asks p, and p = 0 can go either way.
+bool hasDecisions(const Scene &scene);
+
+/// The same scene, p = 0 going the other way than it has it: across or not.
+Scene withOtherTies(Scene scene);
+
 /// The scene of lines as such a program draws it; lines between samples stay as they are.
 Picture drawnBy(const ProgramLine &program, const Scene &scene);
 

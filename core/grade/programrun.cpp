@@ -240,6 +240,7 @@ private:
         if (m_startError)
             return;
         m_run.isByClock = m_lateEnd && m_lateEnd->isByClock;
+        m_run.isInAll = m_lateEnd && !m_lateEnd->isByClock;
         m_run.told = m_lateEnd ? m_lateEnd->told : sentenceOf(m_run, m_limits);
     }
 

@@ -20,6 +20,7 @@ struct ProgramLimits {
     /// comes.
     std::chrono::milliseconds wallTime() const { return clockTimes * time; }
     int clockTimes = 4; ///< so many times as long as of computing
+    int timesInAll = 16; ///< so many times as long may all processes together compute
     std::int64_t wholeSeconds() const
     {
         return std::chrono::ceil<std::chrono::seconds>(time).count();
@@ -50,6 +51,7 @@ struct StudentRun {
     bool isSandboxed = false; ///< no network, no process but its own, nothing to write to but its
                               ///< folder
     bool isByClock = false; ///< where it timed out: it had waited, not computed
+    bool isInAll = false; ///< where it timed out: all its processes together had computed too long
     QString told; ///< a sentence: how it ended
 };
 

@@ -45,7 +45,7 @@ struct TriangleRuns {
     ScanIntervals intervals; ///< of its spans, ascending, and of its samples
     ScanSettings settings;
     BoundaryRule rule = FillRule::Closed;
-    SampleBox visited; ///< the bounding box as the scene has it rounded; x is a column
+    SampleBox visited; ///< the bounding box as the program has it rounded; x is a column
     std::int64_t firstSpan = 0, endSpan = 0; ///< that the frame has
     std::int64_t firstSample = 0, endSample = 0; ///< that the frame has of a span
     std::vector<SampleRun> runs; ///< in the order in which they are painted
@@ -78,6 +78,10 @@ struct LevelBytes {
     friend bool operator==(const LevelBytes &, const LevelBytes &) = default;
 };
 
+/// Which samples are asked whether they are inside: those of the scene's bounding box, or those
+/// from ⌊x_min⌋ to ⌈x_max⌉ and from ⌊y_min⌋ to ⌈y_max⌉.
+enum class VisitedBox { OfScene, Outward };
+
 struct ProgramWalk;
 struct ProgramEdgeTest;
 
@@ -88,6 +92,7 @@ struct Redrawing {
     LevelBytes bytes = {};
     std::shared_ptr<const ProgramWalk> walk = {}; ///< where the change is to go through it so alone
     std::shared_ptr<const ProgramEdgeTest> edgeTest = {}; ///< where it is to test samples so
+    VisitedBox box = VisitedBox::OfScene;
 };
 
 /// What a program does that does both; none where they decide the same thing. One that goes through

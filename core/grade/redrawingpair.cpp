@@ -228,6 +228,7 @@ std::optional<Redrawing> together(const Redrawing &one, const Redrawing &other)
         = one.repainting == Repainting::Toggles || other.repainting == Repainting::Toggles;
     both.repainting = isToggling ? Repainting::Toggles : Repainting::Over;
     both.edgeTest = one.edgeTest;
+    both.box = one.box == VisitedBox::OfScene ? other.box : one.box;
     both.bytes = one.bytes.isRight() ? other.bytes : one.bytes;
     return both;
 }

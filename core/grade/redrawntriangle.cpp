@@ -14,8 +14,13 @@ namespace pixelplumb {
 namespace {
 
 /// The samples that edges are asked of.
-SampleBox boxOf(const Triangle &triangle, const Scene &scene)
+SampleBox boxOf(const Triangle &triangle, const Scene &scene, VisitedBox box)
 {
+    if (box == VisitedBox::Outward) {
+        const auto [least, greatest] = boundingCornersOf(triangle);
+        return {floorPixel(least.x), ceilPixel(greatest.x) + 1, floorPixel(least.y),
+                ceilPixel(greatest.y) + 1};
+    }
     if (!scene.settings.variants.contains(Variant::RoundedBox))
         return boundingBoxOf(triangle);
     const auto [least, greatest] = boundingCornersOf(triangle);
@@ -66,7 +71,7 @@ void RedrawnTriangle::see(const Scene &alone)
     m_runs.settings = alone.settings;
     const BoundaryRule rule = boundaryRuleOf(alone);
     m_runs.rule = rule;
-    m_runs.visited = boxOf(triangle, alone);
+    m_runs.visited = boxOf(triangle, alone, redrawing.box);
     m_runs.intervals = columnIntervals(rule.rule);
     if (axis == SpanAxis::Row) {
         m_runs.order = WalkOrder::Descending;

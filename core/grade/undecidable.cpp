@@ -3,10 +3,12 @@
 
 #include "core/frame/framebuffer.h"
 #include "core/grade/picturediff.h"
+#include "core/grade/programline.h"
 #include "core/grade/triangleleeway.h"
 #include "core/runs/sceneplan.h"
 
 #include <algorithm>
+#include <array>
 
 namespace pixelplumb {
 
@@ -144,11 +146,30 @@ std::vector<std::uint8_t> ofAnotherRule(const Scene &scene, const Picture &drawn
     return ties;
 }
 
+/// What right programs draw of lines that differ at p = 0 alone, where two pixels are equally near:
+/// there they step across or not, from either end.
+std::vector<std::uint8_t> ofOtherTies(const Scene &scene, const Picture &drawn,
+                                      const Picture &found)
+{
+    const Scene other = withOtherTies(scene);
+    const ProgramLine fromFirstEnd;
+    const std::array pictures
+        = {pictureOf(other), drawnBy(fromFirstEnd, scene), drawnBy(fromFirstEnd, other)};
+    std::vector<std::uint8_t> ties(found.size(), 0);
+    for (std::size_t place = 0; place < ties.size(); ++place) {
+        const auto isIn = [&](const Picture &picture) { return isSame(picture, found, place); };
+        ties[place] = !isSame(drawn, found, place) && std::ranges::any_of(pictures, isIn) ? 1 : 0;
+    }
+    return ties;
+}
+
 } // namespace
 
 std::vector<std::uint8_t> undecidablePixels(const Scene &scene, const Picture &drawn,
                                             const Picture &found, Arithmetic arithmetic)
 {
+    if (hasDecisions(scene))
+        return ofOtherTies(scene, drawn, found);
     if (mayCallForEffects(scene) || !scene.shapes.empty())
         return ofAnotherRule(scene, drawn, found);
     LayeredLeeway leeway(scene, drawn, found);
