@@ -122,6 +122,44 @@ private slots:
         QCOMPARE(told, active);
     }
 
+    /// At the top of this contour two edges meet the row at once.
+    void edgesThatMeetARowAtOneXStandAsBelowIt_data()
+    {
+        QTest::addColumn<FrameOrigin>("origin");
+        QTest::addColumn<int>("row");
+        QTest::addColumn<double>("left");
+        // Taken as if displaced down as seen, it is crossed by the edges below it.
+        QTest::newRow("y upward") << FrameOrigin::BottomLeft << 14 << 2.0;
+        QTest::newRow("y downward") << FrameOrigin::TopLeft << 3 << 3.0;
+    }
+    void edgesThatMeetARowAtOneXStandAsBelowIt()
+    {
+        QFETCH(FrameOrigin, origin);
+        QFETCH(int, row);
+        QFETCH(double, left);
+        FrameSpec frame;
+        frame.origin = origin;
+        Shape polygon;
+        polygon.kind = PrimitiveKind::Polygon;
+        polygon.fill = ShapeFill::NonZero;
+        for (const QPoint &corner : {QPoint(3, 3), QPoint(20, 4), QPoint(18, 14), QPoint(5, 13)})
+            polygon.vertices.push_back({latticePixel(corner.x(), corner.y()), Colour()});
+        if (origin == FrameOrigin::TopLeft)
+            std::ranges::reverse(polygon.vertices); // counter-clockwise as seen
+        Look look(sceneOf(polygon, "polygon-parity", frame));
+        const ScanTrace &trace = *look.traced->trace;
+        std::size_t span = 0;
+        while (trace.placeOf(span).coordinate != row)
+            ++span;
+        QCOMPARE(spanNumber(*look.traced, span, "x_0"), spanNumber(*look.traced, span, "x_1"));
+        QCOMPARE(spanNumber(*look.traced, span, "edge_0").toDouble(), left);
+
+        look.view.position = trace.indexOfSpan(span) + 1;
+        const QStringList texts = textsOf(look.drawing("edge-table").labels);
+        QVERIFY2(texts.contains(QStringLiteral("w = 1")), qPrintable(texts.join(u'|')));
+        QVERIFY(!texts.contains(QStringLiteral("w = −1")));
+    }
+
     void theLowestEdgesOfAPolygonBeginAboveTheirVertex()
     {
         const Look look(sceneOf(pentagon(), "polygon-parity", {}));

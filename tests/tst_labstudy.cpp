@@ -370,6 +370,27 @@ private slots:
         QCOMPARE(ofRun->text(), QStringLiteral("0 wrong px, truth 8 px"));
     }
 
+    void whatAProvedMethodRefusesIsWrong()
+    {
+        Scene scene;
+        scene.method = "polygon-fan";
+        Shape arrow; // not convex
+        arrow.kind = PrimitiveKind::Polygon;
+        arrow.fill = ShapeFill::EvenOdd;
+        for (const LatticePoint &corner :
+             {latticePixel(1, 1), latticePixel(9, 1), latticePixel(3, 3), latticePixel(1, 9)})
+            arrow.vertices.push_back({corner, {{255, 0, 0}}});
+        scene.shapes = {arrow};
+
+        const auto refused = liveFiguresOf(traceScene(scene));
+
+        QVERIFY(!refused->isProved);
+        QVERIFY(*refused->wrongPixels > 0);
+        QCOMPARE(refused->pixels, *refused->wrongPixels);
+        scene.method = "polygon-parity";
+        QCOMPARE(liveFiguresOf(traceScene(scene))->text(), QStringLiteral("0 wrong, proved"));
+    }
+
     void theSceneInHandIsTimedAsTheStudyTimesIt()
     {
         StudySettings settings = smallStudy();

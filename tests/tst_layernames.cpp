@@ -203,6 +203,55 @@ private slots:
         }
     }
 
+    /// Of small triangles, whose names hardly find room beside them.
+    void namesOfHalfPlanesStandInTheirHalfPlane_data()
+    {
+        QTest::addColumn<Triangle>("triangle");
+        QTest::newRow("the slide's edge") << triangleAt(QPoint(3, 2), QPoint(2, 4), QPoint(1, 1));
+        QTest::newRow("turned over") << triangleAt(QPoint(3, 2), QPoint(1, 1), QPoint(2, 4));
+        QTest::newRow("flat") << triangleAt(QPoint(2, 2), QPoint(6, 3), QPoint(4, 3));
+        QTest::newRow("in a corner") << triangleAt(QPoint(0, 0), QPoint(2, 0), QPoint(0, 2));
+        QTest::newRow("large") << triangleAt(QPoint(0, 0), QPoint(7, 1), QPoint(2, 5));
+    }
+    void namesOfHalfPlanesStandInTheirHalfPlane()
+    {
+        QFETCH(Triangle, triangle);
+        Scene scene;
+        scene.method = "edge-equations";
+        scene.frame.width = 8;
+        scene.frame.height = 6;
+        scene.triangles = {triangle};
+        Look look(scene);
+        look.view.cell = 40;
+        std::size_t shown = 0;
+        for (const char *layer : {"half-plane-0", "half-plane-1", "half-plane-2"}) {
+            const LayerDrawing all = look.drawing(layer);
+            const auto arrow = std::ranges::find(all.lines, LayerDrawing::Stroke::Arrow,
+                                                 &LayerDrawing::Line::stroke);
+            QVERIFY(arrow != all.lines.end());
+            for (const LayerDrawing::Label &name : all.labels) {
+                LayerDrawing drawing = all;
+                drawing.labels = {name};
+                Paper paper;
+                QPainter painter(&paper.picture);
+                LayerPainter layers;
+                layers.paintLabels(painter, drawing, paper.surface, {});
+                const QPointF middle = paper.surface.fromSamples.map(arrow->from);
+                QPointF inward = paper.surface.fromSamples.map(arrow->to) - middle;
+                if (name.text.contains(QStringLiteral("< 0")))
+                    inward = -inward;
+                for (const QRectF &rect : layers.labels()) {
+                    for (const QPointF &corner :
+                         {rect.topLeft(), rect.topRight(), rect.bottomLeft(), rect.bottomRight()})
+                        QVERIFY2(QPointF::dotProduct(corner - middle, inward) >= 0,
+                                 qPrintable(name.text));
+                    ++shown;
+                }
+            }
+        }
+        QVERIFY2(shown >= 2, qPrintable(QString::number(shown)));
+    }
+
     void aFiguresLinesAreWhereANoteHadBetterNotStand()
     {
         const Paper paper;

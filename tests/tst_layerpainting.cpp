@@ -238,9 +238,10 @@ private slots:
         Glyphs glyphs;
         LayerLabels labels(painter, paper.surface, glyphs, {});
         // So near to each other that names have to go away from them.
+        const QTransform toSamples = paper.surface.fromSamples.inverted();
         for (int i = 0; i < 9; ++i)
-            labels.place(QStringLiteral("name %1").arg(i), QPointF(160 + 2 * i, 120 + i),
-                         LayerInk::First);
+            labels.place({QStringLiteral("name %1").arg(i),
+                          toSamples.map(QPointF(160 + 2 * i, 120 + i)), LayerInk::First});
         labels.paint();
         painter.end();
 

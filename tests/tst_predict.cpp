@@ -78,6 +78,51 @@ private slots:
                  guess);
     }
 
+    void aFractionIsRightBesideARoundedNumber_data()
+    {
+        QTest::addColumn<Quantity>("value");
+        QTest::addColumn<QString>("typed");
+        QTest::addColumn<bool>("isRight");
+        const Quantity nearest = Quantity::of(97.0F / 18);
+        QTest::newRow("the float nearest to it") << nearest << "5 7/18" << true;
+        const Quantity drifted = Quantity::of(5.3889F);
+        QTest::newRow("a float that has drifted") << drifted << "5 7/18" << true;
+        const Quantity fixed = Quantity::rational(353166, 65536);
+        QTest::newRow("a fixed-point number") << fixed << "5 7/18" << true;
+        QTest::newRow("not of a whole one") << nearest << "5" << false;
+        QTest::newRow("another fraction") << nearest << "5 6/18" << false;
+        QTest::newRow("a fraction near it") << nearest << "5 388/1000" << false;
+    }
+    void aFractionIsRightBesideARoundedNumber()
+    {
+        QFETCH(Quantity, value);
+        QFETCH(QString, typed);
+        QFETCH(bool, isRight);
+        Prediction bound = predictionOf(value);
+        bound.exact = Quantity::rational(97, 18);
+        QCOMPARE(judge(bound, typed) == Guess::Right, isRight);
+    }
+
+    /// Where the answer is near, a form is asked for, and the first try is not lost.
+    void aTryIsNotLostByTooFewPlaces()
+    {
+        openPanel();
+        auto *choice = named<QComboBox>(*m_window, "predictChoice");
+        const auto all = predictionsAfter(*m_playhead->traced(), m_playhead->position());
+        const auto isLong = [](const Prediction &each) {
+            const double tenths = each.value.toDouble() * 10;
+            return judge(each, QString::number(std::round(tenths) / 10, 'f', 1)) == Guess::Near;
+        };
+        const auto asked = std::ranges::find_if(all, isLong);
+        QVERIFY(asked != all.end());
+        choice->setCurrentIndex(choice->findText(asked->title));
+
+        answer(QString::number(std::round(asked->value.toDouble() * 10) / 10, 'f', 1));
+        QVERIFY(label("predictVerdict").startsWith(QStringLiteral("Near")));
+        answer(toText(asked->value));
+        QCOMPARE(label("predictScore"), QStringLiteral("Right at the first try: 1 of 1"));
+    }
+
     void aWholeNumberBesideTheRightOneIsOneOff()
     {
         const Prediction row = predictionOf(Quantity::integer(9));

@@ -290,6 +290,26 @@ private slots:
         }
     }
 
+    void aSampleInAHoleIsToldByItsParityOrWindingNumber_data()
+    {
+        QTest::addColumn<ShapeFill>("fill");
+        QTest::addColumn<QString>("told");
+        QTest::newRow("parity") << ShapeFill::EvenOdd
+                                << QStringLiteral("2 times, at the edges 3 and 4: an even number");
+        QTest::newRow("winding number") << ShapeFill::NonZero << QStringLiteral("winding number 0");
+    }
+    void aSampleInAHoleIsToldByItsParityOrWindingNumber()
+    {
+        QFETCH(ShapeFill, fill);
+        QFETCH(QString, told);
+        const auto traced = traceScene(polygonScene(fill));
+
+        const QString inHole = pixelHistory(*traced, 25, 6)[1].reason;
+        QVERIFY2(inHole.contains(told), qPrintable(inHole));
+        QCOMPARE(pixelHistory(*traced, 31, 6)[1].reason,
+                 QStringLiteral("The polygon does not cover it."));
+    }
+
     void edgesHaveTheNamesOfTheMethodsOwnOrder()
     {
         Scene scene;

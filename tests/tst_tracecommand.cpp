@@ -76,6 +76,17 @@ private slots:
                             "1.3,13/10,3/10,7/10\r\n"));
     }
 
+    void aFilledOutlineOnOneLineHasNoArea()
+    {
+        const QByteArray scene = R"({ "pixelplumb": 1, "frame": { "width": 16, "height": 8 },
+            "primitives": [ { "triangle": [[1, 1], [9, 5], [5, 3]] },
+                            { "triangle": [[1, 1], [9, 5], [5, 4]] } ] })";
+        const ProgramRun table = run({"trace", "-", "--method", "midpoint-outline-fill", "--level",
+                                      "setup", "--columns", "zero_area"},
+                                     scene);
+        QCOMPARE(table.output, QByteArray("zero_area\r\ntrue\r\nfalse\r\n"));
+    }
+
     void thatThereAreNoStagesIsSaid()
     {
         const ProgramRun flat = run({"trace", defaultScene(), "--level", "stage"});

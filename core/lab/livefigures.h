@@ -36,7 +36,8 @@ struct LiveFigures {
 /// ones the truth is their exact twin (see ScenePicture).
 std::optional<LiveFigures> liveFiguresOf(const std::shared_ptr<const Scene> &scene,
                                          const ProgressListener &listener = {});
-/// The same of a run that is whole. Where the scene has no exact twin, the run knows the truth.
+/// The same of a run that is whole. Where the scene has no exact twin, the run knows the truth, and
+/// what is missing where the method refuses a primitive.
 std::optional<LiveFigures> liveFiguresOf(const std::shared_ptr<const TracedScene> &traced,
                                          const ProgressListener &listener = {});
 

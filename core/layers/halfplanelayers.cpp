@@ -39,12 +39,12 @@ std::vector<QPointF> positiveSide(const EdgeLineNumbers &line, const FrameSpec &
     return kept.size() < 3 ? std::vector<QPointF>() : kept;
 }
 
-/// On an edge's line beyond its end, where the triangle is not; in view if the end is.
-QPointF placeBeyond(const EdgeLineNumbers &line, const LayerMoment &moment)
+/// On an edge's line beyond one of its ends, where the triangle is not; in view if the end is.
+QPointF placeBeyond(const QPointF &end, const QPointF &otherEnd, const LayerMoment &moment)
 {
-    const QPointF along = line.to - line.from;
+    const QPointF along = end - otherEnd;
     const double beyond = nameBeyondEdge / moment.view.cell;
-    const QLineF way(line.to, line.to + along / std::hypot(along.x(), along.y()) * beyond);
+    const QLineF way(end, end + along / std::hypot(along.x(), along.y()) * beyond);
     const SampleBox seen = moment.seen();
     const std::optional<QLineF> inView
         = clipped(way,
@@ -53,6 +53,7 @@ QPointF placeBeyond(const EdgeLineNumbers &line, const LayerMoment &moment)
     return inView ? inView->p2() : way.p2();
 }
 
+/// Each in its own half-plane.
 void appendNames(const EdgeLineNumbers &line, const QPointF &arrow, const LayerMoment &moment,
                  LayerDrawing &drawing)
 {
@@ -61,13 +62,18 @@ void appendNames(const EdgeLineNumbers &line, const QPointF &arrow, const LayerM
                              .arg(line.name, cellNumber(line.a), cellNumber(line.b));
     const QPointF along = line.to - line.from;
     const QPointF middle = line.from + along / 2;
+    const LayerDrawing::HalfPlane positive{middle, arrow};
     if (std::hypot(along.x(), along.y()) * moment.view.cell < roomBesideEdge) {
-        drawing.labels.push_back({name, placeBeyond(line, moment), LayerInk::Mark});
+        drawing.labels.push_back({name,
+                                  placeBeyond(line.to, line.from, moment),
+                                  LayerInk::Mark,
+                                  positive,
+                                  {placeBeyond(line.from, line.to, moment), middle + arrow}});
         return;
     }
-    drawing.labels.push_back({name, middle + arrow, LayerInk::Mark});
-    drawing.labels.push_back(
-        {QStringLiteral("%1 < 0").arg(line.name), middle - arrow / 2, LayerInk::Negative});
+    drawing.labels.push_back({name, middle + arrow, LayerInk::Mark, positive});
+    drawing.labels.push_back({QStringLiteral("%1 < 0").arg(line.name), middle - arrow / 2,
+                              LayerInk::Negative, LayerDrawing::HalfPlane{middle, -arrow}});
 }
 
 void appendHalfPlane(const EdgeLineNumbers &line, const LayerMoment &moment, LayerDrawing &drawing)

@@ -6,6 +6,7 @@
 #include <QStringList>
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pixelplumb {
@@ -63,11 +64,21 @@ struct LayerDrawing {
 
         friend bool operator==(const Measure &, const Measure &) = default;
     };
+    /// The places p with (p − onBorder)·inward ≥ 0.
+    struct HalfPlane {
+        QPointF onBorder, inward;
+
+        friend bool operator==(const HalfPlane &, const HalfPlane &) = default;
+    };
     /// A name beside a place, where there is room.
     struct Label {
         QString text;
         QPointF place;
         LayerInk ink = LayerInk::Mark;
+        /// In which the whole name stands, or nowhere; none: anywhere.
+        std::optional<HalfPlane> side = {};
+        /// Beside the first of these that has room, where the place has none.
+        std::vector<QPointF> otherPlaces = {};
 
         friend bool operator==(const Label &, const Label &) = default;
     };

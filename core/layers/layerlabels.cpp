@@ -126,15 +126,23 @@ bool LayerLabels::isUnstruck(const Placed &label) const
            });
 }
 
-void LayerLabels::place(const QString &text, const QPointF &anchor, LayerInk ink)
+void LayerLabels::place(const LayerDrawing::Label &label)
 {
-    if (!isNearView(anchor))
-        return;
-    const QSizeF size = sizeOf(text);
-    std::vector<QRectF> rects;
-    for (const QPointF &corner : placesAround(anchor, size))
-        rects.push_back(movedInto({corner, size}, m_surface.view));
-    placeAt(text, anchor, ink, rects);
+    std::vector<QPointF> anchors = {m_surface.fromSamples.map(label.place)};
+    for (const QPointF &other : label.otherPlaces)
+        anchors.push_back(m_surface.fromSamples.map(other));
+    std::erase_if(anchors, [this](const QPointF &anchor) { return !isNearView(anchor); });
+    const QSizeF size = sizeOf(label.text);
+    const bool isPlaced = std::ranges::any_of(anchors, [&](const QPointF &anchor) {
+        std::vector<QRectF> rects;
+        for (const QPointF &corner : placesAround(anchor, size)) {
+            const QRectF rect = movedInto({corner, size}, m_surface.view);
+            if (isWithin(rect, label.side))
+                rects.push_back(rect);
+        }
+        return placeAt(label.text, anchor, label.ink, rects);
+    });
+    m_omitted += !isPlaced && !anchors.empty() ? 1 : 0;
 }
 
 void LayerLabels::placeBeside(const QString &text, const QRectF &bar, const QPointF &away,
@@ -151,7 +159,8 @@ void LayerLabels::placeBeside(const QString &text, const QRectF &bar, const QPoi
             }))
             rects.push_back(inView);
     }
-    placeAt(text, bar.center(), ink, rects);
+    if (!placeAt(text, bar.center(), ink, rects))
+        ++m_omitted;
 }
 
 bool LayerLabels::isNearView(const QPointF &anchor) const
@@ -159,12 +168,27 @@ bool LayerLabels::isNearView(const QPointF &anchor) const
     return m_surface.view.adjusted(-nearView, -nearView, nearView, nearView).contains(anchor);
 }
 
+bool LayerLabels::isWithin(const QRectF &rect,
+                           const std::optional<LayerDrawing::HalfPlane> &side) const
+{
+    if (!side)
+        return true;
+    // Right angles stay right: samples are mapped to the view by one scale, turned over at most.
+    const QPointF border = m_surface.fromSamples.map(side->onBorder);
+    const QPointF inward = m_surface.fromSamples.map(side->onBorder + side->inward) - border;
+    const auto isInward
+        = [&](const QPointF &corner) { return QPointF::dotProduct(corner - border, inward) >= 0; };
+    return std::ranges::all_of(
+        std::array{rect.topLeft(), rect.topRight(), rect.bottomLeft(), rect.bottomRight()},
+        isInward);
+}
+
 QSizeF LayerLabels::sizeOf(const QString &text)
 {
     return {m_glyphs.widthOf(text) * labelEm + 2 * paperPadding, lineHeight * labelEm + 2};
 }
 
-void LayerLabels::placeAt(const QString &text, const QPointF &anchor, LayerInk ink,
+bool LayerLabels::placeAt(const QString &text, const QPointF &anchor, LayerInk ink,
                           std::span<const QRectF> rects)
 {
     std::optional<Placed> found;
@@ -180,8 +204,7 @@ void LayerLabels::placeAt(const QString &text, const QPointF &anchor, LayerInk i
     }
     if (found)
         m_placed.push_back(*found);
-    else
-        ++m_omitted;
+    return found.has_value();
 }
 
 void LayerLabels::paint()

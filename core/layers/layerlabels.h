@@ -26,9 +26,9 @@ public:
     /// From now on, of these instead.
     void keepClearOf(std::span<const QRectF> taken) { m_taken = taken; }
 
-    /// Where nothing else stands, as near to its anchor as can be, with a line to it when it is not
-    /// beside it; nowhere when the anchor is far out of view.
-    void place(const QString &text, const QPointF &anchor, LayerInk ink);
+    /// Where nothing else stands, as near to its place as can be, with a line to it when it is not
+    /// beside it, else beside one of its other places; nowhere when these are far out of view.
+    void place(const LayerDrawing::Label &label);
     /// The text of a bar, on the side of it that `away` points to or on the other one, never nearer
     /// to another bar: of two bars in a row each text stands at its own outer end.
     void placeBeside(const QString &text, const QRectF &bar, const QPointF &away,
@@ -48,9 +48,12 @@ private:
     };
 
     bool isNearView(const QPointF &anchor) const;
+    /// Whether all of it is on the side of the border, if there is one.
+    bool isWithin(const QRectF &rect, const std::optional<LayerDrawing::HalfPlane> &side) const;
     QSizeF sizeOf(const QString &text);
-    /// Takes the first of the places that is free, if possible one with an unstruck leader.
-    void placeAt(const QString &text, const QPointF &anchor, LayerInk ink,
+    /// Takes the first of the places that is free, if possible one with an unstruck leader. False
+    /// where none is.
+    bool placeAt(const QString &text, const QPointF &anchor, LayerInk ink,
                  std::span<const QRectF> rects);
     /// Whether it covers no other name and nothing that is taken.
     bool isFree(const QRectF &rect) const;

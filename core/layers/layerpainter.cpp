@@ -161,7 +161,7 @@ QStringList LayerPainter::paintLabels(QPainter &painter, const LayerDrawing &dra
     kept.insert(kept.end(), shown.begin(), shown.end());
     labels.keepClearOf(kept);
     for (const LayerDrawing::Label &label : drawing.labels)
-        labels.place(label.text, surface.fromSamples.map(label.place), label.ink);
+        labels.place(label);
     labels.paint();
     m_labels = labels.places();
     if (labels.omitted() == 0)

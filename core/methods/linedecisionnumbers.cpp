@@ -61,8 +61,6 @@ void appendDistances(NumberTable<DecisionState> &table)
     const auto specified = [](const QString &rising, const QString &falling) {
         return [=](NumberDescription &number, const State &step) {
             number.formula = step.falls() ? falling : rising;
-            if (step.isSteep())
-                number.formula.replace(QStringLiteral("(x − x₀)"), QStringLiteral("(y − x₀)"));
         };
     };
     const auto row
@@ -78,6 +76,14 @@ void appendDistances(NumberTable<DecisionState> &table)
                                read,
                                specified(rising, falling)});
           };
+    table.push_back({{.id = QStringLiteral("x_k"),
+                      .title = QStringLiteral("x_k"),
+                      .unit = unit::px(),
+                      .toolTip = QStringLiteral("The column before this pixel's; the row below it "
+                                                "where the line is steep."),
+                      .formula = {},
+                      .group = Group::Decision},
+                     [](const State &step) { return Quantity::integer(step.place.along - 1); }});
     table.push_back({{.id = QStringLiteral("y_k"),
                       .title = QStringLiteral("y_k"),
                       .unit = unit::px(),
@@ -93,8 +99,8 @@ void appendDistances(NumberTable<DecisionState> &table)
         QStringLiteral(
             "y = m·(x_k + 1) + b, where the line is beside this pixel; x and y exchanged "
             "where it is steep."),
-        QStringLiteral("y_line = y₀ + (x − x₀)·Δy/Δx"),
-        QStringLiteral("y_line = y₀ − (x − x₀)·Δy/Δx"),
+        QStringLiteral("y_line = y₀ + (x_k + 1 − x₀)·Δy/Δx"),
+        QStringLiteral("y_line = y₀ − (x_k + 1 − x₀)·Δy/Δx"),
         [](const State &step) { return step.ordinate; });
     row(QStringLiteral("d_lower"), QStringLiteral("d_lower"),
         QStringLiteral("How far the line is beyond the pixel that stays."),

@@ -35,7 +35,11 @@ struct OutlineFillRecording : OutlineFillNumbers<A> {
     static SpanPlace placeOf(const Span &span) { return {SpanAxis::Column, span.column.x, 0}; }
     static bool isClamped(const Sample &fragment) { return fragment.isClamped(); }
 
-    static void record(const SetUp &, SetUpRecord &) { }
+    static void record(const SetUp &setUp, SetUpRecord &record)
+    {
+        const auto &[p0, p1, p2] = setUp.corners;
+        record.zeroArea = doubledArea(p0.position, p1.position, p2.position) == 0;
+    }
     static void record(const Span &span, SpanRecord &record)
     {
         record.firstSample = span.column.firstRow;

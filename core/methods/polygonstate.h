@@ -5,6 +5,8 @@
 #include "core/scan/polygonscan.h"
 #include "core/trace/stepinhand.h"
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 /// A row of a polygon with its numbers as quantities: what the tables of polygons read.
@@ -15,7 +17,9 @@ struct PolygonRowState {
     ShapeFill fill = ShapeFill::EvenOdd;
     std::int64_t firstDrawn = 0, endDrawn = 0; ///< inside the frame
     std::size_t crossingCount = 0; ///< active edges
-    std::vector<Crossing<AnyArithmetic>> crossings; ///< the first of them, as many as are shown
+    /// The first of them, as many as are shown; where several meet the row at the same x, in the
+    /// order in which they lie below it as seen, where its samples are taken to be.
+    std::vector<Crossing<AnyArithmetic>> crossings;
 
     std::int64_t drawnSamples() const { return std::max<std::int64_t>(0, endDrawn - firstDrawn); }
 };
@@ -30,6 +34,23 @@ struct PolygonSampleState {
     std::vector<std::size_t> edges; ///< that cross there, as the row meets them
 };
 
+/// Puts crossings at the same x as they lie just below the row as seen.
+inline void orderBelowRow(std::vector<Crossing<AnyArithmetic>> &crossings, FrameOrigin origin)
+{
+    // Rows ascend upward or downward as seen; below, x is less by the slope or more.
+    const int leftmost = origin == FrameOrigin::BottomLeft ? 1 : -1;
+    const auto isLeftBelow = [leftmost](const auto &a, const auto &b) {
+        return leftmost * errorOf(a.slope, b.slope) > 0;
+    };
+    for (auto first = crossings.begin(); first != crossings.end();) {
+        const auto end = std::find_if(first, crossings.end(),
+                                      [&](const auto &crossing) { return crossing.x != first->x; });
+        std::stable_sort(first, end, isLeftBelow);
+        // What is not a number equals not even itself.
+        first = std::max(end, first + 1);
+    }
+}
+
 template <class A>
 PolygonRowState polygonStateOf(const SpanInHand<PolygonSetUp, PolygonRow<A>> &step,
                                std::size_t shown)
@@ -43,13 +64,17 @@ PolygonRowState polygonStateOf(const SpanInHand<PolygonSetUp, PolygonRow<A>> &st
     state.firstDrawn = row.firstDrawn;
     state.endDrawn = row.endDrawn;
     state.crossingCount = row.crossings.size();
-    for (std::size_t i = 0; i < std::min(shown, row.crossings.size()); ++i) {
-        const Crossing<A> &crossing = row.crossings[i];
+    for (const Crossing<A> &crossing : row.crossings) {
+        const Quantity x = quantityOf(crossing.x);
+        // Those at the same x as the last one shown may lie to its left.
+        if (state.crossings.size() >= shown && x != state.crossings.back().x)
+            break;
         state.crossings.push_back({crossing.edge, crossing.turn, crossing.endRow,
                                    quantityOf(crossing.slope), quantityOf(crossing.base),
-                                   quantityOf(crossing.rise), quantityOf(crossing.x),
-                                   crossing.firstRight});
+                                   quantityOf(crossing.rise), x, crossing.firstRight});
     }
+    orderBelowRow(state.crossings, step.setUp.origin);
+    state.crossings.resize(std::min(shown, state.crossings.size()));
     return state;
 }
 

@@ -25,13 +25,28 @@ QString distanceText(const oracle::EdgeVerdict &edge, const ScanTrace &trace)
              QString::number(edge.distance, 'g', 6));
 }
 
-/// Which edge keeps the sample out, by how much, under which rule.
+/// What the step says by which the kernel passed over a sample; empty where it says nothing, and of
+/// a sample that was written or not visited.
+QString passingText(const PixelAttempt &attempt, const ScanTrace &trace)
+{
+    if (!attempt.sample || attempt.written)
+        return {};
+    const TraceStep step = trace.stepAt(attempt.step);
+    return trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
+}
+
+/// Which edge keeps the sample out, by how much, under which rule; of shapes, what the kernel
+/// found.
 QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
                     std::int64_t y)
 {
     const FillRule rule = traced.scene.settings.fillRule;
-    if (attempt.kind != PrimitiveKind::Triangle)
-        return QStringLiteral("The %1 does not cover it.").arg(nameOf(attempt.kind));
+    if (attempt.kind != PrimitiveKind::Triangle) {
+        const QString found = passingText(attempt, *traced.trace);
+        return found.isEmpty()
+            ? QStringLiteral("The %1 does not cover it.").arg(nameOf(attempt.kind))
+            : found;
+    }
     if (attempt.verdict.zeroArea) {
         return rule == FillRule::Closed
             ? QStringLiteral("The triangle has no area, and the sample is not on its segment.")

@@ -16,7 +16,9 @@ namespace pixelplumb {
 
 namespace {
 
-constexpr double readingError = 1e-9; // relative; of a fraction that is read as a double
+// Relative.
+constexpr double readingError = 1e-9; ///< of a fraction that is read as a double
+constexpr double float32Error = 0x1p-22; ///< of a fraction beside a float32: its last two places
 
 /// The number that a formula computes: what stands before "←" or "=".
 QString assignedIn(const QString &symbols)
@@ -122,6 +124,17 @@ bool isSame(double typed, double value)
     return std::abs(typed - value) <= readingError * std::max(1.0, std::abs(value));
 }
 
+/// Whether a fraction is the number that the kernel computes, as exactly as it does, or the one
+/// that it would compute without rounding.
+bool isFractionOf(double typed, const Prediction &prediction)
+{
+    const double value = prediction.value.toDouble();
+    const double error
+        = prediction.value.kind() == Quantity::Kind::Float32 ? float32Error : readingError;
+    return std::abs(typed - value) <= error * std::max(1.0, std::abs(value))
+        || (!prediction.exact.isNone() && isSame(typed, prediction.exact.toDouble()));
+}
+
 bool isRounded(double typed, double value, int places)
 {
     const double half = 0.5 * std::pow(10.0, -places);
@@ -167,7 +180,7 @@ std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t 
         const FormulaLine *earlier = before ? lineOf(*before, line) : nullptr;
         predictions.push_back({next.heading, titleOf(line.symbols), askedFor(line.symbols),
                                line.used, earlier ? earlier->used : Quantity(), line.symbols,
-                               reasonOf(line)});
+                               reasonOf(line), line.exact});
     }
     return predictions;
 }
@@ -181,7 +194,8 @@ Guess judge(const Prediction &prediction, const QString &typed)
     const double value = prediction.value.toDouble();
     const int places = placesOf(text);
     const bool isWhole = isSame(*read, std::round(*read));
-    if (isSame(*read, value) || (places >= leastPlaces && isRounded(*read, value, places)))
+    if (isSame(*read, value) || (places >= leastPlaces && isRounded(*read, value, places))
+        || (text.contains(u'/') && isFractionOf(*read, prediction)))
         return Guess::Right;
     if (!prediction.earlier.isNone() && isSame(*read, prediction.earlier.toDouble()))
         return Guess::Earlier;

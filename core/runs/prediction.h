@@ -21,6 +21,8 @@ struct Prediction {
     Quantity earlier;
     QString rule; ///< the formula: "y_B ← y_B′ + m₀₂"
     QString reason; ///< the formula with its numbers: "y_B ← y_B′ + m₀₂ = (8 10/27) + (7/54)"
+    /// What it would be without rounding; none where there is nothing to compare.
+    Quantity exact = {};
 };
 
 /// Whether it can be nothing but a whole number: it is rounded to one, or made of whole numbers
@@ -47,8 +49,12 @@ enum class Guess {
 };
 /// A decimal with as many places counts when it is the value rounded to them.
 constexpr int leastPlaces = 2;
-/// What was typed: "9", "-8.63", "53/2", "8 10/27". All but decimals must be the value.
+/// What was typed: "9", "-8.63", "53/2", "8 10/27". All but decimals must be the value or what it
+/// would be without rounding; of a floating-point value, to its last places.
 Guess judge(const Prediction &prediction, const QString &typed);
+
+/// Whether it is the number, told in a form that says too little: no try is lost.
+constexpr bool asksForAnotherForm(Guess guess) { return guess == Guess::Near; }
 
 /// What is told of it, the reason when it is right.
 QString verdictText(const Prediction &prediction, Guess guess);

@@ -39,6 +39,7 @@ struct PolygonSetUp {
     double largestMove = 0; ///< the farthest that one of these was moved onto the lattice, px
     std::size_t curveCount = 0; ///< Bézier pieces, where the edges are their chords
     std::int64_t firstRow = 0, endRow = 0; ///< that the polygon's edges cross, unclipped
+    FrameOrigin origin = FrameOrigin::BottomLeft; ///< of the frame: which way is down as seen
     ShapeFill fill = ShapeFill::EvenOdd;
     Colour colour;
 };

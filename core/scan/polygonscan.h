@@ -17,6 +17,7 @@ inline PolygonSetUp polygonSetUpFor(const Contours &contours, FrameOrigin origin
     setUp.contourCount = contours.count;
     setUp.edgeCount = contours.edges.size();
     setUp.curveCount = contours.curveCount;
+    setUp.origin = origin;
     setUp.fill = contours.fill;
     setUp.colour = contours.colour;
     for (const ContourEdge &edge : contours.edges)

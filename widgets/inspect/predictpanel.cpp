@@ -222,7 +222,7 @@ void PredictPanel::checkNumber(const Prediction &asked)
 {
     const Guess guess = judge(asked, m_answer->text());
     const QString verdict = verdictText(asked, guess);
-    if (guess != Guess::Unread)
+    if (guess != Guess::Unread && !asksForAnotherForm(guess))
         count(guess == Guess::Right);
     guess == Guess::Right ? settle(verdict) : tell(verdict);
 }
