@@ -215,7 +215,7 @@ private slots:
         row("edge-functions-cut", TestMistake::FunctionsCut);
         row("weights-not-divided", TestMistake::NotDivided);
         row("weights-doubled", TestMistake::DividedByHalf);
-        row("weights-halved", TestMistake::DividedByTwice);
+        row("levels-halved", TestMistake::DividedByTwice);
         row("weights-whole", TestMistake::WholeWeights);
         row("weight-2-adds-weight-1", TestMistake::ThirdWeightAdds);
         row("weight-2-is-weight-0", TestMistake::ThirdWeightIsFirst);

@@ -131,10 +131,6 @@ void appendWeights(Defects &defects)
                     for (Int128 &numerator : weights.numerators)
                         numerator *= 2;
                 }});
-    defects.add("weights-halved", weightQuestion,
-                "Edge functions are divided by twice too much, such as 2 · 2A: weights and colours "
-                "are halved.",
-                {.weigh = [](VertexWeights &weights) { weights.denominator *= 2; }});
     defects.add("weights-whole", numberQuestion,
                 "Weights are divided as whole numbers: each is 0 but at its own vertex.",
                 {.weigh = [](VertexWeights &weights) {
