@@ -38,7 +38,7 @@ RedrawnTriangle::RedrawnTriangle(const Scene &alone, const Redrawing &redrawing,
     , m_drawRight(std::move(drawRight))
 {
     m_runs.side = side;
-    see(alone);
+    see(alone, redrawing.box);
     const bool isWalked = redrawing.walk && walkAs(m_runs, *redrawing.walk);
     if (isWalked)
         return;
@@ -52,13 +52,13 @@ RedrawnTriangle::RedrawnTriangle(const Scene &alone, const Redrawing &redrawing,
     , m_overflow(redrawing.overflow)
     , m_bytes(redrawing.bytes)
 {
-    see(alone);
+    see(alone, redrawing.box);
     m_runs.mayBe = [&](const SampleRun &run) { return isIn(found, run); };
     if (redrawing.walk)
         walkAs(m_runs, *redrawing.walk);
 }
 
-void RedrawnTriangle::see(const Scene &alone)
+void RedrawnTriangle::see(const Scene &alone, VisitedBox box)
 {
     const SpanAxis axis = methodNamed(QString::fromStdString(alone.method))->spanAxis;
     m_goesByRows = axis != SpanAxis::Column;
@@ -71,7 +71,7 @@ void RedrawnTriangle::see(const Scene &alone)
     m_runs.settings = alone.settings;
     const BoundaryRule rule = boundaryRuleOf(alone);
     m_runs.rule = rule;
-    m_runs.visited = boxOf(triangle, alone, redrawing.box);
+    m_runs.visited = boxOf(triangle, alone, box);
     m_runs.intervals = columnIntervals(rule.rule);
     if (axis == SpanAxis::Row) {
         m_runs.order = WalkOrder::Descending;

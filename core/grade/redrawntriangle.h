@@ -23,7 +23,7 @@ public:
     void paintOn(Picture &picture, Repainting repainting, const Colour &background) const;
 
 private:
-    void see(const Scene &alone);
+    void see(const Scene &alone, VisitedBox box);
     bool isIn(const Picture &found, const SampleRun &run) const;
     const Picture &right() const;
     std::optional<std::size_t> indexOf(std::int64_t span, std::int64_t place) const;
