@@ -38,6 +38,12 @@ const GradedSubmission *submissionNamed(const GradeReport &report, const QString
     return found != report.submissions.end() ? &*found : nullptr;
 }
 
+/// "one unsorted-colours": of a program with one defect. An id may have a slash, a folder not.
+QString nameWith(const char *count, const Defect &defect)
+{
+    return QLatin1String(count) + u' ' + QString(defect.id).replace(u'/', u'-');
+}
+
 bool isAmong(const GradedSubmission &submission, const QStringList &defects)
 {
     return std::ranges::any_of(submission.candidates, [&](const GradedCandidate &candidate) {
@@ -95,10 +101,9 @@ private slots:
         QVERIFY(deliver(submission(QStringLiteral("right")), m_assignment));
         const std::vector<Defect> defects = defectsOf(m_assignment);
         for (std::size_t i = 0; i < defects.size(); i += defectsApart)
-            QVERIFY(deliver(submission(QStringLiteral("one ") + defects[i].id), m_assignment,
-                            {defects[i]}));
+            QVERIFY(deliver(submission(nameWith("one", defects[i])), m_assignment, {defects[i]}));
         for (std::size_t i = 0; i + 9 < 12; i += 2)
-            QVERIFY(deliver(submission(QStringLiteral("two ") + defects[i].id), m_assignment,
+            QVERIFY(deliver(submission(nameWith("two", defects[i])), m_assignment,
                             {defects[i], defects.back()}));
         QVERIFY(QDir().mkpath(submission(QStringLiteral("empty"))));
         const QString first = m_assignment.scenes.front().name + QStringLiteral(".png");
@@ -116,7 +121,7 @@ private slots:
         const std::vector<Defect> defects = defectsOf(m_assignment);
         int named = 0;
         for (std::size_t i = 0; i < defects.size(); i += defectsApart) {
-            const auto *each = submissionNamed(report, QStringLiteral("one ") + defects[i].id);
+            const auto *each = submissionNamed(report, nameWith("one", defects[i]));
             QVERIFY(each);
             if (each->verdict == GradeVerdict::Right)
                 continue; // arithmetic that is exact enough here

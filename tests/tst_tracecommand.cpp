@@ -79,8 +79,10 @@ private slots:
     void aFilledOutlineOnOneLineHasNoArea()
     {
         const QByteArray scene = R"({ "pixelplumb": 1, "frame": { "width": 16, "height": 8 },
-            "primitives": [ { "triangle": [[1, 1], [9, 5], [5, 3]] },
-                            { "triangle": [[1, 1], [9, 5], [5, 4]] } ] })";
+            "primitives": [
+                { "triangle": [[1, 1], [9, 5], [5, 3]], "colors": ["#ff0000", "#00ff00", "#0000ff"] },
+                { "triangle": [[1, 1], [9, 5], [5, 4]], "colors": ["#ff0000", "#00ff00", "#0000ff"] }
+            ] })";
         const ProgramRun table = run({"trace", "-", "--method", "midpoint-outline-fill", "--level",
                                       "setup", "--columns", "zero_area"},
                                      scene);
