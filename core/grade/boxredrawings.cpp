@@ -7,6 +7,12 @@ namespace pixelplumb {
 
 namespace {
 
+/// In which x is a column, whatever the program visits.
+SampleBox rightBoxOf(const TriangleRuns &triangle)
+{
+    return boundingBoxOf(exchanged(triangle.triangle));
+}
+
 void omitRow(TriangleRuns &triangle, std::int64_t row)
 {
     std::erase_if(triangle.runs, [row](const SampleRun &run) { return run.span == row; });
@@ -37,24 +43,18 @@ void fillBox(TriangleRuns &triangle)
         triangle.runs.push_back({row, box.firstX, box.endX});
 }
 
-void omitFirstRowOfBox(TriangleRuns &triangle)
-{
-    omitRow(triangle, boundingBoxOf(exchanged(triangle.triangle)).firstY);
-}
+void omitFirstRowOfBox(TriangleRuns &triangle) { omitRow(triangle, rightBoxOf(triangle).firstY); }
 
-void omitLastRowOfBox(TriangleRuns &triangle)
-{
-    omitRow(triangle, boundingBoxOf(exchanged(triangle.triangle)).endY - 1);
-}
+void omitLastRowOfBox(TriangleRuns &triangle) { omitRow(triangle, rightBoxOf(triangle).endY - 1); }
 
 void omitFirstColumnOfBox(TriangleRuns &triangle)
 {
-    omitBefore(triangle, boundingBoxOf(exchanged(triangle.triangle)).firstX + 1);
+    omitBefore(triangle, rightBoxOf(triangle).firstX + 1);
 }
 
 void omitLastColumnOfBox(TriangleRuns &triangle)
 {
-    omitFrom(triangle, boundingBoxOf(exchanged(triangle.triangle)).endX - 1);
+    omitFrom(triangle, rightBoxOf(triangle).endX - 1);
 }
 
 void omitGreatestOfBox(TriangleRuns &triangle)

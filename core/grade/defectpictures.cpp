@@ -160,37 +160,37 @@ DefectPictures::SharedRange DefectPictures::range(std::size_t scene, const Defec
     return range;
 }
 
-bool DefectPictures::differsAtOnce(std::size_t scene, const DefectSet &set,
-                                   const Picture &found) const
+bool DefectPictures::Drawn::isKnownToDiffer(const Picture &found) const
+{
+    if (picture || !canBeDrawn)
+        return !canBeDrawn;
+    return found.hasColours ? colourHash != hashOf(found.colours)
+                            : coverageHash != hashOf(found.covered);
+}
+
+bool DefectPictures::isRefusedAtOnce(std::size_t scene, const DefectSet &set,
+                                     const Picture &found) const
 {
     const std::vector<Defect> defects = defectsIn(set);
-    const bool isOfPictures = std::ranges::any_of(
-        defects, [](const Defect &defect) { return bool(defect.changePicture); });
+    const bool isOfPictures
+        = std::ranges::find(defects, DefectStage::Picture, &Defect::stage) != defects.end();
     const auto redrawing = isOfPictures ? std::nullopt : redrawingAmong(defects);
     if (!redrawing || !redrawing->redrawing)
         return false;
     const Scene drawn = withDefects(sceneIn(scene, set), defects);
-    return objectionTo(drawn).isEmpty()
-        && pixelplumb::differsAtOnce(drawn, *redrawing->redrawing, found);
+    return objectionTo(drawn).isEmpty() && differsAtOnce(drawn, *redrawing->redrawing, found);
 }
 
 bool DefectPictures::isKnownToDiffer(std::size_t scene, const DefectSet &set,
                                      const Picture &found) const
 {
-    const auto drawnBefore = [&]() -> std::optional<Drawn> {
+    {
         const std::lock_guard lock(m_mutex);
         const auto known = m_drawn.find({scene, set});
-        return known != m_drawn.end() ? std::optional(known->second) : std::nullopt;
-    }();
-    if (!drawnBefore)
-        return differsAtOnce(scene, set, found);
-    if (drawnBefore->picture)
-        return false;
-    const Drawn &drawn = *drawnBefore;
-    if (!drawn.canBeDrawn)
-        return true;
-    return found.hasColours ? drawn.colourHash != hashOf(found.colours)
-                            : drawn.coverageHash != hashOf(found.covered);
+        if (known != m_drawn.end())
+            return known->second.isKnownToDiffer(found);
+    }
+    return isRefusedAtOnce(scene, set, found);
 }
 
 } // namespace pixelplumb

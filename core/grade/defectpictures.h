@@ -54,6 +54,8 @@ private:
         std::size_t colourHash = 0, coverageHash = 0;
         bool canBeDrawn = false;
         SharedPicture picture; ///< none where there is no room
+
+        bool isKnownToDiffer(const Picture &found) const; ///< by what was kept in its place
     };
     using Key = std::pair<std::size_t, DefectSet>;
 
@@ -62,7 +64,7 @@ private:
         SharedPicture picture;
     };
 
-    bool differsAtOnce(std::size_t scene, const DefectSet &set, const Picture &found) const;
+    bool isRefusedAtOnce(std::size_t scene, const DefectSet &set, const Picture &found) const;
     SharedPicture scenePicture(std::size_t scene, const Scene &drawn);
     Scene sceneIn(std::size_t scene, const DefectSet &set) const; ///< in the set's arithmetic
     SharedPicture draw(std::size_t scene, const DefectSet &set);

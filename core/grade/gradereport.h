@@ -32,8 +32,6 @@ enum class PictureLack {
 inline constexpr std::array allPictureLacks
     = {PictureLack::NotThere,  PictureLack::NotDrawn,   PictureLack::Empty,
        PictureLack::OtherSize, PictureLack::TraceAlone, PictureLack::Unreadable};
-/// "1 submission", "3 submissions".
-QString submissionsText(std::size_t submissions);
 QString nameOf(PictureLack lack); ///< "not there", "not drawn", "empty", "of another size" …
 
 /// One check of one scene.

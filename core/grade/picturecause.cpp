@@ -78,23 +78,24 @@ void appendLevels(std::vector<PictureChange> &changes)
         [](double level) { return std::pow(level, 1 / gamma); });
     add(QStringLiteral("raised to the power 2.2"),
         [](double level) { return std::pow(level, gamma); });
-    changes.push_back({QStringLiteral("gray of the mean of R G B"),
-                       recolour([](const Colour &colour) {
-                           const auto &[red, green, blue] = colour.channels;
-                           const auto mean = std::uint8_t((red + green + blue) / 3);
-                           return Colour{{mean, mean, mean}};
-                       }),
-                       QStringLiteral("levels")});
-    changes.push_back(
-        {QStringLiteral("gray of the luma of R G B"), recolour([](const Colour &colour) {
-             const auto &[red, green, blue] = colour.channels;
-             // 0.299, 0.587 and 0.114 in whole 65536ths, as in Pillow's convert("L").
-             const int scaled = 19595 * red + 38470 * green + 7471 * blue;
-             const auto luma = std::uint8_t((scaled + 32768) / 65536);
-             return Colour{{luma, luma, luma}};
-         }),
-         QStringLiteral("levels"), false,
-         QStringLiteral("Done to the whole picture: gray of 0.299 R + 0.587 G + 0.114 B.")});
+    const auto addGray = [&](const QString &name, int (*level)(int red, int green, int blue),
+                             const QString &sentence) {
+        const auto gray = [level](const Colour &colour) {
+            const auto &[red, green, blue] = colour.channels;
+            const auto each = std::uint8_t(level(red, green, blue));
+            return Colour{{each, each, each}};
+        };
+        changes.push_back({name, recolour(gray), QStringLiteral("levels"), false, sentence});
+    };
+    addGray(QStringLiteral("gray of the mean of R G B"),
+            [](int red, int green, int blue) { return (red + green + blue) / 3; }, {});
+    addGray(
+        QStringLiteral("gray of the luma of R G B"),
+        [](int red, int green, int blue) {
+            // 0.299, 0.587 and 0.114 in whole 65536ths, as in Pillow's convert("L").
+            return (19595 * red + 38470 * green + 7471 * blue + 32768) / 65536;
+        },
+        QStringLiteral("Done to the whole picture: gray of 0.299 R + 0.587 G + 0.114 B."));
     const auto addBits = [&](const QString &name, Widening widening) {
         changes.push_back({name, recolour([widening](const Colour &colour) {
                                return inHighColour(colour, widening);

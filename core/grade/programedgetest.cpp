@@ -78,10 +78,14 @@ private:
         }
         finish();
     }
+    /// From which vertex and to which one.
+    std::pair<LatticePoint, LatticePoint> edgeOf(std::size_t edge) const
+    {
+        return {m_triangle.vertices[edge].position, m_triangle.vertices[(edge + 1) % 3].position};
+    }
     Int128 functionOf(std::size_t edge, const LatticePoint &at) const
     {
-        const LatticePoint &from = m_triangle.vertices[edge].position;
-        const LatticePoint &to = m_triangle.vertices[(edge + 1) % 3].position;
+        const auto [from, to] = edgeOf(edge);
         return m_program.function ? m_program.function(from, to, at) : doubledArea(from, to, at);
     }
     EdgeFunctions functionsAt(std::int64_t x, std::int64_t y) const
@@ -133,14 +137,12 @@ private:
         case EdgeSlack::OfWeight:
             return area / 100;
         }
-        const LatticePoint &from = m_triangle.vertices[edge].position;
-        const LatticePoint &to = m_triangle.vertices[(edge + 1) % 3].position;
+        const auto [from, to] = edgeOf(edge);
         return Int128(std::hypot(double(to.x - from.x), double(to.y - from.y)) * halfPixel);
     }
     bool ownsTie(std::size_t edge) const
     {
-        const LatticePoint &from = m_triangle.vertices[edge].position;
-        const LatticePoint &to = m_triangle.vertices[(edge + 1) % 3].position;
+        const auto [from, to] = edgeOf(edge);
         const int sign = m_area < 0 ? -1 : 1;
         const Lattice perX = (from.y - to.y) * sign; // of the function, which grows inward
         const Lattice perY = (to.x - from.x) * sign;

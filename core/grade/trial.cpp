@@ -26,13 +26,16 @@ std::optional<TraceDifference> differenceBeforeEnd(const QByteArray &output, con
     return difference ? *difference : std::nullopt;
 }
 
-/// Whether a program that ended by itself wrote a whole picture all the same.
-bool hasDrawn(const StudentRun &run, const Scene &scene)
+/// What it printed; none where that is not looked at.
+std::optional<Result<StudentOutput>> outputOf(const StudentRun &run, const Scene &scene)
 {
-    if (run.end != ProgramEnd::Failed)
-        return false;
-    const Result<StudentOutput> output = readStudentOutput(run.output, scene);
-    return output && output->picture && output->lines.empty();
+    if (run.end != ProgramEnd::Finished && run.end != ProgramEnd::Failed)
+        return std::nullopt;
+    Result<StudentOutput> output = readStudentOutput(run.output, scene);
+    // Who failed may have written a whole picture all the same.
+    const bool isJudged
+        = run.end == ProgramEnd::Finished || (output && output->picture && output->lines.empty());
+    return isJudged ? std::optional(std::move(output)) : std::nullopt;
 }
 
 } // namespace
@@ -58,12 +61,13 @@ Result<Trial> tryProgram(const StudentProgram &student, const Scene &scene, cons
         return run.error();
     Trial trial;
     trial.run = std::move(*run);
-    if (trial.run.end != ProgramEnd::Finished && !hasDrawn(trial.run, scene)) {
+    std::optional<Result<StudentOutput>> read = outputOf(trial.run, scene);
+    if (!read) {
         trial.fault = InputError{{}, trial.run.told, {}};
         trial.trace = differenceBeforeEnd(trial.run.output, scene, terms.tolerance);
         return trial;
     }
-    Result<StudentOutput> output = readStudentOutput(trial.run.output, scene);
+    Result<StudentOutput> &output = *read;
     if (!output) {
         trial.fault = output.error();
         return trial;

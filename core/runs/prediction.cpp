@@ -119,19 +119,18 @@ int placesOf(const QString &typed)
     return point < 0 || typed.contains(u'/') ? 0 : int(typed.size() - point - 1);
 }
 
-bool isSame(double typed, double value)
+bool isSame(double typed, double value, double error = readingError)
 {
-    return std::abs(typed - value) <= readingError * std::max(1.0, std::abs(value));
+    return std::abs(typed - value) <= error * std::max(1.0, std::abs(value));
 }
 
 /// Whether a fraction is the number that the kernel computes, as exactly as it does, or the one
 /// that it would compute without rounding.
 bool isFractionOf(double typed, const Prediction &prediction)
 {
-    const double value = prediction.value.toDouble();
     const double error
         = prediction.value.kind() == Quantity::Kind::Float32 ? float32Error : readingError;
-    return std::abs(typed - value) <= error * std::max(1.0, std::abs(value))
+    return isSame(typed, prediction.value.toDouble(), error)
         || (!prediction.exact.isNone() && isSame(typed, prediction.exact.toDouble()));
 }
 
