@@ -2,6 +2,7 @@
 #include "core/grade/diagnosis.h"
 #include "core/grade/picturediff.h"
 #include "tests/support/probescenes.h"
+#include "tests/support/scanning.h"
 #include "tests/support/studentwalk.h"
 
 #include <QElapsedTimer>
@@ -95,7 +96,11 @@ private slots:
         std::vector<Submission> submissions;
         const Mistakes mistakes = {WalkMistake::EdgeDivisorPlusOne, WalkMistake::SpanDivisorPlusOne,
                                    WalkMistake::EqualAsGiven};
-        for (const Scene &scene : probeSheet(QStringLiteral("column-scan")))
+        std::vector<Scene> scenes = probeSheet(QStringLiteral("column-scan"));
+        // One whose last two vertices share a column, the upper one given first.
+        scenes.push_back(scenes.front());
+        scenes.back().triangles = {triangleAt(3, 9, 30, 25, 30, 4)};
+        for (const Scene &scene : scenes)
             submissions.push_back({scene, studentPicture(scene, WalkLines::Columns, mistakes)});
         const auto diagnosis = diagnose(submissions);
         QVERIFY2(diagnosis->isExplained(), qPrintable(idsOf(*diagnosis).join(u'\n')));
