@@ -210,6 +210,10 @@ std::vector<WalkRow> rateRows()
          slopeQuestion,
          "The slopes of all edges have the wrong sign.",
          {.slopeForm = SlopeForm::Negated}},
+        {"slopes-of-magnitudes",
+         slopeQuestion,
+         "The slope of an edge is |Δ%3|/Δ%2 in place of Δ%3/Δ%2: none has the other sign.",
+         {.slopeForm = SlopeForm::OfMagnitude}},
         {"runs-of-whole-ends",
          walkquestions::edgeDivisor,
          "Δ%2 of an edge, by which its slope and its colours are divided, is the difference of two "
@@ -236,6 +240,20 @@ const std::vector<WalkRow> &edgeWalkRows()
             all.insert(all.end(), some.begin(), some.end());
         return all;
     }();
+    return rows;
+}
+
+const std::vector<WalkRow> &columnWalkRows()
+{
+    static const std::vector<WalkRow> rows = {
+        {"sides-by-slopes",
+         "Which of the two edges is the upper bound? Which slope has one along a %1?",
+         "Which of the two edges that begin at the first vertex is the lower bound is told by "
+         "their slopes, m₀₁ ≤ m₀₂, and an edge along a %1 is given the slope 0: where two "
+         "vertices lie on the first %1 bounds are exchanged, and the triangle is not drawn, where "
+         "the long edge does not go back.",
+         {.upperEdge = UpperEdge::LongBySlopes}},
+    };
     return rows;
 }
 

@@ -38,7 +38,9 @@ struct ExactWalk {
             Ramp ramp = ramps[i];
             if (walk.stepsAlongSpansOf[i] != i) // channels have one denominator
                 ramp.step = ramps[walk.stepsAlongSpansOf[i]].step;
-            if (walk.levels != Kept::All) {
+            if (walk.spanStoring == Storing::FirstAlone) {
+                ramp.first = leftOf(ramp.first, ramp.denominator, walk.levels) * ramp.denominator;
+            } else if (walk.levels != Kept::All) {
                 behind[i] = storeWhole(ramp, span, program, levels, i) * carriedUnit;
                 continue;
             }
@@ -76,6 +78,8 @@ private:
             return height + unit;
         case SpanDivisor::HeightLessOne:
             return height - unit;
+        case SpanDivisor::HeightFromOne:
+            return height < unit ? Int128(0) : height;
         case SpanDivisor::Height:
             break;
         }

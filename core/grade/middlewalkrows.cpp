@@ -120,6 +120,12 @@ std::vector<WalkRow> longEdgeRows()
          "In the second half the long edge begins again with the first vertex' colours; its %3 "
          "goes on.",
          {.longColoursBehind = fromFirst}},
+        {"long-edge-without-pre-step-behind-middle",
+         walkquestions::middle,
+         "In the second half the long edge begins again with its own place and colours beside the "
+         "middle vertex, without the pre-step from there to the half's first %1.",
+         {.longPlacesBehind = LongEdgeBehind::WithoutPreStep,
+          .longColoursBehind = LongEdgeBehind::WithoutPreStep}},
         {"long-edge-waits",
          walkquestions::middle,
          "The long edge is not stepped before the middle vertex, neither its %3 nor its colours: "

@@ -137,13 +137,39 @@ std::vector<WalkRow> longRateRows()
     };
 }
 
+/// Of an edge along a span, the slope that another one has of it is 0.
+std::vector<WalkRow> exchangedRows()
+{
+    constexpr auto first = WalkedEdges::First;
+    constexpr auto second = WalkedEdges::Second;
+    constexpr auto across = WalkedEdges::Long;
+    return {
+        {"slopes-of-short-edges-exchanged",
+         walkquestions::differences,
+         "The slopes of the two short edges are exchanged: each has the other's; the colours are "
+         "stepped by their own steps.",
+         {.slopesOf = {second, first, across}}},
+        {"slopes-of-first-and-long-edge-exchanged",
+         walkquestions::differences,
+         "The slopes of the edge from the first vertex to the middle one and of the long edge are "
+         "exchanged: each has the other's; the colours are stepped by their own steps.",
+         {.slopesOf = {across, second, first}}},
+        {"slopes-of-second-and-long-edge-exchanged",
+         walkquestions::differences,
+         "The slopes of the edge from the middle vertex to the last and of the long edge are "
+         "exchanged: each has the other's; the colours are stepped by their own steps.",
+         {.slopesOf = {first, across, second}}},
+    };
+}
+
 } // namespace
 
 const std::vector<WalkRow> &mistakenRateRows()
 {
     static const std::vector<WalkRow> rows = [] {
         std::vector<WalkRow> all;
-        for (const std::vector<WalkRow> &some : {firstRateRows(), secondRateRows(), longRateRows()})
+        for (const std::vector<WalkRow> &some :
+             {firstRateRows(), secondRateRows(), longRateRows(), exchangedRows()})
             all.insert(all.end(), some.begin(), some.end());
         return all;
     }();

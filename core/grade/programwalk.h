@@ -12,9 +12,9 @@ enum class Kept { All, TowardZero, Down, Nearest };
 /// bound's first sample ⌈y_B⌉ − y_B; nothing; x₀ − ⌊x₀⌋; the right way in the wrong direction; or,
 /// of a span alone, the right way by which nothing is multiplied: R_B + (⌈y_B⌉ − y_B).
 enum class PreStep { ToSample, None, Fraction, Backward, WithoutRate };
-/// Which values are kept as whole numbers where such are: from the first on, or those that have
-/// been stepped: y = int(y + m), from a y that is none.
-enum class Storing { FromFirst, BehindSteps };
+/// Which values are kept as whole numbers where such are: from the first on; those that have been
+/// stepped: y = int(y + m), from a y that is none; or, of a span's colours, the first alone.
+enum class Storing { FromFirst, BehindSteps, FirstAlone };
 /// When what is stepped is stepped.
 enum class Stepping { AfterDrawing, BeforeDrawing };
 /// What happens to the edges at a span without samples.
@@ -24,9 +24,9 @@ enum class EmptySpan { Steps, Waits };
 /// rule.
 enum class EndRounding { ByRule, Down, Nearest, Up, OnBoundOtherwise };
 /// By what a span's difference of colours is divided: y_T − y_B; this and one; this less one, which
-/// may be negative; the number of its samples; or the steps from its first sample to its last. By 0
-/// nothing is, and nothing stepped.
-enum class SpanDivisor { Height, HeightAndOne, HeightLessOne, Samples, Steps };
+/// may be negative; this where it is at least one, else 0; the number of its samples; or the steps
+/// from its first sample to its last. By 0 nothing is, and nothing stepped.
+enum class SpanDivisor { Height, HeightAndOne, HeightLessOne, HeightFromOne, Samples, Steps };
 /// Whose colours are taken for the lower bound's: its own edge's, or always those of the short
 /// edge, of the long one or of the upper bound, the other bound having the other's.
 enum class LowerColours { OfItsEdge, OfShortEdge, OfLongEdge, OfUpperEdge };
@@ -48,10 +48,10 @@ constexpr bool isFlat(SpanColours colours) { return colours >= SpanColours::Lowe
 /// triangle or of each of its halves, with what the span before has come to behind its last sample.
 enum class SpanStart { AtBound, GoesOn, GoesOnInHalf };
 /// Which edge of a span is its upper bound: the one that is; or L₀₂ always, never, where
-/// y₁ < y₀, or where y₁ < y₂.
-enum class UpperEdge { TheUpper, Long, Short, LongIfBelowFirst, LongIfBelowLast };
-/// What a slope is: Δy/Δx, Δx/Δy, or −Δy/Δx.
-enum class SlopeForm { RiseOverRun, RunOverRise, Negated };
+/// y₁ < y₀, where y₁ < y₂, or where m₀₁ ≤ m₀₂, a slope along the spans being 0.
+enum class UpperEdge { TheUpper, Long, Short, LongIfBelowFirst, LongIfBelowLast, LongBySlopes };
+/// What a slope is: Δy/Δx, Δx/Δy, −Δy/Δx, or |Δy|/Δx.
+enum class SlopeForm { RiseOverRun, RunOverRise, Negated, OfMagnitude };
 /// By what the colours of an edge are divided: Δx, Δy or |Δy|.
 enum class EdgeColourDivisor { Run, Rise, RiseMagnitude };
 /// What is added to a colour of an edge: its step, or the opposite.
@@ -61,9 +61,10 @@ enum class ShortEdgeBehind { FromMiddle, FromFirst, CarriedOn };
 /// Which edge a rate is of: the edge itself, L₀₁ or L₀₂; or that its rise is L₀₁'s or L₀₂'s, or its
 /// run.
 enum class RateOf { Own, FirstEdge, LongEdge, FirstRise, LongRise, FirstRun, LongRun };
-/// What L₀₂ does behind P₁: it goes on, begins anew with P₁'s own or with P₀'s, or stays as it is
-/// there.
-enum class LongEdgeBehind { GoesOn, FromMiddle, FromFirst, Stands };
+/// What L₀₂ does behind P₁: it goes on, stays as it is there, or begins anew: with P₁'s own, with
+/// P₀'s, or with what is its own at P₁, taken for that of the first span behind.
+enum class LongEdgeBehind { GoesOn, Stands, FromMiddle, FromFirst, WithoutPreStep };
+constexpr bool isBegunAnew(LongEdgeBehind behind) { return behind >= LongEdgeBehind::FromMiddle; }
 /// What L₀₂ does before P₁: it is stepped, or waits.
 enum class LongEdgeBefore { Steps, Waits };
 /// To which half the span belongs on which P₁ lies: the second one; to both, for each of which L₀₂
@@ -99,6 +100,10 @@ constexpr bool isSortedByX(VertexOrder order) { return order <= VertexOrder::ByX
 
 /// Edges of a triangle: all, or L₀₁, L₁₂ or L₀₂ alone.
 enum class WalkedEdges { All, First, Second, Long };
+/// Whose slope each of L₀₁ L₁₂ L₀₂ has; that of one along the spans is 0.
+using SlopeSources = std::array<WalkedEdges, 3>;
+inline constexpr SlopeSources ownSlopes
+    = {WalkedEdges::First, WalkedEdges::Second, WalkedEdges::Long};
 /// What is divided by an edge's Δx: its rise and the differences of its colours, or one of these.
 enum class EdgeRates { All, Slope, Colours };
 
@@ -167,6 +172,7 @@ struct ProgramWalk {
     RateOf secondColourRates = RateOf::Own;
     RateOf longSlope = RateOf::Own;
     RateOf longColourRates = RateOf::Own;
+    SlopeSources slopesOf = ownSlopes; ///< where they are exchanged
     LongEdgeBefore longPlacesBefore = LongEdgeBefore::Steps;
     LongEdgeBefore longColoursBefore = LongEdgeBefore::Steps;
     LongEdgeBehind longPlacesBehind = LongEdgeBehind::GoesOn;

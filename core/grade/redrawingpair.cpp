@@ -24,9 +24,10 @@ public:
                      stepsAlongSpansOf, edgeColourDivisor, edgeColourSign, placeStepping,
                      edgeColourStepping, spanStepping, emptySpans, shortPlaces, shortColours,
                      firstSlope, firstColourRates, secondSlope, secondColourRates, longSlope,
-                     longColourRates, longPlacesBefore, longColoursBefore, longPlaces, longColours,
-                     flatEnd, middleSpan, upperEdge, spans, leastSpan, greatestSpan, first, last,
-                     extraBefore, extraBehind, divisor, lowerColours, spanColours, spanStart]
+                     longColourRates, slopesOf, longPlacesBefore, longColoursBefore, longPlaces,
+                     longColours, flatEnd, middleSpan, upperEdge, spans, leastSpan, greatestSpan,
+                     first, last, extraBefore, extraBehind, divisor, lowerColours, spanColours,
+                     spanStart]
             = m_right;
         // What departs on one edge alone departs on all with what departs on all.
         m_isContradiction = one.departing != other.departing && departsAlongEdges(one)
@@ -76,6 +77,7 @@ public:
         take(&ProgramWalk::secondColourRates, secondColourRates);
         take(&ProgramWalk::longSlope, longSlope);
         take(&ProgramWalk::longColourRates, longColourRates);
+        take(&ProgramWalk::slopesOf, slopesOf);
         take(&ProgramWalk::longPlacesBefore, longPlacesBefore);
         take(&ProgramWalk::longColoursBefore, longColoursBefore);
         take(&ProgramWalk::longPlacesBehind, longPlaces);
@@ -168,7 +170,8 @@ bool hasOrder(ProgramWalk walk)
     walk.divisor = right.divisor;
     walk.lowerColours = right.lowerColours;
     walk.spanColours = right.spanColours;
-    walk.upperEdge = right.upperEdge;
+    if (walk.upperEdge != UpperEdge::LongBySlopes) // an edge along the spans is the first one
+        walk.upperEdge = right.upperEdge;
     // Those of an end that is told by its coordinate.
     for (SpanEnd *end : {&walk.leastSpan, &walk.greatestSpan}) {
         if (*end != SpanEnd::OneMore)

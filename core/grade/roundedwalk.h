@@ -23,7 +23,7 @@ struct RoundedWalk {
         return Traits::fromInteger(quotient < Traits::fromInteger(0) ? A::ceil(quotient)
                                                                      : A::floor(quotient));
     }
-    static Value left(const Value &value, Kept kept)
+    static Value leftOf(const Value &value, Kept kept)
     {
         if (kept == Kept::Down)
             return Traits::fromInteger(A::floor(value));
@@ -36,7 +36,7 @@ struct RoundedWalk {
     public:
         Edge(const WalkedEdge &edge, const ProgramWalk &walk, std::int64_t span)
             : m_walk(walk)
-            , m_slope(left(A::edgeSlope(edge.places.a, edge.places.b), walk.slopes))
+            , m_slope(leftOf(A::edgeSlope(edge.places.a, edge.places.b), walk.slopes))
             , m_along(A::edgeOrdinate(edge.firstPlace, edge.places.b,
                                       A::runTo(span, edge.firstPlace), m_slope))
         {
@@ -44,16 +44,16 @@ struct RoundedWalk {
             std::array<Value, 3> rates;
             for (std::size_t i = 0; i < 3; ++i) {
                 rates[i]
-                    = left(A::edgeColourRate(a, b, walk.ratesAlongEdgesOf[i]), walk.edgeColours);
+                    = leftOf(A::edgeColourRate(a, b, walk.ratesAlongEdgesOf[i]), walk.edgeColours);
                 const Value run = walk.withoutEdgePreStep.isEmpty()
                     ? A::runTo(span, edge.firstColour)
                     : Traits::fromLattice(wayToSpan(edge.firstColour.position.x, span, walk, i));
                 m_levels[i] = A::edgeColour(edge.firstColour, b, i, run, rates[i]);
             }
             if (walk.edgeStoring == Storing::FromFirst) {
-                m_along = left(m_along, walk.edgePlaces);
+                m_along = leftOf(m_along, walk.edgePlaces);
                 for (Value &level : m_levels)
-                    level = left(level, walk.edgeLevels);
+                    level = leftOf(level, walk.edgeLevels);
             }
             for (std::size_t i = 0; i < 3; ++i)
                 m_rates[i] = walk.unsteppedAlongEdges.contains(i)
@@ -64,13 +64,13 @@ struct RoundedWalk {
         void stepPlace()
         {
             A::advance(m_along, m_slope);
-            m_along = left(m_along, m_walk.edgePlaces);
+            m_along = leftOf(m_along, m_walk.edgePlaces);
         }
         void stepColour()
         {
             for (std::size_t i = 0; i < 3; ++i) {
                 A::advance(m_levels[i], m_rates[i]);
-                m_levels[i] = left(m_levels[i], m_walk.edgeLevels);
+                m_levels[i] = leftOf(m_levels[i], m_walk.edgeLevels);
             }
         }
 
@@ -158,8 +158,8 @@ struct RoundedWalk {
                 ramp.error = ramp.error + carried->errors[i];
                 behind.errors[i] = behind.errors[i] + carried->errors[i];
             }
-            if (walk.spanStoring == Storing::FromFirst)
-                ramp.level = left(ramp.level, walk.levels);
+            if (walk.spanStoring != Storing::BehindSteps)
+                ramp.level = leftOf(ramp.level, walk.levels);
             if (walk.spanStepping == Stepping::BeforeDrawing)
                 A::advance(ramp.level, ramp.step);
             behind.levels[i] = stored(ramp, reached, span, program, levels, i);
@@ -177,7 +177,7 @@ private:
 
     static Value levelAt(const Edge &edge, std::size_t channel, Kept kept)
     {
-        return left(edge.m_levels[channel], kept);
+        return leftOf(edge.m_levels[channel], kept);
     }
 
     static std::array<Value, 3> ratesOf(const Bounds &bounds, const Value &height,
@@ -205,14 +205,14 @@ private:
         const Value none = Traits::fromInteger(0);
         const Value step = walk.unsteppedAlongSpans.contains(channel)
             ? none
-            : left(rates[walk.stepsAlongSpansOf[channel]], walk.steps);
+            : leftOf(rates[walk.stepsAlongSpansOf[channel]], walk.steps);
         const Value from = startOf(bounds, walk, channel);
         if (walk.withoutSpanPreStep.contains(channel))
             return {from, step, none};
         const PreStep preStep = program.spanPreStep();
         const Value way = preStepOf(bounds.lower.m_along, reached, preStep);
         const Value preStepped
-            = preStep == PreStep::WithoutRate ? way : way * left(rates[channel], walk.preSteps);
+            = preStep == PreStep::WithoutRate ? way : way * leftOf(rates[channel], walk.preSteps);
         return {from + preStepped, step, none};
     }
 
@@ -236,9 +236,10 @@ private:
     {
         const ProgramWalk &walk = program.walk();
         const bool goesOn = walk.spanStart != SpanStart::AtBound;
+        const Kept kept = walk.spanStoring == Storing::FirstAlone ? Kept::All : walk.levels;
         Value level = ramp.level;
         std::int64_t place = reached;
-        if (walk.levels == Kept::All && !goesOn) {
+        if (kept == Kept::All && !goesOn) {
             level = level + Traits::fromInteger(span.firstDrawn - reached) * ramp.step;
             place = span.firstDrawn;
         }
@@ -247,7 +248,7 @@ private:
                 levels[std::size_t(place - span.firstDrawn)][channel]
                     = A::level(level + ramp.error, program.rounding());
             A::advance(level, ramp.step);
-            level = left(level, walk.levels);
+            level = leftOf(level, kept);
         }
         return level;
     }
@@ -262,6 +263,8 @@ private:
             return height + Traits::fromInteger(1);
         case SpanDivisor::HeightLessOne:
             return height - Traits::fromInteger(1);
+        case SpanDivisor::HeightFromOne:
+            return height < Traits::fromInteger(1) ? Traits::fromInteger(0) : height;
         case SpanDivisor::Samples:
             return Traits::fromInteger(span.end - span.first);
         case SpanDivisor::Steps:

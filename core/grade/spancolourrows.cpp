@@ -75,6 +75,16 @@ std::vector<WalkRow> colourRows()
          alongSpanQuestion,
          "All samples of a %1 have the mean of the colours of its two bounds.",
          {.spanColours = SpanColours::Mean}},
+        {"first-span-levels-cut",
+         walkquestions::stored,
+         "The colour of a %1's first sample is cast to a whole number; those behind it go on from "
+         "there by steps that are not.",
+         {.levels = Kept::TowardZero, .spanStoring = Storing::FirstAlone}},
+        {"short-spans-not-stepped",
+         divisorQuestion,
+         "The step of colour along a %1 is 0 where it is shorter than one: it is divided by its "
+         "length only where that is 1 or more.",
+         {.divisor = SpanDivisor::HeightFromOne}},
         {"colour-divisor-plus-one",
          divisorQuestion,
          "The step of colour along a %1 is divided by its length and one, not by its length.",

@@ -30,21 +30,43 @@ public:
     /// Without one there is nothing that could be gone on with: L₁₂ is begun as it should be.
     bool hasFirstHalf() const { return p0().position.x != p1().position.x; }
 
+    /// m₀₁ ≤ m₀₂, where an edge along the spans has the slope 0.
+    bool isFirstEdgeFlatter() const
+    {
+        const Lattice run = p1().position.x - p0().position.x;
+        const Lattice rise = run == 0 ? 0 : p1().position.y - p0().position.y;
+        const Lattice ofLong = p2().position.x - p0().position.x;
+        const Lattice riseOfLong = ofLong == 0 ? 0 : p2().position.y - p0().position.y;
+        return Int128(rise) * std::max<Lattice>(ofLong, 1)
+            <= Int128(riseOfLong) * std::max<Lattice>(run, 1);
+    }
+
     WalkedEdge firstEdge() const
     {
         const ProgramWalk &walk = m_program.walk();
-        return rated(ownFirstEdge(), walk.firstSlope, walk.firstColourRates);
+        return withTakenSlope(0, rated(ownFirstEdge(), walk.firstSlope, walk.firstColourRates));
     }
     WalkedEdge secondEdge() const
     {
         const ProgramWalk &walk = m_program.walk();
-        return rated(m_program.edge(WalkedEdges::Second, p1(), p2()), ofSecond(walk.secondSlope),
-                     ofSecond(walk.secondColourRates));
+        return withTakenSlope(
+            1,
+            rated(ownSecondEdge(), ofSecond(walk.secondSlope), ofSecond(walk.secondColourRates)));
     }
     WalkedEdge longEdge() const
     {
         const ProgramWalk &walk = m_program.walk();
-        return rated(ownLongEdge(), walk.longSlope, walk.longColourRates);
+        return withTakenSlope(2, rated(ownLongEdge(), walk.longSlope, walk.longColourRates));
+    }
+    /// The same, what is its own at P₁ being taken for that of the first span behind.
+    WalkedEdge longEdgeWithoutPreStep() const
+    {
+        const Lattice middle = p1().position.x;
+        const Lattice late = ceilPixel(middle) * unitsPerPixel - middle;
+        WalkedEdge edge = longEdge();
+        edge.firstPlace.position.x += late;
+        edge.firstColour.position.x += late;
+        return edge;
     }
 
 private:
@@ -53,6 +75,7 @@ private:
         return m_triangle.vertices[std::size_t(m_order[place])];
     }
     WalkedEdge ownFirstEdge() const { return m_program.edge(WalkedEdges::First, p0(), p1()); }
+    WalkedEdge ownSecondEdge() const { return m_program.edge(WalkedEdges::Second, p1(), p2()); }
     WalkedEdge ownLongEdge() const { return m_program.edge(WalkedEdges::Long, p0(), p2()); }
 
     /// Without a first half nobody has asked what L₀₁ is.
@@ -61,6 +84,19 @@ private:
         const bool isOfFirst
             = rate == RateOf::FirstEdge || rate == RateOf::FirstRise || rate == RateOf::FirstRun;
         return isOfFirst && !hasFirstHalf() ? RateOf::Own : rate;
+    }
+
+    /// With the slope that it has in place of its own; it begins where it does with that.
+    WalkedEdge withTakenSlope(std::size_t place, WalkedEdge edge) const
+    {
+        const WalkedEdges source = m_program.walk().slopesOf[place];
+        if (source == ownSlopes[place])
+            return edge;
+        const WalkedEdge of = source == WalkedEdges::First ? ownFirstEdge()
+            : source == WalkedEdges::Second                ? ownSecondEdge()
+                                                           : ownLongEdge();
+        edge.places = of.places;
+        return edge;
     }
 
     WalkedEdge rated(WalkedEdge edge, RateOf slope, RateOf colours) const

@@ -147,6 +147,8 @@ std::vector<Defect> walkDefectsFor(SpanAxis axis)
     for (const auto &rows :
          {edgeWalkRows(), edgeColourRows(), middleWalkRows(), mistakenRateRows()})
         std::ranges::move(namedWalks(rows), std::back_inserter(alongEdges));
+    if (!hasOrder)
+        std::ranges::move(namedWalks(columnWalkRows()), std::back_inserter(alongEdges));
     for (const NamedWalk &named : alongEdges) {
         if (!hasOrder) {
             add(withWays(named, WalkOrder::Ascending));

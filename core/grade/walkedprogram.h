@@ -140,6 +140,8 @@ private:
             b = {a.x + (b.y - a.y), a.y + (b.x - a.x)};
         if (form == SlopeForm::Negated)
             b.y = 2 * a.y - b.y;
+        if (form == SlopeForm::OfMagnitude)
+            b.y = a.y + absolute(b.y - a.y);
         return edge;
     }
 

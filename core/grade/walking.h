@@ -146,6 +146,8 @@ private:
         across.stepAsPlacesOf(own);
         across.stepAsColoursOf(own);
         const auto begunAnew = [&](LongEdgeBehind behind) {
+            if (behind == LongEdgeBehind::WithoutPreStep)
+                return edge(WalkedEdges::Long, m_corners.longEdgeWithoutPreStep(), middle);
             const Vertex &from = behind == LongEdgeBehind::FromFirst ? m_p0 : m_p1;
             const WalkedEdge ofShort = m_program.edge(WalkedEdges::Second, m_p1, m_p2);
             WalkedEdge walked = m_corners.longEdge();
@@ -154,9 +156,6 @@ private:
             walked.firstColour = ofShort.firstColour;
             walked.firstColour.colour = from.colour;
             return edge(WalkedEdges::Long, walked, middle);
-        };
-        const auto isBegunAnew = [](LongEdgeBehind behind) {
-            return behind == LongEdgeBehind::FromMiddle || behind == LongEdgeBehind::FromFirst;
         };
         if (isBegunAnew(m_walk.longPlacesBehind))
             across.goOnWithPlacesOf(begunAnew(m_walk.longPlacesBehind));
@@ -218,6 +217,8 @@ private:
             return m_p1.position.y < m_p0.position.y;
         case UpperEdge::LongIfBelowLast:
             return m_p1.position.y < m_p2.position.y;
+        case UpperEdge::LongBySlopes:
+            return m_corners.isFirstEdgeFlatter();
         }
         // As in the scan: bounds that have passed each other change places where both are owned.
         const bool isClosed = m_seen.intervals.rows == Interval::Closed;

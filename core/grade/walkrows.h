@@ -24,6 +24,8 @@ const std::vector<WalkRow> &spanWalkRows();
 const std::vector<WalkRow> &spanColourRows();
 /// Of what is done along edges, where it does.
 const std::vector<WalkRow> &edgeWalkRows();
+/// Of columns alone: of rows the lesser x is the left bound, whatever the slopes are.
+const std::vector<WalkRow> &columnWalkRows();
 /// Of the colours along edges and of what they are divided by.
 const std::vector<WalkRow> &edgeColourRows();
 /// Of what tells the three edges apart: where the first short one ends and the second begins, what

@@ -33,6 +33,11 @@ void addOfOtherRates(ProgramList &programs)
     programs.addOfEdges("long-edge-slope-of-first-run", {M::OtherRunOfLong});
     programs.addOfEdges("long-edge-steps-of-first-run",
                         {M::OtherRunOfLong, M::OtherColourRunOfLong});
+    programs.addOfEdges("slopes-of-short-edges-exchanged", {M::ShortSlopesExchanged});
+    programs.addOfEdges("slopes-of-first-and-long-edge-exchanged",
+                        {M::FirstAndLongSlopesExchanged});
+    programs.addOfEdges("slopes-of-second-and-long-edge-exchanged",
+                        {M::SecondAndLongSlopesExchanged});
 }
 
 void addOfEdgeColours(ProgramList &programs)
@@ -81,6 +86,8 @@ void addOfSpanColours(ProgramList &programs)
     programs.addOfSpans("span-levels-cut-behind-steps", {M::SpanLevelsCutBehindSteps});
     programs.addOfSpans("span-levels-rounded-behind-steps", {M::SpanLevelsRoundedBehindSteps});
     programs.addOfSpans("colour-divisor-minus-one", {M::SpanDivisorMinusOne});
+    programs.addOfSpans("short-spans-not-stepped", {M::ShortSpansNotStepped});
+    programs.addOfSpans("first-span-levels-cut", {M::FirstSpanLevelCut});
     programs.addOfSpans("colours-of-lower-bound-alone", {M::LowerColourAlone});
     programs.addOfSpans("colours-of-upper-bound-alone", {M::UpperColourAlone});
     programs.addOfSpans("colours-mean-of-bounds", {M::MeanOfBounds});

@@ -138,6 +138,8 @@ void addOfRates(ProgramList &programs)
     programs.addOfEdges("edge-colours-stepped-first", {M::EdgeColoursSteppedFirst});
     programs.addOfEdges("slopes-inverted", {M::SlopesInverted});
     programs.addOfEdges("slopes-negated", {M::SlopesNegated});
+    programs.addOfEdges("slopes-of-magnitudes", {M::SlopesOfMagnitudes});
+    programs.addOfColumns("sides-by-slopes", {M::SidesBySlopes});
     programs.addOfEdges("rounded-slopes", {M::RoundedSlopes});
     programs.addOfEdges("whole-edge-levels", {M::WholeEdgeLevels});
     programs.addOfEdges("slope-divisor-minus-one", {M::SlopeDivisorMinusOne});
@@ -179,6 +181,8 @@ void addOfMiddle(ProgramList &programs)
     programs.addOfEdges("long-edge-place-begun-again-at-first", {M::LongPlaceBegunAgainAtFirst});
     programs.addOfEdges("long-edge-colours-begun-again-at-first",
                         {M::LongColoursBegunAgainAtFirst});
+    programs.addOfEdges("long-edge-without-pre-step-behind-middle",
+                        {M::LongWithoutPreStepBehindMiddle});
     programs.addOfEdges("long-edge-waits", {M::LongPlaceWaits, M::LongColoursWait});
     programs.addOfEdges("long-edge-place-waits", {M::LongPlaceWaits});
     programs.addOfEdges("long-edge-colours-wait", {M::LongColoursWait});

@@ -19,6 +19,10 @@ public:
         add(qPrintable(QString::fromLatin1(id) + QStringLiteral("-from-below")), mistakes,
             "row-walk");
     }
+    void addOfColumns(const char *id, const Mistakes &mistakes)
+    {
+        add(id, mistakes, "column-scan");
+    }
     /// Of spans, where it does not matter from which end they are gone through.
     void addOfSpans(const char *id, const Mistakes &mistakes)
     {

@@ -86,6 +86,19 @@ public:
         return bound;
     }
 
+    /// m of an edge, 0 of a vertical one.
+    static Number plainSlope(const Corner<Number> &from, const Corner<Number> &to)
+    {
+        return to.x == from.x ? Number(0) : Number((to.y - from.y) / (to.x - from.x));
+    }
+    /// With the slope m in place of its own.
+    static void takeSlope(Bound<Number> &bound, const Corner<Number> &from, const Number &slope,
+                          int x)
+    {
+        bound.slope = slope;
+        bound.y = from.y + (x - from.x) * slope;
+    }
+
     Corners corners; ///< in their order
 
 private:
@@ -173,6 +186,8 @@ private:
         if (width == 0 || (width < 0 && has(WalkMistake::SlopeDivisorMinusOne)))
             return 0;
         Number slope = rise / width;
+        if (has(WalkMistake::SlopesOfMagnitudes) && rise < 0)
+            slope = -slope;
         if (has(WalkMistake::WholeSlopes) || hasOn(side, WalkMistake::WholeSlopeOfFirst))
             slope = quotient(slope);
         if (has(WalkMistake::RoundedSlopes))

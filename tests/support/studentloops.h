@@ -13,6 +13,8 @@ class ColumnLoops : EdgeSteps<Number> {
     using EdgeSteps<Number>::truncated;
     using EdgeSteps<Number>::nearestSpan;
     using EdgeSteps<Number>::edgeAt;
+    using EdgeSteps<Number>::plainSlope;
+    using EdgeSteps<Number>::takeSlope;
     using EdgeSteps<Number>::advancePlace;
     using EdgeSteps<Number>::advanceColour;
 
@@ -82,8 +84,18 @@ public:
             this->isMiddleBelow = p1.y < p0.y;
         if (has(WalkMistake::SidesByLastVertex))
             this->isMiddleBelow = p1.y < p2.y;
+        if (has(WalkMistake::SidesBySlopes))
+            this->isMiddleBelow = plainSlope(p0, p1) <= plainSlope(p0, p2);
         Bound<Number> ofLong = edgeAt(Side::Long, p0, p2, begin);
         Bound<Number> ofShort = edgeAt(Side::First, p0, p1, begin);
+        if (has(WalkMistake::ShortSlopesExchanged))
+            takeSlope(ofShort, p0, plainSlope(p1, p2), begin);
+        if (has(WalkMistake::FirstAndLongSlopesExchanged)) {
+            takeSlope(ofShort, p0, plainSlope(p0, p2), begin);
+            takeSlope(ofLong, p0, plainSlope(p0, p1), begin);
+        }
+        if (has(WalkMistake::SecondAndLongSlopesExchanged))
+            takeSlope(ofLong, p0, plainSlope(p1, p2), begin);
         const Bound<Number> steppedLong = ofLong;
         if (has(WalkMistake::LongPlaceWaits))
             ofLong.slope = 0;
@@ -144,6 +156,10 @@ private:
     {
         const auto &[p0, p1, p2] = corners;
         Bound<Number> behind = edgeAt(Side::Second, p1, p2, x);
+        if (has(WalkMistake::ShortSlopesExchanged))
+            takeSlope(behind, p1, plainSlope(p0, p1), x);
+        if (has(WalkMistake::SecondAndLongSlopesExchanged))
+            takeSlope(behind, p1, plainSlope(p0, p2), x);
         if (p0.x != p1.x && takesOtherRates())
             behind = secondEdgeOfOtherRates(corners, x);
         if (has(WalkMistake::SecondEdgeOfFirstPlace))
@@ -164,6 +180,11 @@ private:
             ofLong.y = p1.y + way * ofLong.slope;
         for (std::size_t i = 0; i < 3 && has(WalkMistake::LongColoursBegunAgain); ++i)
             ofLong.colour[i] = p1.colour[i] + way * ofLong.step[i];
+        if (has(WalkMistake::LongWithoutPreStepBehindMiddle)) {
+            ofLong.y = p0.y + (p1.x - p0.x) * ofLong.slope;
+            for (std::size_t i = 0; i < 3; ++i)
+                ofLong.colour[i] = p0.colour[i] + (p1.x - p0.x) * ofLong.step[i];
+        }
         if (has(WalkMistake::LongPlaceBegunAgainAtFirst))
             ofLong.y = p0.y + way * ofLong.slope;
         for (std::size_t i = 0; i < 3 && has(WalkMistake::LongColoursBegunAgainAtFirst); ++i)

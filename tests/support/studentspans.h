@@ -51,8 +51,8 @@ public:
             isShortLower = true;
         if (has(WalkMistake::LongEdgeAlwaysLower))
             isShortLower = false;
-        const bool isByVertex
-            = has(WalkMistake::SidesByFirstVertex) || has(WalkMistake::SidesByLastVertex);
+        const bool isByVertex = has(WalkMistake::SidesByFirstVertex)
+            || has(WalkMistake::SidesByLastVertex) || has(WalkMistake::SidesBySlopes);
         if (isByVertex)
             isShortLower = isMiddleBelow;
         const Bound<Number> &lower = isShortLower ? ofShort : ofLong;
@@ -98,6 +98,8 @@ public:
             preStep = -preStep;
         if (has(WalkMistake::SpanDivisorMinusOne))
             height -= 1;
+        if (has(WalkMistake::ShortSpansNotStepped) && height < 1)
+            height = 0;
         if (has(WalkMistake::ColoursBetweenSamples)) {
             height = last - first;
             preStep = 0;
@@ -126,7 +128,8 @@ public:
         if (has(WalkMistake::ColoursGoOn) || has(WalkMistake::ColoursGoOnInHalf))
             level = goneOn.value_or(level);
         for (Number &channel : level)
-            channel = stored(channel, WalkMistake::WholeSpanLevels, WalkMistake::RoundedSpanLevels);
+            channel = stored(stored(channel, WalkMistake::FirstSpanLevelCut),
+                             WalkMistake::WholeSpanLevels, WalkMistake::RoundedSpanLevels);
         if (has(WalkMistake::FirstSampleTooManyOfNextColour))
             --first;
         for (int y = first; y <= last; ++y) {

@@ -179,6 +179,14 @@ enum class WalkMistake {
     RedWithoutEdgePreStep,
     GreenWithoutEdgePreStep,
     BlueWithoutEdgePreStep,
+    SidesBySlopes, ///< if (m₀₁ <= m₀₂) L₀₁ is below, m of a vertical edge being 0
+    ShortSlopesExchanged, ///< swap(m₀₁, m₁₂)
+    FirstAndLongSlopesExchanged,
+    SecondAndLongSlopesExchanged,
+    SlopesOfMagnitudes, ///< abs(y₁ − y₀)/(x₁ − x₀)
+    LongWithoutPreStepBehindMiddle, ///< y₀ + (x₁ − x₀)·m₀₂ at ⌈x₁⌉
+    ShortSpansNotStepped, ///< ΔR = y_T − y_B >= 1 ? … : 0
+    FirstSpanLevelCut, ///< r = int(R_B + (⌈y_B⌉ − y_B)·ΔR), and then by ΔR
 };
 
 enum class WalkLines { Columns, Rows };
