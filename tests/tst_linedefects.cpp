@@ -61,6 +61,8 @@ private slots:
         decision("steps-across-backward", LineMistake::WrongWay);
         decision("line-colours-by-pixels", LineMistake::DividedByPixels);
         decision("line-colours-ahead", LineMistake::OneAhead);
+        decision("steepness-inverted", LineMistake::SteepnessInverted);
+        decision("line-slope-whole", LineMistake::WholeSlope);
         QTest::newRow("descending-lines-lost") << int(LineMistake::UpwardLoop) << false;
         row("sorted-falling-lines-level", LineMistake::NeverDown);
         row("steep-lines-exchanged", LineMistake::NotExchangedBack);

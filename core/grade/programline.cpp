@@ -61,6 +61,8 @@ private:
             return line.isSteep();
         case SteepLine::AsFlat:
             return false;
+        case SteepLine::Inverted:
+            return !line.isSteep();
         case SteepLine::BySignedDifferences:
             break;
         }

@@ -53,6 +53,7 @@ enum class AcrossStep { TowardsEnd, Upward, Downward, AwayFromEnd, NoneDownward 
 enum class SteepLine {
     Exchanged,
     AsFlat, ///< for none
+    Inverted, ///< for those that are flat
     OwnDifferences, ///< but Δx and Δy are not
     BySignedDifferences, ///< where Δy > Δx, signs and all
 };

@@ -40,6 +40,8 @@ enum class LineMistake {
     WrongWay,
     DividedByPixels, ///< (C₁ − C₀)/(Δx + 1)
     OneAhead, ///< the colour of k + 1
+    SteepnessInverted, ///< if (abs(Δy) < abs(Δx)) x and y are exchanged
+    WholeSlope, ///< y += Δy / Δx of whole numbers
 };
 /// Whether the left end is stored in (x₀, y₀).
 enum class LineEnds { LeftFirst, AsGiven };
@@ -59,6 +61,8 @@ public:
             m_colour[i] = line.vertices[i].colour;
         }
         m_isSteep = std::abs(m_y[1] - m_y[0]) >= std::abs(m_x[1] - m_x[0]);
+        if (mistake == LineMistake::SteepnessInverted)
+            m_isSteep = !m_isSteep;
         if (m_isSteep)
             std::swap(m_x, m_y);
         // "Store left line endpoint in (x₀, y₀)"
@@ -96,8 +100,9 @@ public:
             const int leastAcross = m_tie == LineTie::Stays ? 1 : 0;
             const bool crosses
                 = m_mistake == LineMistake::WrongSign ? p < 0 : p >= leastAcross && !isFlat;
+            const bool isWhole = m_mistake == LineMistake::WholeSlope;
             const bool goesDown = (m_y[1] < m_y[0]) != (m_mistake == LineMistake::WrongWay);
-            if (crosses)
+            if (isWhole ? dy == dx : crosses)
                 y += goesDown ? -1 : 1;
             if (m_mistake == LineMistake::SteppedTwice && crosses)
                 p += 2 * dy;
