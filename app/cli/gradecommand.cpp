@@ -3,6 +3,7 @@
 #include "app/cli/interruption.h"
 #include "app/cli/progress.h"
 #include "app/cli/wholenumber.h"
+#include "core/fast/machinethreads.h"
 #include "core/grade/gradefile.h"
 #include "core/grade/gradefolder.h"
 #include "core/grade/showntext.h"
@@ -11,8 +12,6 @@
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QJsonObject>
-
-#include <thread>
 
 namespace pixelplumb::cli {
 
@@ -177,9 +176,9 @@ ExitCode grade(const Command &command, const QStringList &arguments)
     const Result<GradeShard> shard = chosenShard(line);
     if (!shard)
         return line.refuse(shard.error());
-    const GradingOrder order{
-        line.argument(0), line.value(outputOption), QCoreApplication::applicationVersion(),
-        int(jobs->value_or(std::max(1U, std::thread::hardware_concurrency()))), *shard};
+    const GradingOrder order{line.argument(0), line.value(outputOption),
+                             QCoreApplication::applicationVersion(),
+                             int(jobs->value_or(threadsOfMachine())), *shard};
     sayHidden(line.argument(0));
     const Interruption interruption;
     const auto report = withProgress([&](const ProgressListener &listener) {

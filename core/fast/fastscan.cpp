@@ -5,10 +5,10 @@
 #include "core/fast/fastkernels.h"
 #include "core/fast/floatcolumns.h"
 #include "core/fast/framebands.h"
+#include "core/fast/machinethreads.h"
 #include "core/scan/columndrawing.h"
 
 #include <algorithm>
-#include <thread>
 
 namespace pixelplumb {
 
@@ -204,13 +204,6 @@ int bandCountFor(std::span<const Triangle> triangles, FrameView frame, int threa
         = isCached || !estimate.isOfLargeTriangles() ? 1 : bytes / cachedBand;
     const std::int64_t forThreads = threads > 1 ? threads * bandsPerThread : 1;
     return int(std::min<std::int64_t>(std::max(forCaches, forThreads), frame.height));
-}
-
-/// That the system lets this process have, 1 or more. To ask takes as long as a small picture.
-int threadsOfMachine()
-{
-    static const int threads = int(std::max(1U, std::thread::hardware_concurrency()));
-    return threads;
 }
 
 RouteTally drawInBands(std::span<const Triangle> triangles, const ScanSettings &settings,

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/gradebook.h"
 
+#include "core/fast/machinethreads.h"
 #include "core/grade/gradefile.h"
 #include "core/grade/gradereports.h"
 
@@ -8,7 +9,6 @@
 #include <QFileInfo>
 
 #include <algorithm>
-#include <thread>
 
 namespace pixelplumb {
 
@@ -52,7 +52,7 @@ void Gradebook::grade(const QString &submissions, const QString &assignmentFile,
                       const QString &results)
 {
     const GradingOrder order{submissions, results, QCoreApplication::applicationVersion(),
-                             int(std::max(1U, std::thread::hardware_concurrency()))};
+                             threadsOfMachine()};
     m_job.setTitle(tr("Grading"));
     m_job.start(
         [order, assignmentFile](const ProgressListener &listener) -> Grading {
