@@ -53,11 +53,9 @@ QString usageOf(const Positional &positional)
 CommandLine::CommandLine(const Command &command, std::vector<Positional> positionals)
     : m_name(command.name)
     , m_summary(command.summary)
-    , m_positionals(std::move(positionals))
 {
     m_parser.setApplicationDescription(m_summary);
-    for (const Positional &positional : m_positionals)
-        m_parser.addPositionalArgument(positional.name, positional.meaning);
+    setPositionals(std::move(positionals));
     addOption({{QStringLiteral("h"), QStringLiteral("help")}, QStringLiteral("Show this help.")});
 }
 
@@ -74,10 +72,27 @@ void CommandLine::addRepeatedOption(const QCommandLineOption &option)
     m_parser.addOption(option);
 }
 
+void CommandLine::setPositionals(std::vector<Positional> positionals)
+{
+    m_positionals = std::move(positionals);
+    m_parser.clearPositionalArguments();
+    for (const Positional &positional : m_positionals)
+        m_parser.addPositionalArgument(positional.name, positional.meaning);
+}
+
+void CommandLine::replacePositionals(const QString &option, std::vector<Positional> positionals)
+{
+    m_replacements.insert_or_assign(option, std::move(positionals));
+}
+
 std::optional<ExitCode> CommandLine::parse(const QStringList &arguments)
 {
     const bool parsed = m_parser.parse(QStringList{QCoreApplication::applicationName()}
                                        + withProtectedNumbers(arguments));
+    for (const auto &[option, positionals] : m_replacements) {
+        if (m_parser.isSet(option))
+            setPositionals(positionals);
+    }
     if (m_parser.isSet(QStringLiteral("help"))) {
         printHelp();
         return ExitCode::Done;

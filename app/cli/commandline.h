@@ -6,6 +6,7 @@
 
 #include <QCommandLineParser>
 
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -36,6 +37,8 @@ public:
 
     void addOption(const QCommandLineOption &option); ///< that may stand once
     void addRepeatedOption(const QCommandLineOption &option); ///< or more than once
+    /// Where the option is set these follow in place of the command's own.
+    void replacePositionals(const QString &option, std::vector<Positional> positionals);
     /// An exit code when there is nothing left to do: help was asked for, or the words are wrong.
     std::optional<ExitCode> parse(const QStringList &arguments);
 
@@ -54,6 +57,7 @@ public:
     ExitCode refuse(const InputError &error) const { return refuse(error.message()); }
 
 private:
+    void setPositionals(std::vector<Positional> positionals);
     QString unknownOption() const;
     /// What is wrong where an option stands twice that may stand once; empty where none does.
     QString repeatedOption() const;
@@ -64,6 +68,7 @@ private:
     QString m_name;
     QString m_summary;
     std::vector<Positional> m_positionals;
+    std::map<QString, std::vector<Positional>> m_replacements; ///< by the option that asks for them
     QStringList m_optionNames;
     QList<QCommandLineOption> m_options;
     std::vector<QStringList> m_onceOnly; ///< the names of each option that may stand once

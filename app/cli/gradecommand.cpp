@@ -139,25 +139,21 @@ ExitCode merge(const CommandLine &line)
 
 ExitCode grade(const Command &command, const QStringList &arguments)
 {
-    const bool isMerge = arguments.contains(QStringLiteral("--") + mergeOption);
     CommandLine line(command,
-                     {isMerge ? Positional{QStringLiteral("PART"),
-                                           QStringLiteral("a folder with the results of a part, of "
-                                                          "which there may be several"),
-                                           Positional::Presence::Several}
-                              : Positional{QStringLiteral("SUBMISSIONS"),
-                                           QStringLiteral("a folder with a file or folder for each "
-                                                          "submission"),
-                                           Positional::Presence::Several}});
+                     {{QStringLiteral("SUBMISSIONS"),
+                       QStringLiteral("a folder with a file or folder for each submission")}});
     addOptions(line);
+    line.replacePositionals(mergeOption,
+                            {{QStringLiteral("PART"),
+                              QStringLiteral("a folder with the results of a part, of which there "
+                                             "may be several"),
+                              Positional::Presence::Several}});
     if (const auto ended = line.parse(arguments))
         return *ended;
     if (line.value(outputOption).isEmpty())
         return line.refuse(QStringLiteral("-o is missing: the folder for the results"));
     if (line.isSet(mergeOption))
         return merge(line);
-    if (line.arguments().size() > 1)
-        return line.refuse(QStringLiteral("unexpected argument “%1”").arg(line.argument(1)));
     if (!line.isSet(assignmentOption))
         return line.refuse(
             QStringLiteral("--assignment is missing: the file that says what was to be drawn"));
