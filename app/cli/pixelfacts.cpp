@@ -6,21 +6,6 @@
 
 namespace pixelplumb::cli {
 
-QString nameOfDifference(Difference difference)
-{
-    switch (difference) {
-    case Difference::None:
-        return QStringLiteral("none");
-    case Difference::Missing:
-        return QStringLiteral("missing");
-    case Difference::Extra:
-        return QStringLiteral("extra");
-    case Difference::Colour:
-        return QStringLiteral("colour");
-    }
-    return {};
-}
-
 Colour finalColour(const PixelReport &report)
 {
     Colour colour = report.traced.scene.frame.background;

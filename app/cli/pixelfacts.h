@@ -2,6 +2,7 @@
 #pragma once
 
 #include "app/cli/pixelreport.h"
+#include "core/runs/differencename.h"
 
 /// What a pixel's report tells as text and as JSON alike.
 namespace pixelplumb::cli {
@@ -12,7 +13,6 @@ Colour finalColour(const PixelReport &report);
 Colour trueColour(const PixelReport &report);
 /// Of all primitives of the scene.
 Colour trueColourOfAll(const PixelReport &report);
-QString nameOfDifference(Difference difference); ///< "none", "missing", "extra", "colour"
 /// The primitives at the pixel that the method does not draw.
 QStringList undrawnAt(const PixelReport &report);
 

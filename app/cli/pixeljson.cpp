@@ -106,15 +106,15 @@ QJsonObject jsonOf(const PixelReport &report)
     QJsonArray attempts;
     for (const PixelAttempt &attempt : report.attempts)
         attempts.append(jsonOf(attempt));
-    return {{QStringLiteral("x"), qint64(report.x)},
-            {QStringLiteral("y"), qint64(report.y)},
-            {QStringLiteral("colour"), colourText(finalColour(report))},
-            {QStringLiteral("truth"), colourText(trueColourOfAll(report))},
-            {QStringLiteral("truthOfWhatIsDrawn"), colourText(trueColour(report))},
-            {QStringLiteral("difference"),
-             nameOfDifference(report.traced.differences.at(report.x, report.y))},
-            {QStringLiteral("notDrawn"), QJsonArray::fromStringList(undrawnAt(report))},
-            {QStringLiteral("attempts"), attempts}};
+    return {
+        {QStringLiteral("x"), qint64(report.x)},
+        {QStringLiteral("y"), qint64(report.y)},
+        {QStringLiteral("colour"), colourText(finalColour(report))},
+        {QStringLiteral("truth"), colourText(trueColourOfAll(report))},
+        {QStringLiteral("truthOfWhatIsDrawn"), colourText(trueColour(report))},
+        {QStringLiteral("difference"), nameOf(report.traced.differences.at(report.x, report.y))},
+        {QStringLiteral("notDrawn"), QJsonArray::fromStringList(undrawnAt(report))},
+        {QStringLiteral("attempts"), attempts}};
 }
 
 } // namespace pixelplumb::cli

@@ -77,7 +77,7 @@ QStringList textOf(const PixelReport &report)
         heading += difference == Difference::None
             ? QStringLiteral(", as %1").arg(truth)
             : QStringLiteral(", differs from %1, %2: %3")
-                  .arg(truth, colourText(trueColour(report)), nameOfDifference(difference));
+                  .arg(truth, colourText(trueColour(report)), nameOf(difference));
     if (!undrawn.isEmpty())
         heading
             += QStringLiteral("; the truth of the scene is %1, for %2 covers it too")

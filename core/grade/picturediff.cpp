@@ -4,6 +4,7 @@
 #include "core/frame/framebuffer.h"
 #include "core/grade/picturecause.h"
 #include "core/oracle/oracle.h"
+#include "core/runs/differencename.h"
 #include "core/scan/edgeteststate.h"
 
 #include <algorithm>
@@ -71,11 +72,11 @@ QString nameOf(PixelVerdict verdict)
     case PixelVerdict::Same:
         return QStringLiteral("same");
     case PixelVerdict::Missing:
-        return QStringLiteral("missing");
+        return nameOf(Difference::Missing);
     case PixelVerdict::Extra:
-        return QStringLiteral("extra");
+        return nameOf(Difference::Extra);
     case PixelVerdict::Colour:
-        return QStringLiteral("colour");
+        return nameOf(Difference::Colour);
     case PixelVerdict::Undecidable:
         break;
     }
