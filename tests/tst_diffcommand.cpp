@@ -277,6 +277,10 @@ private slots:
         QTest::addColumn<QByteArray>("message");
         QTest::newRow("nothing") << QByteArray() << QByteArray("-: it is empty; expected PNG, PPM");
         QTest::newRow("words") << QByteArray("no picture at all") << QByteArray("-: no picture");
+        QTest::newRow("a list in JSON") << QByteArray(" []")
+                                        << QByteArray("-: a list in JSON is no scene; expected "
+                                                      "PNG, PPM, BMP, or a raster of # and ., or a "
+                                                      "scene as a JSON object");
         const QByteArray signature("\x89PNG\r\n\x1a\n");
         QTest::newRow("cut") << signature
                              << QByteArray("-: no picture: a PNG that ends early, at byte 8");

@@ -25,16 +25,15 @@ Result<Side> readSide(const QString &path)
     const Result<QByteArray> content = readInput(path);
     if (!content)
         return content.error();
-    if (!content->trimmed().startsWith('{')) {
-        Result<Picture> picture = parsePicture(*content, path);
-        if (!picture) {
-            InputError error = picture.error();
-            if (content->trimmed().startsWith('['))
-                error = {path, QStringLiteral("a list in JSON is no scene"), pictureFormatsText()};
-            if (error.expected == pictureFormatsText())
-                error.expected += QStringLiteral(", or a scene as a JSON object: {…}");
-            return error;
-        }
+    const QString formats
+        = pictureFormatsText() + QStringLiteral(", or a scene as a JSON object: {…}");
+    const QByteArray text = content->trimmed();
+    if (text.startsWith('['))
+        return InputError{path, QStringLiteral("a list in JSON is no scene"), formats};
+    if (!text.startsWith('{')) {
+        Result<Picture> picture = parsePicture(*content, path, formats);
+        if (!picture)
+            return picture.error();
         return Side{std::move(*picture), std::nullopt};
     }
     const Result<SceneReading> reading = sceneIn(*content, path);

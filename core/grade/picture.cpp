@@ -153,9 +153,8 @@ bool isPictureFormat(const QByteArray &format)
 
 QString pictureFormatsText() { return QStringLiteral("PNG, PPM, BMP, or a raster of # and ."); }
 
-Result<Picture> parsePicture(const QByteArray &content, const QString &name)
+Result<Picture> parsePicture(const QByteArray &content, const QString &name, const QString &formats)
 {
-    const QString formats = pictureFormatsText();
     if (looksLikeRaster(content)) {
         const Result<CoverageMask> raster = parseAsciiRaster(QString::fromLatin1(content));
         if (!raster)

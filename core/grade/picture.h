@@ -54,12 +54,13 @@ Picture truePictureOf(const Scene &scene);
 /// "png", "ppm" …: the formats that are read, by their names in Qt.
 bool isPictureFormat(const QByteArray &format);
 
-/// "PNG, PPM, …": what parsePicture expects.
+/// "PNG, PPM, …": what parsePicture reads.
 QString pictureFormatsText();
 
 /// A picture file of at most 2^28 pixels, or a raster of `#` and `.` (asciiRaster). Nothing is
-/// covered yet of a file with colours.
-Result<Picture> parsePicture(const QByteArray &content, const QString &name);
+/// covered yet of a file with colours. The error of what is of another kind expects the formats.
+Result<Picture> parsePicture(const QByteArray &content, const QString &name,
+                             const QString &formats = pictureFormatsText());
 
 /// Words to be added to a picture's size where it is a multiple of the expected one, which it may
 /// be enlarged, or has its width as height and its height as width. Otherwise none.
