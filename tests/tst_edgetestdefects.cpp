@@ -19,6 +19,8 @@ enum class TestMistake {
     SecondNegated,
     ThirdIsSecond,
     SlackOfOne,
+    SlackOfHalf,
+    SlackOfTenth,
     RowEndsOutside,
     BoxOfTwo,
     BoxWithoutStart,
@@ -26,6 +28,7 @@ enum class TestMistake {
     StepsExchanged,
     ProductsAdded,
     FunctionsCut,
+    FunctionsFloored,
     NotDivided,
     DividedByHalf,
     DividedByTwice,
@@ -60,6 +63,8 @@ public:
         m_area = edge(0, m_points[2]);
         if (is(TestMistake::FunctionsCut))
             m_area = std::trunc(m_area);
+        if (is(TestMistake::FunctionsFloored))
+            m_area = std::floor(m_area);
     }
 
     void paintOn(Picture &picture) const
@@ -114,6 +119,8 @@ private:
         std::array<double, 3> e = {edge(0, at), edge(1, at), edge(2, at)};
         if (is(TestMistake::FunctionsCut))
             std::ranges::transform(e, e.begin(), [](double value) { return std::trunc(value); });
+        if (is(TestMistake::FunctionsFloored))
+            std::ranges::transform(e, e.begin(), [](double value) { return std::floor(value); });
         if (is(TestMistake::SecondNegated))
             e[1] = -e[1];
         if (is(TestMistake::ThirdIsSecond))
@@ -128,7 +135,10 @@ private:
                 continue;
             if (is(TestMistake::SecondTestedOutside) && i == 1)
                 value = -value;
-            if (value < (is(TestMistake::SlackOfOne) ? -1 : 0))
+            const bool isOutside = is(TestMistake::SlackOfHalf) ? value <= -0.5
+                : is(TestMistake::SlackOfTenth)                 ? value <= -0.1
+                                                : value < (is(TestMistake::SlackOfOne) ? -1 : 0);
+            if (isOutside)
                 return false;
         }
         return true;
@@ -206,6 +216,8 @@ private slots:
         row("edge-1-negated", TestMistake::SecondNegated);
         row("edge-2-is-edge-1", TestMistake::ThirdIsSecond);
         row("slack-of-one", TestMistake::SlackOfOne);
+        row("slack-of-half", TestMistake::SlackOfHalf);
+        row("slack-of-a-tenth", TestMistake::SlackOfTenth);
         row("row-ends-outside", TestMistake::RowEndsOutside);
         row("box-of-vertices-0-and-1", TestMistake::BoxOfTwo);
         row("box-starts-missing", TestMistake::BoxWithoutStart);
@@ -213,6 +225,7 @@ private slots:
         row("steps-exchanged", TestMistake::StepsExchanged);
         row("edge-products-added", TestMistake::ProductsAdded);
         row("edge-functions-cut", TestMistake::FunctionsCut);
+        row("edge-functions-floored", TestMistake::FunctionsFloored);
         row("weights-not-divided", TestMistake::NotDivided);
         row("weights-doubled", TestMistake::DividedByHalf);
         row("levels-halved", TestMistake::DividedByTwice);

@@ -3,6 +3,7 @@
 
 #include "core/grade/programedgetest.h"
 #include "core/grade/walkdefect.h"
+#include "core/number/integer.h"
 
 namespace pixelplumb {
 
@@ -154,6 +155,13 @@ void appendFunctions(Defects &defects)
         "Edge functions and twice the area are cast to whole numbers.",
         {.function = [whole](const LatticePoint &from, const LatticePoint &to,
                              const LatticePoint &at) { return whole(doubledArea(from, to, at)); }});
+    defects.add(
+        "edge-functions-floored", numberQuestion,
+        "Edge functions and twice the area are rounded down to whole numbers, as by // in "
+        "Python.",
+        {.function = [](const LatticePoint &from, const LatticePoint &to, const LatticePoint &at) {
+            return floorDivide<Int128>(doubledArea(from, to, at), squarePixel) * squarePixel;
+        }});
     defects.add("edge-products-cut", numberQuestion,
                 "The two products of an edge function are each cast to whole numbers.",
                 {.function = [whole](const LatticePoint &from, const LatticePoint &to,
@@ -198,6 +206,12 @@ void appendTests(Defects &defects)
                 "Edges are tested by E ≥ −1 in place of E ≥ 0: samples beside a short edge are "
                 "drawn.",
                 {.slack = EdgeSlack::OfFunction});
+    defects.add("slack-of-half", testQuestion,
+                "Edges are tested by E > −½ in place of E ≥ 0: samples beside a short edge are "
+                "drawn.",
+                {.slack = EdgeSlack::OfHalf});
+    defects.add("slack-of-a-tenth", testQuestion, "Edges are tested by E > −0.1 in place of E ≥ 0.",
+                {.slack = EdgeSlack::OfTenth});
     defects.add("slack-of-half-a-pixel", testQuestion,
                 "Samples up to half a pixel outside an edge are drawn.",
                 {.slack = EdgeSlack::OfDistance});

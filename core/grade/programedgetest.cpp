@@ -121,8 +121,10 @@ private:
         const bool isOpen = m_runs.side && std::abs(double(inward)) <= m_functionError;
         if (isOpen)
             return m_runs.side->isOutward;
-        if (inward != 0 || m_program.slack != EdgeSlack::None)
-            return inward >= 0;
+        if (inward != 0)
+            return inward > 0;
+        if (m_program.slack != EdgeSlack::None)
+            return m_program.slack != EdgeSlack::OfHalf;
         return ownsTie(edge);
     }
     Int128 slackOf(std::size_t edge, Int128 area) const
@@ -132,6 +134,10 @@ private:
             return 0;
         case EdgeSlack::OfFunction:
             return squarePixel;
+        case EdgeSlack::OfHalf:
+            return squarePixel / 2;
+        case EdgeSlack::OfTenth: // is none of its whole units
+            return squarePixel / 10;
         case EdgeSlack::OfDistance:
             break;
         case EdgeSlack::OfWeight:

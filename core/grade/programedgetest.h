@@ -27,6 +27,8 @@ enum class EdgeQuestion { IsInside, IsOutside, Nothing };
 enum class EdgeSlack {
     None,
     OfFunction, ///< E ≥ −1 px²
+    OfHalf, ///< E > −½ px²
+    OfTenth, ///< E > −0.1 px²
     OfDistance, ///< half a pixel
     OfWeight, ///< 0.01
 };
