@@ -18,6 +18,7 @@ enum class TestMistake {
     SecondTestedOutside,
     SecondNegated,
     ThirdIsSecond,
+    StrictByWeights, ///< w > 0, the third being 1 minus the others
     SlackOfOne,
     SlackOfHalf,
     SlackOfTenth,
@@ -129,6 +130,11 @@ private:
     }
     bool isInside(const std::array<double, 3> &e) const
     {
+        if (is(TestMistake::StrictByWeights)) {
+            const double first = e[1] / m_area;
+            const double second = e[2] / m_area;
+            return first > 0 && second > 0 && 1 - first - second > 0;
+        }
         for (std::size_t i = 0; i < 3; ++i) {
             double value = m_area < 0 ? -e[i] : e[i];
             if (is(TestMistake::SecondNotTested) && i == 1)
@@ -257,6 +263,30 @@ private slots:
                 diagnosis.candidates.begin() + 1, diagnosis.candidates.end(),
                 [](const DiagnosisCandidate &other) { return other.defects.size() == 1; }));
         }
+    }
+
+    /// Of samples on an edge some are drawn, for the third weight is rounded.
+    void aStrictTestIsToldThoughRoundingDecidesSomeSamples_data()
+    {
+        QTest::addColumn<QString>("method");
+        for (const char *method : {"edge-equations", "barycentric-rectangle"})
+            QTest::newRow(method) << QString::fromLatin1(method);
+    }
+    void aStrictTestIsToldThoughRoundingDecidesSomeSamples()
+    {
+        QFETCH(QString, method);
+        std::vector<Submission> submissions;
+        for (const Scene &scene : probeSheet(method))
+            submissions.push_back({scene, studentPicture(scene, TestMistake::StrictByWeights)});
+
+        const Diagnosis diagnosis = *diagnose(submissions);
+
+        QCOMPARE(nameOf(diagnosis.verdict), QStringLiteral("undecidable"));
+        QCOMPARE(diagnosis.candidates.size(), std::size_t(1));
+        const DiagnosisCandidate &named = diagnosis.candidates.front();
+        QCOMPARE(named.ids(), QStringList(QStringLiteral("rule-open")));
+        QVERIFY(named.undecidable > 0);
+        QVERIFY(2 * named.undecidable < diagnosis.differing);
     }
 
     void besideAMistakeAnOutwardBoxIsFoundAndNotTold_data()

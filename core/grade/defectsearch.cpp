@@ -133,6 +133,26 @@ void DefectSearch::tryArithmetics()
         });
 }
 
+/// Most of what is open may be so by a rule, while rounding decides the rest: of the rules that
+/// leave less than half of it the nearest ones.
+void DefectSearch::tryRules()
+{
+    std::vector<SetMatch> rules;
+    for (std::size_t i = 0; i < m_defects.size(); ++i) {
+        if (m_defects[i].choice != QLatin1String(ruleChoice))
+            continue;
+        const std::int64_t most = rules.empty() ? (m_differing - 1) / 2 : rules.front().distance;
+        const std::int64_t distance = m_matcher.distance({i}, most + 1);
+        if (distance > most)
+            continue;
+        if (distance < most)
+            rules.clear();
+        rules.push_back({{i}, distance});
+    }
+    for (const SetMatch &rule : rules)
+        addAllowed(rule.set);
+}
+
 bool DefectSearch::trySingles()
 {
     for (std::size_t i = 0; i < m_defects.size(); ++i) {
@@ -145,6 +165,8 @@ bool DefectSearch::trySingles()
             return false;
     }
     tryArithmetics();
+    if (m_isExplained && m_exact.empty())
+        tryRules();
     if (m_isExplained || !m_exact.empty())
         return true;
     explainNearest(false);

@@ -29,6 +29,7 @@ private:
     void explainNearest(bool pairs);
     void addEqual(DefectSet set);
     void tryArithmetics();
+    void tryRules();
     bool trySingles();
     bool hasPart(const std::vector<SetMatch> &matches, std::size_t first, std::size_t second) const;
     bool canBePair(std::size_t first, std::size_t second) const;
