@@ -3,6 +3,7 @@
 #include "core/scene/scenefile.h"
 #include "tests/support/probescenes.h"
 #include "tests/support/programrun.h"
+#include "tests/support/scanning.h"
 #include "tests/support/sourcetree.h"
 
 #include <QJsonArray>
@@ -100,6 +101,31 @@ private slots:
         QCOMPARE(candidate[QStringLiteral("defects")].toArray(),
                  QJsonArray({QStringLiteral("unsorted-colours")}));
         QVERIFY(candidate[QStringLiteral("parts")].isObject());
+    }
+
+    void undecidablePixelsAreCountedAsByDiff()
+    {
+        const QTemporaryDir folder;
+        const QString file = folder.filePath(QStringLiteral("edge.json"));
+        Scene scene = sceneWith({triangleAt(1, 1, 4, 1, 1, 3)});
+        scene.frame.width = 6;
+        scene.frame.height = 5;
+        QVERIFY(!writeSceneFile(file, scene));
+        // (1, 1) lies on two edges, (5, 3) is outside.
+        const QByteArray raster = "......\n.#...#\n.##...\n..###.\n......\n";
+        const auto answer = [&](const QStringList &words) {
+            return QJsonDocument::fromJson(run(words, raster).output).object();
+        };
+
+        const QJsonObject named = answer({QStringLiteral("diagnose"), QStringLiteral("--json"),
+                                          QStringLiteral("--scene"), file, QStringLiteral("-")});
+        const QJsonObject compared
+            = answer({QStringLiteral("diff"), QStringLiteral("--json"), file, QStringLiteral("-")});
+
+        QCOMPARE(named[QStringLiteral("verdict")].toString(), QStringLiteral("wrong"));
+        QCOMPARE(named[QStringLiteral("differing")].toInt(), 2);
+        QCOMPARE(named[QStringLiteral("undecidable")].toInt(), 1);
+        QCOMPARE(compared[QStringLiteral("undecidable")].toInt(), 1);
     }
 
     void theCommandWantsAsManyScenesAsPictures()

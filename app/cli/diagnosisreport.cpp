@@ -46,11 +46,14 @@ QStringList textOf(const Diagnosis &diagnosis, std::span<const Submission> submi
 {
     if (diagnosis.verdict == DiagnosisVerdict::Right)
         return {QStringLiteral("right: no pixel differs")};
-    QStringList lines = {
-        QStringLiteral("%1: %2 %3")
-            .arg(nameOf(diagnosis.verdict), pixelsText(diagnosis.differing),
-                 diagnosis.differing == 1 ? QStringLiteral("differs") : QStringLiteral("differ"))};
     const bool isWrong = diagnosis.verdict == DiagnosisVerdict::Wrong;
+    QString verdict
+        = QStringLiteral("%1: %2 %3")
+              .arg(nameOf(diagnosis.verdict), pixelsText(diagnosis.differing),
+                   diagnosis.differing == 1 ? QStringLiteral("differs") : QStringLiteral("differ"));
+    if (isWrong && diagnosis.undecidable > 0)
+        verdict += QStringLiteral(", %1 undecidable").arg(diagnosis.undecidable);
+    QStringList lines = {verdict};
     if (diagnosis.candidates.empty() && isWrong)
         lines += QStringLiteral("no known defect comes nearer");
     else if (!diagnosis.isExplained() && isWrong)
@@ -102,6 +105,7 @@ QJsonObject jsonOf(const Diagnosis &diagnosis, std::span<const Submission> submi
     return {{QStringLiteral("verdict"), nameOf(diagnosis.verdict)},
             {QStringLiteral("transparencyIgnored"), isTransparent},
             {QStringLiteral("differing"), qint64(diagnosis.differing)},
+            {QStringLiteral("undecidable"), qint64(diagnosis.undecidable)},
             {QStringLiteral("candidates"), candidates}};
 }
 

@@ -11,18 +11,18 @@ namespace pixelplumb {
 
 namespace {
 
-/// Whether what differs lies on ties and within the bound of the tolerance alone.
-bool isUndecidable(DefectPictures &pictures, std::span<const FoundPicture> found,
-                   std::optional<Arithmetic> tolerance)
+/// Of what differs, how many pixels lie on ties or within the bound of the tolerance.
+std::int64_t undecidableIn(DefectPictures &pictures, std::span<const FoundPicture> found,
+                           Arithmetic tolerance)
 {
-    return tolerance && std::ranges::all_of(found, [&](const FoundPicture &each) {
-               const Picture &right = *pictures.picture(each.scene, {});
-               return differenceOf(right, each.picture,
-                                   undecidablePixels(pictures.scenes()[each.scene], right,
-                                                     each.picture, *tolerance))
-                          .differing()
-                   == 0;
-           });
+    std::int64_t undecidable = 0;
+    for (const FoundPicture &each : found) {
+        const Picture &right = *pictures.picture(each.scene, {});
+        const auto open
+            = undecidablePixels(pictures.scenes()[each.scene], right, each.picture, tolerance);
+        undecidable += differenceOf(right, each.picture, open).count(PixelVerdict::Undecidable);
+    }
+    return undecidable;
 }
 
 } // namespace
@@ -108,7 +108,9 @@ std::optional<Diagnosis> diagnose(DefectPictures &pictures, std::span<const Foun
         diagnosis.verdict = DiagnosisVerdict::Right;
         return diagnosis;
     }
-    if (isUndecidable(pictures, found, tolerance))
+    if (tolerance)
+        diagnosis.undecidable = undecidableIn(pictures, found, *tolerance);
+    if (diagnosis.undecidable == diagnosis.differing)
         diagnosis.verdict = DiagnosisVerdict::Undecidable;
     DefectSearch search(pictures, matcher, diagnosis, listener);
     if (!search.run())

@@ -61,6 +61,7 @@ struct PartingStep {
 struct Diagnosis {
     DiagnosisVerdict verdict = DiagnosisVerdict::Wrong;
     std::int64_t differing = 0; ///< pixels of all pictures, undecidable ones among them
+    std::int64_t undecidable = 0; ///< of these, as differenceOf() counts them
     /// Every set of one or two defects whose pictures equal the student's, none that has a smaller
     /// one in it; where there is none, every one that leaves undecidable pixels alone, and behind
     /// them those that equal the pictures with one of these in them; else, if the pictures are
