@@ -312,6 +312,18 @@ private slots:
                    "89504e470d0a1a0a0000000d4948445200000001000000010802000000907753de0000000749444"
                    "154727562626973681beeae010000000049454e44ae426082")
             << QByteArray("-: no picture: a broken PNG: its pixels (IDAT) are not deflated");
+        QTest::newRow("a PNG whose pixels end early")
+            << QByteArray::fromHex(
+                   "89504e470d0a1a0a0000000d4948445200000002000000020802000000fdd49a730000000f49444"
+                   "1"
+                   "54789c63e01291d330b20100023700d35b5651d80000000049454e44ae426082")
+            << QByteArray(
+                   "-: no picture: a broken PNG: its pixels (IDAT) end early, at byte 7 of 14");
+        QTest::newRow("a PNG whose pixels are cut")
+            << QByteArray::fromHex("89504e470d0a1a0a0000000d4948445200000002000000020802000000fdd49"
+                                   "a7300000007494441"
+                                   "54789c6360800246557df4690000000049454e44ae426082")
+            << QByteArray("-: no picture: a broken PNG: its pixels (IDAT) end early");
         const QByteArray bitmap = bmpOf(QImage(5, 3, QImage::Format_RGB32));
         QTest::newRow("a BMP cut by a byte")
             << bitmap.chopped(1)

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/scene/pngfault.h"
 
+#include "core/frame/framespec.h"
+#include "core/scene/inflated.h"
+
 #include <QtEndian>
 
 #include <boost/crc.hpp>
 
 #include <algorithm>
-#include <optional>
+#include <array>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -52,8 +56,10 @@ QByteArrayView depthsOf(char colourType)
     }
 }
 
-constexpr qsizetype depthPlace = 8; // in IHDR
+constexpr qsizetype heightPlace = 4; // in IHDR, behind the width
+constexpr qsizetype depthPlace = 8;
 constexpr qsizetype typePlace = 9;
+constexpr qsizetype interlacingPlace = 12;
 constexpr char paletteType = 3;
 
 /// What is wrong with the content of IHDR, which comes first.
@@ -86,15 +92,84 @@ QString pixelsFault(QByteArrayView pixels, char colourType, bool hasPalette)
                       : QStringLiteral("a broken PNG: its pixels (IDAT) are not deflated");
 }
 
+std::uint64_t samplesOfPixel(char colourType)
+{
+    switch (colourType) {
+    case 2:
+        return 3;
+    case 4:
+        return 2;
+    case 6:
+        return 4;
+    default:
+        return 1;
+    }
+}
+
+/// Pixels of every so manieth column and line from one on.
+struct InterlacedPass {
+    std::uint64_t firstColumn, firstLine, columns, lines;
+};
+constexpr InterlacedPass wholePass = {0, 0, 1, 1};
+/// Adam7, ISO/IEC 15948, 8.2.
+constexpr std::array interlacedPasses
+    = {InterlacedPass{0, 0, 8, 8}, InterlacedPass{4, 0, 8, 8}, InterlacedPass{0, 4, 4, 8},
+       InterlacedPass{2, 0, 4, 4}, InterlacedPass{0, 2, 2, 4}, InterlacedPass{1, 0, 2, 2},
+       InterlacedPass{0, 1, 1, 2}};
+
+/// Width and height, px.
+std::pair<std::uint64_t, std::uint64_t> sidesOf(QByteArrayView header)
+{
+    return {qFromBigEndian<quint32>(header.data()),
+            qFromBigEndian<quint32>(header.data() + heightPlace)};
+}
+
+/// What the pixels of a picture with this header take before they are compressed.
+std::uint64_t bytesOfPixels(QByteArrayView header)
+{
+    const auto sides = sidesOf(header);
+    const std::uint64_t bits = std::uint8_t(header[depthPlace]) * samplesOfPixel(header[typePlace]);
+    const auto bytesOf = [&](const InterlacedPass &pass) -> std::uint64_t {
+        const auto counted = [](std::uint64_t all, std::uint64_t first, std::uint64_t step) {
+            return all <= first ? 0 : (all - first + step - 1) / step;
+        };
+        const std::uint64_t columns = counted(sides.first, pass.firstColumn, pass.columns);
+        const std::uint64_t lines = counted(sides.second, pass.firstLine, pass.lines);
+        return columns == 0 ? 0 : lines * (1 + (columns * bits + 7) / 8); // 1: the filter
+    };
+    if (header[interlacingPlace] == 0)
+        return bytesOf(wholePass);
+    std::uint64_t bytes = 0;
+    for (const InterlacedPass &pass : interlacedPasses)
+        bytes += bytesOf(pass);
+    return bytes;
+}
+
+QString endFault(QByteArrayView header, const QByteArray &pixels)
+{
+    if (pixels.isEmpty())
+        return QStringLiteral("a broken PNG: it has no pixels (IDAT)");
+    const auto [width, height] = sidesOf(header);
+    if (width * height > std::uint64_t(largestFrameArea)) // is refused, whatever it has
+        return {};
+    const std::uint64_t needed = bytesOfPixels(header);
+    const std::uint64_t there = inflatedBytes(pixels, needed);
+    if (there >= needed)
+        return {};
+    return QStringLiteral("a broken PNG: its pixels (IDAT) end early, at byte %1 of %2")
+        .arg(there)
+        .arg(needed);
+}
+
 } // namespace
 
 QString pngFault(const QByteArray &content)
 {
     if (!content.startsWith("\x89PNG\r\n\x1a\n"))
         return {};
-    std::optional<char> colourType;
+    QByteArrayView header;
     bool hasPalette = false;
-    bool hasPixels = false;
+    QByteArray pixels;
     for (qsizetype at = signatureSize;;) {
         const qsizetype left = content.size() - at;
         if (left < frameOfChunk)
@@ -115,20 +190,21 @@ QString pngFault(const QByteArray &content)
                 .arg(at);
         const QByteArrayView chunk = checked.sliced(4);
         QString fault;
-        if (!colourType) {
+        if (header.isEmpty()) {
             if (type != "IHDR")
                 return QStringLiteral("a broken PNG: it does not begin with its header (IHDR)");
             fault = headerFault(chunk);
-            colourType = fault.isEmpty() ? chunk[typePlace] : char();
-        } else if (type == "IDAT" && !hasPixels) {
-            fault = pixelsFault(chunk, *colourType, hasPalette);
-            hasPixels = true;
+            header = chunk;
+        } else if (type == "IDAT") {
+            if (pixels.isEmpty())
+                fault = pixelsFault(chunk, header[typePlace], hasPalette);
+            pixels += chunk;
         }
         hasPalette = hasPalette || type == "PLTE";
         if (!fault.isEmpty())
             return fault;
         if (type == "IEND")
-            return hasPixels ? QString() : QStringLiteral("a broken PNG: it has no pixels (IDAT)");
+            return endFault(header, pixels);
         at += frameOfChunk + qsizetype(length);
     }
 }
