@@ -5436,6 +5436,14 @@
         <translation>Beim ersten Versuch richtig: %1 von %2</translation>
     </message>
     <message>
+        <source>Predict is closed. %1.</source>
+        <translation>Vorhersagen ist geschlossen. %1.</translation>
+    </message>
+    <message>
+        <source>The panel was closed with this question open. %1</source>
+        <translation>Das Fenster wurde bei offener Frage geschlossen. %1</translation>
+    </message>
+    <message>
         <source>&amp;Check</source>
         <translation>&amp;Prüfen</translation>
     </message>
