@@ -970,6 +970,10 @@
         <translation>Entscheidung des Schritts</translation>
     </message>
     <message>
+        <source>Brightness by direction</source>
+        <translation>Helligkeit nach Richtung</translation>
+    </message>
+    <message>
         <source>Sampling points</source>
         <translation>Abtastpunkte</translation>
     </message>
