@@ -13,6 +13,7 @@
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
+#include <QSignalSpy>
 #include <QTableView>
 #include <QTest>
 #include <QTextBrowser>
@@ -312,6 +313,26 @@ private slots:
         action(*m_window, "newScene")->trigger();
         QCOMPARE(label("predictScore"), QString());
         QVERIFY(label("predictQuestion").contains(QStringLiteral("Nothing lies ahead")));
+    }
+
+    void aClosedPanelEndsTheScoreAndItsOpenQuestion()
+    {
+        openPanel();
+        answer(QStringLiteral("1000"));
+        QSignalSpy told(m_playhead, &Playhead::message);
+        action(*m_window, "predictDockToggle")->trigger();
+        QCOMPARE(told.size(), 1);
+        QCOMPARE(told[0][0].toString(),
+                 QStringLiteral("Predict is closed. Right at the first try: 0 of 1."));
+
+        openPanel();
+
+        QCOMPARE(label("predictScore"), QString());
+        QVERIFY(label("predictVerdict")
+                    .startsWith(QStringLiteral("The panel was closed with this question open.")));
+        QVERIFY(!named<QPushButton>(*m_window, "predictCheck")->isEnabled());
+        QTest::mouseClick(named<QPushButton>(*m_window, "predictNext"), Qt::LeftButton);
+        QVERIFY(named<QPushButton>(*m_window, "predictCheck")->isEnabled());
     }
 
     void theLinesThatAStepDoesAreMarked()

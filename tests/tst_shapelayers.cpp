@@ -142,6 +142,22 @@ private slots:
         QCOMPARE(intervalsOf(ShapeFill::NonZero), QStringList({"w = 1", "w = 2", "w = 1"}));
     }
 
+    void aLineAt45DegreesHasFewerPixelsForItsLength()
+    {
+        const auto textOf = [](const Shape &line) {
+            return textsOf(Look(sceneOf(line, "line-bresenham", {})).drawing("brightness").labels);
+        };
+
+        QCOMPARE(
+            textOf(lineAt(4, 4, 24, 4)),
+            QStringList({"(21 − 1) pixels / 20.00 px = 1.00 a px; even with 1.00 times the light",
+                         "even: 1 px wide, 20.00 px of light"}));
+        QCOMPARE(
+            textOf(lineAt(4, 4, 24, 24)),
+            QStringList({"(21 − 1) pixels / 28.28 px = 0.71 a px; even with 1.41 times the light",
+                         "even: 1 px wide, 28.28 px of light"}));
+    }
+
     void theLineStandsBetweenThePixelsOfADecision_data()
     {
         QTest::addColumn<Shape>("line");

@@ -4,14 +4,17 @@
 #include "widgets/canvas/canvas.h"
 #include "widgets/inspect/formulapanel.h"
 #include "widgets/inspect/pixelgrid.h"
+#include "widgets/look/elidingbox.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/primitivelistmodel.h"
 #include "widgets/stepping/scrubber.h"
 #include "widgets/studies/comparepane.h"
 #include "widgets/studies/comparepanel.h"
+#include "widgets/studies/compareview.h"
 
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
 #include <QPushButton>
 #include <QScreen>
 #include <QScrollBar>
@@ -230,6 +233,29 @@ private slots:
         settle();
         QCOMPARE(window->width(), size.width());
         QVERIFY(window->minimumSizeHint().width() <= size.width());
+    }
+
+    void theChoicesOfComparedRunsAreReadWhole_data() { addSizes(); }
+    void theChoicesOfComparedRunsAreReadWhole()
+    {
+        QFETCH(QSize, size);
+        const auto window = windowOf(size);
+        auto *compare = named<ComparePanel>(*window, "compare");
+        action(*window, "compareDockToggle")->trigger();
+        QTRY_VERIFY_WITH_TIMEOUT(compare->contest() && !compare->isRunning(), 20000);
+        settle();
+
+        for (const ElidingBox *box : compare->findChildren<ElidingBox *>()) {
+            QVERIFY2(isInSight(box), qPrintable(box->objectName()));
+            QCOMPARE(box->shownText(), box->currentText());
+        }
+        for (const QLabel *label : compare->findChildren<QLabel *>()) {
+            QVERIFY2(isInSight(label), qPrintable(label->text()));
+            QVERIFY2(label->height() >= label->heightForWidth(label->width()),
+                     qPrintable(label->text()));
+        }
+        for (const ComparePane *pane : compare->panes())
+            QVERIFY(pane->view()->height() >= 40);
     }
 
     void aPanelThatIsClosedGivesItsRoomBack_data() { addSizes(); }

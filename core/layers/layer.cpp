@@ -79,7 +79,7 @@ std::span<const Layer> layers()
            halfPlane1Layer(),      halfPlane2Layer(), weightsLayer(),     levelsLayer(),
            barycentricAxesLayer(), affineMapLayer(),  redIsolinesLayer(), greenIsolinesLayer(),
            blueIsolinesLayer(),    innerEdgesLayer(), edgeTableLayer(),   decisionsLayer(),
-           samplesLayer(),         memoryLayer()};
+           brightnessLayer(),      samplesLayer(),    memoryLayer()};
     return table;
 }
 

@@ -31,6 +31,8 @@ Layer innerEdgesLayer();
 Layer edgeTableLayer();
 /// By which numbers a line or a circle goes on.
 Layer decisionsLayer();
+/// How many pixels a line has for each pixel of its length.
+Layer brightnessLayer();
 /// Of every pixel.
 Layer samplesLayer();
 Layer memoryLayer();

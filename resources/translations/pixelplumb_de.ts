@@ -970,6 +970,10 @@
         <translation>Entscheidung des Schritts</translation>
     </message>
     <message>
+        <source>Brightness by direction</source>
+        <translation>Helligkeit nach Richtung</translation>
+    </message>
+    <message>
         <source>Sampling points</source>
         <translation>Abtastpunkte</translation>
     </message>
@@ -5434,6 +5438,14 @@
     <message>
         <source>Right at the first try: %1 of %2</source>
         <translation>Beim ersten Versuch richtig: %1 von %2</translation>
+    </message>
+    <message>
+        <source>Predict is closed. %1.</source>
+        <translation>Vorhersagen ist geschlossen. %1.</translation>
+    </message>
+    <message>
+        <source>The panel was closed with this question open. %1</source>
+        <translation>Das Fenster wurde bei offener Frage geschlossen. %1</translation>
     </message>
     <message>
         <source>&amp;Check</source>

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/inspect/predictpanel.h"
 
-#include "core/methods/formulatext.h"
 #include "core/runs/tracedscene.h"
 #include "widgets/look/corewords.h"
 #include "widgets/look/typesetting.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
-#include "widgets/model/typedpixel.h"
 
 #include <QComboBox>
 #include <QFocusEvent>
@@ -113,7 +111,14 @@ void PredictPanel::showEvent(QShowEvent *event)
 void PredictPanel::hideEvent(QHideEvent *event)
 {
     QWidget::hideEvent(event);
+    if (event->spontaneous())
+        return; // the window is minimized: nothing else of it is seen either
     m_playhead->setForetold(false);
+    if (m_state == State::Open && m_choice->count() > 0)
+        m_left = place();
+    if (!m_asked.isEmpty())
+        emit m_playhead->message(tr("Predict is closed. %1.").arg(m_score->text()));
+    forgetScore();
 }
 
 void PredictPanel::focusInEvent(QFocusEvent *event)
@@ -129,6 +134,8 @@ void PredictPanel::forgetScore()
     m_right = 0;
     m_score->clear();
 }
+
+PredictPanel::Place PredictPanel::place() const { return {m_run, m_playhead->position()}; }
 
 bool PredictPanel::asksForPixel() const
 {
@@ -203,62 +210,9 @@ void PredictPanel::ask()
         m_question->setText(tr("Nothing lies ahead: step back, or run to the start."));
     }
     m_answer->setPlaceholderText(example);
+    if (!example.isEmpty() && m_left == place())
+        return settle(tr("The panel was closed with this question open. %1").arg(answerText()));
     offer(example.isEmpty() ? QList<QWidget *>() : QList<QWidget *>{m_answer, m_check, m_show});
-}
-
-void PredictPanel::check()
-{
-    if (m_state != State::Open)
-        return;
-    if (const Prediction *asked = prediction())
-        checkNumber(*asked);
-    else if (!m_answer->text().trimmed().isEmpty())
-        checkTypedPixel();
-    else if (m_playhead->pickedPixel())
-        checkPick(*m_playhead->pickedPixel());
-}
-
-void PredictPanel::checkNumber(const Prediction &asked)
-{
-    const Guess guess = judge(asked, m_answer->text());
-    const QString verdict = verdictText(asked, guess);
-    if (guess != Guess::Unread && !asksForAnotherForm(guess))
-        count(guess == Guess::Right);
-    guess == Guess::Right ? settle(verdict) : tell(verdict);
-}
-
-void PredictPanel::checkTypedPixel()
-{
-    if (const std::optional<QPoint> pixel = typedPixel(m_answer->text()))
-        checkPick(*pixel);
-    else
-        tell(tr("Type the pixel's x and y, such as 12, 7."));
-}
-
-void PredictPanel::checkPick(const QPoint &pixel)
-{
-    if (!isVisible() || !asksForPixel() || m_state != State::Open)
-        return;
-    const bool isRight = pixel == m_nextPixel->pixel;
-    count(isRight);
-    const QString name = tr("(%1, %2)").arg(pixel.x()).arg(pixel.y());
-    if (isRight)
-        settle(tr("Right, %1. %2").arg(name, m_nextPixel->reason));
-    else
-        tell(tr("Not %1. %2 Try again, or have it shown.")
-                 .arg(name, wrongPixelText(*m_playhead->traced(), m_playhead->position(), pixel)));
-}
-
-void PredictPanel::reveal()
-{
-    count(false);
-    if (const Prediction *asked = prediction())
-        settle(tr("%1 = %2").arg(asked->reason, term(asked->value)));
-    else if (m_nextPixel)
-        settle(tr("It is (%1, %2). %3")
-                   .arg(m_nextPixel->pixel.x())
-                   .arg(m_nextPixel->pixel.y())
-                   .arg(m_nextPixel->reason));
 }
 
 void PredictPanel::goOn()

@@ -19,7 +19,9 @@ class SceneDocument;
 
 /// Asks for a number of the next span, or for the next pixel, before it is shown (objectName
 /// "predict"). While the panel is seen, tables and histories hide what lies ahead of the playhead.
-/// Every question counts once, by its first answer; the score lasts while the scene is open.
+/// Every question counts once, by its first answer; the score lasts while the scene is open and the
+/// panel is not closed. Numbers can be seen while it is closed: a question that was open then has
+/// its answer told and counts no more.
 class PredictPanel : public QWidget {
     Q_OBJECT
 
@@ -36,6 +38,15 @@ protected:
 private:
     /// What has become of the question.
     enum class State { Open, Answered };
+    /// What is asked there is the same each time.
+    struct Place {
+        std::size_t run = 0;
+        std::size_t position = 0;
+
+        friend bool operator==(const Place &, const Place &) = default;
+    };
+
+    Place place() const;
 
     void forgetScore();
     void listQuestions();
@@ -46,6 +57,7 @@ private:
     void checkTypedPixel();
     void checkPick(const QPoint &pixel);
     void reveal();
+    QString answerText() const;
     void goOn();
     void settle(const QString &verdict);
     void count(bool isRight);
@@ -63,6 +75,7 @@ private:
     std::optional<NextPixel> m_nextPixel;
     State m_state = State::Open;
     std::size_t m_run = 0; ///< grows with every run: the same place asks another question
+    std::optional<Place> m_left; ///< where the panel was closed with a question open
     QSet<QString> m_asked; ///< the questions that have counted
     int m_right = 0;
 };

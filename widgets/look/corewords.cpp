@@ -144,6 +144,7 @@ constexpr const char *context = "pixelplumb::CoreWords";
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "Triangles of a polygon"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "Edge table"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "Decision of the step"),
+    QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "Brightness by direction"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "Sampling points"),
     QT_TRANSLATE_NOOP("pixelplumb::CoreWords", "Addresses in memory"),
     // What a job is at.

@@ -10,6 +10,7 @@
 #include "widgets/model/playhead.h"
 #include "widgets/model/tracenavigation.h"
 #include "widgets/studies/comparelink.h"
+#include "widgets/studies/comparetext.h"
 #include "widgets/studies/compareview.h"
 
 #include <QBoxLayout>
@@ -87,15 +88,15 @@ ComparePane::ComparePane(int number, CompareLink *link, Playhead *playhead, QWid
     first->addWidget(name);
     first->addWidget(m_method, 1);
     // In a row of their own: four panes side by side would push the panels at the right away.
-    auto *second = new QHBoxLayout;
-    second->setSpacing(4);
-    second->addWidget(m_arithmetic, 3);
-    second->addWidget(m_fillRule, 2);
+    m_settings = new QHBoxLayout;
+    m_settings->setSpacing(4);
+    m_settings->addWidget(m_arithmetic, 1);
+    m_settings->addWidget(m_fillRule, 1);
     auto *layout = new QVBoxLayout(this);
     layout->setContentsMargins(0, 0, 0, 0);
     layout->setSpacing(4);
     layout->addLayout(first);
-    layout->addLayout(second);
+    layout->addLayout(m_settings);
     layout->addWidget(m_view, 1);
     layout->addWidget(m_result);
 
@@ -182,37 +183,41 @@ void ComparePane::show(const std::shared_ptr<const Contest> &contest, std::size_
     if (shown.traced)
         m_cursor = std::make_unique<TraceCursor>(*shown.traced->trace, contest->scene.frame);
     m_figures.clear();
+    m_details.clear();
     tellResult();
     followPlayhead();
+}
+
+/// Whether the longest names of an arithmetic and of a fill rule do not fit side by side.
+bool ComparePane::isNarrow() const
+{
+    const int names = fontMetrics().horizontalAdvance(QStringLiteral("fixed16.16half-open-column"));
+    return width() < names + 2 * leastBoxWidth;
+}
+
+void ComparePane::resizeEvent(QResizeEvent *event)
+{
+    QWidget::resizeEvent(event);
+    m_settings->setDirection(isNarrow() ? QBoxLayout::TopToBottom : QBoxLayout::LeftToRight);
+    tellResult();
 }
 
 void ComparePane::tellResult()
 {
     if (!m_contest)
         return;
-    if (m_playhead->isAheadHidden()) {
-        m_result->setText(tr("Predict hides what lies ahead."));
-        return;
-    }
-    const ContenderRun &shown = m_contest->runs[m_run];
-    const auto count = [&shown](Difference kind) {
-        return QString::number(shown.tally.againstTruth[std::size_t(kind)]);
-    };
-    if (shown.tally.written == 0 && !shown.contender.isTruth())
-        m_result->setText(tr("Draws nothing of this scene."));
-    else if (shown.contender.isTruth())
-        m_result->setText(tr("%n pixels, shown finished", nullptr, int(shown.tally.written)));
-    else
-        m_result->setText(tr("%n pixels: %1 missing, %2 extra, %3 in another colour", nullptr,
-                             int(shown.tally.written))
-                              .arg(count(Difference::Missing), count(Difference::Extra),
-                                   count(Difference::Colour)));
-    if (shown.tally.undrawn > 0)
-        m_result->setText(m_result->text()
-                          + tr("; %1 undrawn, of other kinds").arg(shown.tally.undrawn));
-    if (const std::vector<Variant> variants = variantsIn(m_variants); !variants.empty())
-        m_result->setText(m_result->text() + tr("; with %1").arg(namesOf(variants).join(u' ')));
-    m_result->setText(m_result->text() + m_figures);
+    const bool isTold = !m_playhead->isAheadHidden();
+    const ContenderRun &run = m_contest->runs[m_run];
+    const QString whole
+        = isTold ? resultText(run) + m_figures : tr("Predict hides what lies ahead.");
+    const bool isShort = isTold && isNarrow();
+    m_result->setText(isShort ? resultInSigns(run) : whole);
+    QStringList beside;
+    if (isShort)
+        beside += whole;
+    if (isTold && !m_details.isEmpty())
+        beside += m_details;
+    m_result->setToolTip(beside.join(u'\n'));
 }
 
 void ComparePane::clear(const QString &message)
@@ -232,8 +237,8 @@ void ComparePane::showFigures(const LiveFigures &figures)
         return;
     const QString separator = QStringLiteral(" · ");
     m_figures = separator + coreWord(figures.timeText());
+    m_details = coreWords(figures.details(), separator);
     tellResult();
-    m_result->setToolTip(coreWords(figures.details(), separator));
 }
 
 CompareView *ComparePane::view() const { return m_view; }

@@ -6,6 +6,7 @@
 
 #include <QWidget>
 
+class QBoxLayout;
 class QComboBox;
 class QLabel;
 
@@ -18,7 +19,8 @@ struct LiveFigures;
 
 /// One contender: what it is, and its own run at the place where the playhead is. The truth has no
 /// run; it is shown finished. Where what is ahead is hidden, the truth and methods that go another
-/// way are shown at the pixels that are decided, and nothing is counted.
+/// way are shown at the pixels that are decided, and nothing is counted. Where the pane is narrow,
+/// its boxes stand one below the other and the counts are short, with their signs.
 class ComparePane : public QWidget {
     Q_OBJECT
 
@@ -42,12 +44,16 @@ public:
 signals:
     void contenderChanged();
 
+protected:
+    void resizeEvent(QResizeEvent *event) override;
+
 private:
     class View;
 
     QComboBox *addBox(const QString &name, const QString &label);
     void offerSettings(const ScanSettings &wanted);
     void tellResult();
+    bool isNarrow() const;
     void followPlayhead();
     bool goesTheSameWay() const; ///< as the playhead's run
     void showPicture(const QImage &picture);
@@ -57,8 +63,10 @@ private:
     QComboBox *m_method = nullptr;
     QComboBox *m_arithmetic = nullptr;
     QComboBox *m_fillRule = nullptr;
+    QBoxLayout *m_settings = nullptr; ///< the boxes of arithmetic and fill rule
     QLabel *m_result = nullptr;
     QString m_figures; ///< behind the result, once they are measured
+    QString m_details; ///< of them
     View *m_view = nullptr;
     ByteRounding m_rounding = ByteRounding::Nearest; ///< the scene's
     VariantSet m_variants; ///< of the contender that it was given

@@ -1,12 +1,23 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/studies/comparetext.h"
 
+#include "core/scan/choicenames.h"
 #include "core/scene/colourtext.h"
 #include "widgets/look/corewords.h"
 #include "widgets/studies/agreementview.h"
+#include "widgets/studies/comparepane.h"
 #include "widgets/studies/comparepanel.h"
 
 namespace pixelplumb {
+
+namespace {
+
+QString countOf(const ContenderRun &run, Difference kind)
+{
+    return QString::number(run.tally.againstTruth[std::size_t(kind)]);
+}
+
+} // namespace
 
 QString agreementLegend(const AgreementMap &agreement, const QPalette &palette, Ahead ahead)
 {
@@ -22,6 +33,36 @@ QString agreementLegend(const AgreementMap &agreement, const QPalette &palette, 
                      meaning));
     }
     return legend.join(QStringLiteral(" &nbsp; "));
+}
+
+QString resultText(const ContenderRun &run)
+{
+    const int written = int(run.tally.written);
+    QString text;
+    if (written == 0 && !run.contender.isTruth())
+        text = ComparePane::tr("Draws nothing of this scene.");
+    else if (run.contender.isTruth())
+        text = ComparePane::tr("%n pixels, shown finished", nullptr, written);
+    else
+        text = ComparePane::tr("%n pixels: %1 missing, %2 extra, %3 in another colour", nullptr,
+                               written)
+                   .arg(countOf(run, Difference::Missing), countOf(run, Difference::Extra),
+                        countOf(run, Difference::Colour));
+    if (run.tally.undrawn > 0)
+        text += ComparePane::tr("; %1 undrawn, of other kinds").arg(run.tally.undrawn);
+    const std::vector<Variant> variants = variantsIn(run.contender.settings.variants);
+    if (!variants.empty())
+        text += ComparePane::tr("; with %1").arg(namesOf(variants).join(u' '));
+    return text;
+}
+
+QString resultInSigns(const ContenderRun &run)
+{
+    if (run.tally.written == 0 || run.contender.isTruth())
+        return resultText(run);
+    return QStringLiteral("%1 px: %2 ?, %3 !, %4 c")
+        .arg(QString::number(run.tally.written), countOf(run, Difference::Missing),
+             countOf(run, Difference::Extra), countOf(run, Difference::Colour));
 }
 
 QString carriedText(const Contest &contest)

@@ -16,6 +16,11 @@ namespace pixelplumb {
 /// are ahead and hidden.
 QString agreementLegend(const AgreementMap &agreement, const QPalette &palette, Ahead ahead);
 
+/// How many pixels a contender writes, and how many are not the truth's: "984 pixels: 0 missing …".
+QString resultText(const ContenderRun &run);
+/// The same with the signs that mark such pixels, where there is little room: "984 px: 0 ? …".
+QString resultInSigns(const ContenderRun &run);
+
 /// How far the contenders agree on what no picture shows, a line for each pair that carries it;
 /// empty where none does.
 QString carriedText(const Contest &contest);

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/layers.h"
+
+#include <QLineF>
+
+#include <set>
+#include <utility>
+
+namespace pixelplumb {
+
+namespace {
+
+constexpr double asideBy = 3; ///< px, of the even line from the one that it stands beside
+
+/// The pixels that the line has so far, each once.
+std::size_t pixelsOf(const LayerMoment &moment)
+{
+    std::set<std::pair<std::int64_t, std::int64_t>> pixels;
+    const ScanTrace &trace = moment.trace();
+    const std::optional<std::size_t> last = moment.spanInHand();
+    for (std::size_t span = trace.firstSpanOf(moment.primitive); last && span <= *last; ++span) {
+        for (std::size_t i = trace.firstSampleOf(span); i < trace.endSampleOf(span); ++i)
+            pixels.emplace(trace.changes()[i].x, trace.changes()[i].y);
+    }
+    return pixels.size();
+}
+
+bool isInFrame(const LayerMoment &moment, const QPointF &place)
+{
+    const SampleBox frame = samplesOf(windowOf(moment.frame()));
+    return double(frame.firstX) <= place.x() && place.x() <= double(frame.endX - 1)
+        && double(frame.firstY) <= place.y() && place.y() <= double(frame.endY - 1);
+}
+
+QString figure(double number) { return QString::number(number, 'f', 2); }
+
+/// As much light as the line is long: a band one pixel wide.
+void drawEvenLine(const QLineF &line, LayerDrawing &drawing)
+{
+    const QLineF across = line.normalVector().unitVector();
+    const QPointF normal(across.dx(), across.dy());
+    const QPointF near = normal * (asideBy - 0.5);
+    const QPointF far = normal * (asideBy + 0.5);
+    drawing.areas.push_back(
+        {{line.p1() + near, line.p2() + near, line.p2() + far, line.p1() + far}, LayerInk::Second});
+    drawing.labels.push_back(
+        {QStringLiteral("even: 1 px wide, %1 px of light").arg(figure(line.length())),
+         line.center() + far, LayerInk::Second});
+}
+
+void drawBrightness(const LayerMoment &moment, LayerDrawing &drawing)
+{
+    const Shape &shape = moment.shape();
+    const QLineF line(placeOf(shape.vertices[0].position), placeOf(shape.vertices[1].position));
+    if (line.length() < 1 || !isInFrame(moment, line.p1()) || !isInFrame(moment, line.p2())) {
+        drawing.notes.append(QStringLiteral(
+            "Brightness by direction: only of a line of 1 px or more that lies in the frame"));
+        return;
+    }
+    const std::size_t pixels = pixelsOf(moment);
+    const ScanTrace &trace = moment.trace();
+    const std::size_t end = trace.endSpanOf(moment.primitive);
+    const bool isDone = end > trace.firstSpanOf(moment.primitive) && moment.spanInHand() == end - 1
+        && moment.view.position >= trace.indexOfSpan(end - 1) + 2;
+    if (!isDone) {
+        drawing.labels.push_back(
+            {QStringLiteral("%1 pixels so far").arg(pixels), line.center(), LayerInk::First});
+        return;
+    }
+    // From the first pixel to the last there is a pixel fewer than the line has.
+    const double each = double(pixels - 1) / line.length();
+    drawing.labels.push_back(
+        {QStringLiteral("(%1 - 1) pixels / %2 px = %3 a px; even with %4 "
+                        "times the light")
+             .arg(QString::number(pixels), figure(line.length()), figure(each), figure(1 / each))
+             .replace(u'-', QChar(0x2212)),
+         line.center(), LayerInk::First});
+    drawEvenLine(line, drawing);
+}
+
+} // namespace
+
+Layer brightnessLayer()
+{
+    return {.id = QStringLiteral("brightness"),
+            .title = QStringLiteral("Brightness by direction"),
+            .toolTip = QStringLiteral(
+                "Of a line, its pixels for each pixel of its length, from the first to the last: 1 "
+                "on the level, 1/√2 at 45°; beside it a line of even brightness, one pixel wide."),
+            .source = QStringLiteral("Rasterization slides, “Raster Conversion of Lines”"),
+            .kinds = {PrimitiveKind::Line},
+            .methods = {QStringLiteral("line-dda"), QStringLiteral("line-slope-intercept"),
+                        QStringLiteral("line-parametric"), QStringLiteral("line-bresenham"),
+                        QStringLiteral("line-bresenham-symmetric")},
+            .draw = drawBrightness};
+}
+
+} // namespace pixelplumb
