@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/formulaexplanation.h"
 #include "core/runs/tracedscene.h"
+#include "tests/support/numbernamed.h"
 #include "tests/support/shapes.h"
 
 #include <QTest>
@@ -115,6 +116,42 @@ private slots:
         QVERIFY(has(setUp, "p₀ = 2Δy − Δx", "6 − 10"));
         QVERIFY(has(second, "p_k ← p_k₊₁′", "2"));
         QVERIFY(has(second, "Δp = 2Δy − 2Δx", "−14"));
+    }
+
+    void whatBeginsBetweenPixelsComesFromLettersOfItsOwnStep_data()
+    {
+        QTest::addColumn<Shape>("line");
+        QTest::newRow("flat, rising") << lineAtUnits({900, 600}, {4000, 3000});
+        QTest::newRow("flat, falling") << lineAtUnits({900, 2500}, {4000, 700});
+        QTest::newRow("steep, rising") << lineAtUnits({2100, -300}, {2900, 5000});
+        QTest::newRow("steep, falling") << lineAtUnits({2900, -300}, {2100, 5000});
+    }
+    void whatBeginsBetweenPixelsComesFromLettersOfItsOwnStep()
+    {
+        QFETCH(Shape, line);
+        const auto traced = traceScene(sceneOf(line, "line-bresenham-symmetric", frameOf(30, 30)));
+        const std::vector<Quantity> setUp = traced->trace->setUp(0).cells;
+        const auto inSetUp = [&](const char *id) {
+            const auto &numbers = traced->method->numbers.setUp;
+            const auto found
+                = std::ranges::find(numbers, QString::fromLatin1(id), &NumberDescription::id);
+            return setUp[std::size_t(found - numbers.begin())].toDouble();
+        };
+        const auto inStep = [&](const char *id) {
+            return spanNumber(*traced, 0, QString::fromLatin1(id)).toDouble();
+        };
+
+        const double side = inSetUp("y_1") < inSetUp("y_0") ? -1 : 1;
+        const double ordinate = inSetUp("y_0")
+            + side * (inStep("x_k") + 2 - inSetUp("x_0")) * inSetUp("delta_y") / inSetUp("delta_x");
+        const double decision = inSetUp("delta_x") * (side * 2 * (ordinate - inStep("y_k")) - 1);
+
+        QVERIFY(std::abs(decision - inStep("p_next")) < 1e-9);
+        const Explanation first = explainStep(*traced, traced->trace->indexOfSpan(0));
+        const QString formula = first.lines.front().symbols;
+        QCOMPARE(formula,
+                 side > 0 ? "p_k₊₁ = Δx·(2·(y₀ + (x_k + 2 − x₀)·Δy/Δx) − 2·y_k − 1)"
+                          : "p_k₊₁ = Δx·(2·y_k − 2·(y₀ − (x_k + 2 − x₀)·Δy/Δx) − 1)");
     }
 
     void aStepIsSpokenOfByWhatDecidedIt_data()

@@ -409,6 +409,18 @@ private slots:
         QCOMPARE(text(*window, "submissionName"), "No student's picture");
     }
 
+    void whatNamesTheBugIsInSightBeforeAnythingIsScrolled()
+    {
+        const auto window = windowWithDefect("rounding-truncate");
+        window->resize(1366, 768);
+        QTRY_VERIFY(judgement(*window));
+        const QWidget *view = named<QScrollArea>(*window, "submissionArea")->viewport();
+        const auto *button = named<QPushButton>(*window, "nameTheBug");
+        const auto place = [&] { return QRect(button->mapTo(view, QPoint()), button->size()); };
+        QTRY_VERIFY2(view->rect().contains(place()), qPrintable(QDebug::toString(place())));
+        QVERIFY(button->isEnabled());
+    }
+
     void theAnswerComesIntoViewInASmallWindow()
     {
         const auto window = windowWithDefect("rounding-truncate");

@@ -202,6 +202,28 @@ private slots:
         QTRY_COMPARE(window->parts().files->path(), all[1].path);
     }
 
+    void picturesInSightAreDrawnFirstAndTheOthersSayThatTheyAreToCome()
+    {
+        const auto window = openedWindow();
+        action(*window, "showExamples")->trigger();
+        auto *dialog = named<ExamplesDialog>(*window, "examplesDialog");
+        auto *list = named<QListWidget>(*dialog, "examplesList");
+        const int last = list->count() - 1;
+        const auto wordsOf = [&](int row) {
+            return list->item(row)->data(Qt::AccessibleDescriptionRole).toString();
+        };
+        QVERIFY(!dialog->isDrawn(last));
+        QCOMPARE(wordsOf(last), "Picture to be drawn");
+        const QPixmap instead = list->item(last)->icon().pixmap(list->iconSize());
+        QVERIFY(instead.toImage().pixelColor(0, 0).alpha() > 0);
+
+        list->scrollToBottom();
+
+        QTRY_VERIFY_WITH_TIMEOUT(dialog->isDrawn(last), 60'000);
+        QVERIFY(dialog->picturesLeft() > list->count() / 2);
+        QCOMPARE(wordsOf(last), QString());
+    }
+
     void aFamilyOfHardCasesOpensItsDock()
     {
         const auto window = openedWindow();

@@ -88,12 +88,13 @@ void appendDistances(NumberTable<DecisionState> &table)
                       .title = QStringLiteral("y_k"),
                       .unit = unit::px(),
                       .toolTip = QStringLiteral("The row of the pixel before; its column where the "
-                                                "line is steep."),
+                                                "line is steep. No pixel is before the first: "
+                                                "where p begins there, it is that one's own."),
                       .formula = {},
                       .group = Group::Decision},
                      [](const State &step) {
-                         return step.isLedByDecision() ? Quantity::integer(step.acrossBefore())
-                                                       : Quantity();
+                         return step.startsLine ? Quantity()
+                                                : Quantity::integer(step.acrossBefore());
                      }});
     row(QStringLiteral("y_line"), QStringLiteral("y_line"),
         QStringLiteral(
@@ -124,10 +125,8 @@ void specifyNextDecision(NumberDescription &number, const DecisionState &step)
     }
     // Between whole pixels what p stands for: Δx·(d_lower − d_upper) one step on.
     number.formula = step.falls()
-        ? QStringLiteral("p_k₊₁ = Δx·(2·@ − 2·(y₀ − (& + 1 − x₀)·Δy/Δx) − 1)")
-        : QStringLiteral("p_k₊₁ = Δx·(2·(y₀ + (& + 1 − x₀)·Δy/Δx) − 2·@ − 1)");
-    number.formula.replace(u'@', step.isSteep() ? u'x' : u'y')
-        .replace(u'&', step.isSteep() ? u'y' : u'x');
+        ? QStringLiteral("p_k₊₁ = Δx·(2·y_k − 2·(y₀ − (x_k + 2 − x₀)·Δy/Δx) − 1)")
+        : QStringLiteral("p_k₊₁ = Δx·(2·(y₀ + (x_k + 2 − x₀)·Δy/Δx) − 2·y_k − 1)");
 }
 
 } // namespace

@@ -2021,6 +2021,18 @@
         <source>Hard cases: %1 (%2)</source>
         <translation>Schwierige Fälle: %1 (%2)</translation>
     </message>
+    <message>
+        <source>Picture to be drawn</source>
+        <translation>Bild wird noch gezeichnet</translation>
+    </message>
+    <message>
+        <source>Picture is being drawn…</source>
+        <translation>Bild wird gerade gezeichnet …</translation>
+    </message>
+    <message>
+        <source>No picture</source>
+        <translation>Kein Bild</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::FileMenu</name>

@@ -55,9 +55,9 @@ SubmissionPanel::SubmissionPanel(StudentPicture *student, Playhead *playhead, QW
     layout->setSpacing(8);
     addHead(layout);
     addTexts(layout);
-    addPictures(layout);
     m_diagnosis = new DiagnosisView(student, m_content);
-    layout->addWidget(m_diagnosis, 1);
+    layout->addWidget(m_diagnosis); // before the pictures: in sight in a small window, too
+    addPictures(layout);
     layout->addStretch();
     // In a small window the answer would stand below what is in view. First it gets its height.
     connect(m_diagnosis, &DiagnosisView::answered, area, [this, area] {

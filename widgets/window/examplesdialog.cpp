@@ -12,6 +12,8 @@
 #include <QPainter>
 #include <QPushButton>
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 namespace {
@@ -31,22 +33,33 @@ QImage pictureOfScene(const QString &path)
 }
 
 /// In the middle of the room that all pictures have, as large as it fits, by a whole number where
-/// it is smaller: pixels stay pixels. The room alone of no picture.
+/// it is smaller: pixels stay pixels.
 QPixmap fitted(const QImage &picture, double devicePixelRatio)
 {
     const QSize room = pictureSize * devicePixelRatio;
     QPixmap pixmap(room);
     pixmap.fill(Qt::transparent);
-    if (!picture.isNull()) {
-        const int times
-            = std::min(room.width() / picture.width(), room.height() / picture.height());
-        const QImage shown = times > 0
-            ? picture.scaled(picture.size() * times)
-            : picture.scaled(room, Qt::KeepAspectRatio, Qt::SmoothTransformation);
-        const QSize rest = room - shown.size();
-        QPainter(&pixmap).drawImage(rest.width() / 2, rest.height() / 2, shown);
-    }
+    const int times = std::min(room.width() / picture.width(), room.height() / picture.height());
+    const QImage shown = times > 0
+        ? picture.scaled(picture.size() * times)
+        : picture.scaled(room, Qt::KeepAspectRatio, Qt::SmoothTransformation);
+    const QSize rest = room - shown.size();
+    QPainter(&pixmap).drawImage(rest.width() / 2, rest.height() / 2, shown);
     pixmap.setDevicePixelRatio(devicePixelRatio);
+    return pixmap;
+}
+
+/// The room of a picture that is not there, with words on it in place of the picture.
+QPixmap inPlaceOfPicture(const QString &words, const QWidget &list)
+{
+    QPixmap pixmap(pictureSize * list.devicePixelRatioF());
+    pixmap.setDevicePixelRatio(list.devicePixelRatioF());
+    pixmap.fill(Qt::transparent);
+    QPainter painter(&pixmap);
+    painter.setFont(list.font());
+    painter.setPen(list.palette().color(QPalette::PlaceholderText));
+    painter.drawRect(QRect(QPoint(), pictureSize - QSize(1, 1)));
+    painter.drawText(QRect(QPoint(), pictureSize), Qt::AlignCenter | Qt::TextWordWrap, words);
     return pixmap;
 }
 
@@ -111,22 +124,55 @@ QListWidgetItem *ExamplesDialog::add(const QString &title, const QString &line,
                                      const Picture &picture)
 {
     auto *item = new QListWidgetItem(title + u'\n' + line, m_list);
-    item->setIcon(fitted({}, devicePixelRatioF())); // texts do not move when pictures come
     m_pictures.push_back(picture);
+    showPicture(m_list->row(item), {}, tr("Picture to be drawn"));
     return item;
+}
+
+int ExamplesDialog::picturesLeft() const
+{
+    return int(std::ranges::count_if(m_pictures, [](const Picture &each) { return bool(each); }));
+}
+
+/// What a person looks at, from above, comes before the rest.
+int ExamplesDialog::nextRow() const
+{
+    const QRect inSight = m_list->viewport()->rect();
+    int next = -1;
+    for (int row = 0; row < m_list->count(); ++row) {
+        if (isDrawn(row))
+            continue;
+        if (m_list->visualItemRect(m_list->item(row)).intersects(inSight))
+            return row;
+        if (next < 0)
+            next = row;
+    }
+    return next;
+}
+
+/// A picture that is null has words in its place.
+void ExamplesDialog::showPicture(int row, const QImage &picture, const QString &words)
+{
+    QListWidgetItem *item = m_list->item(row);
+    const bool isThere = !picture.isNull();
+    item->setIcon(isThere ? fitted(picture, devicePixelRatioF())
+                          : inPlaceOfPicture(words, *m_list));
+    item->setData(Qt::AccessibleDescriptionRole, isThere ? QString() : words);
 }
 
 void ExamplesDialog::drawNext()
 {
-    if (picturesLeft() == 0)
+    const int row = nextRow();
+    if (row < 0)
         return;
-    m_drawing.start([draw = m_pictures[std::size_t(m_nextPicture)]](
-                        const ProgressListener &) { return draw(); },
-                    [this](const QImage &picture) {
-                        m_list->item(m_nextPicture)->setIcon(fitted(picture, devicePixelRatioF()));
-                        ++m_nextPicture;
-                        drawNext();
-                    });
+    showPicture(row, {}, tr("Picture is being drawn…"));
+    m_drawing.start(
+        [draw = m_pictures[std::size_t(row)]](const ProgressListener &) { return draw(); },
+        [this, row](const QImage &picture) {
+            m_pictures[std::size_t(row)] = {};
+            showPicture(row, picture, tr("No picture"));
+            drawNext();
+        });
 }
 
 void ExamplesDialog::choose(const QListWidgetItem *item)

@@ -14,7 +14,8 @@ class QListWidgetItem;
 namespace pixelplumb {
 
 /// The program's own scenes and the families of hard cases, each with a picture and a line on what
-/// there is to see. The pictures are drawn one by one beside the GUI thread.
+/// there is to see. The pictures are drawn one after another beside the GUI thread, those in sight
+/// first; until then words stand in their place.
 class ExamplesDialog : public QDialog {
     Q_OBJECT
 
@@ -23,7 +24,8 @@ public:
                    QWidget *parent = nullptr);
 
     QWidget *list() const; ///< which holds the pictures
-    int picturesLeft() const { return int(m_pictures.size()) - m_nextPicture; }
+    int picturesLeft() const; ///< to be drawn
+    bool isDrawn(int row) const { return !m_pictures[std::size_t(row)]; }
 
 signals:
     void sceneChosen(const QString &path);
@@ -36,11 +38,12 @@ private:
     void addFamilies(const std::vector<GalleryCase> &cases);
     QListWidgetItem *add(const QString &title, const QString &line, const Picture &picture);
     void drawNext();
+    int nextRow() const; ///< of a picture that is to be drawn; −1 where none is
+    void showPicture(int row, const QImage &picture, const QString &words);
     void choose(const QListWidgetItem *item);
 
     QListWidget *m_list;
-    std::vector<Picture> m_pictures; ///< by row
-    int m_nextPicture = 0;
+    std::vector<Picture> m_pictures; ///< by row; none once it has been drawn
     Job m_drawing;
 };
 
