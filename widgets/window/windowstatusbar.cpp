@@ -55,17 +55,7 @@ void WindowStatusBar::addFields(const WindowParts &parts)
 {
     auto *fields = new StatusFields(parts.playhead);
     addWidget(fields, 1);
-    const SceneDocument *document = parts.document;
-    connect(parts.canvas, &Canvas::hovered, fields,
-            [document, fields](const std::optional<LatticePoint> &point) {
-                if (!point)
-                    return fields->setHovered(std::nullopt);
-                const Lattice offset = sampleOffset(document->scene().frame);
-                const auto pixel = [offset](Lattice coordinate) {
-                    return int(floorPixel(coordinate - offset + unitsPerPixel / 2));
-                };
-                fields->setHovered(QPoint(pixel(point->x), pixel(point->y)));
-            });
+    connect(parts.canvas, &Canvas::hovered, fields, &StatusFields::setHovered);
 }
 
 /// It ends by a click what it tells of.
