@@ -39,6 +39,7 @@ WindowStatusBar::WindowStatusBar(const WindowParts &parts, QWidget *window)
                     QStringLiteral("cancelTrace"), tr("Cancel tracing")}),
             &JobBar::cancelRequested, parts.tracer, &SceneTracer::cancel);
     connect(parts.playhead, &Playhead::message, this, &WindowStatusBar::tellBriefly);
+    connect(parts.document, &SceneDocument::verticesDropped, this, &WindowStatusBar::tellBriefly);
     connect(parts.exports, &SceneExports::notice, this, &WindowStatusBar::tellBriefly);
 }
 
