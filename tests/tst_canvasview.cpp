@@ -133,12 +133,12 @@ void TestCanvasView::tellsWhereThePointerIs()
 {
     CanvasBench bench(firstScene());
     QSignalSpy hovered(&bench.canvas, &Canvas::hovered);
-    using Point = std::optional<LatticePoint>;
+    using Pixel = std::optional<QPoint>;
 
     bench.send(QEvent::MouseMove, bench.at(33, 7), Qt::NoButton, {});
-    QCOMPARE(hovered.takeLast().at(0).value<Point>(), Point(latticePixel(33, 7)));
+    QCOMPARE(hovered.takeLast().at(0).value<Pixel>(), Pixel(QPoint(33, 7)));
     bench.send(QEvent::MouseMove, bench.onColumnRuler(33), Qt::NoButton, {});
-    QCOMPARE(hovered.takeLast().at(0).value<Point>(), Point());
+    QCOMPARE(hovered.takeLast().at(0).value<Pixel>(), Pixel());
 }
 
 void TestCanvasView::followsTheFrameOfTheDocument()

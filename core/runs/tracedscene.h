@@ -15,7 +15,7 @@ namespace pixelplumb {
 
 /// Something on the scrubber that a person wants to jump to.
 enum class MarkKind {
-    PartBegins, ///< the first or last span of a part: at a vertex of a scanned triangle
+    PartBegins, ///< the first or last span of a part; of a triangle, those at its vertices
     Tie, ///< a column or row in which a sample lies exactly on an edge; a line's half-way step
     Clamp, ///< a pixel whose level left 0 … 255
     FirstDifference, ///< the first step after which a pixel differs from the truth

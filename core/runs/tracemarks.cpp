@@ -4,6 +4,7 @@
 #include "core/oracle/oracle.h"
 
 #include <algorithm>
+#include <set>
 
 namespace pixelplumb {
 
@@ -16,18 +17,56 @@ Triangle mirrored(Triangle triangle)
     return triangle;
 }
 
+/// How far a vertex lies from a column or row, in lattice units.
+std::int64_t distanceFrom(const SpanPlace &place, const Vertex &vertex)
+{
+    const std::int64_t along = place.axis == SpanAxis::Row ? vertex.position.y : vertex.position.x;
+    return std::abs(along - place.coordinate * unitsPerPixel);
+}
+
 /// Whether a vertex of the triangle lies beside a span: where the frame ends a walk, none does.
 bool isAtVertex(const Triangle &triangle, const SpanPlace &place)
 {
-    const std::int64_t coordinate = place.coordinate * unitsPerPixel;
     return std::ranges::any_of(triangle.vertices, [&](const Vertex &vertex) {
-        const std::int64_t along
-            = place.axis == SpanAxis::Row ? vertex.position.y : vertex.position.x;
-        return std::abs(along - coordinate) <= unitsPerPixel;
+        return distanceFrom(place, vertex) <= unitsPerPixel;
     });
 }
 
-/// The first and last span of each part, and the spans with a tie.
+/// The column or row nearest to a vertex, less than a pixel away.
+std::optional<std::size_t> spanAtVertex(const ScanTrace &trace, std::size_t primitive,
+                                        const Vertex &vertex)
+{
+    std::optional<std::size_t> nearest;
+    std::int64_t least = unitsPerPixel;
+    for (std::size_t span = trace.firstSpanOf(primitive); span < trace.endSpanOf(primitive);
+         ++span) {
+        const SpanPlace &place = trace.placeOf(span);
+        if (place.axis == SpanAxis::Free || distanceFrom(place, vertex) >= least)
+            continue;
+        least = distanceFrom(place, vertex);
+        nearest = span;
+    }
+    return nearest;
+}
+
+/// Of vertices within a part: methods that walk a triangle in one part pass the middle vertex so,
+/// and those that visit every pixel of the frame all three.
+void appendVerticesWithinParts(std::vector<TraceMark> &marks, const ScanTrace &trace,
+                               const Triangle &triangle, std::size_t primitive,
+                               const std::vector<std::size_t> &ends)
+{
+    std::set<std::size_t> spans;
+    for (const Vertex &vertex : triangle.vertices) {
+        const bool isAtEnd = std::ranges::any_of(ends, [&](std::size_t span) {
+            return distanceFrom(trace.placeOf(span), vertex) < unitsPerPixel;
+        });
+        const auto span = isAtEnd ? std::nullopt : spanAtVertex(trace, primitive, vertex);
+        if (span && spans.insert(*span).second)
+            marks.push_back({trace.indexOfSpan(*span), MarkKind::PartBegins});
+    }
+}
+
+/// The first and last span of each part, those at vertices, and the spans with a tie.
 void appendSpanMarks(std::vector<TraceMark> &marks, const TracedScene &traced,
                      std::size_t primitive)
 {
@@ -40,12 +79,15 @@ void appendSpanMarks(std::vector<TraceMark> &marks, const TracedScene &traced,
     const bool isLine = traced.primitives.kindOf(primitive) == PrimitiveKind::Line;
     const Triangle upright = isTriangle ? traced.primitives.triangles[primitive] : Triangle();
     const Triangle lying = mirrored(upright);
+    std::vector<std::size_t> ends; // of parts, at vertices
     int part = trace.placeOf(first).part;
     for (std::size_t span = first; span < end; ++span) {
         const SpanPlace &place = trace.placeOf(span);
         if ((span == first || place.part != part || span + 1 == end)
-            && (!isTriangle || isAtVertex(upright, place)))
+            && (!isTriangle || isAtVertex(upright, place))) {
             marks.push_back({trace.indexOfSpan(span), MarkKind::PartBegins});
+            ends.push_back(span);
+        }
         part = place.part;
         const auto hasTie = [&] {
             if (isLine)
@@ -57,6 +99,8 @@ void appendSpanMarks(std::vector<TraceMark> &marks, const TracedScene &traced,
         if (hasTie())
             marks.push_back({trace.indexOfSpan(span), MarkKind::Tie});
     }
+    if (isTriangle)
+        appendVerticesWithinParts(marks, trace, upright, primitive, ends);
 }
 
 } // namespace

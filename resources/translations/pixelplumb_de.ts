@@ -5831,6 +5831,13 @@
 </context>
 <context>
     <name>pixelplumb::SceneDocument</name>
+    <message numerus="yes">
+        <source>%n waiting vertices dropped: “%1” draws another kind of primitive. Undo brings them back.</source>
+        <translation>
+            <numerusform>%n wartender Eckpunkt verworfen: „%1“ zeichnet eine andere Art von Primitiv. Rückgängig bringt ihn zurück.</numerusform>
+            <numerusform>%n wartende Eckpunkte verworfen: „%1“ zeichnet eine andere Art von Primitiv. Rückgängig bringt sie zurück.</numerusform>
+        </translation>
+    </message>
     <message>
         <source>A vertex at (%1, %2) is too far away: coordinates must lie within ±2^30 px.</source>
         <translation>Ein Eckpunkt bei (%1, %2) ist zu weit weg: Koordinaten müssen innerhalb von ±2^30 px liegen.</translation>
@@ -6578,8 +6585,8 @@
         <translation>Abtastpunkt (%1, %2) abgewiesen</translation>
     </message>
     <message>
-        <source>here a part of the primitive begins or ends: a vertex</source>
-        <translation>hier beginnt oder endet ein Teil des Primitivs: ein Eckpunkt</translation>
+        <source>vertex: here is a corner of the primitive, or a part of it begins or ends</source>
+        <translation>Eckpunkt: hier ist eine Ecke des Primitivs, oder ein Teil davon beginnt oder endet</translation>
     </message>
     <message>
         <source>tie: a sample here lies exactly on an edge, or a line half-way between two</source>

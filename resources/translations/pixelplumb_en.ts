@@ -274,6 +274,16 @@
     </message>
 </context>
 <context>
+    <name>pixelplumb::SceneDocument</name>
+    <message numerus="yes">
+        <source>%n waiting vertices dropped: “%1” draws another kind of primitive. Undo brings them back.</source>
+        <translation>
+            <numerusform>%n waiting vertex dropped: “%1” draws another kind of primitive. Undo brings it back.</numerusform>
+            <numerusform>%n waiting vertices dropped: “%1” draws another kind of primitive. Undo brings them back.</numerusform>
+        </translation>
+    </message>
+</context>
+<context>
     <name>pixelplumb::SceneExports</name>
     <message numerus="yes">
         <source>%n more primitives leave it alone</source>

@@ -80,6 +80,7 @@ void Canvas::connectSources()
     connect(playhead, &Playhead::pickedPixelChanged, this, &Canvas::announce);
     connect(m_sources.options, &DisplayOptions::changed, this, repaint);
     connect(&m_view, &CanvasView::changed, this, &Canvas::updateVertices);
+    connect(&m_view, &CanvasView::changed, this, &Canvas::followPointer);
     connect(&m_view, &CanvasView::changed, this, &Canvas::viewChanged);
     connect(&m_view, &CanvasView::zoomChanged, this, &Canvas::zoomChanged);
     connect(&m_repaintTimer, &QTimer::timeout, this, repaint);
@@ -191,7 +192,10 @@ void Canvas::followPointer()
 {
     const std::optional<QPointF> &position = m_mouse.hover();
     const bool inView = position && view().contains(*position);
-    emit hovered(inView ? std::optional(placeAt(*position)) : std::nullopt);
+    std::optional<QPoint> pixel;
+    if (inView)
+        pixel = QPoint(mapping().columnAt(*position), mapping().rowAt(*position));
+    emit hovered(pixel);
     setCursor(m_mouse.cursor());
     if (!m_repaintTimer.isActive())
         update();

@@ -95,9 +95,8 @@ signals:
     void toolChanged(pixelplumb::CanvasTool tool);
     void zoomChanged(int zoom);
     void viewChanged(); ///< another zoom, another place of the frame
-    /// The point that a click would place, in the scene's coordinates; none when the pointer
-    /// leaves.
-    void hovered(const std::optional<pixelplumb::LatticePoint> &point);
+    /// The pixel under the pointer, of the frame or beside it; none when the pointer leaves.
+    void hovered(const std::optional<QPoint> &pixel);
     void colourRequested(const pixelplumb::VertexRef &ref);
 
 protected:

@@ -33,16 +33,18 @@ void Playhead::setTraced(std::shared_ptr<const TracedScene> traced)
     }
     m_cursor = std::make_unique<TraceCursor>(*m_traced->trace, m_traced->scene.frame);
     std::size_t position = 0;
+    bool isPickOfStep = pickFollowedStep;
     if (previous) {
         const std::size_t before = previous->primitives.size();
         const bool isShownAgain = m_traced->scene.hiddenCount() < previous->scene.hiddenCount();
         const bool isNew = m_traced->primitives.size() > before && (!isShownAgain || before == 0);
+        isPickOfStep = isPickOfStep || isNew; // the panels explain the very step that is shown
         position = isNew ? m_traced->trace->stepCount()
                          : navigation().positionLike(*previous->trace, oldPosition);
     }
     m_cursor->seek(position);
     std::optional<QPoint> stepsPixel;
-    if (pickFollowedStep && position > 0)
+    if (isPickOfStep && position > 0)
         stepsPixel = navigation().pixelOf(position - 1);
     const bool pickMoved = setPicked(stepsPixel ? stepsPixel : m_picked);
     emit tracedChanged();

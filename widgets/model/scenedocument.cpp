@@ -4,7 +4,6 @@
 #include "core/methods/method.h"
 #include "widgets/look/numberformat.h"
 #include "widgets/model/onecolour.h"
-#include "widgets/model/runnotes.h"
 
 #include <algorithm>
 
@@ -82,12 +81,6 @@ std::optional<Vertex> SceneDocument::vertexAt(const VertexRef &ref) const
     const std::vector<Vertex> &vertices
         = m_scene.shapes[primitive - m_scene.triangles.size()].vertices;
     return vertex < vertices.size() ? std::optional(vertices[vertex]) : std::nullopt;
-}
-
-PrimitiveKind SceneDocument::placedKind() const
-{
-    const Method *method = methodNamed(QString::fromStdString(m_scene.method));
-    return method && !method->kinds.empty() ? method->kinds.front() : PrimitiveKind::Triangle;
 }
 
 PrimitiveKind SceneDocument::kindOf(int primitive) const
@@ -187,14 +180,6 @@ void SceneDocument::setScene(const Scene &scene, const QString &text)
     const ScenePiece after = withPending(pixelplumb::wholePiece(scene));
     if (after != before)
         edit(text, before, after);
-}
-
-void SceneDocument::tellAdaptation(const ScanSettings &asked)
-{
-    const Method *method = methodNamed(QString::fromStdString(m_scene.method));
-    const QString note = method ? adaptationNote(*method, asked) : QString();
-    if (!note.isEmpty())
-        emit notice(note);
 }
 
 void SceneDocument::setSnap(Snap snap)

@@ -123,6 +123,7 @@ public slots:
     /// Of the rule off-screen-point. Moves that share a drag number are one edit.
     void moveOffScreenPoint(const pixelplumb::LatticePoint &position, int drag);
     void setSettings(const pixelplumb::ScanSettings &settings);
+    /// Waiting vertices stay where the method draws the same kind of primitive.
     void setMethod(const std::string &method);
     /// Another scene in place of this one, as one edit of that name.
     void setScene(const pixelplumb::Scene &scene, const QString &text);
@@ -146,6 +147,9 @@ signals:
     void refused(const QString &reason);
     /// Something was changed beside what was asked for.
     void notice(const QString &text);
+    /// Waiting vertices ended with the method for whose primitive they waited; undo brings them
+    /// back.
+    void verticesDropped(const QString &text);
 
 private:
     friend class SceneEdit;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/geometry/shapeediting.h"
-#include "core/methods/method.h"
 #include "widgets/model/onecolour.h"
 #include "widgets/model/scenedocument.h"
 #include "widgets/model/sceneedit.h"
@@ -261,37 +260,6 @@ void SceneDocument::moveOffScreenPoint(const LatticePoint &position, int drag)
     after.frame.offScreenPoint = position;
     m_undoStack.push(
         new SceneEdit(*this, tr("move off-screen point"), before, after, Drag{VertexRef(), drag}));
-}
-
-void SceneDocument::setSettings(const ScanSettings &settings)
-{
-    const Method *method = methodNamed(QString::fromStdString(m_scene.method));
-    const ScanSettings kept = method ? method->adapted(settings) : settings;
-    if (kept != m_scene.settings) {
-        ScenePiece after = pieceAtEnd();
-        after.settings = kept;
-        edit(tr("change settings"), pieceAtEnd(), after);
-    }
-    tellAdaptation(settings);
-}
-
-void SceneDocument::setMethod(const std::string &method)
-{
-    if (method == m_scene.method)
-        return;
-    const QString name = QString::fromStdString(method);
-    const Method *chosen = methodNamed(name);
-    if (!chosen) {
-        emit refused(tr("There is no method “%1”.").arg(name));
-        return;
-    }
-    discardPending(); // they waited for a primitive of another kind, perhaps
-    const ScanSettings asked = m_scene.settings;
-    ScenePiece after = pieceAtEnd();
-    after.settings = chosen->adapted(asked);
-    after.method = method;
-    edit(tr("change method"), pieceAtEnd(), after);
-    tellAdaptation(asked);
 }
 
 } // namespace pixelplumb

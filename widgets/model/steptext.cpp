@@ -82,7 +82,8 @@ QString markText(const TracedScene &traced, const TraceMark &mark)
 {
     switch (mark.kind) {
     case MarkKind::PartBegins:
-        return StepText::tr("here a part of the primitive begins or ends: a vertex");
+        return StepText::tr(
+            "vertex: here is a corner of the primitive, or a part of it begins or ends");
     case MarkKind::Tie:
         return StepText::tr(
             "tie: a sample here lies exactly on an edge, or a line half-way between two");

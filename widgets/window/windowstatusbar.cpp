@@ -39,6 +39,7 @@ WindowStatusBar::WindowStatusBar(const WindowParts &parts, QWidget *window)
                     QStringLiteral("cancelTrace"), tr("Cancel tracing")}),
             &JobBar::cancelRequested, parts.tracer, &SceneTracer::cancel);
     connect(parts.playhead, &Playhead::message, this, &WindowStatusBar::tellBriefly);
+    connect(parts.document, &SceneDocument::verticesDropped, this, &WindowStatusBar::tellBriefly);
     connect(parts.exports, &SceneExports::notice, this, &WindowStatusBar::tellBriefly);
 }
 
@@ -55,17 +56,7 @@ void WindowStatusBar::addFields(const WindowParts &parts)
 {
     auto *fields = new StatusFields(parts.playhead);
     addWidget(fields, 1);
-    const SceneDocument *document = parts.document;
-    connect(parts.canvas, &Canvas::hovered, fields,
-            [document, fields](const std::optional<LatticePoint> &point) {
-                if (!point)
-                    return fields->setHovered(std::nullopt);
-                const Lattice offset = sampleOffset(document->scene().frame);
-                const auto pixel = [offset](Lattice coordinate) {
-                    return int(floorPixel(coordinate - offset + unitsPerPixel / 2));
-                };
-                fields->setHovered(QPoint(pixel(point->x), pixel(point->y)));
-            });
+    connect(parts.canvas, &Canvas::hovered, fields, &StatusFields::setHovered);
 }
 
 /// It ends by a click what it tells of.
