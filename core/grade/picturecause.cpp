@@ -122,23 +122,23 @@ PictureChange ofBackground(const QString &name, const Colour &colour)
             QStringLiteral("background")};
 }
 
-constexpr Colour black{{0, 0, 0}};
-constexpr Colour white{{255, 255, 255}};
+constexpr Colour blackFrame{{0, 0, 0}};
+constexpr Colour whiteFrame{{255, 255, 255}};
 
 /// A frame that was filled with another colour than the scene's before anything was drawn.
 void appendBackgrounds(const Colour &background, std::vector<PictureChange> &changes)
 {
-    if (background != black)
-        changes.push_back(ofBackground(QStringLiteral("drawn on black"), black));
-    if (background != white)
-        changes.push_back(ofBackground(QStringLiteral("drawn on white"), white));
+    if (background != blackFrame)
+        changes.push_back(ofBackground(QStringLiteral("drawn on black"), blackFrame));
+    if (background != whiteFrame)
+        changes.push_back(ofBackground(QStringLiteral("drawn on white"), whiteFrame));
 }
 
 QString nameOf(const Colour &colour)
 {
-    if (colour == black)
+    if (colour == blackFrame)
         return QStringLiteral("black");
-    if (colour == white)
+    if (colour == whiteFrame)
         return QStringLiteral("white");
     const auto &[red, green, blue] = colour.channels;
     return QStringLiteral("(%1, %2, %3)").arg(red).arg(green).arg(blue);
@@ -152,7 +152,7 @@ void appendMask(std::vector<PictureChange> &changes)
                            Picture picture = expected;
                            for (std::size_t i = 0; i < picture.size(); ++i) {
                                if (picture.covered[i] != 0)
-                                   picture.colours[i] = white;
+                                   picture.colours[i] = whiteFrame;
                            }
                            return picture;
                        },
@@ -189,7 +189,7 @@ std::optional<Colour> otherBackgroundIn(const Picture &found, const Picture &exp
     if (most == counts.end() || 2 * most->second < bare)
         return std::nullopt;
     const Colour other{most->first};
-    const bool isOther = other != background && other != black && other != white
+    const bool isOther = other != background && other != blackFrame && other != whiteFrame
         && 8 * counts[background.channels] <= bare;
     return isOther ? std::optional(other) : std::nullopt;
 }
