@@ -245,6 +245,52 @@ private slots:
         }
     }
 
+    void roundingDoesNotExcuseAPartOfWhichNothingIsSeen()
+    {
+        const Scene scene = triangleWithTies();
+        DefectPictures pictures({scene});
+        const auto placeOf = [&](const char *id) {
+            const std::vector<Defect> &all = pictures.defects();
+            return std::size_t(std::ranges::find(all, QLatin1String(id), &Defect::id)
+                               - all.begin());
+        };
+        const auto pair
+            = std::minmax({placeOf("colour-divisor-samples"), placeOf("open-at-lower-bound")});
+        const DefectSet set{pair.first, pair.second};
+        // The samples on lower bounds are all there.
+        const std::vector<FoundPicture> without
+            = {{0, *pictures.picture(0, {placeOf("colour-divisor-samples")})}};
+        const std::vector<FoundPicture> with = {{0, *pictures.picture(0, set)}};
+
+        PictureMatcher matcher(pictures, without, Arithmetic::Float32);
+        QVERIFY(matcher.distance(set) > 0);
+        QVERIFY(!matcher.allowedMatch(set));
+        QVERIFY(PictureMatcher(pictures, with, Arithmetic::Float32).allowedMatch(set));
+    }
+
+    void wherePixelsAreDrawnNobodyIsToldThatTheyAreNot()
+    {
+        const Scene scene = triangleWithTies();
+        DefectPictures pictures({scene});
+        const std::vector<Defect> &all = pictures.defects();
+        const auto nothing = std::ranges::find(all, QLatin1String("nothing-drawn"), &Defect::id);
+        const DefectSet set{std::size_t(nothing - all.begin())};
+        Picture found = *pictures.picture(0, set);
+        const std::vector<FoundPicture> blank = {{0, found}};
+        QVERIFY(!PictureMatcher(pictures, blank, Arithmetic::Float32).isDrawnAllTheSame(set));
+        const Picture right = pictureOf(scene);
+        const auto drawn = std::size_t(std::ranges::find(right.covered, 1) - right.covered.begin());
+        found.covered[drawn] = 1;
+        found.colours[drawn] = Colour{{1, 2, 3}};
+        const std::vector<FoundPicture> dotted = {{0, found}};
+
+        QVERIFY(PictureMatcher(pictures, dotted, Arithmetic::Float32).isDrawnAllTheSame(set));
+        const auto diagnosis = diagnose(std::vector{Submission{scene, found}});
+        for (const DiagnosisCandidate &candidate : diagnosis->candidates)
+            QVERIFY2(!candidate.ids().contains(QStringLiteral("nothing-drawn")),
+                     qPrintable(idsOf(candidate)));
+    }
+
     void onePixelIsOne()
     {
         QCOMPARE(pixelsText(1), "1 pixel");

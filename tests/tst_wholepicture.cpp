@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/grade/diagnosis.h"
+#include "core/grade/picturediff.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/programrun.h"
 #include "tests/support/sourcetree.h"
@@ -312,6 +313,40 @@ private slots:
         for (const Defect &defect : diagnosis->candidates.front().defects)
             ids += defect.id;
         QCOMPARE(ids, QStringList({"divisor-plus-one", "drawn-on-white"}));
+    }
+
+    void onAnyOtherColourADefectOfTheDrawingIsNamedBesideTheBackground_data()
+    {
+        QTest::addColumn<bool>("isRight");
+        QTest::addColumn<QStringList>("ids");
+        QTest::newRow("drawn right") << true << QStringList{"drawn-on-64-64-64"};
+        QTest::newRow("drawn wrong")
+            << false << QStringList{"divisor-plus-one", "drawn-on-64-64-64"};
+    }
+    void onAnyOtherColourADefectOfTheDrawingIsNamedBesideTheBackground()
+    {
+        QFETCH(bool, isRight);
+        QFETCH(QStringList, ids);
+        std::vector<Submission> submissions;
+        for (const Scene &right : probes()) {
+            Scene scene = right;
+            if (!isRight)
+                scene.settings.variants = scene.settings.variants.with(Variant::DivisorPlusOne);
+            submissions.push_back(submissionOf(scene, [](const Colour &drawn, bool isCovered) {
+                return isCovered ? drawn : Colour{{64, 64, 64}};
+            }));
+            submissions.back().scene = right;
+        }
+
+        const auto diagnosis = diagnose(submissions);
+
+        QVERIFY(diagnosis && diagnosis->isExplained());
+        QCOMPARE(diagnosis->candidates.size(), std::size_t(1));
+        QCOMPARE(diagnosis->candidates.front().ids(), ids);
+        const PictureDiff diff
+            = differenceOf(pictureOf(submissions.front().scene), submissions.front().picture);
+        QCOMPARE(diff.causes.front().name,
+                 QStringLiteral("drawn on (64, 64, 64) in place of black"));
     }
 
     void anEnlargedPictureIsSaidToBeOne()

@@ -112,6 +112,7 @@ void appendPictures(std::vector<Defect> &defects, const Scene &scene)
              std::ranges::fill(picture.covered, std::uint8_t(0));
              return picture;
          }});
+    defects.back().leavesOut = true;
     const Picture ofItsSize{scene.frame.width, scene.frame.height, {}, {}};
     for (const PictureChange &change : pictureChangesFor(ofItsSize, scene.frame.background)) {
         const QString id = QString(change.name).toLower().replace(u' ', u'-');

@@ -51,6 +51,7 @@ struct Defect {
     std::function<PictureRange(const Scene &scene, Arithmetic arithmetic)> redrawRange = {};
     /// Of triangles, as what is done to them one by one: two of these can be done together.
     std::shared_ptr<const Redrawing> redrawing = {};
+    bool leavesOut = false; ///< of a scene it draws less, and what it draws is right
     bool isRightAlone = false; ///< is looked for beside another only: alone it is no mistake
 
     DefectStage stage() const

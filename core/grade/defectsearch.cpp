@@ -37,9 +37,13 @@ std::vector<DiagnosisCandidate> DefectSearch::candidates() const
         // What leaves more than nine tenths is near to nothing.
         for (const SetMatch &near : m_nearest) {
             const bool isNear = 10 * near.distance <= 9 * m_differing && needsSecond(near);
-            if (isNear && matches.size() < nearestListed)
+            if (isNear && !m_matcher.isDrawnAllTheSame(near.set))
                 matches.push_back(near);
         }
+        std::ranges::stable_sort(matches, {}, [this](const SetMatch &near) {
+            return std::pair(rankOf(near), near.set.second.has_value());
+        });
+        matches.resize(std::min(matches.size(), nearestListed));
     }
     std::vector<DiagnosisCandidate> result;
     for (const SetMatch &match : matches)
@@ -55,6 +59,16 @@ bool DefectSearch::needsSecond(const SetMatch &near) const
         return true;
     const std::int64_t alone = leastAlone(near.set);
     return near.distance <= alone - alone / 4;
+}
+
+/// Pixels: two that leave hardly fewer than one of them alone stand behind that one.
+std::int64_t DefectSearch::rankOf(const SetMatch &near) const
+{
+    if (!near.set.second)
+        return near.distance;
+    const std::int64_t alone = leastAlone(near.set);
+    const bool isHardlyLess = alone - near.distance <= 1 || 10 * (alone - near.distance) < alone;
+    return isHardlyLess ? alone : near.distance;
 }
 
 DiagnosisCandidate DefectSearch::candidateOf(const SetMatch &match) const

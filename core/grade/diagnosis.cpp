@@ -2,6 +2,7 @@
 #include "core/grade/diagnosis.h"
 
 #include "core/grade/defectsearch.h"
+#include "core/grade/picturecause.h"
 #include "core/grade/picturediff.h"
 #include "core/grade/undecidable.h"
 
@@ -23,6 +24,79 @@ std::int64_t undecidableIn(DefectPictures &pictures, std::span<const FoundPictur
         undecidable += differenceOf(right, each.picture, open).count(PixelVerdict::Undecidable);
     }
     return undecidable;
+}
+
+std::optional<Diagnosis> diagnosisOnItsBackground(DefectPictures &pictures,
+                                                  std::span<const FoundPicture> found,
+                                                  const ProgressListener &listener,
+                                                  std::optional<Arithmetic> tolerance)
+{
+    Diagnosis diagnosis;
+    PictureMatcher matcher(pictures, found, tolerance);
+    diagnosis.differing = matcher.distance({});
+    if (diagnosis.differing == 0) {
+        diagnosis.verdict = DiagnosisVerdict::Right;
+        return diagnosis;
+    }
+    if (tolerance)
+        diagnosis.undecidable = undecidableIn(pictures, found, *tolerance);
+    if (diagnosis.undecidable == diagnosis.differing)
+        diagnosis.verdict = DiagnosisVerdict::Undecidable;
+    DefectSearch search(pictures, matcher, diagnosis, listener);
+    if (!search.run())
+        return std::nullopt;
+    diagnosis.candidates = search.candidates();
+    return diagnosis;
+}
+
+/// That of all pictures, if it is one.
+std::optional<Colour> otherBackgroundOf(DefectPictures &pictures,
+                                        std::span<const FoundPicture> found)
+{
+    std::optional<Colour> other;
+    for (const FoundPicture &each : found) {
+        const Colour &background = pictures.scenes()[each.scene].frame.background;
+        const auto own
+            = otherBackgroundIn(each.picture, *pictures.picture(each.scene, {}), background);
+        if (!own || (other && *own != *other))
+            return std::nullopt;
+        other = own;
+    }
+    return other;
+}
+
+/// With the scenes' own background in place of the other, but where that is drawn by right.
+std::vector<FoundPicture> onRightBackground(DefectPictures &pictures,
+                                            std::span<const FoundPicture> found,
+                                            const Colour &other)
+{
+    std::vector<FoundPicture> changed(found.begin(), found.end());
+    for (FoundPicture &each : changed) {
+        const auto right = pictures.picture(each.scene, {});
+        const Colour &background = pictures.scenes()[each.scene].frame.background;
+        for (std::size_t place = 0; place < right->size(); ++place) {
+            const bool isDrawn = right->covered[place] != 0 && right->colours[place] == other;
+            if (isDrawn || each.picture.colours[place] != other)
+                continue;
+            each.picture.colours[place] = background;
+            each.picture.covered[place] = 0;
+        }
+    }
+    return changed;
+}
+
+Defect drawnOnOther(const Colour &other, const Colour &background)
+{
+    const PictureChange change = drawnOn(other, background);
+    const auto &[red, green, blue] = other.channels;
+    return {QStringLiteral("drawn-on-%1-%2-%3").arg(red).arg(green).arg(blue),
+            QStringLiteral("What is in the frame before anything is drawn?"),
+            QStringLiteral("Done to the whole picture: %1.").arg(change.name),
+            {},
+            {},
+            change.apply,
+            false,
+            change.kind};
 }
 
 } // namespace
@@ -101,21 +175,24 @@ std::optional<Diagnosis> diagnose(DefectPictures &pictures, std::span<const Foun
                                   const ProgressListener &listener,
                                   std::optional<Arithmetic> tolerance)
 {
-    Diagnosis diagnosis;
-    PictureMatcher matcher(pictures, found, tolerance);
-    diagnosis.differing = matcher.distance({});
-    if (diagnosis.differing == 0) {
-        diagnosis.verdict = DiagnosisVerdict::Right;
+    auto diagnosis = diagnosisOnItsBackground(pictures, found, listener, tolerance);
+    const auto other
+        = diagnosis && diagnosis->verdict == DiagnosisVerdict::Wrong && !diagnosis->isExplained()
+        ? otherBackgroundOf(pictures, found)
+        : std::nullopt;
+    if (!other)
         return diagnosis;
-    }
-    if (tolerance)
-        diagnosis.undecidable = undecidableIn(pictures, found, *tolerance);
-    if (diagnosis.undecidable == diagnosis.differing)
-        diagnosis.verdict = DiagnosisVerdict::Undecidable;
-    DefectSearch search(pictures, matcher, diagnosis, listener);
-    if (!search.run())
+    auto beside = diagnosisOnItsBackground(pictures, onRightBackground(pictures, found, *other),
+                                           listener, tolerance);
+    if (!beside)
         return std::nullopt;
-    diagnosis.candidates = search.candidates();
+    if (beside->candidates.empty())
+        beside->candidates.push_back(
+            {{}, beside->differing - beside->undecidable, beside->undecidable});
+    const Colour &background = pictures.scenes()[found.front().scene].frame.background;
+    for (DiagnosisCandidate &candidate : beside->candidates)
+        candidate.defects.push_back(drawnOnOther(*other, background));
+    diagnosis->candidates = std::move(beside->candidates);
     return diagnosis;
 }
 

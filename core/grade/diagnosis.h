@@ -24,8 +24,9 @@ QString nameOf(DiagnosisVerdict verdict);
 
 /// Defects that are there together, and what they leave unexplained.
 struct DiagnosisCandidate {
-    /// One or two, what is computed in where that is not allowed for, and beside two perhaps one
-    /// that alone is no mistake.
+    /// One or two, what is computed in where that is not allowed for, beside two perhaps one that
+    /// alone is no mistake, and what it is drawn on where that is one colour and not black or
+    /// white.
     std::vector<Defect> defects;
     std::int64_t distance = 0; ///< pixels that are not explained, of all pictures
     /// Pixels that differ, but may with these defects: by rounding, or on an edge.

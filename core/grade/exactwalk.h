@@ -80,6 +80,8 @@ private:
             return height - unit;
         case SpanDivisor::HeightFromOne:
             return height < unit ? Int128(0) : height;
+        case SpanDivisor::HeightOfFloors:
+            return (upper.floor() - lower.floor()) * unit;
         case SpanDivisor::Height:
             break;
         }

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 
 namespace pixelplumb {
 
@@ -106,26 +107,41 @@ void appendLevels(std::vector<PictureChange> &changes)
     addBits(QStringLiteral("cut to 5-6-5 bits and widened to all levels"), Widening::ByOwnBits);
 }
 
+PictureChange ofBackground(const QString &name, const Colour &colour)
+{
+    return {name,
+            [colour](const Picture &expected, const Colour &) {
+                Picture picture = expected;
+                for (std::size_t i = 0; i < picture.size(); ++i) {
+                    if (picture.covered[i] == 0)
+                        picture.colours[i] = colour;
+                    picture.covered[i] = 1; // it is not the scene's background
+                }
+                return picture;
+            },
+            QStringLiteral("background")};
+}
+
+constexpr Colour blackFrame{{0, 0, 0}};
+constexpr Colour whiteFrame{{255, 255, 255}};
+
 /// A frame that was filled with another colour than the scene's before anything was drawn.
 void appendBackgrounds(const Colour &background, std::vector<PictureChange> &changes)
 {
-    const auto add = [&](const QString &name, const Colour &colour) {
-        if (colour == background)
-            return;
-        changes.push_back({name,
-                           [colour](const Picture &expected, const Colour &) {
-                               Picture picture = expected;
-                               for (std::size_t i = 0; i < picture.size(); ++i) {
-                                   if (picture.covered[i] == 0)
-                                       picture.colours[i] = colour;
-                                   picture.covered[i] = 1; // it is not the scene's background
-                               }
-                               return picture;
-                           },
-                           QStringLiteral("background")});
-    };
-    add(QStringLiteral("drawn on black"), {{0, 0, 0}});
-    add(QStringLiteral("drawn on white"), {{255, 255, 255}});
+    if (background != blackFrame)
+        changes.push_back(ofBackground(QStringLiteral("drawn on black"), blackFrame));
+    if (background != whiteFrame)
+        changes.push_back(ofBackground(QStringLiteral("drawn on white"), whiteFrame));
+}
+
+QString nameOf(const Colour &colour)
+{
+    if (colour == blackFrame)
+        return QStringLiteral("black");
+    if (colour == whiteFrame)
+        return QStringLiteral("white");
+    const auto &[red, green, blue] = colour.channels;
+    return QStringLiteral("(%1, %2, %3)").arg(red).arg(green).arg(blue);
 }
 
 /// What is drawn is a mask.
@@ -136,7 +152,7 @@ void appendMask(std::vector<PictureChange> &changes)
                            Picture picture = expected;
                            for (std::size_t i = 0; i < picture.size(); ++i) {
                                if (picture.covered[i] != 0)
-                                   picture.colours[i] = {{255, 255, 255}};
+                                   picture.colours[i] = whiteFrame;
                            }
                            return picture;
                        },
@@ -155,6 +171,33 @@ std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colo
     appendMask(changes);
     appendBackgrounds(background, changes);
     return changes;
+}
+
+std::optional<Colour> otherBackgroundIn(const Picture &found, const Picture &expected,
+                                        const Colour &background)
+{
+    std::map<std::array<std::uint8_t, 3>, std::size_t> counts;
+    std::size_t bare = 0;
+    for (std::size_t i = 0; found.hasColours && i < found.size(); ++i) {
+        if (expected.covered[i] != 0)
+            continue;
+        ++bare;
+        ++counts[found.colours[i].channels];
+    }
+    const auto most = std::ranges::max_element(
+        counts, {}, [](const auto &colourCount) { return colourCount.second; });
+    if (most == counts.end() || 2 * most->second < bare)
+        return std::nullopt;
+    const Colour other{most->first};
+    const bool isOther = other != background && other != blackFrame && other != whiteFrame
+        && 8 * counts[background.channels] <= bare;
+    return isOther ? std::optional(other) : std::nullopt;
+}
+
+PictureChange drawnOn(const Colour &other, const Colour &background)
+{
+    return ofBackground(
+        QStringLiteral("drawn on %1 in place of %2").arg(nameOf(other), nameOf(background)), other);
 }
 
 } // namespace pixelplumb

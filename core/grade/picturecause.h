@@ -4,6 +4,7 @@
 #include "core/grade/picture.h"
 
 #include <functional>
+#include <optional>
 
 namespace pixelplumb {
 
@@ -22,5 +23,12 @@ struct PictureChange {
 /// gray of the mean or the luma, levels cut to 5-6-5 bits, all that is drawn in white alone, and
 /// white or black for the background.
 std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colour &background);
+
+/// What most of the pixels have that are background where it is right, if that is neither this
+/// background nor, which pictureChangesFor() knows, black or white, and hardly one has it right.
+std::optional<Colour> otherBackgroundIn(const Picture &found, const Picture &expected,
+                                        const Colour &background);
+/// "drawn on (64, 64, 64) in place of black".
+PictureChange drawnOn(const Colour &other, const Colour &background);
 
 } // namespace pixelplumb

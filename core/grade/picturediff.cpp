@@ -38,7 +38,12 @@ void findCauses(const Picture &expected, const Picture &found, PictureDiff &diff
 {
     const std::int64_t before = differingPixels(expected, found);
     const Colour background = backgroundOf(expected);
-    for (const PictureChange &change : pictureChangesFor(expected, background)) {
+    std::vector<PictureChange> changes = pictureChangesFor(expected, background);
+    if (expected.hasColours) {
+        if (const auto other = otherBackgroundIn(found, expected, background))
+            changes.push_back(drawnOn(*other, background));
+    }
+    for (const PictureChange &change : changes) {
         const std::int64_t left = differingPixels(change.apply(expected, background), found);
         if (2 * left <= before)
             diff.causes.push_back({change.name, left});

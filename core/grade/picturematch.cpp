@@ -4,6 +4,7 @@
 #include "core/grade/picturediff.h"
 
 #include <algorithm>
+#include <array>
 
 namespace pixelplumb {
 
@@ -96,6 +97,61 @@ std::optional<std::int64_t> PictureMatcher::openPixels(const DefectSet &set,
     return open;
 }
 
+/// Whether a defect covers other samples, with the whole set too, and none of these is found so:
+/// then it is not there, though rounding may decide every one of them.
+bool PictureMatcher::isUnseen(const DefectSet &part, const DefectSet &set)
+{
+    bool isClaimed = false;
+    for (const FoundPicture &each : m_found) {
+        const auto right = m_pictures.picture(each.scene, {});
+        const auto alone = m_pictures.picture(each.scene, part);
+        const auto whole = m_pictures.picture(each.scene, set);
+        if (!alone || !whole)
+            return false;
+        for (std::size_t place = 0; place < right->size(); ++place) {
+            const auto changed = alone->covered[place];
+            if (changed == right->covered[place] || changed != whole->covered[place])
+                continue;
+            if (each.picture.covered[place] == changed)
+                return false;
+            isClaimed = true;
+        }
+    }
+    return isClaimed;
+}
+
+bool PictureMatcher::hasUnseenPart(const DefectSet &set)
+{
+    const std::vector<Defect> &defects = m_pictures.defects();
+    const std::array places = {set.first, set.second, set.choice};
+    // What is done to a background is no drawing.
+    const bool isOfPicture = std::ranges::any_of(places, [&](const auto &place) {
+        return place && defects[*place].stage() == DefectStage::Picture;
+    });
+    return !isOfPicture && std::ranges::any_of(places, [&](const auto &place) {
+        return place && isUnseen({place}, set);
+    });
+}
+
+bool PictureMatcher::isDrawnAllTheSame(const DefectSet &set)
+{
+    for (const auto &part : {set.first, set.second}) {
+        if (!part || !m_pictures.defects()[*part].leavesOut)
+            continue;
+        for (const FoundPicture &each : m_found) {
+            const auto right = m_pictures.picture(each.scene, {});
+            const auto alone = m_pictures.picture(each.scene, {part});
+            const auto whole = m_pictures.picture(each.scene, set);
+            for (std::size_t place = 0; alone && whole && place < right->size(); ++place) {
+                if (right->covered[place] != 0 && alone->covered[place] == 0
+                    && !isSameAt(*whole, each.picture, place))
+                    return true;
+            }
+        }
+    }
+    return false;
+}
+
 std::optional<SetMatch> PictureMatcher::allowedMatch(const DefectSet &set)
 {
     if (!m_tolerance)
@@ -105,6 +161,8 @@ std::optional<SetMatch> PictureMatcher::allowedMatch(const DefectSet &set)
         if (isTolerated(arithmetic) && distance(computed, 1) == 0)
             return SetMatch{computed};
     }
+    if (hasUnseenPart(set))
+        return std::nullopt;
     SetMatch match{set};
     for (const FoundPicture &each : m_found) {
         const auto open = openPixels(set, each);

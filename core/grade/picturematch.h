@@ -43,10 +43,16 @@ public:
     /// The arithmetics, beside the scenes' own, in which a program with this set draws just that.
     std::vector<Arithmetic> equalIn(const DefectSet &set);
 
+    /// Whether one of the set says that some of the scene is not drawn (Defect::leavesOut) where
+    /// something is that the set does not draw.
+    bool isDrawnAllTheSame(const DefectSet &set);
+
     bool isTolerated(Arithmetic arithmetic) const;
 
 private:
     std::optional<std::int64_t> openPixels(const DefectSet &set, const FoundPicture &each);
+    bool hasUnseenPart(const DefectSet &set);
+    bool isUnseen(const DefectSet &part, const DefectSet &set);
 
     DefectPictures &m_pictures;
     std::span<const FoundPicture> m_found;

@@ -24,9 +24,17 @@ enum class EmptySpan { Steps, Waits };
 /// rule.
 enum class EndRounding { ByRule, Down, Nearest, Up, OnBoundOtherwise };
 /// By what a span's difference of colours is divided: y_T − y_B; this and one; this less one, which
-/// may be negative; this where it is at least one, else 0; the number of its samples; or the steps
-/// from its first sample to its last. By 0 nothing is, and nothing stepped.
-enum class SpanDivisor { Height, HeightAndOne, HeightLessOne, HeightFromOne, Samples, Steps };
+/// may be negative; this where it is at least one, else 0; ⌊y_T⌋ − ⌊y_B⌋; the number of its
+/// samples; or the steps from its first sample to its last. By 0 nothing is, and nothing stepped.
+enum class SpanDivisor {
+    Height,
+    HeightAndOne,
+    HeightLessOne,
+    HeightFromOne,
+    HeightOfFloors,
+    Samples,
+    Steps
+};
 /// Whose colours are taken for the lower bound's: its own edge's, or always those of the short
 /// edge, of the long one or of the upper bound, the other bound having the other's.
 enum class LowerColours { OfItsEdge, OfShortEdge, OfLongEdge, OfUpperEdge };

@@ -265,6 +265,9 @@ private:
             return height - Traits::fromInteger(1);
         case SpanDivisor::HeightFromOne:
             return height < Traits::fromInteger(1) ? Traits::fromInteger(0) : height;
+        case SpanDivisor::HeightOfFloors:
+            return Traits::fromInteger(A::floor(bounds.upper.m_along)
+                                       - A::floor(bounds.lower.m_along));
         case SpanDivisor::Samples:
             return Traits::fromInteger(span.end - span.first);
         case SpanDivisor::Steps:

@@ -146,6 +146,13 @@ void appendColoursOfFirst(std::vector<Defect> &defects, const Scene &scene)
                           }});
 }
 
+/// If the last one is this one: it draws less of a scene, and that as it is to be.
+void markAsLeavingOut(std::vector<Defect> &defects, const char *id)
+{
+    if (!defects.empty() && defects.back().id == QLatin1String(id))
+        defects.back().leavesOut = true;
+}
+
 enum class PrimitiveEnd { First, Last };
 
 /// Of the triangles and, drawn after them, the shapes; false where there is no other.
@@ -228,6 +235,7 @@ void appendPrimitives(std::vector<Defect> &defects, const Scene &scene)
                  return changed.attributes.empty()
                      && std::erase_if(changed.triangles, isCulled) > 0;
              }});
+        markAsLeavingOut(defects, id);
     };
     cull("culls-clockwise", "clockwise", -1);
     cull("culls-counter-clockwise", "counter-clockwise", 1);
@@ -249,6 +257,7 @@ void appendPrimitives(std::vector<Defect> &defects, const Scene &scene)
                                       = changed.attributes.empty() && changed.solids.empty();
                                   return isPlain && keepOnly(end, changed);
                               }});
+        markAsLeavingOut(defects, id);
     };
     keepOne("only-first-drawn", "first", PrimitiveEnd::First);
     keepOne("only-last-drawn", "last", PrimitiveEnd::Last);

@@ -85,6 +85,11 @@ std::vector<WalkRow> colourRows()
          "The step of colour along a %1 is 0 where it is shorter than one: it is divided by its "
          "length only where that is 1 or more.",
          {.divisor = SpanDivisor::HeightFromOne}},
+        {"colour-divisor-of-floors",
+         divisorQuestion,
+         "The step of colour along a %1 is divided by the difference of the whole parts of its two "
+         "bounds, as ⌊%4⌋ is one, not by its length: where it is 0, the colour is not stepped.",
+         {.divisor = SpanDivisor::HeightOfFloors}},
         {"colour-divisor-plus-one",
          divisorQuestion,
          "The step of colour along a %1 is divided by its length and one, not by its length.",

@@ -87,6 +87,7 @@ void addOfSpanColours(ProgramList &programs)
     programs.addOfSpans("span-levels-rounded-behind-steps", {M::SpanLevelsRoundedBehindSteps});
     programs.addOfSpans("colour-divisor-minus-one", {M::SpanDivisorMinusOne});
     programs.addOfSpans("short-spans-not-stepped", {M::ShortSpansNotStepped});
+    programs.addOfSpans("colour-divisor-of-floors", {M::SpanDivisorOfFloors});
     programs.addOfSpans("first-span-levels-cut", {M::FirstSpanLevelCut});
     programs.addOfSpans("colours-of-lower-bound-alone", {M::LowerColourAlone});
     programs.addOfSpans("colours-of-upper-bound-alone", {M::UpperColourAlone});

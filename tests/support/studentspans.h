@@ -98,6 +98,8 @@ public:
             preStep = -preStep;
         if (has(WalkMistake::SpanDivisorMinusOne))
             height -= 1;
+        if (has(WalkMistake::SpanDivisorOfFloors))
+            height = floorOf(upper.y) - floorOf(lower.y);
         if (has(WalkMistake::ShortSpansNotStepped) && height < 1)
             height = 0;
         if (has(WalkMistake::ColoursBetweenSamples)) {

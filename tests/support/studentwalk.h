@@ -185,6 +185,7 @@ enum class WalkMistake {
     SecondAndLongSlopesExchanged,
     SlopesOfMagnitudes, ///< abs(y₁ − y₀)/(x₁ − x₀)
     LongWithoutPreStepBehindMiddle, ///< y₀ + (x₁ − x₀)·m₀₂ at ⌈x₁⌉
+    SpanDivisorOfFloors, ///< ΔR = (R_T − R_B)/(⌊y_T⌋ − ⌊y_B⌋), 0 where this is 0
     ShortSpansNotStepped, ///< ΔR = y_T − y_B >= 1 ? … : 0
     FirstSpanLevelCut, ///< r = int(R_B + (⌈y_B⌉ − y_B)·ΔR), and then by ΔR
 };
