@@ -92,6 +92,21 @@ private slots:
         QVERIFY(std::abs(here.y - there.y) < unitsPerPixel);
     }
 
+    void aFrameThatIsSeenWholeGetsNoSmallerByTheWheel()
+    {
+        open();
+        CompareView *first = m_panel->panes()[0]->view();
+        const ViewZoom whole = first->mapping().zoom();
+        const QPointF centre = first->rect().center();
+        for (const int notches : {1, -8, 1}) {
+            QWheelEvent wheel(centre, first->mapToGlobal(centre), {}, {0, 120 * notches},
+                              Qt::NoButton, Qt::NoModifier, Qt::NoScrollPhase, false);
+            QCoreApplication::sendEvent(first, &wheel);
+            QVERIFY(first->mapping().zoom().number() >= whole.number());
+            QCOMPARE(first->mapping().zoom() == whole, notches < 0);
+        }
+    }
+
     void aFrameThatHasRoomIsSeenWholeWhereAPixelIsLookedAt()
     {
         CompareLink link;

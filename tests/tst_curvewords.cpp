@@ -104,13 +104,15 @@ private slots:
             const QString sentence = step.sentence();
             const std::int64_t x = step.count("x_k"), y = step.count("y_k");
             const std::int64_t down = std::exchange(before, y) - y;
+            const bool isSteep = a != b && step.count("arc") == 2;
             if (step.cell("p_k").isNone()) {
                 QVERIFY2(sentence.contains(QStringLiteral("without a decision")),
                          qPrintable(sentence));
+                QCOMPARE(sentence.contains(QStringLiteral("x_k in rows and y_k in columns")),
+                         isSteep);
                 return;
             }
             // F at the midpoint below the row before, times 4.
-            const bool isSteep = step.count("arc") == 2;
             const std::int64_t along = isSteep ? b : a, across = isSteep ? a : b;
             const std::int64_t row = 2 * (y + down) - 1;
             const std::int64_t f = 4 * across * across * x * x + along * along * row * row
@@ -123,6 +125,7 @@ private slots:
                                              : QStringLiteral("y_k stays %1;").arg(y)),
                      qPrintable(sentence));
             QCOMPARE(f > 0, down > 0);
+            QCOMPARE(sentence.contains(QStringLiteral("column")), isSteep && down > 0);
             if (down > 1)
                 return;
             const bool isCircle = a == b;

@@ -6,6 +6,7 @@
 #include "tests/support/openwindow.h"
 #include "tests/support/sourcetree.h"
 #include "widgets/canvas/canvas.h"
+#include "widgets/files/scenefiles.h"
 #include "widgets/look/displayoptions.h"
 #include "widgets/look/messagebar.h"
 #include "widgets/model/playhead.h"
@@ -407,6 +408,31 @@ private slots:
         QVERIFY(!judgement(*window));
         QVERIFY(!isMarked(*window, extra, Sign::Extra));
         QCOMPARE(text(*window, "submissionName"), "No student's picture");
+    }
+
+    void withItsPanelClosedItEndsWithItsScene_data()
+    {
+        QTest::addColumn<bool>("isClosed");
+        QTest::newRow("closed") << true;
+        QTest::newRow("open") << false;
+    }
+
+    void withItsPanelClosedItEndsWithItsScene()
+    {
+        QFETCH(bool, isClosed);
+        const auto window = openedWindow();
+        QApplication::clipboard()->setImage(wrongPicture(window->parts().document->scene()));
+        action(*window, "pasteStudentPicture")->trigger();
+        QTRY_VERIFY(judgement(*window));
+        auto *dock = named<QDockWidget>(*window, "submissionDock");
+        if (isClosed)
+            dock->close();
+
+        Scene other = window->parts().document->scene();
+        other.triangles.clear();
+        QVERIFY(window->parts().files->showScene(other));
+
+        QCOMPARE(window->parts().student->isThere(), !isClosed);
     }
 
     void whatNamesTheBugIsInSightBeforeAnythingIsScrolled()

@@ -52,7 +52,7 @@ QStringList textOf(const Diagnosis &diagnosis, std::span<const Submission> submi
               .arg(nameOf(diagnosis.verdict), pixelsText(diagnosis.differing),
                    diagnosis.differing == 1 ? QStringLiteral("differs") : QStringLiteral("differ"));
     if (isWrong && diagnosis.undecidable > 0)
-        verdict += QStringLiteral(", %1 undecidable").arg(diagnosis.undecidable);
+        verdict += QStringLiteral(", %1 of them undecidable").arg(diagnosis.undecidable);
     QStringList lines = {verdict};
     if (diagnosis.candidates.empty() && isWrong)
         lines += QStringLiteral("no known defect comes nearer");

@@ -122,7 +122,8 @@ Method circleMidpointMethod()
            {1, QStringLiteral("its mirror images ← colour"), {Moment::Next}}};
     method.summary
         = QStringLiteral("Steps through an octant by the sign of F at midpoints, a "
-                         "whole number of quarters, and mirrors each pixel into the other seven.");
+                         "whole number of quarters, and mirrors each pixel into the other seven; "
+                         "of an ellipse through two arcs of a quarter, each into three.");
     method.remarks += QStringLiteral("whole-pixel centre and radii");
     method.variants = {Variant::StayAtZero};
     return method;

@@ -55,13 +55,15 @@ QString incrementFormula(const MidpointStep &step)
                           : stays + QStringLiteral(" − 2") + along + QStringLiteral("²·y_k = ");
 }
 
+/// On the steep arc of an ellipse x_k counts rows and y_k columns.
 QString branchText(const MidpointStep &step)
 {
     if (step.down == 0)
         return QStringLiteral("y_k stays %1").arg(step.y);
+    const QString line = step.arc == 0 ? QStringLiteral("row") : QStringLiteral("column");
     return step.down == 1
-        ? QStringLiteral("y_k goes a row inwards, to %1").arg(step.y)
-        : QStringLiteral("y_k goes %1 rows inwards, to %2").arg(step.down).arg(step.y);
+        ? QStringLiteral("y_k goes a %1 inwards, to %2").arg(line).arg(step.y)
+        : QStringLiteral("y_k goes %1 %2s inwards, to %3").arg(step.down).arg(line).arg(step.y);
 }
 
 /// "is halved", "stays within the diamond of the pixel (3, 2)".
@@ -128,10 +130,12 @@ void tellCurve(StepWords &words, const MidpointStep &step)
     const Quantity next = Quantity::rational(step.nextDecision, step.decisionUnit);
     if (!step.hasDecision) {
         words.moment = Moment::Begin;
+        const QString counted
+            = step.arc == 0 ? QString() : QStringLiteral(", x_k in rows and y_k in columns");
         words.sentence
-            = QStringLiteral("The arc starts at (x_k, y_k) = %1 from the centre, without "
-                             "a decision; p_k₊₁ = %2 decides about the next step.")
-                  .arg(pairText(step.x, step.y), midpointSignText(next));
+            = QStringLiteral("The arc starts at (x_k, y_k) = %1 from the centre%2, without "
+                             "a decision; p_k₊₁ = %3 decides about the next step.")
+                  .arg(pairText(step.x, step.y), counted, midpointSignText(next));
         return;
     }
     words.moment = step.down == 0 ? Moment::Stay : Moment::Cross;

@@ -4093,8 +4093,8 @@
         <translation>Bresenhams Entscheidungen zwischen beliebigen Gitterpunkten; Grenzfälle gehen zum oberen oder rechten Pixel, ob die Linie steigt oder fällt.</translation>
     </message>
     <message>
-        <source>Steps through an octant by the sign of F at midpoints, a whole number of quarters, and mirrors each pixel into the other seven.</source>
-        <translation>Geht durch einen Oktanten nach dem Vorzeichen von F an Mittelpunkten, einer ganzen Zahl von Vierteln, und spiegelt jedes Pixel in die anderen sieben.</translation>
+        <source>Steps through an octant by the sign of F at midpoints, a whole number of quarters, and mirrors each pixel into the other seven; of an ellipse through two arcs of a quarter, each into three.</source>
+        <translation>Geht durch einen Oktanten nach dem Vorzeichen von F an Mittelpunkten, einer ganzen Zahl von Vierteln, und spiegelt jedes Pixel in die anderen sieben; bei einer Ellipse durch zwei Bögen eines Viertels, je in drei.</translation>
     </message>
     <message>
         <source>Computes y = ±√(r² − x²) for each column; there are gaps where the curve is steep.</source>

@@ -47,6 +47,10 @@ void CompareLink::zoomIn(const ViewMapping &from, const QRectF &view, const QPoi
 
 void CompareLink::zoomOut(const ViewMapping &from, const QRectF &view, const QPointF &anchor)
 {
+    const ViewMapping whole
+        = ViewMapping::fitted(m_frame, view, from.devicePixelRatio(), from.fraction());
+    if (from.zoom().number() <= whole.zoom().number())
+        return fit();
     take(from.zoomedAt(anchor, from.zoom().nextSmaller()).keptInside(view), view);
 }
 

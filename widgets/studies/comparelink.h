@@ -28,6 +28,7 @@ public slots:
     void fit();
     /// One step larger or smaller; the point under `anchor` of a view stays there.
     void zoomIn(const pixelplumb::ViewMapping &from, const QRectF &view, const QPointF &anchor);
+    /// A frame that is seen whole gets no smaller.
     void zoomOut(const pixelplumb::ViewMapping &from, const QRectF &view, const QPointF &anchor);
     void moveBy(const pixelplumb::ViewMapping &from, const QRectF &view,
                 const QPoint &devicePixels);

@@ -103,6 +103,12 @@ void connectSubmission(const WindowParts &parts, WindowDocks &docks, MainWindow 
     });
     QObject::connect(panel, &SubmissionPanel::openRequested, parts.pictures,
                      &StudentPictureFiles::open);
+    // Whoever has closed the panel is done with the picture; open, it waits for the scene it is of.
+    QObject::connect(parts.files, &SceneFiles::replacing, parts.student,
+                     [dock = docks.dockOf<SubmissionPanel>(), student = parts.student] {
+                         if (!dock->toggleViewAction()->isChecked())
+                             student->remove();
+                     });
     QObject::connect(parts.student, &StudentPicture::complaint, parts.messageBar,
                      &MessageBar::complain);
     QObject::connect(parts.playhead, &Playhead::pixelChosen, window,
