@@ -161,8 +161,6 @@ std::optional<SetMatch> PictureMatcher::allowedMatch(const DefectSet &set)
         if (isTolerated(arithmetic) && distance(computed, 1) == 0)
             return SetMatch{computed};
     }
-    if (hasUnseenPart(set))
-        return std::nullopt;
     SetMatch match{set};
     for (const FoundPicture &each : m_found) {
         const auto open = openPixels(set, each);
@@ -170,7 +168,7 @@ std::optional<SetMatch> PictureMatcher::allowedMatch(const DefectSet &set)
             return std::nullopt;
         match.undecidable += *open;
     }
-    return match;
+    return hasUnseenPart(set) ? std::nullopt : std::optional(match);
 }
 
 std::vector<Arithmetic> PictureMatcher::equalIn(const DefectSet &set)
