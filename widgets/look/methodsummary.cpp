@@ -98,7 +98,8 @@ constexpr const char *context = "pixelplumb::MethodSummary";
                       "upper or right pixel whether the line rises or falls."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
                       "Steps through an octant by the sign of F at midpoints, a whole number "
-                      "of quarters, and mirrors each pixel into the other seven."),
+                      "of quarters, and mirrors each pixel into the other seven; "
+                      "of an ellipse through two arcs of a quarter, each into three."),
     QT_TRANSLATE_NOOP(
         "pixelplumb::MethodSummary",
         "Computes y = ±√(r² − x²) for each column; there are gaps where the curve is steep."),
