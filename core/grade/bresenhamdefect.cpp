@@ -14,8 +14,6 @@ constexpr const char *endQuestion = "Is each end's pixel drawn, once?";
 constexpr const char *lineColourQuestion
     = "By how much does the colour change from pixel to pixel, and which colour has the first one?";
 
-constexpr std::int64_t unchanged(std::int64_t, std::int64_t) { return 0; }
-
 const std::vector<LineRow> &lineSteps()
 {
     static const std::vector<LineRow> rows = {
@@ -47,17 +45,8 @@ const std::vector<LineRow> &lineSteps()
         {"steepness-inverted",
          octantQuestion,
          "x and y are exchanged for flat lines, |Δy| < |Δx|, and not for steep ones: all lines "
-         "step "
-         "across at each step, as often as they should step across",
+         "step across at each step, as often as they should step across",
          {.steep = SteepLine::Inverted}},
-        {"line-slope-whole",
-         "What does a division of two whole numbers give you?",
-         "The slope Δy/Δx is a whole number, 0 but where Δy is Δx: other lines stay in their first "
-         "row, steep ones in their first column",
-         {.decision = {.first = [](std::int64_t dx,
-                                   std::int64_t dy) { return std::int64_t(dy == dx ? 1 : -1); },
-                       .stay = unchanged,
-                       .cross = unchanged}}},
         {"first-octant-alone",
          octantQuestion,
          "Steep lines step across at each step, only Δx times, and lines that fall stay in their "

@@ -131,6 +131,14 @@ const std::vector<LineRow> &decisionSteps()
          orderQuestion,
          "A line begins with the p that the line before ended with: it is not set anew",
          {{.start = DecisionStart::OfLineBefore}}},
+        {"line-slope-whole",
+         "What does a division of two whole numbers give you?",
+         "The slope Δy/Δx is a whole number, 0 but where Δy is Δx: other lines stay in their first "
+         "row, steep ones in their first column",
+         {{.first
+           = [](std::int64_t dx, std::int64_t dy) { return std::int64_t(dy == dx ? 1 : -1); },
+           .stay = nothing,
+           .cross = nothing}}},
     };
     return rows;
 }

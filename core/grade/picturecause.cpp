@@ -125,15 +125,6 @@ PictureChange ofBackground(const QString &name, const Colour &colour)
 constexpr Colour blackFrame{{0, 0, 0}};
 constexpr Colour whiteFrame{{255, 255, 255}};
 
-/// A frame that was filled with another colour than the scene's before anything was drawn.
-void appendBackgrounds(const Colour &background, std::vector<PictureChange> &changes)
-{
-    if (background != blackFrame)
-        changes.push_back(ofBackground(QStringLiteral("drawn on black"), blackFrame));
-    if (background != whiteFrame)
-        changes.push_back(ofBackground(QStringLiteral("drawn on white"), whiteFrame));
-}
-
 QString nameOf(const Colour &colour)
 {
     if (colour == blackFrame)
@@ -142,6 +133,15 @@ QString nameOf(const Colour &colour)
         return QStringLiteral("white");
     const auto &[red, green, blue] = colour.channels;
     return QStringLiteral("(%1, %2, %3)").arg(red).arg(green).arg(blue);
+}
+
+/// A frame that was filled with another colour than the scene's before anything was drawn.
+void appendBackgrounds(const Colour &background, std::vector<PictureChange> &changes)
+{
+    for (const Colour &colour : {blackFrame, whiteFrame}) {
+        if (colour != background)
+            changes.push_back(ofBackground(QStringLiteral("drawn on ") + nameOf(colour), colour));
+    }
 }
 
 /// What is drawn is a mask.
@@ -176,9 +176,11 @@ std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colo
 std::optional<Colour> otherBackgroundIn(const Picture &found, const Picture &expected,
                                         const Colour &background)
 {
+    if (!found.hasColours)
+        return std::nullopt;
     std::map<std::array<std::uint8_t, 3>, std::size_t> counts;
     std::size_t bare = 0;
-    for (std::size_t i = 0; found.hasColours && i < found.size(); ++i) {
+    for (std::size_t i = 0; i < found.size(); ++i) {
         if (expected.covered[i] != 0)
             continue;
         ++bare;

@@ -146,13 +146,6 @@ void appendColoursOfFirst(std::vector<Defect> &defects, const Scene &scene)
                           }});
 }
 
-/// If the last one is this one: it draws less of a scene, and that as it is to be.
-void markAsLeavingOut(std::vector<Defect> &defects, const char *id)
-{
-    if (!defects.empty() && defects.back().id == QLatin1String(id))
-        defects.back().leavesOut = true;
-}
-
 enum class PrimitiveEnd { First, Last };
 
 /// Of the triangles and, drawn after them, the shapes; false where there is no other.
@@ -218,24 +211,25 @@ void appendChannels(std::vector<Defect> &defects, const Scene &scene)
 
 void appendPrimitives(std::vector<Defect> &defects, const Scene &scene)
 {
+    const auto addLess = [&](Defect defect) {
+        defect.leavesOut = true;
+        appendWhereItApplies(defects, scene, QStringLiteral("triangles"), std::move(defect));
+    };
     const auto cull = [&](const char *id, const char *turn, int sign) {
-        appendWhereItApplies(
-            defects, scene, QStringLiteral("triangles"),
-            {QString::fromLatin1(id),
-             QStringLiteral("Are all triangles there, whichever way "
-                            "their vertices turn?"),
-             QStringLiteral("Triangles whose vertices turn %1, taking y upward, are not drawn.")
-                 .arg(QString::fromLatin1(turn)),
-             [sign](Scene &changed) {
-                 const auto isCulled = [sign](const Triangle &triangle) {
-                     const auto &[a, b, c] = triangle.vertices;
-                     const Int128 area = doubledArea(a.position, b.position, c.position);
-                     return sign < 0 ? area < 0 : area > 0;
-                 };
-                 return changed.attributes.empty()
-                     && std::erase_if(changed.triangles, isCulled) > 0;
-             }});
-        markAsLeavingOut(defects, id);
+        addLess({QString::fromLatin1(id),
+                 QStringLiteral("Are all triangles there, whichever way "
+                                "their vertices turn?"),
+                 QStringLiteral("Triangles whose vertices turn %1, taking y upward, are not drawn.")
+                     .arg(QString::fromLatin1(turn)),
+                 [sign](Scene &changed) {
+                     const auto isCulled = [sign](const Triangle &triangle) {
+                         const auto &[a, b, c] = triangle.vertices;
+                         const Int128 area = doubledArea(a.position, b.position, c.position);
+                         return sign < 0 ? area < 0 : area > 0;
+                     };
+                     return changed.attributes.empty()
+                         && std::erase_if(changed.triangles, isCulled) > 0;
+                 }});
     };
     cull("culls-clockwise", "clockwise", -1);
     cull("culls-counter-clockwise", "counter-clockwise", 1);
@@ -248,16 +242,13 @@ void appendPrimitives(std::vector<Defect> &defects, const Scene &scene)
                               return changed.attributes.empty();
                           }});
     const auto keepOne = [&](const char *id, const char *which, PrimitiveEnd end) {
-        appendWhereItApplies(defects, scene, QStringLiteral("triangles"),
-                             {QString::fromLatin1(id), QStringLiteral("Is all of the scene there?"),
-                              QStringLiteral("Only the %1 of the scene's primitives is drawn.")
-                                  .arg(QString::fromLatin1(which)),
-                              [end](Scene &changed) {
-                                  const bool isPlain
-                                      = changed.attributes.empty() && changed.solids.empty();
-                                  return isPlain && keepOnly(end, changed);
-                              }});
-        markAsLeavingOut(defects, id);
+        addLess({QString::fromLatin1(id), QStringLiteral("Is all of the scene there?"),
+                 QStringLiteral("Only the %1 of the scene's primitives is drawn.")
+                     .arg(QString::fromLatin1(which)),
+                 [end](Scene &changed) {
+                     const bool isPlain = changed.attributes.empty() && changed.solids.empty();
+                     return isPlain && keepOnly(end, changed);
+                 }});
     };
     keepOne("only-first-drawn", "first", PrimitiveEnd::First);
     keepOne("only-last-drawn", "last", PrimitiveEnd::Last);

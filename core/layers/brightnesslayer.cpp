@@ -70,10 +70,8 @@ void drawBrightness(const LayerMoment &moment, LayerDrawing &drawing)
     // From the first pixel to the last there is a pixel fewer than the line has.
     const double each = double(pixels - 1) / line.length();
     drawing.labels.push_back(
-        {QStringLiteral("(%1 - 1) pixels / %2 px = %3 a px; even with %4 "
-                        "times the light")
-             .arg(QString::number(pixels), figure(line.length()), figure(each), figure(1 / each))
-             .replace(u'-', QChar(0x2212)),
+        {QStringLiteral("(%1 − 1) pixels / %2 px = %3 a px; even with %4 times the light")
+             .arg(QString::number(pixels), figure(line.length()), figure(each), figure(1 / each)),
          line.center(), LayerInk::First});
     drawEvenLine(line, drawing);
 }
