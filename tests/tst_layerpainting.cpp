@@ -231,6 +231,31 @@ private slots:
         QCOMPARE(inked(false), std::pair(false, true));
     }
 
+    /// Where there is room, which a name without rivals would take.
+    void aNameStandsNoNearerToWhatOthersName()
+    {
+        Paper paper(40);
+        QPainter painter(&paper.picture);
+        Glyphs glyphs;
+        const QTransform toSamples = paper.surface.fromSamples.inverted();
+        const QPointF place(160, 120);
+        const QLineF rival(place + QPointF(10, -100), place + QPointF(10, 100));
+        LayerDrawing::Label label{QStringLiteral("name"), toSamples.map(place), LayerInk::First};
+        const auto rectOf = [&](const LayerDrawing::Label &placed) {
+            LayerLabels labels(painter, paper.surface, glyphs, {});
+            labels.place(placed);
+            return labels.places().front();
+        };
+        QVERIFY(rectOf(label).left() > place.x());
+
+        label.rivals = {toSamples.map(rival)};
+        QVERIFY(rectOf(label).right() < place.x());
+        // From both sides: where no place is nearer, there is a name nevertheless.
+        label.rivals.push_back(toSamples.map(rival.translated(-20, 0)));
+        label.rivals.push_back(toSamples.map(QLineF(place, place + QPointF(1, 0))));
+        QVERIFY(rectOf(label).left() > place.x());
+    }
+
     void linesToNamesStrikeNoNameThrough()
     {
         Paper paper(40);

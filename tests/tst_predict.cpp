@@ -6,6 +6,7 @@
 #include "widgets/inspect/methodpanel.h"
 #include "widgets/inspect/pixelhistorypanel.h"
 #include "widgets/inspect/predictpanel.h"
+#include "widgets/inspect/predictwords.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 

@@ -102,6 +102,33 @@ private slots:
         QVERIFY(line()->hasFocus());
     }
 
+    /// Who steps on, reads the number and steps back is asked again, but gets no credit; nor is a
+    /// question another one from the next pixel of the span before.
+    void aStepThatWasDoneAlreadyIsNotForetold()
+    {
+        const auto value = [this] {
+            return toText(
+                predictionsAfter(*m_playhead->traced(), m_playhead->position()).front().value);
+        };
+        const auto score = [this] { return named<QLabel>(*m_window, "predictScore")->text(); };
+        pressKeyOf(QStringLiteral("predictDock"));
+        m_playhead->seek(0);
+        m_playhead->step(StepUnit::Span, StepDirection::Forward);
+        m_playhead->step(StepUnit::Span, StepDirection::Backward);
+
+        QVERIFY(verdict().contains(QStringLiteral("has been seen")));
+        type(value());
+        QVERIFY(verdict().startsWith(QStringLiteral("Right")));
+        QCOMPARE(score(), QString());
+
+        m_playhead->step(StepUnit::Span, StepDirection::Forward);
+        type(value());
+        QCOMPARE(score(), QStringLiteral("Right at the first try: 1 of 1"));
+        m_playhead->step(StepUnit::Sample, StepDirection::Forward);
+        type(value());
+        QCOMPARE(score(), QStringLiteral("Right at the first try: 1 of 1"));
+    }
+
     void theButtonsHaveKeys()
     {
         for (const char *name : {"predictCheck", "predictShow", "predictNext"})

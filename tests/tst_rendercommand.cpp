@@ -285,7 +285,7 @@ private slots:
             << "--position: 99999; expected an integer from 0 to ";
         QTest::newRow("no such primitive")
             << QStringList{"-o", "never.png", "--layers", "box", "--triangle", "1"}
-            << "--triangle: 1; expected an integer from 0 to 0";
+            << "--triangle: 1 is no primitive of the scene; expected 0 … 0";
         QTest::newRow("a primitive of no layer")
             << QStringList{"-o", "never.png", "--triangle", "0"} << "expected --layers";
         QTest::newRow("an image of no layer")
@@ -326,6 +326,13 @@ private slots:
         QVERIFY2(large.messages.contains("expected at most 268435456 pixels"),
                  large.messages.constData());
         QVERIFY(!QFile::exists(path));
+
+        // There is nothing to enlarge.
+        const ProgramRun raster = run({"render", defaultScene(), "--ascii", "--scale", "2"});
+        QCOMPARE(raster.exitCode, 2);
+        QVERIFY2(raster.messages.contains("--scale needs a picture; expected -o FILE"),
+                 raster.messages.constData());
+        QCOMPARE(raster.output, QByteArray());
     }
 
     void neverWritesOverItsInput_data()

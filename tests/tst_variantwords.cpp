@@ -149,6 +149,16 @@ private slots:
         }
     }
 
+    /// Nor is a column that lies beside the triangle, a whole pixel away from its vertex.
+    void aColumnBesideATriangleIsNoVertex()
+    {
+        Scene scene = triangleScene("barycentric-all");
+        scene.frame.firstColumn = 3;
+        scene.frame.width = 57; // to 59
+        QCOMPARE(columnsMarked(*traceScene(scene), MarkKind::PartBegins),
+                 (std::vector<std::int64_t>{4, 26, 58}));
+    }
+
     void aPixelThatIsNotTestedTellsWhatIsAndByWhichVariant()
     {
         // The box's right side becomes (int)(58 − ½) = 57.

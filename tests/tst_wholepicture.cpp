@@ -349,6 +349,27 @@ private slots:
                  QStringLiteral("drawn on (64, 64, 64) in place of black"));
     }
 
+    /// Whatever the order of scenes with different backgrounds.
+    void anotherBackgroundThanThoseOfTheScenesIsTold()
+    {
+        std::vector<Submission> submissions;
+        for (const std::uint8_t level : {0, 64}) {
+            Scene scene = probes().front();
+            scene.frame.background = Colour{{level, level, level}};
+            submissions.push_back(submissionOf(scene, [](const Colour &drawn, bool isCovered) {
+                return isCovered ? drawn : Colour{{192, 128, 0}};
+            }));
+            submissions.back().scene = scene;
+        }
+
+        const auto diagnosis = diagnose(submissions);
+
+        QVERIFY(diagnosis && !diagnosis->candidates.empty());
+        QCOMPARE(diagnosis->candidates.front().sentences(&Defect::forAssistant),
+                 QStringList(QStringLiteral("Done to the whole picture: drawn on (192, 128, 0) in "
+                                            "place of black or (64, 64, 64).")));
+    }
+
     void anEnlargedPictureIsSaidToBeOne()
     {
         QCOMPARE(sizeHint({512, 384}, {64, 48}),

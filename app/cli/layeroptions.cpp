@@ -3,6 +3,7 @@
 
 #include "app/cli/enlargedpicture.h"
 #include "app/cli/progress.h"
+#include "app/cli/rowoptions.h"
 #include "app/cli/suggestion.h"
 #include "app/cli/wholenumber.h"
 #include "core/layers/layer.h"
@@ -71,15 +72,14 @@ std::optional<AffineImage> imageOf(const LayerRequest &request, const LayerView 
 /// Why a number of the request is none of the run's.
 std::optional<InputError> objectionTo(const LayerRequest &request, const ScanTrace &trace)
 {
-    const auto beyond = [](const QString &option, std::int64_t number, std::size_t last) {
-        return InputError{QStringLiteral("--") + option, QString::number(number),
-                          QStringLiteral("an integer from 0 to %1").arg(last)};
-    };
     if (request.position && std::size_t(*request.position) > trace.stepCount())
-        return beyond(positionOption, *request.position, trace.stepCount());
-    if (request.primitive && std::size_t(*request.primitive) >= trace.primitiveCount())
-        return beyond(triangleOption, *request.primitive, trace.primitiveCount() - 1);
-    return std::nullopt;
+        return InputError{QStringLiteral("--") + positionOption, QString::number(*request.position),
+                          QStringLiteral("an integer from 0 to %1").arg(trace.stepCount())};
+    if (!request.primitive)
+        return std::nullopt;
+    const auto primitive = wholeNumber(QStringLiteral("--") + triangleOption,
+                                       QString::number(*request.primitive), primitivesOf(trace));
+    return primitive ? std::nullopt : std::optional(primitive.error());
 }
 
 void paintLayers(QImage &picture, const LayerRequest &request, const LayerView &view)

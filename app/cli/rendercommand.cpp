@@ -146,6 +146,8 @@ Result<RenderRequest> requestFrom(const CommandLine &line)
         return InputError{{},
                           QStringLiteral("--layers and --position need a picture"),
                           QStringLiteral("-o FILE")};
+    if (line.isSet(scaleOption) && !request.wantsPicture)
+        return InputError{{}, QStringLiteral("--scale needs a picture"), QStringLiteral("-o FILE")};
     if (request.wantsPicture) {
         if (const auto error = choosePictures(line, request))
             return *error;

@@ -69,11 +69,15 @@ void addRowOptions(CommandLine &line)
         {yOption, QStringLiteral("Print the rows of this row of the frame alone."), number});
 }
 
+WholeRange primitivesOf(const ScanTrace &trace)
+{
+    return {0, std::int64_t(trace.primitiveCount()) - 1,
+            QStringLiteral("no primitive of the scene")};
+}
+
 Result<RowChoice> chosenRows(const CommandLine &line, const TracedScene &traced, TraceLevel level)
 {
-    const auto primitives = std::int64_t(traced.trace->primitiveCount());
-    const auto primitive = wholeNumberOf(
-        line, triangleOption, {0, primitives - 1, QStringLiteral("no primitive of the scene")});
+    const auto primitive = wholeNumberOf(line, triangleOption, primitivesOf(*traced.trace));
     if (!primitive)
         return primitive.error();
     const auto x = coordinate(line, xOption, traced, level);

@@ -2,12 +2,16 @@
 #pragma once
 
 #include "app/cli/commandline.h"
+#include "app/cli/wholenumber.h"
 #include "core/export/traceexport.h"
 
 namespace pixelplumb::cli {
 
 /// --triangle, --x and --y, which choose rows of a trace's table.
 void addRowOptions(CommandLine &line);
+
+/// What --triangle can name: a run's primitives, counted from 0.
+WholeRange primitivesOf(const ScanTrace &trace);
 
 /// An error where an option names what the run or the table does not have.
 Result<RowChoice> chosenRows(const CommandLine &line, const TracedScene &traced, TraceLevel level);

@@ -100,19 +100,18 @@ QString questionOf(const QString &kind)
 void appendPictures(std::vector<Defect> &defects, const Scene &scene)
 {
     // First of all: what it is drawn on can still be another background.
-    defects.push_back(
-        {QStringLiteral("nothing-drawn"),
-         QStringLiteral("Is the picture that is written the one that was drawn into?"),
-         QStringLiteral("Nothing of the scene is drawn."),
-         {},
-         {},
-         [](const Picture &right, const Colour &background) {
-             Picture picture = right;
-             std::ranges::fill(picture.colours, background);
-             std::ranges::fill(picture.covered, std::uint8_t(0));
-             return picture;
-         }});
-    defects.back().leavesOut = true;
+    defects.push_back({.id = QStringLiteral("nothing-drawn"),
+                       .forStudent = QStringLiteral(
+                           "Is the picture that is written the one that was drawn into?"),
+                       .forAssistant = QStringLiteral("Nothing of the scene is drawn."),
+                       .changePicture =
+                           [](const Picture &right, const Colour &background) {
+                               Picture picture = right;
+                               std::ranges::fill(picture.colours, background);
+                               std::ranges::fill(picture.covered, std::uint8_t(0));
+                               return picture;
+                           },
+                       .leavesOut = true});
     const Picture ofItsSize{scene.frame.width, scene.frame.height, {}, {}};
     for (const PictureChange &change : pictureChangesFor(ofItsSize, scene.frame.background)) {
         const QString id = QString(change.name).toLower().replace(u' ', u'-');

@@ -85,18 +85,25 @@ std::vector<FoundPicture> onRightBackground(DefectPictures &pictures,
     return changed;
 }
 
-Defect drawnOnOther(const Colour &other, const Colour &background)
+/// "black or (64, 64, 64)", where scenes differ.
+QString backgroundsOf(const DefectPictures &pictures, std::span<const FoundPicture> found)
 {
-    const PictureChange change = drawnOn(other, background);
+    QStringList names;
+    for (const FoundPicture &each : found)
+        names += nameOf(pictures.scenes()[each.scene].frame.background);
+    names.removeDuplicates();
+    return names.join(QStringLiteral(" or "));
+}
+
+Defect drawnOnOther(const Colour &other, const QString &backgrounds)
+{
+    const PictureChange change = drawnOn(other, backgrounds);
     const auto &[red, green, blue] = other.channels;
-    return {QStringLiteral("drawn-on-%1-%2-%3").arg(red).arg(green).arg(blue),
-            QStringLiteral("What is in the frame before anything is drawn?"),
-            QStringLiteral("Done to the whole picture: %1.").arg(change.name),
-            {},
-            {},
-            change.apply,
-            false,
-            change.kind};
+    return {.id = QStringLiteral("drawn-on-%1-%2-%3").arg(red).arg(green).arg(blue),
+            .forStudent = QStringLiteral("What is in the frame before anything is drawn?"),
+            .forAssistant = QStringLiteral("Done to the whole picture: %1.").arg(change.name),
+            .changePicture = change.apply,
+            .choice = change.kind};
 }
 
 } // namespace
@@ -189,9 +196,9 @@ std::optional<Diagnosis> diagnose(DefectPictures &pictures, std::span<const Foun
     if (beside->candidates.empty())
         beside->candidates.push_back(
             {{}, beside->differing - beside->undecidable, beside->undecidable});
-    const Colour &background = pictures.scenes()[found.front().scene].frame.background;
+    const Defect drawnOnIt = drawnOnOther(*other, backgroundsOf(pictures, found));
     for (DiagnosisCandidate &candidate : beside->candidates)
-        candidate.defects.push_back(drawnOnOther(*other, background));
+        candidate.defects.push_back(drawnOnIt);
     diagnosis->candidates = std::move(beside->candidates);
     return diagnosis;
 }

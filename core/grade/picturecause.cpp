@@ -125,16 +125,6 @@ PictureChange ofBackground(const QString &name, const Colour &colour)
 constexpr Colour blackFrame{{0, 0, 0}};
 constexpr Colour whiteFrame{{255, 255, 255}};
 
-QString nameOf(const Colour &colour)
-{
-    if (colour == blackFrame)
-        return QStringLiteral("black");
-    if (colour == whiteFrame)
-        return QStringLiteral("white");
-    const auto &[red, green, blue] = colour.channels;
-    return QStringLiteral("(%1, %2, %3)").arg(red).arg(green).arg(blue);
-}
-
 /// A frame that was filled with another colour than the scene's before anything was drawn.
 void appendBackgrounds(const Colour &background, std::vector<PictureChange> &changes)
 {
@@ -160,6 +150,16 @@ void appendMask(std::vector<PictureChange> &changes)
 }
 
 } // namespace
+
+QString nameOf(const Colour &colour)
+{
+    if (colour == blackFrame)
+        return QStringLiteral("black");
+    if (colour == whiteFrame)
+        return QStringLiteral("white");
+    const auto &[red, green, blue] = colour.channels;
+    return QStringLiteral("(%1, %2, %3)").arg(red).arg(green).arg(blue);
+}
 
 std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colour &background)
 {
@@ -196,10 +196,10 @@ std::optional<Colour> otherBackgroundIn(const Picture &found, const Picture &exp
     return isOther ? std::optional(other) : std::nullopt;
 }
 
-PictureChange drawnOn(const Colour &other, const Colour &background)
+PictureChange drawnOn(const Colour &other, const QString &right)
 {
-    return ofBackground(
-        QStringLiteral("drawn on %1 in place of %2").arg(nameOf(other), nameOf(background)), other);
+    return ofBackground(QStringLiteral("drawn on %1 in place of %2").arg(nameOf(other), right),
+                        other);
 }
 
 } // namespace pixelplumb

@@ -28,7 +28,9 @@ std::vector<PictureChange> pictureChangesFor(const Picture &expected, const Colo
 /// background nor, which pictureChangesFor() knows, black or white, and hardly one has it right.
 std::optional<Colour> otherBackgroundIn(const Picture &found, const Picture &expected,
                                         const Colour &background);
-/// "drawn on (64, 64, 64) in place of black".
-PictureChange drawnOn(const Colour &other, const Colour &background);
+/// "black", "(64, 64, 64)".
+QString nameOf(const Colour &colour);
+/// "drawn on (64, 64, 64) in place of black", which is the name of the right background.
+PictureChange drawnOn(const Colour &other, const QString &right);
 
 } // namespace pixelplumb

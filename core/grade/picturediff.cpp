@@ -41,7 +41,7 @@ void findCauses(const Picture &expected, const Picture &found, PictureDiff &diff
     std::vector<PictureChange> changes = pictureChangesFor(expected, background);
     if (expected.hasColours) {
         if (const auto other = otherBackgroundIn(found, expected, background))
-            changes.push_back(drawnOn(*other, background));
+            changes.push_back(drawnOn(*other, nameOf(background)));
     }
     for (const PictureChange &change : changes) {
         const std::int64_t left = differingPixels(change.apply(expected, background), found);

@@ -53,50 +53,67 @@ QPointF placeBeyond(const QPointF &end, const QPointF &otherEnd, const LayerMome
     return inView ? inView->p2() : way.p2();
 }
 
-/// Each in its own half-plane.
-void appendNames(const EdgeLineNumbers &line, const QPointF &arrow, const LayerMoment &moment,
-                 LayerDrawing &drawing)
+QPointF middleOf(const EdgeLineNumbers &line) { return (line.from + line.to) / 2; }
+
+/// From the middle of the edge to its positive side; a point where the edge is one.
+QLineF arrowOf(const EdgeLineNumbers &line)
+{
+    const QPointF normal(line.a.toDouble(), line.b.toDouble());
+    const QPointF along = line.to - line.from;
+    const double length = std::max(leastNormal, std::hypot(along.x(), along.y()) * normalOfEdge);
+    const QPointF unit = normal.isNull() ? QPointF() : normal / std::hypot(normal.x(), normal.y());
+    return {middleOf(line), middleOf(line) + unit * length};
+}
+
+/// Each in its own half-plane, and not beside the arrow of another one.
+void appendNames(const EdgeLineNumbers &line, std::vector<QLineF> otherArrows,
+                 const LayerMoment &moment, LayerDrawing &drawing)
 {
     // As the slides write it: DejaVu's ⟨ ⟩ look like ( ) in small type.
     const QString name = QStringLiteral("%1 > 0, normal <%2, %3>")
                              .arg(line.name, cellNumber(line.a), cellNumber(line.b));
     const QPointF along = line.to - line.from;
-    const QPointF middle = line.from + along / 2;
-    const LayerDrawing::HalfPlane positive{middle, arrow};
+    const QLineF arrow = arrowOf(line);
+    const QPointF inward = arrow.p2() - arrow.p1();
+    const LayerDrawing::HalfPlane positive{arrow.p1(), inward};
+    const QPointF beyondTo = placeBeyond(line.to, line.from, moment);
+    const QPointF beyondFrom = placeBeyond(line.from, line.to, moment);
     if (std::hypot(along.x(), along.y()) * moment.view.cell < roomBesideEdge) {
         drawing.labels.push_back({name,
-                                  placeBeyond(line.to, line.from, moment),
+                                  beyondTo,
                                   LayerInk::Mark,
                                   positive,
-                                  {placeBeyond(line.from, line.to, moment), middle + arrow}});
+                                  {beyondFrom, arrow.p2()},
+                                  std::move(otherArrows)});
         return;
     }
-    drawing.labels.push_back({name, middle + arrow, LayerInk::Mark, positive});
-    drawing.labels.push_back({QStringLiteral("%1 < 0").arg(line.name), middle - arrow / 2,
-                              LayerInk::Negative, LayerDrawing::HalfPlane{middle, -arrow}});
+    drawing.labels.push_back({name,
+                              arrow.p2(),
+                              LayerInk::Mark,
+                              positive,
+                              {arrow.center(), arrow.p1(), beyondTo, beyondFrom},
+                              std::move(otherArrows)});
+    drawing.labels.push_back({QStringLiteral("%1 < 0").arg(line.name), arrow.p1() - inward / 2,
+                              LayerInk::Negative, LayerDrawing::HalfPlane{arrow.p1(), -inward}});
 }
 
 void appendHalfPlane(const EdgeLineNumbers &line, const LayerMoment &moment, LayerDrawing &drawing)
 {
     const FrameSpec &frame = moment.frame();
-    const QPointF normal(line.a.toDouble(), line.b.toDouble());
-    const double length = std::hypot(normal.x(), normal.y());
-    if (length == 0)
+    const QLineF arrow = arrowOf(line);
+    if (arrow.isNull())
         return; // the edge is a point
     if (std::vector<QPointF> corners = positiveSide(line, frame); !corners.empty())
         drawing.areas.push_back({std::move(corners), LayerInk::Inside});
     const QPointF along = line.to - line.from;
-    const double edgeLength = std::hypot(along.x(), along.y());
-    const QPointF middle = line.from + along / 2;
-    const QPointF arrow = normal / length * std::max(leastNormal, edgeLength * normalOfEdge);
+    const QPointF middle = arrow.p1();
     // Far enough for the line to cross the frame.
-    const QPointF beyond = along / edgeLength
+    const QPointF beyond = along / std::hypot(along.x(), along.y())
         * (double(frame.width) + frame.height
            + std::hypot(middle.x() - frame.firstColumn, middle.y() - frame.firstRow));
     drawing.lines.push_back(
         {middle - beyond, middle + beyond, LayerInk::Mark, LayerDrawing::Stroke::Dashed});
-    drawing.lines.push_back({middle, middle + arrow, LayerInk::Mark, LayerDrawing::Stroke::Arrow});
-    appendNames(line, arrow, moment, drawing);
+    drawing.lines.push_back({arrow.p1(), arrow.p2(), LayerInk::Mark, LayerDrawing::Stroke::Arrow});
 }
 
 void appendHalfPlanes(const LayerMoment &moment, std::size_t first, std::size_t end,
@@ -105,6 +122,15 @@ void appendHalfPlanes(const LayerMoment &moment, std::size_t first, std::size_t 
     const EdgeLines edges = edgeLinesOf(moment);
     for (std::size_t line = first; line < end; ++line)
         appendHalfPlane(edges.lines[line], moment, drawing);
+    for (std::size_t line = first; line < end; ++line) {
+        std::vector<QLineF> others;
+        for (std::size_t other = 0; other < edges.lines.size(); ++other) {
+            if (other != line)
+                others.push_back(arrowOf(edges.lines[other]));
+        }
+        if (!arrowOf(edges.lines[line]).isNull())
+            appendNames(edges.lines[line], std::move(others), moment, drawing);
+    }
     if (edges.origin == NumberOrigin::Exact)
         drawing.notes.append(
             QStringLiteral("Half-planes: exact, since “%1” computes no edge functions")

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QLineF>
 #include <QPointF>
 #include <QString>
 #include <QStringList>
@@ -79,6 +80,8 @@ struct LayerDrawing {
         std::optional<HalfPlane> side = {};
         /// Beside the first of these that has room, where the place has none.
         std::vector<QPointF> otherPlaces = {};
+        /// What others name: where there is room, the name is no nearer to these than to its place.
+        std::vector<QLineF> rivals = {};
 
         friend bool operator==(const Label &, const Label &) = default;
     };

@@ -51,6 +51,28 @@ double distanceOf(const QRectF &a, const QRectF &b)
                       std::max({0.0, a.top() - b.bottom(), b.top() - a.bottom()}));
 }
 
+/// How far a point is from a line between its ends.
+double distanceOf(const QPointF &point, const QLineF &line)
+{
+    const QPointF along = line.p2() - line.p1();
+    const double square = QPointF::dotProduct(along, along);
+    const double part = square > 0 ? QPointF::dotProduct(point - line.p1(), along) / square : 0;
+    return QLineF(point, line.p1() + std::clamp(part, 0.0, 1.0) * along).length();
+}
+
+/// How far apart a rectangle and a line are; 0 where they meet.
+double distanceOf(const QRectF &rect, const QLineF &line)
+{
+    if (clipped(line, rect))
+        return 0;
+    double least = std::min(distanceOf(rect, QRectF(line.p1(), QSizeF())),
+                            distanceOf(rect, QRectF(line.p2(), QSizeF())));
+    for (const QPointF &corner :
+         {rect.topLeft(), rect.topRight(), rect.bottomLeft(), rect.bottomRight()})
+        least = std::min(least, distanceOf(corner, line));
+    return least;
+}
+
 /// Where along an axis the text of a bar begins: in the middle of the bar, but not on the far side
 /// of the end at which another bar goes on.
 double besideStart(double first, double last, double length, double otherMiddle)
@@ -133,15 +155,26 @@ void LayerLabels::place(const LayerDrawing::Label &label)
         anchors.push_back(m_surface.fromSamples.map(other));
     std::erase_if(anchors, [this](const QPointF &anchor) { return !isNearView(anchor); });
     const QSizeF size = sizeOf(label.text);
-    const bool isPlaced = std::ranges::any_of(anchors, [&](const QPointF &anchor) {
-        std::vector<QRectF> rects;
-        for (const QPointF &corner : placesAround(anchor, size)) {
-            const QRectF rect = movedInto({corner, size}, m_surface.view);
-            if (isWithin(rect, label.side))
-                rects.push_back(rect);
-        }
-        return placeAt(label.text, anchor, label.ink, rects);
-    });
+    const auto isPlacedWhere = [&](auto &&isFit) {
+        return std::ranges::any_of(anchors, [&](const QPointF &anchor) {
+            std::vector<QRectF> rects;
+            for (const QPointF &corner : placesAround(anchor, size)) {
+                const QRectF rect = movedInto({corner, size}, m_surface.view);
+                if (isWithin(rect, label.side) && isFit(rect, anchor))
+                    rects.push_back(rect);
+            }
+            return placeAt(label.text, anchor, label.ink, rects);
+        });
+    };
+    const auto isNearest = [&](const QRectF &rect, const QPointF &anchor) {
+        const double own = distanceOf(rect, QRectF(anchor, QSizeF()));
+        return std::ranges::all_of(label.rivals, [&](const QLineF &rival) {
+            return distanceOf(rect, m_surface.fromSamples.map(rival)) > own;
+        });
+    };
+    const bool isPlaced = isPlacedWhere(isNearest)
+        || (!label.rivals.empty()
+            && isPlacedWhere([](const QRectF &, const QPointF &) { return true; }));
     m_omitted += !isPlaced && !anchors.empty() ? 1 : 0;
 }
 

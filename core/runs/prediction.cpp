@@ -7,8 +7,6 @@
 #include "core/runs/tracedscene.h"
 #include "core/scene/coordinatetext.h"
 
-#include <QRegularExpression>
-
 #include <algorithm>
 #include <cmath>
 
@@ -66,42 +64,12 @@ const FormulaLine *lineOf(const Explanation &explanation, const FormulaLine &lik
     return found != explanation.lines.end() ? &*found : nullptr;
 }
 
-/// "first row = ⌈y_B⌉".
-bool isRounding(const QString &rule)
-{
-    const QString computed = rule.sliced(assignedIn(rule).size());
-    return computed.startsWith(QStringLiteral(" = ⌈"))
-        || computed.startsWith(QStringLiteral(" = ⌊"));
-}
-
 /// A number that words name goes by what stands for it: "⌈y_B⌉", not "first row".
 QString titleOf(const QString &symbols)
 {
     const QString assigned = assignedIn(symbols);
     return isRounding(symbols) ? symbols.sliced(assigned.size() + QStringLiteral(" = ").size())
                                : assigned;
-}
-
-/// "⌈y_B⌉ is the first whole number not below y_B": what the brackets mean, without y_B's value,
-/// which is asked for itself. Of what is not rounded, the formula.
-QString meaningOf(const QString &rule)
-{
-    static const QRegularExpression brackets(
-        QStringLiteral("^([⌈⌊])(.+?)( \\+ ½)?[⌉⌋]( [−+] 1)?$"));
-    const QString rounded = titleOf(rule);
-    const QRegularExpressionMatch parts = brackets.match(rounded);
-    if (!isRounding(rule) || !parts.hasMatch())
-        return rule;
-    QString meaning = parts.captured(1) == QStringLiteral("⌈")
-        ? QStringLiteral("the first whole number not below %1")
-        : QStringLiteral("the last whole number not above %1");
-    if (!parts.captured(3).isEmpty())
-        meaning = QStringLiteral("the whole number nearest to %1");
-    else if (parts.captured(4) == QStringLiteral(" − 1"))
-        meaning = QStringLiteral("the last whole number below %1");
-    else if (parts.captured(4) == QStringLiteral(" + 1"))
-        meaning = QStringLiteral("the first whole number above %1");
-    return QStringLiteral("%1 is %2").arg(rounded, meaning.arg(parts.captured(2)));
 }
 
 /// The formula with its numbers, which may be the value already: y_B ← y₀ = 4.
@@ -149,6 +117,13 @@ bool isCutOff(double typed, double value, int places)
 
 } // namespace
 
+bool isRounding(const QString &rule)
+{
+    const QString computed = rule.sliced(assignedIn(rule).size());
+    return computed.startsWith(QStringLiteral(" = ⌈"))
+        || computed.startsWith(QStringLiteral(" = ⌊"));
+}
+
 bool asksForWhole(const Prediction &prediction)
 {
     if (isRounding(prediction.rule))
@@ -179,7 +154,7 @@ std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t 
         const FormulaLine *earlier = before ? lineOf(*before, line) : nullptr;
         predictions.push_back({next.heading, titleOf(line.symbols), askedFor(line.symbols),
                                line.used, earlier ? earlier->used : Quantity(), line.symbols,
-                               reasonOf(line), line.exact});
+                               reasonOf(line), line.exact, index});
     }
     return predictions;
 }
@@ -209,44 +184,6 @@ Guess judge(const Prediction &prediction, const QString &typed)
     if (places > 0 && (isRounded(*read, value, places) || isCutOff(*read, value, places)))
         return Guess::Near;
     return Guess::Wrong;
-}
-
-QString verdictText(const Prediction &prediction, Guess guess)
-{
-    switch (guess) {
-    case Guess::Right:
-        return QStringLiteral("Right: %1 = %2.").arg(prediction.reason, term(prediction.value));
-    case Guess::Unread:
-        return QStringLiteral("Type a number, such as 2, 2.75, 11/4 or 2 3/4.");
-    case Guess::Earlier:
-        return isRounding(prediction.rule)
-            ? QStringLiteral("That is %1 of the span before: %2.")
-                  .arg(prediction.title, meaningOf(prediction.rule))
-            : QStringLiteral("That is %1 of the span before: what does one step add to it?")
-                  .arg(prediction.title);
-    case Guess::RoundedUp:
-    case Guess::RoundedDown:
-        return QStringLiteral("That is %1, the whole number beside it. Asked for is %2 itself: a "
-                              "fraction, or a decimal rounded to %3 places or more.")
-            .arg((guess == Guess::RoundedUp ? QStringLiteral("⌈%1⌉") : QStringLiteral("⌊%1⌋"))
-                     .arg(prediction.title),
-                 prediction.title)
-            .arg(leastPlaces);
-    case Guess::Unrounded:
-        return QStringLiteral("Near, but a whole number is asked for: %1.").arg(prediction.words);
-    case Guess::Near:
-        return QStringLiteral("Near: a fraction is wanted, or a decimal rounded to %1 places or "
-                              "more.")
-            .arg(leastPlaces);
-    case Guess::OneOff:
-        return QStringLiteral("One off: %1.").arg(meaningOf(prediction.rule));
-    case Guess::OtherSign:
-        return QStringLiteral("The sign is the other one.");
-    case Guess::Wrong:
-        break;
-    }
-    return QStringLiteral("Not yet: %1. Put the numbers in, or have it shown.")
-        .arg(meaningOf(prediction.rule));
 }
 
 } // namespace pixelplumb

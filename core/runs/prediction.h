@@ -23,7 +23,11 @@ struct Prediction {
     QString reason; ///< the formula with its numbers: "y_B ← y_B′ + m₀₂ = (8 10/27) + (7/54)"
     /// What it would be without rounding; none where there is nothing to compare.
     Quantity exact = {};
+    std::size_t step = 0; ///< of the trace, which computes it
 };
+
+/// Whether a formula rounds: "first row = ⌈y_B⌉".
+bool isRounding(const QString &rule);
 
 /// Whether it can be nothing but a whole number: it is rounded to one, or made of whole numbers
 /// without a division.
@@ -55,8 +59,5 @@ Guess judge(const Prediction &prediction, const QString &typed);
 
 /// Whether it is the number, told in a form that says too little: no try is lost.
 constexpr bool asksForAnotherForm(Guess guess) { return guess == Guess::Near; }
-
-/// What is told of it, the reason when it is right.
-QString verdictText(const Prediction &prediction, Guess guess);
 
 } // namespace pixelplumb

@@ -24,12 +24,23 @@ std::int64_t distanceFrom(const SpanPlace &place, const Vertex &vertex)
     return std::abs(along - place.coordinate * unitsPerPixel);
 }
 
-/// Whether a vertex of the triangle lies beside a span: where the frame ends a walk, none does.
+/// Whether a vertex of the triangle lies beside a span: where the frame ends a walk, none does. A
+/// whole pixel away lies one alone that the span does not take in.
 bool isAtVertex(const Triangle &triangle, const SpanPlace &place)
 {
-    return std::ranges::any_of(triangle.vertices, [&](const Vertex &vertex) {
-        return distanceFrom(place, vertex) <= unitsPerPixel;
-    });
+    const auto away = [&](const Vertex &vertex) { return distanceFrom(place, vertex); };
+    const auto &vertices = triangle.vertices;
+    if (std::ranges::any_of(
+            vertices, [](auto units) { return units < unitsPerPixel; }, away))
+        return true;
+    const auto along = [&](const Vertex &vertex) {
+        return place.axis == SpanAxis::Row ? vertex.position.y : vertex.position.x;
+    };
+    const auto [least, most] = std::ranges::minmax_element(vertices, {}, along);
+    const std::int64_t units = place.coordinate * unitsPerPixel;
+    return along(*least) <= units && units <= along(*most)
+        && std::ranges::any_of(
+               vertices, [](auto each) { return each == unitsPerPixel; }, away);
 }
 
 /// The column or row nearest to a vertex, less than a pixel away.

@@ -120,7 +120,9 @@ qint64 JsonReader::integer(const JsonNode &node, qint64 first, qint64 last)
     const qint64 value = node.value.toInteger(none);
     if (value >= first && value <= last && value != none)
         return value;
-    fail(node, describe(node), QStringLiteral("an integer from %1 to %2").arg(first).arg(last));
+    fail(node, describe(node),
+         first == last ? QString::number(first)
+                       : QStringLiteral("an integer from %1 to %2").arg(first).arg(last));
     return first;
 }
 

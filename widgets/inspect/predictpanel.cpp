@@ -16,6 +16,8 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
+#include <algorithm>
+
 namespace pixelplumb {
 
 namespace {
@@ -94,8 +96,11 @@ PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget 
     connect(m_check, &QPushButton::clicked, this, &PredictPanel::check);
     connect(m_show, &QPushButton::clicked, this, &PredictPanel::reveal);
     connect(m_next, &QPushButton::clicked, this, &PredictPanel::goOn);
-    connect(playhead, &Playhead::positionChanged, this, &PredictPanel::listQuestions);
-    connect(playhead, &Playhead::tracedChanged, this, [this] { ++m_run; });
+    connect(playhead, &Playhead::positionChanged, this, &PredictPanel::goTo);
+    connect(playhead, &Playhead::tracedChanged, this, [this] {
+        ++m_run;
+        m_furthest = 0;
+    });
     connect(playhead, &Playhead::pixelChosen, this, &PredictPanel::checkPick);
     connect(document, &SceneDocument::opened, this, &PredictPanel::forgetScore);
     forgetScore();
@@ -105,6 +110,7 @@ void PredictPanel::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
     m_playhead->setForetold(true);
+    m_furthest = 0;
     listQuestions();
 }
 
@@ -135,7 +141,14 @@ void PredictPanel::forgetScore()
     m_score->clear();
 }
 
-PredictPanel::Place PredictPanel::place() const { return {m_run, m_playhead->position()}; }
+PredictPanel::Place PredictPanel::place() const
+{
+    if (const Prediction *asked = prediction())
+        return {m_run, asked->step};
+    return {m_run, m_nextPixel ? m_nextPixel->step : m_playhead->end()};
+}
+
+bool PredictPanel::hasBeenSeen() const { return place().step < m_furthest; }
 
 bool PredictPanel::asksForPixel() const
 {
@@ -160,6 +173,12 @@ void PredictPanel::offer(const QList<QWidget *> &parts)
                 ->setFocus();
         part->setEnabled(isOffered);
     }
+}
+
+void PredictPanel::goTo(std::size_t position)
+{
+    m_furthest = std::max(m_furthest, position);
+    listQuestions();
 }
 
 /// The kind of question stays the same from span to span.
@@ -210,6 +229,9 @@ void PredictPanel::ask()
         m_question->setText(tr("Nothing lies ahead: step back, or run to the start."));
     }
     m_answer->setPlaceholderText(example);
+    if (!example.isEmpty() && hasBeenSeen())
+        m_verdict->setText(tr("It has been seen: the step was done already, and the answer does "
+                              "not count."));
     if (!example.isEmpty() && m_left == place())
         return settle(tr("The panel was closed with this question open. %1").arg(answerText()));
     offer(example.isEmpty() ? QList<QWidget *>() : QList<QWidget *>{m_answer, m_check, m_show});
@@ -233,11 +255,10 @@ void PredictPanel::settle(const QString &verdict)
 
 void PredictPanel::count(bool isRight)
 {
-    const QString question = QStringLiteral("%1 %2 %3")
-                                 .arg(m_run)
-                                 .arg(m_playhead->position())
-                                 .arg(m_choice->currentText());
-    if (m_asked.contains(question))
+    const Place asked = place();
+    const QString question
+        = QStringLiteral("%1 %2 %3").arg(asked.run).arg(asked.step).arg(m_choice->currentText());
+    if (hasBeenSeen() || m_asked.contains(question))
         return;
     m_asked.insert(question);
     m_right += int(isRight);

@@ -19,9 +19,9 @@ class SceneDocument;
 
 /// Asks for a number of the next span, or for the next pixel, before it is shown (objectName
 /// "predict"). While the panel is seen, tables and histories hide what lies ahead of the playhead.
-/// Every question counts once, by its first answer; the score lasts while the scene is open and the
-/// panel is not closed. Numbers can be seen while it is closed: a question that was open then has
-/// its answer told and counts no more.
+/// Every question counts once, by its first answer, unless its step has been done and undone; the
+/// score lasts while the scene is open and the panel is not closed. Numbers can be seen while it is
+/// closed: a question that was open then has its answer told and counts no more.
 class PredictPanel : public QWidget {
     Q_OBJECT
 
@@ -38,17 +38,19 @@ protected:
 private:
     /// What has become of the question.
     enum class State { Open, Answered };
-    /// What is asked there is the same each time.
+    /// What is asked for is the same wherever the playhead stands before the step that answers it.
     struct Place {
         std::size_t run = 0;
-        std::size_t position = 0;
+        std::size_t step = 0;
 
         friend bool operator==(const Place &, const Place &) = default;
     };
 
     Place place() const;
+    bool hasBeenSeen() const; ///< whether its step has been done since the panel is open
 
     void forgetScore();
+    void goTo(std::size_t position);
     void listQuestions();
     void ask();
     void offer(const QList<QWidget *> &parts); ///< of the field and the buttons
@@ -75,6 +77,7 @@ private:
     std::optional<NextPixel> m_nextPixel;
     State m_state = State::Open;
     std::size_t m_run = 0; ///< grows with every run: the same place asks another question
+    std::size_t m_furthest = 0; ///< the last position that the run came to with the panel open
     std::optional<Place> m_left; ///< where the panel was closed with a question open
     QSet<QString> m_asked; ///< the questions that have counted
     int m_right = 0;

@@ -2,6 +2,7 @@
 #include "core/methods/formulatext.h"
 #include "core/runs/tracedscene.h"
 #include "widgets/inspect/predictpanel.h"
+#include "widgets/inspect/predictwords.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/typedpixel.h"
 
