@@ -32,7 +32,20 @@ private:
 /// A line in the ink of edges.
 bool isPlain(const LayerDrawing::Line &line) { return line.ink == LayerInk::Mark; }
 
-/// The points and bands of a drawing, which a name would hide that stands over them.
+/// Little squares along the part of a line that is in view.
+void appendPieces(const LayerDrawing::Line &line, const LayerSurface &surface,
+                  std::vector<QRectF> &places)
+{
+    constexpr double piece = 8; // logical px
+    const std::optional<QLineF> visible = clipped(
+        QLineF(surface.fromSamples.map(line.from), surface.fromSamples.map(line.to)), surface.view);
+    const double length = visible ? visible->length() : 0;
+    for (double at = 0; at < length; at += piece)
+        places.emplace_back(visible->pointAt(at / length) - QPointF(piece, piece) / 2,
+                            QSizeF(piece, piece));
+}
+
+/// The points, bands and arrows of a drawing, which a name would hide that stands over them.
 std::vector<QRectF> namedPlaces(const LayerDrawing &drawing, const LayerSurface &surface)
 {
     const QPointF radius(largestPointRadius, largestPointRadius);
@@ -47,6 +60,8 @@ std::vector<QRectF> namedPlaces(const LayerDrawing &drawing, const LayerSurface 
                 QRectF(surface.fromSamples.map(line.from), surface.fromSamples.map(line.to))
                     .normalized()
                     .adjusted(0, -bandWidth / 2, 0, bandWidth / 2));
+        if (line.stroke == LayerDrawing::Stroke::Arrow)
+            appendPieces(line, surface, places);
     }
     return places;
 }
@@ -127,17 +142,9 @@ std::vector<QRectF> LayerPainter::measurePlaces(const LayerDrawing &drawing,
 std::vector<QRectF> LayerPainter::figurePlaces(const LayerDrawing &drawing,
                                                const LayerSurface &surface)
 {
-    constexpr double piece = 8; // logical px
     std::vector<QRectF> places = measurePlaces(drawing, surface);
-    for (const LayerDrawing::Line &line : drawing.lines) {
-        const std::optional<QLineF> visible
-            = clipped(QLineF(surface.fromSamples.map(line.from), surface.fromSamples.map(line.to)),
-                      surface.view);
-        const double length = visible ? visible->length() : 0;
-        for (double at = 0; at < length; at += piece)
-            places.emplace_back(visible->pointAt(at / length) - QPointF(piece, piece) / 2,
-                                QSizeF(piece, piece));
-    }
+    for (const LayerDrawing::Line &line : drawing.lines)
+        appendPieces(line, surface, places);
     return places;
 }
 

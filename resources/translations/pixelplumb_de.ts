@@ -5507,6 +5507,73 @@
         <source>Which pixel of the frame is written next? Type its x, y, right-click it, or go there with the arrow keys and press Check.</source>
         <translation>Welches Pixel des Bildes wird als nächstes geschrieben? Sein x, y eingeben, es mit der rechten Maustaste wählen oder mit den Pfeiltasten hingehen und „Prüfen“ drücken.</translation>
     </message>
+    <message>
+        <source>It has been seen: the step was done already, and the answer does not count.</source>
+        <translation>Schon gesehen: der Schritt war schon getan, und die Antwort zählt nicht.</translation>
+    </message>
+</context>
+<context>
+    <name>pixelplumb::PredictWords</name>
+    <message>
+        <source>%1 is the whole number nearest to %2</source>
+        <translation>%1 ist die ganze Zahl, die %2 am nächsten ist</translation>
+    </message>
+    <message>
+        <source>%1 is the last whole number below %2</source>
+        <translation>%1 ist die letzte ganze Zahl unter %2</translation>
+    </message>
+    <message>
+        <source>%1 is the first whole number above %2</source>
+        <translation>%1 ist die erste ganze Zahl über %2</translation>
+    </message>
+    <message>
+        <source>%1 is the first whole number not below %2</source>
+        <translation>%1 ist die erste ganze Zahl nicht unter %2</translation>
+    </message>
+    <message>
+        <source>%1 is the last whole number not above %2</source>
+        <translation>%1 ist die letzte ganze Zahl nicht über %2</translation>
+    </message>
+    <message>
+        <source>Right: %1 = %2.</source>
+        <translation>Richtig: %1 = %2.</translation>
+    </message>
+    <message>
+        <source>Type a number, such as 2, 2.75, 11/4 or 2 3/4.</source>
+        <translation>Eine Zahl eingeben, etwa 2, 2.75, 11/4 oder 2 3/4.</translation>
+    </message>
+    <message>
+        <source>That is %1 of the span before: %2.</source>
+        <translation>Das ist %1 der Spanne davor: %2.</translation>
+    </message>
+    <message>
+        <source>That is %1 of the span before: what does one step add to it?</source>
+        <translation>Das ist %1 der Spanne davor: was kommt mit einem Schritt dazu?</translation>
+    </message>
+    <message>
+        <source>That is %1, the whole number beside it. Asked for is %2 itself: a fraction, or a decimal rounded to %3 places or more.</source>
+        <translation>Das ist %1, die ganze Zahl daneben. Gefragt ist %2 selbst: ein Bruch oder eine Dezimalzahl, auf %3 oder mehr Stellen gerundet.</translation>
+    </message>
+    <message>
+        <source>Near, but a whole number is asked for: %1.</source>
+        <translation>Nahe daran, aber gefragt ist eine ganze Zahl: %1.</translation>
+    </message>
+    <message>
+        <source>Near: a fraction is wanted, or a decimal rounded to %1 places or more.</source>
+        <translation>Nahe daran: gefragt ist ein Bruch oder eine Dezimalzahl, auf %1 oder mehr Stellen gerundet.</translation>
+    </message>
+    <message>
+        <source>One off: %1.</source>
+        <translation>Um eins daneben: %1.</translation>
+    </message>
+    <message>
+        <source>The sign is the other one.</source>
+        <translation>Das Vorzeichen ist das andere.</translation>
+    </message>
+    <message>
+        <source>Not yet: %1. Put the numbers in, or have it shown.</source>
+        <translation>Noch nicht: %1. Die Zahlen einsetzen oder zeigen lassen.</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::PrimitiveListModel</name>
