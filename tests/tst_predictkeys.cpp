@@ -129,6 +129,25 @@ private slots:
         QCOMPARE(score(), QStringLiteral("Right at the first try: 1 of 1"));
     }
 
+    /// A triangle that is drawn while its numbers are to be foretold is not scanned at once.
+    void aNewTriangleIsForetoldFromItsFirstColumn()
+    {
+        pressKeyOf(QStringLiteral("predictDock"));
+        Triangle triangle = m_window->parts().document->scene().triangles[0];
+        for (Vertex &vertex : triangle.vertices)
+            vertex.position.x += unitsPerPixel;
+        m_window->parts().document->addTriangle(triangle);
+
+        QTRY_COMPARE(m_playhead->traced()->primitives.size(), std::size_t(2));
+        const ScanTrace &trace = *m_playhead->traced()->trace;
+        QCOMPARE(m_playhead->position(), trace.indexOfSetUp(1));
+        const auto first = predictionsAfter(*m_playhead->traced(), m_playhead->position()).front();
+        QCOMPARE(first.step, trace.indexOfSpan(trace.firstSpanOf(1)));
+        type(toText(first.value));
+        QCOMPARE(named<QLabel>(*m_window, "predictScore")->text(),
+                 QStringLiteral("Right at the first try: 1 of 1"));
+    }
+
     void theButtonsHaveKeys()
     {
         for (const char *name : {"predictCheck", "predictShow", "predictNext"})

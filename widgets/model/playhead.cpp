@@ -39,8 +39,9 @@ void Playhead::setTraced(std::shared_ptr<const TracedScene> traced)
         const bool isShownAgain = m_traced->scene.hiddenCount() < previous->scene.hiddenCount();
         const bool isNew = m_traced->primitives.size() > before && (!isShownAgain || before == 0);
         isPickOfStep = isPickOfStep || isNew; // the panels explain the very step that is shown
-        position = isNew ? m_traced->trace->stepCount()
-                         : navigation().positionLike(*previous->trace, oldPosition);
+        position = !isNew  ? navigation().positionLike(*previous->trace, oldPosition)
+            : m_isForetold ? m_traced->trace->indexOfSetUp(before)
+                           : m_traced->trace->stepCount();
     }
     m_cursor->seek(position);
     std::optional<QPoint> stepsPixel;
