@@ -115,6 +115,7 @@ private slots:
         row("tolerances", {"try", "--tolerance", ""}, {"float32", "float64", "exact"});
         row("contenders", {"compare", "--methods", "line-b"},
             {"line-bresenham", "line-bresenham-symmetric"});
+        row("arithmetics of a check", {"check", "--arithmetic", "a"}, {"all"});
         row("nothing of that beginning", {"render", "--zz"}, {});
     }
     void bothShellsOfferWhatTheProgramTakes()
@@ -124,6 +125,16 @@ private slots:
 
         QCOMPARE(offeredByBash(words), offered);
         QCOMPARE(offeredByZsh(words), offered);
+    }
+
+    void bashGoesOnWithAListBehindItsComma()
+    {
+        QCOMPARE(offeredByBash({"render", "--layers", "half-planes,bo"}),
+                 QStringList("half-planes,box"));
+        QCOMPARE(offeredByBash({"compare", "--methods", "truth,row-walk-"}),
+                 QStringList("truth,row-walk-constant-rate"));
+        QCOMPARE(offeredByBash({"trace", "--variant", "rounded-box,stay"}),
+                 QStringList("rounded-box,stay-at-zero"));
     }
 
     void theManualTellsEveryOption_data()

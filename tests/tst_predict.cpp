@@ -180,6 +180,20 @@ private slots:
         QVERIFY(verdict("7").startsWith(QStringLiteral("Not yet: %1.").arg(told)));
     }
 
+    /// What is computed anew in every span is no sum of steps.
+    void anEarlierNumberIsToldWhatMakesTheNextOne()
+    {
+        Prediction number = predictionOf(Quantity::integer(-12), Quantity::integer(-14));
+        const auto told
+            = [&number] { return verdictText(number, judge(number, QStringLiteral("-14"))); };
+        QCOMPARE(told(),
+                 QStringLiteral("That is y_B of the span before: what does one step add "
+                                "to it?"));
+        number.title = QStringLiteral("Δp");
+        number.rule = QStringLiteral("Δp = 2Δy");
+        QCOMPARE(told(), QStringLiteral("That is Δp of the span before: Δp = 2Δy."));
+    }
+
     /// What is asked for is what the table says once the step is done.
     void everyQuestionIsANumberOfTheNextSpan()
     {
@@ -313,7 +327,7 @@ private slots:
         QVERIFY(!label("predictScore").isEmpty());
         action(*m_window, "newScene")->trigger();
         QCOMPARE(label("predictScore"), QString());
-        QVERIFY(label("predictQuestion").contains(QStringLiteral("Nothing lies ahead")));
+        QVERIFY(label("predictQuestion").contains(QStringLiteral("Nothing is drawn yet")));
     }
 
     void aClosedPanelEndsTheScoreAndItsOpenQuestion()

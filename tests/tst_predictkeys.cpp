@@ -129,6 +129,32 @@ private slots:
         QCOMPARE(score(), QStringLiteral("Right at the first try: 1 of 1"));
     }
 
+    /// Nor is it where another setting traces the same columns once more, or an edit is undone.
+    void aStepThatWasDoneUnderOtherSettingsIsNotForetold()
+    {
+        SceneDocument &document = *m_window->parts().document;
+        const auto isSeen = [this] { return verdict().contains(QStringLiteral("has been seen")); };
+        pressKeyOf(QStringLiteral("predictDock"));
+        m_playhead->seek(m_playhead->end());
+        m_playhead->seek(0);
+        QVERIFY(isSeen());
+
+        ScanSettings settings = document.scene().settings;
+        settings.rounding = ByteRounding::Truncate;
+        document.setSettings(settings);
+        QTRY_VERIFY(m_playhead->traced()->scene.settings == settings);
+        QVERIFY(isSeen());
+
+        Triangle moved = document.scene().triangles[0];
+        moved.vertices[0].position.y += unitsPerPixel;
+        document.setTriangle(0, moved, {});
+        QTRY_VERIFY(m_playhead->traced()->scene.triangles[0] == moved);
+        QVERIFY(!isSeen());
+        document.undoStack()->undo();
+        QTRY_VERIFY(!(m_playhead->traced()->scene.triangles[0] == moved));
+        QVERIFY(isSeen());
+    }
+
     /// A triangle that is drawn while its numbers are to be foretold is not scanned at once.
     void aNewTriangleIsForetoldFromItsFirstColumn()
     {

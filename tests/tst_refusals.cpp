@@ -150,6 +150,27 @@ private slots:
         }
     }
 
+    void aSampleOnAPolygonsEdgeIsToldThatTheRuleDecides()
+    {
+        Scene scene = polygonScene(ShapeFill::EvenOdd);
+        Shape &polygon = scene.shapes.front();
+        polygon.vertices
+            = {{latticePixel(3, 1), {}}, {latticePixel(9, 5), {}}, {latticePixel(3, 11), {}}};
+        scene.shapes.resize(1);
+        for (const char *method :
+             {"polygon-parity", "polygon-fan", "polygon-delaunay", "polygon-tessellation"}) {
+            scene.method = method;
+            const auto traced = traceScene(scene);
+            QVERIFY2(pixelHistory(*traced, 6, 8)
+                         .front()
+                         .reason.endsWith(
+                             QStringLiteral(" The sample lies exactly on edge 1, and the rule "
+                                            "top-left leaves it outside.")),
+                     qPrintable(pixelHistory(*traced, 6, 8).front().reason));
+            QVERIFY(!pixelHistory(*traced, 7, 8).front().reason.contains(u"exactly on"));
+        }
+    }
+
     void aPolygonsPixelTellsItsCrossings_data() { aPolygonsRefusalTellsItsCrossings_data(); }
     void aPolygonsPixelTellsItsCrossings()
     {
@@ -172,7 +193,8 @@ private slots:
             QCOMPARE(QString(list).split(number).size() - 1, qsizetype(crossings.count));
             if (sample.fate != SampleFate::Written)
                 continue;
-            QVERIFY2(sentence.startsWith(QStringLiteral("The ray to the left meets the contours")),
+            QVERIFY2(sentence.startsWith(
+                         QStringLiteral("The ray from here to the left meets the contours")),
                      qPrintable(sentence));
             QVERIFY2(sentence.endsWith(
                          fill == ShapeFill::EvenOdd

@@ -144,8 +144,8 @@ private slots:
 
     void aLineAt45DegreesHasFewerPixelsForItsLength()
     {
-        const auto textOf = [](const Shape &line) {
-            return textsOf(Look(sceneOf(line, "line-bresenham", {})).drawing("brightness").labels);
+        const auto textOf = [](const Shape &line, const char *method = "line-bresenham") {
+            return textsOf(Look(sceneOf(line, method, {})).drawing("brightness").labels);
         };
 
         QCOMPARE(
@@ -156,6 +156,25 @@ private slots:
             textOf(lineAt(4, 4, 24, 24)),
             QStringList({"(21 − 1) pixels / 28.28 px = 0.71 a px; even with 1.41 times the light",
                          "even: 1 px wide, 28.28 px of light"}));
+        // Ends between pixels: the first pixel is column 6, the last 8.
+        Shape between = lineAt(5, 10, 9, 10);
+        between.vertices[0].position.x += unitsPerPixel / 4;
+        between.vertices[1].position.x -= unitsPerPixel / 4;
+        QCOMPARE(textOf(between, "line-slope-intercept").front(),
+                 QStringLiteral("(3 − 1) pixels / 2.00 px = 1.00 a px; even with 1.00 times the "
+                                "light"));
+    }
+
+    void pixelsOfALineAreCountedAsTheyAreWritten()
+    {
+        Look look(sceneOf(lineAt(4, 4, 24, 4), "line-bresenham", {}));
+        QStringList counts;
+        for (look.view.position = 0; look.view.position < 4; ++look.view.position)
+            counts += textsOf(look.drawing("brightness").labels);
+        // The set-up, the first step and its pixel; the second step.
+        QCOMPARE(counts,
+                 QStringList(
+                     {"0 pixels so far", "0 pixels so far", "0 pixels so far", "1 pixel so far"}));
     }
 
     void theLineStandsBetweenThePixelsOfADecision_data()

@@ -178,12 +178,16 @@ QJsonObject jsonOf(const ContenderRun &run, const Contest &contest)
     for (const std::int64_t count : run.tally.differsFrom)
         differs.append(qint64(count));
     const Contender &contender = run.contender;
+    QJsonArray variants;
+    for (const Variant variant : variantsIn(contender.settings.variants))
+        variants.append(nameText(nameOf(variant)));
     return {
         {QStringLiteral("method"),
          contender.isTruth() ? QStringLiteral("truth") : contender.method->id},
         {QStringLiteral("arithmetic"),
          nameText(nameOf(contender.isTruth() ? Arithmetic::Exact : contender.settings.arithmetic))},
         {QStringLiteral("fillRule"), nameText(nameOf(contender.settings.fillRule))},
+        {QStringLiteral("variants"), variants},
         {QStringLiteral("pixels"), qint64(run.tally.written)},
         {QStringLiteral("missing"), against(Difference::Missing)},
         {QStringLiteral("extra"), against(Difference::Extra)},

@@ -59,21 +59,6 @@ std::optional<SampleBox> testedBoxOf(const LayerMoment &moment)
     return std::nullopt;
 }
 
-/// The part of a box that the frame shows, as ClipBBox(bbox, 0, w, 0, h) of the slides leaves it.
-ContourBox clippedToFrame(const ContourBox &box, const FrameSpec &frame)
-{
-    const Lattice offset = sampleOffset(frame);
-    const auto clipped = [offset](Lattice place, std::int32_t first, std::int32_t size) {
-        return std::clamp(place, first * unitsPerPixel - offset,
-                          (std::int64_t(first) + size) * unitsPerPixel - offset);
-    };
-    const auto corner = [&](const LatticePoint &point) {
-        return LatticePoint{clipped(point.x, frame.firstColumn, frame.width),
-                            clipped(point.y, frame.firstRow, frame.height)};
-    };
-    return {corner(box.first), corner(box.last)};
-}
-
 /// How one of the boxes looks.
 struct BoxLook {
     LayerInk ink;
@@ -144,13 +129,12 @@ void drawBox(const LayerMoment &moment, LayerDrawing &drawing)
                            .arg(moment.inScene(raw.first.x), moment.inScene(raw.last.x),
                                 moment.inScene(raw.first.y), moment.inScene(raw.last.y)),
                        {first.x(), last.y()}, LayerInk::Mark);
-    const ContourBox shown = clippedToFrame(raw, moment.frame());
-    drawer.appendSamples(roundedSamplesIn(shown.first, shown.last, moment.frame().pixelCentre),
-                         QStringLiteral("(int)(clipped bbox ± .5)"),
-                         {LayerInk::Second, Stroke::Dotted});
+    const SampleBox frame = samplesOf(windowOf(moment.frame()));
+    drawer.appendSamples(
+        intersection(roundedSamplesIn(raw.first, raw.last, moment.frame().pixelCentre), frame),
+        QStringLiteral("(int)(bbox ± .5), clipped"), {LayerInk::Second, Stroke::Dotted});
     const std::optional<SampleBox> tested = testedBoxOf(moment);
-    const SampleBox clipped
-        = intersection(samplesIn(raw.first, raw.last), samplesOf(windowOf(moment.frame())));
+    const SampleBox clipped = intersection(samplesIn(raw.first, raw.last), frame);
     drawer.appendSamples(tested.value_or(clipped),
                          tested ? QStringLiteral("tested") : QStringLiteral("clipped"),
                          {LayerInk::First, Stroke::Solid});

@@ -3,6 +3,8 @@
 
 #include <QLineF>
 
+#include <algorithm>
+#include <cmath>
 #include <set>
 #include <utility>
 
@@ -12,17 +14,32 @@ namespace {
 
 constexpr double asideBy = 3; ///< px, of the even line from the one that it stands beside
 
-/// The pixels that the line has so far, each once.
-std::size_t pixelsOf(const LayerMoment &moment)
+using Pixels = std::set<std::pair<std::int64_t, std::int64_t>>;
+
+/// Those that the line has so far, each once.
+Pixels pixelsOf(const LayerMoment &moment)
 {
-    std::set<std::pair<std::int64_t, std::int64_t>> pixels;
+    Pixels pixels;
     const ScanTrace &trace = moment.trace();
-    const std::optional<std::size_t> last = moment.spanInHand();
-    for (std::size_t span = trace.firstSpanOf(moment.primitive); last && span <= *last; ++span) {
-        for (std::size_t i = trace.firstSampleOf(span); i < trace.endSampleOf(span); ++i)
-            pixels.emplace(trace.changes()[i].x, trace.changes()[i].y);
+    const std::size_t end = trace.endSpanOf(moment.primitive);
+    for (std::size_t span = trace.firstSpanOf(moment.primitive); span < end; ++span) {
+        for (std::size_t i = trace.firstSampleOf(span); i < trace.endSampleOf(span); ++i) {
+            if (trace.indexOfSample(i) < moment.view.position)
+                pixels.emplace(trace.changes()[i].x, trace.changes()[i].y);
+        }
     }
-    return pixels.size();
+    return pixels;
+}
+
+/// How much of the line lies between the columns of the first pixel and the last, or between their
+/// rows where it is steep, px.
+double lengthBetween(const Pixels &pixels, const QLineF &line)
+{
+    const bool isSteep = std::abs(line.dy()) > std::abs(line.dx());
+    const auto along = [&](const auto &pixel) { return isSteep ? pixel.second : pixel.first; };
+    const auto [first, last] = std::ranges::minmax(pixels, {}, along);
+    return double(along(last) - along(first)) * line.length()
+        / std::abs(isSteep ? line.dy() : line.dx());
 }
 
 bool isInFrame(const LayerMoment &moment, const QPointF &place)
@@ -57,21 +74,24 @@ void drawBrightness(const LayerMoment &moment, LayerDrawing &drawing)
             "Brightness by direction: only of a line of 1 px or more that lies in the frame"));
         return;
     }
-    const std::size_t pixels = pixelsOf(moment);
+    const Pixels pixels = pixelsOf(moment);
     const ScanTrace &trace = moment.trace();
     const std::size_t end = trace.endSpanOf(moment.primitive);
     const bool isDone = end > trace.firstSpanOf(moment.primitive) && moment.spanInHand() == end - 1
         && moment.view.position >= trace.indexOfSpan(end - 1) + 2;
-    if (!isDone) {
+    if (!isDone || pixels.size() < 2) {
+        const QString count = pixels.size() == 1 ? QStringLiteral("1 pixel")
+                                                 : QStringLiteral("%1 pixels").arg(pixels.size());
         drawing.labels.push_back(
-            {QStringLiteral("%1 pixels so far").arg(pixels), line.center(), LayerInk::First});
+            {isDone ? count : count + QStringLiteral(" so far"), line.center(), LayerInk::First});
         return;
     }
     // From the first pixel to the last there is a pixel fewer than the line has.
-    const double each = double(pixels - 1) / line.length();
+    const double between = lengthBetween(pixels, line);
+    const double each = double(pixels.size() - 1) / between;
     drawing.labels.push_back(
         {QStringLiteral("(%1 − 1) pixels / %2 px = %3 a px; even with %4 times the light")
-             .arg(QString::number(pixels), figure(line.length()), figure(each), figure(1 / each)),
+             .arg(QString::number(pixels.size()), figure(between), figure(each), figure(1 / each)),
          line.center(), LayerInk::First});
     drawEvenLine(line, drawing);
 }

@@ -9,8 +9,7 @@ QString cellNumber(const Quantity &number)
 {
     if (number.isNone())
         return {};
-    const double size = std::abs(number.toDouble());
-    const int places = size < 10 ? 2 : size < 100 ? 1 : 0;
+    const int places = std::abs(number.toDouble()) < 10 ? 2 : 1;
     QString text = number.isInteger() ? toText(number) : toDecimal(number, places);
     return text.replace(u'-', QChar(0x2212));
 }

@@ -113,7 +113,7 @@ QString EdgeTestNames::weightFormula(std::size_t line) const
 QString EdgeTestNames::levelFormula() const
 {
     if (!m_form.isBarycentric())
-        return QStringLiteral("% = E₁/F₁·%₀ + E₂/F₂·%₁ + E₀/F₀·%₂");
+        return QStringLiteral("% = E₀/F₀·%₂ + E₁/F₁·%₀ + E₂/F₂·%₁");
     if (m_form.inside == InsideTest::Cramer)
         return QStringLiteral("% = u·%_A + v·%_B + w·%_C");
     if (m_form.evaluation == Evaluation::Increments)

@@ -64,7 +64,7 @@ QString colourText(const EdgeTestForm &form)
     if (form.inside == InsideTest::Cramer)
         return QStringLiteral("R ← u·R_A + v·R_B + w·R_C; G and B likewise");
     if (!form.isBarycentric())
-        return QStringLiteral("R ← E₁/F₁·R₀ + E₂/F₂·R₁ + E₀/F₀·R₂; G and B likewise");
+        return QStringLiteral("R ← E₀/F₀·R₂ + E₁/F₁·R₀ + E₂/F₂·R₁; G and B likewise");
     return QStringLiteral("R ← α·R_a + β·R_b + γ·R_c; G and B likewise");
 }
 

@@ -80,10 +80,14 @@ void appendDistances(NumberTable<DecisionState> &table)
                       .title = QStringLiteral("x_k"),
                       .unit = unit::px(),
                       .toolTip = QStringLiteral("The column before this pixel's; the row below it "
-                                                "where the line is steep."),
+                                                "where the line is steep. No pixel is before the "
+                                                "first."),
                       .formula = {},
                       .group = Group::Decision},
-                     [](const State &step) { return Quantity::integer(step.place.along - 1); }});
+                     [](const State &step) {
+                         return step.startsLine ? Quantity()
+                                                : Quantity::integer(step.place.along - 1);
+                     }});
     table.push_back({{.id = QStringLiteral("y_k"),
                       .title = QStringLiteral("y_k"),
                       .unit = unit::px(),

@@ -68,9 +68,9 @@ void tellPolygon(StepWords &words, const PolygonSetUp &setUp)
     }
     words.sentence = setUp.fill == ShapeFill::NonZero
         ? QStringLiteral("Non-zero decides: a sample is inside where its winding number w, the "
-                         "downward crossings to its left minus the upward ones, is not 0.")
+                         "downward crossings at it or to its left minus the upward ones, is not 0.")
         : QStringLiteral("Even-odd decides: a sample is inside where the parity p of the crossings "
-                         "to its left is 1.");
+                         "at it or to its left is 1.");
     if (setUp.curveCount > 0)
         words.sentence.prepend(
             QStringLiteral("The %1 Bézier pieces became %2 edges: chords that leave their curve by "
@@ -94,8 +94,8 @@ void tellPolygon(StepWords &words, const PolygonRowState &row)
         return;
     }
     const QString inside = row.fill == ShapeFill::NonZero
-        ? QStringLiteral("where downward and upward edges to its left differ in number")
-        : QStringLiteral("where an odd number of edges is to its left");
+        ? QStringLiteral("where downward and upward edges at it or to its left differ in number")
+        : QStringLiteral("where an odd number of edges is at it or to its left");
     words.sentence = meets
         + QStringLiteral(" Of the columns %1 to %2 a sample is inside %3.")
               .arg(row.firstDrawn)
@@ -105,7 +105,7 @@ void tellPolygon(StepWords &words, const PolygonRowState &row)
 
 void tellPolygon(StepWords &words, const PolygonSampleState &sample)
 {
-    const QString ray = QStringLiteral("the ray to the left meets the contours %1, %2")
+    const QString ray = QStringLiteral("the ray from here to the left meets the contours %1, %2")
                             .arg(timesText(sample.crossings), edgesText(sample.edges));
     words.sentence = (sample.isInside ? u'T' + ray.sliced(1) : QStringLiteral("Refused: ") + ray)
         + verdictText(sample);

@@ -47,8 +47,8 @@ QString rejectionText(const Rejection &rejection)
             .arg(placeText(rejection.vertices));
     case PrimitiveRejection::SelfCrossing:
         return crossingText(rejection.vertices)
-            + QStringLiteral(" between their vertices: no corner of a triangle can stand there, "
-                             "because crossings are no lattice points. Nothing is drawn.");
+            + QStringLiteral(" between their vertices: the triangles of this method have their "
+                             "corners at vertices alone. Nothing is drawn.");
     case PrimitiveRejection::NoOutline:
         return QStringLiteral(
             "The text has no outline: it is empty, or nothing but blanks. Nothing "

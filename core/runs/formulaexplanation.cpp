@@ -205,7 +205,7 @@ Explanation explainSample(const TracedScene &traced, const TraceStep &step)
     if (words.sentence.isEmpty())
         explanation.sentence = isWritten
             ? (isCovering(traced.primitives.kindOf(step.primitive))
-                   ? QStringLiteral("The sample is covered and written.")
+                   ? QStringLiteral("The sample is drawn.")
                    : QStringLiteral("The pixel is one of this step's, and written."))
             : refusalSentence(traced, step.primitive, sample, decisionsOf(words.numbers, sample));
     if (sample.clamped)

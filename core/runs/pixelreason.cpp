@@ -2,7 +2,9 @@
 #include "core/runs/pixelreason.h"
 
 #include "core/methods/rejectiontext.h"
+#include "core/number/integer.h"
 #include "core/oracle/effecttruth.h"
+#include "core/polygons/contours.h"
 #include "core/runs/refusaltext.h"
 #include "core/scan/choicenames.h"
 
@@ -35,6 +37,35 @@ QString passingText(const PixelAttempt &attempt, const ScanTrace &trace)
     return trace.sampleWords(step.span, step.sample - trace.firstSampleOf(step.span)).sentence;
 }
 
+/// Whether a sample lies on an edge, its ends included.
+bool isOn(const ContourEdge &edge, const LatticePoint &sample)
+{
+    const auto isBetween = [](Lattice a, Lattice b, Lattice place) {
+        return std::min(a, b) <= place && place <= std::max(a, b);
+    };
+    const Int128 sideways = Int128(edge.to.x - edge.from.x) * (sample.y - edge.from.y);
+    const Int128 upward = Int128(edge.to.y - edge.from.y) * (sample.x - edge.from.x);
+    return sideways == upward && isBetween(edge.from.x, edge.to.x, sample.x)
+        && isBetween(edge.from.y, edge.to.y, sample.y);
+}
+
+/// Of a polygon, that the fill rule alone keeps out a sample; empty where none of its edges has it.
+QString tieOfPolygonText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
+                         std::int64_t y)
+{
+    if (attempt.kind != PrimitiveKind::Polygon)
+        return {};
+    const auto edges = contoursOf(traced.primitives.shape(attempt.primitive)).edges;
+    const LatticePoint sample{x * unitsPerPixel, y * unitsPerPixel};
+    const auto found = std::ranges::find_if(
+        edges, [&sample](const ContourEdge &edge) { return isOn(edge, sample); });
+    return found == edges.end()
+        ? QString()
+        : QStringLiteral(" The sample lies exactly on edge %1, and the rule %2 leaves it outside.")
+              .arg(found - edges.begin())
+              .arg(nameText(nameOf(traced.scene.settings.fillRule)));
+}
+
 /// Which edge keeps the sample out, by how much, under which rule; of shapes, what the kernel
 /// found.
 QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std::int64_t x,
@@ -43,9 +74,10 @@ QString refusalText(const PixelAttempt &attempt, const TracedScene &traced, std:
     const FillRule rule = traced.scene.settings.fillRule;
     if (attempt.kind != PrimitiveKind::Triangle) {
         const QString found = passingText(attempt, *traced.trace);
-        return found.isEmpty()
-            ? QStringLiteral("The %1 does not cover it.").arg(nameOf(attempt.kind))
-            : found;
+        return (found.isEmpty()
+                    ? QStringLiteral("The %1 does not cover it.").arg(nameOf(attempt.kind))
+                    : found)
+            + tieOfPolygonText(attempt, traced, x, y);
     }
     if (attempt.verdict.zeroArea) {
         return rule == FillRule::Closed

@@ -5511,6 +5511,10 @@
         <source>It has been seen: the step was done already, and the answer does not count.</source>
         <translation>Schon gesehen: der Schritt war schon getan, und die Antwort zählt nicht.</translation>
     </message>
+    <message>
+        <source>Nothing is drawn yet: what you draw is asked for.</source>
+        <translation>Noch ist nichts gezeichnet: gefragt wird nach dem, was hier gezeichnet wird.</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::PredictWords</name>
@@ -5686,10 +5690,6 @@
         </translation>
     </message>
     <message>
-        <source>. The camera makes the triangles of a solid; the Projection panel shows them and moves what stands in space</source>
-        <translation>. Die Kamera macht die Dreiecke eines Körpers; der Bereich Projektion zeigt sie und bewegt, was im Raum steht</translation>
-    </message>
-    <message>
         <source>Show</source>
         <translation>Einblenden</translation>
     </message>
@@ -5716,6 +5716,10 @@
     <message>
         <source>Colour of the Solid</source>
         <translation>Farbe des Körpers</translation>
+    </message>
+    <message>
+        <source>. The camera makes the triangles of a solid; the Projection panel shows both</source>
+        <translation>. Die Kamera macht die Dreiecke eines Körpers; die Ansicht „Projektion“ zeigt beides</translation>
     </message>
 </context>
 <context>

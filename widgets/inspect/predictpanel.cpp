@@ -99,7 +99,7 @@ PredictPanel::PredictPanel(SceneDocument *document, Playhead *playhead, QWidget 
     connect(playhead, &Playhead::positionChanged, this, &PredictPanel::goTo);
     connect(playhead, &Playhead::tracedChanged, this, [this] {
         ++m_run;
-        m_furthest = 0;
+        beginSeen();
     });
     connect(playhead, &Playhead::pixelChosen, this, &PredictPanel::checkPick);
     connect(document, &SceneDocument::opened, this, &PredictPanel::forgetScore);
@@ -110,7 +110,8 @@ void PredictPanel::showEvent(QShowEvent *event)
 {
     QWidget::showEvent(event);
     m_playhead->setForetold(true);
-    m_furthest = 0;
+    m_seen.clear();
+    beginSeen();
     listQuestions();
 }
 
@@ -148,8 +149,6 @@ PredictPanel::Place PredictPanel::place() const
     return {m_run, m_nextPixel ? m_nextPixel->step : m_playhead->end()};
 }
 
-bool PredictPanel::hasBeenSeen() const { return place().step < m_furthest; }
-
 bool PredictPanel::asksForPixel() const
 {
     return m_nextPixel && m_choice->currentIndex() == int(m_predictions.size());
@@ -173,12 +172,6 @@ void PredictPanel::offer(const QList<QWidget *> &parts)
                 ->setFocus();
         part->setEnabled(isOffered);
     }
-}
-
-void PredictPanel::goTo(std::size_t position)
-{
-    m_furthest = std::max(m_furthest, position);
-    listQuestions();
 }
 
 /// The kind of question stays the same from span to span.
@@ -226,7 +219,9 @@ void PredictPanel::ask()
                                "right-click it, or go there with the "
                                "arrow keys and press Check."));
     } else {
-        m_question->setText(tr("Nothing lies ahead: step back, or run to the start."));
+        m_question->setText(m_playhead->end() == 0
+                                ? tr("Nothing is drawn yet: what you draw is asked for.")
+                                : tr("Nothing lies ahead: step back, or run to the start."));
     }
     m_answer->setPlaceholderText(example);
     if (!example.isEmpty() && hasBeenSeen())

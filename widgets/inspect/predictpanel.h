@@ -3,6 +3,7 @@
 
 #include "core/runs/nextpixel.h"
 #include "core/runs/prediction.h"
+#include "core/scene/scene.h"
 
 #include <QSet>
 #include <QWidget>
@@ -50,6 +51,7 @@ private:
     bool hasBeenSeen() const; ///< whether its step has been done since the panel is open
 
     void forgetScore();
+    void beginSeen();
     void goTo(std::size_t position);
     void listQuestions();
     void ask();
@@ -77,7 +79,14 @@ private:
     std::optional<NextPixel> m_nextPixel;
     State m_state = State::Open;
     std::size_t m_run = 0; ///< grows with every run: the same place asks another question
-    std::size_t m_furthest = 0; ///< the last position that the run came to with the panel open
+    /// How far a scene was stepped through since the panel is open, whatever its settings, which
+    /// change neither columns nor edges.
+    struct Seen {
+        Scene scene; ///< its settings left out
+        std::size_t spans = 0;
+        std::size_t position = 0;
+    };
+    std::vector<Seen> m_seen; ///< that in hand is the last
     std::optional<Place> m_left; ///< where the panel was closed with a question open
     QSet<QString> m_asked; ///< the questions that have counted
     int m_right = 0;

@@ -37,6 +37,12 @@ QString meaningOf(const QString &rule)
         : PredictWords::tr("%1 is the last whole number not above %2").arg(rounded, number);
 }
 
+/// Whether the number is that of the span before and something more: "y_B ← y_B′ + m₀₂".
+bool isStepped(const Prediction &prediction)
+{
+    return prediction.rule.contains(prediction.title + QStringLiteral("′ "));
+}
+
 } // namespace
 
 QString verdictText(const Prediction &prediction, Guess guess)
@@ -47,11 +53,11 @@ QString verdictText(const Prediction &prediction, Guess guess)
     case Guess::Unread:
         return PredictWords::tr("Type a number, such as 2, 2.75, 11/4 or 2 3/4.");
     case Guess::Earlier:
-        return isRounding(prediction.rule)
-            ? PredictWords::tr("That is %1 of the span before: %2.")
-                  .arg(prediction.title, meaningOf(prediction.rule))
-            : PredictWords::tr("That is %1 of the span before: what does one step add to it?")
-                  .arg(prediction.title);
+        return isStepped(prediction)
+            ? PredictWords::tr("That is %1 of the span before: what does one step add to it?")
+                  .arg(prediction.title)
+            : PredictWords::tr("That is %1 of the span before: %2.")
+                  .arg(prediction.title, meaningOf(prediction.rule));
     case Guess::RoundedUp:
     case Guess::RoundedDown:
         return PredictWords::tr("That is %1, the whole number beside it. Asked for is %2 itself: a "

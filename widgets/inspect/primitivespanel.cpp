@@ -219,8 +219,7 @@ void PrimitivesPanel::update()
         text += tr(", and %n hidden that the numbers leave out", nullptr, hidden);
     if (solids > 0)
         text += tr(" and %n solids", nullptr, int(solids))
-            + tr(". The camera makes the triangles of a solid; the Projection panel shows them and "
-                 "moves what stands in space");
+            + tr(". The camera makes the triangles of a solid; the Projection panel shows both");
     m_summary->setText(text);
     const std::optional<VertexRef> ref = refInHand();
     const bool isHidden = m_model->hiddenAt(m_tree->currentIndex()).has_value();

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/runs/tracedscene.h"
+#include "widgets/inspect/predictpanel.h"
+#include "widgets/model/playhead.h"
+
+#include <algorithm>
+
+/// What has been seen is not foretold.
+namespace pixelplumb {
+
+namespace {
+
+constexpr std::size_t mostScenesSeen = 16; ///< of edits that are undone and done again
+
+} // namespace
+
+bool PredictPanel::hasBeenSeen() const
+{
+    const TracedScene *traced = m_playhead->traced();
+    const std::size_t step = place().step;
+    if (!traced || m_seen.empty() || step >= traced->trace->stepCount())
+        return false;
+    return prediction() ? traced->trace->stepAt(step).span < m_seen.back().spans
+                        : step < m_seen.back().position;
+}
+
+void PredictPanel::beginSeen()
+{
+    const TracedScene *traced = m_playhead->traced();
+    if (!isVisible() || !traced)
+        return;
+    Scene scene = traced->scene;
+    scene.settings = {};
+    const auto known = std::ranges::find(m_seen, scene, &Seen::scene);
+    if (known != m_seen.end())
+        std::rotate(known, known + 1, m_seen.end());
+    else
+        m_seen.push_back({std::move(scene)});
+    if (m_seen.size() > mostScenesSeen)
+        m_seen.erase(m_seen.begin());
+}
+
+void PredictPanel::goTo(std::size_t position)
+{
+    if (isVisible() && !m_seen.empty()) {
+        Seen &seen = m_seen.back();
+        if (const std::optional<std::size_t> span = m_playhead->spanInHand())
+            seen.spans = std::max(seen.spans, *span + 1);
+        seen.position = std::max(seen.position, position);
+    }
+    listQuestions();
+}
+
+} // namespace pixelplumb
