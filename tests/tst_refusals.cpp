@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/layermoment.h"
 #include "core/methods/method.h"
 #include "core/runs/edgename.h"
 #include "core/runs/formulaexplanation.h"
@@ -148,6 +149,26 @@ private slots:
                 QVERIFY(refusal.sentence.contains(QStringLiteral("winding number 0, outside")));
             }
         }
+    }
+
+    /// f(r) and f(a), as the set-up has it.
+    void theOffScreenPointsSideOfAnEdgeIsTold()
+    {
+        Scene scene;
+        scene.method = "barycentric-off-screen";
+        scene.settings.fillRule = FillRule::OffScreenPoint; // r = (−1, −1)
+        scene.triangles
+            = {triangleAtUnits(latticePixel(0, 0), latticePixel(6, 0), latticePixel(0, 6))};
+        const auto traced = traceScene(scene);
+
+        QCOMPARE(
+            pixelHistory(*traced, 3, 0).front().reason,
+            QStringLiteral("The sample lies exactly on ab, and the rule off-screen-point gives "
+                           "it to the other side: the edge's function is 6 at the off-screen "
+                           "point and −36 at the vertex that faces it."));
+        const SetUpRecord setUp = traced->trace->setUp(0);
+        const NamedNumbers numbers(traced->trace->numbers().setUp, setUp.cells);
+        QCOMPARE(numbers[QStringLiteral("f_c")], Quantity::integer(-36));
     }
 
     void aSampleOnAPolygonsEdgeIsToldThatTheRuleDecides()

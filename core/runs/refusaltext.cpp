@@ -4,6 +4,7 @@
 #include "core/methods/formulatext.h"
 #include "core/runs/edgename.h"
 #include "core/scan/choicenames.h"
+#include "core/scan/edgeline.h"
 
 #include <algorithm>
 
@@ -32,19 +33,47 @@ Triangle acrossEdge(const Triangle &triangle, const oracle::EdgeVerdict &edge)
     return turned;
 }
 
+/// The function a·x + b·y + c of the edge at a point, as the slides write it: f_bc.
+QString edgeFunctionAt(const LatticePoint &from, const LatticePoint &to, const LatticePoint &point)
+{
+    const Int128 value
+        = Int128(to.y - from.y) * (point.x - from.x) + Int128(from.x - to.x) * (point.y - from.y);
+    return term(Quantity::rational(value, squareUnitsPerPixel));
+}
+
+/// On which sides of an edge the off-screen point and the triangle lie: f_bc(a)·f_bc(r) > 0.
+QString sidesText(const Triangle &triangle, const oracle::EdgeVerdict &edge,
+                  const LatticePoint &offScreenPoint)
+{
+    const auto position
+        = [&](int vertex) { return triangle.vertices[std::size_t(vertex)].position; };
+    const auto functionAt = [&](const LatticePoint &point) {
+        return edgeFunctionAt(position(edge.from), position(edge.to), point);
+    };
+    return QStringLiteral("the edge's function is %1 at the off-screen point and %2 at the vertex "
+                          "that faces it")
+        .arg(functionAt(offScreenPoint), functionAt(position(3 - edge.from - edge.to)));
+}
+
 } // namespace
 
 QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::EdgeVerdict &edge,
                 std::int64_t x, std::int64_t y)
 {
-    const Triangle neighbour = acrossEdge(traced.primitives.triangles[triangle], edge);
+    const Triangle &own = traced.primitives.triangles[triangle];
+    const Triangle neighbour = acrossEdge(own, edge);
     const auto isSame = [&](const oracle::EdgeVerdict &other) {
         return other.from == edge.from && other.to == edge.to;
     };
     const oracle::SampleVerdict there = verdictOn(neighbour, traced, x, y);
     const FillRule rule = traced.scene.settings.fillRule;
-    if (std::ranges::find_if(there.edges, isSame)->accepts)
-        return QStringLiteral("the rule %1 gives it to the other side").arg(nameText(nameOf(rule)));
+    if (std::ranges::find_if(there.edges, isSame)->accepts) {
+        const QString given
+            = QStringLiteral("the rule %1 gives it to the other side").arg(nameText(nameOf(rule)));
+        return rule != FillRule::OffScreenPoint ? given
+                                                : given + QStringLiteral(": ")
+                + sidesText(own, edge, boundaryRuleOf(traced.scene).offScreenPoint);
+    }
     if (rule == FillRule::OffScreenPoint)
         return QStringLiteral("the off-screen point lies on this edge's line too: neither side "
                               "owns it");
