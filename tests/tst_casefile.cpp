@@ -75,9 +75,9 @@ private slots:
         QTest::newRow("empty") << QByteArray() << "the input is empty; expected JSON";
         QTest::newRow("a scene")
             << QByteArray("{\"pixelplumb\": 1}")
-            << "line 1, column 1, version: nothing; expected an integer from 1 to 1";
+            << "line 1, column 1, version: nothing; expected the integer 1";
         QTest::newRow("newer") << QByteArray("{\"version\": 2, \"cases\": []}")
-                               << "line 1, column 13, version: 2; expected an integer from 1 to 1";
+                               << "line 1, column 13, version: 2; expected the integer 1";
         QTest::newRow("no cases") << QByteArray("{\"version\": 1}")
                                   << "line 1, column 1, cases: nothing; expected an array";
         QTest::newRow("unknown kind") << fileOfCase("\"id\": \"a\", \"kind\": \"spiral\"")

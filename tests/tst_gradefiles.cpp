@@ -73,7 +73,7 @@ private slots:
         };
         row("no assignment", R"({ "pixelplumb": 1 })", "this is no assignment");
         row("newer", R"({ "pixelplumbAssignment": 2 })",
-            "pixelplumbAssignment: 2; expected an integer from 1 to 1");
+            "pixelplumbAssignment: 2; expected the integer 1");
         row("unknown key", assignmentWith(R"("grade": 1, )"), "grade: unknown key “grade”");
         row("unknown hint", assignmentWith(R"("hint": "some", )"),
             "hint: “some”; expected one of class, hint, pixels, full");

@@ -41,9 +41,9 @@ private slots:
             "format up "
             "to 1, the newest that this one reads");
         row("version zero", "{\"pixelplumb\": 0}",
-            "line 1, column 16, pixelplumb: 0; expected an integer from 1 to 1");
+            "line 1, column 16, pixelplumb: 0; expected the integer 1");
         row("version as text", "{\"pixelplumb\": \"1\"}",
-            "line 1, column 16, pixelplumb: “1”; expected an integer from 1 to 1");
+            "line 1, column 16, pixelplumb: “1”; expected the integer 1");
         row("unknown key", sceneWith("  \"fillrule\": \"closed\", \"primitives\": []"),
             "line 4, column 15, fillrule: unknown key “fillrule”; expected one of pixelplumb, "
             "frame, method, "

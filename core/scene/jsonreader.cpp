@@ -121,7 +121,7 @@ qint64 JsonReader::integer(const JsonNode &node, qint64 first, qint64 last)
     if (value >= first && value <= last && value != none)
         return value;
     fail(node, describe(node),
-         first == last ? QString::number(first)
+         first == last ? QStringLiteral("the integer %1").arg(first)
                        : QStringLiteral("an integer from %1 to %2").arg(first).arg(last));
     return first;
 }
