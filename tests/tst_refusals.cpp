@@ -163,8 +163,8 @@ private slots:
 
         QCOMPARE(
             pixelHistory(*traced, 3, 0).front().reason,
-            QStringLiteral("The sample lies exactly on ab, and the rule off-screen-point gives "
-                           "it to the other side: the edge's function is 6 at the off-screen "
+            QStringLiteral("The sample lies exactly on P₀P₁, and the rule off-screen-point "
+                           "gives it to the other side: the edge's function is 6 at the off-screen "
                            "point and −36 at the vertex that faces it."));
         const SetUpRecord setUp = traced->trace->setUp(0);
         const NamedNumbers numbers(traced->trace->numbers().setUp, setUp.cells);
