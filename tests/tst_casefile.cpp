@@ -73,9 +73,8 @@ private slots:
         QTest::addColumn<QString>("message");
         QTest::newRow("good") << fileOfCase(smallTriangle) << "no error";
         QTest::newRow("empty") << QByteArray() << "the input is empty; expected JSON";
-        QTest::newRow("a scene")
-            << QByteArray("{\"pixelplumb\": 1}")
-            << "line 1, column 1, version: nothing; expected the integer 1";
+        QTest::newRow("a scene") << QByteArray("{\"pixelplumb\": 1}")
+                                 << "line 1, column 1, version: nothing; expected the integer 1";
         QTest::newRow("newer") << QByteArray("{\"version\": 2, \"cases\": []}")
                                << "line 1, column 13, version: 2; expected the integer 1";
         QTest::newRow("no cases") << QByteArray("{\"version\": 1}")
