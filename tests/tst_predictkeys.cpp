@@ -155,6 +155,20 @@ private slots:
         QVERIFY(isSeen());
     }
 
+    void theNextPixelsTestsAreTheReasonForIt()
+    {
+        Scene scene = m_window->parts().document->scene();
+        const auto reasonBy = [&scene](const char *method) {
+            scene.method = method;
+            return nextPixelAfter(*traceScene(scene), 0)->reason;
+        };
+        // At the vertex (4, 5) two edge functions are 0.
+        QVERIFY2(reasonBy("edge-equations").startsWith(QStringLiteral("E₀ = 0, E₁ = "))
+                     && reasonBy("edge-equations").endsWith(u"E₂ = 0: none is negative."),
+                 qPrintable(reasonBy("edge-equations")));
+        QVERIFY2(reasonBy("column-scan").contains(u"cover"), qPrintable(reasonBy("column-scan")));
+    }
+
     /// A triangle that is drawn while its numbers are to be foretold is not scanned at once.
     void aNewTriangleIsForetoldFromItsFirstColumn()
     {

@@ -141,17 +141,6 @@ Explanation explainSpan(const TracedScene &traced, const TraceStep &step)
     return explanation;
 }
 
-std::vector<SampleDecision> decisionsOf(const std::vector<NumberDescription> &columns,
-                                        const SampleRecord &sample)
-{
-    std::vector<SampleDecision> decisions;
-    for (std::size_t i = 0; i < columns.size() && i < sample.cells.size(); ++i) {
-        if (columns[i].group == NumberGroup::Decision)
-            decisions.push_back({columns[i].title, sample.cells[i]});
-    }
-    return decisions;
-}
-
 /// What a sample has on which effects were done and no formula tells or names: u as it would be
 /// without perspective, how many of the pixel's samples were written.
 void appendGiven(Explanation &explanation, const std::vector<NumberDescription> &columns,

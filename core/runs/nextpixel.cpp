@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/nextpixel.h"
 
+#include "core/methods/formulatext.h"
 #include "core/runs/formulaexplanation.h"
 #include "core/runs/pixelhistory.h"
+#include "core/runs/refusaltext.h"
 #include "core/runs/spanheadings.h"
 #include "core/runs/tracedscene.h"
 
@@ -33,6 +35,29 @@ std::optional<std::size_t> nextWriteAfter(const ScanTrace &trace, std::size_t po
     return std::nullopt;
 }
 
+/// Why a pixel is written: what decides about each sample, of a triangle its tests, of a polygon
+/// the ray; else what the span does.
+QString reasonFor(const TracedScene &traced, const TraceStep &step)
+{
+    const ScanTrace &trace = *traced.trace;
+    const std::size_t place = step.sample - trace.firstSampleOf(step.span);
+    const StepWords words = trace.sampleWords(step.span, place);
+    const PrimitiveKind kind = traced.primitives.kindOf(step.primitive);
+    if (kind == PrimitiveKind::Polygon && !words.sentence.isEmpty())
+        return words.sentence;
+    QStringList tests;
+    bool isRounded = false; // a span decided, and the weights are no tests
+    for (const SampleDecision &test : decisionsOf(words.numbers, trace.samples(step.span)[place])) {
+        if (kind != PrimitiveKind::Triangle || test.value.isNone())
+            continue;
+        tests += QStringLiteral("%1 = %2").arg(test.title, term(test.value));
+        isRounded = isRounded || test.value.toDouble() < 0;
+    }
+    return tests.isEmpty() || isRounded
+        ? explainStep(traced, trace.indexOfSpan(step.span)).sentence
+        : tests.join(QStringLiteral(", ")) + QStringLiteral(": none is negative.");
+}
+
 } // namespace
 
 std::optional<NextPixel> nextPixelAfter(const TracedScene &traced, std::size_t position)
@@ -43,8 +68,7 @@ std::optional<NextPixel> nextPixelAfter(const TracedScene &traced, std::size_t p
         return std::nullopt;
     const TraceStep step = trace.stepAt(*index);
     const PixelChange &change = trace.changes()[step.sample];
-    return NextPixel{
-        {change.x, change.y}, explainStep(traced, trace.indexOfSpan(step.span)).sentence, *index};
+    return NextPixel{{change.x, change.y}, reasonFor(traced, step), *index};
 }
 
 QString wrongPixelText(const TracedScene &traced, std::size_t position, const QPoint &pixel)

@@ -80,6 +80,17 @@ QString tieText(const TracedScene &traced, std::size_t triangle, const oracle::E
     return QStringLiteral("the rule %1 gives it to neither side").arg(nameText(nameOf(rule)));
 }
 
+std::vector<SampleDecision> decisionsOf(const std::vector<NumberDescription> &columns,
+                                        const SampleRecord &sample)
+{
+    std::vector<SampleDecision> decisions;
+    for (std::size_t i = 0; i < columns.size() && i < sample.cells.size(); ++i) {
+        if (columns[i].group == NumberGroup::Decision)
+            decisions.push_back({columns[i].title, sample.cells[i]});
+    }
+    return decisions;
+}
+
 QString refusalSentence(const TracedScene &traced, std::size_t triangle, const SampleRecord &sample,
                         std::span<const SampleDecision> decisions)
 {

@@ -14,6 +14,9 @@ struct SampleDecision {
     Quantity value;
 };
 
+std::vector<SampleDecision> decisionsOf(const std::vector<NumberDescription> &columns,
+                                        const SampleRecord &sample);
+
 /// Which tests keep a sample of a triangle out, in one sentence: negative values, or the edge on
 /// which it lies and who owns that.
 QString refusalSentence(const TracedScene &traced, std::size_t triangle, const SampleRecord &sample,
