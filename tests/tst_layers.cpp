@@ -62,8 +62,7 @@ private slots:
         QTest::addColumn<PixelCentre>("centre");
         QTest::addColumn<QStringList>("labels");
         // (int)(44 − .5) = 43: the rounding that the slides print is for samples in the middle of
-        // pixels. The last column, 70, lies outside a frame of 64, and (int)(64 − .5) = 63: the
-        // slides clip before they round.
+        // pixels. The last column, 70, lies outside a frame of 64, whose last is 63.
         const QStringList integer
             = {"bbox: x 4 1/4 … 70, y 5 … 44", "(int)(bbox ± .5), clipped: x 4 … 63, y 5 … 43",
                "tested: x 5 … 63, y 5 … 44"};

@@ -22,7 +22,8 @@ Pixels pixelsOf(const LayerMoment &moment)
     Pixels pixels;
     const ScanTrace &trace = moment.trace();
     const std::size_t end = trace.endSpanOf(moment.primitive);
-    for (std::size_t span = trace.firstSpanOf(moment.primitive); span < end; ++span) {
+    for (std::size_t span = trace.firstSpanOf(moment.primitive);
+         span < end && trace.indexOfSpan(span) < moment.view.position; ++span) {
         for (std::size_t i = trace.firstSampleOf(span); i < trace.endSampleOf(span); ++i) {
             if (trace.indexOfSample(i) < moment.view.position)
                 pixels.emplace(trace.changes()[i].x, trace.changes()[i].y);

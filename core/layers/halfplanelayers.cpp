@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace pixelplumb {
 
@@ -53,8 +54,6 @@ QPointF placeBeyond(const QPointF &end, const QPointF &otherEnd, const LayerMome
     return inView ? inView->p2() : way.p2();
 }
 
-QPointF middleOf(const EdgeLineNumbers &line) { return (line.from + line.to) / 2; }
-
 /// From the middle of the edge to its positive side; a point where the edge is one.
 QLineF arrowOf(const EdgeLineNumbers &line)
 {
@@ -62,18 +61,18 @@ QLineF arrowOf(const EdgeLineNumbers &line)
     const QPointF along = line.to - line.from;
     const double length = std::max(leastNormal, std::hypot(along.x(), along.y()) * normalOfEdge);
     const QPointF unit = normal.isNull() ? QPointF() : normal / std::hypot(normal.x(), normal.y());
-    return {middleOf(line), middleOf(line) + unit * length};
+    const QPointF middle = line.from + along / 2;
+    return {middle, middle + unit * length};
 }
 
 /// Each in its own half-plane, and not beside the arrow of another one.
-void appendNames(const EdgeLineNumbers &line, std::vector<QLineF> otherArrows,
+void appendNames(const EdgeLineNumbers &line, const QLineF &arrow, std::vector<QLineF> otherArrows,
                  const LayerMoment &moment, LayerDrawing &drawing)
 {
     // As the slides write it: DejaVu's ⟨ ⟩ look like ( ) in small type.
     const QString name = QStringLiteral("%1 > 0, normal <%2, %3>")
                              .arg(line.name, cellNumber(line.a), cellNumber(line.b));
     const QPointF along = line.to - line.from;
-    const QLineF arrow = arrowOf(line);
     const QPointF inward = arrow.p2() - arrow.p1();
     const LayerDrawing::HalfPlane positive{arrow.p1(), inward};
     const QPointF beyondTo = placeBeyond(line.to, line.from, moment);
@@ -97,12 +96,10 @@ void appendNames(const EdgeLineNumbers &line, std::vector<QLineF> otherArrows,
                               LayerInk::Negative, LayerDrawing::HalfPlane{arrow.p1(), -inward}});
 }
 
-void appendHalfPlane(const EdgeLineNumbers &line, const LayerMoment &moment, LayerDrawing &drawing)
+void appendHalfPlane(const EdgeLineNumbers &line, const QLineF &arrow, const LayerMoment &moment,
+                     LayerDrawing &drawing)
 {
     const FrameSpec &frame = moment.frame();
-    const QLineF arrow = arrowOf(line);
-    if (arrow.isNull())
-        return; // the edge is a point
     if (std::vector<QPointF> corners = positiveSide(line, frame); !corners.empty())
         drawing.areas.push_back({std::move(corners), LayerInk::Inside});
     const QPointF along = line.to - line.from;
@@ -120,16 +117,17 @@ void appendHalfPlanes(const LayerMoment &moment, std::size_t first, std::size_t 
                       LayerDrawing &drawing)
 {
     const EdgeLines edges = edgeLinesOf(moment);
-    for (std::size_t line = first; line < end; ++line)
-        appendHalfPlane(edges.lines[line], moment, drawing);
+    std::vector<QLineF> arrows;
+    std::ranges::transform(edges.lines, std::back_inserter(arrows), arrowOf);
     for (std::size_t line = first; line < end; ++line) {
-        std::vector<QLineF> others;
-        for (std::size_t other = 0; other < edges.lines.size(); ++other) {
-            if (other != line)
-                others.push_back(arrowOf(edges.lines[other]));
-        }
-        if (!arrowOf(edges.lines[line]).isNull())
-            appendNames(edges.lines[line], std::move(others), moment, drawing);
+        if (!arrows[line].isNull()) // else the edge is a point
+            appendHalfPlane(edges.lines[line], arrows[line], moment, drawing);
+    }
+    for (std::size_t line = first; line < end; ++line) {
+        std::vector<QLineF> others = arrows;
+        others.erase(others.begin() + std::ptrdiff_t(line));
+        if (!arrows[line].isNull())
+            appendNames(edges.lines[line], arrows[line], std::move(others), moment, drawing);
     }
     if (edges.origin == NumberOrigin::Exact)
         drawing.notes.append(

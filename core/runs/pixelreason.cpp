@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/runs/pixelreason.h"
 
+#include "core/geometry/triangle.h"
 #include "core/methods/rejectiontext.h"
-#include "core/number/integer.h"
 #include "core/oracle/effecttruth.h"
 #include "core/polygons/contours.h"
 #include "core/runs/refusaltext.h"
@@ -40,13 +40,8 @@ QString passingText(const PixelAttempt &attempt, const ScanTrace &trace)
 /// Whether a sample lies on an edge, its ends included.
 bool isOn(const ContourEdge &edge, const LatticePoint &sample)
 {
-    const auto isBetween = [](Lattice a, Lattice b, Lattice place) {
-        return std::min(a, b) <= place && place <= std::max(a, b);
-    };
-    const Int128 sideways = Int128(edge.to.x - edge.from.x) * (sample.y - edge.from.y);
-    const Int128 upward = Int128(edge.to.y - edge.from.y) * (sample.x - edge.from.x);
-    return sideways == upward && isBetween(edge.from.x, edge.to.x, sample.x)
-        && isBetween(edge.from.y, edge.to.y, sample.y);
+    const auto [first, last] = std::minmax(edge.from, edge.to);
+    return first <= sample && sample <= last && doubledArea(first, last, sample) == 0;
 }
 
 /// Of a polygon, that the fill rule alone keeps out a sample; empty where none of its edges has it.
@@ -56,7 +51,7 @@ QString tieOfPolygonText(const PixelAttempt &attempt, const TracedScene &traced,
     if (attempt.kind != PrimitiveKind::Polygon)
         return {};
     const auto edges = contoursOf(traced.primitives.shape(attempt.primitive)).edges;
-    const LatticePoint sample{x * unitsPerPixel, y * unitsPerPixel};
+    const LatticePoint sample = latticePixel(x, y);
     const auto found = std::ranges::find_if(
         edges, [&sample](const ContourEdge &edge) { return isOn(edge, sample); });
     return found == edges.end()

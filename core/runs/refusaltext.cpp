@@ -36,9 +36,7 @@ Triangle acrossEdge(const Triangle &triangle, const oracle::EdgeVerdict &edge)
 /// The function a·x + b·y + c of the edge at a point, as the slides write it: f_bc.
 QString edgeFunctionAt(const LatticePoint &from, const LatticePoint &to, const LatticePoint &point)
 {
-    const Int128 value
-        = Int128(to.y - from.y) * (point.x - from.x) + Int128(from.x - to.x) * (point.y - from.y);
-    return term(Quantity::rational(value, squareUnitsPerPixel));
+    return term(Quantity::rational(-doubledArea(from, to, point), squareUnitsPerPixel));
 }
 
 /// On which sides of an edge the off-screen point and the triangle lie: f_bc(a)·f_bc(r) > 0.

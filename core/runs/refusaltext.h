@@ -14,6 +14,7 @@ struct SampleDecision {
     Quantity value;
 };
 
+/// Those among the numbers of a sample.
 std::vector<SampleDecision> decisionsOf(const std::vector<NumberDescription> &columns,
                                         const SampleRecord &sample);
 

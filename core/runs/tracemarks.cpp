@@ -17,30 +17,30 @@ Triangle mirrored(Triangle triangle)
     return triangle;
 }
 
+/// A vertex's coordinate across the columns or rows, lattice units.
+Lattice placeAcross(SpanAxis axis, const Vertex &vertex)
+{
+    return axis == SpanAxis::Row ? vertex.position.y : vertex.position.x;
+}
+
 /// How far a vertex lies from a column or row, in lattice units.
 std::int64_t distanceFrom(const SpanPlace &place, const Vertex &vertex)
 {
-    const std::int64_t along = place.axis == SpanAxis::Row ? vertex.position.y : vertex.position.x;
-    return std::abs(along - place.coordinate * unitsPerPixel);
+    return std::abs(placeAcross(place.axis, vertex) - place.coordinate * unitsPerPixel);
 }
 
 /// Whether a vertex of the triangle lies beside a span: where the frame ends a walk, none does. A
 /// whole pixel away lies one alone that the span does not take in.
 bool isAtVertex(const Triangle &triangle, const SpanPlace &place)
 {
-    const auto away = [&](const Vertex &vertex) { return distanceFrom(place, vertex); };
-    const auto &vertices = triangle.vertices;
-    if (std::ranges::any_of(
-            vertices, [](auto units) { return units < unitsPerPixel; }, away))
-        return true;
-    const auto along = [&](const Vertex &vertex) {
-        return place.axis == SpanAxis::Row ? vertex.position.y : vertex.position.x;
-    };
-    const auto [least, most] = std::ranges::minmax_element(vertices, {}, along);
+    const auto across = [&place](const Vertex &vertex) { return placeAcross(place.axis, vertex); };
+    const auto [least, most] = std::ranges::minmax(triangle.vertices, {}, across);
     const std::int64_t units = place.coordinate * unitsPerPixel;
-    return along(*least) <= units && units <= along(*most)
-        && std::ranges::any_of(
-               vertices, [](auto each) { return each == unitsPerPixel; }, away);
+    const bool isWithin = across(least) <= units && units <= across(most);
+    return std::ranges::any_of(triangle.vertices, [&](const Vertex &vertex) {
+        const std::int64_t away = distanceFrom(place, vertex);
+        return away < unitsPerPixel || (isWithin && away == unitsPerPixel);
+    });
 }
 
 /// The column or row nearest to a vertex, less than a pixel away.

@@ -16,8 +16,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 
-#include <algorithm>
-
 namespace pixelplumb {
 
 namespace {
