@@ -112,6 +112,26 @@ private slots:
         }
     }
 
+    void ofATieEachIsToldAsTheTruthOfItsOwnRule()
+    {
+        const QStringList options
+            = {"--methods", "edge-equations:exact:closed,edge-equations:exact:top-left", "--json"};
+
+        const QJsonArray pixels
+            = QJsonDocument::fromJson(compare(tiesScene, options).output)["pixels"].toArray();
+
+        QVERIFY(!pixels.isEmpty());
+        for (const QJsonValue &pixel : pixels) {
+            QCOMPARE(pixel["reason"].toString(), QStringLiteral("tie rule"));
+            QCOMPARE(
+                pixel["contenders"][0]["words"].toString(),
+                QStringLiteral("as the truth under the rule closed: the sample lies on an edge"));
+            QCOMPARE(
+                pixel["contenders"][1]["words"].toString(),
+                QStringLiteral("as the truth under the rule top-left: the sample lies on an edge"));
+        }
+    }
+
     void saysTheSameTwice()
     {
         const QStringList options = {"--methods", "column-scan:fixed16.16,truth"};

@@ -16,6 +16,7 @@
 #include <QSignalSpy>
 #include <QTableWidget>
 #include <QTest>
+#include <QUndoStack>
 
 using namespace pixelplumb;
 
@@ -99,6 +100,20 @@ private slots:
         QCOMPARE(bench.cell(Effect::Blending, 1), QStringLiteral("○ not called for"));
         QCOMPARE(bench.cell(Effect::Blending, 8), QStringLiteral("every alpha is 255: opaque"));
         QVERIFY(bench.summary().isEmpty());
+    }
+
+    void theSceneIsGivenTheAntialiasingThatIsChosen()
+    {
+        Bench bench(overlapping());
+        auto *box = named<QComboBox>(bench.panel, "effectsSamples");
+        QCOMPARE(box->currentText(), QStringLiteral("1 sample"));
+        choose(bench, "effectsSamples", 3);
+        QCOMPARE(bench.document.scene().appearance.antialiasing, Antialiasing::Area);
+        QCOMPARE(box->currentText(), QStringLiteral("exact area"));
+        choose(bench, "effectsSamples", 1);
+        QCOMPARE(bench.document.scene().appearance.antialiasing, Antialiasing::Samples4);
+        bench.document.undoStack()->undo();
+        QCOMPARE(box->currentText(), QStringLiteral("exact area"));
     }
 
     void followsEdits()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/cellnumber.h"
 #include "core/layers/layermarks.h"
 #include "core/polygons/textoutlines.h"
 #include "tests/support/layerlook.h"
@@ -9,6 +10,7 @@
 #include <QTest>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 using namespace pixelplumb;
@@ -31,6 +33,27 @@ QString labelAt(const std::vector<LayerDrawing::Label> &labels, const QPointF &p
         return label.text.startsWith(beginning) && label.place == place;
     });
     return found == labels.end() ? QString() : found->text;
+}
+
+double distanceOf(const QRectF &rect, const QPointF &point)
+{
+    return std::hypot(std::max({0.0, rect.left() - point.x(), point.x() - rect.right()}),
+                      std::max({0.0, rect.top() - point.y(), point.y() - rect.bottom()}));
+}
+
+/// Of a line without ends; 0 where it meets the rectangle.
+double distanceOf(const QRectF &rect, const QLineF &line)
+{
+    const QLineF normal = line.normalVector().unitVector();
+    double least = INFINITY;
+    double largest = -INFINITY;
+    for (const QPointF &corner :
+         {rect.topLeft(), rect.topRight(), rect.bottomLeft(), rect.bottomRight()}) {
+        const double side = QPointF::dotProduct(corner - line.p1(), normal.p2() - normal.p1());
+        least = std::min(least, side);
+        largest = std::max(largest, side);
+    }
+    return std::max({0.0, least, -largest});
 }
 
 /// A picture of a frame of 8 by 6 pixels in cells of 40.
@@ -250,6 +273,97 @@ private slots:
             }
         }
         QVERIFY2(shown >= 2, qPrintable(QString::number(shown)));
+    }
+
+    /// What is named beyond a small triangle stands on the line of its own edge.
+    void eachArrowOfASmallTriangleIsNearestToItsOwnNames_data()
+    {
+        QTest::addColumn<Triangle>("triangle");
+        QTest::newRow("small") << triangleAt(QPoint(20, 20), QPoint(31, 22), QPoint(25, 30));
+        QTest::newRow("smaller") << triangleAt(QPoint(20, 20), QPoint(26, 21), QPoint(23, 25));
+        QTest::newRow("turned over") << triangleAt(QPoint(20, 20), QPoint(25, 30), QPoint(31, 22));
+    }
+    void eachArrowOfASmallTriangleIsNearestToItsOwnNames()
+    {
+        QFETCH(Triangle, triangle);
+        Scene scene;
+        scene.method = "edge-equations";
+        scene.triangles = {triangle};
+        Look look(scene);
+        look.view.cell = 8;
+        const LayerDrawing drawing = look.drawing("half-planes");
+        QImage picture(scene.frame.width * 8, scene.frame.height * 8, QImage::Format_RGB32);
+        const LayerSurface surface{pictureTransform(scene.frame, {}, 8), picture.rect(),
+                                   LayerTone::Light};
+        QPainter painter(&picture);
+        LayerPainter layers;
+        layers.paintLabels(painter, drawing, surface, {});
+        QCOMPARE(layers.labels().size(), std::size_t(6));
+
+        // A dashed line and an arrow for each edge in turn; of the names the negative one is first.
+        QCOMPARE(drawing.lines.size(), std::size_t(6));
+        for (std::size_t name = 0; name < 6; ++name) {
+            const bool isNegative = drawing.labels[name].text.contains(QStringLiteral(" < 0"));
+            std::array<double, 3> distances{};
+            for (std::size_t edge = 0; edge < 3; ++edge) {
+                const LayerDrawing::Line &line = drawing.lines[2 * edge];
+                const QPointF arrow = drawing.lines[2 * edge + 1].from;
+                const QLineF seen = surface.fromSamples.map(QLineF(line.from, line.to));
+                distances[edge] = isNegative
+                    ? distanceOf(layers.labels()[name], surface.fromSamples.map(arrow))
+                    : distanceOf(layers.labels()[name], seen);
+            }
+            const auto nearest = std::ranges::min_element(distances) - distances.begin();
+            QVERIFY2(drawing.labels[name].text.startsWith(
+                         u'E' + QString(QChar(char16_t(u'₀' + nearest)))),
+                     qPrintable(drawing.labels[name].text));
+        }
+    }
+
+    void aNormalOfASolvedEdgeHasDigitsThatCount()
+    {
+        // F₀ = (y − y₀) − m·(x − x₀) over its value at the third vertex.
+        Scene scene;
+        scene.method = "edge-equations-solved";
+        scene.frame.firstColumn = 390;
+        scene.frame.firstRow = 290;
+        scene.triangles = {triangleAt(QPoint(400, 300), QPoint(440, 304), QPoint(410, 330))};
+        const QStringList texts = textsOf(Look(scene).drawing("half-planes").labels);
+
+        // −1/2600 and 1/260, −13/10280 and −3/2056, 1/300 and −1/900.
+        for (const char *text :
+             {"E₀ > 0, normal <−0.000385, 0.00385>", "E₁ > 0, normal <−0.00126, −0.00146>",
+              "E₂ > 0, normal <0.00333, −0.00111>"})
+            QVERIFY2(texts.contains(QString::fromUtf8(text)), qPrintable(texts.join(u'\n')));
+    }
+
+    void numbersInCellsHaveADigitThatCounts()
+    {
+        const auto text = [](std::int64_t numerator, std::int64_t denominator) {
+            return cellNumber(Quantity::rational(numerator, denominator));
+        };
+        QCOMPARE(text(-451, 4), QStringLiteral("−112.8"));
+        QCOMPARE(text(1, 3), QStringLiteral("0.33"));
+        QCOMPARE(text(-1, 70), QStringLiteral("−0.014"));
+        QCOMPARE(text(-1, 30000), QStringLiteral("−3e−05"));
+        QCOMPARE(text(0, 1), QStringLiteral("0"));
+        QCOMPARE(preciseNumber(Quantity::rational(-16, 1117)), QStringLiteral("−0.0143"));
+        QCOMPARE(preciseNumber(Quantity::rational(45, 2)), QStringLiteral("22.5"));
+    }
+
+    /// An edge whose middle is far outside has its arrow where it is seen.
+    void everyNameThatToldANormalHasAnArrowInView()
+    {
+        Scene scene;
+        scene.method = "edge-equations";
+        scene.triangles = {triangleAt(QPoint(-200, 20), QPoint(300, 22), QPoint(60, 25))};
+        Look look(scene);
+        look.view.cell = 12;
+        const LayerDrawing drawing = look.drawing("half-planes");
+        const QRectF frame(0, 0, scene.frame.width, scene.frame.height);
+        QCOMPARE(drawing.lines.size(), std::size_t(6));
+        for (const LayerDrawing::Line &line : drawing.lines)
+            QVERIFY(line.stroke != LayerDrawing::Stroke::Arrow || frame.contains(line.from));
     }
 
     void aFiguresLinesAreWhereANoteHadBetterNotStand()

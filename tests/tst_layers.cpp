@@ -185,10 +185,9 @@ private slots:
         look.view.cell = cell;
         const LayerDrawing drawing = look.drawing("half-planes");
 
-        QCOMPARE(drawing.labels.size(), std::size_t(3)); // what is negative has no name of its own
+        QCOMPARE(drawing.labels.size(), std::size_t(6)); // three positive sides, three negative
         const LayerDrawing::Area triangle{{{25, 24}, {31, 25}, {28, 29}}};
         for (const LayerDrawing::Label &label : drawing.labels) {
-            QVERIFY(label.text.contains(QStringLiteral("> 0, normal")));
             QVERIFY(!contains(triangle, label.place));
             QVERIFY(QRectF(0, 0, look.view.seen.endX, look.view.seen.endY).contains(label.place));
         }
@@ -373,6 +372,17 @@ private slots:
         const auto axis = std::ranges::find(drawing.labels, QStringLiteral("β = 0"),
                                             &LayerDrawing::Label::text);
         QVERIFY(QRectF(-0.5, -0.5, 64, 48).contains(axis->place));
+        // One colour, one line: a name has that of the line on which it stands.
+        for (const char *name : {"β = 0", "γ = 0", "β = 1", "γ = 1"}) {
+            const auto label = std::ranges::find(drawing.labels, QString::fromUtf8(name),
+                                                 &LayerDrawing::Label::text);
+            const auto line = std::ranges::find_if(drawing.lines, [&](const auto &each) {
+                const QPointF along = each.to - each.from;
+                const QPointF way = label->place - each.from;
+                return std::abs(along.x() * way.y() - along.y() * way.x()) < 1e-6;
+            });
+            QVERIFY2(line != drawing.lines.end() && line->ink == label->ink, name);
+        }
     }
 
     void everySampleOfAPixelIsAPoint()

@@ -60,6 +60,9 @@ private slots:
         add("226/27", Guess::Right);
         add("8.37", Guess::Right); // 8.370370…
         add("8.3704", Guess::Right);
+        add("8,37", Guess::Right);
+        add("8,3", Guess::Near);
+        add("8,370,4", Guess::Unread);
         add("8.4", Guess::Near); // too few places to tell
         add("8.3", Guess::Near);
         add("8.38", Guess::Wrong);

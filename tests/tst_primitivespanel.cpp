@@ -228,7 +228,7 @@ private slots:
             entries += entry->text();
             QCOMPARE(button(qPrintable(entry->objectName()))->isEnabled(), entry->isEnabled());
         }
-        QCOMPARE(entries, QStringList({"Earlier", "Later", "Colour…", "Hide", "Delete"}));
+        QCOMPARE(entries, QStringList({"Earlier", "Later", "Colour…", "Form", "Hide", "Delete"}));
 
         choose(*menu, "primitivesUp");
         QCOMPARE(document().scene().triangles[0], fourPrimitives().triangles[1]);
@@ -236,7 +236,7 @@ private slots:
         choose(*menu, "primitivesHide");
         QCOMPARE(document().hiddenCount(), 1);
         rightClick(m_tree->currentIndex());
-        QCOMPARE(menu->actions()[3]->text(), QStringLiteral("Show"));
+        QCOMPARE(menu->actions()[4]->text(), QStringLiteral("Show"));
         choose(*menu, "primitivesDelete");
         QCOMPARE(document().scene().triangles.size(), std::size_t(1));
         QCOMPARE(document().hiddenCount(), 0);

@@ -353,6 +353,21 @@ private slots:
                  QStringLiteral("The polygon does not cover it."));
     }
 
+    void aRefusedSampleHasTheNearestSpanOfItsRow()
+    {
+        Scene scene = polygonScene(ShapeFill::NonZero);
+        scene.method = "polygon-delaunay";
+        scene.shapes = {square(2, 2, 8)};
+        const auto traced = traceScene(scene);
+
+        // On the right side, which the rule leaves out: beside the second triangle, not the first.
+        const PixelAttempt attempt = pixelHistory(*traced, 10, 5).front();
+        QVERIFY(attempt.span);
+        QCOMPARE(attempt.span->endSample, std::int64_t(10));
+        QCOMPARE(attempt.span->upper, Quantity::integer(10));
+        QCOMPARE(pixelHistory(*traced, 0, 5).front().span->firstSample, std::int64_t(2));
+    }
+
     void edgesHaveTheNamesOfTheMethodsOwnOrder()
     {
         Scene scene;

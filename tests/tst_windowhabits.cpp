@@ -15,6 +15,8 @@
 #include <QClipboard>
 #include <QComboBox>
 #include <QDockWidget>
+#include <QLabel>
+#include <QMenu>
 #include <QScrollBar>
 #include <QTest>
 #include <QTextBlock>
@@ -56,6 +58,58 @@ class TestWindowHabits : public QObject {
 
 private slots:
     void init() { m_settings.clear(); }
+
+    void aLetterInAnOpenMenuChoosesItsEntry()
+    {
+        const auto window = openedWindow();
+        SceneDocument &document = *window->parts().document;
+        document.selectVertex(VertexRef{0, 0});
+        const QAction *differences = action(*window, "showDifferences");
+        QVERIFY(differences->shortcut() == QKeySequence(Qt::Key_D));
+        const bool wereMarked = differences->isChecked();
+        auto *menu = named<QMenu>(*window, "editMenu");
+        menu->popup(window->mapToGlobal(QPoint(40, 40)));
+        QVERIFY(QTest::qWaitForWindowExposed(menu));
+
+        QTest::keyClick(menu, Qt::Key_D); // "Delete the selected primitive"
+
+        QCOMPARE(document.primitiveCount(), 0);
+        QCOMPARE(differences->isChecked(), wereMarked);
+        QVERIFY(!menu->isVisible());
+    }
+
+    void noTwoEntriesOfAMenuHaveOneLetter()
+    {
+        const auto window = openedWindow();
+        for (const char *name : {"editMenu", "fileMenu"}) {
+            QString letters;
+            for (const QAction *entry : named<QMenu>(*window, name)->actions()) {
+                const qsizetype mark = entry->text().indexOf(u'&');
+                if (mark >= 0)
+                    letters += entry->text()[mark + 1].toLower();
+            }
+            for (const QChar letter : letters)
+                QVERIFY2(letters.count(letter) == 1, qPrintable(name + (u' ' + letters)));
+        }
+    }
+
+    void theStatusBarTellsOfThePixelThatKeysHavePicked()
+    {
+        const auto window = openedWindow();
+        const auto *field = named<QLabel>(*window, "statusPixel");
+        clickPixel(*window, {22, 18});
+        action(*window, "inspectTool")->trigger();
+        clickPixel(*window, {22, 18});
+        QVERIFY(field->text().startsWith(QStringLiteral("pixel (22, 18)")));
+        Canvas *canvas = window->parts().canvas;
+        QTest::keyClick(canvas, Qt::Key_Left);
+        QTest::keyClick(canvas, Qt::Key_Left);
+        QTest::keyClick(canvas, Qt::Key_Up);
+
+        QCOMPARE(window->parts().playhead->pickedPixel(), std::optional(QPoint(20, 19)));
+        QVERIFY2(field->text().startsWith(QStringLiteral("pixel (20, 19)")),
+                 qPrintable(field->text()));
+    }
 
     void theLinesOfTheMethodInHandAreInView()
     {

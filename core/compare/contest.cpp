@@ -4,6 +4,7 @@
 #include "core/check/casepicture.h"
 #include "core/compare/exactbounds.h"
 #include "core/runs/undrawn.h"
+#include "core/scan/choicenames.h"
 
 #include <algorithm>
 
@@ -223,6 +224,10 @@ PixelComparison comparePixel(const Contest &contest, std::int64_t x, std::int64_
             opinion.deviation = deviationAt(judged, x, y);
             opinion.words = textOf(opinion.deviation, judged, x, y);
         }
+        if (opinion.deviation.reason == Disagreement::None && pixel.reason == Disagreement::TieRule)
+            opinion.words
+                = QStringLiteral("as the truth under the rule %1: the sample lies on an edge")
+                      .arg(nameText(nameOf(run.contender.settings.fillRule)));
         if (opinion.words.isEmpty() && run.isUndrawn(x, y)) {
             const BoundaryRule rule(run.contender.settings, run.truth.view());
             opinion.words

@@ -71,9 +71,7 @@ std::optional<std::size_t> spanAt(const ScanTrace &trace, std::size_t primitive,
 {
     if (const std::optional<std::size_t> visit = trace.visitOf(primitive, x, y))
         return trace.spanOf(*visit);
-    if (const auto column = trace.spanOn(primitive, SpanAxis::Column, x))
-        return column;
-    return trace.spanOn(primitive, SpanAxis::Row, y);
+    return trace.spanNear(primitive, x, y);
 }
 
 /// Whether the arithmetic can hold the coordinates from which the increments start.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/affinewords.h"
 
+#include "core/layers/cellnumber.h"
 #include "core/number/widequantity.h"
 
 namespace pixelplumb {
@@ -20,8 +21,6 @@ Quantity quantityOf(const BigRational &number)
 {
     return quotientOf(numerator(number), denominator(number));
 }
-
-QString withMinus(QString text) { return text.replace(u'-', QChar(0x2212)); }
 
 /// "−3/7"; empty where it is longer than the style has it.
 QString fractionOf(const BigRational &number, const NumberStyle &style)

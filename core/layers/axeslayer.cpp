@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/cellnumber.h"
 #include "core/layers/clippedline.h"
 #include "core/layers/layers.h"
 
@@ -52,12 +53,12 @@ public:
                                   m_corners.at(value, lastAxisValue));
             const QLineF sameGamma(m_corners.at(firstAxisValue, value),
                                    m_corners.at(lastAxisValue, value));
-            m_drawing.lines.push_back({sameBeta.p1(), sameBeta.p2(),
-                                       isAxis ? LayerInk::Second : LayerInk::First, stroke});
-            m_drawing.lines.push_back({sameGamma.p1(), sameGamma.p2(),
-                                       isAxis ? LayerInk::First : LayerInk::Second, stroke});
-            appendName(QStringLiteral("β = %1").arg(value), sameBeta, LayerInk::First);
-            appendName(QStringLiteral("γ = %1").arg(value), sameGamma, LayerInk::Second);
+            const LayerInk ofBeta = isAxis ? LayerInk::Second : LayerInk::First;
+            const LayerInk ofGamma = isAxis ? LayerInk::First : LayerInk::Second;
+            m_drawing.lines.push_back({sameBeta.p1(), sameBeta.p2(), ofBeta, stroke});
+            m_drawing.lines.push_back({sameGamma.p1(), sameGamma.p2(), ofGamma, stroke});
+            appendName(QStringLiteral("β = %1").arg(value), sameBeta, ofBeta);
+            appendName(QStringLiteral("γ = %1").arg(value), sameGamma, ofGamma);
         }
     }
 
@@ -81,7 +82,7 @@ private:
         const std::optional<QLineF> visible = clipped(line, m_seen);
         if (visible)
             m_drawing.labels.push_back(
-                {text.replace(u'-', QChar(0x2212)),
+                {withMinus(text),
                  m_seen.contains(place) ? place : visible->pointAt(beforeFirstCrossing), ink});
     }
     void appendPoint(const QString &name, double beta, double gamma)

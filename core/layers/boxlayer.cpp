@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/cellnumber.h"
 #include "core/layers/layers.h"
 #include "core/polygons/contours.h"
 
@@ -91,7 +92,7 @@ public:
     {
         const QPointF place(std::clamp(corner.x(), m_left, m_right),
                             std::clamp(corner.y(), m_low, m_high));
-        m_drawing.labels.push_back({text.replace(u'-', QChar(0x2212)), place, ink});
+        m_drawing.labels.push_back({withMinus(text), place, ink});
     }
 
     /// Around the cells of its samples, with their first and last pixel at a corner.

@@ -5,13 +5,35 @@
 
 namespace pixelplumb {
 
+namespace {
+
+constexpr int mostPlaces = 6; ///< else a power of ten takes less room
+
+} // namespace
+
+QString withMinus(QString text) { return text.replace(u'-', QChar(0x2212)); }
+
 QString cellNumber(const Quantity &number)
 {
     if (number.isNone())
         return {};
-    const int places = std::abs(number.toDouble()) < 10 ? 2 : 1;
-    QString text = number.isInteger() ? toText(number) : toDecimal(number, places);
-    return text.replace(u'-', QChar(0x2212));
+    if (number.isInteger())
+        return withMinus(toText(number));
+    const double size = std::abs(number.toDouble());
+    if (size < 0.001)
+        return withMinus(QString::number(number.toDouble(), 'g', 1));
+    return withMinus(toDecimal(number, size < 0.1 ? 3 : size < 10 ? 2 : 1));
+}
+
+QString preciseNumber(const Quantity &number)
+{
+    const double size = std::abs(number.toDouble());
+    if (number.isNone() || number.isInteger() || size >= 1)
+        return cellNumber(number);
+    // With the places that bring three digits behind the zeros.
+    const int places = 2 - int(std::floor(std::log10(size)));
+    return withMinus(places <= mostPlaces ? toDecimal(number, places)
+                                          : QString::number(number.toDouble(), 'g', 3));
 }
 
 LayerInk inkOf(const Quantity &number)

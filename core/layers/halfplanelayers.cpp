@@ -5,8 +5,9 @@
 #include "core/layers/layers.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <iterator>
+#include <utility>
 
 namespace pixelplumb {
 
@@ -17,6 +18,7 @@ constexpr double normalOfEdge = 0.25; ///< of the edge's length
 // Logical pixels.
 constexpr double roomBesideEdge = 300; ///< of an edge so long; names beside a shorter one crowd
 constexpr double nameBeyondEdge = 96; ///< from a short edge's end to its name
+constexpr double clearOfVertices = 32; ///< of a name beyond an edge: the lines meet at vertices
 
 /// The part of the frame where an edge function is positive (Sutherland and Hodgman 1974).
 std::vector<QPointF> positiveSide(const EdgeLineNumbers &line, const FrameSpec &frame)
@@ -40,60 +42,120 @@ std::vector<QPointF> positiveSide(const EdgeLineNumbers &line, const FrameSpec &
     return kept.size() < 3 ? std::vector<QPointF>() : kept;
 }
 
-/// On an edge's line beyond one of its ends, where the triangle is not; in view if the end is.
-QPointF placeBeyond(const QPointF &end, const QPointF &otherEnd, const LayerMoment &moment)
+QRectF viewOf(const LayerMoment &moment)
 {
-    const QPointF along = end - otherEnd;
-    const double beyond = nameBeyondEdge / moment.view.cell;
-    const QLineF way(end, end + along / std::hypot(along.x(), along.y()) * beyond);
     const SampleBox seen = moment.seen();
-    const std::optional<QLineF> inView
-        = clipped(way,
-                  QRectF(QPointF(double(seen.firstX), double(seen.firstY)),
-                         QPointF(double(seen.endX), double(seen.endY))));
-    return inView ? inView->p2() : way.p2();
+    return {QPointF(double(seen.firstX), double(seen.firstY)),
+            QPointF(double(seen.endX), double(seen.endY))};
 }
 
-/// From the middle of the edge to its positive side; a point where the edge is one.
-QLineF arrowOf(const EdgeLineNumbers &line)
+/// An edge's line, so long that it crosses the frame.
+QLineF endlessLine(const EdgeLineNumbers &line, const FrameSpec &frame)
+{
+    const QPointF along = line.to - line.from;
+    const QPointF middle = line.from + along / 2;
+    const QPointF beyond = along / std::hypot(along.x(), along.y())
+        * (double(frame.width) + frame.height
+           + std::hypot(middle.x() - frame.firstColumn, middle.y() - frame.firstRow));
+    return {middle - beyond, middle + beyond};
+}
+
+/// What is seen of an edge, or else of its line; the edge where nothing is.
+QLineF seenOf(const EdgeLineNumbers &line, const LayerMoment &moment)
+{
+    const QLineF edge(line.from, line.to);
+    if (const std::optional<QLineF> seen = clipped(edge, viewOf(moment)); seen && !seen->isNull())
+        return *seen;
+    return clipped(endlessLine(line, moment.frame()), viewOf(moment)).value_or(edge);
+}
+
+/// On an edge's line beyond its ends, where the triangle is not and no other line is near: at both
+/// of them, at one or nowhere.
+std::vector<QPointF> placesBeyond(const EdgeLineNumbers &line, const QPointF &opposite,
+                                  const LayerMoment &moment)
+{
+    const double cell = moment.view.cell;
+    std::vector<QPointF> places;
+    for (const auto &[end, other] :
+         {std::pair(line.to, line.from), std::pair(line.from, line.to)}) {
+        const QPointF along = end - other;
+        const QLineF way(end,
+                         end + along / std::hypot(along.x(), along.y()) * nameBeyondEdge / cell);
+        const std::optional<QLineF> inView = clipped(way, viewOf(moment));
+        if (inView && QLineF(end, inView->p2()).length() * cell >= clearOfVertices
+            && QLineF(opposite, inView->p2()).length() * cell >= clearOfVertices)
+            places.push_back(inView->p2());
+    }
+    return places;
+}
+
+/// From the middle of what is seen of the edge to its positive side; a point where the edge is one.
+QLineF arrowOf(const EdgeLineNumbers &line, const LayerMoment &moment)
 {
     const QPointF normal(line.a.toDouble(), line.b.toDouble());
-    const QPointF along = line.to - line.from;
-    const double length = std::max(leastNormal, std::hypot(along.x(), along.y()) * normalOfEdge);
-    const QPointF unit = normal.isNull() ? QPointF() : normal / std::hypot(normal.x(), normal.y());
-    const QPointF middle = line.from + along / 2;
-    return {middle, middle + unit * length};
+    if (line.from == line.to || normal.isNull())
+        return {line.from, line.from};
+    const QLineF seen = seenOf(line, moment);
+    const double length = std::max(leastNormal, seen.length() * normalOfEdge);
+    const QPointF inward = normal / std::hypot(normal.x(), normal.y()) * length;
+    return {seen.center(), seen.center() + inward};
 }
 
-/// Each in its own half-plane, and not beside the arrow of another one.
-void appendNames(const EdgeLineNumbers &line, const QLineF &arrow, std::vector<QLineF> otherArrows,
-                 const LayerMoment &moment, LayerDrawing &drawing)
-{
-    // As the slides write it: DejaVu's ⟨ ⟩ look like ( ) in small type.
-    const QString name = QStringLiteral("%1 > 0, normal <%2, %3>")
-                             .arg(line.name, cellNumber(line.a), cellNumber(line.b));
-    const QPointF along = line.to - line.from;
-    const QPointF inward = arrow.p2() - arrow.p1();
-    const LayerDrawing::HalfPlane positive{arrow.p1(), inward};
-    const QPointF beyondTo = placeBeyond(line.to, line.from, moment);
-    const QPointF beyondFrom = placeBeyond(line.from, line.to, moment);
-    if (std::hypot(along.x(), along.y()) * moment.view.cell < roomBesideEdge) {
-        drawing.labels.push_back({name,
-                                  beyondTo,
-                                  LayerInk::Mark,
-                                  positive,
-                                  {beyondFrom, arrow.p2()},
-                                  std::move(otherArrows)});
-        return;
+/// A triangle's edges, and what is drawn of each.
+struct HalfPlanes {
+    EdgeLines edges;
+    std::array<QLineF, 3> arrows;
+
+    explicit HalfPlanes(const LayerMoment &moment)
+        : edges(edgeLinesOf(moment))
+    {
+        std::ranges::transform(edges.lines, arrows.begin(), [&moment](const EdgeLineNumbers &line) {
+            return arrowOf(line, moment);
+        });
     }
-    drawing.labels.push_back({name,
-                              arrow.p2(),
+
+    /// The arrows and lines of the other edges.
+    std::vector<QLineF> rivalsOf(std::size_t edge, const LayerMoment &moment) const
+    {
+        std::vector<QLineF> rivals;
+        for (std::size_t other = 0; other < 3; ++other) {
+            if (other == edge || arrows[other].isNull())
+                continue;
+            rivals.push_back(arrows[other]);
+            rivals.push_back(endlessLine(edges.lines[other], moment.frame()));
+        }
+        return rivals;
+    }
+};
+
+/// Each in its own half-plane, and not beside the arrow or the line of another one.
+void appendNames(const HalfPlanes &planes, std::size_t edge, const LayerMoment &moment,
+                 LayerDrawing &drawing)
+{
+    const EdgeLineNumbers &line = planes.edges.lines[edge];
+    const QLineF &arrow = planes.arrows[edge];
+    const QPointF inward = arrow.p2() - arrow.p1();
+    const QPointF &opposite = planes.edges.lines[(edge + 1) % 3].to;
+    std::vector<QPointF> places = placesBeyond(line, opposite, moment);
+    const double length = QLineF(line.from, line.to).length() * moment.view.cell;
+    // Names inside a small triangle would crowd it.
+    const std::array inside = {arrow.p2(), arrow.center(), arrow.p1()};
+    places.insert(length < roomBesideEdge ? places.end() : places.begin(), inside.begin(),
+                  inside.end());
+    drawing.labels.push_back({QStringLiteral("%1 < 0").arg(line.name),
+                              arrow.p1() - inward / 2,
+                              LayerInk::Negative,
+                              LayerDrawing::HalfPlane{arrow.p1(), -inward},
+                              {arrow.p1()},
+                              planes.rivalsOf(edge, moment)});
+    // As the slides write it: DejaVu's ⟨ ⟩ look like ( ) in small type.
+    drawing.labels.push_back({QStringLiteral("%1 > 0, normal <%2, %3>")
+                                  .arg(line.name, preciseNumber(line.a), preciseNumber(line.b)),
+                              places.front(),
                               LayerInk::Mark,
-                              positive,
-                              {arrow.center(), arrow.p1(), beyondTo, beyondFrom},
-                              std::move(otherArrows)});
-    drawing.labels.push_back({QStringLiteral("%1 < 0").arg(line.name), arrow.p1() - inward / 2,
-                              LayerInk::Negative, LayerDrawing::HalfPlane{arrow.p1(), -inward}});
+                              LayerDrawing::HalfPlane{arrow.p1(), inward},
+                              {places.begin() + 1, places.end()},
+                              planes.rivalsOf(edge, moment)});
 }
 
 void appendHalfPlane(const EdgeLineNumbers &line, const QLineF &arrow, const LayerMoment &moment,
@@ -102,34 +164,25 @@ void appendHalfPlane(const EdgeLineNumbers &line, const QLineF &arrow, const Lay
     const FrameSpec &frame = moment.frame();
     if (std::vector<QPointF> corners = positiveSide(line, frame); !corners.empty())
         drawing.areas.push_back({std::move(corners), LayerInk::Inside});
-    const QPointF along = line.to - line.from;
-    const QPointF middle = arrow.p1();
-    // Far enough for the line to cross the frame.
-    const QPointF beyond = along / std::hypot(along.x(), along.y())
-        * (double(frame.width) + frame.height
-           + std::hypot(middle.x() - frame.firstColumn, middle.y() - frame.firstRow));
+    const QLineF endless = endlessLine(line, frame);
     drawing.lines.push_back(
-        {middle - beyond, middle + beyond, LayerInk::Mark, LayerDrawing::Stroke::Dashed});
+        {endless.p1(), endless.p2(), LayerInk::Mark, LayerDrawing::Stroke::Dashed});
     drawing.lines.push_back({arrow.p1(), arrow.p2(), LayerInk::Mark, LayerDrawing::Stroke::Arrow});
 }
 
 void appendHalfPlanes(const LayerMoment &moment, std::size_t first, std::size_t end,
                       LayerDrawing &drawing)
 {
-    const EdgeLines edges = edgeLinesOf(moment);
-    std::vector<QLineF> arrows;
-    std::ranges::transform(edges.lines, std::back_inserter(arrows), arrowOf);
-    for (std::size_t line = first; line < end; ++line) {
-        if (!arrows[line].isNull()) // else the edge is a point
-            appendHalfPlane(edges.lines[line], arrows[line], moment, drawing);
+    const HalfPlanes planes(moment);
+    for (std::size_t edge = first; edge < end; ++edge) {
+        if (!planes.arrows[edge].isNull()) // else the edge is a point
+            appendHalfPlane(planes.edges.lines[edge], planes.arrows[edge], moment, drawing);
     }
-    for (std::size_t line = first; line < end; ++line) {
-        std::vector<QLineF> others = arrows;
-        others.erase(others.begin() + std::ptrdiff_t(line));
-        if (!arrows[line].isNull())
-            appendNames(edges.lines[line], arrows[line], std::move(others), moment, drawing);
+    for (std::size_t edge = first; edge < end; ++edge) {
+        if (!planes.arrows[edge].isNull())
+            appendNames(planes, edge, moment, drawing);
     }
-    if (edges.origin == NumberOrigin::Exact)
+    if (planes.edges.origin == NumberOrigin::Exact)
         drawing.notes.append(
             QStringLiteral("Half-planes: exact, since “%1” computes no edge functions")
                 .arg(moment.view.traced->method->title));

@@ -155,27 +155,36 @@ void LayerLabels::place(const LayerDrawing::Label &label)
         anchors.push_back(m_surface.fromSamples.map(other));
     std::erase_if(anchors, [this](const QPointF &anchor) { return !isNearView(anchor); });
     const QSizeF size = sizeOf(label.text);
-    const auto isPlacedWhere = [&](auto &&isFit) {
-        return std::ranges::any_of(anchors, [&](const QPointF &anchor) {
-            std::vector<QRectF> rects;
-            for (const QPointF &corner : placesAround(anchor, size)) {
-                const QRectF rect = movedInto({corner, size}, m_surface.view);
-                if (isWithin(rect, label.side) && isFit(rect, anchor))
-                    rects.push_back(rect);
-            }
-            return placeAt(label.text, anchor, label.ink, rects);
-        });
-    };
-    const auto isNearest = [&](const QRectF &rect, const QPointF &anchor) {
-        const double own = distanceOf(rect, QRectF(anchor, QSizeF()));
+    std::vector<Placed> places;
+    std::vector<QPointF> anchorOf;
+    for (const QPointF &anchor : anchors) {
+        for (const QPointF &corner : placesAround(anchor, size)) {
+            const QRectF rect = movedInto({corner, size}, m_surface.view);
+            if (!isWithin(rect, label.side) || !isFree(rect))
+                continue;
+            places.push_back({label.text, rect, leaderTo(rect, anchor), label.ink});
+            anchorOf.push_back(anchor);
+        }
+    }
+    const auto isNearest = [&](const Placed &place) {
+        const QPointF &anchor = anchorOf[std::size_t(&place - places.data())];
+        const double own = distanceOf(place.rect, QRectF(anchor, QSizeF()));
         return std::ranges::all_of(label.rivals, [&](const QLineF &rival) {
-            return distanceOf(rect, m_surface.fromSamples.map(rival)) > own;
+            return distanceOf(place.rect, m_surface.fromSamples.map(rival)) > own;
         });
     };
-    const bool isPlaced = isPlacedWhere(isNearest)
-        || (!label.rivals.empty()
-            && isPlacedWhere([](const QRectF &, const QPointF &) { return true; }));
-    m_omitted += !isPlaced && !anchors.empty() ? 1 : 0;
+    const auto isClear = [&](const Placed &place) { return isNearest(place) && isUnstruck(place); };
+    auto found = std::ranges::find_if(places, isClear);
+    if (found == places.end())
+        found = std::ranges::find_if(places, isNearest);
+    if (found == places.end())
+        found = std::ranges::find_if(places,
+                                     [this](const Placed &place) { return isUnstruck(place); });
+    if (found == places.end())
+        found = places.begin();
+    if (found != places.end())
+        m_placed.push_back(*found);
+    m_omitted += found == places.end() && !anchors.empty() ? 1 : 0;
 }
 
 void LayerLabels::placeBeside(const QString &text, const QRectF &bar, const QPointF &away,

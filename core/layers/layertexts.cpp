@@ -20,7 +20,7 @@ constexpr double leastEm = 6;
 constexpr double sampleGap = 1; ///< between a sample and a number
 
 constexpr double usedCell = 0.92; ///< of a cell's side
-constexpr float paperOpacity = 0.85F;
+constexpr float paperOpacity = 0.95F; // texts keep 4.5:1 on black and white
 
 using Pixel = std::pair<std::int64_t, std::int64_t>;
 using TextsByPixel = std::map<Pixel, std::vector<const LayerDrawing::CellText *>>;

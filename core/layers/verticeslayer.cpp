@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/layers/cellnumber.h"
 #include "core/layers/layers.h"
 #include "core/polygons/contours.h"
 
@@ -12,7 +13,7 @@ void appendVertex(const LayerMoment &moment, const QString &name, const LatticeP
     QString text = QStringLiteral("%1 (%2, %3)")
                        .arg(name, moment.inScene(vertex.x), moment.inScene(vertex.y));
     drawing.points.push_back({placeOf(vertex), LayerInk::Mark});
-    drawing.labels.push_back({text.replace(u'-', QChar(0x2212)), placeOf(vertex), LayerInk::Mark});
+    drawing.labels.push_back({withMinus(text), placeOf(vertex), LayerInk::Mark});
 }
 
 void appendTriangle(const LayerMoment &moment, LayerDrawing &drawing)

@@ -8,9 +8,9 @@ namespace {
 using Group = NumberGroup;
 
 /// The numbers of the crossing at this place; % stands for the subscript in titles, # for it in
-/// identifiers.
+/// identifiers. `edges` is what the edges are counted in.
 void appendCrossing(NumberTable<PolygonRowState> &table, std::size_t place,
-                    const QString &subscript, const QString &id)
+                    const QString &subscript, const QString &id, const QString &edges)
 {
     using Shown = Crossing<AnyArithmetic>;
     const NumberTable<Shown> pattern = {
@@ -25,8 +25,8 @@ void appendCrossing(NumberTable<PolygonRowState> &table, std::size_t place,
         {{.id = QStringLiteral("edge_#"),
           .title = QStringLiteral("e%"),
           .unit = {},
-          .toolTip = QStringLiteral("The edge that crosses at x%: its place in the contours, "
-                                    "from 0."),
+          .toolTip
+          = QStringLiteral("The edge that crosses at x%: its place in %1, from 0.").arg(edges),
           .formula = {},
           .group = Group::Span},
          [](const Shown &crossing) { return Quantity::integer(Int128(crossing.edge)); }},
@@ -170,8 +170,9 @@ NumberTable<PolygonRowState> polygonRowNumbers(PolygonForm form)
               .formula = {},
               .group = Group::Span},
              [](const PolygonRowState &row) { return Quantity::integer(row.drawnSamples()); }});
-        appendCrossing(numbers, 0, QStringLiteral("_L"), QStringLiteral("L"));
-        appendCrossing(numbers, 1, QStringLiteral("_R"), QStringLiteral("R"));
+        const QString edges = QStringLiteral("the row's triangle");
+        appendCrossing(numbers, 0, QStringLiteral("_L"), QStringLiteral("L"), edges);
+        appendCrossing(numbers, 1, QStringLiteral("_R"), QStringLiteral("R"), edges);
         return numbers;
     }
     numbers.push_back(
@@ -185,7 +186,8 @@ NumberTable<PolygonRowState> polygonRowNumbers(PolygonForm form)
           .group = Group::Span},
          [](const PolygonRowState &row) { return Quantity::integer(Int128(row.crossingCount)); }});
     for (std::size_t i = 0; i < shownCrossings(form); ++i)
-        appendCrossing(numbers, i, QChar(u'₀' + char16_t(i)), QString::number(i));
+        appendCrossing(numbers, i, QChar(u'₀' + char16_t(i)), QString::number(i),
+                       QStringLiteral("the contours"));
     return numbers;
 }
 

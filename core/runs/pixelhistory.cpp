@@ -53,10 +53,7 @@ void recall(PixelAttempt &attempt, const ScanTrace &trace, std::int64_t x, std::
         attempt.written = attempt.change.isWritten();
         return;
     }
-    auto span = trace.spanOn(attempt.primitive, SpanAxis::Column, x);
-    if (!span)
-        span = trace.spanOn(attempt.primitive, SpanAxis::Row, y);
-    if (span) {
+    if (const auto span = trace.spanNear(attempt.primitive, x, y)) {
         attempt.decided
             = trace.indexOfSpan(*span) + 1 + trace.endSampleOf(*span) - trace.firstSampleOf(*span);
         attempt.span = trace.span(*span);

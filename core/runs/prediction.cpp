@@ -80,6 +80,12 @@ QString reasonOf(const FormulaLine &line)
         : line.symbols + QStringLiteral(" = ") + line.substituted;
 }
 
+/// A decimal comma is a point; several commas are no decimal's.
+QString withPoint(QString typed)
+{
+    return typed.count(u',') == 1 ? typed.replace(u',', u'.') : typed;
+}
+
 /// How many digits stand behind the point; none of what is no decimal.
 int placesOf(const QString &typed)
 {
@@ -161,7 +167,7 @@ std::vector<Prediction> predictionsAfter(const TracedScene &traced, std::size_t 
 
 Guess judge(const Prediction &prediction, const QString &typed)
 {
-    const QString text = typed.trimmed().replace(u'−', u'-');
+    const QString text = withPoint(typed.trimmed().replace(u'−', u'-'));
     const auto read = parseReal(text, coordinateFormat);
     if (!read)
         return Guess::Unread;

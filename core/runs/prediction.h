@@ -53,8 +53,8 @@ enum class Guess {
 };
 /// A decimal with as many places counts when it is the value rounded to them.
 constexpr int leastPlaces = 2;
-/// What was typed: "9", "-8.63", "53/2", "8 10/27". All but decimals must be the value or what it
-/// would be without rounding; of a floating-point value, to its last places.
+/// What was typed: "9", "-8.63", "-8,63", "53/2", "8 10/27". All but decimals must be the value or
+/// what it would be without rounding; of a floating-point value, to its last places.
 Guess judge(const Prediction &prediction, const QString &typed);
 
 /// Whether it is the number, told in a form that says too little: no try is lost.

@@ -84,6 +84,34 @@ std::optional<std::size_t> ScanTrace::spanOn(std::size_t primitive, SpanAxis axi
     return std::nullopt;
 }
 
+std::optional<std::size_t> ScanTrace::spanNear(std::size_t primitive, std::int64_t x,
+                                               std::int64_t y) const
+{
+    std::optional<std::size_t> nearest = spanOn(primitive, SpanAxis::Column, x);
+    if (!nearest)
+        nearest = spanOn(primitive, SpanAxis::Row, y);
+    if (!nearest)
+        return std::nullopt;
+    const SpanPlace place = m_spans[*nearest].place;
+    const std::int64_t sample = place.axis == SpanAxis::Column ? y : x;
+    const auto distanceOf = [&](std::size_t index) {
+        const SpanRecord record = span(index);
+        return std::max(
+            {std::int64_t(0), record.firstSample - sample, sample - (record.endSample - 1)});
+    };
+    std::int64_t least = distanceOf(*nearest);
+    for (std::size_t other = *nearest + 1; least > 0 && other < endSpanOf(primitive); ++other) {
+        if (m_spans[other].place.axis != place.axis
+            || m_spans[other].place.coordinate != place.coordinate)
+            continue;
+        if (const std::int64_t distance = distanceOf(other); distance < least) {
+            least = distance;
+            nearest = other;
+        }
+    }
+    return nearest;
+}
+
 std::optional<std::size_t> ScanTrace::visitOf(std::size_t primitive, std::int64_t x,
                                               std::int64_t y) const
 {

@@ -1656,7 +1656,7 @@
         <translation>Gewähltes Pixel &amp;kopieren</translation>
     </message>
     <message>
-        <source>Copy the &amp;raster (ASCII)</source>
+        <source>Copy the raster (&amp;ASCII)</source>
         <translation>R&amp;aster kopieren (ASCII)</translation>
     </message>
     <message>
@@ -1672,11 +1672,11 @@
         <translation>&amp;Dreieck hinzufügen …</translation>
     </message>
     <message>
-        <source>C&amp;hange the triangle in hand…</source>
+        <source>Chan&amp;ge the triangle in hand…</source>
         <translation>Aktuelles Dreieck ä&amp;ndern …</translation>
     </message>
     <message>
-        <source>Close the &amp;polygon</source>
+        <source>Close the pol&amp;ygon</source>
         <translation>P&amp;olygon schließen</translation>
     </message>
     <message>
@@ -1684,7 +1684,7 @@
         <translation>Farbe des nä&amp;chsten Eckpunkts …</translation>
     </message>
     <message>
-        <source>Colour of the &amp;selected vertex…</source>
+        <source>Colour &amp;of the selected vertex…</source>
         <translation>&amp;Farbe des gewählten Eckpunkts …</translation>
     </message>
     <message>
@@ -1700,7 +1700,7 @@
         <translation>Behält das Primitiv und zeichnet es nicht (der Bereich Primitive blendet es wieder ein)</translation>
     </message>
     <message>
-        <source>Sho&amp;w all hidden primitives</source>
+        <source>Show all hidden primiti&amp;ves</source>
         <translation>Alle ausgeblendeten Primitive zei&amp;gen</translation>
     </message>
     <message>
@@ -1849,6 +1849,26 @@
     <message>
         <source>The plan does not fit into memory.</source>
         <translation>Der Plan passt nicht in den Speicher.</translation>
+    </message>
+    <message>
+        <source>Antialiasing that the scene asks for</source>
+        <translation>Antialiasing, das die Szene verlangt</translation>
+    </message>
+    <message>
+        <source>Antialiasing that the scene asks for: samples of a pixel, or the exact area; only pixels that an edge passes have more than one</source>
+        <translation>Antialiasing, das die Szene verlangt: Abtastpunkte eines Pixels oder die genaue Fläche; nur Pixel, durch die eine Kante geht, haben mehr als einen</translation>
+    </message>
+    <message>
+        <source>exact area</source>
+        <translation>genaue Fläche</translation>
+    </message>
+    <message>
+        <source>1 sample</source>
+        <translation>1 Abtastpunkt</translation>
+    </message>
+    <message>
+        <source>%1 samples</source>
+        <translation>%1 Abtastpunkte</translation>
     </message>
 </context>
 <context>
@@ -3413,10 +3433,6 @@
         <translation>Der Median aller Runden, mit den einfachen Kernen</translation>
     </message>
     <message>
-        <source>Beside the first row of the scene in the same arithmetic</source>
-        <translation>Neben der ersten Zeile der Szene in derselben Arithmetik</translation>
-    </message>
-    <message>
         <source>Root of the mean square over pixels and channels, from the exact area or from the truth of all effects</source>
         <translation>Wurzel aus dem mittleren Quadrat über Pixel und Kanäle, gegen die exakte Fläche oder die Wahrheit aller Effekte</translation>
     </message>
@@ -3439,6 +3455,10 @@
     <message>
         <source>%1, over %2</source>
         <translation>%1, über %2</translation>
+    </message>
+    <message>
+        <source>Beside the first row of the scene in the same arithmetic: the median of the rounds&apos; own ratios, which differs from the ratio of the medians where the machine did other work</source>
+        <translation>Neben der ersten Zeile der Szene in derselben Arithmetik: der Median der Verhältnisse der einzelnen Runden, der vom Verhältnis der Mediane abweicht, wenn der Rechner anderes zu tun hatte</translation>
     </message>
 </context>
 <context>
@@ -4117,10 +4137,6 @@
         <translation>Schließt einen Pfad aus Béziers, nimmt jede als Kette von Sehnen und füllt diese nach Parität oder Windungszahl; die Wahrheit ist die der Kurven selbst.</translation>
     </message>
     <message>
-        <source>Takes a line as the rectangle one pixel wide, a curve as a strip of quadrilaterals, and blends it by the area that it has of each pixel, or by 4 or 16 samples: equally bright in every direction.</source>
-        <translation>Nimmt eine Linie als das Rechteck von einem Pixel Breite, eine Kurve als Streifen von Vierecken, und mischt sie nach der Fläche, die sie von jedem Pixel hat, oder nach 4 oder 16 Abtastpunkten: in jeder Richtung gleich hell.</translation>
-    </message>
-    <message>
         <source>Intersects each row with the active edges, sorts the crossings in x, and fills by their parity or winding number.</source>
         <translation>Schneidet jede Zeile mit den aktiven Kanten, ordnet die Schnittpunkte nach x und füllt nach ihrer Parität oder Windungszahl.</translation>
     </message>
@@ -4147,6 +4163,10 @@
     <message>
         <source>Takes the outlines of the glyphs from a font and fills them as one polygon by winding number.</source>
         <translation>Nimmt die Umrisse der Zeichen aus einer Schrift und füllt sie als ein Polygon nach der Windungszahl.</translation>
+    </message>
+    <message>
+        <source>Takes a line as the rectangle one pixel wide, a curve as a strip of quadrilaterals, and blends it by the area that it has of each pixel, or by 4 or 16 samples, as the scene&apos;s antialiasing asks: equally bright in every direction. Where it asks for none, one sample decides a pixel: stairs.</source>
+        <translation>Nimmt eine Linie als das Rechteck von einem Pixel Breite, eine Kurve als Streifen von Vierecken, und mischt sie nach der Fläche, die sie von jedem Pixel hat, oder nach 4 oder 16 Abtastpunkten, wie das Antialiasing der Szene es verlangt: in jeder Richtung gleich hell. Verlangt sie keines, entscheidet ein Abtastpunkt über ein Pixel: Treppen.</translation>
     </message>
 </context>
 <context>
@@ -5117,10 +5137,6 @@
         <translation>Zwei Punkte anklicken, um eine Linie zu zeichnen</translation>
     </message>
     <message>
-        <source>Click the centre and a corner of the square around the circle</source>
-        <translation>Den Mittelpunkt und eine Ecke des Quadrats um den Kreis anklicken</translation>
-    </message>
-    <message>
         <source>Click the centre and a corner of the box around the ellipse</source>
         <translation>Den Mittelpunkt und eine Ecke des Rechtecks um die Ellipse anklicken</translation>
     </message>
@@ -5219,6 +5235,10 @@
     <message>
         <source>Click the next point</source>
         <translation>Den nächsten Punkt anklicken</translation>
+    </message>
+    <message>
+        <source>Click the centre and a corner of the square around the circle; Primitives ▸ Form makes it an ellipse</source>
+        <translation>Den Mittelpunkt und eine Ecke des Quadrats um den Kreis anklicken; Primitive ▸ Form macht eine Ellipse daraus</translation>
     </message>
 </context>
 <context>
@@ -5580,6 +5600,33 @@
     </message>
 </context>
 <context>
+    <name>pixelplumb::PrimitiveForms</name>
+    <message>
+        <source>Outlined</source>
+        <translation>Als Umriss</translation>
+    </message>
+    <message>
+        <source>Filled by parity (even-odd)</source>
+        <translation>Gefüllt nach Parität (gerade-ungerade)</translation>
+    </message>
+    <message>
+        <source>Filled by winding number (non-zero)</source>
+        <translation>Gefüllt nach Windungszahl (ungleich null)</translation>
+    </message>
+    <message>
+        <source>Filled</source>
+        <translation>Gefüllt</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Ellipse: its corner is free</source>
+        <translation>Ellipse: ihre Ecke ist frei</translation>
+    </message>
+</context>
+<context>
     <name>pixelplumb::PrimitiveListModel</name>
     <message>
         <source>several</source>
@@ -5720,6 +5767,14 @@
     <message>
         <source>. The camera makes the triangles of a solid; the Projection panel shows both</source>
         <translation>. Die Kamera macht die Dreiecke eines Körpers; die Ansicht „Projektion“ zeigt beides</translation>
+    </message>
+    <message>
+        <source>Form</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Of a circle an ellipse, outlined or filled: a list of what it can be</source>
+        <translation>Aus einem Kreis eine Ellipse, als Umriss oder gefüllt: eine Liste dessen, was es sein kann</translation>
     </message>
 </context>
 <context>
@@ -6036,6 +6091,10 @@
     <message>
         <source>delete solid</source>
         <translation>Körper löschen</translation>
+    </message>
+    <message>
+        <source>change form</source>
+        <translation>Form ändern</translation>
     </message>
 </context>
 <context>

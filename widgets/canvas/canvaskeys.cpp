@@ -98,6 +98,7 @@ bool CanvasKeys::handleArrow(QKeyEvent *event)
     const QPoint inFrame(direction->x(), upward ? -direction->y() : direction->y());
     switch (int(modifiersOf(*event))) {
     case Qt::NoModifier:
+        m_mouse.hoverAt(std::nullopt); // what is told is of the picked pixel
         m_playhead.nudgePick(inFrame.x(), inFrame.y());
         return true;
     case Qt::ControlModifier:

@@ -119,7 +119,7 @@ KeysDialog::KeysDialog(const QList<QMenu *> &menus, QWidget *parent)
     layout->addLayout(row);
     layout->addWidget(m_message);
     layout->addWidget(buttons);
-    resize(600, 640);
+    resize(600, 560); // on the lowest screen, too
 
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     connect(filter, &QLineEdit::textChanged, this, &KeysDialog::showOnly);

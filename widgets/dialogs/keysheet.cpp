@@ -102,7 +102,7 @@ KeySheet::KeySheet(const QList<QMenu *> &menus, QWidget *parent)
     layout->setSpacing(8);
     layout->addWidget(sheet);
     layout->addWidget(buttons);
-    resize(640, 640);
+    resize(640, 560); // on the lowest screen, too
 }
 
 QString keySheetHtml(const QList<QMenu *> &menus)

@@ -19,7 +19,7 @@ namespace {
 constexpr int firstCarriedColumn = 4; // behind the name, x, y and the colour
 constexpr std::array carriedNames = {"z", "w", "u", "v", "N_x", "N_y", "N_z"};
 constexpr std::size_t divisor = 1; // of them, w
-constexpr int placeWidth = 16; ///< of x and y, characters
+constexpr int besidePlace = 20; ///< of a field of x or y, logical px beside its text
 constexpr int depthWidth = 13; ///< of z: "0.333333333"
 constexpr int carriedWidth = 8; ///< of the others
 
@@ -188,7 +188,8 @@ void TriangleDialog::addVertex(QGridLayout *grid, int vertex, const Colour &colo
     row.y = addField(grid, vertex, 2, QStringLiteral("y"));
     for (QLineEdit *field : {row.x, row.y}) {
         field->setPlaceholderText(tr("26, 26.5 or 53/2"));
-        field->setMinimumWidth(field->fontMetrics().averageCharWidth() * placeWidth);
+        field->setMinimumWidth(field->fontMetrics().horizontalAdvance(field->placeholderText())
+                               + besidePlace);
     }
     row.colour = new ColourButton(tr("Colour of %1").arg(name), this);
     row.colour->setObjectName(QStringLiteral("vertex%1Colour").arg(vertex));

@@ -216,6 +216,8 @@ std::optional<SceneExports::Target> SceneExports::askForTarget(const QString &ti
     dialog.setObjectName(QStringLiteral("exportDialog"));
     dialog.setAcceptMode(QFileDialog::AcceptSave);
     dialog.setDefaultSuffix(suffix);
+    if (!m_scenePath.isEmpty() && !isExample(m_scenePath))
+        dialog.setDirectory(QFileInfo(m_scenePath).absolutePath());
     dialog.selectFile(proposedName(suffix));
     if (dialog.exec() != QDialog::Accepted)
         return std::nullopt;

@@ -17,7 +17,7 @@ constexpr int leftPadding = 12; // room for the sign of a change
 constexpr int rightPadding = 6;
 constexpr float inHandTint = 0.16F;
 constexpr float selectionTint = 0.22F;
-constexpr float aheadFade = 0.42F; // keeps 4.5:1 on black and white
+constexpr float aheadFade = 0.38F; // keeps 4.5:1 on black and white
 
 QColor backgroundOf(const QStyleOptionViewItem &option, const QModelIndex &index)
 {

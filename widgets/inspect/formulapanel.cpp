@@ -231,7 +231,7 @@ int FormulaPanel::formulasHeight(const Explanation &explanation) const
 void FormulaPanel::measureRun()
 {
     const TracedScene *traced = m_playhead->traced();
-    if (!isVisible() || !traced || traced->trace->stepCount() == 0)
+    if (!isVisible() || !traced)
         return; // its size is not its own yet, or there is nothing to be seen in it
     const std::tuple run(traced->method->id, traced->scene.settings.arithmetic,
                          m_formulas->viewport()->width());
@@ -240,6 +240,8 @@ void FormulaPanel::measureRun()
     int sentence = isOther ? 0 : m_sentence->minimumHeight();
     int formulas = 0;
     const ScanTrace &trace = *traced->trace;
+    if (trace.stepCount() == 0)
+        sentence = sentenceHeight(invitation(*m_playhead));
     const auto include = [&](std::size_t step) {
         if (step >= trace.stepCount() || trace.stepAt(step).kind == StepKind::SetUp)
             return;

@@ -2,7 +2,8 @@
 #include "widgets/inspect/primitivespanel.h"
 
 #include "widgets/inspect/coordinatedelegate.h"
-#include "widgets/look/colourbutton.h"
+#include "widgets/inspect/primitiveforms.h"
+#include "widgets/inspect/primitivestree.h"
 #include "widgets/model/primitivelistmodel.h"
 
 #include <QAction>
@@ -12,7 +13,6 @@
 #include <QMenu>
 #include <QScopedValueRollback>
 #include <QToolButton>
-#include <QTreeView>
 
 #include <algorithm>
 
@@ -31,7 +31,7 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     : QWidget(parent)
     , m_document(document)
     , m_model(new PrimitiveListModel(document, this))
-    , m_tree(new QTreeView(this))
+    , m_tree(new PrimitivesTree(this))
     , m_summary(new QLabel(this))
 {
     setObjectName(QStringLiteral("primitives"));
@@ -41,8 +41,6 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
     m_tree->setItemDelegate(new CoordinateDelegate(document, m_tree));
     m_tree->setUniformRowHeights(true);
     m_tree->setAllColumnsShowFocus(false);
-    m_tree->setEditTriggers(QAbstractItemView::DoubleClicked | QAbstractItemView::EditKeyPressed
-                            | QAbstractItemView::AnyKeyPressed);
     fitColumns();
     m_summary->setObjectName(QStringLiteral("primitivesSummary"));
     m_summary->setWordWrap(true);
@@ -72,6 +70,10 @@ PrimitivesPanel::PrimitivesPanel(SceneDocument *document, QWidget *parent)
         m_lastRow = index.parent().isValid() ? index.parent().row() : index.row();
     });
     connect(m_model, &QAbstractItemModel::modelReset, this, &PrimitivesPanel::followReset);
+    // A tree paints the changed rows of one level anew, not what stands below them.
+    connect(m_model, &QAbstractItemModel::dataChanged, m_tree->viewport(),
+            qOverload<>(&QWidget::update));
+    connect(m_tree, &PrimitivesTree::colourAsked, this, &PrimitivesPanel::chooseColour);
     connect(document, &SceneDocument::sceneChanged, this, &PrimitivesPanel::update);
     connect(m_tree, &QTreeView::expanded, this, &PrimitivesPanel::fitColumns);
     followSelection();
@@ -134,6 +136,11 @@ void PrimitivesPanel::addActions(QHBoxLayout *row)
     m_down = add("primitivesDown", tr("Later"), tr("Draw it after the one below"));
     m_colour = add("primitivesColour", tr("Colour…"),
                    tr("The colour of the vertex, or of all vertices of the primitive"));
+    m_form = add("primitivesForm", tr("Form"),
+                 tr("Of a circle an ellipse, outlined or filled: a list of what it can be"));
+    m_forms = new PrimitiveForms(m_document, this);
+    m_form->setMenu(m_forms);
+    findChild<QToolButton *>(m_form->objectName())->setPopupMode(QToolButton::InstantPopup);
     m_hide = add("primitivesHide", {}, {}); // as the row in hand has it
     m_remove = add("primitivesDelete", tr("Delete"), tr("Delete the primitive"));
     m_remove->setShortcutContext(Qt::WidgetShortcut); // a field in the list has the key itself
@@ -231,6 +238,8 @@ void PrimitivesPanel::update()
     m_up->setEnabled(canMove(-1));
     m_down->setEnabled(canMove(1));
     m_colour->setEnabled(ref || solid);
+    m_forms->offer(ref ? std::optional(ref->primitive) : std::nullopt);
+    m_form->setEnabled(m_forms->isEnabled());
     const bool showsAgain = isHidden || (solid && m_document->scene().solids[*solid].isHidden);
     m_hide->setEnabled(ref || isHidden || solid);
     m_remove->setEnabled(ref || isHidden || solid);
@@ -257,43 +266,6 @@ void PrimitivesPanel::moveBy(int places)
     const VertexRef moved{ref->primitive + places, ref->vertex};
     m_tree->setCurrentIndex(isWhole ? m_model->indexOfPrimitive(moved.primitive)
                                     : m_model->indexOf(moved));
-}
-
-void PrimitivesPanel::chooseColour()
-{
-    if (const auto solid = m_model->solidAt(m_tree->currentIndex()))
-        return chooseSolidColour(*solid);
-    const std::optional<VertexRef> ref = refInHand();
-    if (!ref)
-        return;
-    const bool isWhole = m_model->isPrimitive(m_tree->currentIndex());
-    const std::optional<Colour> colour
-        = askForColour(m_document->vertexAt(*ref)->colour,
-                       isWhole ? tr("Colour of the Primitive") : tr("Colour of the Vertex"), this);
-    if (!colour)
-        return;
-    if (isWhole)
-        m_document->setPrimitiveColour(ref->primitive, *colour);
-    else
-        m_document->setVertexColour(*ref, *colour);
-}
-
-void PrimitivesPanel::chooseSolidColour(std::size_t index)
-{
-    Solid solid = m_document->scene().solids[index];
-    const bool isOfCorners
-        = solid.kind == SolidKind::Triangle3 || solid.kind == SolidKind::Polygon3;
-    const std::optional<Colour> colour = askForColour(
-        isOfCorners ? solid.corners.front().colour : solid.colour, tr("Colour of the Solid"), this);
-    if (!colour)
-        return;
-    if (isOfCorners) {
-        for (SolidCorner &corner : solid.corners)
-            corner.colour = *colour;
-    } else {
-        solid.colour = *colour;
-    }
-    m_document->setSolid(index, solid, m_document->newDrag());
 }
 
 } // namespace pixelplumb

@@ -9,11 +9,12 @@ class QAction;
 class QHBoxLayout;
 class QLabel;
 class QMenu;
-class QTreeView;
 
 namespace pixelplumb {
 
 class PrimitiveListModel;
+class PrimitiveForms;
+class PrimitivesTree;
 
 /// The scene's primitives as a list (objectName "primitives"): chosen here they are chosen on the
 /// canvas, and the other way round; they change places in the drawing order, take another colour,
@@ -50,12 +51,14 @@ private:
 
     SceneDocument *m_document;
     PrimitiveListModel *m_model;
-    QTreeView *m_tree;
+    PrimitivesTree *m_tree;
     QLabel *m_summary;
     QMenu *m_menu = nullptr;
     QAction *m_up = nullptr;
     QAction *m_down = nullptr;
     QAction *m_colour = nullptr;
+    QAction *m_form = nullptr;
+    PrimitiveForms *m_forms = nullptr;
     QAction *m_hide = nullptr;
     QAction *m_remove = nullptr;
     int m_lastRow = -1; ///< of the primitive that was in hand before the list was built anew

@@ -40,7 +40,9 @@ LabEffects::LabEffects(QWidget *parent)
     headerItem()->setToolTip(int(EffectColumn::Time),
                              tr("The median of all rounds, by the plain kernels"));
     headerItem()->setToolTip(int(EffectColumn::Ratio),
-                             tr("Beside the first row of the scene in the same arithmetic"));
+                             tr("Beside the first row of the scene in the same arithmetic: the "
+                                "median of the rounds' own ratios, which differs from the ratio "
+                                "of the medians where the machine did other work"));
     headerItem()->setToolTip(int(EffectColumn::Error),
                              tr("Root of the mean square over pixels and channels, from the exact "
                                 "area or from the truth of all effects"));

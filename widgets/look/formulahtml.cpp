@@ -189,7 +189,7 @@ private:
     QString used(const FormulaLine &line) const
     {
         const bool isSame = isCompared(line, m_arithmetic) && isSameAsExact(line);
-        return QStringLiteral("<td align='right'>%1%2</td>")
+        return QStringLiteral("<td align='right' style='padding-left:12px'>%1%2</td>")
             .arg(isSame ? quiet(FormulaHtml::tr("exact")) + QStringLiteral("&nbsp; ") : QString(),
                  usedHtml(line, m_arithmetic));
     }

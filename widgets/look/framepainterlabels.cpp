@@ -38,7 +38,7 @@ constexpr std::array nameTurns
     = {0.0, 0.4, -0.4, 0.8, -0.8, 1.2, -1.2, 1.6, -1.6, 2.0, -2.0, 2.4, -2.4, 2.8, -2.8};
 
 constexpr double subscriptSize = 0.8; ///< of the symbol's
-constexpr float plateOpacity = 0.88F;
+constexpr float plateOpacity = 0.95F; // texts keep 4.5:1 on black and white
 
 QSizeF plateSize(const QSizeF &text) { return text + QSizeF(2 * platePadding, 2); }
 

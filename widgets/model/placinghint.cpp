@@ -28,7 +28,8 @@ QString invitation(PrimitiveKind kind)
     case PrimitiveKind::Line:
         return PlacingHint::tr("Click two points to draw a line");
     case PrimitiveKind::Circle:
-        return PlacingHint::tr("Click the centre and a corner of the square around the circle");
+        return PlacingHint::tr("Click the centre and a corner of the square around the circle; "
+                               "Primitives ▸ Form makes it an ellipse");
     case PrimitiveKind::Ellipse:
         return PlacingHint::tr("Click the centre and a corner of the box around the ellipse");
     case PrimitiveKind::Bezier:

@@ -90,6 +90,11 @@ PrimitiveKind SceneDocument::kindOf(int primitive) const
                                             : m_scene.shapes[index - m_scene.triangles.size()].kind;
 }
 
+const Shape &SceneDocument::shapeAt(int primitive) const
+{
+    return m_scene.shapes[std::size_t(primitive) - m_scene.triangles.size()];
+}
+
 std::vector<Vertex> SceneDocument::verticesOf(int primitive) const
 {
     const auto index = std::size_t(primitive);
@@ -167,10 +172,10 @@ void SceneDocument::reset(Scene scene)
     m_undoStack.clear();
     markSaved();
     emit opened();
+    tellSceneChanged(); // first: what lists the scene must not be asked for one that is gone
     emit selectionChanged();
     emit pendingChanged();
     emit nextColourChanged();
-    tellSceneChanged();
     tellAdaptation(asked);
 }
 

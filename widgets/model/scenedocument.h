@@ -49,6 +49,7 @@ public:
     /// What placed vertices make: the kind that the scene's method draws.
     PrimitiveKind placedKind() const;
     PrimitiveKind kindOf(int primitive) const;
+    const Shape &shapeAt(int primitive) const; ///< of what is no triangle
     /// Of the triangles and the shapes; a solid's triangles are none of the document's.
     int primitiveCount() const { return int(m_scene.triangles.size() + m_scene.shapes.size()); }
     /// The vertices of a primitive, by number.
@@ -98,6 +99,8 @@ public slots:
     /// Makes a polygon of the pending vertices.
     void closePending();
     void setText(int primitive, const QString &text); ///< of a text
+    /// The same vertices in another form: of another kind, or filled otherwise.
+    void setForm(int primitive, const Shape &shape);
     void deletePrimitive(int primitive);
     /// Keeps it out of the picture, and out of the numbers of the others.
     void hidePrimitive(int primitive);

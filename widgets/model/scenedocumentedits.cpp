@@ -140,6 +140,15 @@ void SceneDocument::setText(int primitive, const QString &text)
         edit(tr("change text"), before, after);
 }
 
+void SceneDocument::setForm(int primitive, const Shape &shape)
+{
+    const ScenePiece before = pieceWith(primitive);
+    ScenePiece after = before;
+    after.run.shapes.front() = shape;
+    if (after != before)
+        edit(tr("change form"), before, after);
+}
+
 void SceneDocument::deleteVertex(const VertexRef &ref)
 {
     if (ref.primitive != VertexRef::pending) {

@@ -57,7 +57,8 @@ private:
     void drawEye(QPainter &painter);
     void drawLine(QPainter &painter, const Point &from, const Point &to) const;
     /// Beside a position of the widget, where no other name stands yet.
-    void drawName(QPainter &painter, const QString &name, const QPointF &position);
+    void drawName(QPainter &painter, const QString &name, const QPointF &position,
+                  const QPointF &wished);
 
     std::optional<SideScene> m_scene;
     std::optional<SideFace> m_face;

@@ -22,6 +22,13 @@ QColor faint(QColor colour, double opacity)
     return colour;
 }
 
+/// From the middle of a polygon to one of its corners, by signs.
+QPointF sideAwayFrom(const QPolygonF &polygon, int corner)
+{
+    const QPointF away = polygon[corner] - polygon.boundingRect().center();
+    return {away.x() < 0 ? -1.0 : 1.0, away.y() > 0 ? 1.0 : -1.0};
+}
+
 } // namespace
 
 void SideView::paintEvent(QPaintEvent * /*event*/)
@@ -57,17 +64,20 @@ void SideView::drawLine(QPainter &painter, const Point &from, const Point &to) c
         painter.drawLine(*seen);
 }
 
-void SideView::drawName(QPainter &painter, const QString &name, const QPointF &position)
+/// On the side that is given by signs, where there is room; with a line to it from farther away.
+void SideView::drawName(QPainter &painter, const QString &name, const QPointF &position,
+                        const QPointF &wished)
 {
     const QFontMetricsF metrics(painter.font());
     const QSizeF size(metrics.horizontalAdvance(name), metrics.height());
     const QRectF area(rect());
     QRectF place;
-    // To the right above, then round about the position, then farther away; the first free one, or
+    // On the wished side, then round about the position, then farther away; the first free one, or
     // the first of all.
+    std::array sides = {QPointF(1, -1), QPointF(-1, -1), QPointF(1, 1), QPointF(-1, 1)};
+    std::ranges::stable_partition(sides, [&](const QPointF &side) { return side == wished; });
     for (const double distance : {nameDistance, 4 * nameDistance, 7 * nameDistance}) {
-        for (const QPointF &side :
-             {QPointF(1, -1), QPointF(-1, -1), QPointF(1, 1), QPointF(-1, 1)}) {
+        for (const QPointF &side : sides) {
             QRectF tried(position + side * distance, size);
             tried.translate(side.x() < 0 ? -size.width() : 0, -size.height() / 2);
             if (place.isNull())
@@ -80,6 +90,8 @@ void SideView::drawName(QPainter &painter, const QString &name, const QPointF &p
                 continue;
             place = tried;
             m_names.push_back(place);
+            if (distance > nameDistance)
+                painter.drawLine(position, position + side * distance);
             painter.drawText(place, Qt::AlignCenter | Qt::TextDontClip, name);
             return;
         }
@@ -111,9 +123,10 @@ void SideView::drawPlane(QPainter &painter, const SideScene::Rectangle &plane, c
     painter.setBrush(Qt::NoBrush);
     painter.setPen(text);
     const QRectF box = polygon.boundingRect();
-    // The near plane's name below, the other's above, where both planes stand close together.
+    // Each on the side where the other plane is not.
     const bool isNear = &plane == &m_scene->nearPlane;
-    drawName(painter, name, isNear ? box.bottomRight() : box.topRight());
+    drawName(painter, name, isNear ? box.bottomLeft() : box.topRight(),
+             isNear ? QPointF(-1, 1) : QPointF(1, -1));
 }
 
 void SideView::drawRays(QPainter &painter) const
@@ -143,7 +156,8 @@ void SideView::drawFace(QPainter &painter)
     painter.drawPolygon(polygonOf(m_face->clipped));
     painter.setPen(text);
     for (std::size_t i = 0; i < m_face->vertices.size(); ++i)
-        drawName(painter, faceVertexName(i), positionOf(m_face->vertices[i]));
+        drawName(painter, faceVertexName(i), positionOf(m_face->vertices[i]),
+                 sideAwayFrom(polygonOf(m_face->vertices), int(i)));
 }
 
 /// The face's picture, each corner in its colour.
@@ -163,7 +177,8 @@ void SideView::drawPicture(QPainter &painter)
         painter.setPen(QPen(palette().color(QPalette::Text), 1));
         painter.setBrush(QColor(packed(m_face->colours[i])));
         painter.drawEllipse(positionOf(m_face->picture[i]), dotRadius, dotRadius);
-        drawName(painter, clippedCornerName(i), positionOf(m_face->picture[i]));
+        drawName(painter, clippedCornerName(i), positionOf(m_face->picture[i]),
+                 sideAwayFrom(polygonOf(m_face->picture), int(i)));
     }
     painter.setBrush(Qt::NoBrush);
 }
@@ -195,7 +210,7 @@ void SideView::drawEye(QPainter &painter)
     painter.setBrush(palette().color(QPalette::Text));
     painter.drawEllipse(eye, dotRadius, dotRadius);
     drawName(painter, m_scene->isPerspective ? tr("eye") : tr("eye (far away)"),
-             eye + QPointF(nameDistance, -nameDistance));
+             eye + QPointF(nameDistance, -nameDistance), {1, -1});
 }
 
 } // namespace pixelplumb

@@ -129,6 +129,7 @@ SurfacesPanel::SurfacesPanel(SceneDocument *document, Playhead *playhead, QWidge
     m_forms->setAccessibleName(tr("Forms of curves and surfaces"));
     m_forms->setFrameShape(QFrame::NoFrame);
     m_forms->setFont(tabularFont(font()));
+    m_forms->setWordWrapMode(QTextOption::WordWrap); // not in the middle of a number
     m_segmentSentence->setWordWrap(true);
     m_segments->verticalHeader()->hide();
     auto *sliders = new QHBoxLayout;

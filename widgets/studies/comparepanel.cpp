@@ -2,6 +2,7 @@
 #include "widgets/studies/comparepanel.h"
 
 #include "core/runs/sceneplan.h"
+#include "widgets/look/scrolledlabel.h"
 #include "widgets/model/playhead.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/studies/agreementview.h"
@@ -39,11 +40,8 @@ ComparePanel::ComparePanel(Playhead *playhead, QWidget *parent)
     map->addWidget(m_agreement, 1);
     map->addWidget(m_legend);
     m_row->addLayout(map, 1);
-    m_reason = new QLabel(this);
-    m_reason->setObjectName(QStringLiteral("compareReason"));
-    m_reason->setWordWrap(true);
-    m_reason->setAccessibleName(tr("Why the picked pixel differs"));
-    m_reason->setTextInteractionFlags(Qt::TextSelectableByMouse);
+    m_reason = new ScrolledLabel(QStringLiteral("compareReason"),
+                                 tr("Why the picked pixel differs"), this);
     layout->addWidget(m_reason);
 
     connect(&m_job, &Job::progressChanged, this, &ComparePanel::tellProgress);
@@ -190,7 +188,7 @@ void ComparePanel::cancel()
 {
     m_job.cancel();
     m_reason->setText(tr("The comparison was cancelled. Change a pane or the scene to start it "
-                         "again."));
+                  "again."));
 }
 
 void ComparePanel::restart()
@@ -293,7 +291,7 @@ void ComparePanel::tellPixel()
         return m_reason->setText(tr("What lies ahead is hidden while Predict asks."));
     const QString carried = isHidden ? QString() : carriedText(*m_contest);
     m_reason->setText(pixelText(*m_contest, picked, m_playhead->ahead())
-                      + (carried.isEmpty() ? QString() : u'\n' + carried));
+               + (carried.isEmpty() ? QString() : u'\n' + carried));
 }
 
 } // namespace pixelplumb

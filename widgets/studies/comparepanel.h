@@ -19,6 +19,7 @@ class AgreementView;
 class CompareLink;
 class ComparePane;
 class Playhead;
+class ScrolledLabel;
 
 /// Two to four contenders draw the playhead's scene side by side, each at the place where the
 /// playhead is, with one zoom; beside them the map of where they agree, and below the reason for
@@ -69,7 +70,7 @@ private:
     QBoxLayout *m_row = nullptr;
     AgreementView *m_agreement = nullptr;
     QLabel *m_legend = nullptr;
-    QLabel *m_reason = nullptr;
+    ScrolledLabel *m_reason = nullptr;
     QToolButton *m_more = nullptr;
     QToolButton *m_fewer = nullptr;
     QProgressBar *m_progress = nullptr;

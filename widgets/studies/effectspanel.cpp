@@ -71,31 +71,6 @@ EffectsPanel::EffectsPanel(SceneDocument *document, EffectSwitches *switches, QW
     forget();
 }
 
-QBoxLayout *EffectsPanel::controls()
-{
-    m_measure = new QPushButton(tr("Measure"), this);
-    m_measure->setObjectName(QStringLiteral("effectsMeasure"));
-    m_measure->setToolTip(tr("Draw the scene again and again with each effect on and off, all "
-                             "others as called for, by the plain kernels"));
-    m_cancel = new QPushButton(tr("Cancel"), this);
-    m_cancel->setObjectName(QStringLiteral("effectsCancel"));
-    m_cancel->setEnabled(false);
-    auto *row = new QHBoxLayout;
-    row->setSpacing(8);
-    row->addWidget(m_measure);
-    row->addWidget(m_cancel);
-    row->addWidget(m_summary, 1);
-    connect(m_measure, &QPushButton::clicked, this, &EffectsPanel::measure);
-    connect(m_cancel, &QPushButton::clicked, this, &EffectsPanel::cancel);
-    const auto showState = [this] {
-        m_cancel->setEnabled(m_measureJob.isRunning());
-        m_measure->setEnabled(!m_measureJob.isRunning());
-    };
-    connect(&m_measureJob, &Job::started, this, showState);
-    connect(&m_measureJob, &Job::ended, this, showState);
-    return row;
-}
-
 void EffectsPanel::makeTable()
 {
     m_table->setObjectName(QStringLiteral("effectsTable"));
@@ -168,6 +143,8 @@ void EffectsPanel::forget()
     m_timing.reset();
     m_switches->setChanges(nullptr);
     m_isStale = true;
+    m_samples->setCurrentIndex(
+        m_samples->findData(int(m_document->scene().appearance.antialiasing)));
     showSwitches();
     showTiming();
     follow();

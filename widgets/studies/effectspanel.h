@@ -58,6 +58,7 @@ private:
     static Finding findingOf(const Scene &scene);
 
     QBoxLayout *controls();
+    void addSamples(QBoxLayout *row);
     void makeTable();
     void addSwitch(int row, Effect effect);
     std::shared_ptr<const Scene> drawnScene() const;
@@ -70,6 +71,7 @@ private:
 
     SceneDocument *m_document;
     EffectSwitches *m_switches;
+    QComboBox *m_samples = nullptr;
     QPushButton *m_measure = nullptr;
     QPushButton *m_cancel = nullptr;
     QLabel *m_summary;

@@ -127,6 +127,7 @@ void PrecisionPlot::plot(const std::vector<BoundErrors> &errors, PlottedBound bo
 void PrecisionPlot::showPlaces(std::int64_t first, std::int64_t last)
 {
     m_plot->xAxis->setRange(double(first), double(last) + 1);
+    replot(); // the labels of marks stand on the side that has room
 }
 
 void PrecisionPlot::setPlaceInHand(const std::optional<SpanPlace> &place)
@@ -239,10 +240,13 @@ void PrecisionPlot::addFirstWrong(const BoundErrors &errors)
                    + QStringLiteral(" %1").arg(wrong.place.coordinate));
     label->setFont(font());
     label->setColor(colour);
-    label->setPositionAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-    label->setPadding(QMargins(12, 0, 0, 0));
-    label->setClipToAxisRect(false);
-    label->position->setCoords(double(wrong.place.coordinate), m_scale.toAxis(valueOf(wrong)));
+    label->setPadding(QMargins(12, 0, 12, 0));
+    // On that side of the mark where the plot goes on: on the other one the legend would cover it.
+    const double place = double(wrong.place.coordinate);
+    const Qt::Alignment side
+        = place > m_plot->xAxis->range().center() ? Qt::AlignRight : Qt::AlignLeft;
+    label->setPositionAlignment(side | Qt::AlignVCenter);
+    label->position->setCoords(place, m_scale.toAxis(valueOf(wrong)));
 }
 
 void PrecisionPlot::addFences()

@@ -79,7 +79,7 @@ void EditMenu::addClipboard()
         = addMenuAction(this, "copyPixel", tr("&Copy the picked pixel"), QKeySequence::Copy,
                         [exports] { exports->copyPickedPixel(); });
     confineKeyTo(m_parts.canvas, copyPixel);
-    addMenuAction(this, "copyRaster", tr("Copy the &raster (ASCII)"),
+    addMenuAction(this, "copyRaster", tr("Copy the raster (&ASCII)"),
                   Qt::CTRL | Qt::SHIFT | Qt::Key_C, [exports] { exports->copyRaster(); });
     MessageBar *bar = m_parts.messageBar;
     QAction *copyNote = addMenuAction(this, "copyNote", tr("Copy the last not&e"), {},
@@ -109,17 +109,17 @@ void EditMenu::addVertices(QWidget *window)
                       document->addTriangle(typed.triangle, typed.attributes);
                   });
     QAction *change
-        = addMenuAction(this, "editTriangle", tr("C&hange the triangle in hand…"),
+        = addMenuAction(this, "editTriangle", tr("Chan&ge the triangle in hand…"),
                         Qt::CTRL | Qt::SHIFT | Qt::Key_T, [this, window] { editSelected(window); });
     QAction *close
-        = addMenuAction(this, "closePolygon", tr("Close the &polygon"), Qt::CTRL | Qt::Key_Return,
+        = addMenuAction(this, "closePolygon", tr("Close the pol&ygon"), Qt::CTRL | Qt::Key_Return,
                         [document] { document->closePending(); });
     const auto updateClose = [document, close] { close->setEnabled(document->canClosePending()); };
     connect(document, &SceneDocument::pendingChanged, this, updateClose);
     updateClose();
     addMenuAction(this, "nextVertexColour", tr("Colour of the &next vertex…"), {},
                   [this, window] { chooseNextColour(window); });
-    QAction *colour = addMenuAction(this, "vertexColour", tr("Colour of the &selected vertex…"), {},
+    QAction *colour = addMenuAction(this, "vertexColour", tr("Colour &of the selected vertex…"), {},
                                     [this, window] { chooseColourOfSelected(window); });
     QAction *remove = addMenuAction(this, "deleteSelected", tr("&Delete the selected primitive"),
                                     QKeySequence::Delete, [this] { deleteSelected(); });
@@ -132,7 +132,7 @@ void EditMenu::addVertices(QWidget *window)
                                   });
     hide->setToolTip(tr("Keeps the primitive and does not draw it (the Primitives panel shows it "
                         "again)"));
-    QAction *show = addMenuAction(this, "showAllHidden", tr("Sho&w all hidden primitives"),
+    QAction *show = addMenuAction(this, "showAllHidden", tr("Show all hidden primiti&ves"),
                                   Qt::CTRL | Qt::SHIFT | Qt::Key_H,
                                   [document] { document->showAllHidden(); });
     const auto updateShow

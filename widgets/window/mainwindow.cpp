@@ -33,6 +33,7 @@
 #include "widgets/window/filemenu.h"
 #include "widgets/window/helpmenu.h"
 #include "widgets/window/layersmenu.h"
+#include "widgets/window/menukeys.h"
 #include "widgets/window/methodbar.h"
 #include "widgets/window/methodmenu.h"
 #include "widgets/window/stepmenu.h"
@@ -81,6 +82,7 @@ MainWindow::MainWindow(QWidget *parent)
     connectParts();
     connectStudies(m_parts, *m_docks, this);
     m_docks->panel<PrimitivesPanel>()->takeKeysOf(m_editMenu->deletion());
+    new MenuKeys(this);
     new WheelGuard(this);
     auto *playKey = new PlayKey(this);
     auto *escapeKey = new EscapeKey(m_parts.canvas, this);

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/model/scenedocument.h"
+
+#include <QMenu>
+
+namespace pixelplumb {
+
+/// The forms that a primitive can take where it stands: a circle or an ellipse, outlined or filled,
+/// by either rule. The one that it has is checked; another one is an edit that can be undone.
+class PrimitiveForms : public QMenu {
+    Q_OBJECT
+
+public:
+    explicit PrimitiveForms(SceneDocument *document, QWidget *parent = nullptr);
+
+    /// Those of this primitive; none of none, of a triangle and of a line.
+    void offer(std::optional<int> primitive);
+
+private:
+    void add(const QString &text, const Shape &form);
+
+    SceneDocument *m_document;
+    int m_primitive = -1;
+};
+
+} // namespace pixelplumb

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTreeView>
+
+namespace pixelplumb {
+
+/// The view of a PrimitiveListModel. F2 or Enter edits a vertex, x first; Tab goes on to y, then to
+/// the next vertex. A double click on a colour, or Enter on a primitive, asks for another colour.
+class PrimitivesTree : public QTreeView {
+    Q_OBJECT
+
+public:
+    explicit PrimitivesTree(QWidget *parent = nullptr);
+
+signals:
+    /// Of the row in hand.
+    void colourAsked();
+
+protected:
+    void keyPressEvent(QKeyEvent *event) override;
+    void mouseDoubleClickEvent(QMouseEvent *event) override;
+    /// Between the numbers of a row before the next one.
+    QModelIndex moveCursor(CursorAction action, Qt::KeyboardModifiers modifiers) override;
+
+private:
+    bool editCurrent();
+};
+
+} // namespace pixelplumb
