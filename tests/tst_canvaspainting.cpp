@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/polygons/textoutlines.h"
 #include "tests/support/canvasbench.h"
+#include "tests/support/framespec.h"
+#include "tests/support/shapes.h"
 #include "tests/support/spacescenes.h"
 #include "widgets/files/svgexport.h"
 
@@ -38,6 +40,7 @@ private slots:
     void differencesAppearOnlyWhenDecided();
     void theClippedPolygonIsDrawnWhereItIsWanted();
     void figureHoldsCellsNamesAndColumn();
+    void figureNamesTheCornersOfAPolygon();
     void figureHoldsTheLayers();
     void figureHoldsWhatLayersSayBesideThem_data();
     void figureHoldsWhatLayersSayBesideThem();
@@ -206,6 +209,20 @@ void TestCanvasPainting::figureHoldsCellsNamesAndColumn()
     for (const char *text : {"P0", "P1", "P2", "y", "B", "T", "10", "60"})
         QVERIFY2(texts.contains(QLatin1String(text)), text);
     QCOMPARE(svgFigure(bench.playhead, bench.options), figure);
+}
+
+void TestCanvasPainting::figureNamesTheCornersOfAPolygon()
+{
+    Shape polygon;
+    polygon.kind = PrimitiveKind::Polygon;
+    for (const auto &[x, y] :
+         {std::pair(4, 4), std::pair(30, 6), std::pair(34, 30), std::pair(9, 28)})
+        polygon.vertices.push_back({latticePixel(x, y), Colour{{255, 0, 0}}});
+    CanvasBench bench(sceneOf(polygon, "polygon-parity", frameOf(40, 40)));
+
+    const QStringList texts = textsIn(svgFigure(bench.playhead, bench.options));
+    for (const char *text : {"P0", "P1", "P2", "P3"})
+        QVERIFY2(texts.contains(QLatin1String(text)), text);
 }
 
 void TestCanvasPainting::figureHoldsTheLayers()

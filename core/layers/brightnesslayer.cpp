@@ -52,11 +52,16 @@ bool isInFrame(const LayerMoment &moment, const QPointF &place)
 
 QString figure(double number) { return QString::number(number, 'f', 2); }
 
+QPointF normalOf(const QLineF &line)
+{
+    const QLineF across = line.normalVector().unitVector();
+    return {across.dx(), across.dy()};
+}
+
 /// As much light as the line is long: a band one pixel wide.
 void drawEvenLine(const QLineF &line, LayerDrawing &drawing)
 {
-    const QLineF across = line.normalVector().unitVector();
-    const QPointF normal(across.dx(), across.dy());
+    const QPointF normal = normalOf(line);
     const QPointF near = normal * (asideBy - 0.5);
     const QPointF far = normal * (asideBy + 0.5);
     drawing.areas.push_back(
@@ -75,6 +80,8 @@ void drawBrightness(const LayerMoment &moment, LayerDrawing &drawing)
             "Brightness by direction: only of a line of 1 px or more that lies in the frame"));
         return;
     }
+    // The even line is on the other side.
+    const LayerDrawing::HalfPlane side{line.center(), -normalOf(line)};
     const Pixels pixels = pixelsOf(moment);
     const ScanTrace &trace = moment.trace();
     const std::size_t end = trace.endSpanOf(moment.primitive);
@@ -83,8 +90,11 @@ void drawBrightness(const LayerMoment &moment, LayerDrawing &drawing)
     if (!isDone || pixels.size() < 2) {
         const QString count = pixels.size() == 1 ? QStringLiteral("1 pixel")
                                                  : QStringLiteral("%1 pixels").arg(pixels.size());
-        drawing.labels.push_back(
-            {isDone ? count : count + QStringLiteral(" so far"), line.center(), LayerInk::First});
+        drawing.labels.push_back({isDone ? count : count + QStringLiteral(" so far"),
+                                  line.center(),
+                                  LayerInk::First,
+                                  side,
+                                  {line.p1(), line.p2()}});
         return;
     }
     // From the first pixel to the last there is a pixel fewer than the line has.
@@ -93,7 +103,10 @@ void drawBrightness(const LayerMoment &moment, LayerDrawing &drawing)
     drawing.labels.push_back(
         {QStringLiteral("(%1 − 1) pixels / %2 px = %3 a px; even with %4 times the light")
              .arg(QString::number(pixels.size()), figure(between), figure(each), figure(1 / each)),
-         line.center(), LayerInk::First});
+         line.center(),
+         LayerInk::First,
+         side,
+         {line.p1(), line.p2()}});
     drawEvenLine(line, drawing);
 }
 

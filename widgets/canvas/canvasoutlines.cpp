@@ -19,8 +19,6 @@ namespace {
 // Logical pixels.
 constexpr double bareHitRadius = 3; ///< of a vertex without a handle, between many others
 
-constexpr std::size_t mostNames = 12; // more would hide what they name
-
 /// As it is drawn: a scene that moves is seen at its frame in hand.
 Triangle drawnTriangle(const SceneDocument &document, std::size_t index)
 {
@@ -165,7 +163,7 @@ void addNames(CanvasScene &scene, int primitive, const CanvasSources &sources,
         inside += view.positionOf(vertex.position) / double(vertices.size());
     const PrimitiveKind kind = document.kindOf(primitive);
     const bool isRound = kind == PrimitiveKind::Circle || kind == PrimitiveKind::Ellipse;
-    for (std::size_t rank = 0; rank < std::min(order.size(), mostNames); ++rank)
+    for (std::size_t rank = 0; rank < std::min(order.size(), mostVertexNames); ++rank)
         scene.names.push_back({isRound ? roundName(rank) : vertexName(rank, order[rank]),
                                view.onSamples(vertices[order[rank]].position), inside});
 }

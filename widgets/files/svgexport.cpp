@@ -122,12 +122,25 @@ void drawTriangles(QPainter &painter, FramePainter &frame, const Playhead &playh
             frame.drawVertexName(QStringLiteral("P%1").arg(rank),
                                  vertices[std::size_t(setUp.order[rank])].position, inside);
     }
-    for (const Shape &shape : traced.primitives.shapes) {
-        frame.drawShapeOutline(shape);
-        for (const Vertex &vertex : shape.vertices)
-            frame.drawHandle(vertex.position, vertex.colour, HandleState::Idle);
-    }
     painter.setBrush(Qt::NoBrush);
+}
+
+void drawShapes(FramePainter &frame, const Playhead &playhead, const ViewMapping &mapping)
+{
+    const Primitives &primitives = playhead.traced()->primitives;
+    const std::optional<TraceStep> step = playhead.stepInHand();
+    for (std::size_t index = 0; index < primitives.shapes.size(); ++index) {
+        const std::vector<Vertex> &vertices = primitives.shapes[index].vertices;
+        frame.drawShapeOutline(primitives.shapes[index]);
+        QPointF inside;
+        for (const Vertex &vertex : vertices) {
+            frame.drawHandle(vertex.position, vertex.colour, HandleState::Idle);
+            inside += mapping.positionOf(vertex.position) / double(vertices.size());
+        }
+        const bool isNamed = primitives.triangles.size() + index == (step ? step->primitive : 0);
+        for (std::size_t i = 0; isNamed && i < std::min(vertices.size(), mostVertexNames); ++i)
+            frame.drawVertexName(QStringLiteral("P%1").arg(i), vertices[i].position, inside);
+    }
 }
 
 bool isTruthShown(const Playhead &playhead, const DisplayOptions &options)
@@ -185,6 +198,7 @@ QByteArray svgFigure(const Playhead &playhead, const DisplayOptions &options,
         said.prepend(caption);
     layers.paintGround(painter, drawing, surface);
     drawTriangles(painter, frame, playhead, layout.mapping);
+    drawShapes(frame, playhead, layout.mapping);
     if (options.areDifferencesShown() && !isTruthShown(playhead, options))
         drawDifferences(painter, traced, playhead.position(), layout.mapping, palette);
     std::vector<RulerMark> columnMarks;

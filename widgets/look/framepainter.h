@@ -16,6 +16,9 @@ class QPainter;
 
 namespace pixelplumb {
 
+/// Names of a primitive's vertices that are drawn: more would hide what they name.
+inline constexpr std::size_t mostVertexNames = 12;
+
 /// What an edge of a triangle is to the column scan.
 enum class EdgeRole { Plain, Lower, Upper };
 

@@ -125,8 +125,7 @@ void SideView::drawPlane(QPainter &painter, const SideScene::Rectangle &plane, c
     const QRectF box = polygon.boundingRect();
     // Each on the side where the other plane is not.
     const bool isNear = &plane == &m_scene->nearPlane;
-    drawName(painter, name, isNear ? box.bottomLeft() : box.topRight(),
-             isNear ? QPointF(-1, 1) : QPointF(1, -1));
+    drawName(painter, name, box.topRight(), QPointF(isNear ? -1 : 1, -1));
 }
 
 void SideView::drawRays(QPainter &painter) const

@@ -188,7 +188,7 @@ void ComparePanel::cancel()
 {
     m_job.cancel();
     m_reason->setText(tr("The comparison was cancelled. Change a pane or the scene to start it "
-                  "again."));
+                         "again."));
 }
 
 void ComparePanel::restart()
@@ -291,7 +291,7 @@ void ComparePanel::tellPixel()
         return m_reason->setText(tr("What lies ahead is hidden while Predict asks."));
     const QString carried = isHidden ? QString() : carriedText(*m_contest);
     m_reason->setText(pixelText(*m_contest, picked, m_playhead->ahead())
-               + (carried.isEmpty() ? QString() : u'\n' + carried));
+                      + (carried.isEmpty() ? QString() : u'\n' + carried));
 }
 
 } // namespace pixelplumb
