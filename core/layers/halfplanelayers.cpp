@@ -42,13 +42,6 @@ std::vector<QPointF> positiveSide(const EdgeLineNumbers &line, const FrameSpec &
     return kept.size() < 3 ? std::vector<QPointF>() : kept;
 }
 
-QRectF viewOf(const LayerMoment &moment)
-{
-    const SampleBox seen = moment.seen();
-    return {QPointF(double(seen.firstX), double(seen.firstY)),
-            QPointF(double(seen.endX), double(seen.endY))};
-}
-
 /// An edge's line, so long that it crosses the frame.
 QLineF endlessLine(const EdgeLineNumbers &line, const FrameSpec &frame)
 {
@@ -64,9 +57,10 @@ QLineF endlessLine(const EdgeLineNumbers &line, const FrameSpec &frame)
 QLineF seenOf(const EdgeLineNumbers &line, const LayerMoment &moment)
 {
     const QLineF edge(line.from, line.to);
-    if (const std::optional<QLineF> seen = clipped(edge, viewOf(moment)); seen && !seen->isNull())
+    if (const std::optional<QLineF> seen = clipped(edge, moment.seenArea());
+        seen && !seen->isNull())
         return *seen;
-    return clipped(endlessLine(line, moment.frame()), viewOf(moment)).value_or(edge);
+    return clipped(endlessLine(line, moment.frame()), moment.seenArea()).value_or(edge);
 }
 
 /// On an edge's line beyond its ends, where the triangle is not and no other line is near: at both
@@ -81,7 +75,7 @@ std::vector<QPointF> placesBeyond(const EdgeLineNumbers &line, const QPointF &op
         const QPointF along = end - other;
         const QLineF way(end,
                          end + along / std::hypot(along.x(), along.y()) * nameBeyondEdge / cell);
-        const std::optional<QLineF> inView = clipped(way, viewOf(moment));
+        const std::optional<QLineF> inView = clipped(way, moment.seenArea());
         if (inView && QLineF(end, inView->p2()).length() * cell >= clearOfVertices
             && QLineF(opposite, inView->p2()).length() * cell >= clearOfVertices)
             places.push_back(inView->p2());

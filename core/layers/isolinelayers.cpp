@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/layers/cellnumber.h"
+#include "core/layers/clippedline.h"
 #include "core/layers/layers.h"
 
 #include <algorithm>
@@ -93,8 +94,13 @@ void drawIsolines(const LayerMoment &moment, LayerDrawing &drawing)
         if (ends.size() != 2)
             continue;
         drawing.lines.push_back({ends[0], ends[1], channelInks[channel]});
+        const std::optional<QLineF> seen = clipped({ends[0], ends[1]}, moment.seenArea());
+        const QLineF named = seen.value_or(QLineF(ends[0], ends[1]));
         drawing.labels.push_back({QStringLiteral("%1 = %2").arg(channelLetters[channel]).arg(level),
-                                  ends[0], channelInks[channel]});
+                                  named.p1(),
+                                  channelInks[channel],
+                                  {},
+                                  {named.p2(), named.center()}});
     }
     if (drawing.lines.size() == linesBefore)
         drawing.notes.append(withoutLines(channelLetters[channel], corners));

@@ -5,6 +5,13 @@
 
 namespace pixelplumb {
 
+QRectF LayerMoment::seenArea() const
+{
+    const SampleBox box = seen();
+    return {QPointF(double(box.firstX) - 0.5, double(box.firstY) - 0.5),
+            QPointF(double(box.endX) - 0.5, double(box.endY) - 0.5)};
+}
+
 std::array<LatticePoint, 3> LayerMoment::corners() const
 {
     const std::array<int, 3> order = trace().setUp(primitive).order;

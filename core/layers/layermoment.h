@@ -8,6 +8,7 @@
 
 #include <QPoint>
 #include <QPointF>
+#include <QRectF>
 
 #include <array>
 
@@ -37,6 +38,8 @@ struct LayerMoment {
     const FrameSpec &frame() const { return view.traced->scene.frame; }
     /// The pixels in view that the frame has.
     SampleBox seen() const { return intersection(view.seen, samplesOf(windowOf(frame()))); }
+    /// What those pixels cover, px.
+    QRectF seenArea() const;
     /// P₀, P₁, P₂ of the triangle, as the run names them.
     std::array<LatticePoint, 3> corners() const;
     /// a, b, c of p = αa + βb + γc: in the order of the scene, whatever the method sorts.

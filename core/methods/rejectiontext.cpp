@@ -41,7 +41,7 @@ QString rejectionText(const Rejection &rejection)
         return QStringLiteral("The line is vertical: y = m·x + b has no m. Nothing is drawn.");
     case PrimitiveRejection::NotOfThisMethod:
         return QStringLiteral(
-            "This method does not draw primitives of its kind, or not so filled.");
+            "It is of another kind, or filled otherwise, than what this method draws.");
     case PrimitiveRejection::NotConvex:
         return QStringLiteral("It is not convex%1: only a single contour that turns one way and "
                               "goes round once is tiled by a fan of triangles. Nothing is drawn.")
