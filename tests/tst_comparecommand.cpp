@@ -132,6 +132,31 @@ private slots:
         }
     }
 
+    void ofShapesNothingIsSaidThatRoundingAloneDoesNotShow_data()
+    {
+        QTest::addColumn<QString>("file");
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<QString>("told");
+        QTest::newRow("crossings that are stepped")
+            << QStringLiteral("polygon-star.json") << QStringLiteral("polygon-parity:float32")
+            << QStringLiteral(": float32 rounds the numbers that decide");
+        QTest::newRow("no exact arithmetic")
+            << QStringLiteral("circles.json") << QStringLiteral("circle-parametric")
+            << QStringLiteral(": the method does so, or float64: it has no exact arithmetic to "
+                              "tell by");
+    }
+    void ofShapesNothingIsSaidThatRoundingAloneDoesNotShow()
+    {
+        QFETCH(QString, file);
+        QFETCH(QString, method);
+        QFETCH(QString, told);
+        const ProgramRun result
+            = compare(sceneFile(file), {"--methods", method + QStringLiteral(",truth")});
+        QVERIFY2(QString::fromUtf8(result.output).contains(told + u'\n'),
+                 result.output.constData());
+        QVERIFY(!result.output.contains("cannot hold"));
+    }
+
     void saysTheSameTwice()
     {
         const QStringList options = {"--methods", "column-scan:fixed16.16,truth"};

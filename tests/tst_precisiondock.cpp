@@ -12,6 +12,7 @@
 #include <QToolButton>
 
 #include <cmath>
+#include <set>
 
 using namespace pixelplumb;
 
@@ -79,8 +80,11 @@ private slots:
         const auto errors
             = std::ranges::find(*all, traced.scene.settings.arithmetic, &BoundErrors::arithmetic);
 
-        QVERIFY(errors->firstWrong);
-        const std::int64_t first = errors->spans[*errors->firstWrong].place.coordinate;
+        const auto wrong = std::ranges::find_if(errors->spans, [](const BoundError &error) {
+            return error.isLowerWrong || error.isUpperWrong;
+        });
+        QVERIFY(wrong != errors->spans.end());
+        const std::int64_t first = wrong->place.coordinate;
         std::int64_t expected = -1;
         for (int x = 0; x < traced.scene.frame.width && expected < 0; ++x) {
             for (int y = 0; y < traced.scene.frame.height; ++y) {
@@ -90,6 +94,28 @@ private slots:
             }
         }
         QCOMPARE(first, expected);
+    }
+
+    void aBoundIsWrongWhereItsOwnEndOfTheSpanIs()
+    {
+        const TracedScene &traced = *m_playhead->traced();
+        const auto all = boundErrorsOf(traced.scene, 0);
+        const auto errors
+            = std::ranges::find(*all, traced.scene.settings.arithmetic, &BoundErrors::arithmetic);
+
+        std::set<std::int64_t> lower;
+        std::set<std::int64_t> upper;
+        for (const BoundError &error : errors->spans) {
+            if (error.isLowerWrong)
+                lower.insert(error.place.coordinate);
+            if (error.isUpperWrong)
+                upper.insert(error.place.coordinate);
+        }
+        // The lost pixels are the highest of their columns.
+        QVERIFY(lower.empty());
+        QCOMPARE(upper, (std::set<std::int64_t>{11, 21}));
+        QCOMPARE(traced.differences.at(11, 9), Difference::Missing);
+        QCOMPARE(traced.differences.at(21, 16), Difference::Missing);
     }
 
     void hasNothingToPlotForATriangleThatIsNotThere()

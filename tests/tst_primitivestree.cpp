@@ -4,6 +4,7 @@
 #include "tests/support/openwindow.h"
 #include "tests/support/programrun.h"
 #include "tests/support/scanning.h"
+#include "widgets/canvas/canvas.h"
 #include "widgets/inspect/primitivespanel.h"
 #include "widgets/model/primitivelistmodel.h"
 
@@ -188,6 +189,34 @@ private slots:
         for (int edits = 0; edits < 4; ++edits)
             document().undoStack()->undo();
         QCOMPARE(document().scene(), scene);
+    }
+
+    void aCircleGetsSmallerByEitherCoordinateOfItsCorner()
+    {
+        Scene scene;
+        scene.method = "circle-midpoint";
+        scene.shapes.resize(1);
+        scene.shapes[0].kind = PrimitiveKind::Circle;
+        scene.shapes[0].vertices = {{latticePixel(20, 20), red}, {latticePixel(40, 40), red}};
+        document().reset(scene);
+        const auto corner = [this] { return document().vertexAt({0, 1})->position; };
+        const auto type = [this](PrimitiveListModel::Column column, const char *text) {
+            QVERIFY(m_model->setData(cellOf(1, column), QLatin1String(text), Qt::EditRole));
+        };
+        type(PrimitiveListModel::X, "35");
+        QCOMPARE(corner(), latticePixel(35, 35));
+        type(PrimitiveListModel::Y, "29");
+        QCOMPARE(corner(), latticePixel(29, 29));
+        const int edits = document().undoStack()->count();
+        type(PrimitiveListModel::Y, "29");
+        QCOMPARE(document().undoStack()->count(), edits);
+
+        document().selectVertex(VertexRef{0, 1});
+        Canvas *canvas = m_window->parts().canvas;
+        QTest::keyClick(canvas, Qt::Key_Left, Qt::ControlModifier);
+        QCOMPARE(corner(), latticePixel(28, 28));
+        QTest::keyClick(canvas, Qt::Key_Down, Qt::ControlModifier);
+        QCOMPARE(corner(), latticePixel(27, 27));
     }
 
     void aPolygonIsFilledByEitherRuleAndATriangleHasNoForms()

@@ -366,6 +366,16 @@ private slots:
         QCOMPARE(attempt.span->endSample, std::int64_t(10));
         QCOMPARE(attempt.span->upper, Quantity::integer(10));
         QCOMPARE(pixelHistory(*traced, 0, 5).front().span->firstSample, std::int64_t(2));
+
+        // On edge 1, where the row of the second triangle ends without a sample.
+        Shape narrow = square(0, 0, 1);
+        narrow.vertices.clear();
+        for (const auto &[x, y] :
+             {std::pair(4, 5), std::pair(4, 0), std::pair(7, 6), std::pair(6, 5)})
+            narrow.vertices.push_back({latticePixel(x, y), {}});
+        scene.shapes = {narrow};
+        const auto other = traceScene(scene);
+        QCOMPARE(pixelHistory(*other, 5, 2).front().span->upper, Quantity::integer(5));
     }
 
     void edgesHaveTheNamesOfTheMethodsOwnOrder()

@@ -78,6 +78,54 @@ private slots:
         QVERIFY(!menu->isVisible());
     }
 
+    void aLetterThatNoEntryHasDoesNothing()
+    {
+        const auto window = openedWindow();
+        const QAction *differences = action(*window, "showDifferences");
+        const bool wereMarked = differences->isChecked();
+        auto *menu = named<QMenu>(*window, "fileMenu");
+        menu->popup(window->mapToGlobal(QPoint(40, 40)));
+        QVERIFY(QTest::qWaitForWindowExposed(menu));
+
+        for (const Qt::Key key : {Qt::Key_D, Qt::Key_G, Qt::Key_2, Qt::Key_Delete})
+            QTest::keyClick(menu, key);
+
+        QCOMPARE(differences->isChecked(), wereMarked);
+        QCOMPARE(window->parts().document->primitiveCount(), 1);
+        QCOMPARE(window->parts().document->scene().method, std::string("column-scan"));
+        QVERIFY(menu->isVisible());
+        QTest::keyClick(menu, Qt::Key_Escape);
+        QVERIFY(!menu->isVisible());
+    }
+
+    void aRefusalOutlastsTheKeyThatCausedIt()
+    {
+        Scene scene = lineWithTwoVariants();
+        scene.method = "stroke-coverage";
+        scene.settings.variants = {};
+        scene.settings.fillRule = FillRule::Closed;
+        scene.appearance.antialiasing = Antialiasing::Area;
+        const auto window = openedWindow(scene);
+        auto *methods = named<QComboBox>(*window, "methodBox");
+        const int bresenham = methods->findData(QStringLiteral("line-bresenham"));
+        QVERIFY(bresenham >= 0);
+        methods->setFocus();
+        methods->showPopup();
+        QAbstractItemView *list = methods->view();
+        QVERIFY(QTest::qWaitForWindowExposed(list->window()));
+        list->setCurrentIndex(list->model()->index(bresenham, 0));
+        QTest::keyClick(list, Qt::Key_Return);
+        QCOMPARE(window->parts().document->scene().method, std::string("line-bresenham"));
+
+        const auto *bar = named<MessageBar>(*window, "messageBar");
+        QTRY_VERIFY(bar->isVisible());
+        QTest::qWait(50);
+        QVERIFY(bar->isVisible());
+        QVERIFY2(bar->text().contains(QStringLiteral("antialiasing")), qPrintable(bar->text()));
+        QTest::keyClick(window->parts().canvas, Qt::Key_Right);
+        QVERIFY(!bar->isVisible());
+    }
+
     void noTwoEntriesOfAMenuHaveOneLetter()
     {
         const auto window = openedWindow();
@@ -248,6 +296,7 @@ private slots:
         const auto window = openedWindow();
         MessageBar &bar = *window->parts().messageBar;
         bar.complain(QStringLiteral("“abc” is no coordinate."));
+        QCoreApplication::processEvents(); // the key that caused it is done with
         QTest::keyClick(window->parts().canvas, Qt::Key_Shift);
         QVERIFY(bar.isVisible());
         QTest::keyClick(window->parts().canvas, Qt::Key(key));
@@ -259,6 +308,7 @@ private slots:
         const auto window = openedWindow();
         MessageBar &bar = *window->parts().messageBar;
         bar.complain(QStringLiteral("“abc” is no coordinate."));
+        QCoreApplication::processEvents(); // the key that caused it is done with
         QTest::keyClick(window->parts().canvas, Qt::Key_Escape);
         QVERIFY(!bar.isVisible());
 

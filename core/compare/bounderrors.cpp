@@ -54,9 +54,9 @@ std::pair<std::int64_t, std::int64_t> exactSamples(const ExactBounds &bounds, Fi
             ownsLast(interval) ? floorOf(bounds.upper) + 1 : ceilOf(bounds.upper)};
 }
 
-/// The method's own spans in exact numbers where it has them, else the oracle's.
-bool coversOtherSamples(const SpanRecord &span, const ExactBounds &bounds, FillRule rule,
-                        const ScanTrace *exactRun)
+/// Beside the method's own spans in exact numbers where it has them, else the oracle's.
+void compareSamples(BoundError &error, const SpanRecord &span, const ExactBounds &bounds,
+                    FillRule rule, const ScanTrace *exactRun)
 {
     auto [first, end] = exactSamples(bounds, rule);
     if (exactRun) {
@@ -68,9 +68,12 @@ bool coversOtherSamples(const SpanRecord &span, const ExactBounds &bounds, FillR
         }
     }
     const bool isEmpty = span.firstSample >= span.endSample;
-    if (first >= end || isEmpty)
-        return (first >= end) != isEmpty;
-    return span.firstSample != first || span.endSample != end;
+    if (first >= end || isEmpty) {
+        error.isLowerWrong = error.isUpperWrong = (first >= end) != isEmpty;
+        return;
+    }
+    error.isLowerWrong = span.firstSample != first;
+    error.isUpperWrong = span.endSample != end;
 }
 
 std::unique_ptr<ScanTrace> spansOf(const Scene &scene, const Method &method,
@@ -103,12 +106,7 @@ BoundErrors errorsOf(const ScanTrace &trace, const Triangle &triangle, const Sca
             = double(span.place.coordinate - firstPlace(triangle, span.place.axis) + 1);
         const BoundRange range(triangle, span.place.axis);
         error.limit = errorLimit(errors.arithmetic, additions, range.largest(), range.extent());
-        error.isWrong = coversOtherSamples(span, *exact, trace.settings().fillRule, exactRun);
-        if (error.isWrong) {
-            ++errors.wrongCount;
-            if (!errors.firstWrong)
-                errors.firstWrong = errors.spans.size();
-        }
+        compareSamples(error, span, *exact, trace.settings().fillRule, exactRun);
         errors.spans.push_back(error);
     }
     return errors;

@@ -14,15 +14,15 @@ struct BoundError {
     double upper = 0;
     /// What rounding may add up to until here (see errorLimit), px.
     double limit = 0;
-    bool isWrong = false; ///< the span covers other samples than it does in exact numbers
+    /// The span begins, or ends, at another sample than it does in exact numbers; where one of the
+    /// two covers none, both.
+    bool isLowerWrong = false, isUpperWrong = false;
 };
 
 /// The errors of one primitive's spans in one arithmetic, in the order of the run.
 struct BoundErrors {
     Arithmetic arithmetic = Arithmetic::Float32;
     std::vector<BoundError> spans;
-    std::optional<std::size_t> firstWrong; ///< index of the first span that is wrong
-    std::size_t wrongCount = 0;
 };
 
 /// Those of every rounding arithmetic that the scene's method has, for a triangle of the scene.

@@ -122,7 +122,7 @@ Disagreement reasonOf(const Deviation &deviation, const JudgedRun &run, std::int
                       std::int64_t y)
 {
     const Arithmetic arithmetic = run.traced->scene.settings.arithmetic;
-    if (arithmetic == Arithmetic::Exact
+    if (arithmetic == Arithmetic::Exact || !run.traced->method->supports(Arithmetic::Exact)
         || (run.inExactArithmetic && isSame(*run.inExactArithmetic, *run.drawn, x, y)))
         return Disagreement::Method;
     if (deviation.kind == Difference::Colour

@@ -73,6 +73,17 @@ QString coloursText(const Deviation &deviation, const JudgedRun &run, std::int64
     return parts.join(QStringLiteral(", "));
 }
 
+/// Of triangles the number that decides is known; of shapes, that it was rounded on the way.
+QString precisionText(const Deviation &deviation, const JudgedRun &run, const QString &arithmetic)
+{
+    const ScanTrace &trace = *run.traced->trace;
+    const bool isShape = deviation.primitive && !run.primitives->isTriangle(*deviation.primitive);
+    if (!isShape
+        || trace.setUp(*deviation.primitive).rejection == PrimitiveRejection::NotRepresentable)
+        return QStringLiteral("%1 cannot hold the numbers that decide").arg(arithmetic);
+    return QStringLiteral("%1 rounds the numbers that decide").arg(arithmetic);
+}
+
 QString causeText(const Deviation &deviation, const JudgedRun &run)
 {
     const QString arithmetic = nameText(nameOf(run.traced->scene.settings.arithmetic));
@@ -89,9 +100,12 @@ QString causeText(const Deviation &deviation, const JudgedRun &run)
             : QStringLiteral("%1 could hold the exact bound, the increments added up to another")
                   .arg(arithmetic);
     case Disagreement::Precision:
-        return QStringLiteral("%1 cannot hold the numbers that decide").arg(arithmetic);
+        return precisionText(deviation, run, arithmetic);
     case Disagreement::Method:
-        return QStringLiteral("the method does so in exact arithmetic too");
+        return run.traced->method->supports(Arithmetic::Exact)
+            ? QStringLiteral("the method does so in exact arithmetic too")
+            : QStringLiteral("the method does so, or %1: it has no exact arithmetic to tell by")
+                  .arg(arithmetic);
     case Disagreement::NotRecorded:
         return QStringLiteral("the recording ended before this pixel");
     }

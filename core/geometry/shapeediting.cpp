@@ -98,7 +98,14 @@ void moveVertex(Shape &shape, std::size_t vertex, const LatticePoint &position)
     }
     LatticePoint &corner = shape.vertices[1].position;
     if (vertex == 1) {
-        corner = cornerOf(shape.kind, shape.vertices[0].position, position);
+        const LatticePoint &centre = shape.vertices[0].position;
+        LatticePoint wish = position;
+        // Of a circle's square the one coordinate that is changed takes the other along.
+        if (shape.kind == PrimitiveKind::Circle && wish.y == corner.y)
+            wish.y = centre.y + (wish.x - centre.x);
+        else if (shape.kind == PrimitiveKind::Circle && wish.x == corner.x)
+            wish.x = centre.x + (wish.y - centre.y);
+        corner = cornerOf(shape.kind, centre, wish);
         return;
     }
     corner = {corner.x + position.x - moved.x, corner.y + position.y - moved.y};

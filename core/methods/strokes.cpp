@@ -65,9 +65,9 @@ Method strokeCoverageMethod()
          {Moment::First, Moment::Next}}};
     method.summary
         = QStringLiteral("Takes a line as the rectangle one pixel wide, a curve as a strip of "
-                         "quadrilaterals, and blends it by the area that it has of each pixel, or "
-                         "by 4 or 16 samples, as the scene's antialiasing asks: equally bright in "
-                         "every direction. Where it asks for none, one sample decides a pixel: "
+                         "quadrilaterals, and blends it by the area that it has of each pixel, "
+                         "equally bright in every direction, or by 4 or 16 samples, as the scene's "
+                         "antialiasing asks. Where it asks for none, one sample decides a pixel: "
                          "stairs.");
     method.effects = {Effect::SmoothColour, Effect::Clipping, Effect::Antialiasing};
     method.remarks += QStringLiteral("butt ends");

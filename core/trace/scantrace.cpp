@@ -93,18 +93,20 @@ std::optional<std::size_t> ScanTrace::spanNear(std::size_t primitive, std::int64
     if (!nearest)
         return std::nullopt;
     const SpanPlace place = m_spans[*nearest].place;
-    const std::int64_t sample = place.axis == SpanAxis::Column ? y : x;
+    const auto sample = double(place.axis == SpanAxis::Column ? y : x);
     const auto distanceOf = [&](std::size_t index) {
         const SpanRecord record = span(index);
-        return std::max(
-            {std::int64_t(0), record.firstSample - sample, sample - (record.endSample - 1)});
+        const bool isBounded = !record.lower.isNone() && !record.upper.isNone();
+        const double first = isBounded ? record.lower.toDouble() : double(record.firstSample);
+        const double last = isBounded ? record.upper.toDouble() : double(record.endSample - 1);
+        return std::max({0.0, first - sample, sample - last});
     };
-    std::int64_t least = distanceOf(*nearest);
+    double least = distanceOf(*nearest);
     for (std::size_t other = *nearest + 1; least > 0 && other < endSpanOf(primitive); ++other) {
         if (m_spans[other].place.axis != place.axis
             || m_spans[other].place.coordinate != place.coordinate)
             continue;
-        if (const std::int64_t distance = distanceOf(other); distance < least) {
+        if (const double distance = distanceOf(other); distance < least) {
             least = distance;
             nearest = other;
         }

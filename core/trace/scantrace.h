@@ -81,8 +81,9 @@ public:
     /// The first span of a primitive on a column or row; none where it has no such span.
     std::optional<std::size_t> spanOn(std::size_t primitive, SpanAxis axis,
                                       std::int64_t coordinate) const;
-    /// Of the spans of a primitive on the pixel's column, or else its row, that with the nearest
-    /// samples, the first of several; none where it has no such span.
+    /// Of the spans of a primitive on the pixel's column, or else its row, the nearest one by its
+    /// bounds, or by its samples where it has none; the first of several; none where it has no such
+    /// span.
     std::optional<std::size_t> spanNear(std::size_t primitive, std::int64_t x,
                                         std::int64_t y) const;
     /// The primitive's last visit to a pixel that wrote it, else the last that refused it.

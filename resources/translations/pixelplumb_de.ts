@@ -4165,8 +4165,8 @@
         <translation>Nimmt die Umrisse der Zeichen aus einer Schrift und füllt sie als ein Polygon nach der Windungszahl.</translation>
     </message>
     <message>
-        <source>Takes a line as the rectangle one pixel wide, a curve as a strip of quadrilaterals, and blends it by the area that it has of each pixel, or by 4 or 16 samples, as the scene&apos;s antialiasing asks: equally bright in every direction. Where it asks for none, one sample decides a pixel: stairs.</source>
-        <translation>Nimmt eine Linie als das Rechteck von einem Pixel Breite, eine Kurve als Streifen von Vierecken, und mischt sie nach der Fläche, die sie von jedem Pixel hat, oder nach 4 oder 16 Abtastpunkten, wie das Antialiasing der Szene es verlangt: in jeder Richtung gleich hell. Verlangt sie keines, entscheidet ein Abtastpunkt über ein Pixel: Treppen.</translation>
+        <source>Takes a line as the rectangle one pixel wide, a curve as a strip of quadrilaterals, and blends it by the area that it has of each pixel, equally bright in every direction, or by 4 or 16 samples, as the scene&apos;s antialiasing asks. Where it asks for none, one sample decides a pixel: stairs.</source>
+        <translation>Nimmt eine Linie als das Rechteck von einem Pixel Breite, eine Kurve als Streifen von Vierecken, und mischt sie nach der Fläche, die sie von jedem Pixel hat, in jeder Richtung gleich hell, oder nach 4 oder 16 Abtastpunkten, wie das Antialiasing der Szene es verlangt. Verlangt sie keines, entscheidet ein Abtastpunkt über ein Pixel: Treppen.</translation>
     </message>
 </context>
 <context>
@@ -6095,6 +6095,10 @@
     <message>
         <source>change form</source>
         <translation>Form ändern</translation>
+    </message>
+    <message>
+        <source>With one sample a pixel, lines have stairs and differ from the truth, which is the nearest pixels: Effects ▸ exact area makes them even.</source>
+        <translation>Mit einem Abtastpunkt je Pixel haben Linien Treppen und weichen von der Wahrheit ab, den nächsten Pixeln: Effekte ▸ genaue Fläche macht sie gleichmäßig.</translation>
     </message>
 </context>
 <context>

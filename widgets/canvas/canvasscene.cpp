@@ -98,19 +98,23 @@ public:
             m_scene.rowMarks.push_back({double(place->coordinate), Sign::ColumnInHand});
     }
 
+    /// Over a vertex that waits the pointer places none: what is there stays in sight.
     void addCandidate()
     {
-        if (!m_hand.candidate)
-            return;
-        const LatticePoint tip = m_view.onSamples(*m_hand.candidate);
-        const Colour colour = m_document.nextColour();
-        m_scene.candidate = {tip, colour};
         std::vector<Vertex> vertices;
         for (const Vertex &vertex : m_document.pendingVertices()) {
             const LatticePoint place = m_document.atFrameInHand(vertex.position);
             vertices.push_back({m_view.onSamples(place), vertex.colour});
             m_scene.pending.push_back({vertices.back().position, vertex.colour, HandleState::Idle});
         }
+        if (!m_hand.candidate) {
+            for (const Vertex &vertex : vertices)
+                m_scene.rubberPath.push_back(vertex.position);
+            return;
+        }
+        const LatticePoint tip = m_view.onSamples(*m_hand.candidate);
+        const Colour colour = m_document.nextColour();
+        m_scene.candidate = {tip, colour};
         if (!vertices.empty()) {
             vertices.push_back({tip, colour});
             addRubber(vertices);

@@ -9,6 +9,7 @@
 #include <QKeyEvent>
 #include <QLabel>
 #include <QMouseEvent>
+#include <QTimer>
 #include <QToolButton>
 
 #include <algorithm>
@@ -70,7 +71,7 @@ bool MessageBar::eventFilter(QObject *watched, QEvent *event)
 {
     if (watched == parentWidget() && event->type() == QEvent::Resize && !isHidden())
         place();
-    if (isNextChoice(*watched, *event))
+    if (!m_isFresh && isNextChoice(*watched, *event))
         hide();
     return QFrame::eventFilter(watched, event);
 }
@@ -144,6 +145,9 @@ void MessageBar::show(Kind kind, const QString &text)
     setAccessibleDescription(text);
     place();
     setVisible(true);
+    // The key that caused it may be on its way to the parents of the widget that had it.
+    m_isFresh = true;
+    QTimer::singleShot(0, this, [this] { m_isFresh = false; });
     QAccessibleEvent alert(this, QAccessible::Alert);
     QAccessible::updateAccessibility(&alert);
 }

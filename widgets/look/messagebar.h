@@ -34,6 +34,7 @@ private:
     void place();
     bool isNextChoice(const QObject &watched, const QEvent &event) const;
 
+    bool m_isFresh = false; ///< told while the event in hand is delivered
     QLabel *m_glyph;
     QLabel *m_text;
 };

@@ -119,9 +119,10 @@ constexpr const char *context = "pixelplumb::MethodSummary";
         "parity or winding number; the truth is that of the curves themselves."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
                       "Takes a line as the rectangle one pixel wide, a curve as a strip of "
-                      "quadrilaterals, and blends it by the area that it has of each pixel, or by "
-                      "4 or 16 samples, as the scene's antialiasing asks: equally bright in every "
-                      "direction. Where it asks for none, one sample decides a pixel: stairs."),
+                      "quadrilaterals, and blends it by the area that it has of each pixel, "
+                      "equally bright in every direction, or by 4 or 16 samples, as the scene's "
+                      "antialiasing asks. Where it asks for none, one sample decides a pixel: "
+                      "stairs."),
     QT_TRANSLATE_NOOP("pixelplumb::MethodSummary",
                       "Intersects each row with the active edges, sorts the crossings in x, and "
                       "fills by their parity or winding number."),

@@ -53,7 +53,8 @@ void SceneDocument::moveVertex(const VertexRef &ref, const LatticePoint &positio
         after.vertex(ref).position = position;
     else
         pixelplumb::moveVertex(after.run.shapes.front(), std::size_t(ref.vertex), position);
-    m_undoStack.push(new SceneEdit(*this, tr("move vertex"), before, after, Drag{ref, drag}));
+    if (after != before)
+        m_undoStack.push(new SceneEdit(*this, tr("move vertex"), before, after, Drag{ref, drag}));
 }
 
 void SceneDocument::setVertexColour(const VertexRef &ref, const Colour &colour)

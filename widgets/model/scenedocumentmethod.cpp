@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "core/effects/requirements.h"
 #include "core/methods/method.h"
 #include "widgets/look/methodtitle.h"
 #include "widgets/model/runnotes.h"
 #include "widgets/model/scenedocument.h"
+
+#include <algorithm>
 
 /// The method of a document's scene, and what follows from it: the settings, and the kind of the
 /// primitives that a person places.
@@ -13,6 +16,12 @@ namespace {
 PrimitiveKind kindPlacedWith(const Method &method)
 {
     return method.kinds.empty() ? PrimitiveKind::Triangle : method.kinds.front();
+}
+
+bool antialiasesLines(const Method &method)
+{
+    return method.draws(PrimitiveKind::Line)
+        && std::ranges::count(method.effects, Effect::Antialiasing) > 0;
 }
 
 } // namespace
@@ -54,6 +63,10 @@ void SceneDocument::setMethod(const std::string &method)
         after.pending.clear();
     edit(tr("change method"), before, after);
     tellAdaptation(asked);
+    if (antialiasesLines(*chosen) && antialiasingOf(m_scene.appearance) == Antialiasing::None)
+        emit notice(
+            tr("With one sample a pixel, lines have stairs and differ from the truth, which "
+               "is the nearest pixels: Effects ▸ exact area makes them even."));
     const auto dropped = int(before.pending.size() - after.pending.size());
     if (dropped > 0)
         emit verticesDropped(

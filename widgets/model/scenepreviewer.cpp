@@ -48,11 +48,11 @@ void ScenePreviewer::followTrace(const std::shared_ptr<const TracedScene> &trace
 
 void ScenePreviewer::clear()
 {
-    m_need = Need::Nothing;
+    const bool wasNeeded = std::exchange(m_need, Need::Nothing) != Need::Nothing;
     m_next.reset();
     m_job.cancel();
     m_pictures.clear();
-    if (std::exchange(m_picture, nullptr))
+    if (std::exchange(m_picture, nullptr) || wasNeeded)
         emit pictureChanged();
 }
 

@@ -27,9 +27,6 @@ void keepUpTo(const std::optional<SpanPlace> &place, BoundErrors &errors)
             || (ascends ? coordinate(error) > place->coordinate
                         : coordinate(error) < place->coordinate);
     });
-    if (errors.firstWrong && *errors.firstWrong >= errors.spans.size())
-        errors.firstWrong.reset();
-    errors.wrongCount = std::size_t(std::ranges::count_if(errors.spans, &BoundError::isWrong));
 }
 
 } // namespace
@@ -178,21 +175,22 @@ QString PrecisionPanel::summary(const std::vector<BoundErrors> &told) const
             .arg(methodTitle(*traced->method));
     }
     QStringList parts;
+    const auto bound = PlottedBound(m_bound->currentIndex());
     for (const BoundErrors &errors : told) {
         double largest = 0;
-        for (const BoundError &error : errors.spans) {
-            const double value = m_bound->currentIndex() == 0 ? error.lower : error.upper;
-            largest = std::max(largest, std::abs(value));
-        }
+        for (const BoundError &error : errors.spans)
+            largest = std::max(largest, std::abs(valueOf(error, bound)));
+        const auto isWrong = [&](const BoundError &error) { return isWrongAt(error, bound); };
+        const auto firstWrong = std::ranges::find_if(errors.spans, isWrong);
         QString part = tr("%1: at most %2 px")
                            .arg(QString::fromUtf8(nameOf(errors.arithmetic)),
                                 QString::number(largest, 'g', 2));
         const bool isRows = errors.spans.front().place.axis == SpanAxis::Row;
-        if (errors.firstWrong) {
-            const std::int64_t first = errors.spans[*errors.firstWrong].place.coordinate;
+        if (firstWrong != errors.spans.end()) {
+            const std::int64_t first = firstWrong->place.coordinate;
             part += (isRows ? tr(", rows wrong: %1, the first at y = %2")
                             : tr(", columns wrong: %1, the first at x = %2"))
-                        .arg(errors.wrongCount)
+                        .arg(std::ranges::count_if(errors.spans, isWrong))
                         .arg(first);
         } else {
             part += tr(", none wrong");

@@ -136,11 +136,6 @@ void PrecisionPlot::setPlaceInHand(const std::optional<SpanPlace> &place)
     replot();
 }
 
-double PrecisionPlot::valueOf(const BoundError &error) const
-{
-    return m_bound == PlottedBound::Lower ? error.lower : error.upper;
-}
-
 void PrecisionPlot::replot()
 {
     m_plot->clearGraphs();
@@ -155,7 +150,7 @@ void PrecisionPlot::replot()
         if (!isShown(errors))
             continue;
         for (const BoundError &error : errors.spans) {
-            const double magnitude = std::abs(valueOf(error));
+            const double magnitude = std::abs(valueOf(error, m_bound));
             if (magnitude > 0 && std::isfinite(magnitude)) {
                 smallest = smallest > 0 ? std::min(smallest, magnitude) : magnitude;
                 largest = std::max(largest, magnitude);
@@ -193,7 +188,7 @@ void PrecisionPlot::addCurve(const BoundErrors &errors)
     QVector<double> places;
     QVector<double> values;
     for (const BoundError &error : errors.spans) {
-        const double value = valueOf(error);
+        const double value = valueOf(error, m_bound);
         places.append(double(error.place.coordinate));
         values.append(std::isfinite(value) ? m_scale.toAxis(value) : qQNaN());
     }
@@ -225,16 +220,19 @@ void PrecisionPlot::addLimit(const BoundErrors &errors)
 
 void PrecisionPlot::addFirstWrong(const BoundErrors &errors)
 {
-    if (!errors.firstWrong)
+    const auto found = std::ranges::find_if(
+        errors.spans, [this](const BoundError &error) { return isWrongAt(error, m_bound); });
+    if (found == errors.spans.end())
         return;
-    const BoundError &wrong = errors.spans[*errors.firstWrong];
+    const BoundError &wrong = *found;
     const QColor colour = arithmeticColour(errors.arithmetic, palette());
     QCPGraph *mark = m_plot->addGraph();
     mark->removeFromLegend();
     mark->setPen(QPen(colour, 2));
     mark->setLineStyle(QCPGraph::lsNone);
     mark->setScatterStyle(QCPScatterStyle(QCPScatterStyle::ssCrossCircle, 10));
-    mark->setData({double(wrong.place.coordinate)}, {m_scale.toAxis(valueOf(wrong))}, true);
+    mark->setData({double(wrong.place.coordinate)}, {m_scale.toAxis(valueOf(wrong, m_bound))},
+                  true);
     auto *label = new QCPItemText(m_plot);
     label->setText(signGlyph(Sign::FirstDifference)
                    + QStringLiteral(" %1").arg(wrong.place.coordinate));
@@ -246,7 +244,7 @@ void PrecisionPlot::addFirstWrong(const BoundErrors &errors)
     const Qt::Alignment side
         = place > m_plot->xAxis->range().center() ? Qt::AlignRight : Qt::AlignLeft;
     label->setPositionAlignment(side | Qt::AlignVCenter);
-    label->position->setCoords(place, m_scale.toAxis(valueOf(wrong)));
+    label->position->setCoords(place, m_scale.toAxis(valueOf(wrong, m_bound)));
 }
 
 void PrecisionPlot::addFences()

@@ -14,6 +14,18 @@ namespace pixelplumb {
 /// Which bound's error is plotted: y_B and y_T of columns, x_L and x_R of rows.
 enum class PlottedBound { Lower, Upper };
 
+/// The error of this bound, px.
+inline double valueOf(const BoundError &error, PlottedBound bound)
+{
+    return bound == PlottedBound::Lower ? error.lower : error.upper;
+}
+
+/// Whether the samples of the span end wrongly at this bound.
+inline bool isWrongAt(const BoundError &error, PlottedBound bound)
+{
+    return bound == PlottedBound::Lower ? error.isLowerWrong : error.isUpperWrong;
+}
+
 /// The colour and the line of an arithmetic in plots: each tells it by itself.
 QColor arithmeticColour(Arithmetic arithmetic, const QPalette &palette);
 Qt::PenStyle arithmeticLine(Arithmetic arithmetic);
@@ -56,7 +68,6 @@ private:
     void addLimit(const BoundErrors &errors);
     void addFirstWrong(const BoundErrors &errors);
     void addFences();
-    double valueOf(const BoundError &error) const;
 
     QCustomPlot *m_plot;
     std::vector<BoundErrors> m_errors;

@@ -13,16 +13,26 @@ MenuKeys::MenuKeys(QObject *parent)
     qApp->installEventFilter(this);
 }
 
-/// What is claimed before it becomes a shortcut comes to the menu as a key.
+namespace {
+
+bool isPlain(const QKeyEvent &key)
+{
+    return (key.modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::NoModifier
+        && !key.text().isEmpty();
+}
+
+} // namespace
+
+/// What is claimed before it becomes a shortcut comes to the menu as a key, and ends there: a
+/// letter that no entry has does nothing.
 bool MenuKeys::eventFilter(QObject *watched, QEvent *event)
 {
-    if (event->type() != QEvent::ShortcutOverride || !qobject_cast<QMenu *>(watched))
+    const bool isClaim = event->type() == QEvent::ShortcutOverride;
+    if ((!isClaim && event->type() != QEvent::KeyPress) || !qobject_cast<QMenu *>(watched)
+        || !isPlain(*static_cast<QKeyEvent *>(event)))
         return QObject::eventFilter(watched, event);
-    const auto *key = static_cast<QKeyEvent *>(event);
-    const bool isPlain
-        = (key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::NoModifier;
-    if (!isPlain || key->text().isEmpty())
-        return QObject::eventFilter(watched, event);
+    if (!isClaim)
+        watched->event(event);
     event->accept();
     return true;
 }
