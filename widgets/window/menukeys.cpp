@@ -4,14 +4,9 @@
 #include <QApplication>
 #include <QKeyEvent>
 #include <QMenu>
+#include <QMenuBar>
 
 namespace pixelplumb {
-
-MenuKeys::MenuKeys(QObject *parent)
-    : QObject(parent)
-{
-    qApp->installEventFilter(this);
-}
 
 namespace {
 
@@ -21,18 +16,27 @@ bool isPlain(const QKeyEvent &key)
         && !key.text().isEmpty();
 }
 
+/// An open menu hands its bar the keys that it has no entry for.
+bool isOfOpenMenu(const QObject *watched)
+{
+    return qobject_cast<const QMenu *>(watched)
+        || (qobject_cast<const QMenuBar *>(watched) && QApplication::activePopupWidget());
+}
+
 } // namespace
 
-/// What is claimed before it becomes a shortcut comes to the menu as a key, and ends there: a
-/// letter that no entry has does nothing.
+MenuKeys::MenuKeys(QObject *parent)
+    : QObject(parent)
+{
+    qApp->installEventFilter(this);
+}
+
+/// What is claimed is no shortcut, but a key.
 bool MenuKeys::eventFilter(QObject *watched, QEvent *event)
 {
-    const bool isClaim = event->type() == QEvent::ShortcutOverride;
-    if ((!isClaim && event->type() != QEvent::KeyPress) || !qobject_cast<QMenu *>(watched)
+    if (event->type() != QEvent::ShortcutOverride || !isOfOpenMenu(watched)
         || !isPlain(*static_cast<QKeyEvent *>(event)))
         return QObject::eventFilter(watched, event);
-    if (!isClaim)
-        watched->event(event);
     event->accept();
     return true;
 }

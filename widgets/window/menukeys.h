@@ -6,7 +6,7 @@
 namespace pixelplumb {
 
 /// A letter that is pressed in an open menu chooses the entry in which it is underlined, though it
-/// is the key of an action of the window as well.
+/// is the key of an action of the window as well; what is no entry's does nothing.
 class MenuKeys : public QObject {
 public:
     /// In all menus of the program.
