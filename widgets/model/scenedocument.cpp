@@ -172,10 +172,10 @@ void SceneDocument::reset(Scene scene)
     m_undoStack.clear();
     markSaved();
     emit opened();
-    tellSceneChanged(); // first: what lists the scene must not be asked for one that is gone
-    emit selectionChanged();
     emit pendingChanged();
     emit nextColourChanged();
+    tellSceneChanged();
+    emit selectionChanged(); // what lists the scene knows it by now, and not one that is gone
     tellAdaptation(asked);
 }
 
