@@ -81,8 +81,8 @@ private slots:
         const QString vertical = QStringLiteral("primitive 6 (line): The line is vertical");
         const QString tooFar
             = QStringLiteral("primitive 3 (triangle): A coordinate does not fit this arithmetic");
-        const QString otherKind
-            = QStringLiteral("primitive 5 (line): It is of another kind, or filled otherwise, than");
+        const QString otherKind = QStringLiteral(
+            "primitive 5 (line): It is of another kind, or filled otherwise, than");
         const auto rows = [](const char *name, const QStringList &options,
                              const QStringList &messages) {
             QTest::addRow("render, %s", name)
