@@ -175,6 +175,9 @@ private slots:
         document().reset(scene);
         m_tree->setCurrentIndex(m_model->indexOfPrimitive(0));
         QCOMPARE(checkedForms(), QStringList({"Circle", "Outlined"}));
+        takeForm("Circle"); // it has it already
+        QCOMPARE(checkedForms(), QStringList({"Circle", "Outlined"}));
+        QVERIFY(!document().undoStack()->canUndo());
 
         takeForm("Ellipse: its corner is free");
         QCOMPARE(document().shapeAt(0).kind, PrimitiveKind::Ellipse);

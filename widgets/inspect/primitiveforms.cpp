@@ -71,8 +71,10 @@ void PrimitiveForms::add(const QString &text, const Shape &form)
     QAction *action = addAction(text);
     action->setCheckable(true);
     action->setChecked(form == m_document->shapeAt(m_primitive));
-    connect(action, &QAction::triggered, this,
-            [this, form] { m_document->setForm(m_primitive, form); });
+    connect(action, &QAction::triggered, this, [this, action, form] {
+        action->setChecked(true); // the one that it has already stays so
+        m_document->setForm(m_primitive, form);
+    });
 }
 
 } // namespace pixelplumb
