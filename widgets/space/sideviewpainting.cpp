@@ -75,7 +75,8 @@ void SideView::drawName(QPainter &painter, const QString &name, const QPointF &p
     // On the wished side, then round about the position, then farther away; the first free one, or
     // the first of all.
     std::array sides = {QPointF(1, -1), QPointF(-1, -1), QPointF(1, 1), QPointF(-1, 1)};
-    std::ranges::stable_partition(sides, [&](const QPointF &side) { return side == wished; });
+    std::stable_partition(sides.begin(), sides.end(),
+                          [&](const QPointF &side) { return side == wished; });
     for (const double distance : {nameDistance, 4 * nameDistance, 7 * nameDistance}) {
         for (const QPointF &side : sides) {
             QRectF tried(position + side * distance, size);
