@@ -156,19 +156,15 @@ void LayerLabels::place(const LayerDrawing::Label &label)
     std::erase_if(anchors, [this](const QPointF &anchor) { return !isNearView(anchor); });
     const QSizeF size = sizeOf(label.text);
     std::vector<Placed> places;
-    std::vector<QPointF> anchorOf;
     for (const QPointF &anchor : anchors) {
         for (const QPointF &corner : placesAround(anchor, size)) {
             const QRectF rect = movedInto({corner, size}, m_surface.view);
-            if (!isWithin(rect, label.side) || !isFree(rect))
-                continue;
-            places.push_back({label.text, rect, leaderTo(rect, anchor), label.ink});
-            anchorOf.push_back(anchor);
+            if (isWithin(rect, label.side) && isFree(rect))
+                places.push_back({label.text, rect, leaderTo(rect, anchor), label.ink});
         }
     }
     const auto isNearest = [&](const Placed &place) {
-        const QPointF &anchor = anchorOf[std::size_t(&place - places.data())];
-        const double own = distanceOf(place.rect, QRectF(anchor, QSizeF()));
+        const double own = distanceOf(place.rect, QRectF(place.leader.p1(), QSizeF()));
         return std::ranges::all_of(label.rivals, [&](const QLineF &rival) {
             return distanceOf(place.rect, m_surface.fromSamples.map(rival)) > own;
         });

@@ -127,7 +127,6 @@ void PrecisionPlot::plot(const std::vector<BoundErrors> &errors, PlottedBound bo
 void PrecisionPlot::showPlaces(std::int64_t first, std::int64_t last)
 {
     m_plot->xAxis->setRange(double(first), double(last) + 1);
-    replot(); // the labels of marks stand on the side that has room
 }
 
 void PrecisionPlot::setPlaceInHand(const std::optional<SpanPlace> &place)
