@@ -13,4 +13,4 @@ exec cmake -S "$project" -B "$project/build/clang" -G Ninja -DCMAKE_BUILD_TYPE=R
     "-DCMAKE_CXX_FLAGS_RELWITHDEBINFO=-O0 -g1" -DCMAKE_CXX_COMPILER="$compiler" \
     -DPIXELPLUMB_TESTS=ON -DPIXELPLUMB_BENCHMARKS=ON -DPIXELPLUMB_FUZZERS=ON \
     -DPIXELPLUMB_WERROR=ON \
-    "-DPIXELPLUMB_SANITIZE=fuzzer-no-link;address;undefined;float-cast-overflow"
+    "-DPIXELPLUMB_SANITIZE=address;undefined;float-cast-overflow"

@@ -235,6 +235,8 @@ private slots:
         row("one", {"--methods", "truth"}, "--methods: 1 contender; expected 2 to 4");
         row("five", {"--methods", "truth,truth,truth,truth,truth"},
             "--methods: 5 contenders; expected 2 to 4");
+        row("a name left out", {"--methods", "truth,,column-scan"},
+            "--methods: unknown method “”; expected one of truth, ");
         row("method", {"--methods", "truth,colum-scan"},
             "unknown method “colum-scan”; did you mean column-scan?; expected one of truth, ");
         row("arithmetic", {"--methods", "truth,column-scan:float"},

@@ -2,6 +2,7 @@
 #include "core/runs/tracedscene.h"
 #include "core/scene/scenefile.h"
 #include "tests/support/polygons.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/spacescenes.h"
 
 #include <QRegularExpression>
@@ -143,7 +144,7 @@ private slots:
     void theThreeFormsAreEqualInExactArithmetic()
     {
         std::size_t samples = 0;
-        for (std::uint32_t seed = 0; seed < 500; ++seed) {
+        for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(500)); ++seed) {
             const Scene scene = anyScene(seed);
             for (const FillRule rule : rules) {
                 const auto bilinear = valuesOf(*tracedBy(scene, forms[0], rule));
@@ -154,7 +155,7 @@ private slots:
                 samples += bilinear.size();
             }
         }
-        QVERIFY(samples > 20000);
+        QVERIFY(samples > fewerIfSanitized(20000));
     }
 
     void theyAreEqualAcrossTheWholeRange()
@@ -188,7 +189,7 @@ private slots:
 
     void exactPicturesAreTheTruth()
     {
-        for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(300)); ++seed) {
             for (const char *form : forms) {
                 for (const FillRule rule : rules) {
                     const auto traced = tracedBy(anyScene(seed), form, rule);
@@ -233,7 +234,7 @@ private slots:
     {
         const char *const rows = "interpolate-bilinear-rows";
         std::size_t samples = 0;
-        for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(300)); ++seed) {
             const Scene scene = anyScene(seed);
             Scene mirrored = scene;
             for (Vertex &vertex : mirrored.triangles[0].vertices)
@@ -257,7 +258,7 @@ private slots:
                 QCOMPARE(rounded->differences.count(Difference::Extra), 0);
             }
         }
-        QVERIFY(samples > 10000);
+        QVERIFY(samples > fewerIfSanitized(10000));
     }
 
     void attributesAreTheVerticesOwnAtTheVertices()
@@ -290,7 +291,7 @@ private slots:
     {
         std::array<double, 3> largest32 = {};
         std::array<double, 3> largest64 = {};
-        for (std::uint32_t seed = 0; seed < 200; ++seed) {
+        for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(200)); ++seed) {
             for (std::size_t form = 0; form < 3; ++form) {
                 const Scene scene = anyScene(seed);
                 const auto exact = valuesOf(*tracedBy(scene, forms[form], FillRule::Closed));

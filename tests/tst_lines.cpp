@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/frame/framebuffer.h"
+#include "tests/support/sanitized.h"
 #include "tests/support/shapes.h"
 #include "tests/support/tracereplay.h"
 
@@ -88,7 +89,7 @@ private slots:
         QFETCH(QString, method);
         QFETCH(qint64, reach);
         QRandomGenerator random(20);
-        for (int round = 0; round < 150; ++round) {
+        for (int round = 0; round < fewerIfSanitized(150); ++round) {
             const Shape line = randomLine(random, reach);
             // The window that a long line is sure to cross: around its middle.
             const auto middle = [&](Lattice a, Lattice b) {
@@ -126,7 +127,7 @@ private slots:
         });
         QCOMPARE(fault, QString());
         QRandomGenerator random(20);
-        for (int round = 0; round < 250; ++round)
+        for (int round = 0; round < fewerIfSanitized(250); ++round)
             QCOMPARE(faultOf(randomLine(random, 40 * unitsPerPixel), frameOf(81, 81, -40, -40)),
                      QString());
     }
@@ -180,7 +181,7 @@ private slots:
         for (const QString &method :
              {QStringLiteral("line-dda"), QStringLiteral("line-slope-intercept"),
               QStringLiteral("line-bresenham"), QStringLiteral("line-bresenham-symmetric")}) {
-            for (int round = 0; round < 60; ++round) {
+            for (int round = 0; round < fewerIfSanitized(60); ++round) {
                 const Shape line = randomLine(random, 64 * unitsPerPixel);
                 const CasePicture whole = pictureBy(method, line, frameOf(160, 160, -80, -80));
                 const CasePicture window = pictureBy(method, line, frameOf(31, 17, -13, -5));

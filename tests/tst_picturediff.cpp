@@ -90,12 +90,13 @@ private slots:
         QTemporaryDir folder;
         const auto path
             = [&](const char *name) { return folder.filePath(QString::fromLatin1(name)); };
-        QVERIFY(!writeFile(path("min.json"), R"({ "pixelplumb": 1,
-            "frame": { "width": 6, "height": 6 }, "primitives": [
-            { "triangle": [[0, 0], [5, 1], [1, 5]],
-              "colors": ["#000000", "#000000", "#000000"] } ] })"));
-        QVERIFY(!writeFile(path("a.json"), R"({ "pixelplumbAssignment": 1, "name": "black",
-            "scenes": [ { "name": "min", "scene": "min.json" } ] })"));
+        const char *scene = R"({ "pixelplumb": 1, "frame": { "width": 6, "height": 6 },
+            "primitives": [ { "triangle": [[0, 0], [5, 1], [1, 5]],
+                              "colors": ["#000000", "#000000", "#000000"] } ] })";
+        const char *assignment = R"({ "pixelplumbAssignment": 1, "name": "black",
+            "scenes": [ { "name": "min", "scene": "min.json" } ] })";
+        QVERIFY(!writeFile(path("min.json"), scene));
+        QVERIFY(!writeFile(path("a.json"), assignment));
         QVERIFY(QDir(folder.path()).mkpath(QStringLiteral("subs/one")));
         QCOMPARE(run({"render", path("min.json"), "-o", path("subs/one/min.ppm")}).exitCode, 0);
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/polygons/contours.h"
 #include "tests/support/polygons.h"
+#include "tests/support/sanitized.h"
 
 #include <QTest>
 
@@ -89,7 +90,7 @@ private slots:
 
     void exactRowsAreTheTruthForAnyContours()
     {
-        for (std::uint32_t seed = 0; seed < 3000; ++seed) {
+        for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(3000)); ++seed) {
             Dice dice(seed);
             constexpr std::array<Lattice, 4> grids = {256, 128, 16, 1};
             const Lattice grid = grids[std::size_t(dice.in(0, 3))];
@@ -102,7 +103,7 @@ private slots:
 
     void farAwayTheRowsAreStillTheTruth()
     {
-        for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(300)); ++seed) {
             Dice dice(seed);
             const std::int32_t far = std::int32_t(dice.in(-1, 1) * (largestPixel - 40));
             const Shape shape
@@ -115,7 +116,7 @@ private slots:
 
     void edgesAcrossTheWholeRangeAreExact()
     {
-        for (std::uint32_t seed = 0; seed < 300; ++seed) {
+        for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(300)); ++seed) {
             Dice dice(seed);
             Contour contour;
             for (int i = 0; i < 7; ++i)
@@ -145,7 +146,7 @@ private slots:
 
     void polygonsThatShareEdgesCoverEachSampleOnce()
     {
-        for (std::uint32_t seed = 0; seed < 400; ++seed) {
+        for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(400)); ++seed) {
             Dice dice(seed);
             // A square cut by a random chain from its left side to its right side.
             const Lattice side = 20 * 256;
@@ -177,7 +178,7 @@ private slots:
 
     void tracingChangesNoPictureAndReplaysEachRow()
     {
-        for (std::uint32_t seed = 0; seed < 100; ++seed) {
+        for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(100)); ++seed) {
             Dice dice(seed);
             const Shape shape = anyPolygon(dice, 24 * 16, 16);
             for (const Arithmetic arithmetic : allArithmetics) {
@@ -221,7 +222,7 @@ private slots:
 
     void anOutlineIsTheLinesOfItsEdges()
     {
-        for (std::uint32_t seed = 0; seed < 400; ++seed) {
+        for (std::uint32_t seed = 0; seed < std::uint32_t(fewerIfSanitized(400)); ++seed) {
             Dice dice(seed);
             const Lattice grid = seed % 2 == 0 ? 256 : 1;
             Shape shape = anyPolygon(dice, 24 * 256 / grid, grid);

@@ -2,6 +2,7 @@
 #include "core/scene/fileaccess.h"
 #include "core/scene/motion.h"
 #include "core/scene/scene.h"
+#include "tests/support/defaultscene.h"
 #include "tests/support/isolatedsettings.h"
 #include "tests/support/openwindow.h"
 #include "tests/support/sourcetree.h"
@@ -15,6 +16,7 @@
 #include <QBuffer>
 #include <QDialogButtonBox>
 #include <QFileDialog>
+#include <QMenu>
 #include <QPushButton>
 #include <QSignalSpy>
 #include <QTemporaryDir>
@@ -32,6 +34,34 @@ class TestWindowExports : public QObject {
 
 private slots:
     void init() { m_settings.clear(); }
+
+    void theMenuNamesWhatTheMethodWalks_data()
+    {
+        QTest::addColumn<QString>("method");
+        QTest::addColumn<QString>("csv");
+        QTest::addColumn<QString>("json");
+        const auto add = [](const char *method, const char *csv, const char *json) {
+            QTest::newRow(method) << method << QString::fromUtf8(csv) << QString::fromUtf8(json);
+        };
+        add("column-scan", "&Columns (CSV)…", "Columns (&JSON)…");
+        add("row-walk", "Ro&ws (CSV)…", "Rows (&JSON)…");
+    }
+    void theMenuNamesWhatTheMethodWalks()
+    {
+        QFETCH(QString, method);
+        for (const bool isEmpty : {false, true}) {
+            Scene scene = defaultSceneIn(Arithmetic::Exact);
+            scene.method = method.toStdString();
+            if (isEmpty)
+                scene.triangles.clear();
+            const auto window = openedWindow(scene);
+            QMetaObject::invokeMethod(window->findChild<QMenu *>(QStringLiteral("exportMenu")),
+                                      "aboutToShow");
+
+            QTEST(action(*window, "exportColumnsCsv")->text(), "csv");
+            QTEST(action(*window, "exportColumnsJson")->text(), "json");
+        }
+    }
 
     void noExportReplacesTheOpenedScene_data()
     {

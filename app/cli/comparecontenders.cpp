@@ -72,7 +72,7 @@ Result<Contender> contenderNamed(const QString &place, const QString &entry,
 
 Result<std::vector<Contender>> contendersNamed(const QString &list, const ScanSettings &ofScene)
 {
-    const QStringList entries = list.split(u',', Qt::SkipEmptyParts);
+    const QStringList entries = list.split(u',');
     const auto count = std::size_t(entries.size());
     if (count < fewestContenders || count > mostContenders)
         return InputError{methodsOption,

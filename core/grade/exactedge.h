@@ -4,6 +4,8 @@
 #include "core/grade/exacttrack.h"
 #include "core/grade/walkedprogram.h"
 
+#include <bit>
+
 namespace pixelplumb {
 
 /// Where an edge meets the span in hand, in fractions.
@@ -11,6 +13,7 @@ class ExactEdge {
 public:
     ExactEdge(const WalkedEdge &edge, const ProgramWalk &walk, std::int64_t span)
         : m_walk(walk)
+        , m_grid(gridOf(edge))
     {
         const Lattice width = edge.places.b.position.x - edge.places.a.position.x;
         const Lattice rise = edge.places.b.position.y - edge.places.a.position.y;
@@ -88,23 +91,40 @@ private:
         Int128 from, by;
         Kept kept; ///< of the quotient
     };
+    /// The widest grid, in lattice units, on which all stands: numbers that are divided by it at
+    /// once stay so small that they are divided further in a fraction of the time.
+    static Lattice gridOf(const WalkedEdge &edge)
+    {
+        const std::array<LatticePoint, 6> places
+            = {edge.places.a.position,  edge.places.b.position,  edge.firstPlace.position,
+               edge.colours.a.position, edge.colours.b.position, edge.firstColour.position};
+        std::uint64_t bits = unitsPerPixel;
+        for (const LatticePoint &place : places)
+            bits |= std::uint64_t(place.x) | std::uint64_t(place.y);
+        return Lattice(1) << std::countr_zero(bits);
+    }
+
     /// At so many lattice units from the vertex. One along the spans stays at it.
-    static ExactTrack trackOf(Change change, Lattice width, Lattice way)
+    ExactTrack trackOf(Change change, Lattice width, Lattice way) const
     {
         if (width == 0)
             return {change.from, 0};
-        Int128 divisor = width;
+        change.from /= m_grid;
+        change.by /= m_grid;
+        way /= m_grid;
+        Int128 divisor = width / m_grid;
         if (width < 0) {
             divisor = -divisor;
             change.by = -change.by;
         }
         if (change.kept != Kept::All)
             change.by = leftOf<Int128>(change.by, divisor, change.kept) * divisor;
-        return {change.from * divisor + way * change.by, change.by * unitsPerPixel,
-                divisor * unitsPerPixel};
+        const Lattice inPixel = unitsPerPixel / m_grid;
+        return {change.from * divisor + way * change.by, change.by * inPixel, divisor * inPixel};
     }
 
     const ProgramWalk &m_walk;
+    Lattice m_grid;
     ExactTrack m_places;
     std::array<ExactTrack, 3> m_levels;
 };

@@ -2128,6 +2128,22 @@
         <source>&amp;Raster (ASCII text)…</source>
         <translation>&amp;Raster (ASCII-Text) …</translation>
     </message>
+    <message>
+        <source>Ro&amp;ws (CSV)…</source>
+        <translation>&amp;Zeilen (CSV) …</translation>
+    </message>
+    <message>
+        <source>Rows (&amp;JSON)…</source>
+        <translation>Zeilen (&amp;JSON) …</translation>
+    </message>
+    <message>
+        <source>&amp;Steps (CSV)…</source>
+        <translation>&amp;Schritte (CSV) …</translation>
+    </message>
+    <message>
+        <source>Steps (&amp;JSON)…</source>
+        <translation>Schritte (&amp;JSON) …</translation>
+    </message>
 </context>
 <context>
     <name>pixelplumb::FormulaHtml</name>
@@ -6205,6 +6221,14 @@
     <message>
         <source>%1 is written: %2.</source>
         <translation>%1 ist geschrieben: %2.</translation>
+    </message>
+    <message>
+        <source>Export the Rows</source>
+        <translation>Zeilen exportieren</translation>
+    </message>
+    <message>
+        <source>Export the Steps</source>
+        <translation>Schritte exportieren</translation>
     </message>
 </context>
 <context>

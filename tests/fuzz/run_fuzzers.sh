@@ -27,7 +27,7 @@ run() {
 code=0
 corpus=$project/tests/fuzz/corpus
 mkdir -p "$build/kernels" "$build/scenes"
-run kernelfuzzer -max_len=128 -use_value_profile=1 "$build/kernels" "$corpus/kernel" || code=1
+run kernelfuzzer -max_len=128 "$build/kernels" "$corpus/kernel" || code=1
 run scenefuzzer -max_len=2048 -dict="$project/tests/fuzz/scene.dict" \
     "$build/scenes" "$corpus/scene" "$project/resources/scenes" || code=1
 exit "$code"

@@ -145,8 +145,13 @@ void SceneExports::exportAnnotatedGrid()
 
 void SceneExports::exportTrace(TraceLevel level, TableFormat format)
 {
+    const auto titleOfSpans = [](SpanAxis axis) {
+        return axis == SpanAxis::Column ? tr("Export the Columns")
+            : axis == SpanAxis::Row     ? tr("Export the Rows")
+                                        : tr("Export the Steps");
+    };
     const QString title
-        = level == TraceLevel::Column ? tr("Export the Columns") : tr("Export the Pixels");
+        = level == TraceLevel::Column ? titleOfSpans(m_playhead->axis()) : tr("Export the Pixels");
     const bool isCsv = format == TableFormat::Csv;
     const auto target = askForTarget(title, isCsv ? tr("CSV table") : tr("JSON"),
                                      isCsv ? QStringLiteral("csv") : QStringLiteral("json"));

@@ -95,7 +95,9 @@ SpanAxis Playhead::axis() const
     if (const std::optional<SpanPlace> place = placeInHand())
         return place->axis;
     const bool hasSpans = m_traced && m_traced->trace->spanCount() > 0;
-    return hasSpans ? m_traced->trace->placeOf(0).axis : SpanAxis::Column;
+    if (hasSpans)
+        return m_traced->trace->placeOf(0).axis;
+    return m_traced ? m_traced->method->spanAxis : SpanAxis::Column;
 }
 
 std::optional<QPoint> Playhead::pixelInHand() const

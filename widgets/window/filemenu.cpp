@@ -6,9 +6,28 @@
 #include "widgets/files/scenefiles.h"
 #include "widgets/files/studentpicturefiles.h"
 #include "widgets/look/menuaction.h"
+#include "widgets/model/playhead.h"
 #include "widgets/model/scenedocument.h"
 
 namespace pixelplumb {
+
+namespace {
+
+/// The exports of what the method in hand walks: as a CSV table and as JSON.
+std::pair<QString, QString> spanExportNames(SpanAxis axis)
+{
+    switch (axis) {
+    case SpanAxis::Row:
+        return {FileMenu::tr("Ro&ws (CSV)…"), FileMenu::tr("Rows (&JSON)…")};
+    case SpanAxis::Free:
+        return {FileMenu::tr("&Steps (CSV)…"), FileMenu::tr("Steps (&JSON)…")};
+    case SpanAxis::Column:
+        break;
+    }
+    return {FileMenu::tr("&Columns (CSV)…"), FileMenu::tr("Columns (&JSON)…")};
+}
+
+} // namespace
 
 FileMenu::FileMenu(const WindowParts &parts, QWidget *window)
     : QMenu(tr("&File"), window)
@@ -38,13 +57,14 @@ FileMenu::FileMenu(const WindowParts &parts, QWidget *window)
     connect(files, &SceneFiles::pathChanged, revert, updateRevert);
     updateRevert();
     addSeparator();
-    addExports(parts.exports);
+    addExports(parts);
     addSeparator();
     addMenuAction(this, "quit", tr("&Quit"), Qt::CTRL | Qt::Key_Q, [window] { window->close(); });
 }
 
-void FileMenu::addExports(SceneExports *exports)
+void FileMenu::addExports(const WindowParts &parts)
 {
+    SceneExports *exports = parts.exports;
     QMenu *menu = addMenu(tr("&Export"));
     menu->setObjectName(QStringLiteral("exportMenu"));
     addMenuAction(menu, "exportPicture", tr("&Picture (PNG)…"), Qt::CTRL | Qt::Key_E,
@@ -52,15 +72,22 @@ void FileMenu::addExports(SceneExports *exports)
     addMenuAction(menu, "exportGrid", tr("&Annotated grid (SVG)…"), {},
                   [exports] { exports->exportAnnotatedGrid(); });
     menu->addSeparator();
-    const auto addTable
-        = [&](const char *name, const QString &text, TraceLevel level, TableFormat format) {
-              addMenuAction(menu, name, text, {},
-                            [exports, level, format] { exports->exportTrace(level, format); });
-          };
-    addTable("exportColumnsCsv", tr("&Columns (CSV)…"), TraceLevel::Column, TableFormat::Csv);
-    addTable("exportColumnsJson", tr("Columns (&JSON)…"), TraceLevel::Column, TableFormat::Json);
-    addTable("exportPixelsCsv", tr("Pi&xels (CSV)…"), TraceLevel::Pixel, TableFormat::Csv);
-    addTable("exportPixelsJson", tr("Pixels (JS&ON)…"), TraceLevel::Pixel, TableFormat::Json);
+    const auto addTable = [&](const char *name, TraceLevel level, TableFormat format) {
+        return addMenuAction(menu, name, {}, {},
+                             [exports, level, format] { exports->exportTrace(level, format); });
+    };
+    QAction *spansCsv = addTable("exportColumnsCsv", TraceLevel::Column, TableFormat::Csv);
+    QAction *spansJson = addTable("exportColumnsJson", TraceLevel::Column, TableFormat::Json);
+    addTable("exportPixelsCsv", TraceLevel::Pixel, TableFormat::Csv)->setText(tr("Pi&xels (CSV)…"));
+    addTable("exportPixelsJson", TraceLevel::Pixel, TableFormat::Json)
+        ->setText(tr("Pixels (JS&ON)…"));
+    const auto nameSpans = [spansCsv, spansJson, playhead = parts.playhead] {
+        const auto [csv, json] = spanExportNames(playhead->axis());
+        spansCsv->setText(csv);
+        spansJson->setText(json);
+    };
+    connect(menu, &QMenu::aboutToShow, this, nameSpans);
+    nameSpans();
     menu->addSeparator();
     addMenuAction(menu, "exportRaster", tr("&Raster (ASCII text)…"), {},
                   [exports] { exports->exportRaster(); });

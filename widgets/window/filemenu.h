@@ -18,7 +18,7 @@ signals:
     void examplesRequested();
 
 private:
-    void addExports(SceneExports *exports);
+    void addExports(const WindowParts &parts);
 };
 
 } // namespace pixelplumb
