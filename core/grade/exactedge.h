@@ -13,20 +13,21 @@ class ExactEdge {
 public:
     ExactEdge(const WalkedEdge &edge, const ProgramWalk &walk, std::int64_t span)
         : m_walk(walk)
-        , m_grid(gridOf(edge))
     {
+        const Lattice grid = gridOf(edge);
         const Lattice width = edge.places.b.position.x - edge.places.a.position.x;
         const Lattice rise = edge.places.b.position.y - edge.places.a.position.y;
         m_places = trackOf({edge.firstPlace.position.y, rise, walk.slopes}, width,
-                           span * unitsPerPixel - edge.firstPlace.position.x);
+                           span * unitsPerPixel - edge.firstPlace.position.x, grid);
         const Lattice ofColours = edge.colours.b.position.x - edge.colours.a.position.x;
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t source = walk.ratesAlongEdgesOf[i];
             const int change
                 = edge.colours.b.colour.channels[source] - edge.colours.a.colour.channels[source];
             const int first = edge.firstColour.colour.channels[i];
-            m_levels[i] = trackOf({first * unitsPerPixel, change * unitsPerPixel, walk.edgeColours},
-                                  ofColours, wayToSpan(edge.firstColour.position.x, span, walk, i));
+            m_levels[i]
+                = trackOf({first * unitsPerPixel, change * unitsPerPixel, walk.edgeColours},
+                          ofColours, wayToSpan(edge.firstColour.position.x, span, walk, i), grid);
         }
         if (walk.edgeStoring == Storing::FromFirst) {
             m_places.store(walk.edgePlaces);
@@ -104,27 +105,26 @@ private:
         return Lattice(1) << std::countr_zero(bits);
     }
 
-    /// At so many lattice units from the vertex. One along the spans stays at it.
-    ExactTrack trackOf(Change change, Lattice width, Lattice way) const
+    /// At so many lattice units from the vertex, all on the grid. One along the spans stays at it.
+    static ExactTrack trackOf(Change change, Lattice width, Lattice way, Lattice grid)
     {
         if (width == 0)
             return {change.from, 0};
-        change.from /= m_grid;
-        change.by /= m_grid;
-        way /= m_grid;
-        Int128 divisor = width / m_grid;
+        change.from /= grid;
+        change.by /= grid;
+        way /= grid;
+        Int128 divisor = width / grid;
         if (width < 0) {
             divisor = -divisor;
             change.by = -change.by;
         }
         if (change.kept != Kept::All)
             change.by = leftOf<Int128>(change.by, divisor, change.kept) * divisor;
-        const Lattice inPixel = unitsPerPixel / m_grid;
+        const Lattice inPixel = unitsPerPixel / grid;
         return {change.from * divisor + way * change.by, change.by * inPixel, divisor * inPixel};
     }
 
     const ProgramWalk &m_walk;
-    Lattice m_grid;
     ExactTrack m_places;
     std::array<ExactTrack, 3> m_levels;
 };

@@ -4,6 +4,7 @@
 #include "core/grade/exacttrack.h"
 #include "core/grade/redrawing.h"
 
+#include <type_traits>
 #include <vector>
 
 namespace pixelplumb {
@@ -21,9 +22,16 @@ struct ExactRamp {
     }
 
     /// The whole levels at the samples. Quotients and remainders are stepped: nothing is divided
-    /// from sample to sample.
+    /// from sample to sample, and what half of the width holds is stepped in it, which takes a
+    /// fraction of the time.
     void storeFloors(std::vector<WholeLevels> &levels, std::size_t channel) const
     {
+        if constexpr (std::is_same_v<Integer, Int256>) {
+            static const Int256 half = Int256(1) << 125;
+            if (absolute(first) < half && absolute(step) < half && denominator < half)
+                return ExactRamp<Int128>{Int128(first), Int128(step), Int128(denominator)}
+                    .storeFloors(levels, channel);
+        }
         const Integer level = leftOf<Integer>(first, denominator, Kept::Down);
         const Integer levelStep = leftOf<Integer>(step, denominator, Kept::Down);
         Integer rest = first - level * denominator;
@@ -41,25 +49,5 @@ struct ExactRamp {
         }
     }
 };
-
-/// What half of the width holds is stepped in it, which takes a fraction of the time.
-inline void storeFloors(const ExactRamp<Int128> &ramp, std::vector<WholeLevels> &levels,
-                        std::size_t channel)
-{
-    ramp.storeFloors(levels, channel);
-}
-
-inline void storeFloors(const ExactRamp<Int256> &ramp, std::vector<WholeLevels> &levels,
-                        std::size_t channel)
-{
-    static const Int256 half = Int256(1) << 125;
-    const bool isHeld
-        = absolute(ramp.first) < half && absolute(ramp.step) < half && ramp.denominator < half;
-    if (isHeld)
-        ExactRamp<Int128>{Int128(ramp.first), Int128(ramp.step), Int128(ramp.denominator)}
-            .storeFloors(levels, channel);
-    else
-        ramp.storeFloors(levels, channel);
-}
 
 } // namespace pixelplumb

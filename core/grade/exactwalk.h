@@ -230,11 +230,10 @@ private:
         const bool isNearest = program.rounding() == ByteRounding::Nearest;
         const Integer skipped = span.firstDrawn - span.first;
         const Integer first = ramp.first + skipped * ramp.step;
-        storeFloors(isNearest // ⌊v + ½⌋
-                        ? ExactRamp<Integer>{2 * first + ramp.denominator, 2 * ramp.step,
-                                             2 * ramp.denominator}
-                        : ExactRamp<Integer>{first, ramp.step, ramp.denominator},
-                    levels, channel);
+        const ExactRamp<Integer> stored = isNearest // ⌊v + ½⌋
+            ? ExactRamp<Integer>{2 * first + ramp.denominator, 2 * ramp.step, 2 * ramp.denominator}
+            : ExactRamp<Integer>{first, ramp.step, ramp.denominator};
+        stored.storeFloors(levels, channel);
     }
     /// A channel whose level is a whole number at each sample, or at all but the first; gives what
     /// it has come to behind the last one.

@@ -72,15 +72,15 @@ void FileMenu::addExports(const WindowParts &parts)
     addMenuAction(menu, "exportGrid", tr("&Annotated grid (SVG)…"), {},
                   [exports] { exports->exportAnnotatedGrid(); });
     menu->addSeparator();
-    const auto addTable = [&](const char *name, TraceLevel level, TableFormat format) {
-        return addMenuAction(menu, name, {}, {},
+    const auto addTable = [&](const char *name, const QString &text, TraceLevel level,
+                              TableFormat format) {
+        return addMenuAction(menu, name, text, {},
                              [exports, level, format] { exports->exportTrace(level, format); });
     };
-    QAction *spansCsv = addTable("exportColumnsCsv", TraceLevel::Column, TableFormat::Csv);
-    QAction *spansJson = addTable("exportColumnsJson", TraceLevel::Column, TableFormat::Json);
-    addTable("exportPixelsCsv", TraceLevel::Pixel, TableFormat::Csv)->setText(tr("Pi&xels (CSV)…"));
-    addTable("exportPixelsJson", TraceLevel::Pixel, TableFormat::Json)
-        ->setText(tr("Pixels (JS&ON)…"));
+    QAction *spansCsv = addTable("exportColumnsCsv", {}, TraceLevel::Column, TableFormat::Csv);
+    QAction *spansJson = addTable("exportColumnsJson", {}, TraceLevel::Column, TableFormat::Json);
+    addTable("exportPixelsCsv", tr("Pi&xels (CSV)…"), TraceLevel::Pixel, TableFormat::Csv);
+    addTable("exportPixelsJson", tr("Pixels (JS&ON)…"), TraceLevel::Pixel, TableFormat::Json);
     const auto nameSpans = [spansCsv, spansJson, playhead = parts.playhead] {
         const auto [csv, json] = spanExportNames(playhead->axis());
         spansCsv->setText(csv);
