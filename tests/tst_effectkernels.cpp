@@ -184,8 +184,8 @@ private slots:
             });
     }
 
-    void theKernelOfABatchDrawsWhatTheGeneralOneDraws_data() { addHardshipRows(); }
-    void theKernelOfABatchDrawsWhatTheGeneralOneDraws()
+    void theKernelOfABatchDrawsWhatTheCountingOneDraws_data() { addHardshipRows(); }
+    void theKernelOfABatchDrawsWhatTheCountingOneDraws()
     {
         QFETCH(EffectHardship, hardship);
         forEachScene(
@@ -194,7 +194,7 @@ private slots:
                 for (const ShadedMethod method : shadedMethods) {
                     const Departure departure
                         = departureOf(drawnBy(drawSpecialised, method, scene, settings),
-                                      drawnBy(drawShadedGenerally, method, scene, settings));
+                                      drawnBy(countShaded, method, scene, settings));
                     QVERIFY2(departure.pixels == 0, qPrintable(text + textOf(method, departure)));
                 }
             });

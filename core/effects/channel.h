@@ -44,7 +44,7 @@ constexpr bool followsPerspective(Channel channel)
 /// Levels count in whole levels, the other channels in 2^-24.
 constexpr bool isLevel(Channel channel) { return channel <= Channel::Alpha; }
 
-/// Whether the effects read a channel. Effects is an EffectSet or a StaticEffects.
+/// Whether the effects read a channel. Effects is an EffectSet or a CompiledEffects.
 template <class Effects>
 constexpr bool carries(const Effects &effects, Channel channel)
 {
@@ -73,8 +73,8 @@ constexpr bool carries(const Effects &effects, Channel channel)
     return false;
 }
 
-/// Calls function(index) for each channel that the effects carry, in order; for StaticEffects a
-/// straight line of code.
+/// Calls function(index) for each channel that the effects carry, in order; for the compiled ones
+/// of CompiledEffects a straight line of code.
 template <class Effects, class Function>
 [[gnu::always_inline]] inline void forEachChannel(const Effects &effects, const Function &function)
 {
@@ -83,16 +83,5 @@ template <class Effects, class Function>
             function(index);
     }
 }
-
-/// An EffectSet that is known when the kernel is compiled: what is not in it is no code.
-template <EffectSet set>
-struct StaticEffects {
-    static constexpr bool smooth = set.smooth;
-    static constexpr bool perspective = set.perspective;
-    static constexpr bool texture = set.texture;
-    static constexpr bool light = set.light;
-    static constexpr bool blending = set.blending;
-    static constexpr DepthTest depth = set.depth;
-};
 
 } // namespace pixelplumb

@@ -22,6 +22,23 @@ constexpr InterpolationForm formOf(ShadedMethod method)
     return InterpolationForm::Bilinear;
 }
 
+/// Calls function.operator()<method>().
+template <class Function>
+decltype(auto) withShadedMethod(ShadedMethod method, const Function &function)
+{
+    switch (method) {
+    case ShadedMethod::Plane:
+        return function.template operator()<ShadedMethod::Plane>();
+    case ShadedMethod::Barycentric:
+        return function.template operator()<ShadedMethod::Barycentric>();
+    case ShadedMethod::Bilinear:
+        return function.template operator()<ShadedMethod::Bilinear>();
+    case ShadedMethod::ColumnScan:
+        break;
+    }
+    return function.template operator()<ShadedMethod::ColumnScan>();
+}
+
 /// Whether 64 bits hold the bounds of all triangles, and 128 what they are shaded from.
 struct ShadingWidths {
     bool narrowBounds = true;

@@ -28,12 +28,8 @@ void drawShaded(ShadedMethod method, const Primitives &primitives, const ScanSet
 bool drawShaded(ShadedMethod method, const Primitives &primitives, const ScanSettings &settings,
                 FrameView frame, const EffectPlan &plan, const ProgressListener &listener);
 
-/// The same picture by the kernel that takes its effects when it runs: what specialised kernels are
-/// tested against, and what is listened to.
-void drawShadedGenerally(ShadedMethod method, const Primitives &primitives,
-                         const ScanSettings &settings, FrameView frame, const EffectPlan &plan);
-
-/// The same, counting.
+/// The same picture, counting, by the kernel that takes all its effects when it runs: what the
+/// others are tested against.
 EffectTally countShaded(ShadedMethod method, const Primitives &primitives,
                         const ScanSettings &settings, FrameView frame, const EffectPlan &plan);
 

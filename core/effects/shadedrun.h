@@ -87,8 +87,12 @@ private:
     /// only where they are asked for: not for an observer.
     auto shaderFor(const EffectSet &effects) const
     {
-        if constexpr (std::is_same_v<Observer, NullObserver> && isSpecialised<N>) {
-            return ShadeTable<Form, N>::kernelFor(effects);
+        if constexpr (std::is_same_v<Observer, NullObserver>) {
+            return [kernel = ShadeTable<Form, N>::kernelFor(effects),
+                    &effects](const ShadedSetUp<N> &setUp, const Column &column, const RowRun &run,
+                              const Surface<N> &surface, FrameView frame) {
+                kernel(setUp, column, run, effects, surface, frame);
+            };
         } else {
             return [this, &effects](const ShadedSetUp<N> &setUp, const Column &column,
                                     const RowRun &run, const Surface<N> &surface, FrameView frame) {

@@ -90,7 +90,8 @@ void probeWith(const Primitives &one, const ScanSettings &settings, FrameView fr
     const ExactLevels exact(one.triangles.front());
     const auto &geometry = Kernel::geometryOf(one, 0);
     Kernel::withNumbers(settings, Kernel::widthFor(geometry, frame), [&]<class A>() {
-        Kernel::template scan<A>(geometry, settings, frame, LevelObserver(exact, truth, tally));
+        Kernel::template scan<WidestOf<A>>(geometry, settings, frame,
+                                           LevelObserver(exact, truth, tally));
     });
 }
 

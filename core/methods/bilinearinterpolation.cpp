@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/interpolation.h"
-#include "core/methods/interpolationmethod.h"
+#include "core/methods/interpolationtraces.h"
 
 namespace pixelplumb {
 

@@ -2,7 +2,7 @@
 #include "core/methods/columnscan.h"
 
 #include "core/fast/fastscan.h"
-#include "core/methods/edgewalkkernels.h"
+#include "core/methods/edgewalktraces.h"
 #include "core/methods/plannedmethod.h"
 
 namespace pixelplumb {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/constantraterowwalk.h"
 
-#include "core/methods/edgewalkkernels.h"
+#include "core/methods/edgewalktraces.h"
 
 namespace pixelplumb {
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/edgeequations.h"
 
-#include "core/methods/edgetestmethod.h"
+#include "core/methods/edgetesttraces.h"
 
 namespace pixelplumb {
 

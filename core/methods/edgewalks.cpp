@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "core/methods/edgewalks.h"
 
-#include "core/methods/edgewalkkernels.h"
+#include "core/methods/edgewalktraces.h"
 
 namespace pixelplumb {
 

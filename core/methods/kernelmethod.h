@@ -71,31 +71,22 @@ void drawWith(const Primitives &primitives, const ScanSettings &settings, FrameV
     }
 }
 
-/// One trace has one number type: 128 bits as soon as one primitive needs them. The numbers are the
-/// same.
-template <class Kernel>
-IntegerWidth widestFor(const Primitives &primitives, const FrameView &frame)
-{
-    for (std::size_t index = 0; index < primitives.size(); ++index) {
-        if (Kernel::draws(primitives, index)
-            && Kernel::widthFor(Kernel::geometryOf(primitives, index), frame)
-                == IntegerWidth::Bits128)
-            return IntegerWidth::Bits128;
-    }
-    return IntegerWidth::Bits64;
-}
+using TraceFunction = std::unique_ptr<ScanTrace>(const Primitives &, const ScanSettings &,
+                                                 FrameView, const TraceOptions &);
 
+/// A trace has one number type, the widest.
 template <class Kernel>
 std::unique_ptr<ScanTrace> traceWith(const Primitives &primitives, const ScanSettings &settings,
                                      FrameView frame, const TraceOptions &options)
 {
-    return Kernel::withNumbers(settings, widestFor<Kernel>(primitives, frame), [&]<class A>() {
-        return recordTrace<typename Kernel::template Recording<A>>(
+    return Kernel::withNumbers(settings, IntegerWidth::Bits128, [&]<class A>() {
+        using Widest = WidestOf<A>;
+        return recordTrace<typename Kernel::template Recording<Widest>>(
             primitives.size(), settings, options,
             [&](std::size_t index) { return Kernel::draws(primitives, index); },
             [&](std::size_t index, const auto &recorder) {
-                Kernel::template scan<A>(Kernel::geometryOf(primitives, index), settings, frame,
-                                         recorder);
+                Kernel::template scan<Widest>(Kernel::geometryOf(primitives, index), settings,
+                                              frame, recorder);
             });
     });
 }
@@ -109,8 +100,8 @@ Method methodOf()
     method.draw = drawWith<Kernel>;
     method.trace = traceWith<Kernel>;
     // The descriptions are the same in every arithmetic.
-    Kernel::withNumbers(ScanSettings{}, IntegerWidth::Bits64, [&]<class A>() {
-        using Recording = typename Kernel::template Recording<A>;
+    Kernel::withNumbers(ScanSettings{}, IntegerWidth::Bits128, [&]<class A>() {
+        using Recording = typename Kernel::template Recording<WidestOf<A>>;
         method.numbers.setUp = descriptionsOf(Recording::setUpNumbers());
         method.numbers.span = descriptionsOf(Recording::spanNumbers());
         method.numbers.sample = descriptionsOf(Recording::sampleNumbers());

@@ -6,26 +6,28 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace pixelplumb {
 
-/// Draws triangle by triangle with the samples of every edge pixel at hand, so that after each
-/// triangle the frame shows what there is, and announces each pixel once.
+/// Draws triangle by triangle and announces each pixel once. Where pixels have several samples,
+/// those of every edge pixel are kept, so that after each triangle the frame shows what there is.
 template <InterpolationForm Form, class N, class A, class Recorder>
-class SampledRecording {
+class ShadedPictureRecorder {
 public:
-    SampledRecording(const Primitives &primitives, const ScanSettings &settings, FrameView frame,
-                     const EffectPlan &plan, Recorder recorder)
-        : m_primitives(primitives)
-        , m_frame(frame)
-        , m_edges(primitives.triangles, frame)
+    ShadedPictureRecorder(const Primitives &primitives, const ScanSettings &settings,
+                          FrameView frame, const EffectPlan &plan, Recorder recorder)
+        : m_frame(frame)
         , m_surroundings(plan, primitives.appearance, frame)
+        , m_antialiasing(plan.antialiasing)
         , m_pattern(samplePattern(plan.antialiasing))
-        , m_centre(primitives, settings, CentreListener{this, recorder})
         , m_recorder(recorder)
-        , m_settings(settings)
+        , m_run(primitives, settings, Listener{this})
     {
+        if (m_pattern.empty())
+            return;
+        m_edges.emplace(primitives.triangles, frame);
         for (std::size_t i = 0; i < m_pattern.size(); ++i) {
             m_samples.push_back(std::make_unique<Sample>(plan, primitives.appearance, frame));
             m_samples.back()->frame.copyFrom(frame);
@@ -34,12 +36,12 @@ public:
 
     void draw(std::size_t index, const EffectSet &effects)
     {
-        m_written.clear();
-        for (std::size_t k = 0; k < m_samples.size(); ++k)
-            drawSample(k, index, effects);
-        m_centre.draw(index, effects, m_frame, m_surroundings, m_edges, false, {0, 0},
-                      [this](const Column &column) { announceIn(column.x); });
-        announceBefore(std::numeric_limits<std::int64_t>::max());
+        if (m_antialiasing == Antialiasing::Area)
+            m_run.drawAreas(index, effects, m_frame, m_surroundings);
+        else if (m_pattern.empty())
+            m_run.draw(index, effects, m_frame, m_surroundings);
+        else
+            drawSamples(index, effects);
     }
 
 private:
@@ -54,57 +56,57 @@ private:
         ScratchFrame frame;
         ShadedSurroundings<N> surroundings;
     };
-    /// Hears which pixels a sample's picture writes.
-    struct Listener : NullObserver {
-        SampledRecording *recording;
-        std::uint16_t bit;
+    /// Hears the triangle as the samples at the centres have it: columns that only other samples
+    /// reach come before and after its own. While the picture of another sample is drawn, it hears
+    /// which pixels that writes.
+    struct Listener {
+        ShadedPictureRecorder *picture;
 
-        Listener(SampledRecording *of, std::size_t sample)
-            : recording(of)
-            , bit(std::uint16_t(1U << sample))
+        void primitiveBegun(const ShadedSetUpRead<N> &setUp)
         {
+            if (!picture->m_sample)
+                picture->m_recorder.primitiveBegun(setUp);
         }
-        template <class AnySample>
-        void pixelWritten(std::int64_t x, std::int64_t y, QRgb, QRgb, const AnySample &)
-        {
-            recording->m_written[x][y] |= bit;
-        }
-    };
-
-    /// Hears the triangle as the samples at the centres have it. Columns that only other samples
-    /// reach come before and after its own.
-    struct CentreListener {
-        SampledRecording *recording;
-        Recorder recorder;
-
-        void primitiveBegun(const ShadedSetUpRead<N> &setUp) { recorder.primitiveBegun(setUp); }
         void primitiveRejected(const Rejection &rejection)
         {
-            recorder.primitiveRejected(rejection);
+            if (!picture->m_sample)
+                picture->m_recorder.primitiveRejected(rejection);
         }
         void spanEntered(const Column &column)
         {
-            recording->announceBefore(column.x);
-            recorder.spanEntered(column);
+            if (picture->m_sample)
+                return;
+            picture->announceBefore(column.x);
+            picture->m_recorder.spanEntered(column);
         }
         void sampleRejected(std::int64_t x, std::int64_t y, QRgb pixel,
                             const ShadedSample<N> &sample)
         {
-            recorder.sampleRejected(x, y, pixel, sample);
+            if (!picture->m_sample)
+                picture->m_recorder.sampleRejected(x, y, pixel, sample);
         }
         void pixelWritten(std::int64_t x, std::int64_t y, QRgb before, QRgb after,
                           const ShadedSample<N> &sample)
         {
-            recorder.pixelWritten(x, y, before, after, sample);
+            if (picture->m_sample)
+                picture->m_written[x][y] |= std::uint16_t(1U << *picture->m_sample);
+            else
+                picture->m_recorder.pixelWritten(x, y, before, after, sample);
         }
     };
 
-    void drawSample(std::size_t k, std::size_t index, const EffectSet &effects)
+    void drawSamples(std::size_t index, const EffectSet &effects)
     {
-        Sample &sample = *m_samples[k];
-        ShadedRun<Form, N, A, Listener> run(m_primitives, m_settings, Listener(this, k));
-        run.draw(index, effects, sample.frame.view(), sample.surroundings, m_edges, true,
-                 m_pattern[k], [](const Column &) {});
+        m_written.clear();
+        for (std::size_t k = 0; k < m_samples.size(); ++k) {
+            m_sample = k;
+            m_run.draw(index, effects, m_samples[k]->frame.view(), m_samples[k]->surroundings,
+                       *m_edges, true, m_pattern[k], [](const Column &) {});
+        }
+        m_sample.reset();
+        m_run.draw(index, effects, m_frame, m_surroundings, *m_edges, false, {0, 0},
+                   [this](const Column &column) { announceIn(column.x); });
+        announceBefore(std::numeric_limits<std::int64_t>::max());
     }
 
     /// The columns below x that no sample at a centre reaches.
@@ -145,16 +147,16 @@ private:
         *m_frame.at(x, y) = sample.after;
     }
 
-    const Primitives &m_primitives;
     FrameView m_frame;
-    EdgePixels m_edges;
+    std::optional<EdgePixels> m_edges; ///< where pixels have several samples
     ShadedSurroundings<N> m_surroundings;
+    Antialiasing m_antialiasing;
     std::span<const LatticePoint> m_pattern;
-    ShadedRun<Form, N, A, CentreListener> m_centre;
     Recorder m_recorder;
-    ScanSettings m_settings;
+    ShadedRun<Form, N, A, Listener> m_run;
     std::vector<std::unique_ptr<Sample>> m_samples;
-    /// Of the triangle in hand: the samples that wrote each pixel, by column and row.
+    std::optional<std::size_t> m_sample; ///< whose picture is drawn; none: that of the centres
+    /// Of the current triangle: the samples that wrote each pixel, by column and row.
     std::map<std::int64_t, std::map<std::int64_t, std::uint16_t>> m_written;
 };
 

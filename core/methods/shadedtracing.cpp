@@ -45,25 +45,12 @@ std::unique_ptr<ScanTrace> traceBy(const Primitives &primitives, const ScanSetti
     const auto trace = [&]<InterpolationForm Form, class N, class A>() {
         using R = ShadedRecording<Form, N, A>;
         TriangleEffects effects(plan);
-        std::unique_ptr<ShadedSurroundings<N>> surroundings;
-        std::unique_ptr<SampledRecording<Form, N, A, TraceRecorder<R>>> sampled;
+        using Picture = ShadedPictureRecorder<Form, N, A, TraceRecorder<R>>;
+        std::unique_ptr<Picture> picture;
         const auto draw = [&](std::size_t index, const TraceRecorder<R> &recorder) {
-            const EffectSet &set = effects.at(index);
-            if (!samplePattern(plan.antialiasing).empty()) {
-                if (!sampled)
-                    sampled = std::make_unique<SampledRecording<Form, N, A, TraceRecorder<R>>>(
-                        primitives, settings, frame, plan, recorder);
-                sampled->draw(index, set);
-                return;
-            }
-            if (!surroundings)
-                surroundings
-                    = std::make_unique<ShadedSurroundings<N>>(plan, primitives.appearance, frame);
-            ShadedRun<Form, N, A, TraceRecorder<R>> run(primitives, settings, recorder);
-            if (plan.antialiasing == Antialiasing::Area)
-                run.drawAreas(index, set, frame, *surroundings);
-            else
-                run.draw(index, set, frame, *surroundings);
+            if (!picture)
+                picture = std::make_unique<Picture>(primitives, settings, frame, plan, recorder);
+            picture->draw(index, effects.at(index));
         };
         return recordTrace<R>(
             primitives.size(), settings, options,
@@ -79,17 +66,9 @@ std::unique_ptr<ScanTrace> traceShaded(ShadedMethod method, const Primitives &pr
                                        const ScanSettings &settings, FrameView frame,
                                        const EffectPlan &plan, const TraceOptions &options)
 {
-    switch (method) {
-    case ShadedMethod::Plane:
-        return traceBy<ShadedMethod::Plane>(primitives, settings, frame, plan, options);
-    case ShadedMethod::Barycentric:
-        return traceBy<ShadedMethod::Barycentric>(primitives, settings, frame, plan, options);
-    case ShadedMethod::Bilinear:
-        return traceBy<ShadedMethod::Bilinear>(primitives, settings, frame, plan, options);
-    case ShadedMethod::ColumnScan:
-        break;
-    }
-    return traceBy<ShadedMethod::ColumnScan>(primitives, settings, frame, plan, options);
+    return withShadedMethod(method, [&]<ShadedMethod known>() {
+        return traceBy<known>(primitives, settings, frame, plan, options);
+    });
 }
 
 } // namespace pixelplumb

@@ -3,8 +3,6 @@
 
 #include "core/methods/edgewalkmethod.h"
 
-#include <type_traits>
-
 /// How an edge walk becomes a method that can be given variants.
 namespace pixelplumb {
 
@@ -17,9 +15,7 @@ struct VariedEdgeWalkKernel : EdgeWalkKernel<form> {
                                       const Function &function)
     {
         return InAnyArithmetic::withNumbers(settings, IntegerWidth::Bits128, [&]<class A>() {
-            using Exact = ExactArithmetic<std::int64_t>;
-            return function.template
-            operator()<std::conditional_t<std::is_same_v<A, Exact>, ExactArithmetic<Int128>, A>>();
+            return function.template operator()<WidestOf<A>>();
         });
     }
     template <class A, class Observer>

@@ -12,6 +12,23 @@
 /// of the numbers that the settings ask for.
 namespace pixelplumb {
 
+template <class Numbers>
+struct WidestOfNumbers {
+    using Type = Numbers;
+};
+template <template <class> class Numbers>
+struct WidestOfNumbers<Numbers<std::int64_t>> {
+    using Type = Numbers<Int128>;
+};
+template <template <class> class Outer, template <class> class Numbers>
+struct WidestOfNumbers<Outer<Numbers<std::int64_t>>> {
+    using Type = Outer<Numbers<Int128>>;
+};
+/// The same numbers in 128 bits where these are exact in 64: the values are equal, and what is not
+/// timed is compiled for one of the two.
+template <class Numbers>
+using WidestOf = typename WidestOfNumbers<Numbers>::Type;
+
 /// Every arithmetic; exact in 64 bits where they suffice, which gives the same numbers.
 struct InAnyArithmetic {
     template <class Geometry>
